@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/profile/profile.h"
+
+namespace onggi {
+
+/// The lump on the wheel: a thick-walled cylinder with a floor, and the grid that carries it.
+struct ClayDef {
+  int rows = 400;                  ///< Rows over the height, 8..20000.
+  int sectors = 360;               ///< Sectors round the axis, 16..8192.
+  double height = 0.20;            ///< Metres, 0.01..1.
+  double outer_radius = 0.055;     ///< Metres, > inner_radius + wall_min, < radius_max.
+  double inner_radius = 0.022;     ///< Metres, >= radius_min.
+  double floor_thickness = 0.010;  ///< Metres; rows below it are solid. 0..height/2.
+  double wall_min = 0.004;    ///< Thinnest wall, metres, 0.0005..0.02. Pressing further carries the
+                              ///< other side along.
+  double radius_min = 0.002;  ///< Smallest inner radius above the floor, metres, > 0.
+  double radius_max = 0.16;   ///< Largest outer radius, metres, <= 1.
+  bool keep_undo =
+      true;  ///< Keep a second grid so that renew() can be taken back (doubles the memory).
+};
+
+/// Checks every field; `where` prefixes the field's name in the Problem. Nothing is allocated.
+Result<void> validate(const ClayDef& def, const std::string& where);
+
+/// The circular sector elements (Lee, Han & Choi 2008, section 2), with an outer and an inner
+/// radius each. Element (row j, sector i) spans row_thickness(j) round height row_height(j) and the
+/// angle [i, i+1) * 2 pi / sectors; its ray is at the middle, (i + 0.5) * 2 pi / sectors. Angles
+/// are in the clay's own turning frame, x towards angle 0, z towards angle pi/2. Invariant: 0 <=
+/// inner, inner + wall_min <= outer <= radius_max; inner == 0 on floor rows. Not safe across
+/// threads; allocation only in create().
+class Clay {
+ public:
+  static Result<Clay> create(const ClayDef& def);
+
+  const ClayDef& def() const { return def_; }
+  int rows() const { return def_.rows; }
+  int sectors() const { return def_.sectors; }
+  /// Floats from one row to the next: sectors rounded up to a multiple of 8.
+  int stride() const { return stride_; }
+  int floor_rows() const { return floor_rows_; }
+  double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
+  double row_thickness(int j) const { return row_thickness_[static_cast<std::size_t>(j)]; }
+
+  std::span<const float> outer(int j) const;  ///< `sectors` radii, metres.
+  std::span<const float> inner(int j) const;
+  std::span<float> outer_mut(int j);  ///< The caller keeps the invariant and calls mark_dirty(j).
+  std::span<float> inner_mut(int j);
+  std::span<const float> ray_cos() const { return ray_cos_; }  ///< stride() values, one a sector.
+  std::span<const float> ray_sin() const { return ray_sin_; }
+
+  /// Rows changed since they were last taken. One bit a row; cost of a look is rows/64 words.
+  void mark_dirty(int j) { dirty_[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63); }
+  void mark_all_dirty();
+  /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
+  int take_dirty(int from = 0);
+
+  /// Back to the lump (keeping the present shape for restore() where keep_undo), or back from it.
+  /// Spread over calls so that no tick pays for the whole grid: each call does at most
+  /// `element_budget` elements and returns true once all is done.
+  bool renew_some(int element_budget);
+  bool restore_some(int element_budget);
+  bool can_restore() const { return can_restore_; }
+
+  /// Mean outer and inner radius of every row, as a Profile. O(rows x sectors); allocates; not for
+  /// the tick.
+  Profile profile() const;
+  /// Clay volume, m^3. O(rows x sectors).
+  double volume() const;
+  /// Hash of every radius bit and row height. O(rows x sectors).
+  std::uint64_t hash() const;
+
+ private:
+  Clay() = default;
+  ClayDef def_;
+  int stride_ = 0;
+  int floor_rows_ = 0;
+  std::vector<double> row_height_, row_thickness_;
+  std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
+  std::vector<float> undo_outer_, undo_inner_;
+  std::vector<std::uint64_t> dirty_;
+  int sweep_row_ = 0;
+  bool can_restore_ = false;
+};
+
+}  // namespace onggi

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/profile/mesh.h"
+
+namespace onggi {
+
+struct ExtractionOptions {
+  int slices = 200;        ///< Heights in the profile, 16..2000.
+  std::optional<Vec3> up;  ///< Up in the mesh's own axes; absent = decided from the shape.
+  double inferred_wall_ratio =
+      0.04;  ///< Wall thickness over largest radius where none can be seen.
+};
+
+/// A profile read from triangles, and how far it can be trusted.
+struct ExtractedProfile {
+  Profile profile;               ///< Mesh units are taken as metres.
+  Vec3 axis_origin;              ///< A point on the axis (at the foot), mesh units.
+  Vec3 axis_direction{0, 1, 0};  ///< Unit, foot to rim, mesh axes.
+  double symmetry = 0.0;         ///< 0..1: 1 - spread of outer radius round the axis / mean radius.
+  double masked_fraction = 0.0;  ///< Share of (height, angle) cells left out as handle, spout, lid.
+  std::vector<std::string> warnings;
+};
+
+/// Finds axis, up, outer and inner radius over height. Problem when the mesh is no body of
+/// revolution, has no extent or non-finite positions. `name` goes into the Problem. Allocates.
+Result<ExtractedProfile> extract_profile(const TriangleMesh& mesh, const ExtractionOptions& options,
+                                         const std::string& name);
+
+}  // namespace onggi

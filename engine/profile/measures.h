@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/profile/profile.h"
+
+namespace onggi {
+
+/// Lengths that a potter would take with callipers. Metres.
+struct Dimensions {
+  double height = 0.0;
+  double belly = 0.0;         ///< Largest outer diameter.
+  double belly_height = 0.0;  ///< Where it is.
+  double mouth = 0.0;         ///< Outer diameter at the rim.
+  double neck = 0.0;          ///< Smallest outer diameter above the belly.
+  double foot = 0.0;          ///< Outer diameter at the standing surface.
+  double wall_mean = 0.0;     ///< Mean wall thickness above the floor.
+  double wall_evenness =
+      0.0;  ///< 1 - (standard deviation / mean) of that thickness, clamped to 0..1.
+};
+
+Dimensions dimensions(const Profile& p);
+
+/// How alike two profiles are. Pure figures; what they are worth is the kiosk's policy
+/// (kiosk/score).
+struct Measures {
+  double scale = 1.0;  ///< The factor put on `made` before comparing (1 when not scale-free).
+  double outline_overlap = 0.0;     ///< Area inside both half outlines / area inside either. 0..1.
+  double outline_rms = 0.0;         ///< RMS radial distance of the outer outlines / target height.
+  double outline_worst = 0.0;       ///< Largest such distance / target height.
+  double outline_worst_at = 0.0;    ///< Height of it / target height, 0..1.
+  double outline_worst_sign = 0.0;  ///< +1 made is too wide there, -1 too narrow, 0 equal.
+  Dimensions target;                ///< Of the target, its own size.
+  Dimensions made;                  ///< Of the pot, after `scale`.
+};
+
+/// Compares `made` with `target`. With `scale_free`, `made` is first scaled about the axis' foot by
+/// the factor that equals the two heights. Allocates nothing. Both must be valid.
+Measures compare(const Profile& target, const Profile& made, bool scale_free);
+
+}  // namespace onggi

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/math/vec.h"
+
+namespace onggi {
+
+/// Which face of the wall a tool works.
+enum class WallSide : std::uint8_t { outside, inside };
+
+/// Where a tool that is clear of the clay is to be taken to stand. By position: inside when nearer
+/// the axis than the middle of the wall at its height.
+enum class SideWish : std::uint8_t { by_position, outside, inside };
+
+/// One tool, as a device reports it. The frame is the studio's: y up along the wheel's axis from
+/// the wheel head, x to the visitor's right, z towards the visitor. Metres.
+struct HandInput {
+  Vec3 position;        ///< Centre of the tool's sphere.
+  bool active = false;  ///< false: lifted away; no contact and no force.
+  SideWish side = SideWish::by_position;
+  friend bool operator==(const HandInput&, const HandInput&) = default;
+};
+
+inline constexpr int kMaxHands = 2;
+
+/// Everything a potter does in one tick; with dt, all that a replay needs.
+struct Hands {
+  std::array<HandInput, kMaxHands> hand;
+  double wheel_speed = 0.0;  ///< Asked for, rad/s, positive turns the clay from x towards z.
+  bool water = false;        ///< A wet sponge is held to the clay.
+  bool renew = false;        ///< Put a fresh lump on (starts on the tick it becomes true).
+  bool restore = false;      ///< Take the last renew back.
+  friend bool operator==(const Hands&, const Hands&) = default;
+};
+
+/// Bits of Feedback::faults. Each is latched by the guard until Scene::clear_faults().
+enum FaultBit : std::uint32_t {
+  kFaultInput = 1u << 0,  ///< A hand was NaN, infinite or beyond 10 m: the sample was held.
+  kFaultTime = 1u << 1,   ///< dt was not in (0, 5 ms]: it was clamped.
+  kFaultForce = 1u << 2,  ///< A force came out non-finite and was set to zero.
+};
+
+/// What one hand feels.
+struct HandFeedback {
+  Vec3 force;  ///< On the hand, studio frame, newtons, guarded.
+  bool contact = false;
+  WallSide side = WallSide::outside;
+  double depth = 0.0;  ///< Deepest press of this tick, metres.
+};
+
+/// What a tick gives back.
+struct Feedback {
+  std::array<HandFeedback, kMaxHands> hand;
+  double wheel_angle = 0.0;  ///< Radians, 0..2 pi.
+  double wheel_speed = 0.0;  ///< rad/s.
+  double wetness = 0.0;      ///< 0 dry .. 1 dripping.
+  std::uint32_t faults = 0;  ///< FaultBit.
+};
+
+}  // namespace onggi

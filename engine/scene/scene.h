@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/base/result.h"
+#include "engine/clay/clay.h"
+#include "engine/scene/hands.h"
+#include "engine/scene/scene_def.h"
+
+namespace onggi {
+
+/// How much work the ticks were. Monotonic since create().
+struct SceneCounters {
+  std::uint64_t ticks = 0;
+  std::uint64_t visited_elements = 0;
+  std::uint64_t touched_elements = 0;
+  std::uint64_t held_samples = 0;   ///< Hand samples refused by the input check.
+  std::uint64_t clamped_times = 0;  ///< dt outside (0, 5 ms].
+};
+
+/// A pot on a wheel. The numbered pipeline of engine/docs/pipeline.md, one tick at a time.
+/// Movable, not copyable. One thread at a time.
+class Scene {
+ public:
+  static Result<Scene> create(
+      const SceneDef& def);  ///< Allocates everything the scene will ever use.
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+
+  /// Advances by `dt` seconds (clamped to (0, 5 ms]). No allocation, lock, file or throw.
+  Feedback step(const Hands& hands, double dt) noexcept;
+
+  const SceneDef& def() const;
+  const Clay& clay() const;
+  /// Takes and clears the lowest changed row at or above `from`; -1 when none. No allocation.
+  int take_dirty_row(int from) noexcept;
+  void mark_all_dirty() noexcept;
+  void clear_faults() noexcept;
+  const SceneCounters& counters() const;
+  double time() const;  ///< Simulated seconds since create().
+  /// Hash of all state that the next tick depends on. O(rows x sectors); not for the tick.
+  std::uint64_t state_hash() const;
+
+ private:
+  struct State;
+  explicit Scene(std::unique_ptr<State>);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace onggi

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/clay/clay.h"
+
+namespace onggi {
+
+/// Every default of a scene stands here and nowhere else. SI units.
+
+struct ToolDef {
+  double radius = 0.008;  ///< Sphere, metres, 0.001..0.05. A fingertip is about 0.008.
+};
+
+struct ContactDef {
+  double relaxation_time = 0.00949;  ///< tau, s, 0.001..1: how soon pressed clay gives way (paper
+                                     ///< c_eta = 10 at 1 kHz). Higher feels stiffer.
+  double stiffness =
+      5e6;  ///< k_A, N per metre of press and m^2 of touched wall, 1e5..5e7. Higher feels drier.
+};
+
+/// Coulomb friction, regularised: F_t = -mu N v / sqrt(v^2 + eps^2).
+struct FrictionDef {
+  double coefficient = 0.35;  ///< mu when dry, 0..2.
+  double wet_factor = 0.3;    ///< mu is multiplied by this when dripping wet, 0..1.
+  double slip_speed = 0.01;   ///< eps, m/s, 1e-4..0.1.
+};
+
+struct WheelDef {
+  double max_speed = 31.4;     ///< rad/s (300 rpm), 0..62.9. Asked speeds are clamped to it.
+  double acceleration = 20.0;  ///< rad/s^2, 0.1..1000.
+};
+
+/// A sponge's water: lies on the clay, lubricates and softens it, dries. One figure for the pot.
+struct WaterDef {
+  double wetting_time = 0.6;  ///< s to soak while the sponge is held, 0.05..60.
+  double drying_time = 60.0;  ///< s, time constant, 1..36000.
+  double softening =
+      0.5;  ///< Relaxation time when dripping wet, as a share of the dry one, 0.05..1.
+};
+
+/// The last word on every force. Always on.
+struct GuardDef {
+  double max_force = 3.3;    ///< N, 0..22.2. The Omni's peak is 3.3.
+  double max_slew = 600.0;   ///< N/s, 10..1e5.
+  double engage_time = 0.5;  ///< s of ramp from zero when a hand arrives or after a fault, 0.05..5.
+};
+
+struct SceneDef {
+  ClayDef clay;
+  ToolDef tool;
+  ContactDef contact;
+  WheelDef wheel;
+  GuardDef guard;
+  std::optional<FrictionDef> friction = FrictionDef{};
+  std::optional<WaterDef> water = WaterDef{};
+};
+
+/// First thing wrong with `def`, with field ("clay.rows"), meaning and remedy. Allocates nothing
+/// big.
+Result<void> validate(const SceneDef& def);
+
+/// Targets are worked at a size a hand can reach: the factor that brings `target` within
+/// `max_height` and `max_diameter` (metres). Both > 0.
+double workspace_scale(const Profile& target, double max_height = 0.20, double max_diameter = 0.22);
+
+/// The lump a potter would weigh out for `target` (already at workspace scale): as tall as the
+/// target, thick-walled, and nowhere near its outline. Other fields are taken from `base`.
+ClayDef lump_for(const Profile& target, const ClayDef& base);
+
+}  // namespace onggi

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/profile/extraction.h"
+#include "engine/profile/mesh.h"
+
+namespace onggi::content {
+
+/// What the label says, in one language.
+struct Label {
+  std::string title;    ///< "Moon jar"
+  std::string culture;  ///< "Korea, Joseon dynasty"
+  std::string date;     ///< "18th century"
+  std::string made;     ///< How it was made, one sentence.
+  std::string text;     ///< At most 100 words.
+};
+
+/// A vessel on the shelf: the mesh for its picture, the profile for its outline and score.
+struct Vessel {
+  std::string id;                       ///< Folder or file name, without its ending.
+  std::filesystem::path file;           ///< The GLB or glTF.
+  std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
+  std::string credit, licence, source;
+  double true_height = 0.0;    ///< Metres, from the TOML; 0 = unknown (mesh units taken as metres).
+  TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
+  ExtractedProfile extracted;  ///< Of `mesh`, upright.
+  std::array<float, 3> color{0.62f, 0.44f, 0.31f};  ///< Linear base colour for its picture.
+
+  /// The label in `language`, else English, else one made of the file's name.
+  Label label(const std::string& language) const;
+};
+
+/// A shelf: what loaded, and what did not with the reason. Never throws; a broken pack is left off.
+struct Catalogue {
+  std::vector<Vessel> vessels;
+  std::vector<Problem> problems;
+  const Vessel* find(const std::string& id) const;
+};
+
+/// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
+/// folder down). Sorted by id. `progress(done, total, name)` is called before each, if given.
+Catalogue open_shelf(const std::filesystem::path& folder,
+                     void (*progress)(int, int, const std::string&, void*) = nullptr,
+                     void* user = nullptr);
+
+/// One vessel: a pack folder, or a GLB/glTF file.
+Result<Vessel> load_vessel(const std::filesystem::path& path);
+
+}  // namespace onggi::content

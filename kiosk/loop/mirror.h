@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/profile/profile.h"
+#include "engine/scene/hands.h"
+
+namespace onggi::loop {
+
+/// The main thread's copy of the clay, kept by applying changed rows. Row means are kept too, so
+/// that a profile costs O(rows). Main thread only.
+class Mirror {
+ public:
+  /// The grid of a new scene: even rows over `height` metres, all at the lump's radii.
+  void reset(int rows, int sectors, double height, double floor_height, double outer, double inner);
+  /// `radii`: `sectors` outer radii, then `sectors` inner ones, metres.
+  void apply(int row, const std::vector<float>& radii);
+
+  int rows() const { return rows_; }
+  int sectors() const { return sectors_; }
+  double height() const { return height_; }
+  const std::vector<float>& outer() const { return outer_; }  ///< rows x sectors.
+  const std::vector<float>& inner() const { return inner_; }
+  Profile profile() const;
+  /// Mean radius of a face at height `h` (clamped), metres.
+  double radius_at(double h, WallSide side) const;
+
+ private:
+  int rows_ = 0, sectors_ = 0;
+  double height_ = 0, floor_height_ = 0;
+  std::vector<float> outer_, inner_;
+  std::vector<double> mean_outer_, mean_inner_;
+};
+
+}  // namespace onggi::loop

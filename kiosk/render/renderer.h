@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/profile/mesh.h"
+#include "kiosk/view/frame.h"
+#include "kiosk/view/image.h"
+#include "kiosk/view/input.h"
+#include "kiosk/view/measure.h"
+#include "kiosk/view/rows.h"
+
+namespace onggi::render {
+
+struct WindowOptions {
+  int width = 0, height = 0;  ///< Both 0: full screen on the primary monitor.
+  bool visible = true;        ///< false: never mapped (scripted visits).
+  std::string title = "Onggi";
+};
+
+/// Figures of the last second.
+struct RenderStatus {
+  double frame_ms = 0;      ///< Mean time to draw and present.
+  double render_scale = 1;  ///< Of the 3-D picture, 0.35..1, chosen from the measured frame time.
+  bool software = false;    ///< No GPU: llvmpipe or the like.
+  std::string device;       ///< GL_RENDERER.
+  std::uint64_t frames = 0;
+};
+
+/// Window, OpenGL 3.3 core and text. Main thread only.
+class Renderer {
+ public:
+  /// Problem (exit 1) says which of display, GL version or shader is missing, and what to do.
+  static Result<std::unique_ptr<Renderer>> create(const WindowOptions& options);
+  virtual ~Renderer() = default;
+
+  virtual int width() const = 0;  ///< Framebuffer pixels.
+  virtual int height() const = 0;
+  /// Everything since the last call, in order. Waits for nothing.
+  virtual std::vector<view::InputEvent> poll() = 0;
+
+  /// The clay's grid from here on; its radii until rows come are the lump's.
+  virtual void set_grid(const view::GridShape& shape) = 0;
+  virtual void update_rows(std::span<const view::RowUpdate> rows) = 0;
+
+  /// Draws into the window's back buffer.
+  virtual void draw(const view::Frame& frame) = 0;
+  virtual void present() = 0;
+  /// The back buffer as drawn.
+  virtual view::Image read_pixels() = 0;
+  /// Draws `frame` (its own width and height, any up to 4096) off screen at full quality with the
+  /// present grid.
+  virtual view::Image draw_offscreen(const view::Frame& frame) = 0;
+
+  /// A picture of a mesh on a transparent ground with its soft shadow, studio light, linear base
+  /// `color`.
+  virtual view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
+                                       int width, int height) = 0;
+  virtual view::PictureId make_picture(const view::Image& image) = 0;
+  virtual void drop_picture(view::PictureId id) = 0;
+
+  virtual const view::TextMeasure& measure() const = 0;
+  virtual RenderStatus status() const = 0;
+  /// true: always full render scale (scripted visits, where time is no matter).
+  virtual void set_full_quality(bool on) = 0;
+};
+
+}  // namespace onggi::render

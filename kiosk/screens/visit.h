@@ -1,0 +1,96 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/content/language.h"
+#include "kiosk/content/vessel.h"
+#include "kiosk/loop/mirror.h"
+#include "kiosk/loop/potter.h"
+#include "kiosk/loop/status.h"
+#include "kiosk/score/score.h"
+#include "kiosk/settings/exhibit.h"
+#include "kiosk/view/frame.h"
+#include "kiosk/view/input.h"
+#include "kiosk/view/measure.h"
+
+namespace onggi::screens {
+
+enum class ScreenId { attract, choose, throwing, result, keepsake, fault };
+std::string_view name_of(
+    ScreenId id);  ///< "attract", "choose", "throw", "result", "keepsake", "fault"
+
+/// A vessel as the screens know it.
+struct ShelfCard {
+  const content::Vessel* vessel = nullptr;
+  view::PictureId picture = 0;  ///< 0 until the app has had it rendered.
+  Profile target;               ///< At workspace scale, foot at 0.
+  double scale = 1.0;           ///< Workspace size / true size.
+};
+
+/// What the visit asks of the program, carried out by app between frames.
+struct StartPot {
+  int card = 0;
+  bool scripted = false;
+};  ///< A fresh lump for this vessel; scripted: follow it (attract).
+struct MakeKeepsake {
+  int card = 0;
+  score::Score score;
+  Profile made;
+};
+struct ForgetVisitor {};  ///< Idle or done: drop postcard, replay, everything of the visitor.
+using Request = std::variant<StartPot, MakeKeepsake, ForgetVisitor>;
+
+/// What the visit may look at. All outlive it.
+struct VisitWorld {
+  const settings::Exhibit* exhibit = nullptr;
+  const std::vector<content::Language>* languages =
+      nullptr;                                    ///< In the exhibit's order, at least one.
+  const std::vector<ShelfCard>* shelf = nullptr;  ///< May grow until the first choose.
+  const view::TextMeasure* measure = nullptr;
+  const loop::Mirror* mirror = nullptr;
+  loop::PotterCommands* potter = nullptr;
+  double max_wheel_speed = 31.4;  ///< rad/s, of the scene in use.
+  double tool_radius = 0.008;
+};
+
+/// The visit as a state machine: attract -> choose -> throw -> result -> keepsake -> attract, with
+/// the idle warning over any of them but attract. Knows no clock, window or file: time and input
+/// come in, frames, commands and requests go out. Main thread.
+class Visit {
+ public:
+  explicit Visit(const VisitWorld& world);
+  ~Visit();
+
+  void input(const view::InputEvent& event, double now);
+  /// Once a frame. `now` is seconds on a clock that never goes back.
+  void update(double now, const loop::LoopStatus& status);
+  view::Frame frame(int width, int height);
+  std::optional<Request> take_request();
+
+  void show_postcard(view::PictureId id);
+  /// The postcard is safe on disk (`file` as the visitor may be told), or could not be kept.
+  void keepsake_kept(const std::string& file);
+  void keepsake_failed(const Problem& why);
+  /// Something the visitor should know and staff should mend; `why` in the log. Touch goes back to
+  /// attract.
+  void fail(const Problem& why);
+
+  ScreenId screen() const;
+  bool idle_warning() const;
+  const std::string& language() const;  ///< Code in use.
+
+  /// Where a control stands in the frame last made, for tests and the scripted visitor:
+  /// "choose.card.0", "throw.done", "throw.side", "throw.water", "throw.renew", "throw.faster",
+  /// "throw.slower", "throw.cut", "result.keep", "result.again", "keepsake.done", "language".
+  /// Nothing when it is not on the screen.
+  std::optional<view::Rect> control(const std::string& id) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/profile/profile.h"
+#include "kiosk/view/frame.h"
+#include "kiosk/view/measure.h"
+
+namespace onggi::souvenir {
+
+/// What a postcard says and shows; words already in the visitor's language.
+struct PostcardWords {
+  std::string title;   ///< "My answer to: Moon jar"
+  std::string vessel;  ///< Culture and date of the vessel it answers.
+  int stars = 0;       ///< 0..5, as small filled circles.
+  std::string credit;  ///< The museum's.
+  std::string date;    ///< Already formatted.
+  std::string language = "en";
+};
+
+inline constexpr int kPostcardWidth = 1500, kPostcardHeight = 2100;
+
+/// The postcard of the design, composed once for screen and file: the fired pot alone on plaster,
+/// title, vessel, stars, credit, and a hairline section of `made` (dark) over `target` (pale) in
+/// the corner.
+view::Frame compose_postcard(const PostcardWords& words, const Profile& made, const Profile& target,
+                             const view::TextMeasure& measure);
+
+}  // namespace onggi::souvenir

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/math/vec.h"
+#include "engine/profile/profile.h"
+#include "kiosk/view/camera.h"
+#include "kiosk/view/rect.h"
+
+namespace onggi::view {
+
+/// What to draw, as plain values: screens fill it, render draws it. Pixels from the top left unless
+/// said otherwise; colours are display sRGB, straight alpha, 0..1.
+
+struct Color {
+  float r = 0, g = 0, b = 0, a = 1;
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+enum class Face : std::uint8_t { serif, sans };
+enum class Align : std::uint8_t {
+  start,
+  centre,
+  end
+};  ///< start and end follow the script's direction.
+
+struct TextStyle {
+  Face face = Face::sans;
+  float px = 24;  ///< Font size (em) in pixels.
+  bool bold = false;
+  Align align = Align::start;
+  float line_height = 1.4f;     ///< Of px.
+  std::string language = "en";  ///< BCP 47, for shaping and line breaks.
+  friend bool operator==(const TextStyle&, const TextStyle&) = default;
+};
+
+/// A paragraph set in `box.w`; the text must fit `box.h` (the layout asked TextMeasure first).
+struct Text {
+  Rect box;
+  std::string text;
+  TextStyle style;
+  Color color;
+};
+
+/// A filled rectangle with round corners, and a border drawn inside its edge.
+struct Box {
+  Rect rect;
+  float radius = 0;
+  Color fill;
+  float border = 0;
+  Color border_color;
+};
+
+/// An antialiased line; a colour for every point.
+struct Line {
+  std::vector<std::pair<float, float>> points;
+  std::vector<Color> colors;  ///< One for all, or one a point.
+  float width = 2;
+};
+
+/// Names a picture that the renderer keeps (made with Renderer::make_*). 0 is none.
+using PictureId = std::uint32_t;
+
+struct Picture {
+  Rect box;  ///< Fitted inside, aspect kept, centred.
+  PictureId id = 0;
+  float opacity = 1;
+};
+
+using Item = std::variant<Text, Box, Line, Picture>;
+
+/// How the clay's surface is finished.
+enum class Finish : std::uint8_t { clay, fired };
+
+struct ToolView {
+  bool visible = false;
+  Vec3 position;  ///< Studio frame, metres.
+  double radius = 0.008;
+};
+
+/// The pot in its studio. The radii themselves come as rows (kiosk/view/rows.h).
+struct PotView {
+  Camera camera;
+  double wheel_angle = 0;
+  double wetness = 0;
+  Finish finish = Finish::clay;
+  double cut_away =
+      0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
+  bool wheel = true;  ///< Draw the wheel head.
+  std::array<ToolView, 2> tools;
+  double opacity = 1;  ///< 0..1, against the plaster, for fades.
+};
+
+/// One picture of the screen. Items are drawn in order over the pot.
+struct Frame {
+  int width = 0, height = 0;
+  std::optional<PotView> pot;
+  std::vector<Item> items;
+  float fade = 0;  ///< 0 this frame .. 1 the frame the screen changed from (cross-fade).
+  std::uint64_t screen_serial = 0;  ///< Changes when the screen changes; the renderer keeps the
+                                    ///< last picture of the old one for `fade`.
+};
+
+}  // namespace onggi::view

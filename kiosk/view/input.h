@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+namespace onggi::view {
+
+enum class Key : std::uint8_t {
+  up,
+  down,
+  left,
+  right,
+  enter,
+  back,
+  help,
+  depth_in,
+  depth_out,  ///< Towards and away from the axis ("." and ",", or Page Up / Page Down).
+  faster,
+  slower,  ///< Wheel speed ("+" and "-").
+  side,
+  water,
+  renew,
+  cut,       ///< "s", "w", "r", "c".
+  language,  ///< "l"
+  none,
+};
+
+/// What reaches the screens from window, touch or keypad. Pixels of the framebuffer, from the top
+/// left.
+struct InputEvent {
+  enum class Kind : std::uint8_t {
+    pointer_down,
+    pointer_move,
+    pointer_up,
+    scroll,
+    key_down,
+    key_up,
+    resize,
+    close
+  };
+  Kind kind = Kind::pointer_move;
+  float x = 0, y = 0;  ///< Pointer; or the new size.
+  float scroll = 0;    ///< Notches; positive away from the visitor.
+  Key key = Key::none;
+  bool repeat = false;
+};
+
+}  // namespace onggi::view
