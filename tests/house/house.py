@@ -1,0 +1,295 @@
+#!/usr/bin/env python3
+"""The house rules of engine/docs/house.md, checked. Prints where, what is wrong and what to do.
+
+  tests/house/house.py includes|links|length|layout|format [--root DIR]
+  exit 0: kept, 1: broken, 77: cannot be checked here (says why)
+"""
+
+import argparse
+import fnmatch
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+MAX_LINES = 400
+CPP = (".h", ".cpp")
+SOURCES = CPP + (".glsl", ".vert", ".frag", ".py", ".sh", ".cmake")
+TOP = set("""CMakeLists.txt kiosk engine content config tests README.md CHANGELOG.md LICENSE
+CMakePresets.json .clang-format .clang-tidy .editorconfig .gitignore .ci""".split())
+HALF_FILES = {
+    "engine": {"CMakeLists.txt"},
+    "kiosk": {"CMakeLists.txt", "start", "install-packages", "packages.txt"},
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>]+)>|"([^"]+)")')
+
+
+class Table:
+    """rooms.txt: what each room may include and link."""
+
+    def __init__(self, path):
+        self.rooms, self.headers, self.targets = {}, {}, {}
+        self.system, self.never = {}, {}
+        with open(path, encoding="utf-8") as file:
+            for number, line in enumerate(file, 1):
+                line = line.split("#")[0].strip()
+                if not line:
+                    continue
+                name, colon, rest = line.partition(" :") if " :" in line else line.partition(":")
+                if not colon:
+                    raise SystemExit(f"{path}:{number}: expected 'room : rooms | headers | targets'")
+                name = name.strip()
+                columns = [column.split() for column in rest.split("|")] + [[], []]
+                if name.startswith("system "):
+                    self.system[name.split()[1]] = columns[0]
+                elif name.startswith("never "):
+                    self.never[name.split()[1]] = columns[0]
+                else:
+                    self.rooms[name], self.headers[name], self.targets[name] = columns[:3]
+
+    def may_include(self, room, header):
+        """True where `room` may include `header`, a path from the root."""
+        other = room_of(header)
+        allowed = self.rooms[room]
+        return other == room or "*" in allowed or other in allowed or header in allowed
+
+    def cycles(self):
+        """Rooms that reach themselves through the table: there must be none."""
+        def reaches(start, room, seen):
+            for other in self.rooms.get(room, []):
+                if other == start:
+                    return True
+                if other in self.rooms and other not in seen:
+                    seen.add(other)
+                    if reaches(start, other, seen):
+                        return True
+            return False
+        return [room for room in self.rooms if reaches(room, room, set())]
+
+
+def room_of(path):
+    """engine/clay/clay.h -> engine/clay; tests/... -> tests; anything else -> None."""
+    parts = path.split("/")
+    if parts[0] == "tests":
+        return "tests"
+    if parts[0] in ("engine", "kiosk") and len(parts) >= 3:
+        return "/".join(parts[:2])
+    return None
+
+
+def files_of(root):
+    """The project's files: what git tracks or would track, or everything where there is no git."""
+    if os.path.exists(os.path.join(root, ".git")) and shutil.which("git"):
+        listing = subprocess.run(
+            ["git", "-c", "safe.directory=*", "ls-files", "-z", "--cached", "--others",
+             "--exclude-standard"], cwd=root, capture_output=True, check=True)
+        names = listing.stdout.decode().split("\0")
+        return sorted(n for n in set(names) if n and os.path.exists(os.path.join(root, n)))
+    found = []
+    for folder, folders, names in os.walk(root):
+        if folder == root:
+            folders[:] = [f for f in folders if not f.startswith("build") and f != "keepsakes"]
+        found += [os.path.relpath(os.path.join(folder, n), root) for n in names]
+    return sorted(found)
+
+
+def read_lines(root, name):
+    with open(os.path.join(root, name), encoding="utf-8", errors="replace") as file:
+        return file.read().splitlines()
+
+
+def matches(name, patterns):
+    return any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)
+
+
+def check_includes(root, table):
+    """Rules 1 and 3: include lines start at the root, name only rooms and libraries of the table."""
+    broken, count = [], 0
+    for name in files_of(root):
+        room = room_of(name)
+        if room is None or not name.endswith(CPP):
+            continue
+        count += 1
+        half = room.split("/")[0]
+        if room not in table.rooms:
+            broken.append(f"{name}: the room {room} is not in tests/house/rooms.txt. Add it there.")
+            continue
+        libraries = list(table.headers[room])
+        if half == "tests":
+            mirrored = room_of(name.split("/", 1)[1])  # a room's tests may use that room's library
+            libraries += table.headers.get(mirrored, [])
+        for number, line in enumerate(read_lines(root, name), 1):
+            found = INCLUDE.match(line)
+            if not found:
+                continue
+            system, own = found.groups()
+            where = f"{name}:{number}: "
+            if own is not None:
+                allowed_roots = ("engine/", "kiosk/") + (("tests/",) if half == "tests" else ())
+                if not own.startswith(allowed_roots):
+                    broken.append(f'{where}"{own}" does not start at the repository root. '
+                                  f'Write "{os.path.dirname(name)}/{own}", or <> for a library.')
+                elif not table.may_include(room, own):
+                    broken.append(f"{where}{room} may not include {own}. It may include: "
+                                  f"{' '.join(table.rooms[room]) or 'no other room'}.")
+            elif system.startswith(("engine/", "kiosk/")):
+                broken.append(f'{where}write "{system}" in quotes: it is our own.')
+            elif matches(system, table.never.get(half, [])):
+                broken.append(f"{where}the {half} never includes <{system}>: it is numbers in, "
+                              "numbers out. Take the value as an argument.")
+            elif "." not in system and "/" not in system:
+                pass  # the C++ standard library
+            elif not matches(system, libraries + table.system.get(half, [])):
+                owners = [r for r in table.rooms if matches(system, table.headers[r])]
+                remedy = (f"It belongs to {' and '.join(owners)}: go through that room."
+                          if owners else "Give it one room in tests/house/rooms.txt.")
+                broken.append(f"{where}{room} may not include <{system}>. {remedy}")
+    return broken, f"{count} files keep the include table"
+
+
+def cmake_calls(text):
+    """Yields (function, words) for every call in a CMake file without nested calls."""
+    text = re.sub(r"#.*", "", text)
+    for found in re.finditer(r"(\w+)\s*\(([^()]*)\)", text):
+        yield found.group(1), found.group(2).split()
+
+
+def sections(words, keywords):
+    parts, current = {"": []}, ""
+    for word in words:
+        if word in keywords:
+            current = word
+            parts.setdefault(current, [])
+        else:
+            parts[current].append(word)
+    return parts
+
+
+def check_links(root, table):
+    """Rules 1 and 3 for what CMake links."""
+    broken, count = [], 0
+    for room in table.cycles():
+        broken.append(f"tests/house/rooms.txt: {room} reaches itself. Lower never includes higher.")
+    for name in files_of(root):
+        room = room_of(name)
+        if os.path.basename(name) != "CMakeLists.txt" or room in (None, "tests"):
+            continue
+        if room not in table.rooms:
+            broken.append(f"{name}: the room {room} is not in tests/house/rooms.txt. Add it there.")
+            continue
+        for function, words in cmake_calls("\n".join(read_lines(root, name))):
+            if function == "target_link_libraries":
+                broken.append(f"{name}: link through onggi_room or onggi_program (ROOMS, LIBS), "
+                              "so that the table can be checked.")
+            if function not in ("onggi_room", "onggi_program"):
+                continue
+            count += 1
+            parts = sections(words, ("ROOMS", "LIBS", "PUBLIC_LIBS", "FOLDERS", "EXCLUDE"))
+            if function == "onggi_room" and parts[""] != [room]:
+                broken.append(f"{name}: onggi_room({' '.join(parts[''])}) should name {room}.")
+            for other in parts.get("ROOMS", []):
+                if other != room and other not in table.rooms[room] and "*" not in table.rooms[room]:
+                    broken.append(f"{name}: {room} may not link {other}. It may link: "
+                                  f"{' '.join(table.rooms[room]) or 'no other room'}.")
+            for library in parts.get("LIBS", []) + parts.get("PUBLIC_LIBS", []):
+                plain = re.sub(r"\$<TARGET_NAME_IF_EXISTS:([^>]*)>", r"\1", library)
+                if plain not in table.targets[room]:
+                    owners = [r for r in table.rooms if plain in table.targets[r]]
+                    remedy = (f"It belongs to {' and '.join(owners)}." if owners
+                              else "Give it one room in tests/house/rooms.txt.")
+                    broken.append(f"{name}: {room} may not link {plain}. {remedy}")
+    return broken, f"{count} libraries and programs keep the link table"
+
+
+def check_length(root, _table):
+    """Rule 4: a source over 400 lines fails, unless it is in the list with a reason."""
+    broken, count, excepted = [], 0, {}
+    listing = "tests/house/long_files.txt"
+    for number, line in enumerate(read_lines(root, listing), 1):
+        line = line.split("#")[0].strip()
+        if not line:
+            continue
+        path, _, reason = (part.strip() for part in line.partition(" : "))
+        if not reason:
+            broken.append(f"{listing}:{number}: say why {path} may be long: 'path : reason'.")
+        excepted[path] = number
+    for name in files_of(root):
+        if not name.endswith(SOURCES) or name.split("/")[0] not in ("engine", "kiosk", "tests"):
+            continue
+        count += 1
+        length = len(read_lines(root, name))
+        if length > MAX_LINES and name not in excepted:
+            broken.append(f"{name}: {length} lines, {MAX_LINES} is the most. Split it by job: "
+                          "one clear job a file.")
+        if name in excepted and length <= MAX_LINES:
+            broken.append(f"{listing}:{excepted[name]}: {name} is short again. Remove the line.")
+    for path, number in excepted.items():
+        if not os.path.exists(os.path.join(root, path)):
+            broken.append(f"{listing}:{number}: {path} is gone. Remove the line.")
+    return broken, f"{count} sources, none over {MAX_LINES} lines" + (
+        f" but {len(excepted)} by name" if excepted else "")
+
+
+def check_layout(root, table):
+    """The top level is fixed; below engine/ and kiosk/ are rooms and docs; tests mirror them."""
+    broken, names = [], files_of(root)
+    for top in sorted({name.split("/")[0] for name in names} - TOP):
+        broken.append(f"{top}: the top level is fixed. Put it in the room whose job it does.")
+    for name in names:
+        parts = name.split("/")
+        if parts[0] in HALF_FILES:
+            if len(parts) == 2 and parts[1] not in HALF_FILES[parts[0]]:
+                broken.append(f"{name}: belongs in a room of {parts[0]}/, or in {parts[0]}/docs.")
+            elif len(parts) > 2 and parts[1] != "docs" and room_of(name) not in table.rooms:
+                broken.append(f"{name}: {parts[0]}/{parts[1]} is no room of tests/house/rooms.txt.")
+        if name.endswith("_test.cpp") and parts[0] == "tests":
+            mirrored = room_of("/".join(parts[1:]))
+            if mirrored not in table.rooms:
+                broken.append(f"{name}: no program runs it. Tests lie where their room lies: "
+                              "tests/engine/clay/clay_test.cpp.")
+    return broken, f"{len(names)} files lie where the house has a place for them"
+
+
+def check_format(root, _table):
+    """clang-format 14, as .clang-format says."""
+    tool = next((t for t in ("clang-format-14", "clang-format") if shutil.which(t)), None)
+    version = subprocess.run([tool, "--version"], capture_output=True, text=True).stdout if tool else ""
+    if "version 14" not in version:
+        print("format: not checked, clang-format 14 is not here. Install clang-format-14.")
+        sys.exit(77)
+    names = [n for n in files_of(root)
+             if n.endswith(CPP) and n.split("/")[0] in ("engine", "kiosk", "tests")]
+    broken = []
+    for start in range(0, len(names), 50):
+        run = subprocess.run([tool, "--dry-run", "-Werror", *names[start:start + 50]],
+                             cwd=root, capture_output=True, text=True)
+        at = sorted(set(re.findall(r"^(\S+?):\d+:\d+: error", run.stderr, re.M)))
+        broken += [f"{name}: not formatted. Run {tool} -i {name}" for name in at]
+        if run.returncode and not at:
+            broken.append(run.stderr.strip())
+    return broken, f"{len(names)} files are formatted"
+
+
+CHECKS = {"includes": check_includes, "links": check_links, "length": check_length,
+          "layout": check_layout, "format": check_format}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("check", choices=[*CHECKS, "all"])
+    parser.add_argument("--root", default=os.path.join(os.path.dirname(__file__), "..", ".."))
+    arguments = parser.parse_args()
+    root = os.path.realpath(arguments.root)
+    table = Table(os.path.join(root, "tests/house/rooms.txt"))
+    failed = False
+    for check in CHECKS if arguments.check == "all" else [arguments.check]:
+        broken, kept = CHECKS[check](root, table)
+        print("\n".join(broken) if broken else f"{check}: {kept}.")
+        failed = failed or bool(broken)
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

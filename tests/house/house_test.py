@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""The house checks themselves: a small good tree passes, and each kind of bad tree fails by name."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.dont_write_bytecode = True
+sys.path.insert(0, HERE)
+import house  # noqa: E402
+
+
+class House(unittest.TestCase):
+    def setUp(self):
+        self.root = tempfile.mkdtemp(prefix="house")
+        self.addCleanup(shutil.rmtree, self.root)
+        for name in ("rooms.txt", "long_files.txt"):
+            with open(os.path.join(HERE, name), encoding="utf-8") as file:
+                self.write(f"tests/house/{name}", file.read() if name == "rooms.txt" else "")
+        self.write("engine/math/vec.h", "#include <cmath>\n")
+        self.write("engine/clay/clay.h", '#include "engine/math/vec.h"\n')
+        self.write("engine/clay/CMakeLists.txt", "onggi_room(engine/clay ROOMS engine/math)\n")
+
+    def write(self, name, text):
+        path = os.path.join(self.root, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def check(self, name):
+        table = house.Table(os.path.join(self.root, "tests/house/rooms.txt"))
+        return house.CHECKS[name](self.root, table)[0]
+
+    def assert_broken(self, check, *words):
+        broken = self.check(check)
+        self.assertEqual(len(broken), 1, broken)
+        for word in words:
+            self.assertIn(word, broken[0])
+
+    def test_a_good_tree_passes_every_check(self):
+        for name in house.CHECKS:
+            if name == "format" and not shutil.which("clang-format-14"):
+                continue
+            self.assertEqual(self.check(name), [], name)
+
+    def test_lower_never_includes_higher(self):
+        self.write("engine/math/vec.h", '#pragma once\n#include "engine/clay/clay.h"\n')
+        self.assert_broken("includes", "engine/math/vec.h:2", "may not include engine/clay/clay.h")
+
+    def test_effects_and_force_do_not_meet(self):
+        self.write("engine/force/guard.cpp", '  #  include "engine/effects/slump.h"\n')
+        self.assert_broken("includes", "engine/force/guard.cpp:1", "engine/effects")
+
+    def test_the_engine_never_includes_the_kiosk(self):
+        self.write("engine/scene/scene.cpp", '#include "kiosk/settings/exhibit.h"\n')
+        self.assert_broken("includes", "kiosk/settings/exhibit.h")
+
+    def test_a_border_header_is_granted_and_its_neighbour_is_not(self):
+        self.write("kiosk/device/device.h", '#include "engine/scene/hands.h"\n')
+        self.assertEqual(self.check("includes"), [])
+        self.write("kiosk/device/device.h", '#include "engine/scene/scene.h"\n')
+        self.assert_broken("includes", "engine/scene/scene.h")
+
+    def test_a_subfolder_belongs_to_its_room(self):
+        self.write("kiosk/render/shaders/clay.h", '#include "kiosk/loop/status.h"\n')
+        self.assert_broken("includes", "kiosk/render may not include kiosk/loop/status.h")
+
+    def test_the_app_knows_everyone(self):
+        self.write("kiosk/app/commands/run.cpp",
+                   '#include "kiosk/loop/potter.h"\n#include <CLI/CLI.hpp>\n')
+        self.assertEqual(self.check("includes"), [])
+
+    def test_include_lines_start_at_the_root(self):
+        self.write("engine/clay/clay.cpp", '#include "clay.h"\n')
+        self.assert_broken("includes", 'Write "engine/clay/clay.h"')
+
+    def test_our_own_headers_stand_in_quotes(self):
+        self.write("engine/clay/clay.cpp", "#include <engine/clay/clay.h>\n")
+        self.assert_broken("includes", "in quotes")
+
+    def test_one_library_one_room(self):
+        self.write("kiosk/screens/visit.cpp", "#include <GLFW/glfw3.h>\n")
+        self.assert_broken("includes", "It belongs to kiosk/render")
+
+    def test_an_unknown_library_is_refused(self):
+        self.write("kiosk/screens/visit.cpp", "#include <SDL2/SDL.h>\n")
+        self.assert_broken("includes", "Give it one room")
+
+    def test_the_engine_takes_no_clock_and_no_system_header(self):
+        self.write("engine/clay/clay.cpp", "#include <chrono>\n")
+        self.assert_broken("includes", "never includes <chrono>")
+        self.write("engine/clay/clay.cpp", "#include <unistd.h>\n")
+        self.assert_broken("includes", "unistd.h")
+
+    def test_an_unlisted_room_is_named(self):
+        self.write("kiosk/garage/car.cpp", "")
+        self.assert_broken("includes", "kiosk/garage is not in")
+        self.assertTrue(self.check("layout"))
+
+    def test_test_headers_stay_in_tests(self):
+        self.write("engine/clay/clay.cpp", "#include <gtest/gtest.h>\n")
+        self.assert_broken("includes", "gtest")
+        os.remove(os.path.join(self.root, "engine/clay/clay.cpp"))
+        self.write("tests/engine/clay/clay_test.cpp",
+                   '#include <gtest/gtest.h>\n#include "tests/support/shapes.h"\n')
+        self.assertEqual(self.check("includes"), [])
+
+    def test_linking_obeys_the_table(self):
+        self.write("engine/clay/CMakeLists.txt", "onggi_room(engine/clay\n  ROOMS engine/scene)\n")
+        self.assert_broken("links", "engine/clay may not link engine/scene")
+
+    def test_linking_a_library_of_another_room_fails(self):
+        self.write("kiosk/score/CMakeLists.txt", "onggi_room(kiosk/score PUBLIC_LIBS glfw)\n")
+        self.assert_broken("links", "may not link glfw", "kiosk/render")
+
+    def test_linking_around_the_table_fails(self):
+        self.write("kiosk/score/CMakeLists.txt",
+                   "onggi_room(kiosk/score)\ntarget_link_libraries(onggi_kiosk_score PUBLIC glfw)\n")
+        self.assert_broken("links", "link through onggi_room")
+
+    def test_a_room_names_itself(self):
+        self.write("kiosk/score/CMakeLists.txt", "onggi_room(kiosk/view)\n")
+        self.assert_broken("links", "should name kiosk/score")
+
+    def test_a_circle_in_the_table_is_found(self):
+        self.write("tests/house/rooms.txt",
+                   "engine/math : engine/clay\nengine/clay : engine/math\n")
+        self.assertEqual(len(self.check("links")), 2)
+
+    def test_a_file_of_401_lines_fails_and_400_pass(self):
+        self.write("engine/clay/clay.cpp", "\n" * 400)
+        self.assertEqual(self.check("length"), [])
+        self.write("engine/clay/clay.cpp", "\n" * 401)
+        self.assert_broken("length", "engine/clay/clay.cpp: 401 lines")
+
+    def test_a_long_table_passes_by_name_with_a_reason(self):
+        self.write("engine/clay/table.cpp", "\n" * 500)
+        self.write("tests/house/long_files.txt", "engine/clay/table.cpp : a table of constants\n")
+        self.assertEqual(self.check("length"), [])
+        self.write("tests/house/long_files.txt", "engine/clay/table.cpp\n")
+        self.assert_broken("length", "say why")
+
+    def test_a_stale_exception_fails(self):
+        self.write("tests/house/long_files.txt", "engine/clay/gone.cpp : a table\n")
+        self.assert_broken("length", "is gone")
+
+    def test_the_top_level_is_fixed(self):
+        self.write("utils/helper.cpp", "")
+        self.assert_broken("layout", "utils: the top level is fixed")
+
+    def test_a_loose_file_in_a_half_fails(self):
+        self.write("engine/helper.cpp", "")
+        self.assert_broken("layout", "engine/helper.cpp")
+
+    def test_a_test_that_no_program_runs_fails(self):
+        self.write("tests/clay_test.cpp", "")
+        self.assert_broken("layout", "no program runs it")
+
+    @unittest.skipUnless(shutil.which("clang-format-14"), "clang-format-14 is not here")
+    def test_a_badly_formatted_file_fails(self):
+        self.write(".clang-format", "BasedOnStyle: Google\n")
+        self.write("engine/clay/clay.cpp", "int   main( ) { }\n")
+        self.assert_broken("format", "engine/clay/clay.cpp: not formatted")
+
+    @unittest.skipUnless(shutil.which("cmake") and shutil.which("ninja"), "cmake is not here")
+    def test_a_header_that_leans_on_another_include_does_not_compile_alone(self):
+        project = os.path.join(HERE, "..", "..")
+        for name in ("CMakeLists.txt", "engine/CMakeLists.txt", "engine/base/CMakeLists.txt"):
+            with open(os.path.join(project, name), encoding="utf-8") as file:
+                self.write(name, file.read())
+        os.remove(os.path.join(self.root, "engine/clay/CMakeLists.txt"))
+        build = os.path.join(self.root, "build")
+        subprocess.run(["cmake", "-S", self.root, "-B", build, "-G", "Ninja", "-DONGGI_KIOSK=OFF",
+                        "-DONGGI_TESTS=OFF"], capture_output=True, check=True)
+        verify = ["cmake", "--build", build, "--target", "all_verify_interface_header_sets"]
+        self.write("engine/base/list.h", "#include <vector>\ninline std::vector<int> list;\n")
+        self.assertEqual(subprocess.run(verify, capture_output=True).returncode, 0)
+        self.write("engine/base/list.h", "inline std::vector<int> list;\n")
+        self.assertNotEqual(subprocess.run(verify, capture_output=True).returncode, 0)
+
+    def test_the_command_exits_with_1_on_a_bad_tree_and_0_on_a_good_one(self):
+        command = [sys.executable, "-B", os.path.join(HERE, "house.py"), "includes", "--root", self.root]
+        self.assertEqual(subprocess.run(command, capture_output=True).returncode, 0)
+        self.write("engine/math/vec.h", '#include "engine/clay/clay.h"\n')
+        self.assertEqual(subprocess.run(command, capture_output=True).returncode, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
