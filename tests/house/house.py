@@ -22,6 +22,7 @@ HALF_FILES = {
     "engine": {"CMakeLists.txt"},
     "kiosk": {"CMakeLists.txt", "start", "install-packages", "packages.txt"},
 }
+GLOBAL_FLAGS = re.compile(r"CMAKE_CXX_FLAGS\w*|\badd_(?:compile|link)_options\b|-ffast-math|-Ofast")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>]+)>|"([^"]+)")')
 
 
@@ -173,7 +174,14 @@ def check_links(root, table):
         broken.append(f"tests/house/rooms.txt: {room} reaches itself. Lower never includes higher.")
     for name in files_of(root):
         room = room_of(name)
-        if os.path.basename(name) != "CMakeLists.txt" or room in (None, "tests"):
+        if os.path.basename(name) not in ("CMakeLists.txt", "CMakePresets.json"):
+            continue
+        for number, line in enumerate(read_lines(root, name), 1):
+            found = GLOBAL_FLAGS.search(line.split("#")[0])
+            if found:
+                broken.append(f"{name}:{number}: no global flags, never fast-math: put "
+                              f"{found.group(0)}'s work on the target onggi_build.")
+        if room in (None, "tests"):
             continue
         if room not in table.rooms:
             broken.append(f"{name}: the room {room} is not in tests/house/rooms.txt. Add it there.")

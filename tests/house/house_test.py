@@ -126,6 +126,10 @@ class House(unittest.TestCase):
         self.write("kiosk/score/CMakeLists.txt", "onggi_room(kiosk/view)\n")
         self.assert_broken("links", "should name kiosk/score")
 
+    def test_global_flags_fail(self):
+        self.write("CMakeLists.txt", "add_compile_options(-O3)\n")
+        self.assert_broken("links", "CMakeLists.txt:1", "no global flags")
+
     def test_a_circle_in_the_table_is_found(self):
         self.write("tests/house/rooms.txt",
                    "engine/math : engine/clay\nengine/clay : engine/math\n")
