@@ -83,9 +83,16 @@ class Visit {
   const std::string& language() const;  ///< Code in use.
 
   /// Where a control stands in the frame last made, for tests and the scripted visitor:
-  /// "choose.card.0", "throw.done", "throw.side", "throw.water", "throw.renew", "throw.faster",
-  /// "throw.slower", "throw.cut", "result.keep", "result.again", "keepsake.done", "language".
-  /// Nothing when it is not on the screen.
+  ///   attract   "attract.begin" (any touch begins)
+  ///   choose    "choose.card.N" (N counts the whole shelf; only this page's are there),
+  ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
+  ///             "choose.more" (a long label read on), "back" to the shelf
+  ///   throw     "throw.side", "throw.slower", "throw.faster", "throw.water", "throw.cut",
+  ///             "throw.renew" (takes itself back while that can be), "throw.done"
+  ///   result    "result.keep", "result.again", "result.other"
+  ///   keepsake  "keepsake.done"        fault  "fault.on"
+  ///   over any  "help", "help.close", "idle.stay", "language", "back"
+  /// Nothing when it is not on the screen. A control acts when the pointer is lifted on it.
   std::optional<view::Rect> control(const std::string& id) const;
 
  private:
