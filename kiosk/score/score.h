@@ -9,22 +9,44 @@
 namespace onggi::score {
 
 /// A remark in a language's words: a key of content/languages with its places.
+///
+/// What is alike, no places unless said:
+///   alike.outline {percent}   the whole outline; {percent} of its area is shared, whole number
+///   alike.belly   alike.mouth   alike.foot   alike.neck   alike.height   alike.wall
+///   alike.start               nothing is near yet: a first pot on the way
+/// What to try, largest difference first. {mm} is a whole number of millimetres on the true vessel:
+///   remark.belly_wide {mm}    remark.belly_narrow {mm}   widest diameter against the vessel's
+///   remark.belly_high {mm}    remark.belly_low {mm}      height of the widest place
+///   remark.neck_wide {mm}     remark.neck_narrow {mm}    narrowest diameter above the belly
+///   remark.mouth_wide {mm}    remark.mouth_narrow {mm}   diameter at the rim
+///   remark.foot_wide {mm}     remark.foot_narrow {mm}    diameter at the foot
+///   remark.wide {mm} {percent}   remark.narrow {mm} {percent}   diameter at {percent} of the
+///   height
+///                                                        from the foot, where none of the above is
+///   remark.tall {mm}          remark.short {mm}          height; never when scale-free
+///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
 struct Remark {
   std::string key;                            ///< "remark.neck_wide"
   std::map<std::string, std::string> places;  ///< {"mm", "8"}
 };
+
+/// Every key that judge() can give, so that a language can be checked for all of them.
+std::vector<std::string> remark_keys();
 
 /// What a pot is worth as an answer to a vessel.
 struct Score {
   double points = 0;  ///< 0..100
   int stars = 0;      ///< 1..5
   Measures measures;
-  std::vector<Remark> alike;  ///< What is alike, best first; at least one.
-  std::vector<Remark>
-      try_next;  ///< What to try, largest difference first; may be empty above 97 points.
+  std::vector<Remark> alike;     ///< What is alike, best first; one to three.
+  std::vector<Remark> try_next;  ///< What to try, largest difference first; none to three, and none
+                                 ///< above 97 points.
 };
 
-/// Policy: scale-free by default. Both profiles valid, metres.
-Score judge(const Profile& target, const Profile& made, bool scale_free = true);
+/// Policy: scale-free by default. Both profiles valid, metres. `true_scale` is true metres for one
+/// metre of `target` (1 / the workspace scale), so that remarks speak of the real vessel; > 0.
+/// Deterministic: the same bits on every machine. Allocates.
+Score judge(const Profile& target, const Profile& made, bool scale_free = true,
+            double true_scale = 1.0);
 
 }  // namespace onggi::score
