@@ -1,0 +1,28 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <memory>
+
+#include "engine/base/result.h"
+
+namespace onggi::app {
+
+/// An X server without a screen (Xvfb), for scripted visits where there is no display. Sets DISPLAY
+/// while it lives; ends the server when destroyed, and the server ends by itself should this
+/// program die.
+class VirtualDisplay {
+ public:
+  /// Nothing to do (nullptr) when DISPLAY or WAYLAND_DISPLAY is set. Problem when Xvfb is missing
+  /// or does not start within 10 s.
+  static Result<std::unique_ptr<VirtualDisplay>> ensure(int width, int height);
+  ~VirtualDisplay();
+  VirtualDisplay(const VirtualDisplay&) = delete;
+  VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+ private:
+  explicit VirtualDisplay(pid_t pid) : pid_(pid) {}
+  pid_t pid_;
+};
+
+}  // namespace onggi::app

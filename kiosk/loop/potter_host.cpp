@@ -1,0 +1,132 @@
+#include "kiosk/loop/potter_host.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace onggi::loop {
+
+PotterHost::~PotterHost() = default;
+
+void PotterHost::send(const Command& command) {
+  // A full queue means that the loop has stood still for 256 wishes. Waiting for it here would
+  // freeze the screen too, so a wish about the hands is dropped; what carries ownership is
+  // destroyed with it.
+  if (core_.send(command)) return;
+  delete command.pot;
+  delete command.script;
+}
+
+void PotterHost::start(std::unique_ptr<Scene> scene) {
+  recording_.reset();
+  dropped_ = 0;
+  const ClayDef clay = scene->def().clay;
+  auto pot = std::make_unique<Pot>(std::move(*scene), ++serial_);
+  mirror_.reset(clay.rows, clay.sectors, clay.height, clay.floor_thickness, clay.outer_radius,
+                clay.inner_radius);
+  current_ = pot.get();
+  Command command;
+  command.kind = Command::Kind::put;
+  command.pot = pot.release();
+  send(command);
+}
+
+void PotterHost::play(std::unique_ptr<Script> script) {
+  Command command;
+  command.kind = Command::Kind::play;
+  command.script = script.release();
+  send(command);
+}
+
+void PotterHost::hand(int index, const HandInput& target) {
+  Command command;
+  command.kind = Command::Kind::hand;
+  command.index = index;
+  command.target = target;
+  send(command);
+}
+
+void PotterHost::wheel(double rad_per_s) {
+  Command command;
+  command.kind = Command::Kind::wheel;
+  command.value = rad_per_s;
+  send(command);
+}
+
+namespace {
+Command wish(Command::Kind kind, bool on = true) {
+  Command command;
+  command.kind = kind;
+  command.on = on;
+  return command;
+}
+}  // namespace
+
+void PotterHost::water(bool held) { send(wish(Command::Kind::water, held)); }
+void PotterHost::renew() { send(wish(Command::Kind::renew)); }
+void PotterHost::restore() { send(wish(Command::Kind::restore)); }
+void PotterHost::pause(bool on) { send(wish(Command::Kind::pause, on)); }
+
+void PotterHost::take_returned() {
+  Returned returned;
+  while (core_.take_returned(returned)) {
+    delete returned.script;
+    if (returned.pot == nullptr) continue;
+    std::unique_ptr<Pot> pot(returned.pot);
+    if (pot.get() == current_) lent_ = std::move(pot);
+  }
+}
+
+void PotterHost::note_records(Pot& pot) {
+  TickRecord record;
+  while (pot.records.try_dequeue(record))
+    if (recording_) recording_->tick(record);
+}
+
+int PotterHost::collect(const std::function<void(int, const std::vector<float>&)>& changed) {
+  take_returned();
+  if (current_ == nullptr) return 0;
+  note_records(*current_);
+  int count = 0;
+  while (RowChannel::Row* row = current_->rows.take()) {
+    mirror_.apply(row->row, row->radii);
+    if (changed) changed(row->row, row->radii);
+    current_->rows.give_back(row);
+    ++count;
+  }
+  current_->rows.ask();
+  return count;
+}
+
+void PotterHost::record(const std::string& vessel_id, std::uint64_t seed) {
+  if (current_ != nullptr) recording_.emplace(current_->scene.def(), vessel_id, seed);
+}
+
+bool PotterHost::with_scene(const std::function<void(Scene&)>& look) {
+  if (current_ == nullptr) return false;
+  send(wish(Command::Kind::give_back));
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  for (;;) {
+    let_loop_turn();
+    take_returned();
+    if (lent_) break;
+    if (std::chrono::steady_clock::now() > until) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  note_records(*lent_);
+  dropped_ += std::exchange(lent_->dropped_records, 0);
+  look(lent_->scene);
+  Command back;
+  back.kind = Command::Kind::put;
+  back.pot = lent_.release();
+  send(back);
+  return true;
+}
+
+std::vector<std::byte> PotterHost::replay(std::uint64_t state_hash) const {
+  if (!recording_) return {};
+  ReplayWriter copy = *recording_;
+  return copy.finish(state_hash);
+}
+
+}  // namespace onggi::loop
