@@ -12,6 +12,8 @@ struct GridShape {
   int rows = 0, sectors = 0;
   double height = 0;        ///< Metres over all rows.
   double floor_height = 0;  ///< Metres: top of the floor.
+  double lump_outer = 0;    ///< Metres: radii shown until rows come; 0 shows nothing until then.
+  double lump_inner = 0;
   friend bool operator==(const GridShape&, const GridShape&) = default;
 };
 

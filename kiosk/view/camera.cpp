@@ -1,0 +1,131 @@
+#include "kiosk/view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::view {
+namespace {
+
+constexpr double kNearest = 0.01;  // metres before the eye that still have a pixel
+constexpr double kPi = 3.14159265358979323846;
+
+double pixels_per_slope(const Camera& c) { return 0.5 * c.height / std::tan(0.5 * c.fov); }
+
+struct Extent {
+  float left = 1e9f, right = -1e9f, top = 1e9f, bottom = -1e9f;
+  bool whole = true;
+};
+
+// Where the rings of a standing cylinder reach on the screen.
+Extent extent_of(const Camera& camera, double height, double radius) {
+  Extent e;
+  for (int i = 0; i < 48; ++i) {
+    const double a = 2.0 * kPi * i / 48;
+    for (const double y : {0.0, height}) {
+      const auto p = camera.project({radius * std::cos(a), y, radius * std::sin(a)});
+      if (!p) {
+        e.whole = false;
+        return e;
+      }
+      e.left = std::min(e.left, p->first);
+      e.right = std::max(e.right, p->first);
+      e.top = std::min(e.top, p->second);
+      e.bottom = std::max(e.bottom, p->second);
+    }
+  }
+  return e;
+}
+
+}  // namespace
+
+Vec3 Camera::eye() const {
+  Vec3 right, up, back;
+  basis(right, up, back);
+  return target + back * distance;
+}
+
+void Camera::basis(Vec3& right, Vec3& up, Vec3& back) const {
+  const double ce = std::cos(elevation), se = std::sin(elevation);
+  const double ca = std::cos(azimuth), sa = std::sin(azimuth);
+  back = {sa * ce, se, ca * ce};
+  right = {ca, 0.0, -sa};
+  up = cross(back, right);
+}
+
+std::optional<std::pair<float, float>> Camera::project(Vec3 p) const {
+  Vec3 right, up, back;
+  basis(right, up, back);
+  const Vec3 d = p - (target + back * distance);
+  const double depth = -dot(d, back);
+  if (depth < kNearest) return std::nullopt;
+  const double f = pixels_per_slope(*this);
+  return std::pair{static_cast<float>(centre_x + f * dot(d, right) / depth),
+                   static_cast<float>(centre_y - f * dot(d, up) / depth)};
+}
+
+Vec2 Camera::on_axis_plane(float px, float py) const {
+  Vec3 right, up, back;
+  basis(right, up, back);
+  const double f = pixels_per_slope(*this);
+  const Vec3 ray = right * ((px - centre_x) / f) + up * ((centre_y - py) / f) - back;
+  // The plane holds the axis and `right`; its normal is level and faces the eye.
+  const Vec3 normal = {std::sin(azimuth), 0.0, std::cos(azimuth)};
+  const Vec3 from = target + back * distance;
+  const double along = dot(ray, normal);
+  // A ray level with the plane never meets it; it can only come from a camera straight above.
+  const double t = along < -1e-9 ? -dot(from, normal) / along : distance;
+  const Vec3 hit = from + ray * t;
+  return {dot(hit, right), hit.y};
+}
+
+void Camera::matrices(float view[16], float projection[16]) const {
+  Vec3 right, up, back;
+  basis(right, up, back);
+  const Vec3 from = target + back * distance;
+  const Vec3 rows[3] = {right, up, back};
+  for (int r = 0; r < 3; ++r) {
+    view[0 + r] = static_cast<float>(rows[r].x);
+    view[4 + r] = static_cast<float>(rows[r].y);
+    view[8 + r] = static_cast<float>(rows[r].z);
+    view[12 + r] = static_cast<float>(-dot(rows[r], from));
+  }
+  view[3] = view[7] = view[11] = 0.0f;
+  view[15] = 1.0f;
+
+  const double near = std::max(0.02, distance - 1.5), far = distance + 4.0;
+  const double f = pixels_per_slope(*this);
+  std::fill(projection, projection + 16, 0.0f);
+  projection[0] = static_cast<float>(2.0 * f / width);
+  projection[5] = static_cast<float>(2.0 * f / height);
+  projection[8] = static_cast<float>(1.0 - 2.0 * centre_x / width);
+  projection[9] = static_cast<float>(2.0 * centre_y / height - 1.0);
+  projection[10] = static_cast<float>(-(far + near) / (far - near));
+  projection[11] = -1.0f;
+  projection[14] = static_cast<float>(-2.0 * far * near / (far - near));
+}
+
+Camera frame_pot(int width, int height, const Rect& box, double pot_height, double pot_radius) {
+  Camera camera;
+  camera.width = width;
+  camera.height = height;
+  camera.centre_x = box.x + 0.5f * box.w;
+  camera.centre_y = box.y + 0.5f * box.h;
+  camera.target = {0.0, 0.5 * pot_height, 0.0};
+
+  // The nearest distance at which both rings lie within the box: farther is smaller, so halve.
+  double low = 1.2 * pot_radius, high = 200.0 * (pot_height + pot_radius);
+  for (int i = 0; i < 60; ++i) {
+    camera.distance = 0.5 * (low + high);
+    const Extent e = extent_of(camera, pot_height, pot_radius);
+    const bool fits = e.whole && e.right - e.left <= box.w && e.bottom - e.top <= box.h;
+    (fits ? high : low) = camera.distance;
+  }
+  camera.distance = high;
+
+  // Perspective makes the near ring hang lower than the far ring stands higher: centre again.
+  const Extent e = extent_of(camera, pot_height, pot_radius);
+  camera.centre_y += box.y + 0.5f * box.h - 0.5f * (e.top + e.bottom);
+  return camera;
+}
+
+}  // namespace onggi::view
