@@ -1,0 +1,153 @@
+#include "kiosk/settings/toml_reader_impl.h"
+
+namespace onggi::settings {
+
+TomlReader::Table TomlReader::Impl::table(const std::string& path, const toml::table* node,
+                                          Place at) {
+  auto& slot = tables[path];
+  if (!slot) {
+    slot = std::make_shared<Table::Impl>();
+    slot->file = this;
+    slot->node = node;
+    slot->path = path;
+    slot->place = at;
+  }
+  Table out;
+  out.impl_ = slot;
+  return out;
+}
+
+TomlReader::TomlReader(const std::filesystem::path& file) : impl_(std::make_shared<Impl>()) {
+  impl_->name = file.string();
+  const Result<std::string> text = read_toml_text(file);
+  if (!text) {
+    impl_->problems.push_back(text.error());
+    return;
+  }
+  if (const Result<void> depth = check_depth(*text, impl_->name); !depth) {
+    impl_->problems.push_back(depth.error());
+    return;
+  }
+  toml::parse_result parsed = toml::parse(*text, std::string_view(impl_->name));
+  if (!parsed) {
+    const toml::parse_error& error = parsed.error();
+    const Place at = place_of(error.source());
+    const std::string line = line_of(*text, at.line);
+    impl_->problems.push_back(
+        Problem{impl_->where(at),
+                "This cannot be read as TOML (" + shown(error.description(), 160) + ")" +
+                    (line.empty() ? "." : ", in the line: " + line),
+                "Write `key = value`: text in \"quotes\", commas between the elements of a list, "
+                "every bracket and quote closed, each key once in its [table]."});
+    return;
+  }
+  impl_->root = std::move(parsed).table();
+  impl_->ok = true;
+}
+
+TomlReader::~TomlReader() = default;
+TomlReader::TomlReader(TomlReader&&) noexcept = default;
+
+bool TomlReader::ok() const { return impl_->ok; }
+const std::vector<Problem>& TomlReader::problems() const { return impl_->problems; }
+int TomlReader::keys_checked() const { return impl_->keys_checked; }
+TomlReader::Table TomlReader::root() {
+  return impl_->table("", impl_->ok ? &impl_->root : nullptr, Place{});
+}
+
+bool TomlReader::Table::present() const { return impl_->node != nullptr; }
+
+bool TomlReader::Table::has(std::string_view key) const {
+  return present() && impl_->node->contains(key);
+}
+
+std::vector<std::string> TomlReader::Table::keys() const {
+  std::vector<std::pair<Place, std::string>> found;
+  if (present()) {
+    for (const auto& [key, value] : *impl_->node) {
+      found.emplace_back(place_of(key.source()), std::string(key.str()));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> out;
+  for (auto& [place, key] : found) out.push_back(std::move(key));
+  return out;
+}
+
+TomlReader::Table TomlReader::Table::child(std::string_view name) {
+  const toml::node* value = impl_->ask(name);
+  const toml::table* table = value == nullptr ? nullptr : value->as_table();
+  if (value != nullptr && table == nullptr) {
+    const std::string full = impl_->full(name);
+    impl_->wrong_type(name, *value, "a table",
+                      "Write [" + full + "] on a line of its own, and its keys below it.");
+  }
+  return impl_->file->table(impl_->full(name), table,
+                            value == nullptr ? impl_->place : place_of(value->source()));
+}
+
+std::vector<TomlReader::Table> TomlReader::Table::children(std::string_view name) {
+  const std::string full = impl_->full(name);
+  const std::string remedy = "Write [[" + full + "]] on a line of its own before each of them.";
+  std::vector<Table> out;
+  const toml::array* list = impl_->ask_list(name, "a list of tables", remedy);
+  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    const toml::node& value = (*list)[i];
+    if (const toml::table* table = value.as_table()) {
+      out.push_back(impl_->file->table(impl_->full(impl_->element(name, i)), table,
+                                       place_of(value.source())));
+    } else {
+      impl_->wrong_type(impl_->element(name, i), value, "a table", remedy);
+    }
+  }
+  return out;
+}
+
+void TomlReader::Table::complain(std::string_view key, std::string what, std::string remedy) {
+  impl_->file->note(impl_->place_of_key(key), std::move(what), std::move(remedy));
+}
+
+void TomlReader::Table::complain_at(std::string_view key, std::size_t index, std::string what,
+                                    std::string remedy) {
+  const toml::node* value = present() ? impl_->node->get(key) : nullptr;
+  const toml::array* list = value == nullptr ? nullptr : value->as_array();
+  const Place at = list != nullptr && index < list->size() ? place_of((*list)[index].source())
+                                                           : impl_->place_of_key(key);
+  impl_->file->note(at, std::move(what), std::move(remedy));
+}
+
+void TomlReader::Table::require(std::string_view key, std::string remedy) {
+  if (impl_->ask(key) != nullptr) return;
+  impl_->file->note(impl_->place, impl_->full(key) + " is missing.", std::move(remedy));
+}
+
+void TomlReader::Table::finish() {
+  if (!present() || impl_->finished) return;
+  impl_->finished = true;
+  for (const auto& [key, value] : *impl_->node) {
+    const std::string name(key.str());
+    if (std::find(impl_->asked.begin(), impl_->asked.end(), name) != impl_->asked.end()) continue;
+    const std::string full = shown(impl_->full(name), 120);
+    const std::string what = value.is_table() ? "[" + full + "] is not a table of this file."
+                                              : full + " is not a key of this file.";
+    impl_->file->note(place_of(key.source()), what, impl_->right_name(name));
+  }
+}
+
+std::string TomlReader::Table::Impl::right_name(const std::string& wrong) const {
+  if (const std::string near = nearest_name(wrong, asked); !near.empty()) {
+    return "Write " + near + ", if that is meant.";
+  }
+  // The right name in the wrong place: a key that slipped under another [table].
+  for (const auto& [other_path, other] : file->tables) {
+    if (other.get() == this) continue;
+    if (std::find(other->asked.begin(), other->asked.end(), wrong) == other->asked.end()) continue;
+    return other_path.empty() ? "Move it above the first [table]."
+                              : "Move it below the line [" + other_path + "].";
+  }
+  std::string known;
+  for (const std::string& name : asked) known += (known.empty() ? "" : ", ") + name;
+  return "Remove it, or write one of: " + known + ".";
+}
+
+}  // namespace onggi::settings
