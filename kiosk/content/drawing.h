@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
@@ -15,7 +17,15 @@ struct Drawing {
   Section section;     ///< Metres.
 };
 
-/// Problems with line and column.
+/// A drawing and everything found wrong with it; use `drawing` only where `problems` is empty.
+struct DrawingRead {
+  Drawing drawing;
+  std::vector<Problem> problems;  ///< With file, line and column.
+  int keys_checked = 0;
+};
+DrawingRead check_drawing(const std::filesystem::path& toml);
+
+/// The drawing, or the first Problem of check_drawing().
 Result<Drawing> read_drawing(const std::filesystem::path& toml);
 
 }  // namespace onggi::content

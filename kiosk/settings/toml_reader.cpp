@@ -61,6 +61,11 @@ bool TomlReader::Table::has(std::string_view key) const {
   return present() && impl_->node->contains(key);
 }
 
+bool TomlReader::Table::has_table(std::string_view key) const {
+  const toml::node* value = present() ? impl_->node->get(key) : nullptr;
+  return value != nullptr && value->is_table();
+}
+
 std::vector<std::string> TomlReader::Table::keys() const {
   std::vector<std::pair<Place, std::string>> found;
   if (present()) {

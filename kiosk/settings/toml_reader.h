@@ -40,6 +40,8 @@ class TomlReader {
     bool present() const;
     /// Is `key` written in this table, whatever its type?
     bool has(std::string_view key) const;
+    /// Is `key` written in this table as a table of its own ([key], or key.other = ...)?
+    bool has_table(std::string_view key) const;
     /// Each reads `key` into `out` if it is there and good; notes a Problem if not good (and leaves
     /// `out` alone). True if read.
     /// `low` and `high` are included; `unit` is for the Problem's words ("s", "metres"). A whole

@@ -1,0 +1,349 @@
+#include "kiosk/content/gltf_document.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace onggi::content {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLargestFile = std::size_t{512} << 20;
+constexpr std::size_t kLargestJson = std::size_t{32} << 20;
+/// glTF itself nests about 8 deep; `extras` may go further, but not this far.
+constexpr int kDeepest = 64;
+
+constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
+
+std::uint32_t u32_at(const Bytes& bytes, std::size_t at) {
+  return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
+         static_cast<std::uint32_t>(bytes[at + 2]) << 16 |
+         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+struct Container {
+  std::string json;
+  std::optional<Bytes> bin;
+};
+
+tl::unexpected<Problem> broken(const std::string& name, std::string what) {
+  return problem(name, std::move(what),
+                 "Export it again as glTF 2.0 (GLB); it may have been cut off on the way.");
+}
+
+/// glTF 2.0, section 4.4: header, a JSON chunk, an optional BIN chunk, others skipped.
+Result<Container> split(const std::string& name, const Bytes& bytes) {
+  Container out;
+  if (bytes.size() < 4 || u32_at(bytes, 0) != kMagic) {
+    out.json.assign(bytes.begin(), bytes.end());
+    return out;
+  }
+  if (bytes.size() < 20) return broken(name, "this GLB ends within its header.");
+  if (u32_at(bytes, 4) != 2)
+    return broken(name, "this GLB is of version " + std::to_string(u32_at(bytes, 4)) +
+                            ", and 2 is what can be read.");
+  const std::size_t total = u32_at(bytes, 8);
+  if (total > bytes.size())
+    return broken(name, "this GLB says it has " + std::to_string(total) + " bytes, and has " +
+                            std::to_string(bytes.size()) + ".");
+  std::size_t at = 12;
+  for (int chunk = 0; at + 8 <= total; ++chunk) {
+    const std::size_t length = u32_at(bytes, at);
+    const std::uint32_t kind = u32_at(bytes, at + 4);
+    at += 8;
+    if (length > total - at) return broken(name, "a chunk of this GLB runs over its end.");
+    const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto last = first + static_cast<std::ptrdiff_t>(length);
+    if (chunk == 0 && kind != kJsonChunk)
+      return broken(name, "the first chunk of this GLB is not JSON.");
+    if (chunk == 0) out.json.assign(first, last);
+    if (chunk == 1 && kind == kBinChunk) out.bin = Bytes(first, last);
+    at += length;
+  }
+  return out;
+}
+
+/// Depth before any parser with a stack meets it.
+Result<void> measure_json(const std::string& name, const std::string& text) {
+  if (text.size() > kLargestJson)
+    return broken(name, "its JSON has " + std::to_string(text.size() >> 20) +
+                            " MiB, and the most is " + std::to_string(kLargestJson >> 20) + ".");
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > kDeepest)
+        return broken(name, "its JSON is nested more than " + std::to_string(kDeepest) + " deep.");
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+  return {};
+}
+
+bool starts_with(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
+
+/// What can be left aside without changing the shape, and what is understood.
+bool can_do_without_or_knows(const std::string& extension) {
+  static const std::array<const char*, 3> kKnown{"KHR_mesh_quantization", "EXT_meshopt_compression",
+#ifdef ONGGI_HAS_DRACO
+                                                 "KHR_draco_mesh_compression"
+#else
+                                                 "KHR_mesh_quantization"
+#endif
+  };
+  if (std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end()) return true;
+  for (const char* look : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
+                           "EXT_lights_", "MSFT_texture_"})
+    if (starts_with(extension, look)) return true;
+  return false;
+}
+
+Result<void> check_extensions(const std::string& name, const json& doc) {
+  const auto required = doc.find("extensionsRequired");
+  if (required == doc.end() || !required->is_array()) return {};
+  for (const json& entry : *required) {
+    if (!entry.is_string() || can_do_without_or_knows(entry.get<std::string>())) continue;
+    return problem(name,
+                   "it requires the extension " + entry.get<std::string>().substr(0, 80) +
+                       ", which Onggi does not read.",
+                   "Export the vessel again without that extension (compression off).");
+  }
+  return {};
+}
+
+const json* member(const json& object, const char* key) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(key);
+  return found == object.end() ? nullptr : &*found;
+}
+
+std::size_t whole(const json& object, const char* key, std::size_t otherwise) {
+  const json* value = member(object, key);
+  if (value == nullptr || !value->is_number_unsigned()) return otherwise;
+  return value->get<std::size_t>();
+}
+
+std::string words(const json& object, const char* key) {
+  const json* value = member(object, key);
+  return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
+}
+
+/// Notes what the extensions say, which tinygltf does not act upon.
+void note_compression(const json& doc, GltfDocument& out) {
+  constexpr auto kNone = static_cast<std::size_t>(-1);
+  if (const json* views = member(doc, "bufferViews"); views != nullptr && views->is_array())
+    for (std::size_t i = 0; i < views->size(); ++i) {
+      const json* all = member((*views)[i], "extensions");
+      const json* ext = all == nullptr ? nullptr : member(*all, "EXT_meshopt_compression");
+      if (ext == nullptr) continue;
+      out.meshopt[static_cast<int>(i)] = {whole(*ext, "buffer", kNone),
+                                          whole(*ext, "byteOffset", 0),
+                                          whole(*ext, "byteLength", kNone),
+                                          whole(*ext, "byteStride", kNone),
+                                          whole(*ext, "count", kNone),
+                                          words(*ext, "mode"),
+                                          words(*ext, "filter")};
+    }
+  const json* meshes = member(doc, "meshes");
+  for (std::size_t m = 0; meshes != nullptr && meshes->is_array() && m < meshes->size(); ++m) {
+    const json* primitives = member((*meshes)[m], "primitives");
+    for (std::size_t p = 0;
+         primitives != nullptr && primitives->is_array() && p < primitives->size(); ++p) {
+      const json* all = member((*primitives)[p], "extensions");
+      const json* ext = all == nullptr ? nullptr : member(*all, "KHR_draco_mesh_compression");
+      if (ext == nullptr) continue;
+      const auto as_index = [](const json* object, const char* key) {
+        const std::size_t value = object == nullptr ? kNone : whole(*object, key, kNone);
+        return value < 1u << 30 ? static_cast<int>(value) : -1;
+      };
+      const json* ids = member(*ext, "attributes");
+      out.draco[{static_cast<int>(m), static_cast<int>(p)}] = {
+          as_index(ext, "bufferView"), as_index(ids, "POSITION"), as_index(ids, "NORMAL")};
+    }
+  }
+  const json* materials = member(doc, "materials");
+  for (std::size_t i = 0; materials != nullptr && materials->is_array() && i < materials->size();
+       ++i) {
+    const json* pbr = member((*materials)[i], "pbrMetallicRoughness");
+    const json* all = member((*materials)[i], "extensions");
+    out.textured.push_back(
+        (pbr != nullptr && member(*pbr, "baseColorTexture") != nullptr) ||
+        (all != nullptr && member(*all, "KHR_materials_pbrSpecularGlossiness") != nullptr));
+  }
+}
+
+/// Keeps of each object in the list `key` only the named members.
+void keep(json& doc, const char* key, std::initializer_list<const char*> wanted) {
+  const auto list = doc.find(key);
+  if (list == doc.end() || !list->is_array()) return;
+  for (json& object : *list) {
+    if (!object.is_object()) continue;
+    json kept = json::object();
+    for (const char* name : wanted)
+      if (const json* value = member(object, name)) kept[name] = *value;
+    object = std::move(kept);
+  }
+}
+
+/// The document cut down to what is used. Every buffer becomes a "file" of one byte: the accessor
+/// reader looks into our own copies, and tinygltf need not hold a second one.
+json cut_down(const json& doc, const std::vector<Bytes>& buffers) {
+  json out = json::object();
+  for (const char* key :
+       {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "materials"})
+    if (const json* value = member(doc, key)) out[key] = *value;
+  keep(out, "scenes", {"nodes"});
+  keep(out, "nodes", {"name", "mesh", "children", "matrix", "translation", "rotation", "scale"});
+  keep(out, "meshes", {"name", "primitives"});
+  keep(out, "bufferViews", {"buffer", "byteOffset", "byteLength", "byteStride", "target"});
+  keep(out, "accessors",
+       {"bufferView", "byteOffset", "componentType", "normalized", "count", "type", "sparse"});
+  keep(out, "materials", {"name", "pbrMetallicRoughness"});
+  if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extras");
+  if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extensions");
+  if (out.contains("materials") && out["materials"].is_array())
+    for (json& material : out["materials"])
+      if (const json* pbr = member(material, "pbrMetallicRoughness")) {
+        json color = json::object();
+        if (const json* factor = member(*pbr, "baseColorFactor"))
+          color["baseColorFactor"] = *factor;
+        material["pbrMetallicRoughness"] = color;
+      }
+  if (out.contains("meshes") && out["meshes"].is_array())
+    for (json& mesh : out["meshes"])
+      if (mesh.contains("primitives"))
+        keep(mesh, "primitives", {"attributes", "indices", "material", "mode"});
+  out["buffers"] = json::array();
+  for (std::size_t i = 0; i < buffers.size(); ++i)
+    out["buffers"].push_back({{"byteLength", 1}, {"uri", std::to_string(i)}});
+  return out;
+}
+
+Result<std::vector<Bytes>> load_buffers(const std::string& name,
+                                        const std::filesystem::path& folder, const json& doc,
+                                        const std::optional<Bytes>& bin) {
+  std::vector<Bytes> out;
+  const json* list = member(doc, "buffers");
+  if (list == nullptr || !list->is_array()) return out;
+  std::size_t left = kLargestFile;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const json& buffer = (*list)[i];
+    const std::string uri = words(buffer, "uri");
+    const std::string here = name + ", buffer " + std::to_string(i);
+    Bytes bytes;
+    if (starts_with(uri, "data:")) {
+      std::string mime;
+      if (!tinygltf::DecodeDataURI(&bytes, mime, uri, 0, false))
+        return broken(here, "its data within the file cannot be decoded.");
+    } else if (!uri.empty()) {
+      auto read = read_beneath(folder, uri, left, here);
+      if (!read) return tl::unexpected<Problem>(read.error());
+      bytes = std::move(*read);
+    } else if (i == 0 && bin) {
+      bytes = *bin;
+    }
+    // Without uri or chunk it is the fallback of compressed views, which is never read.
+    const std::size_t wanted = whole(buffer, "byteLength", 0);
+    if (bytes.size() < wanted && !(uri.empty() && !(i == 0 && bin)))
+      return broken(here, "it should have " + std::to_string(wanted) + " bytes, and has " +
+                              std::to_string(bytes.size()) + ".");
+    if (bytes.size() > wanted) bytes.resize(wanted);
+    if (bytes.size() > left) return broken(here, "the buffers together are too large.");
+    left -= bytes.size();
+    out.push_back(std::move(bytes));
+  }
+  return out;
+}
+
+std::string first_line(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.size() > 160 ? line.substr(0, 160) + "..." : line;
+}
+
+bool serves(const std::string& path, const std::vector<Bytes>& buffers, std::size_t& index) {
+  index = 0;
+  if (path.empty() || path.size() > 6) return false;
+  for (const char c : path) {
+    if (c < '0' || c > '9') return false;
+    index = 10 * index + static_cast<std::size_t>(c - '0');
+  }
+  return index < buffers.size();
+}
+
+/// tinygltf's way to files: there are none but the buffers' stand-ins.
+tinygltf::FsCallbacks memory_files(std::vector<Bytes>* buffers) {
+  tinygltf::FsCallbacks fs{};
+  fs.FileExists = [](const std::string& path, void* user) {
+    std::size_t index;
+    return serves(path, *static_cast<std::vector<Bytes>*>(user), index);
+  };
+  fs.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  fs.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& path,
+                        void* user) {
+    std::size_t index;
+    if (!serves(path, *static_cast<std::vector<Bytes>*>(user), index)) return false;
+    out->assign(1, 0);
+    return true;
+  };
+  fs.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                         void*) { return false; };
+  fs.user_data = buffers;
+  return fs;
+}
+
+}  // namespace
+
+Result<GltfDocument> open_gltf(const std::filesystem::path& file) {
+  GltfDocument out;
+  out.name = file.string();
+  const auto bytes = read_regular_file(file, kLargestFile);
+  if (!bytes) return tl::unexpected<Problem>(bytes.error());
+  const auto container = split(out.name, *bytes);
+  if (!container) return tl::unexpected<Problem>(container.error());
+  if (auto good = measure_json(out.name, container->json); !good)
+    return tl::unexpected<Problem>(good.error());
+
+  const json doc = json::parse(container->json, nullptr, false);
+  if (doc.is_discarded() || !doc.is_object())
+    return broken(out.name, "it is not a glTF file: its JSON cannot be parsed.");
+  const json* asset = member(doc, "asset");
+  if (asset == nullptr || !starts_with(words(*asset, "version"), "2."))
+    return broken(out.name, "it does not say that it is glTF of version 2.");
+  if (auto good = check_extensions(out.name, doc); !good)
+    return tl::unexpected<Problem>(good.error());
+  note_compression(doc, out);
+  auto buffers = load_buffers(out.name, file.parent_path(), doc, container->bin);
+  if (!buffers) return tl::unexpected<Problem>(buffers.error());
+  out.buffers = std::move(*buffers);
+
+  std::string error, warning;
+  out.model = std::make_shared<tinygltf::Model>();
+  try {
+    const std::string text =
+        cut_down(doc, out.buffers).dump(-1, ' ', false, json::error_handler_t::replace);
+    tinygltf::TinyGLTF loader;
+    loader.SetFsCallbacks(memory_files(&out.buffers));
+    loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                             const unsigned char*, int, void*) { return true; },
+                          nullptr);
+    if (!loader.LoadASCIIFromString(out.model.get(), &error, &warning, text.c_str(),
+                                    static_cast<unsigned int>(text.size()), ""))
+      return broken(out.name, "it is not sound glTF: " + first_line(error));
+  } catch (const std::exception& e) {
+    return broken(out.name, std::string("it is not sound glTF: ") + first_line(e.what()));
+  }
+  return out;
+}
+
+}  // namespace onggi::content

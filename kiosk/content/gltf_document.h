@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "kiosk/content/confined_files.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace onggi::content {
+
+/// EXT_meshopt_compression of one buffer view.
+struct MeshoptView {
+  std::size_t buffer = 0, offset = 0, length = 0, stride = 0, count = 0;
+  std::string mode, filter;
+};
+
+/// KHR_draco_mesh_compression of one primitive.
+struct DracoPrimitive {
+  int view = -1;
+  int position = -1, normal = -1;  ///< Attribute ids inside the Draco data.
+};
+
+/// A glTF 2.0 file whose JSON has been measured, whose required extensions are known, whose buffers
+/// are in memory, and which tinygltf has parsed. Indices and ranges inside are still unchecked.
+struct GltfDocument {
+  std::string name;  ///< For Problems.
+  std::shared_ptr<tinygltf::Model> model;
+  std::vector<Bytes> buffers;  ///< One a buffer; empty for a meshopt fallback.
+  std::map<int, MeshoptView> meshopt;
+  std::map<std::pair<int, int>, DracoPrimitive> draco;  ///< By (mesh, primitive).
+  std::vector<bool> textured;                           ///< By material: its colour is an image.
+  std::vector<std::string> warnings;
+};
+
+/// Only geometry, nodes and base colours are handed on: images, textures, skins, animations,
+/// cameras and extras are cut out before tinygltf sees the JSON, and it opens no file of its own.
+Result<GltfDocument> open_gltf(const std::filesystem::path& file);
+
+}  // namespace onggi::content
