@@ -10,29 +10,29 @@
 
 namespace onggi::settings {
 
-/// One exhibit, as config/exhibit.toml writes it. Every default stands here.
+/// One exhibit, as config/exhibit.toml writes it. Every default stands here; config/README.md tells
+/// them to curators. A path that is not absolute is taken from the folder that holds the file, and
+/// so are the defaults of paths.
 struct Exhibit {
   std::filesystem::path file;  ///< Where it was read.
   std::map<std::string, std::string> title{{"en", "Throw a pot"},
                                            {"ko", "도자기 빚기"}};  ///< By language.
-  std::string credit = "Onggi";                                     ///< Printed on the keepsake.
-  std::vector<std::string> languages{"en", "ko"};                   ///< First is the default.
+  std::string credit = "Onggi";                    ///< Printed on the keepsake; 1..120 letters.
+  std::vector<std::string> languages{"en", "ko"};  ///< First is the default; 1..12 of them.
   struct Idle {
     double warn_after = 60.0;     ///< s without input before "are you still there?", 20..3600.
     double countdown = 25.0;      ///< s shown counting down, 20..300.
     double result_after = 120.0;  ///< s on result and keepsake before the warning, 20..3600.
   } idle;
-  std::filesystem::path
-      shelf;  ///< Folder of vessels; relative to the file's folder. content/vessels.
-  std::filesystem::path scene;  ///< TOML of the scene; config/scenes/first_touch.toml.
+  std::filesystem::path shelf = "../content/vessels";       ///< Folder of vessels.
+  std::filesystem::path scene = "scenes/first_touch.toml";  ///< TOML of the scene.
   struct Keepsake {
-    std::filesystem::path
-        folder;           ///< Where postcards go; relative to the file's folder. keepsakes.
+    std::filesystem::path folder = "../keepsakes";  ///< Where postcards go; made when first needed.
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.
   } keepsake;
   struct Screen {
-    double viewing_distance_mm = 600;  ///< 200..5000.
-    double diagonal_mm = 600;          ///< 100..5000.
+    double viewing_distance_mm = 600;  ///< Eye to screen, 200..5000.
+    double diagonal_mm = 600;          ///< Of the picture, corner to corner, 100..5000.
     bool reduced_motion = false;
     bool left_handed = false;  ///< Mirrors the layout and the wheel.
     double force = 1.0;        ///< 0 (off) .. 1 of the device's cap.
@@ -40,23 +40,31 @@ struct Exhibit {
 };
 
 /// Everything found wrong; empty is good. Each has file:line:column, meaning, remedy, and names the
-/// nearest right key where one is close.
+/// nearest right key where one is close. In file order.
 using Problems = std::vector<Problem>;
 
-/// Reads an exhibit. On problems, `exhibit` still holds every value that was good (defaults
-/// elsewhere).
 struct ExhibitRead {
   Exhibit exhibit;
   Problems problems;
   int keys_checked = 0;
 };
-ExhibitRead read_exhibit(const std::filesystem::path& file);
+
+/// Reads an exhibit and looks whether the shelf, the scene and (where `language_folder` is given)
+/// a <code>.toml for every language are there. On problems, `exhibit` still holds every value that
+/// was good, and defaults elsewhere: a visitor's kiosk opens with it.
+ExhibitRead read_exhibit(const std::filesystem::path& file,
+                         const std::filesystem::path& language_folder = {});
 
 struct SceneRead {
   SceneDef def;
   Problems problems;
   int keys_checked = 0;
 };
+
+/// Reads a scene: tables [clay] [tool] [contact] [wheel] [guard], whose keys are SceneDef's own,
+/// and the effects [friction] [water], which are simulated where their table is written and absent
+/// where it is not. `def` always passes validate(): good values are kept, and where they contradict
+/// each other the whole scene goes back to its defaults, with a Problem.
 SceneRead read_scene(const std::filesystem::path& file);
 
 }  // namespace onggi::settings

@@ -83,7 +83,7 @@ class TomlReader {
 
   /// In file order. Every `where` is "file:line:column", or "file" where it could not be read.
   const std::vector<Problem>& problems() const;
-  /// Keys that are present and were asked for.
+  /// Keys that are present and were asked for, tables not counted.
   int keys_checked() const;
 
  private:

@@ -84,7 +84,9 @@ struct TomlReader::Table::Impl {
     const toml::node* value = node == nullptr ? nullptr : node->get(key);
     if (std::find(asked.begin(), asked.end(), key) == asked.end()) {
       asked.emplace_back(key);
-      if (value != nullptr) ++file->keys_checked;
+      if (value != nullptr && !value->is_table() && !value->is_array_of_tables()) {
+        ++file->keys_checked;
+      }
     }
     return value;
   }

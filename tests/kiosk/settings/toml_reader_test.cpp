@@ -93,7 +93,7 @@ name = "body"
   EXPECT_THAT(outer, ElementsAre(OutlinePoint{30, 0, true}, OutlinePoint{42.5, 12, false}));
   EXPECT_EQ(width, 6.0);
   EXPECT_THAT(parts, ElementsAre("lid", "body"));
-  EXPECT_EQ(reader.keys_checked(), 14);
+  EXPECT_EQ(reader.keys_checked(), 12);
   EXPECT_THAT(root.keys(), ElementsAre("title", "rows", "height", "tall", "shown", "names", "radii",
                                        "wall", "outer", "foot", "part"));
 }

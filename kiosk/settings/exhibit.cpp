@@ -1,0 +1,198 @@
+#include "kiosk/settings/exhibit.h"
+
+#include <algorithm>
+
+#include "kiosk/settings/toml_reader.h"
+
+namespace onggi::settings {
+namespace {
+
+namespace fs = std::filesystem;
+using Table = TomlReader::Table;
+
+constexpr std::size_t kMostLetters = 120;  // fits the postcard's credit line and a screen's title
+constexpr std::size_t kMostLanguages = 12;
+
+bool has_control_character(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7F;
+  });
+}
+
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // UTF-8: one leading byte a letter
+  }));
+}
+
+/// One line of words that is shown to visitors.
+bool read_line(Table& table, const std::string& key, const std::string& name, std::string& out) {
+  std::string text;
+  if (!table.text(key, text)) return false;
+  std::string what;
+  if (text.find_first_not_of(' ') == std::string::npos) what = name + " is empty.";
+  if (has_control_character(text)) what = name + " has a line break or tab in it.";
+  if (letters(text) > kMostLetters) {
+    what = name + " has " + std::to_string(letters(text)) + " letters, and " +
+           std::to_string(kMostLetters) + " is the most that fits.";
+  }
+  if (what.empty()) {
+    out = text;
+    return true;
+  }
+  table.complain(key, what, "Write one line of 1 to " + std::to_string(kMostLetters) + " letters.");
+  return false;
+}
+
+/// "en", "ko", "zh-Hant": letters, then parts of letters and digits. It becomes a file's name.
+bool is_language_code(const std::string& code) {
+  std::size_t part = 0, parts = 0;
+  for (const char c : code) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (c == '-') {
+      if (part < 2) return false;
+      ++parts;
+      part = 0;
+    } else if (letter || (parts > 0 && c >= '0' && c <= '9')) {
+      if (++part > 8) return false;
+    } else {
+      return false;
+    }
+  }
+  return part >= 2;
+}
+
+void read_languages(Table& root, const fs::path& folder, std::vector<std::string>& out) {
+  std::vector<std::string> codes;
+  const bool written = root.texts("languages", codes);
+  if (!written) codes = out;
+  const std::string example = "Write codes of languages, the first one first: [\"en\", \"ko\"].";
+  if (codes.empty()) return root.complain("languages", "languages is an empty list.", example);
+  if (codes.size() > kMostLanguages) {
+    return root.complain("languages", "languages has more than 12 elements.", example);
+  }
+  std::vector<std::string> good;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const std::string& code = codes[i];
+    if (!is_language_code(code)) {
+      root.complain_at("languages", i, "\"" + code + "\" is not a language code.", example);
+    } else if (std::find(good.begin(), good.end(), code) != good.end()) {
+      root.complain_at("languages", i, "\"" + code + "\" is named twice.", "Name it once.");
+    } else {
+      std::error_code error;
+      const fs::path file = folder / (code + ".toml");
+      if (!folder.empty() && !fs::is_regular_file(file, error)) {
+        root.complain_at(
+            "languages", i, "There are no words for \"" + code + "\".",
+            "Write " + file.string() +
+                " (copy one that is there and translate it), or take the language out.");
+      }
+      good.push_back(code);
+    }
+  }
+  if (!good.empty()) out = good;
+}
+
+void read_title(Table& root, const std::vector<std::string>& languages,
+                std::map<std::string, std::string>& out) {
+  auto table = root.child("title");
+  std::map<std::string, std::string> titles;
+  for (const std::string& code : languages) {
+    std::string text;
+    if (read_line(table, code, "title." + code, text)) {
+      titles[code] = text;
+    } else if (!table.has(code) && (table.present() || !out.contains(code))) {
+      table.complain("", "There is no title for the language \"" + code + "\".",
+                     "Write " + code + " = \"...\" below [title].");
+    }
+  }
+  table.finish();
+  if (table.present() && !titles.empty()) out = titles;
+  // Languages without a title of their own show the first there is, never nothing.
+  for (const std::string& code : languages) out.try_emplace(code, out.begin()->second);
+}
+
+/// Reads a path and takes it from `folder`; what is not good leaves the default.
+void read_path(Table& table, const std::string& key, const fs::path& folder, fs::path& out) {
+  std::string text;
+  if (table.text(key, text)) {
+    if (text.empty() || has_control_character(text)) {
+      table.complain(key, key + " is not a path.",
+                     "Write a path, such as \"" + out.string() + "\".");
+    } else if (text.starts_with("~")) {
+      table.complain(key, key + " begins with ~, which only a shell understands.",
+                     "Write the whole path, from / on.");
+    } else {
+      out = text;
+    }
+  }
+  out = (folder / out).lexically_normal();
+  if (!out.has_filename()) out = out.parent_path();  // "a/b/" and "a/b" are one folder
+}
+
+void read_shelf_and_scene(Table& root, const fs::path& folder, Exhibit& exhibit) {
+  std::error_code error;
+  read_path(root, "shelf", folder, exhibit.shelf);
+  if (!fs::is_directory(exhibit.shelf, error)) {
+    root.complain("shelf", "The shelf " + exhibit.shelf.string() + " is not a folder.",
+                  "Write shelf = \"FOLDER\" with the folder that holds a folder for each vessel.");
+  }
+  read_path(root, "scene", folder, exhibit.scene);
+  if (!fs::is_regular_file(exhibit.scene, error)) {
+    root.complain("scene", "There is no scene " + exhibit.scene.string() + ".",
+                  "Write scene = \"FILE\" with one of the files in scenes/.");
+  }
+}
+
+void read_idle(Table table, Exhibit::Idle& idle) {
+  table.number("warn_after", idle.warn_after, 20, 3600, "s");
+  table.number("countdown", idle.countdown, 20, 300, "s");
+  table.number("result_after", idle.result_after, 20, 3600, "s");
+  table.finish();
+}
+
+void read_keepsake(Table table, const fs::path& folder, Exhibit::Keepsake& keepsake) {
+  read_path(table, "folder", folder, keepsake.folder);
+  std::error_code error;
+  if (fs::exists(keepsake.folder, error) && !fs::is_directory(keepsake.folder, error)) {
+    table.complain("folder", keepsake.folder.string() + " is a file, and a folder is wanted.",
+                   "Name another folder, or move the file away.");
+  }
+  table.integer("quota_mb", keepsake.quota_mb, 10, 1000000, "MB");
+  table.finish();
+}
+
+void read_screen(Table table, Exhibit::Screen& screen) {
+  table.number("viewing_distance_mm", screen.viewing_distance_mm, 200, 5000, "mm");
+  table.number("diagonal_mm", screen.diagonal_mm, 100, 5000, "mm");
+  table.boolean("reduced_motion", screen.reduced_motion);
+  table.boolean("left_handed", screen.left_handed);
+  table.number("force", screen.force, 0, 1);
+  table.finish();
+}
+
+}  // namespace
+
+ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) {
+  ExhibitRead read;
+  TomlReader reader(file);
+  Exhibit& exhibit = read.exhibit;
+  exhibit.file = file;
+  const fs::path folder = file.parent_path();
+
+  auto root = reader.root();
+  read_line(root, "credit", "credit", exhibit.credit);
+  read_languages(root, language_folder, exhibit.languages);
+  read_title(root, exhibit.languages, exhibit.title);
+  read_shelf_and_scene(root, folder, exhibit);
+  read_idle(root.child("idle"), exhibit.idle);
+  read_keepsake(root.child("keepsake"), folder, exhibit.keepsake);
+  read_screen(root.child("screen"), exhibit.screen);
+  root.finish();
+
+  read.problems = reader.problems();
+  read.keys_checked = reader.keys_checked();
+  return read;
+}
+
+}  // namespace onggi::settings

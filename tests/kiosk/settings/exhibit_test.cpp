@@ -1,0 +1,181 @@
+#include "kiosk/settings/exhibit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace onggi::settings {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+std::string all(const Problems& problems) {
+  std::string out;
+  for (const Problem& p : problems) out += to_text(p) + "\n";
+  return out;
+}
+
+/// A museum's own folder: exhibit/exhibit.toml, exhibit/scenes/first_touch.toml, content/vessels.
+class ExhibitTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    museum_ = fs::temp_directory_path() / ("onggi_exhibit_" + std::to_string(::getpid()));
+    fs::create_directories(museum_ / "exhibit/scenes");
+    fs::create_directories(museum_ / "content/vessels");
+    fs::create_directories(museum_ / "content/languages");
+    std::ofstream(museum_ / "exhibit/scenes/first_touch.toml") << "";
+    for (const char* code : {"en", "ko"}) {
+      std::ofstream(museum_ / "content/languages" / (std::string(code) + ".toml")) << "";
+    }
+  }
+  void TearDown() override { fs::remove_all(museum_); }
+  ExhibitRead read(const std::string& text) {
+    const fs::path file = museum_ / "exhibit/exhibit.toml";
+    std::ofstream(file, std::ios::binary) << text;
+    return read_exhibit(file, museum_ / "content/languages");
+  }
+  fs::path museum_;
+};
+
+TEST_F(ExhibitTest, an_empty_file_is_an_exhibit_of_defaults) {
+  const ExhibitRead r = read("");
+  EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
+  EXPECT_EQ(r.keys_checked, 0);
+  EXPECT_EQ(r.exhibit.shelf, museum_ / "content/vessels");
+  EXPECT_EQ(r.exhibit.scene, museum_ / "exhibit/scenes/first_touch.toml");
+  EXPECT_EQ(r.exhibit.keepsake.folder, museum_ / "keepsakes");
+  EXPECT_EQ(r.exhibit.title.at("ko"), "도자기 빚기");
+  EXPECT_EQ(r.exhibit.idle.warn_after, 60.0);
+}
+
+TEST_F(ExhibitTest, every_key_is_read) {
+  fs::create_directories(museum_ / "jars");
+  const ExhibitRead r = read(R"(
+credit = "Museum of Jars"
+languages = ["ko"]
+shelf = "../jars/"
+scene = "scenes/first_touch.toml"
+[title]
+ko = "항아리"
+[idle]
+warn_after = 30
+countdown = 20.5
+result_after = 90
+[keepsake]
+folder = "/var/lib/onggi/keepsakes"
+quota_mb = 10
+[screen]
+viewing_distance_mm = 800
+diagonal_mm = 1400
+reduced_motion = true
+left_handed = true
+force = 0
+)");
+  EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
+  EXPECT_EQ(r.keys_checked, 15);
+  EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
+  EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
+  EXPECT_EQ(r.exhibit.title, (std::map<std::string, std::string>{{"ko", "항아리"}}));
+  EXPECT_EQ(r.exhibit.shelf, museum_ / "jars");
+  EXPECT_EQ(r.exhibit.keepsake.folder, "/var/lib/onggi/keepsakes");
+  EXPECT_EQ(r.exhibit.keepsake.quota_mb, 10);
+  EXPECT_EQ(r.exhibit.idle.warn_after, 30);
+  EXPECT_EQ(r.exhibit.idle.countdown, 20.5);
+  EXPECT_EQ(r.exhibit.idle.result_after, 90);
+  EXPECT_EQ(r.exhibit.screen.viewing_distance_mm, 800);
+  EXPECT_EQ(r.exhibit.screen.diagonal_mm, 1400);
+  EXPECT_TRUE(r.exhibit.screen.reduced_motion);
+  EXPECT_TRUE(r.exhibit.screen.left_handed);
+  EXPECT_EQ(r.exhibit.screen.force, 0);
+}
+
+TEST_F(ExhibitTest, all_problems_are_told_at_once_and_good_values_are_kept) {
+  const ExhibitRead r = read(R"(credit = "Museum"
+languages = ["en", "ko"]
+shelf = "../contents/vessels"
+scene = "scenes/frist_touch.toml"
+idle.warn_after = 5
+idle.countdown = "long"
+idle.result_aftre = 90
+keepsake.quota_mb = 50
+)");
+  ASSERT_THAT(r.problems, SizeIs(5)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith("exhibit.toml:3:9"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr((museum_ / "contents/vessels").string()));
+  EXPECT_THAT(r.problems[1].where, EndsWith("exhibit.toml:4:9"));
+  EXPECT_THAT(r.problems[1].what, HasSubstr("frist_touch.toml"));
+  EXPECT_EQ(r.problems[2].what,
+            "idle.warn_after is 5 s, and the smallest that is allowed is 20 s.");
+  EXPECT_THAT(r.problems[3].what, HasSubstr("is the text \"long\""));
+  EXPECT_EQ(r.problems[4].remedy, "Write result_after, if that is meant.");
+  EXPECT_EQ(r.exhibit.credit, "Museum");
+  EXPECT_EQ(r.exhibit.keepsake.quota_mb, 50);
+  EXPECT_EQ(r.exhibit.idle.warn_after, 60.0) << "the default stands where the value is no good";
+}
+
+TEST_F(ExhibitTest, a_language_without_words_or_title_is_named) {
+  const ExhibitRead r = read("languages = [\"en\", \"ja\"]\n[title]\nen = \"Throw\"\n");
+  ASSERT_THAT(r.problems, SizeIs(2)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":1:20"));
+  EXPECT_THAT(r.problems[0].remedy, HasSubstr("ja.toml"));
+  EXPECT_EQ(r.problems[1].what, "There is no title for the language \"ja\".");
+  EXPECT_EQ(r.exhibit.title.at("ja"), "Throw") << "a visitor still sees a title";
+}
+
+TEST_F(ExhibitTest, a_language_code_can_never_lead_out_of_its_folder) {
+  for (const std::string code : {"../en", "/etc/passwd", "", "e", "en/", "en_US", "en.", "-en"}) {
+    const ExhibitRead r = read("languages = [\"" + code + "\", \"en\"]\n");
+    ASSERT_THAT(r.problems, SizeIs(1)) << code << "\n" << all(r.problems);
+    EXPECT_THAT(r.problems[0].what, HasSubstr("is not a language code"));
+    EXPECT_THAT(r.exhibit.languages, ElementsAre("en"));
+  }
+}
+
+TEST_F(ExhibitTest, languages_are_one_to_twelve_and_each_once) {
+  EXPECT_THAT(read("languages = []\n").problems, SizeIs(1));
+  EXPECT_THAT(read("languages = [\"en\", \"en\"]\n").problems, SizeIs(1));
+  const ExhibitRead r = read("languages = [1, \"en\"]\n");
+  ASSERT_THAT(r.problems, SizeIs(1));
+  EXPECT_EQ(r.problems[0].what, "languages[0] is 1, and a text is wanted.");
+  EXPECT_THAT(r.exhibit.languages, ElementsAre("en", "ko"));
+}
+
+TEST_F(ExhibitTest, words_that_would_not_fit_the_postcard_are_refused) {
+  EXPECT_THAT(read("credit = \"" + std::string(121, 'x') + "\"\n").problems, SizeIs(1));
+  EXPECT_THAT(read("credit = \"two\\nlines\"\n").problems, SizeIs(1));
+  EXPECT_THAT(read("credit = \"  \"\n").problems, SizeIs(1));
+  std::string hangul;
+  for (int i = 0; i < 120; ++i) hangul += "항";
+  EXPECT_THAT(read("credit = \"" + hangul + "\"\n").problems, IsEmpty()) << "letters, not bytes";
+}
+
+TEST_F(ExhibitTest, paths_that_cannot_be_meant_are_refused) {
+  EXPECT_THAT(read("[keepsake]\nfolder = \"~/keepsakes\"\n").problems, SizeIs(1));
+  EXPECT_THAT(read("[keepsake]\nfolder = \"\"\n").problems, SizeIs(1));
+  EXPECT_THAT(read("[keepsake]\nfolder = \"a\\u0000b\"\n").problems, SizeIs(1));
+  const ExhibitRead r = read("[keepsake]\nfolder = \"exhibit.toml\"\n");
+  ASSERT_THAT(r.problems, SizeIs(1));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("is a file, and a folder is wanted"));
+}
+
+TEST_F(ExhibitTest, a_file_that_is_not_there_leaves_an_exhibit_of_defaults) {
+  const ExhibitRead r = read_exhibit(museum_ / "exhibit/other.toml");
+  ASSERT_THAT(r.problems, SizeIs(1));
+  EXPECT_EQ(r.exhibit.shelf, museum_ / "content/vessels");
+}
+
+TEST(exhibit, the_exhibit_that_ships_is_without_fault) {
+  const ExhibitRead r = read_exhibit("config/exhibit.toml");
+  EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
+  EXPECT_GE(r.keys_checked, 15);
+}
+
+}  // namespace
+}  // namespace onggi::settings
