@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "kiosk/content/drawing.h"
+#include "kiosk/content/vessel.h"
+#include "kiosk/settings/toml_reader.h"
+
+// What the packs of content/vessels say, read without the catalogue.
+
+namespace onggi::content {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Pack {
+  std::string source, credit, licence;
+  double height = 0.0, diameter = 0.0;  // Millimetres.
+  std::map<std::string, Label> labels;
+};
+
+const std::map<std::string, Pack>& packs() {
+  static const std::map<std::string, Pack> all = [] {
+    std::map<std::string, Pack> out;
+    for (const auto& folder : fs::directory_iterator("content/vessels")) {
+      if (!folder.is_directory()) continue;
+      settings::TomlReader reader(folder.path() / "vessel.toml");
+      auto root = reader.root();
+      Pack& pack = out[folder.path().filename().string()];
+      root.text("source", pack.source);
+      root.text("credit", pack.credit);
+      root.text("licence", pack.licence);
+      root.number("true_height_mm", pack.height, 1.0, 2000.0);
+      root.number("true_diameter_mm", pack.diameter, 1.0, 2000.0);
+      for (const char* language : {"en", "ko"}) {
+        auto table = root.child("label").child(language);
+        Label& label = pack.labels[language];
+        table.text("title", label.title);
+        table.text("culture", label.culture);
+        table.text("date", label.date);
+        table.text("made", label.made);
+        table.text("text", label.text);
+      }
+    }
+    return out;
+  }();
+  return all;
+}
+
+std::size_t words(const std::string& text) {
+  std::istringstream in(text);
+  return static_cast<std::size_t>(
+      std::distance(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()));
+}
+
+/// Split after a full stop, question mark or exclamation mark that a space follows.
+std::vector<std::string> sentences(const std::string& text) {
+  std::vector<std::string> out(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    out.back() += text[i];
+    if ((text[i] == '.' || text[i] == '?' || text[i] == '!') && i + 1 < text.size() &&
+        text[i + 1] == ' ')
+      out.emplace_back();
+  }
+  return out;
+}
+
+bool has_hangul(const std::string& text) {
+  // U+AC00..U+D7A3 begin with the bytes EA B0 .. ED 9E in UTF-8.
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) >= 0xEA && static_cast<unsigned char>(c) <= 0xED) return true;
+  return false;
+}
+
+TEST(ShelfPacks, eight_vessels_or_more_come_from_five_cultures_or_more) {
+  EXPECT_GE(packs().size(), 8u);
+  // "Korea, Joseon dynasty" and "Korea" are of one culture.
+  std::set<std::string> cultures;
+  for (const auto& [id, pack] : packs()) {
+    const std::string& culture = pack.labels.at("en").culture;
+    cultures.insert(culture.substr(0, culture.find(',')));
+  }
+  EXPECT_GE(cultures.size(), 5u);
+}
+
+TEST(ShelfPacks, every_vessel_says_who_measured_it_and_who_may_use_it) {
+  for (const auto& [id, pack] : packs()) {
+    EXPECT_FALSE(pack.source.empty()) << id;
+    EXPECT_FALSE(pack.credit.empty()) << id;
+    EXPECT_EQ(pack.licence, "CC0-1.0") << id;
+  }
+}
+
+TEST(ShelfPacks, every_label_is_whole_in_english_and_korean) {
+  for (const auto& [id, pack] : packs())
+    for (const auto& [language, label] : pack.labels) {
+      SCOPED_TRACE(id + " " + language);
+      for (const std::string* text :
+           {&label.title, &label.culture, &label.date, &label.made, &label.text})
+        EXPECT_FALSE(text->empty());
+      for (const std::string* text : {&label.title, &label.culture, &label.made, &label.text})
+        EXPECT_EQ(has_hangul(*text), language == "ko") << *text;
+    }
+}
+
+TEST(ShelfPacks, no_label_is_longer_than_a_visitor_reads) {
+  for (const auto& [id, pack] : packs())
+    for (const auto& [language, label] : pack.labels) {
+      EXPECT_LE(words(label.text), 100u) << id << " " << language;
+      for (const std::string& text : {label.text, label.made})
+        for (const std::string& sentence : sentences(text))
+          EXPECT_LE(words(sentence), 25u) << id << " " << language << ": " << sentence;
+    }
+}
+
+TEST(ShelfPacks, a_vessel_that_no_wheel_made_is_called_a_shape_study) {
+  for (const char* id : {"black_topped_jar", "cylinder_vase", "olla"}) {
+    const Pack& pack = packs().at(id);
+    EXPECT_NE(pack.labels.at("en").made.find("shape study"), std::string::npos) << id;
+    EXPECT_NE(pack.labels.at("ko").made.find("형태 연구"), std::string::npos) << id;
+  }
+}
+
+TEST(ShelfPacks, every_drawing_has_the_height_and_diameter_that_its_label_claims) {
+  for (const auto& [id, pack] : packs()) {
+    const auto drawing = read_drawing(fs::path("content/vessels") / id / "profile.toml");
+    ASSERT_TRUE(drawing) << to_text(drawing.error());
+    double height = 0.0, radius = 0.0;
+    for (const Vec2& p : drawing->section.outline) {
+      height = std::max(height, p.y);
+      radius = std::max(radius, p.x);
+    }
+    EXPECT_NEAR(1000.0 * height, pack.height, 0.002 * pack.height) << id;
+    EXPECT_NEAR(2000.0 * radius, pack.diameter, 0.002 * pack.diameter) << id;
+  }
+}
+
+}  // namespace
+}  // namespace onggi::content
