@@ -32,8 +32,8 @@ Result<void> validate(const ClayDef& def, const std::string& where);
 /// radius each. Element (row j, sector i) spans row_thickness(j) round height row_height(j) and the
 /// angle [i, i+1) * 2 pi / sectors; its ray is at the middle, (i + 0.5) * 2 pi / sectors. Angles
 /// are in the clay's own turning frame, x towards angle 0, z towards angle pi/2. Invariant: 0 <=
-/// inner, inner + wall_min <= outer <= radius_max; inner == 0 on floor rows. Not safe across
-/// threads; allocation only in create().
+/// inner, inner + wall_min <= outer <= radius_max to a float's rounding; inner == 0 on floor rows.
+/// Not safe across threads; allocation only in create().
 class Clay {
  public:
   static Result<Clay> create(const ClayDef& def);
@@ -46,11 +46,17 @@ class Clay {
   int floor_rows() const { return floor_rows_; }
   double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
   double row_thickness(int j) const { return row_thickness_[static_cast<std::size_t>(j)]; }
+  /// Height of the rim: the upper edge of the top row, metres.
+  double rim_height() const { return row_height_.back() + 0.5 * row_thickness_.back(); }
+  /// Lowest row whose middle lies above `height`; rows() when none does. O(log rows).
+  int first_row_above(double height) const;
 
-  std::span<const float> outer(int j) const;  ///< `sectors` radii, metres.
-  std::span<const float> inner(int j) const;
-  std::span<float> outer_mut(int j);  ///< The caller keeps the invariant and calls mark_dirty(j).
-  std::span<float> inner_mut(int j);
+  std::span<const float> outer(int j) const { return {outer_.data() + start(j), width()}; }
+  std::span<const float> inner(int j) const { return {inner_.data() + start(j), width()}; }
+  /// stride() values: `sectors` radii in metres, then padding that nobody reads. The caller keeps
+  /// the invariant and calls mark_dirty(j).
+  std::span<float> outer_mut(int j) { return {outer_.data() + start(j), padded()}; }
+  std::span<float> inner_mut(int j) { return {inner_.data() + start(j), padded()}; }
   std::span<const float> ray_cos() const { return ray_cos_; }  ///< stride() values, one a sector.
   std::span<const float> ray_sin() const { return ray_sin_; }
 
@@ -62,7 +68,8 @@ class Clay {
 
   /// Back to the lump (keeping the present shape for restore() where keep_undo), or back from it.
   /// Spread over calls so that no tick pays for the whole grid: each call does at most
-  /// `element_budget` elements and returns true once all is done.
+  /// `element_budget` elements (at least a row) and returns true once all is done. One that was
+  /// begun is finished before the other is. restore_some() has nothing to do unless can_restore().
   bool renew_some(int element_budget);
   bool restore_some(int element_budget);
   bool can_restore() const { return can_restore_; }
@@ -72,11 +79,17 @@ class Clay {
   Profile profile() const;
   /// Clay volume, m^3. O(rows x sectors).
   double volume() const;
-  /// Hash of every radius bit and row height. O(rows x sectors).
+  /// Hash of every radius bit and row height, of what restore() would bring back, and of how far a
+  /// renew or restore has come. O(rows x sectors).
   std::uint64_t hash() const;
 
  private:
   Clay() = default;
+  std::size_t width() const { return static_cast<std::size_t>(def_.sectors); }
+  std::size_t padded() const { return static_cast<std::size_t>(stride_); }
+  std::size_t start(int j) const { return static_cast<std::size_t>(j) * padded(); }
+  void lay_lump(int j);
+
   ClayDef def_;
   int stride_ = 0;
   int floor_rows_ = 0;

@@ -3,16 +3,10 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/contact/wall_side.h"
 #include "engine/math/vec.h"
 
 namespace onggi {
-
-/// Which face of the wall a tool works.
-enum class WallSide : std::uint8_t { outside, inside };
-
-/// Where a tool that is clear of the clay is to be taken to stand. By position: inside when nearer
-/// the axis than the middle of the wall at its height.
-enum class SideWish : std::uint8_t { by_position, outside, inside };
 
 /// One tool, as a device reports it. The frame is the studio's: y up along the wheel's axis from
 /// the wheel head, x to the visitor's right, z towards the visitor. Metres.
@@ -30,15 +24,16 @@ struct Hands {
   std::array<HandInput, kMaxHands> hand;
   double wheel_speed = 0.0;  ///< Asked for, rad/s, positive turns the clay from x towards z.
   bool water = false;        ///< A wet sponge is held to the clay.
-  bool renew = false;        ///< Put a fresh lump on (starts on the tick it becomes true).
-  bool restore = false;      ///< Take the last renew back.
+  bool renew = false;        ///< Put a fresh lump on: starts on the tick it becomes true, takes
+                             ///< elements / 8192 ticks, in which nothing is pressed.
+  bool restore = false;      ///< Take the last renew back, likewise.
   friend bool operator==(const Hands&, const Hands&) = default;
 };
 
 /// Bits of Feedback::faults. Each is latched by the guard until Scene::clear_faults().
 enum FaultBit : std::uint32_t {
   kFaultInput = 1u << 0,  ///< A hand was NaN, infinite or beyond 10 m: the sample was held.
-  kFaultTime = 1u << 1,   ///< dt was not in (0, 5 ms]: it was clamped.
+  kFaultTime = 1u << 1,   ///< dt was not in (0, 5 ms]: it was clamped (to 1 us where not above 0).
   kFaultForce = 1u << 2,  ///< A force came out non-finite and was set to zero.
 };
 

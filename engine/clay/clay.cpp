@@ -1,0 +1,150 @@
+#include "engine/clay/clay.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#include "engine/math/hash.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+
+Result<Clay> Clay::create(const ClayDef& def) {
+  if (auto good = validate(def, "clay"); !good) return tl::unexpected<Problem>(good.error());
+  Clay clay;
+  clay.def_ = def;
+  clay.stride_ = (def.sectors + 7) / 8 * 8;
+  const auto rows = static_cast<std::size_t>(def.rows);
+
+  clay.row_thickness_.assign(rows, def.height / def.rows);
+  for (int j = 0; j < def.rows; ++j) {
+    clay.row_height_.push_back((j + 0.5) * def.height / def.rows);
+    if (clay.row_height_.back() < def.floor_thickness) clay.floor_rows_ = j + 1;
+  }
+  clay.ray_cos_.assign(clay.padded(), 0.0f);
+  clay.ray_sin_.assign(clay.padded(), 0.0f);
+  for (int i = 0; i < def.sectors; ++i) {
+    const double angle = (i + 0.5) * 2.0 * portable::kPi / def.sectors;
+    clay.ray_cos_[static_cast<std::size_t>(i)] = static_cast<float>(portable::cos(angle));
+    clay.ray_sin_[static_cast<std::size_t>(i)] = static_cast<float>(portable::sin(angle));
+  }
+  clay.outer_.resize(rows * clay.padded());
+  clay.inner_.resize(rows * clay.padded());
+  if (def.keep_undo) {
+    clay.undo_outer_.resize(clay.outer_.size());
+    clay.undo_inner_.resize(clay.inner_.size());
+  }
+  clay.dirty_.assign((rows + 63) / 64, 0);
+  for (int j = 0; j < def.rows; ++j) clay.lay_lump(j);
+  return clay;
+}
+
+int Clay::first_row_above(double height) const {
+  const auto at = std::upper_bound(row_height_.begin(), row_height_.end(), height);
+  return static_cast<int>(at - row_height_.begin());
+}
+
+void Clay::lay_lump(int j) {
+  const bool solid = j < floor_rows_;
+  std::ranges::fill(outer_mut(j), static_cast<float>(def_.outer_radius));
+  std::ranges::fill(inner_mut(j), solid ? 0.0f : static_cast<float>(def_.inner_radius));
+  mark_dirty(j);
+}
+
+void Clay::mark_all_dirty() {
+  for (int j = 0; j < def_.rows; ++j) mark_dirty(j);
+}
+
+int Clay::take_dirty(int from) {
+  std::size_t word = static_cast<std::size_t>(std::max(from, 0)) >> 6;
+  std::uint64_t keep = ~0ULL << (std::max(from, 0) & 63);
+  for (; word < dirty_.size(); ++word, keep = ~0ULL) {
+    const std::uint64_t seen = dirty_[word] & keep;
+    if (seen == 0) continue;
+    dirty_[word] &= ~(seen & (~seen + 1));
+    return static_cast<int>(word * 64) + std::countr_zero(seen);
+  }
+  return -1;
+}
+
+bool Clay::renew_some(int element_budget) {
+  const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
+  for (; sweep_row_ < end; ++sweep_row_) {
+    if (def_.keep_undo) {
+      std::ranges::copy(outer_mut(sweep_row_), undo_outer_.data() + start(sweep_row_));
+      std::ranges::copy(inner_mut(sweep_row_), undo_inner_.data() + start(sweep_row_));
+    }
+    lay_lump(sweep_row_);
+  }
+  if (sweep_row_ < def_.rows) return false;
+  sweep_row_ = 0;
+  can_restore_ = def_.keep_undo;
+  return true;
+}
+
+bool Clay::restore_some(int element_budget) {
+  if (!can_restore_) return true;
+  const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
+  for (; sweep_row_ < end; ++sweep_row_) {
+    std::copy_n(undo_outer_.data() + start(sweep_row_), padded(), outer_mut(sweep_row_).data());
+    std::copy_n(undo_inner_.data() + start(sweep_row_), padded(), inner_mut(sweep_row_).data());
+    mark_dirty(sweep_row_);
+  }
+  if (sweep_row_ < def_.rows) return false;
+  sweep_row_ = 0;
+  can_restore_ = false;
+  return true;
+}
+
+Profile Clay::profile() const {
+  const auto mean = [this](std::span<const float> radii) {
+    return std::accumulate(radii.begin(), radii.end(), 0.0) / def_.sectors;
+  };
+  Profile p;
+  p.points.reserve(row_height_.size() + 2);
+  for (int j = 0; j < def_.rows; ++j)
+    p.points.push_back({row_height(j), mean(outer(j)), j < floor_rows_ ? 0.0 : mean(inner(j))});
+  // The outline stands on the wheel head and ends at the rim, half a row beyond the outermost rays.
+  ProfilePoint foot = p.points.front();
+  ProfilePoint rim = p.points.back();
+  foot.height = 0.0;
+  rim.height = rim_height();
+  p.points.insert(p.points.begin(), foot);
+  p.points.push_back(rim);
+  return p;
+}
+
+double Clay::volume() const {
+  const double half_sector = portable::kPi / def_.sectors;
+  double sum = 0.0;
+  for (int j = 0; j < def_.rows; ++j) {
+    const std::span<const float> out = outer(j);
+    const std::span<const float> in = inner(j);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < out.size(); ++i)
+      squares += (double{out[i]} - double{in[i]}) * (double{out[i]} + double{in[i]});
+    sum += squares * half_sector * row_thickness(j);
+  }
+  return sum;
+}
+
+std::uint64_t Clay::hash() const {
+  StateHash hash;
+  for (int j = 0; j < def_.rows; ++j) {
+    hash.add(row_height(j));
+    hash.add(row_thickness(j));
+    hash.add(outer(j));
+    hash.add(inner(j));
+  }
+  // Undo rows matter where a restore could still bring them back.
+  hash.add(static_cast<std::uint64_t>(can_restore_));
+  hash.add(static_cast<std::uint64_t>(sweep_row_));
+  const int kept_rows = can_restore_ ? def_.rows : def_.keep_undo ? sweep_row_ : 0;
+  for (int j = 0; j < kept_rows; ++j) {
+    hash.add(std::span<const float>(undo_outer_.data() + start(j), width()));
+    hash.add(std::span<const float>(undo_inner_.data() + start(j), width()));
+  }
+  return hash.value();
+}
+
+}  // namespace onggi

@@ -1,0 +1,35 @@
+#include "engine/base/field_check.h"
+#include "engine/clay/clay.h"
+
+namespace onggi {
+
+Result<void> validate(const ClayDef& def, const std::string& where) {
+  constexpr double kMostElements = 32.0 * 1024 * 1024;
+  FieldCheck check(where);
+  check.range("rows", def.rows, 8, 20000, "");
+  check.range("sectors", def.sectors, 16, 8192, "");
+  const double elements = static_cast<double>(def.rows) * def.sectors;
+  check.require(elements <= kMostElements, "rows",
+                "times sectors makes " + number_text(elements) +
+                    " elements, more than the 33.5 million a grid may have.",
+                "Lower rows or sectors: 400 x 360 is enough for the eye and the hand.");
+  check.range("height", def.height, 0.01, 1.0, "m");
+  check.range("radius_max", def.radius_max, 0.005, 1.0, "m");
+  check.range("radius_min", def.radius_min, 1e-4, 0.5, "m");
+  check.range("wall_min", def.wall_min, 0.0005, 0.02, "m");
+  check.range("inner_radius", def.inner_radius, def.radius_min, 1.0, "m");
+  check.range("outer_radius", def.outer_radius, 0.0, 1.0, "m");
+  check.require(def.outer_radius < def.radius_max, "outer_radius",
+                "is " + number_text(def.outer_radius) + " m, not below radius_max (" +
+                    number_text(def.radius_max) + " m), so the clay could not be widened.",
+                "Make outer_radius smaller or radius_max larger.");
+  check.require(def.outer_radius > def.inner_radius + def.wall_min, "outer_radius",
+                "is " + number_text(def.outer_radius) +
+                    " m, which leaves less than wall_min beyond inner_radius.",
+                "Make it more than inner_radius + wall_min (" +
+                    number_text(def.inner_radius + def.wall_min) + " m).");
+  check.range("floor_thickness", def.floor_thickness, 0.0, 0.5 * def.height, "m");
+  return check.result();
+}
+
+}  // namespace onggi

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/contact/press.h"
+
+namespace onggi {
+
+/// A tool's way through one tick, studio frame: straight, while the wheel turns evenly.
+struct ToolSweep {
+  Vec3 from, to;          ///< Centre of the sphere, m.
+  double angle_from = 0;  ///< Wheel angle, rad.
+  double angle_to = 0;    ///< Not wrapped: angle_to - angle_from is the tick's turn.
+  double radius = 0;      ///< m.
+  double seconds = 0;     ///< > 0.
+  SideWish wish = SideWish::by_position;
+};
+
+/// How many equal steps a sweep needs, so that neither the tool nor the clay under it moves more
+/// than a quarter of the tool's radius in one; 1..kMostSteps.
+int steps_for(const ToolSweep& sweep) noexcept;
+inline constexpr int kMostSteps = 64;
+
+/// One tool's contact with the clay, over time: which face it works, and the press. No allocation.
+class ToolContact {
+ public:
+  /// One step of a sweep: from share n/of to (n+1)/of. Chooses the side while the tool is clear,
+  /// presses, and adds to what reaction() gives. Force in the studio frame.
+  void step(Clay& clay, const ToolSweep& sweep, int n, int of, const Yielding& yielding) noexcept;
+
+  /// Sum since begin_tick(): force and normal as means over the tick, depth the deepest.
+  const Press& reaction() const { return sum_; }
+  void begin_tick() { sum_ = {}; }
+  /// The hand is lifted or arrives anew: the next step chooses the side afresh.
+  void release() { touching_ = false; }
+
+  WallSide side() const { return side_; }
+  bool touching() const { return touching_; }
+
+ private:
+  void choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept;
+
+  WallSide side_ = WallSide::outside;
+  bool touching_ = false;
+  Press sum_;
+};
+
+}  // namespace onggi

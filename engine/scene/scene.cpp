@@ -1,0 +1,289 @@
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/contact/stops.h"
+#include "engine/contact/tool_contact.h"
+#include "engine/force/friction.h"
+#include "engine/force/guard.h"
+#include "engine/math/hash.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+constexpr double kLongestTick = 0.005;
+constexpr double kShortestTick = 1e-6;
+constexpr double kFarthestHand = 10.0;  // metres, each axis: no device reaches beyond
+constexpr int kLumpBudget = 8192;       // elements a tick while a lump is put on or taken back
+
+bool plausible(Vec3 p) {
+  return is_finite(p) && std::fabs(p.x) <= kFarthestHand && std::fabs(p.y) <= kFarthestHand &&
+         std::fabs(p.z) <= kFarthestHand;
+}
+
+// One hand between ticks.
+struct HandState {
+  Vec3 at;               // last accepted place
+  bool present = false;  // active, and its place known
+  ToolContact contact;
+  Guard guard;
+
+  // The next good sample counts as an arrival: no sweep from where the hand was, no force yet.
+  void leave() {
+    present = false;
+    contact.release();
+    guard.release();
+  }
+};
+
+enum class LumpWork : std::uint8_t { none, renewing, restoring };
+
+}  // namespace
+
+struct Scene::State {
+  SceneDef def;
+  Clay clay;
+  std::array<HandState, kMaxHands> hand{};
+  double time = 0.0;
+  double wheel_angle = 0.0;
+  double wheel_speed = 0.0;
+  double wheel_asked = 0.0;
+  double wetness = 0.0;
+  bool renew_held = false;
+  bool restore_held = false;
+  LumpWork lump_work = LumpWork::none;
+  std::uint32_t faults = 0;
+  SceneCounters counters;
+
+  // What the stages of one tick hand to each other.
+  struct Tick {
+    double dt = 0.0;
+    double angle_from = 0.0;
+    double turn = 0.0;
+    std::array<ToolSweep, kMaxHands> sweep{};
+    std::array<bool, kMaxHands> held{};
+    std::array<Vec3, kMaxHands> wanted{};
+  };
+
+  State(const SceneDef& d, Clay&& c) : def(d), clay(std::move(c)) {}
+
+  void take_input(Tick& tick, const Hands& hands, double dt) noexcept;
+  void take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept;
+  void turn_wheel(Tick& tick) noexcept;
+  void dry_or_soak(const Tick& tick, bool sponge) noexcept;
+  void work_on_lump(const Hands& hands) noexcept;
+  void press_clay(Tick& tick) noexcept;
+  void feel(Tick& tick) noexcept;
+  Feedback guard_and_report(const Tick& tick) noexcept;
+};
+
+// Stage 1. Nothing implausible goes any further.
+void Scene::State::take_input(Tick& tick, const Hands& hands, double dt) noexcept {
+  tick.dt = dt > 0.0 ? std::min(dt, kLongestTick) : kShortestTick;
+  if (tick.dt != dt) {
+    faults |= kFaultTime;
+    ++counters.clamped_times;
+  }
+  if (std::isfinite(hands.wheel_speed)) {
+    wheel_asked = hands.wheel_speed;
+  } else {
+    faults |= kFaultInput;
+    ++counters.held_samples;
+  }
+  for (std::size_t n = 0; n < hand.size(); ++n) take_hand(tick, n, hands.hand[n]);
+}
+
+void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept {
+  HandState& h = hand[n];
+  if (!in.active) {
+    h.leave();
+    return;
+  }
+  tick.held[n] = !plausible(in.position);
+  if (tick.held[n]) {
+    faults |= kFaultInput;
+    ++counters.held_samples;
+    h.guard.release();
+  }
+  const Vec3 to = tick.held[n] ? h.at : in.position;
+  if (tick.held[n] && !h.present) return;
+  // Nobody's hand goes four tool radii in a tick: it was put down elsewhere.
+  if (h.present && length(to - h.at) > 4.0 * def.tool.radius) h.leave();
+  if (!h.present) h.guard.release();
+  const Vec3 from = h.present ? h.at : to;
+  tick.sweep[n] = {from, to, 0.0, 0.0, def.tool.radius, tick.dt, in.side};
+  h.at = to;
+  h.present = true;
+}
+
+// Stage 2. The motor follows the asked speed at its own pace.
+void Scene::State::turn_wheel(Tick& tick) noexcept {
+  const double asked = std::clamp(wheel_asked, -def.wheel.max_speed, def.wheel.max_speed);
+  const double most = def.wheel.acceleration * tick.dt;
+  const double before = wheel_speed;
+  wheel_speed += std::clamp(asked - wheel_speed, -most, most);
+  tick.angle_from = wheel_angle;
+  tick.turn = 0.5 * (before + wheel_speed) * tick.dt;
+  const double full = 2.0 * portable::kPi;
+  wheel_angle += tick.turn;
+  if (wheel_angle >= full) wheel_angle -= full;
+  if (wheel_angle < 0.0) wheel_angle += full;
+  if (wheel_angle >= full) wheel_angle = 0.0;  // -tiny + 2 pi rounds to 2 pi
+}
+
+// Stage 3. Exact exponentials, so that the tick's length does not matter.
+void Scene::State::dry_or_soak(const Tick& tick, bool sponge) noexcept {
+  if (!def.water) return;
+  wetness = sponge ? wetness - (1.0 - wetness) * portable::expm1(-tick.dt / def.water->wetting_time)
+                   : wetness * portable::exp(-tick.dt / def.water->drying_time);
+  if (wetness < 1e-9) wetness = 0.0;
+}
+
+// Stage 4. A fresh lump, or the last shape back, a few rows a tick.
+void Scene::State::work_on_lump(const Hands& hands) noexcept {
+  if (lump_work == LumpWork::none) {
+    if (hands.renew && !renew_held)
+      lump_work = LumpWork::renewing;
+    else if (hands.restore && !restore_held && clay.can_restore())
+      lump_work = LumpWork::restoring;
+  }
+  renew_held = hands.renew;
+  restore_held = hands.restore;
+  if (lump_work == LumpWork::none) return;
+  const bool done = lump_work == LumpWork::renewing ? clay.renew_some(kLumpBudget)
+                                                    : clay.restore_some(kLumpBudget);
+  if (done) lump_work = LumpWork::none;
+  for (HandState& h : hand) h.leave();
+}
+
+// Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
+void Scene::State::press_clay(Tick& tick) noexcept {
+  const double soft = def.water ? 1.0 + wetness * (def.water->softening - 1.0) : 1.0;
+  const Yielding yielding{def.contact.relaxation_time * soft, def.contact.stiffness};
+  int steps = 1;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    hand[n].contact.begin_tick();
+    if (!hand[n].present) continue;
+    tick.sweep[n].angle_from = tick.angle_from;
+    tick.sweep[n].angle_to = tick.angle_from + tick.turn;
+    steps = std::max(steps, steps_for(tick.sweep[n]));
+  }
+  for (int step = 0; step < steps; ++step)
+    for (std::size_t n = 0; n < hand.size(); ++n)
+      if (hand[n].present) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding);
+}
+
+// Stage 7. Reaction, friction, and the stops that are not clay.
+void Scene::State::feel(Tick& tick) noexcept {
+  const double radius = def.tool.radius;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    const HandState& h = hand[n];
+    if (!h.present || tick.held[n]) continue;
+    const Press& press = h.contact.reaction();
+    Vec3 force = press.force;
+    const double strength = length(press.force);
+    if (def.friction && press.normal > 0.0 && strength > 0.0) {
+      const FrictionDef& friction = *def.friction;
+      const double mu = friction.coefficient * (1.0 + wetness * (friction.wet_factor - 1.0));
+      const Vec3 touch = h.at - (radius / strength) * press.force;
+      const Vec3 slip =
+          (1.0 / tick.dt) * (h.at - tick.sweep[n].from) - clay_velocity(touch, tick.turn / tick.dt);
+      force += friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
+    }
+    const int floor_rows = clay.floor_rows();
+    const bool over_floor = h.contact.side() == WallSide::inside && floor_rows > 0;
+    const double stop =
+        over_floor ? clay.row_height(floor_rows - 1) + 0.5 * clay.row_thickness(floor_rows - 1)
+                   : 0.0;
+    force.y += stop_force(stop - (h.at.y - radius), radius, def.contact.stiffness);
+    tick.wanted[n] = force;
+  }
+}
+
+// Stages 8 and 9. The guard is always last.
+Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
+  const GuardLimits limits{def.guard.max_force, def.guard.max_slew, def.guard.engage_time};
+  Feedback out;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    HandState& h = hand[n];
+    HandFeedback& felt = out.hand[n];
+    bool finite = true;
+    felt.force = h.guard.step(tick.wanted[n], tick.dt, limits, finite);
+    if (!finite) faults |= kFaultForce;
+    const Press& press = h.contact.reaction();
+    felt.contact = h.present && press.touched > 0;
+    felt.side = h.contact.side();
+    felt.depth = h.present ? press.depth : 0.0;
+    counters.visited_elements += static_cast<std::uint64_t>(press.visited);
+    counters.touched_elements += static_cast<std::uint64_t>(press.touched);
+  }
+  ++counters.ticks;
+  time += tick.dt;
+  out.wheel_angle = wheel_angle;
+  out.wheel_speed = wheel_speed;
+  out.wetness = wetness;
+  out.faults = faults;
+  return out;
+}
+
+Result<Scene> Scene::create(const SceneDef& def) {
+  if (auto good = validate(def); !good) return tl::unexpected<Problem>(good.error());
+  Result<Clay> clay = Clay::create(def.clay);
+  if (!clay) return tl::unexpected<Problem>(clay.error());
+  return Scene(std::make_unique<State>(def, std::move(*clay)));
+}
+
+Scene::Scene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+
+// The numbered pipeline: engine/docs/pipeline.md.
+Feedback Scene::step(const Hands& hands, double dt) noexcept {
+  State& s = *state_;
+  State::Tick tick;
+  s.take_input(tick, hands, dt);     // 1
+  s.turn_wheel(tick);                // 2
+  s.dry_or_soak(tick, hands.water);  // 3
+  s.work_on_lump(hands);             // 4
+  s.press_clay(tick);                // 5
+                                     // 6: effects, where the scene has them
+  s.feel(tick);                      // 7
+  return s.guard_and_report(tick);   // 8, 9
+}
+
+const SceneDef& Scene::def() const { return state_->def; }
+const Clay& Scene::clay() const { return state_->clay; }
+int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }
+void Scene::mark_all_dirty() noexcept { state_->clay.mark_all_dirty(); }
+void Scene::clear_faults() noexcept { state_->faults = 0; }
+const SceneCounters& Scene::counters() const { return state_->counters; }
+double Scene::time() const { return state_->time; }
+
+std::uint64_t Scene::state_hash() const {
+  const State& s = *state_;
+  StateHash hash;
+  const auto add = [&hash](Vec3 v) {
+    hash.add(v.x);
+    hash.add(v.y);
+    hash.add(v.z);
+  };
+  for (double v : {s.time, s.wheel_angle, s.wheel_speed, s.wheel_asked, s.wetness}) hash.add(v);
+  for (const HandState& h : s.hand) {
+    add(h.at);
+    add(h.guard.force());
+    hash.add(h.guard.ramp());
+    hash.add(std::uint64_t{h.present} | std::uint64_t{h.contact.touching()} << 1 |
+             std::uint64_t{h.guard.armed()} << 2 |
+             static_cast<std::uint64_t>(h.contact.side()) << 3);
+  }
+  hash.add(std::uint64_t{s.renew_held} | std::uint64_t{s.restore_held} << 1 |
+           static_cast<std::uint64_t>(s.lump_work) << 2 | std::uint64_t{s.faults} << 8);
+  hash.add(s.clay.hash());
+  return hash.value();
+}
+
+}  // namespace onggi

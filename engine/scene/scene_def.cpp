@@ -1,0 +1,64 @@
+#include "engine/scene/scene_def.h"
+
+#include "engine/base/field_check.h"
+
+namespace onggi {
+namespace {
+
+Result<void> check_tool(const SceneDef& def) {
+  FieldCheck check("tool");
+  check.range("radius", def.tool.radius, 0.001, 0.05, "m");
+  return check.result();
+}
+
+Result<void> check_contact(const SceneDef& def) {
+  FieldCheck check("contact");
+  check.range("relaxation_time", def.contact.relaxation_time, 0.001, 1.0, "s");
+  check.range("stiffness", def.contact.stiffness, 1e5, 5e7, "N/m per m^2");
+  return check.result();
+}
+
+Result<void> check_wheel(const SceneDef& def) {
+  FieldCheck check("wheel");
+  check.range("max_speed", def.wheel.max_speed, 0.0, 62.9, "rad/s");
+  check.range("acceleration", def.wheel.acceleration, 0.1, 1000.0, "rad/s^2");
+  return check.result();
+}
+
+Result<void> check_guard(const SceneDef& def) {
+  FieldCheck check("guard");
+  check.range("max_force", def.guard.max_force, 0.0, 22.2, "N");
+  check.range("max_slew", def.guard.max_slew, 10.0, 1e5, "N/s");
+  check.range("engage_time", def.guard.engage_time, 0.05, 5.0, "s");
+  return check.result();
+}
+
+Result<void> check_friction(const SceneDef& def) {
+  if (!def.friction) return {};
+  FieldCheck check("friction");
+  check.range("coefficient", def.friction->coefficient, 0.0, 2.0, "");
+  check.range("wet_factor", def.friction->wet_factor, 0.0, 1.0, "");
+  check.range("slip_speed", def.friction->slip_speed, 1e-4, 0.1, "m/s");
+  return check.result();
+}
+
+Result<void> check_water(const SceneDef& def) {
+  if (!def.water) return {};
+  FieldCheck check("water");
+  check.range("wetting_time", def.water->wetting_time, 0.05, 60.0, "s");
+  check.range("drying_time", def.water->drying_time, 1.0, 36000.0, "s");
+  check.range("softening", def.water->softening, 0.05, 1.0, "");
+  return check.result();
+}
+
+}  // namespace
+
+Result<void> validate(const SceneDef& def) {
+  Result<void> good = validate(def.clay, "clay");
+  for (auto check :
+       {check_tool, check_contact, check_wheel, check_guard, check_friction, check_water})
+    if (good) good = check(def);
+  return good;
+}
+
+}  // namespace onggi
