@@ -40,7 +40,7 @@ int steps_for(const ToolSweep& sweep) noexcept {
   return static_cast<int>(std::clamp(steps, 1.0, double{kMostSteps}));
 }
 
-void ToolContact::choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept {
+bool ToolContact::choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept {
   const WallThere wall = wall_at(clay, at);
   const double d = axis_distance(at);
   const bool below_rim = at.y < clay.rim_height();
@@ -50,11 +50,15 @@ void ToolContact::choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep)
   const bool nearer = d < 0.5 * (wall.outer + wall.inner);
   const bool inside = wish == SideWish::by_position ? nearer : wish == SideWish::inside;
   side_ = inside ? WallSide::inside : WallSide::outside;
+  const double here = depth_at(clay, side_, at, sweep.radius, &sum_.visited);
+  if (here == 0.0) return false;
   // A first touch from clear air is shallow. If it is deep, the tool came along the other face:
   // taking it for this one would cut the whole wall away. A wish decides where both are likely.
-  const double here = depth_at(clay, side_, at, sweep.radius, &sum_.visited);
-  if (here == 0.0 || (wish != SideWish::by_position && here <= sweep.radius)) return;
-  if (depth_at(clay, other(side_), at, sweep.radius, &sum_.visited) < here) side_ = other(side_);
+  if (wish != SideWish::by_position && here <= sweep.radius) return true;
+  const double there = depth_at(clay, other(side_), at, sweep.radius, &sum_.visited);
+  if (there >= here) return true;
+  side_ = other(side_);
+  return there > 0.0;
 }
 
 void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
@@ -70,7 +74,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
                         turned(sweep.from + end * way, c, -s), sweep.radius, sweep.seconds / of};
 
   if (!touching_) {
-    choose_side(clay, part.to, sweep);
+    if (!choose_side(clay, part.to, sweep)) return;
   } else if (part.to.y > clay.rim_height()) {
     // Passed over the rim: beyond the wall's far face, not its middle, so that it cannot flutter.
     const WallThere wall = wall_at(clay, part.to);

@@ -36,7 +36,8 @@ class ToolContact {
   bool touching() const { return touching_; }
 
  private:
-  void choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept;
+  /// Where a tool that was clear stands; false where it is clear at `at` too.
+  bool choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept;
 
   WallSide side_ = WallSide::outside;
   bool touching_ = false;
