@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ struct TickRecord {
 
 /// Writes a replay: header (magic, version, SceneDef, vessel id), then each tick as the fields that
 /// changed since the one before (an unchanged tick is one byte); every simulated second a state
-/// hash may be noted. Little-endian everywhere. Allocates; not for the tick.
+/// hash may be noted. Bit for bit, NaN and -0 included. Little-endian everywhere. Allocates; not
+/// for the tick.
 class ReplayWriter {
  public:
   ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed);
@@ -44,14 +46,15 @@ struct ReplayOutcome {
   std::int64_t first_difference_tick = -1;  ///< -1: every hash agreed.
 };
 
-/// A replay read whole; refuses anything malformed (wrong magic, version, cut short, bad def).
+/// A replay read whole; refuses anything malformed (wrong magic, version, cut short, bad def, more
+/// than 4 million ticks).
 struct Replay {
   SceneDef def;
   std::string vessel_id;
   std::uint64_t seed = 0;
   struct Note {
-    std::uint64_t tick;
-    std::uint64_t hash;
+    std::uint64_t tick = 0;  ///< Ticks done when it was noted.
+    std::uint64_t hash = 0;
   };
   std::vector<TickRecord> ticks;
   std::vector<Note> notes;

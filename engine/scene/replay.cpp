@@ -1,0 +1,181 @@
+#include "engine/scene/replay.h"
+
+#include <algorithm>
+
+#include "engine/scene/replay_bytes.h"
+
+namespace onggi {
+namespace {
+
+using namespace replay_bytes;
+
+constexpr std::size_t kMostTicks = 4'000'000;  // over an hour; a visit is minutes
+constexpr std::size_t kLongestId = 4096;
+
+// Everything that is on or off, in 16 bits: three a hand, three of the potter's.
+std::uint16_t switches_of(const Hands& hands) {
+  unsigned bits = 0;
+  for (const HandInput& hand : hands.hand)
+    bits = bits << 3 | static_cast<unsigned>(hand.side) << 1 | static_cast<unsigned>(hand.active);
+  bits =
+      bits << 3 | unsigned{hands.water} << 2 | unsigned{hands.renew} << 1 | unsigned{hands.restore};
+  return static_cast<std::uint16_t>(bits);
+}
+
+bool put_switches(Hands& hands, std::uint16_t bits) {
+  if (bits >= 1u << (3 * (kMaxHands + 1))) return false;
+  hands.restore = (bits & 1u) != 0;
+  hands.renew = (bits & 2u) != 0;
+  hands.water = (bits & 4u) != 0;
+  for (std::size_t n = kMaxHands; n-- > 0;) {
+    bits = static_cast<std::uint16_t>(bits >> 3);
+    const unsigned side = (bits >> 1) & 3u;
+    if (side > static_cast<unsigned>(SideWish::inside)) return false;
+    hands.hand[n].active = (bits & 1u) != 0;
+    hands.hand[n].side = static_cast<SideWish>(side);
+  }
+  return true;
+}
+
+// The same bits, so that NaN equals itself and -0 is not 0.
+bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+bool same(Vec3 a, Vec3 b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
+
+template <class Io>
+bool vec(Io& io, Vec3& v) {
+  return io(v.x) && io(v.y) && io(v.z);
+}
+
+// The fields that `fields` names, for writing and for reading alike.
+template <class Io>
+bool tick_fields(Io& io, std::uint8_t fields, TickRecord& r) {
+  std::uint16_t switches = switches_of(r.hands);
+  bool good = true;
+  if ((fields & kHand0) != 0) good = vec(io, r.hands.hand[0].position);
+  if ((fields & kHand1) != 0) good = good && vec(io, r.hands.hand[1].position);
+  if ((fields & kSwitches) != 0) good = good && io(switches) && put_switches(r.hands, switches);
+  if ((fields & kWheel) != 0) good = good && io(r.hands.wheel_speed);
+  if ((fields & kTime) != 0) good = good && io(r.dt);
+  return good;
+}
+
+}  // namespace
+
+ReplayWriter::ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed) {
+  Writer io(bytes_);
+  std::uint64_t magic = kMagic;
+  std::uint32_t version = kVersion;
+  SceneDef copy = def;
+  const std::size_t size = std::min(vessel_id.size(), kLongestId);
+  auto id_size = static_cast<std::uint32_t>(size);
+  io(magic);
+  io(version);
+  scene_def(io, copy);
+  io(seed);
+  io(id_size);
+  for (std::size_t n = 0; n < size; ++n) bytes_.push_back(static_cast<std::byte>(vessel_id[n]));
+}
+
+void ReplayWriter::tick(const TickRecord& record) {
+  unsigned fields = 0;
+  const Hands& now = record.hands;
+  const Hands& then = last_.hands;
+  if (!same(now.hand[0].position, then.hand[0].position)) fields |= kHand0;
+  if (!same(now.hand[1].position, then.hand[1].position)) fields |= kHand1;
+  if (switches_of(now) != switches_of(then)) fields |= kSwitches;
+  if (!same(now.wheel_speed, then.wheel_speed)) fields |= kWheel;
+  if (!same(record.dt, last_.dt)) fields |= kTime;
+  last_ = record;
+  Writer io(bytes_);
+  auto tag = static_cast<std::uint8_t>(fields);
+  io(tag);
+  tick_fields(io, tag, last_);
+}
+
+void ReplayWriter::note_hash(std::uint64_t state_hash) {
+  Writer io(bytes_);
+  std::uint8_t tag = kNote;
+  io(tag);
+  io(state_hash);
+}
+
+std::vector<std::byte> ReplayWriter::finish(std::uint64_t state_hash) {
+  Writer io(bytes_);
+  std::uint8_t tag = kEnd;
+  io(tag);
+  io(state_hash);
+  return std::move(bytes_);
+}
+
+Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string& name) {
+  Reader io(bytes);
+  const auto malformed = [&](const char* what) {
+    return problem(name + ", byte " + std::to_string(io.at()), what,
+                   "Use a replay file that this program wrote, whole.");
+  };
+  std::uint64_t magic = 0;
+  std::uint32_t version = 0;
+  if (!io(magic) || magic != kMagic) return malformed("This is no replay.");
+  if (!io(version) || version != kVersion)
+    return malformed("The replay was written by another version of the engine.");
+  Replay replay;
+  if (!scene_def(io, replay.def) || !io(replay.seed) || !io.text(replay.vessel_id, kLongestId))
+    return malformed("The replay's beginning is cut short or damaged.");
+  if (auto good = validate(replay.def); !good)
+    return problem(name + ", " + good.error().where, good.error().what,
+                   "The file is damaged: use a replay that this program wrote.");
+
+  TickRecord last;
+  for (;;) {
+    std::uint8_t tag = 0;
+    if (!io(tag)) return malformed("The replay is cut short: it has no end.");
+    if (tag == kEnd) {
+      if (!io(replay.final_hash) || io.left() != 0)
+        return malformed("The replay's end is damaged.");
+      return replay;
+    }
+    if (tag == kNote) {
+      Note note{replay.ticks.size(), 0};
+      if (!io(note.hash)) return malformed("The replay is cut short within a hash.");
+      replay.notes.push_back(note);
+      continue;
+    }
+    if ((tag & ~unsigned{kAllFields}) != 0 || !tick_fields(io, tag, last))
+      return malformed("A tick is damaged or cut short.");
+    if (replay.ticks.size() == kMostTicks) return malformed("The replay is longer than an hour.");
+    replay.ticks.push_back(last);
+  }
+}
+
+Result<ReplayOutcome> run_replay(const Replay& replay, std::unique_ptr<Scene>* scene_out) {
+  Result<Scene> scene = Scene::create(replay.def);
+  if (!scene) return tl::unexpected<Problem>(scene.error());
+  ReplayOutcome outcome;
+  outcome.vessel_id = replay.vessel_id;
+  outcome.seed = replay.seed;
+  outcome.recorded_hash = replay.final_hash;
+
+  auto note = replay.notes.begin();
+  const auto check = [&](std::uint64_t hash) {
+    ++outcome.hashes_checked;
+    if (scene->state_hash() != hash && outcome.first_difference_tick < 0)
+      outcome.first_difference_tick = static_cast<std::int64_t>(outcome.ticks);
+  };
+  const auto check_notes = [&] {
+    for (; note != replay.notes.end() && note->tick == outcome.ticks; ++note) check(note->hash);
+  };
+  check_notes();
+  for (const TickRecord& record : replay.ticks) {
+    scene->step(record.hands, record.dt);
+    ++outcome.ticks;
+    check_notes();
+  }
+  check(replay.final_hash);
+  outcome.replayed_hash = scene->state_hash();
+  if (scene_out != nullptr) *scene_out = std::make_unique<Scene>(std::move(*scene));
+  return outcome;
+}
+
+}  // namespace onggi

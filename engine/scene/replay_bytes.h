@@ -1,0 +1,128 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene_def.h"
+
+namespace onggi::replay_bytes {
+
+inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
+inline constexpr std::uint32_t kVersion = 1;
+
+/// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
+enum Tag : std::uint8_t {
+  kHand0 = 1u << 0,     // three doubles
+  kHand1 = 1u << 1,     // three doubles
+  kSwitches = 1u << 2,  // two bytes: see switches_of()
+  kWheel = 1u << 3,     // a double
+  kTime = 1u << 4,      // a double
+  kAllFields = kHand0 | kHand1 | kSwitches | kWheel | kTime,
+  kNote = 0x80,  // a hash of the state here
+  kEnd = 0x81,   // the last hash, and nothing after it
+};
+
+/// Appends little-endian values.
+class Writer {
+ public:
+  explicit Writer(std::vector<std::byte>& out) : out_(out) {}
+  bool operator()(std::uint64_t& v) { return whole(v, 8); }
+  bool operator()(std::uint32_t& v) { return whole(v, 4); }
+  bool operator()(std::uint16_t& v) { return whole(v, 2); }
+  bool operator()(std::uint8_t& v) { return whole(v, 1); }
+  bool operator()(int& v) { return whole(static_cast<std::uint32_t>(v), 4); }
+  bool operator()(bool& v) { return whole(v ? 1 : 0, 1); }
+  bool operator()(double& v) { return whole(std::bit_cast<std::uint64_t>(v), 8); }
+
+ private:
+  bool whole(std::uint64_t v, int bytes) {
+    for (int n = 0; n < bytes; ++n) out_.push_back(static_cast<std::byte>(v >> (8 * n)));
+    return true;
+  }
+  std::vector<std::byte>& out_;
+};
+
+/// Takes them back. False, and the value untouched, where the bytes end or make no sense.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> in) : in_(in) {}
+  bool operator()(std::uint64_t& v) { return whole(v, 8); }
+  bool operator()(std::uint32_t& v) { return whole(v, 4); }
+  bool operator()(std::uint16_t& v) { return whole(v, 2); }
+  bool operator()(std::uint8_t& v) { return whole(v, 1); }
+  bool operator()(int& v) {
+    std::uint32_t bits = 0;
+    if (!whole(bits, 4)) return false;
+    v = static_cast<int>(bits);
+    return true;
+  }
+  bool operator()(bool& v) {
+    std::uint8_t bit = 0;
+    if (!whole(bit, 1) || bit > 1) return false;
+    v = bit == 1;
+    return true;
+  }
+  bool operator()(double& v) {
+    std::uint64_t bits = 0;
+    if (!whole(bits, 8)) return false;
+    v = std::bit_cast<double>(bits);
+    return true;
+  }
+  bool text(std::string& v, std::size_t most) {
+    std::uint32_t size = 0;
+    if (!whole(size, 4) || size > most || size > left()) return false;
+    v.assign(reinterpret_cast<const char*>(in_.data() + at_), size);
+    at_ += size;
+    return true;
+  }
+  std::size_t at() const { return at_; }
+  std::size_t left() const { return in_.size() - at_; }
+
+ private:
+  template <class T>
+  bool whole(T& v, std::size_t bytes) {
+    if (left() < bytes) return false;
+    std::uint64_t sum = 0;
+    for (std::size_t n = 0; n < bytes; ++n)
+      sum |= std::to_integer<std::uint64_t>(in_[at_ + n]) << (8 * n);
+    at_ += bytes;
+    v = static_cast<T>(sum);
+    return true;
+  }
+  std::span<const std::byte> in_;
+  std::size_t at_ = 0;
+};
+
+template <class Io, class Part>
+bool optional_part(Io& io, std::optional<Part>& part) {
+  bool present = part.has_value();
+  if (!io(present)) return false;
+  if (present && !part) part.emplace();
+  if (!present) part.reset();
+  return true;
+}
+
+/// Every field of a SceneDef, for writing and for reading alike. A field added to SceneDef is added
+/// here, and kVersion raised.
+template <class Io>
+bool scene_def(Io& io, SceneDef& d) {
+  bool good = io(d.clay.rows) && io(d.clay.sectors) && io(d.clay.height) &&
+              io(d.clay.outer_radius) && io(d.clay.inner_radius) && io(d.clay.floor_thickness) &&
+              io(d.clay.wall_min) && io(d.clay.radius_min) && io(d.clay.radius_max) &&
+              io(d.clay.keep_undo) && io(d.tool.radius) && io(d.contact.relaxation_time) &&
+              io(d.contact.stiffness) && io(d.wheel.max_speed) && io(d.wheel.acceleration) &&
+              io(d.guard.max_force) && io(d.guard.max_slew) && io(d.guard.engage_time);
+  good = good && optional_part(io, d.friction);
+  if (good && d.friction)
+    good = io(d.friction->coefficient) && io(d.friction->wet_factor) && io(d.friction->slip_speed);
+  good = good && optional_part(io, d.water);
+  if (good && d.water)
+    good = io(d.water->wetting_time) && io(d.water->drying_time) && io(d.water->softening);
+  return good;
+}
+
+}  // namespace onggi::replay_bytes
