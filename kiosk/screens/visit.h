@@ -94,6 +94,8 @@ class Visit {
   ///   over any  "help", "help.close", "idle.stay", "language", "back"
   /// Nothing when it is not on the screen. A control acts when the pointer is lifted on it.
   std::optional<view::Rect> control(const std::string& id) const;
+  /// The control that the keyboard is on; empty while a pointer is used or the keys move the hand.
+  const std::string& focus() const;
 
  private:
   struct State;

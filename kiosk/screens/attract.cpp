@@ -1,0 +1,93 @@
+#include <algorithm>
+
+#include "kiosk/screens/screen.h"
+#include "kiosk/screens/stage.h"
+
+namespace onggi::screens {
+
+using view::Face;
+
+namespace {
+
+constexpr double kRest = 7.0;      // s that a finished pot is shown, with its name.
+constexpr double kNameFade = 1.2;  // s
+
+/// A pot throws itself by script; its name fades in at the end; then the next vessel.
+class Attract final : public Screen {
+ public:
+  using Screen::Screen;
+  ScreenId id() const override { return ScreenId::attract; }
+  std::string first_focus() const override { return "attract.begin"; }
+  void press(const std::string& control) override {
+    if (control == "attract.begin") desk.go(ScreenId::choose);
+  }
+  void back() override {}
+
+  void update(double dt) override {
+    if (!asked_ || (done_at_ >= 0 && desk.now - done_at_ > kRest)) next_pot();
+    const ShelfCard* card = desk.shelf_card(desk.attract_card);
+    stage_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
+    if (asked_ && desk.pot_ready() && desk.status.script_done && done_at_ < 0) done_at_ = desk.now;
+  }
+
+  std::optional<view::PotView> pot(const Page& page) override {
+    if (!asked_) return std::nullopt;
+    view::PotView pot = stage_.view(desk, page);
+    if (done_at_ >= 0 && !desk.still())
+      pot.opacity *= std::clamp((done_at_ + kRest - desk.now) / 0.5, 0.0, 1.0);
+    return pot;
+  }
+
+  void lay_out(Page& page) override {
+    const TypeScale& t = page.type();
+    Column column(page, page.where().words);
+    column.foot_buttons(standing_buttons(desk, false));
+    column.foot_space(t.gap * 2);
+    column.foot_buttons({{"attract.begin", desk.say("attract.begin"), Look::solid}});
+    column.foot_space(t.gap * 2);
+    column.text(desk.title(), t.display, Face::serif);
+    column.space(t.gap);
+    column.text(desk.say("attract.lead"), t.body);
+
+    // Room for the name is kept whether or not it shows, so that nothing moves when it does.
+    if (!asked_) return;
+    const content::Label label = desk.label(desk.attract_card);
+    const float alpha = name_alpha();
+    Page unseen = page;
+    Page& onto = alpha > 0.004f ? page : unseen;
+    Column name(onto, column.rest());
+    name.space(t.gap * (page.where().portrait ? 1.5f : 3.0f));
+    name.text(desk.say("attract.thrown"), t.body, Face::sans,
+              view::with_alpha(view::kFaintInk, alpha));
+    name.text(label.title, t.title, Face::serif, view::with_alpha(view::kInk, alpha));
+    name.text(label.culture, t.body, Face::sans, view::with_alpha(view::kFaintInk, alpha));
+    name.text(label.date, t.body, Face::sans, view::with_alpha(view::kFaintInk, alpha));
+    if (unseen.overflow()) page.overflowed();
+  }
+
+ private:
+  void next_pot() {
+    if (desk.cards() == 0) return;
+    desk.attract_card = (desk.attract_card + 1) % desk.cards();
+    desk.start_pot(desk.attract_card, true);
+    asked_ = true;
+    done_at_ = -1;
+  }
+
+  float name_alpha() const {
+    if (done_at_ < 0) return 0;
+    if (desk.still()) return 1;
+    const double in = (desk.now - done_at_) / kNameFade, out = (done_at_ + kRest - desk.now) / 0.5;
+    return static_cast<float>(std::clamp(std::min(in, out), 0.0, 1.0));
+  }
+
+  Stage stage_;
+  bool asked_ = false;
+  double done_at_ = -1;
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> make_attract(Desk& desk) { return std::make_unique<Attract>(desk); }
+
+}  // namespace onggi::screens

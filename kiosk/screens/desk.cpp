@@ -1,0 +1,46 @@
+#include "kiosk/screens/desk.h"
+
+namespace onggi::screens {
+
+void Desk::forget() {
+  language = 0;
+  card = -1;
+  made = {};
+  score = {};
+  kept = Kept::not_asked;
+  kept_as.clear();
+  postcard = 0;
+  requests.emplace_back(ForgetVisitor{});
+}
+
+std::string Desk::title() const {
+  const auto& titles = world.exhibit->title;
+  if (const auto own = titles.find(words().code()); own != titles.end()) return own->second;
+  return titles.empty() ? say("attract.title") : titles.begin()->second;
+}
+
+const ShelfCard* Desk::shelf_card(int index) const {
+  if (index < 0 || index >= cards()) return nullptr;
+  return &(*world.shelf)[static_cast<std::size_t>(index)];
+}
+
+content::Label Desk::label(int index) const {
+  const ShelfCard* shelf = shelf_card(index);
+  return shelf != nullptr && shelf->vessel != nullptr ? shelf->vessel->label(words().code())
+                                                      : content::Label{};
+}
+
+void Desk::start_pot(int index, bool scripted) {
+  requests.emplace_back(StartPot{index, scripted});
+  awaited_ = status.scene_serial;
+}
+
+void Desk::look_at(const loop::LoopStatus& newest) {
+  status = newest;
+  if (awaited_ && *awaited_ != newest.scene_serial) {
+    awaited_.reset();
+    pot_since_ = now;
+  }
+}
+
+}  // namespace onggi::screens

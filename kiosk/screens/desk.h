@@ -1,0 +1,64 @@
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "kiosk/screens/visit.h"
+
+namespace onggi::screens {
+
+/// What the screens of one visit share: the world, the newest status, what is asked of the program,
+/// and all that is known of the visitor, which forget() drops.
+class Desk {
+ public:
+  explicit Desk(const VisitWorld& w) : world(w) {}
+
+  const VisitWorld world;
+  loop::LoopStatus status;
+  double now = 0;
+  std::deque<Request> requests;
+  std::optional<ScreenId> next;  ///< Where to go once the present call is over.
+  bool turned = false;           ///< The same screen now shows another picture: cross-fade.
+
+  /// Of the visitor.
+  std::size_t language = 0;
+  int card = -1;
+  Profile made;
+  score::Score score;
+  enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
+  std::string kept_as;
+  view::PictureId postcard = 0;
+
+  int attract_card = -1;  ///< Of the exhibit: goes round the shelf, visitors or not.
+
+  void go(ScreenId id) { next = id; }
+  void forget();
+
+  const content::Language& words() const { return (*world.languages)[language]; }
+  std::string say(const std::string& key,
+                  const std::map<std::string, std::string>& places = {}) const {
+    return words().say(key, places);
+  }
+  std::string title() const;
+  const settings::Exhibit::Screen& screen() const { return world.exhibit->screen; }
+  bool still() const { return screen().reduced_motion; }
+  bool mirrored() const { return screen().left_handed != words().right_to_left(); }
+
+  int cards() const { return static_cast<int>(world.shelf->size()); }
+  const ShelfCard* shelf_card(int index) const;
+  content::Label label(int index) const;
+
+  /// Asks for a fresh lump; until it is on the wheel, pot_ready() is false.
+  void start_pot(int index, bool scripted);
+  bool pot_ready() const { return !awaited_; }
+  double pot_since() const { return pot_since_; }
+  void look_at(const loop::LoopStatus& newest);
+
+ private:
+  std::optional<std::uint32_t> awaited_;  ///< Serial of the pot that is to be replaced.
+  double pot_since_ = 0;
+};
+
+}  // namespace onggi::screens

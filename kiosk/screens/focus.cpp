@@ -1,0 +1,50 @@
+#include "kiosk/screens/focus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace onggi::screens {
+
+std::string step_focus(const std::vector<Control>& controls, const std::string& from,
+                       Direction direction) {
+  if (controls.empty()) return {};
+  const auto at = std::find_if(controls.begin(), controls.end(),
+                               [&](const Control& c) { return c.id == from; });
+  if (at == controls.end()) return controls.front().id;
+
+  const auto centre = [](const view::Rect& r) { return std::pair(r.x + r.w / 2, r.y + r.h / 2); };
+  const auto [x0, y0] = centre(at->rect);
+  const Control* nearest = nullptr;
+  float least = std::numeric_limits<float>::max();
+  for (const Control& c : controls) {
+    if (&c == &*at) continue;
+    const auto [x, y] = centre(c.rect);
+    float along = 0, across = 0;
+    switch (direction) {
+      case Direction::up:
+        along = y0 - y, across = x - x0;
+        break;
+      case Direction::down:
+        along = y - y0, across = x - x0;
+        break;
+      case Direction::left:
+        along = x0 - x, across = y - y0;
+        break;
+      case Direction::right:
+        along = x - x0, across = y - y0;
+        break;
+    }
+    if (along < 2.0f) continue;
+    const float cost = along + 2.0f * std::abs(across);
+    if (cost < least) least = cost, nearest = &c;
+  }
+  if (nearest) return nearest->id;
+
+  const std::size_t n = controls.size();
+  const auto i = static_cast<std::size_t>(at - controls.begin());
+  const bool onward = direction == Direction::right || direction == Direction::down;
+  return controls[onward ? (i + 1) % n : (i + n - 1) % n].id;
+}
+
+}  // namespace onggi::screens

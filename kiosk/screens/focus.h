@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kiosk/screens/page.h"
+
+namespace onggi::screens {
+
+enum class Direction { up, down, left, right };
+
+/// The control that an arrow leads to from `from`: the nearest one that way, counting sideways
+/// distance double; where none lies that way, the next (right, down) or the one before (left, up)
+/// in reading order, round and round, so that every control can be reached with one arrow alone.
+/// Empty when there are no controls.
+std::string step_focus(const std::vector<Control>& controls, const std::string& from,
+                       Direction direction);
+
+}  // namespace onggi::screens

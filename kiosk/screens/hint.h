@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/screens/desk.h"
+
+namespace onggi::screens {
+
+/// What to do next, as a key of the languages, and where on the pot, if anywhere.
+struct Hint {
+  std::string key;
+  std::string place;  ///< Key of the place named in it; may be empty.
+  struct Press {
+    double height = 0;
+    bool inward = true;
+  };
+  std::optional<Press> press;
+};
+
+struct HintInput {
+  const Profile* target = nullptr;
+  const Profile* made = nullptr;
+  bool wheel_turns = true;
+  bool inside = false;        ///< The tool works the inside.
+  bool touched = false;       ///< The visitor has touched this pot.
+  bool dry_too_long = false;  ///< Long rubbed without water.
+  double tool_radius = 0.008;
+};
+
+/// The most useful hint for what is true now. Pure.
+Hint next_hint(const HintInput& in);
+
+/// Every hint in the words of the desk, for reserving room.
+std::vector<std::string> all_hints(const Desk& desk);
+std::string words_of(const Hint& hint, const Desk& desk);
+
+/// Shows one hint at a time: looks four times a second, and keeps each at least two seconds, so
+/// that a sentence can be read before it changes.
+class HintLine {
+ public:
+  const Hint& update(double now, const HintInput& in);
+  const Hint& shown() const { return shown_; }
+
+ private:
+  Hint shown_;
+  double looked_ = -1, since_ = -10;
+};
+
+}  // namespace onggi::screens

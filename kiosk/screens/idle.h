@@ -1,0 +1,23 @@
+#pragma once
+
+namespace onggi::screens {
+
+/// Notices that nobody is there. Any input, at any time, starts the wait anew, as often as it
+/// comes.
+class IdleWatch {
+ public:
+  enum class Word { none, warn, over };
+  void touched(double now) {
+    last_ = now;
+    started_ = true;
+  }
+  /// `warn_after` s without input before the warning, then `countdown` s (at least 20).
+  Word look(double now, double warn_after, double countdown);
+  double seconds_left() const { return left_; }
+
+ private:
+  bool started_ = false;
+  double last_ = 0, left_ = 0;
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include "kiosk/screens/screen.h"
+
+namespace onggi::screens {
+
+using view::Face;
+using view::Rect;
+
+namespace {
+
+/// The postcard, large, and where it is kept.
+class Keepsake final : public Screen {
+ public:
+  using Screen::Screen;
+  ScreenId id() const override { return ScreenId::keepsake; }
+  std::string first_focus() const override { return "keepsake.done"; }
+
+  void lay_out(Page& page) override {
+    if (desk.postcard != 0) lay_out_card(page);
+    const TypeScale& t = page.type();
+    Column column(page, page.where().words);
+    column.foot_buttons(standing_buttons(desk, true));
+    column.foot_space(t.gap * 1.5f);
+    column.foot_buttons({{"keepsake.done", desk.say("keepsake.done"), Look::solid},
+                         {"keepsake.again", desk.say("keepsake.again"), Look::outline}});
+    column.foot_space(t.gap);
+    const bool failed = desk.kept == Desk::Kept::failed;
+    column.text(desk.say(desk.postcard == 0 && !failed ? "keepsake.firing" : "keepsake.title"),
+                t.title, Face::serif);
+    column.space(t.gap);
+    switch (desk.kept) {
+      case Desk::Kept::not_asked:
+      case Desk::Kept::asked:
+        column.text(desk.say("keepsake.wait"), t.body);
+        break;
+      case Desk::Kept::kept:
+        column.text(desk.say("keepsake.kept"), t.body);
+        column.space(t.gap);
+        column.text(desk.kept_as, t.body, Face::sans, view::kFaintInk);
+        break;
+      case Desk::Kept::failed:
+        column.text(desk.say("keepsake.failed"), t.body);
+        break;
+    }
+  }
+
+  void press(const std::string& control) override {
+    if (control == "keepsake.done") desk.go(ScreenId::attract);
+    if (control == "keepsake.again") desk.go(ScreenId::choose);
+  }
+  void back() override { desk.go(ScreenId::result); }
+
+ private:
+  /// A card of 5:7 lying on the plaster: a soft shadow of three films, no frame.
+  void lay_out_card(Page& page) const {
+    const Rect room = page.where().pot;
+    const float h = std::min(room.h, room.w * 1.4f), w = h / 1.4f;
+    const Rect card{room.x + (room.w - w) / 2, room.y + (room.h - h) / 2, w, h};
+    for (int i = 1; i <= 4; ++i) {
+      const float grow = page.type().body * 0.16f * static_cast<float>(i);
+      page.draw(view::Box{{card.x - grow, card.y - grow + page.type().body * 0.2f,
+                           card.w + 2 * grow, card.h + 2 * grow},
+                          grow,
+                          view::with_alpha(view::kInk, 0.035f),
+                          0,
+                          {}});
+    }
+    page.draw(view::Picture{card, desk.postcard, 1});
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> make_keepsake(Desk& desk) { return std::make_unique<Keepsake>(desk); }
+
+}  // namespace onggi::screens

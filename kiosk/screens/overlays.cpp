@@ -1,0 +1,63 @@
+#include <cmath>
+
+#include "kiosk/screens/screen.h"
+
+namespace onggi::screens {
+
+using view::Face;
+
+std::vector<Button> language_buttons(const Desk& desk) {
+  std::vector<Button> row;
+  const auto& all = *desk.world.languages;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const auto& other = all[(desk.language + k) % all.size()];
+    row.push_back({k == 1 ? "language" : "language." + other.code(), other.name(), Look::quiet});
+  }
+  return row;
+}
+
+std::optional<std::size_t> language_of(const Desk& desk, const std::string& control) {
+  const auto& all = *desk.world.languages;
+  if (control == "language") return (desk.language + 1) % all.size();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (control == "language." + all[i].code()) return i;
+  return std::nullopt;
+}
+
+std::vector<Button> standing_buttons(const Desk& desk, bool with_back) {
+  std::vector<Button> row;
+  if (with_back) row.push_back({"back", desk.say("all.back"), Look::quiet});
+  row.push_back({"help", desk.say("all.help"), Look::quiet});
+  for (Button& b : language_buttons(desk)) row.push_back(std::move(b));
+  return row;
+}
+
+void lay_out_help(Page& page, const Desk& desk, const std::string& help_key) {
+  const TypeScale& t = page.type();
+  Column column(page, page.where().page);
+  column.foot_buttons(language_buttons(desk));
+  column.foot_space(t.gap);
+  column.foot_buttons({{"help.close", desk.say("help.close"), Look::solid}});
+  column.foot_space(t.gap);
+  column.text(desk.say("help.title"), t.title, Face::serif);
+  column.space(t.gap);
+  column.text(desk.say(help_key), t.body);
+  column.space(t.gap);
+  column.text(desk.say(help_key + "_keys"), t.body, Face::sans, view::kFaintInk);
+}
+
+void lay_out_idle(Page& page, const Desk& desk, double seconds_left) {
+  const TypeScale& t = page.type();
+  Column column(page, page.where().page);
+  column.foot_buttons(language_buttons(desk));
+  column.foot_space(t.gap);
+  const int seconds = static_cast<int>(std::ceil(seconds_left));
+  column.space(page.where().page.h * 0.12f);
+  column.text(desk.say("idle.title"), t.display, Face::serif);
+  column.space(t.gap);
+  column.text(desk.say("idle.countdown", {{"seconds", std::to_string(seconds)}}), t.lead);
+  column.space(t.gap * 2);
+  column.buttons({{"idle.stay", desk.say("idle.stay"), Look::solid}});
+}
+
+}  // namespace onggi::screens

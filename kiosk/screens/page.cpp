@@ -1,0 +1,230 @@
+#include "kiosk/screens/page.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::screens {
+
+using view::Align;
+using view::Color;
+using view::Face;
+using view::Rect;
+
+namespace {
+// Pango rounds to its own units; a line measured to the pixel must not break for that.
+constexpr float kSlack = 4.0f;
+constexpr float kButtonLine = 1.2f;
+}  // namespace
+
+view::TextStyle Page::style(Face face, float px, Align align) const {
+  view::TextStyle s;
+  s.face = face;
+  s.px = px;
+  s.align = align;
+  s.line_height = face == Face::serif ? 1.22f : 1.4f;
+  s.language = sheet_.language;
+  return s;
+}
+
+view::TextMeasure::Size Page::size(const std::string& words, const view::TextStyle& style,
+                                   float at_most) const {
+  return measuring_(words, style, at_most);
+}
+
+void Page::words(const Rect& box, const std::string& words, const view::TextStyle& style,
+                 Color color) {
+  items_.push_back(view::Text{box, words, style, color});
+}
+
+namespace {
+struct Padding {
+  float x, y;
+};
+Padding padding(Look look, const TypeScale& t) {
+  return look == Look::quiet || look == Look::plain ? Padding{t.body * 0.15f, t.body * 0.2f}
+                                                    : Padding{t.body * 0.7f, t.body * 0.32f};
+}
+view::TextStyle button_style(const Page& page) {
+  view::TextStyle s = page.style(Face::sans, page.type().body, Align::centre);
+  s.line_height = kButtonLine;
+  return s;
+}
+}  // namespace
+
+view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
+  const Padding pad = padding(button.look, type());
+  const auto style = button_style(*this);
+  const auto room = [&](const std::string& words, float width) {
+    auto text = size(words, style, -1);
+    if (text.width + kSlack + 2 * pad.x > width)
+      text = size(words, style, width - 2 * pad.x - kSlack);
+    return view::TextMeasure::Size{std::max(text.width + kSlack + 2 * pad.x, type().target),
+                                   std::max(text.height + 2 * pad.y, type().target)};
+  };
+  if (button.other.empty()) return room(button.room.empty() ? button.words : button.room, at_most);
+  const auto a = room(button.words, at_most / 2), b = room(button.other, at_most / 2);
+  return {2 * std::max(a.width, b.width), std::max(a.height, b.height)};
+}
+
+void Page::button(const Button& button, const Rect& rect) {
+  if (!button.id.empty()) controls_.push_back({button.id, rect});
+  if (!button.other.empty()) {
+    switch_halves(button, rect);
+  } else {
+    const Padding pad = padding(button.look, type());
+    const auto style = button_style(*this);
+    const float inner = rect.w - 2 * pad.x;
+    const auto text = size(button.words, style, inner);
+    const Rect box{rect.x + pad.x, rect.y + (rect.h - text.height) / 2, inner, text.height};
+    const bool held = sheet_.attention.pressed == button.id && !button.id.empty();
+    const float radius = type().body * 0.14f;
+    Color ink = view::kCobalt;
+    switch (button.look) {
+      case Look::plain:
+        ink = view::kInk;
+        break;
+      case Look::solid:
+        ink = view::kPlaster;
+        draw(view::Box{rect, radius, held ? view::rgb(0x1F3560) : view::kCobalt, 0, {}});
+        break;
+      case Look::outline:
+        draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
+                       type().hairline * 1.5f, view::kCobalt});
+        break;
+      case Look::quiet: {
+        if (held) draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, 0.14f), 0, {}});
+        const float y = std::round(box.y + box.h) + type().hairline * 1.5f;
+        const float x = box.x + (inner - text.width) / 2;
+        draw(view::Box{{x, y, text.width, type().hairline}, 0, view::kCobalt, 0, {}});
+        break;
+      }
+    }
+    words(box, button.words, style, ink);
+  }
+  if (!button.id.empty() && sheet_.attention.focused == button.id) focus_ring(rect);
+}
+
+void Page::switch_halves(const Button& button, const Rect& rect) {
+  const float radius = type().body * 0.14f, half = rect.w / 2;
+  const auto style = button_style(*this);
+  const bool held = sheet_.attention.pressed == button.id;
+  draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
+                 type().hairline * 1.5f, view::kCobalt});
+  for (const bool second : {false, true}) {
+    const Rect side{rect.x + (second ? half : 0), rect.y, half, rect.h};
+    const bool on = second == button.other_on;
+    if (on) draw(view::Box{side, radius, view::kCobalt, 0, {}});
+    const std::string& text = second ? button.other : button.words;
+    const float pad = type().body * 0.35f;
+    const auto text_size = size(text, style, side.w - 2 * pad);
+    words({side.x + pad, side.y + (side.h - text_size.height) / 2, side.w - 2 * pad,
+           text_size.height},
+          text, style, on ? view::kPlaster : view::kCobalt);
+  }
+}
+
+void Page::control(const std::string& id, const Rect& rect) {
+  controls_.push_back({id, rect});
+  if (sheet_.attention.pressed == id)
+    draw(view::Box{rect, type().body * 0.14f, view::with_alpha(view::kCobalt, 0.08f), 0, {}});
+  if (sheet_.attention.focused == id) focus_ring(rect);
+}
+
+void Page::focus_ring(const Rect& rect) {
+  const float out = type().gap * 0.4f, line = std::max(3.0f, type().hairline * 3);
+  draw(view::Box{{rect.x - out, rect.y - out, rect.w + 2 * out, rect.h + 2 * out},
+                 type().body * 0.3f,
+                 {0, 0, 0, 0},
+                 line,
+                 view::kInk});
+}
+
+void Column::text(const std::string& words, float px, Face face, Color color, Align align) {
+  if (words.empty()) return;
+  const auto style = page_.style(face, px, align);
+  // 55 characters of about half an em.
+  const float width = std::min(box_.w, px * 0.52f * 55.0f);
+  const auto size = page_.size(words, style, width);
+  if (size.width > width + kSlack) page_.overflowed();
+  page_.words({box_.x, top_, width, size.height}, words, style, color);
+  top_ += size.height;
+  check();
+}
+
+void Column::foot_text(const std::string& words, float px, Face face, Color color) {
+  if (words.empty()) return;
+  const auto style = page_.style(face, px);
+  const float width = std::min(box_.w, px * 0.52f * 55.0f);
+  const auto size = page_.size(words, style, width);
+  foot_ -= size.height;
+  page_.words({box_.x, foot_, width, size.height}, words, style, color);
+  check();
+}
+
+float Column::flow(const std::vector<Button>& row, float indent,
+                   std::vector<Placed>& placed) const {
+  const float gap = page_.type().gap;
+  float x = indent, y = 0, row_height = 0;
+  for (const Button& button : row) {
+    const float widest = box_.w - indent;
+    const float spread = button.look == Look::quiet ? gap * 2 : gap;
+    const auto size = page_.size(button, widest);
+    if (size.width > widest + 1) page_.overflowed();
+    if (x > indent && x + size.width > box_.w) {
+      x = indent;
+      y += row_height + gap;
+      row_height = 0;
+    }
+    placed.push_back({button, {box_.x + x, y, size.width, size.height}});
+    row_height = std::max(row_height, size.height);
+    x += size.width + spread;
+  }
+  return y + row_height;
+}
+
+void Column::place(std::vector<Placed>& placed, float y, const std::string& caption,
+                   float caption_width) {
+  if (placed.empty()) return;
+  if (!caption.empty()) {
+    const auto style = page_.style(Face::sans, page_.type().body);
+    const auto size = page_.size(caption, style, -1);
+    page_.words({box_.x, y + (placed.front().rect.h - size.height) / 2, caption_width, size.height},
+                caption, style, view::kFaintInk);
+  }
+  for (Placed& p : placed) {
+    p.rect.y += y;
+    page_.button(p.button, p.rect);
+  }
+  check();
+}
+
+void Column::buttons(const std::vector<Button>& row, const std::string& caption,
+                     float caption_width) {
+  std::vector<Placed> placed;
+  const float height = flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
+  top_ += height;
+  place(placed, top_ - height, caption, caption_width);
+}
+
+void Column::foot_buttons(const std::vector<Button>& row, const std::string& caption,
+                          float caption_width) {
+  std::vector<Placed> placed;
+  foot_ -= flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
+  place(placed, foot_, caption, caption_width);
+}
+
+void Column::circles(int full, int count, float diameter) {
+  for (int i = 0; i < count; ++i) {
+    const Rect r{box_.x + static_cast<float>(i) * diameter * 1.45f, top_, diameter, diameter};
+    const Color fill = i < full ? view::kIron : Color{0, 0, 0, 0};
+    page_.draw(view::Box{r, diameter / 2, fill, std::max(1.5f, diameter * 0.07f), view::kIron});
+  }
+  top_ += diameter;
+  check();
+}
+
+void Column::check() const {
+  if (top_ > foot_ + 0.5f) page_.overflowed();
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/screens/layout.h"
+#include "kiosk/screens/measuring.h"
+#include "kiosk/view/frame.h"
+#include "kiosk/view/palette.h"
+
+namespace onggi::screens {
+
+/// Something that can be pressed.
+struct Control {
+  std::string id;
+  view::Rect rect;
+};
+
+/// Which control the keyboard is on and which one a finger holds down; both may be empty.
+struct Attention {
+  std::string focused, pressed;
+};
+
+/// How a control looks. Cobalt and nothing else says that it can be touched.
+enum class Look {
+  quiet,    ///< Words with a hairline under them.
+  outline,  ///< Words in a hairline frame.
+  solid,    ///< The one step onward of a screen, and whatever is switched on.
+  plain,    ///< Words among buttons that cannot be pressed.
+};
+
+struct Button {
+  std::string id, words;
+  Look look = Look::outline;
+  std::string room = {};   ///< The longest words that will stand here, if these change.
+  std::string other = {};  ///< A switch: `words` | `other`, one of them on.
+  bool other_on = false;
+};
+
+/// What a page is set on.
+struct Sheet {
+  int width = 0, height = 0;  ///< Pixels.
+  TypeScale type;
+  Regions where;
+  std::string language;  ///< Code.
+  Attention attention;
+};
+
+/// The words and controls of one screen while it is laid out. Every text is measured before it is
+/// placed; `overflow` says that something did not fit, and the page is then set again smaller.
+class Page {
+ public:
+  Page(Measuring& measuring, Sheet sheet) : measuring_(measuring), sheet_(std::move(sheet)) {}
+
+  const TypeScale& type() const { return sheet_.type; }
+  const Regions& where() const { return sheet_.where; }
+  int width() const { return sheet_.width; }
+  int height() const { return sheet_.height; }
+
+  view::TextStyle style(view::Face face, float px, view::Align align = view::Align::start) const;
+  view::TextMeasure::Size size(const std::string& words, const view::TextStyle& style,
+                               float at_most) const;
+
+  /// Words at a place that was measured for them.
+  void words(const view::Rect& box, const std::string& words, const view::TextStyle& style,
+             view::Color color);
+  void draw(view::Item item) { items_.push_back(std::move(item)); }
+  /// Size that `button` needs when at most `width` wide.
+  view::TextMeasure::Size size(const Button& button, float at_most) const;
+  void button(const Button& button, const view::Rect& rect);
+  /// A control without words of its own (a card); draws its focus and touch.
+  void control(const std::string& id, const view::Rect& rect);
+  void overflowed() { overflow_ = true; }
+  /// The screen learned something while laying out and wants to be laid out once more.
+  void restart() { restart_ = true; }
+
+  bool restarted() const { return restart_; }
+  bool overflow() const { return overflow_; }
+  const std::vector<Control>& controls() const { return controls_; }
+  std::vector<view::Item>& items() { return items_; }
+
+ private:
+  void focus_ring(const view::Rect& rect);
+  void switch_halves(const Button& button, const view::Rect& rect);
+
+  Measuring& measuring_;
+  Sheet sheet_;
+  std::vector<view::Item> items_;
+  std::vector<Control> controls_;
+  bool overflow_ = false, restart_ = false;
+};
+
+/// Fills a rectangle from its top and from its foot until both meet.
+class Column {
+ public:
+  Column(Page& page, const view::Rect& box)
+      : page_(page), box_(box), top_(box.y), foot_(box.y + box.h) {}
+
+  void space(float px) { top_ += px; }
+  void foot_space(float px) { foot_ -= px; }
+  /// A paragraph, at most 55 characters wide.
+  void text(const std::string& words, float px, view::Face face = view::Face::sans,
+            view::Color color = view::kInk, view::Align align = view::Align::start);
+  void foot_text(const std::string& words, float px, view::Face face = view::Face::sans,
+                 view::Color color = view::kInk);
+  /// Buttons beside one another, wrapping into further rows. `caption`, in second rank, stands
+  /// before the first in a column of `caption_width`.
+  void buttons(const std::vector<Button>& row, const std::string& caption = {},
+               float caption_width = 0);
+  void foot_buttons(const std::vector<Button>& row, const std::string& caption = {},
+                    float caption_width = 0);
+  /// `count` circles, the first `full` of them filled: stars that any script can read.
+  void circles(int full, int count, float diameter);
+  /// What is left between top and foot.
+  view::Rect rest() const { return {box_.x, top_, box_.w, foot_ - top_}; }
+  void check() const;
+
+ private:
+  struct Placed {
+    Button button;
+    view::Rect rect;
+  };
+  /// Rows for `row` from y = 0 and x = indent; gives their height.
+  float flow(const std::vector<Button>& row, float indent, std::vector<Placed>& placed) const;
+  void place(std::vector<Placed>& placed, float y, const std::string& caption, float caption_width);
+
+  Page& page_;
+  view::Rect box_;
+  float top_, foot_;
+};
+
+}  // namespace onggi::screens

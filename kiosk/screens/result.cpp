@@ -1,0 +1,88 @@
+#include "kiosk/screens/screen.h"
+#include "kiosk/screens/stage.h"
+
+namespace onggi::screens {
+
+using view::Face;
+
+namespace {
+
+constexpr double kShowSpeed = 2.0;  // rad/s: slow enough to look at, once round in three seconds.
+constexpr std::size_t kMostRemarks = 2;  // Of each kind: more is not read.
+
+/// Stars and words: what is alike, what to try.
+class Result final : public Screen {
+ public:
+  explicit Result(Desk& d) : Screen(d) {
+    desk.world.potter->wheel(desk.still()                ? 0
+                             : desk.screen().left_handed ? -kShowSpeed
+                                                         : kShowSpeed);
+  }
+  ScreenId id() const override { return ScreenId::result; }
+  std::string first_focus() const override { return "result.keep"; }
+
+  void update(double dt) override {
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    stage_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
+  }
+  std::optional<view::PotView> pot(const Page& page) override { return stage_.view(desk, page); }
+
+  void lay_out(Page& page) override {
+    if (const ShelfCard* card = desk.shelf_card(desk.card))
+      draw_ghost(page, stage_.camera(page), card->target, desk.made);
+    const TypeScale& t = page.type();
+    Column column(page, page.where().words);
+    column.foot_buttons(standing_buttons(desk, true));
+    column.foot_space(t.gap * 1.5f);
+    column.foot_buttons({{"result.keep", desk.say("result.keep"), Look::solid},
+                         {"result.again", desk.say("result.again"), Look::outline},
+                         {"result.other", desk.say("result.other"), Look::outline}});
+    column.foot_space(t.gap);
+
+    const std::string stars = std::to_string(desk.score.stars);
+    column.text(desk.say("result.answer", {{"vessel", desk.label(desk.card).title}}), t.body,
+                Face::sans, view::kFaintInk);
+    column.space(t.gap * 0.5f);
+    column.text(desk.say("result.title_" + stars), t.title, Face::serif);
+    column.space(t.gap);
+    column.circles(desk.score.stars, 5, t.body * 0.95f);
+    column.text(desk.say("result.stars", {{"stars", stars}}), t.body, Face::sans, view::kFaintInk);
+    column.space(t.gap);
+    remarks(column, t, "result.alike", desk.score.alike);
+    if (!desk.score.try_next.empty()) column.space(t.gap);
+    remarks(column, t, "result.try", desk.score.try_next);
+  }
+
+  void press(const std::string& control) override {
+    if (control == "result.keep") {
+      if (desk.kept == Desk::Kept::not_asked) {
+        desk.requests.emplace_back(MakeKeepsake{desk.card, desk.score, desk.made});
+        desk.kept = Desk::Kept::asked;
+      }
+      desk.go(ScreenId::keepsake);
+    } else if (control == "result.again") {
+      desk.start_pot(desk.card, false);
+      desk.go(ScreenId::throwing);
+    } else if (control == "result.other") {
+      desk.go(ScreenId::choose);
+    }
+  }
+  void back() override { desk.go(ScreenId::throwing); }
+
+ private:
+  void remarks(Column& column, const TypeScale& t, const std::string& heading,
+               const std::vector<score::Remark>& all) const {
+    if (all.empty()) return;
+    column.text(desk.say(heading), t.body, Face::serif, view::kFaintInk);
+    for (std::size_t i = 0; i < std::min(all.size(), kMostRemarks); ++i)
+      column.text(desk.say(all[i].key, all[i].places), t.body);
+  }
+
+  Stage stage_;
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> make_result(Desk& desk) { return std::make_unique<Result>(desk); }
+
+}  // namespace onggi::screens

@@ -1,0 +1,167 @@
+#include "kiosk/screens/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::screens {
+
+namespace {
+/// One step of an exponential approach with time constant `tau`.
+double eased(double from, double to, double dt, double tau) {
+  return to + (from - to) * std::exp(-dt / tau);
+}
+}  // namespace
+
+void Stage::update(const Desk& desk, double dt, const Profile* target, bool cut, bool hold) {
+  const bool fresh = serial_ != desk.status.scene_serial;
+  if (desk.world.mirror->rows() > 0 && (fresh || desk.now - made_at_ > 0.12)) {
+    made_ = desk.world.mirror->profile();
+    made_at_ = desk.now;
+  }
+
+  // Room for the target and for the clay as wide as it has become.
+  double height = made_.height(), radius = made_.points.empty() ? 0.0 : made_.max_radius();
+  if (target != nullptr && !target->points.empty()) {
+    height = std::max(height, target->height());
+    radius = std::max(radius, target->max_radius());
+  }
+  if (fresh || radius_ == 0 || desk.still()) {
+    if (!hold || fresh) height_ = height, radius_ = radius;
+  } else if (!hold) {
+    height_ = eased(height_, height, dt, 0.5);
+    radius_ = eased(radius_, std::max(radius, radius_ * 0.97), dt, 0.5);
+  }
+  serial_ = desk.status.scene_serial;
+
+  const double open = cut ? 1.0 : 0.0, there = desk.pot_ready() ? 1.0 : 0.0;
+  cut_ = desk.still() ? open : eased(cut_, open, dt, 0.12);
+  shown_ = desk.still() ? there : std::clamp(shown_ + (there > 0 ? dt : -dt) / 0.4, 0.0, 1.0);
+}
+
+view::Camera Stage::camera(const Page& page) const {
+  return view::frame_pot(page.width(), page.height(), page.where().pot, std::max(height_, 0.02),
+                         std::max(radius_, 0.01));
+}
+
+view::PotView Stage::view(const Desk& desk, const Page& page) const {
+  view::PotView pot;
+  pot.camera = camera(page);
+  pot.wheel_angle = desk.status.feedback.wheel_angle;
+  pot.wetness = desk.status.feedback.wetness;
+  pot.cut_away = cut_ < 0.004 ? 0.0 : cut_;
+  pot.opacity = desk.pot_ready() ? shown_ : 0.0;
+  for (std::size_t i = 0; i < pot.tools.size(); ++i) {
+    const HandInput& hand = desk.status.hands.hand[i];
+    pot.tools[i] = {hand.active && desk.pot_ready(), hand.position, desk.world.tool_radius};
+  }
+  return pot;
+}
+
+double tolerance(const Profile& target) { return std::max(0.0012, 0.025 * target.max_radius()); }
+
+namespace {
+enum class Fit { near, wide, narrow };
+constexpr int kSamples = 72;
+
+struct Run {
+  Fit fit;
+  std::vector<std::pair<float, float>> points;
+};
+
+void stroke(Page& page, const std::vector<std::pair<float, float>>& points, view::Color color,
+            float width) {
+  if (points.size() < 2) return;
+  view::Line halo{points, {view::with_alpha(view::kPlaster, 0.6f)}, width + 2.5f};
+  page.draw(std::move(halo));
+  page.draw(view::Line{points, {color}, width});
+}
+
+/// `points` cut into dashes of `dash` pixels with as much between them.
+void dashes(Page& page, const std::vector<std::pair<float, float>>& points, view::Color color,
+            float width, float dash) {
+  float walked = 0;
+  std::vector<std::pair<float, float>> piece;
+  bool on = true;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    auto [x, y] = points[i];
+    const auto [x1, y1] = points[i + 1];
+    float left = std::hypot(x1 - x, y1 - y);
+    if (piece.empty() && on) piece.emplace_back(x, y);
+    while (left > 1e-4f) {
+      const float step = std::min(left, dash - walked);
+      const float share = step / left;
+      x += (x1 - x) * share;
+      y += (y1 - y) * share;
+      left -= step;
+      walked += step;
+      if (on) piece.emplace_back(x, y);
+      if (walked < dash - 1e-4f) continue;
+      if (on) stroke(page, piece, color, width);
+      piece.clear();
+      walked = 0;
+      on = !on;
+      if (on) piece.emplace_back(x, y);
+    }
+  }
+  if (on) stroke(page, piece, color, width);
+}
+
+Vec3 beside(const view::Camera& camera, double r, double h) {
+  Vec3 right, up, back;
+  camera.basis(right, up, back);
+  return {right.x * r, h, right.z * r};
+}
+}  // namespace
+
+void draw_ghost(Page& page, const view::Camera& camera, const Profile& target,
+                const Profile& made) {
+  const float unit = page.type().body / 25.0f;
+  const double near_enough = tolerance(target);
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<Run> runs;
+    for (int i = 0; i <= kSamples; ++i) {
+      const double h = target.height() * i / kSamples;
+      const double r = target.outer_at(h);
+      const auto at = camera.project(beside(camera, side * r, h));
+      if (!at) continue;
+      const double off = made.points.empty() ? 0.0 : made.outer_at(h) - r;
+      const Fit fit = off > near_enough ? Fit::wide : off < -near_enough ? Fit::narrow : Fit::near;
+      if (runs.empty() || runs.back().fit != fit) {
+        Run run{fit, {}};
+        if (!runs.empty()) run.points.push_back(runs.back().points.back());
+        runs.push_back(std::move(run));
+      }
+      runs.back().points.push_back(*at);
+    }
+    for (const Run& run : runs) {
+      switch (run.fit) {
+        case Fit::near:
+          stroke(page, run.points, view::kFaintInk, 1.6f * unit);
+          break;
+        case Fit::wide:
+          stroke(page, run.points, view::kIron, 2.8f * unit);
+          break;
+        case Fit::narrow:
+          dashes(page, run.points, view::kDeepCeladon, 2.8f * unit, 9.0f * unit);
+          break;
+      }
+    }
+  }
+}
+
+void draw_press(Page& page, const view::Camera& camera, const Profile& target, double height,
+                bool inward) {
+  const float unit = page.type().body / 25.0f;
+  const auto at = camera.project(beside(camera, target.outer_at(height), height));
+  if (!at) return;
+  const auto [x, y] = *at;
+  const float sign = inward ? 1.0f : -1.0f;
+  const float tip = x + sign * 8 * unit, tail = tip + sign * 40 * unit, head = 9 * unit;
+  const view::Color color = inward ? view::kIron : view::kDeepCeladon;
+  stroke(page, {{tail, y}, {tip, y}}, color, 2.4f * unit);
+  stroke(page,
+         {{tip + sign * head, y - head * 0.7f}, {tip, y}, {tip + sign * head, y + head * 0.7f}},
+         color, 2.4f * unit);
+}
+
+}  // namespace onggi::screens

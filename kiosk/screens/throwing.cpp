@@ -1,0 +1,289 @@
+#include <algorithm>
+#include <cmath>
+
+#include "kiosk/screens/hand.h"
+#include "kiosk/screens/hint.h"
+#include "kiosk/screens/screen.h"
+#include "kiosk/screens/stage.h"
+
+namespace onggi::screens {
+
+using view::Face;
+using view::InputEvent;
+using view::Key;
+
+namespace {
+
+constexpr double kFirstSpeed =
+    15.0;                           // rad/s: some 143 turns a minute, so that touch works at once.
+constexpr double kSpeedStep = 2.5;  // rad/s
+constexpr double kNotch = 0.002;    // m a scroll notch or a key press.
+constexpr double kSoakHold = 0.6;   // s: a press this long on Water is a sponge held, not a switch.
+
+/// The wheel, the clay and the visitor's hand.
+class Throwing final : public Screen {
+ public:
+  explicit Throwing(Desk& d)
+      : Screen(d),
+        hand_(d.world.tool_radius),
+        speed_(std::min(kFirstSpeed, d.world.max_wheel_speed)) {}
+  ScreenId id() const override { return ScreenId::throwing; }
+  std::string first_focus() const override { return menu_ ? "throw.done" : ""; }
+
+  void update(double dt) override {
+    if (serial_ != desk.status.scene_serial && desk.pot_ready()) {
+      // A new pot finds the wheel standing.
+      serial_ = desk.status.scene_serial;
+      send_wheel();
+      desk.world.potter->water(water_);
+    }
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    const Profile* target = card != nullptr ? &card->target : nullptr;
+    stage_.update(desk, dt, target, cut_, hand_.grabbed());
+
+    bool contact = false;
+    for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
+    if (contact) {
+      touched_ = true;
+      since_renew_ += dt;
+      dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
+    }
+    if (water_) dry_ = 0;
+    hint_.update(desk.now,
+                 {target, &stage_.made(), std::abs(speed_) > 0.5, face_ == WallSide::inside,
+                  touched_, dry_ > 20.0, desk.world.tool_radius});
+  }
+
+  std::optional<view::PotView> pot(const Page& page) override { return stage_.view(desk, page); }
+
+  void lay_out(Page& page) override {
+    camera_ = stage_.camera(page);
+    if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
+      draw_ghost(page, camera_, card->target, stage_.made());
+      if (const auto& press = hint_.shown().press; press && !hand_.grabbed())
+        draw_press(page, camera_, card->target, press->height, press->inward);
+    }
+    const TypeScale& t = page.type();
+    Column column(page, page.where().words);
+    column.foot_buttons(standing_buttons(desk, true));
+    column.foot_space(t.gap);
+    lay_out_tools(page, column);
+    column.foot_space(t.gap);
+
+    column.text(desk.label(desk.card).title, t.body, Face::serif, view::kFaintInk);
+    column.space(t.gap * 0.5f);
+    // The longest hint's room is kept, so that the controls never move under a finger.
+    const auto style = page.style(Face::sans, t.lead);
+    const view::Rect room = column.rest();
+    for (const std::string& words : all_hints(desk))
+      if (page.size(words, style, room.w).height > room.h) page.overflowed();
+    column.text(words_of(hint_.shown(), desk), t.lead);
+  }
+
+  void press(const std::string& control) override {
+    if (control == "throw.side") {
+      face_ = face_ == WallSide::outside ? WallSide::inside : WallSide::outside;
+      // Inside a closed wall nobody sees the hand.
+      if (!cut_chosen_) cut_ = face_ == WallSide::inside;
+      let_go();
+    } else if (control == "throw.faster" || control == "throw.slower") {
+      speed_ = std::clamp(speed_ + (control == "throw.faster" ? kSpeedStep : -kSpeedStep), 0.0,
+                          desk.world.max_wheel_speed);
+      if (speed_ < kSpeedStep * 0.5) speed_ = 0;
+      send_wheel();
+    } else if (control == "throw.water") {
+      const bool sponge = soaked_at_ >= 0 && desk.now - soaked_at_ > kSoakHold;
+      set_water(soaked_at_ >= 0 ? !sponge && !was_wet_ : !water_);
+      soaked_at_ = -1;
+    } else if (control == "throw.cut") {
+      cut_ = !cut_;
+      cut_chosen_ = true;
+    } else if (control == "throw.renew") {
+      let_go();
+      can_bring_back() ? desk.world.potter->restore() : desk.world.potter->renew();
+      since_renew_ = 0;
+    } else if (control == "throw.done") {
+      finish();
+    }
+  }
+
+  void hold(const std::string& control) override {
+    if (control != "throw.water") return;
+    soaked_at_ = desk.now;
+    was_wet_ = water_;
+    set_water(true);
+  }
+
+  void back() override {
+    if (menu_) {
+      menu_ = false;
+    } else if (hand_.active() && !hand_.grabbed()) {
+      let_go();
+    } else {
+      desk.go(ScreenId::choose);
+    }
+  }
+
+  void pointer(const InputEvent& e, const Page& page) override {
+    menu_ = false;
+    if (!desk.pot_ready() || desk.world.mirror->rows() == 0) return;
+    const Vec2 at = camera_.on_axis_plane(e.x, e.y);
+    switch (e.kind) {
+      case InputEvent::Kind::pointer_down:
+        if (page.where().words.contains(e.x, e.y)) return;
+        hand_.grab(at, *desk.world.mirror, face_);
+        break;
+      case InputEvent::Kind::pointer_move:
+        if (!hand_.grabbed()) return;
+        hand_.drag(at);
+        break;
+      case InputEvent::Kind::pointer_up:
+        if (!hand_.grabbed()) return;
+        hand_.lift();
+        break;
+      case InputEvent::Kind::scroll:
+        if (!hand_.active()) return;
+        hand_.move(-kNotch * static_cast<double>(e.scroll), 0);
+        break;
+      default:
+        return;
+    }
+    send_hand();
+  }
+
+  bool key(Key key, bool repeat) override {
+    switch (key) {
+      case Key::side:
+        return repeat || (press("throw.side"), true);
+      case Key::water:
+        return repeat || (set_water(!water_), true);
+      case Key::cut:
+        return repeat || (press("throw.cut"), true);
+      case Key::renew:
+        return repeat || (press("throw.renew"), true);
+      case Key::faster:
+        return press("throw.faster"), true;
+      case Key::slower:
+        return press("throw.slower"), true;
+      case Key::depth_in:
+        return move_by_keys(-kNotch, 0), true;
+      case Key::depth_out:
+        return move_by_keys(kNotch, 0), true;
+      default:
+        break;
+    }
+    if (menu_) return false;
+    // The hand works on the column's far side, where the pot is clear of the words.
+    const double left = key_sign();
+    switch (key) {
+      case Key::up:
+        return move_by_keys(0, kNotch), true;
+      case Key::down:
+        return move_by_keys(0, -kNotch), true;
+      case Key::left:
+        return move_by_keys(-kNotch * left, 0), true;
+      case Key::right:
+        return move_by_keys(kNotch * left, 0), true;
+      case Key::enter:
+        menu_ = true;
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  void let_go() override {
+    hand_.lift();
+    send_hand();
+  }
+  bool menu() const { return menu_; }
+
+ private:
+  double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
+  void send_hand() { desk.world.potter->hand(0, hand_.input(camera_)); }
+  void send_wheel() { desk.world.potter->wheel(desk.screen().left_handed ? -speed_ : speed_); }
+  void set_water(bool on) {
+    water_ = on;
+    desk.world.potter->water(on);
+  }
+  bool can_bring_back() const { return desk.status.can_restore && since_renew_ < 2.0; }
+
+  void move_by_keys(double outward, double up) {
+    if (!desk.pot_ready() || desk.world.mirror->rows() == 0) return;
+    menu_ = false;
+    if (hand_.active())
+      hand_.move(outward, up);
+    else
+      hand_.begin_by_keys(*desk.world.mirror, face_, key_sign());
+    send_hand();
+  }
+
+  void finish() {
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    if (card == nullptr || !desk.pot_ready() || desk.world.mirror->rows() == 0) return;
+    let_go();
+    set_water(false);
+    desk.made = desk.world.mirror->profile();
+    desk.score = score::judge(card->target, desk.made, true, card->scale > 0 ? 1 / card->scale : 1);
+    desk.kept = Desk::Kept::not_asked;
+    desk.postcard = 0;
+    desk.go(ScreenId::result);
+  }
+
+  void lay_out_tools(Page& page, Column& column) const;
+
+  Stage stage_;
+  HintLine hint_;
+  PotHand hand_;
+  view::Camera camera_;
+  double speed_;
+  WallSide face_ = WallSide::outside;
+  bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
+       menu_ = false;
+  double soaked_at_ = -1, dry_ = 0, since_renew_ = 1e9;
+  std::uint32_t serial_ = 0;
+};
+
+/// From the foot up: done, the clay, the wheel, the hand.
+void Throwing::lay_out_tools(Page& page, Column& column) const {
+  const TypeScale& t = page.type();
+  const auto rpm = [&](double speed) {
+    const auto turns = static_cast<int>(std::lround(speed * 60.0 / (2 * 3.14159265358979)));
+    return desk.say("throw.rpm", {{"rpm", std::to_string(turns)}});
+  };
+  const std::string hand = desk.say("throw.hand"), wheel = desk.say("throw.wheel"),
+                    clay = desk.say("throw.clay");
+  float captions = 0;
+  for (const std::string& words : {hand, wheel, clay})
+    captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
+
+  column.foot_buttons({{"throw.done", desk.say("throw.done"), Look::solid}});
+  column.foot_space(t.gap);
+  column.foot_buttons(
+      {{"throw.water", desk.say("throw.water"), water_ ? Look::solid : Look::outline},
+       {"throw.cut", desk.say("throw.cut"), cut_ ? Look::solid : Look::outline},
+       {"throw.renew", desk.say(can_bring_back() ? "throw.restore" : "throw.renew"), Look::outline,
+        desk.say("throw.restore").size() > desk.say("throw.renew").size()
+            ? desk.say("throw.restore")
+            : desk.say("throw.renew")}},
+      clay, captions);
+  column.foot_space(t.gap);
+  column.foot_buttons({{"throw.slower", desk.say("throw.slower"), Look::outline},
+                       {"", rpm(speed_), Look::plain, rpm(desk.world.max_wheel_speed)},
+                       {"throw.faster", desk.say("throw.faster"), Look::outline}},
+                      wheel, captions);
+  column.foot_space(t.gap);
+  column.foot_buttons({{"throw.side",
+                        desk.say("throw.outside"),
+                        Look::outline,
+                        {},
+                        desk.say("throw.inside"),
+                        face_ == WallSide::inside}},
+                      hand, captions);
+}
+
+}  // namespace
+
+std::unique_ptr<Screen> make_throwing(Desk& desk) { return std::make_unique<Throwing>(desk); }
+
+}  // namespace onggi::screens
