@@ -8,13 +8,19 @@ namespace onggi::loop {
 
 PotterHost::~PotterHost() = default;
 
-void PotterHost::send(const Command& command) {
-  // A full queue means that the loop has stood still for 256 wishes. Waiting for it here would
-  // freeze the screen too, so a wish about the hands is dropped; what carries ownership is
-  // destroyed with it.
-  if (core_.send(command)) return;
+bool PotterHost::send(const Command& command) {
+  if (core_.send(command)) return true;
+  // A full queue means that the loop has stood still for 256 wishes. Where the hand is to go is then
+  // dropped (the next frame knows better); everything else waits for room, a second at the most.
+  if (command.kind == Command::Kind::hand) return false;
+  for (int i = 0; i < 1000; ++i) {
+    let_loop_turn();
+    if (core_.send(command)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   delete command.pot;
   delete command.script;
+  return false;
 }
 
 void PotterHost::start(std::unique_ptr<Scene> scene) {
@@ -28,7 +34,7 @@ void PotterHost::start(std::unique_ptr<Scene> scene) {
   Command command;
   command.kind = Command::Kind::put;
   command.pot = pot.release();
-  send(command);
+  if (!send(command)) current_ = nullptr;
 }
 
 void PotterHost::play(std::unique_ptr<Script> script) {
@@ -119,8 +125,9 @@ bool PotterHost::with_scene(const std::function<void(Scene&)>& look) {
   Command back;
   back.kind = Command::Kind::put;
   back.pot = lent_.release();
-  send(back);
-  return true;
+  if (send(back)) return true;
+  current_ = nullptr;
+  return false;
 }
 
 std::vector<std::byte> PotterHost::replay(std::uint64_t state_hash) const {

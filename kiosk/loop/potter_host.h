@@ -55,7 +55,7 @@ class PotterHost : public PotterCommands {
   virtual void let_loop_turn() = 0;
 
  private:
-  void send(const Command& command);
+  bool send(const Command& command);
   void take_returned();
   void note_records(Pot& pot);
 

@@ -1,0 +1,122 @@
+#include "engine/clay/clay_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace onggi {
+
+namespace {
+
+using Position = std::array<float, 3>;
+
+Vec3 as_vec(const Position& p) { return {p[0], p[1], p[2]}; }
+
+/// Rings of equal vertex count, from foot to rim to floor, joined by triangles that face out of the
+/// clay.
+class Face {
+ public:
+  Face(TriangleMesh& mesh, const Clay& clay, int sector_step)
+      : mesh_(mesh), clay_(clay), step_(sector_step), count_(clay.sectors() / sector_step) {
+    first_ = static_cast<std::uint32_t>(mesh.positions.size());
+  }
+
+  /// A ring at `height` with a row's radii; radii empty: all vertices on the axis.
+  void ring(double height, std::span<const float> radii) {
+    for (int k = 0; k < count_; ++k) {
+      const auto i = static_cast<std::size_t>(k * step_);
+      const float r = radii.empty() ? 0.0f : radii[i];
+      mesh_.positions.push_back(
+          {r * clay_.ray_cos()[i], static_cast<float>(height), r * clay_.ray_sin()[i]});
+    }
+    if (++rings_ < 2) return;
+    const auto n = static_cast<std::uint32_t>(count_);
+    const std::uint32_t here = first_ + (rings_ - 1) * n, before = here - n;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t next = (k + 1) % n;
+      add(before + k, here + k, before + next);
+      add(before + next, here + k, here + next);
+    }
+  }
+
+  /// Area-weighted vertex normals of this face alone.
+  void finish() {
+    std::vector<Vec3> sums(mesh_.positions.size() - first_);
+    for (std::size_t t = first_triangle_; t < mesh_.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh_.triangles[t];
+      const Vec3 pa = as_vec(mesh_.positions[a]);
+      const Vec3 area = cross(as_vec(mesh_.positions[b]) - pa, as_vec(mesh_.positions[c]) - pa);
+      for (const std::uint32_t v : {a, b, c}) sums[v - first_] += area;
+    }
+    for (const Vec3& sum : sums) {
+      const double size = length(sum);
+      const Vec3 n = size > 0 ? sum * (1 / size) : Vec3{0, 1, 0};
+      mesh_.normals.push_back(
+          {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
+    }
+  }
+
+ private:
+  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const auto& p = mesh_.positions;
+    if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a]) return;  // A ring on the axis has no width.
+    mesh_.triangles.push_back({a, b, c});
+  }
+
+  TriangleMesh& mesh_;
+  const Clay& clay_;
+  int step_, count_;
+  std::uint32_t first_, rings_ = 0;
+  std::size_t first_triangle_ = mesh_.triangles.size();
+};
+
+int least_divisor_step(int n, int most) {
+  int step = std::max(1, (n + most - 1) / most);
+  while (n % step != 0) ++step;  // Whole steps round the axis, or the last sector would be wider.
+  return step;
+}
+
+}  // namespace
+
+TriangleMesh mesh_of(const Clay& clay, int most_rows, int most_sectors) {
+  TriangleMesh mesh;
+  const int sector_step = least_divisor_step(clay.sectors(), std::max(3, most_sectors));
+  const int row_step = std::max(1, (clay.rows() + most_rows - 1) / std::max(2, most_rows));
+  const int last = clay.rows() - 1;
+  const int floor_row = std::min(clay.floor_rows(), last);
+  const double top = clay.row_height(last) + clay.row_thickness(last) / 2;
+  const double floor = clay.row_height(floor_row) - clay.row_thickness(floor_row) / 2;
+  const auto face = [&] { return Face(mesh, clay, sector_step); };
+
+  Face foot = face();
+  foot.ring(0, {});
+  foot.ring(0, clay.outer(0));
+  foot.finish();
+
+  Face outer = face();
+  outer.ring(0, clay.outer(0));
+  for (int j = 0; j <= last; j += row_step) outer.ring(clay.row_height(j), clay.outer(j));
+  outer.ring(top, clay.outer(last));
+  outer.finish();
+
+  Face rim = face();
+  rim.ring(top, clay.outer(last));
+  rim.ring(top, clay.inner(last));
+  rim.finish();
+
+  Face inner = face();
+  inner.ring(top, clay.inner(last));
+  for (int j = last; j >= floor_row; j -= row_step) inner.ring(clay.row_height(j), clay.inner(j));
+  inner.ring(floor, clay.inner(floor_row));
+  inner.finish();
+
+  Face base = face();
+  base.ring(floor, clay.inner(floor_row));
+  base.ring(floor, {});
+  base.finish();
+  return mesh;
+}
+
+}  // namespace onggi

@@ -1,0 +1,63 @@
+#include "kiosk/device/pointer_hand.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace onggi::device {
+namespace {
+
+HandInput at(double x, bool active = true) {
+  HandInput hand;
+  hand.position = {x, 0.1, 0};
+  hand.active = active;
+  return hand;
+}
+
+TEST(PointerHand, AToolSetDownStandsWhereThePointerIsAtOnce) {
+  PointerHand hand;
+  hand.aim(at(0.3, false));
+  hand.read(1e-3);
+  hand.aim(at(0.07));
+  EXPECT_EQ(hand.read(1e-3), at(0.07));
+}
+
+TEST(PointerHand, ALedToolGlidesNoFasterThanAHandAndNeverPastThePointer) {
+  rc::check([] {
+    const PointerHandDef def;
+    PointerHand hand(def);
+    double x = *rc::gen::inRange(-200, 200) * 1e-3;
+    const double goal = *rc::gen::inRange(-200, 200) * 1e-3;
+    hand.aim(at(x));
+    hand.read(1e-3);
+    hand.aim(at(goal));
+    for (int i = 0; i < 300; ++i) {
+      const double dt = *rc::gen::inRange(1, 6) * 1e-3;
+      const double next = hand.read(dt).position.x;
+      RC_ASSERT(std::abs(next - x) <= def.max_speed * dt * (1 + 1e-12));
+      RC_ASSERT((goal - next) * (goal - x) >= 0);  // Not past the goal.
+      RC_ASSERT(std::abs(goal - next) <= std::abs(goal - x));
+      x = next;
+    }
+  });
+}
+
+TEST(PointerHand, ItArrivesWithinATenthOfAMillimetreInASecond) {
+  PointerHand hand;
+  hand.aim(at(0));
+  hand.read(1e-3);
+  hand.aim(at(0.2));
+  double x = 0;
+  for (int i = 0; i < 1000; ++i) x = hand.read(1e-3).position.x;
+  EXPECT_NEAR(x, 0.2, 1e-4);
+}
+
+TEST(PointerHand, ALiftedToolTouchesNothing) {
+  PointerHand hand;
+  hand.aim(at(0.05));
+  hand.read(1e-3);
+  hand.aim(at(0.05, false));
+  EXPECT_FALSE(hand.read(1e-3).active);
+}
+
+}  // namespace
+}  // namespace onggi::device

@@ -1,0 +1,41 @@
+#include "kiosk/loop/mirror.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace onggi::loop {
+namespace {
+
+TEST(Mirror, ALumpIsACylinderWithASolidFloor) {
+  Mirror mirror;
+  mirror.reset(100, 16, 0.2, 0.01, 0.05, 0.02);
+  const Profile profile = mirror.profile();
+  EXPECT_DOUBLE_EQ(profile.height(), 0.2);
+  EXPECT_DOUBLE_EQ(profile.outer_at(0.1), 0.05);
+  EXPECT_DOUBLE_EQ(profile.inner_at(0.1), 0.02);
+  EXPECT_DOUBLE_EQ(profile.inner_at(0.004), 0.0);
+  EXPECT_TRUE(validate(profile, "lump").has_value());
+}
+
+TEST(Mirror, AChangedRowChangesTheProfileAtItsHeightOnly) {
+  Mirror mirror;
+  mirror.reset(100, 16, 0.2, 0.01, 0.05, 0.02);
+  std::vector<float> row(32, 0.04f);
+  for (int i = 16; i < 32; ++i) row[static_cast<std::size_t>(i)] = 0.03f;
+  mirror.apply(50, row);
+  EXPECT_NEAR(mirror.radius_at(0.101, WallSide::outside), 0.04, 1e-6);
+  EXPECT_NEAR(mirror.radius_at(0.101, WallSide::inside), 0.03, 1e-6);
+  EXPECT_NEAR(mirror.radius_at(0.15, WallSide::outside), 0.05, 1e-12);
+}
+
+TEST(Mirror, ARowOfAnotherGridIsRefused) {
+  Mirror mirror;
+  mirror.reset(10, 16, 0.2, 0.01, 0.05, 0.02);
+  mirror.apply(3, std::vector<float>(20, 0.01f));
+  mirror.apply(10, std::vector<float>(32, 0.01f));
+  EXPECT_DOUBLE_EQ(mirror.radius_at(0.1, WallSide::outside), 0.05);
+}
+
+}  // namespace
+}  // namespace onggi::loop

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "engine/scene/replay.h"
+#include "kiosk/loop/loop_thread.h"
+#include "kiosk/loop/stepped_potter.h"
+
+namespace onggi::loop {
+namespace {
+
+SceneDef small_scene() {
+  SceneDef def;
+  def.clay.rows = 80;
+  def.clay.sectors = 64;
+  return def;
+}
+
+std::unique_ptr<Scene> pot(const SceneDef& def) {
+  return std::make_unique<Scene>(std::move(*Scene::create(def)));
+}
+
+HandInput press_at(const SceneDef& def, double depth) {
+  HandInput hand;
+  hand.active = true;
+  hand.side = SideWish::outside;
+  hand.position = {def.clay.outer_radius + def.tool.radius - depth, def.clay.height / 2, 0};
+  return hand;
+}
+
+void expect_mirror_is_the_clay(PotterHost& host) {
+  ASSERT_TRUE(host.with_scene([&host](Scene& scene) {
+    const Clay& clay = scene.clay();
+    for (int j = 0; j < clay.rows(); ++j)
+      for (int i = 0; i < clay.sectors(); ++i) {
+        const auto at = static_cast<std::size_t>(j * clay.sectors() + i);
+        ASSERT_EQ(host.mirror().outer()[at], clay.outer(j)[static_cast<std::size_t>(i)]);
+        ASSERT_EQ(host.mirror().inner()[at], clay.inner(j)[static_cast<std::size_t>(i)]);
+      }
+  }));
+}
+
+TEST(Potter, WhatAHandPressesIntoTheClayReachesTheMirrorRowForRow) {
+  SteppedPotter potter;
+  const SceneDef def = small_scene();
+  potter.start(pot(def));
+  potter.wheel(15);
+  potter.hand(0, press_at(def, 0.004));
+  potter.advance(800);
+  potter.hand(0, HandInput{});
+  for (int i = 0; i < 10; ++i) {
+    potter.advance(20);
+    potter.collect(nullptr);
+  }
+  EXPECT_LT(potter.mirror().radius_at(def.clay.height / 2, WallSide::outside),
+            def.clay.outer_radius - 0.002);
+  expect_mirror_is_the_clay(potter);
+}
+
+TEST(Potter, OnceTheMirrorIsLevelAnUntouchedPotSendsNoRows) {
+  SteppedPotter potter;
+  potter.start(pot(small_scene()));
+  for (int i = 0; i < 20; ++i) {
+    potter.advance(20);
+    potter.collect(nullptr);
+  }
+  potter.advance(100);
+  EXPECT_EQ(potter.collect(nullptr), 0);
+}
+
+TEST(Potter, ThePotThrownOnTheThreadIsTheOneItsReplayThrows) {
+  LoopThread potter;
+  const SceneDef def = small_scene();
+  potter.start(pot(def));
+  potter.record("test", 7);
+  potter.wheel(15);
+  for (int i = 0; i < 40; ++i) {
+    potter.hand(0, press_at(def, 0.0002 * i));
+    potter.water(i > 20);
+    potter.collect(nullptr);
+    std::this_thread::sleep_for(std::chrono::milliseconds(8));
+  }
+  std::uint64_t hash = 0, ticks = 0;
+  ASSERT_TRUE(potter.with_scene([&](Scene& scene) {
+    hash = scene.state_hash();
+    ticks = scene.counters().ticks;
+  }));
+  EXPECT_GT(ticks, 50u);
+  const auto bytes = potter.replay(hash);
+  const auto replay = Replay::read(bytes, "test");
+  ASSERT_TRUE(replay.has_value());
+  EXPECT_EQ(replay->ticks.size(), ticks);
+  const auto outcome = run_replay(*replay);
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->replayed_hash, hash);
+}
+
+TEST(Potter, APotOnLoanComesBackAndTurnsOn) {
+  LoopThread potter;
+  potter.start(pot(small_scene()));
+  std::uint64_t before = 0;
+  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { before = scene.counters().ticks; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  std::uint64_t after = 0;
+  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { after = scene.counters().ticks; }));
+  EXPECT_GT(after, before);
+}
+
+TEST(Potter, AFloodOfWishesNeitherBlocksNorLeaks) {
+  LoopThread potter;
+  for (int i = 0; i < 40; ++i) {
+    potter.start(pot(small_scene()));
+    for (int k = 0; k < 100; ++k) potter.hand(k % 3, press_at(small_scene(), 1e-3));
+  }
+  EXPECT_TRUE(potter.with_scene([](Scene&) {}));
+}
+
+TEST(Potter, APausedWheelStandsStill) {
+  SteppedPotter potter;
+  potter.start(pot(small_scene()));
+  potter.wheel(15);
+  potter.advance(500);
+  const LoopStatus before = potter.status();
+  potter.pause(true);
+  potter.advance(500);
+  EXPECT_EQ(potter.status().ticks, before.ticks);
+  EXPECT_EQ(potter.status().feedback.wheel_angle, before.feedback.wheel_angle);
+  potter.pause(false);
+  potter.advance(1);
+  EXPECT_EQ(potter.status().ticks, before.ticks + 1);
+}
+
+}  // namespace
+}  // namespace onggi::loop
