@@ -29,6 +29,8 @@ struct RenderStatus {
   bool software = false;    ///< No GPU: llvmpipe or the like.
   std::string device;       ///< GL_RENDERER.
   std::uint64_t frames = 0;
+  std::uint64_t text_overflows = 0;  ///< Texts drawn that were larger than their box: 0 is right.
+  std::string last_overflow;         ///< The latest of them.
 };
 
 /// Window, OpenGL 3.3 core and text. Main thread only.

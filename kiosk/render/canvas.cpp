@@ -1,0 +1,145 @@
+#include "kiosk/render/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace onggi::render {
+
+view::Rect reach_of(const view::PotView& pot, double height, double radius, int width,
+                    int frame_height) {
+  // Rings that hold everything: the shadow on the table, the wheel head, the pot, the tools.
+  struct Ring {
+    double y, r;
+  };
+  const Ring rings[] = {{pot.wheel ? -0.024 : 0.0, 0.50},
+                        {0.0, 0.18},
+                        {0.5 * height, 1.25 * radius},
+                        {height * 1.03 + 0.004, 1.25 * radius}};
+  float left = 1e9f, right = -1e9f, top = 1e9f, bottom = -1e9f;
+  const auto take = [&](Vec3 p, double around) {
+    const auto at = pot.camera.project(p);
+    if (!at) {
+      left = top = 0;
+      right = static_cast<float>(width);
+      bottom = static_cast<float>(frame_height);
+      return;
+    }
+    const auto pad = static_cast<float>(around * pot.camera.height /
+                                        (pot.camera.distance * 2 * std::tan(pot.camera.fov / 2)));
+    left = std::min(left, at->first - pad);
+    right = std::max(right, at->first + pad);
+    top = std::min(top, at->second - pad);
+    bottom = std::max(bottom, at->second + pad);
+  };
+  for (const Ring& ring : rings) {
+    for (int i = 0; i < 24; ++i) {
+      const double a = i * 0.2617993877991494;
+      take({ring.r * std::cos(a), ring.y, ring.r * std::sin(a)}, 0);
+    }
+  }
+  for (const view::ToolView& tool : pot.tools) {
+    if (tool.visible) take(tool.position, 5 * tool.radius);
+  }
+  left = std::clamp(std::floor(left) - 2, 0.0f, static_cast<float>(width));
+  top = std::clamp(std::floor(top) - 2, 0.0f, static_cast<float>(frame_height));
+  right = std::clamp(std::ceil(right) + 2, left, static_cast<float>(width));
+  bottom = std::clamp(std::ceil(bottom) + 2, top, static_cast<float>(frame_height));
+  return {left, top, right - left, bottom - top};
+}
+
+void Canvas::resize(int width, int height) {
+  if (picture_.width() == width && picture_.height() == height) return;
+  picture_ = Target(width, height, false, 0);
+  plaster_ = Target();
+  before_ = Target();
+  has_before_ = painted_ = false;
+}
+
+void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& quality,
+                       double scale) {
+  const int w = std::max(1, static_cast<int>(std::lround(frame.width * scale)));
+  const int h = std::max(1, static_cast<int>(std::lround(frame.height * scale)));
+  if (space_.width() != w || space_.height() != h || samples_ != quality.samples) {
+    samples_ = quality.samples;
+    space_ = Target(w, h, samples_ == 0, 0);
+    space_samples_ = samples_ > 0 ? Target(w, h, true, samples_) : Target();
+  }
+  const Target& target = samples_ > 0 ? space_samples_ : space_;
+  target.bind();
+  stage.draw_pot(*frame.pot, quality, scale);
+  if (samples_ > 0) space_samples_.resolve_to(space_);
+}
+
+void Canvas::paint(Stage& stage, ItemPainter& items, const ItemPainter::Pictures& pictures,
+                   const view::Frame& frame, const Quality& quality, double scale) {
+  resize(frame.width, frame.height);
+  if (painted_ && frame.screen_serial != serial_) {
+    if (before_.width() == 0) before_ = Target(frame.width, frame.height, false, 0);
+    picture_.resolve_to(before_);
+    has_before_ = true;
+  }
+  serial_ = frame.screen_serial;
+  painted_ = true;
+
+  // The plaster never changes: once per size.
+  if (plaster_.width() == 0) {
+    plaster_ = Target(frame.width, frame.height, false, 0);
+    plaster_.bind();
+    stage.draw_plaster(frame.width, frame.height);
+  }
+  view::Rect reach;
+  if (frame.pot) {
+    reach = reach_of(*frame.pot, stage.clay().shape().height, stage.clay().max_radius(),
+                     frame.width, frame.height);
+    // Nothing outside can be touched, so nothing outside is cleared, resolved or laid over.
+    glEnable(GL_SCISSOR_TEST);
+    const auto s = static_cast<float>(scale);
+    glScissor(static_cast<int>(reach.x * s),
+              static_cast<int>((static_cast<float>(frame.height) - reach.y - reach.h) * s),
+              static_cast<int>(std::ceil(reach.w * s)) + 1,
+              static_cast<int>(std::ceil(reach.h * s)) + 1);
+    paint_pot(stage, frame, quality, scale);
+    glDisable(GL_SCISSOR_TEST);
+  }
+  plaster_.resolve_to(picture_);
+  picture_.bind();
+  items.begin(frame.width, frame.height);
+  if (frame.pot) {
+    const auto w = static_cast<float>(frame.width), h = static_cast<float>(frame.height);
+    items.draw_layer(space_.color(), reach, {reach.x / w, reach.y / h, reach.w / w, reach.h / h},
+                     static_cast<float>(std::clamp(frame.pot->opacity, 0.0, 1.0)));
+  }
+  for (const view::Item& item : frame.items) items.draw(item, pictures);
+  if (frame.fade > 0 && has_before_) {
+    items.draw_layer(before_.color(),
+                     {0, 0, static_cast<float>(frame.width), static_cast<float>(frame.height)},
+                     {0, 0, 1, 1}, std::clamp(frame.fade, 0.0f, 1.0f));
+  }
+}
+
+void Canvas::show(int width, int height) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, picture_.width(), picture_.height(), 0, 0, width, height,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+view::Image Canvas::read() const {
+  view::Image image{picture_.width(), picture_.height(), {}};
+  const auto row = static_cast<std::size_t>(image.width) * 4;
+  std::vector<std::uint8_t> rows(row * static_cast<std::size_t>(image.height));
+  if (rows.empty()) return image;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
+  image.rgba.resize(rows.size());
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    std::memcpy(&image.rgba[y * row], &rows[rows.size() - (y + 1) * row], row);
+  }
+  // The ground is plaster everywhere; what layers left of alpha has no meaning.
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
+}  // namespace onggi::render

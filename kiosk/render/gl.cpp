@@ -1,0 +1,175 @@
+#include "kiosk/render/gl.h"
+
+#include <vector>
+
+namespace onggi::render {
+namespace {
+
+GLuint new_texture() {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  return name;
+}
+
+Result<GLuint> compile(GLenum stage, const std::string& name, const std::string& source) {
+  const GLuint shader = glCreateShader(stage);
+  const char* text = source.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  GLint fine = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &fine);
+  if (fine == GL_TRUE) return shader;
+  char log[2000] = {};
+  glGetShaderInfoLog(shader, sizeof log - 1, nullptr, log);
+  glDeleteShader(shader);
+  return problem("shader " + name, std::string("The graphics driver does not accept it: ") + log,
+                 "Update the graphics driver, or run with LIBGL_ALWAYS_SOFTWARE=1.", 1);
+}
+
+}  // namespace
+
+Result<Program> Program::create(const std::string& name, std::initializer_list<const char*> parts) {
+  std::string body;
+  for (const char* part : parts) body += part;
+  const std::string head = "#version 330 core\n#define ";
+  const auto vertex = compile(GL_VERTEX_SHADER, name, head + "VERTEX\n" + body);
+  if (!vertex) return tl::unexpected(vertex.error());
+  const auto fragment = compile(GL_FRAGMENT_SHADER, name, head + "FRAGMENT\n" + body);
+  if (!fragment) {
+    glDeleteShader(*vertex);
+    return tl::unexpected(fragment.error());
+  }
+  Program program;
+  program.name_ = ProgramName(glCreateProgram());
+  const GLuint id = program.name_.get();
+  glAttachShader(id, *vertex);
+  glAttachShader(id, *fragment);
+  glLinkProgram(id);
+  glDeleteShader(*vertex);
+  glDeleteShader(*fragment);
+  GLint fine = GL_FALSE;
+  glGetProgramiv(id, GL_LINK_STATUS, &fine);
+  if (fine == GL_TRUE) return program;
+  char log[2000] = {};
+  glGetProgramInfoLog(id, sizeof log - 1, nullptr, log);
+  return problem("shader " + name, std::string("The graphics driver does not link it: ") + log,
+                 "Update the graphics driver, or run with LIBGL_ALWAYS_SOFTWARE=1.", 1);
+}
+
+GLint Program::at(const char* uniform) const {
+  const auto found = places_.find(uniform);
+  if (found != places_.end()) return found->second;
+  return places_[uniform] = glGetUniformLocation(name_.get(), uniform);
+}
+
+Texture Texture::create(GLint internal, int width, int height, GLenum format, GLenum type,
+                        const void* pixels) {
+  Texture t{TextureName(new_texture()), width, height};
+  glBindTexture(GL_TEXTURE_2D, t.name.get());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, format, type, pixels);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  return t;
+}
+
+Target::Target(int width, int height, bool depth, int samples) : width_(width), height_(height) {
+  GLuint name = 0;
+  glGenFramebuffers(1, &name);
+  framebuffer_ = FramebufferName(name);
+  glBindFramebuffer(GL_FRAMEBUFFER, name);
+  if (samples > 0) {
+    GLuint buffer = 0;
+    glGenRenderbuffers(1, &buffer);
+    samples_ = RenderbufferName(buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+  } else {
+    color_ = Texture::create(GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name.get(),
+                           0);
+  }
+  if (depth) {
+    GLuint buffer = 0;
+    glGenRenderbuffers(1, &buffer);
+    depth_ = RenderbufferName(buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, buffer);
+  }
+}
+
+void Target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glViewport(0, 0, width_, height_);
+}
+
+void Target::resolve_to(const Target& to) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer());
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+Mesh::Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indices,
+           std::size_t index_count, std::initializer_list<int> attributes)
+    : count_(static_cast<int>(index_count)) {
+  GLuint name = 0;
+  glGenVertexArrays(1, &name);
+  array_ = ArrayName(name);
+  glBindVertexArray(name);
+  glGenBuffers(1, &name);
+  vertices_ = BufferName(name);
+  glBindBuffer(GL_ARRAY_BUFFER, name);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(floats * sizeof(float)), vertices,
+               GL_STATIC_DRAW);
+  glGenBuffers(1, &name);
+  indices_ = BufferName(name);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(index_count * sizeof(std::uint32_t)), indices,
+               GL_STATIC_DRAW);
+  int stride = 0;
+  for (const int size : attributes) stride += size;
+  GLuint location = 0;
+  std::size_t offset = 0;
+  for (const int size : attributes) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location++, size, GL_FLOAT, GL_FALSE,
+                          stride * static_cast<int>(sizeof(float)),
+                          reinterpret_cast<const void*>(offset));
+    offset += static_cast<std::size_t>(size) * sizeof(float);
+  }
+}
+
+void Mesh::draw_some(int first, int count) const {
+  glBindVertexArray(array_.get());
+  glDrawElements(
+      GL_TRIANGLES, count, GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(std::uint32_t)));
+}
+
+Mesh unit_grid(int columns, int rows) {
+  std::vector<float> places;
+  std::vector<std::uint32_t> indices;
+  const auto across = static_cast<std::uint32_t>(columns + 1);
+  for (int y = 0; y <= rows; ++y) {
+    for (int x = 0; x <= columns; ++x) {
+      places.push_back(static_cast<float>(x) / static_cast<float>(columns));
+      places.push_back(static_cast<float>(y) / static_cast<float>(rows));
+    }
+  }
+  // Row by row from the first, so that a part of the index list is a part of the height.
+  for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(rows); ++y) {
+    for (std::uint32_t x = 0; x < static_cast<std::uint32_t>(columns); ++x) {
+      const std::uint32_t a = y * across + x, b = a + across;
+      indices.insert(indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+    }
+  }
+  return Mesh(places.data(), places.size(), indices.data(), indices.size(), {2});
+}
+
+}  // namespace onggi::render

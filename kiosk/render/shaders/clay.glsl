@@ -1,0 +1,170 @@
+// The clay: a mesh whose density is its own, displaced by the radius textures. Its columns stand
+// still in the studio while the texture turns past them, so the cut-away needs no discarded pixel.
+
+uniform mat4 clip_from_studio;
+uniform sampler2D outer_radius, inner_radius, grain;
+uniform vec2 grid;  // sectors, rows
+uniform float height, floor_height, wheel_angle, open_from, open_angle, face_angle, pixel;
+uniform float mirrored;  // 1: the reflection in the wheel head
+uniform int part;  // 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of the floor, 5 of the wall
+uniform float wetness, fired, opened;
+uniform vec3 dry_color, wet_color, glaze_color, body_color;
+
+float turn_of(float angle) { return (angle - wheel_angle) / (2.0 * kPi); }
+float first_wall_row() { return (ceil(floor_height / height * grid.y - 0.01) + 0.5) / grid.y; }
+float outer_at(float u, float t) { return textureLod(outer_radius, vec2(u, t), 0.0).r; }
+float inner_at(float u, float t) {
+  return textureLod(inner_radius, vec2(u, max(t, first_wall_row())), 0.0).r;
+}
+
+#ifdef VERTEX
+layout(location = 0) in vec2 place;  // round (or across the wall), along
+out vec3 position;
+out vec2 surface;  // angle in the studio, share of the height
+
+void main() {
+  float round_ = place.x, along = place.y;
+  float angle = open_from + open_angle + round_ * (2.0 * kPi - open_angle);
+  if (part >= 4) angle = face_angle;
+  float u = turn_of(angle);
+  float top_outer = outer_at(u, 1.0), top_inner = inner_at(u, 1.0);
+  float wall = top_outer - top_inner;
+  float y = along * height, r = 0.0;
+  if (part == 0) {
+    r = outer_at(u, along);
+  } else if (part == 1) {
+    // A potter's wet finger leaves the lip round, which the grid cannot hold.
+    r = mix(top_outer, top_inner, along);
+    y = height + 0.28 * wall * sqrt(max(4.0 * along * (1.0 - along), 0.0));
+  } else if (part == 2) {
+    y = mix(height, floor_height, along);
+    r = inner_at(u, y / height);
+  } else if (part == 3) {
+    y = floor_height;
+    r = inner_at(u, 0.0) * (1.0 - along);
+  } else if (part == 4) {
+    y = along * floor_height;
+    r = round_ * outer_at(u, y / height);
+  } else {
+    y = mix(floor_height, height, along);
+    r = mix(inner_at(u, y / height), outer_at(u, y / height), round_);
+    if (along > 0.999) y += 0.28 * wall * sqrt(max(4.0 * round_ * (1.0 - round_), 0.0));
+  }
+  position = vec3(r * cos(angle), y, r * sin(angle));
+  surface = vec2(angle, y / height);
+  vec3 drawn = mirrored > 0.5 ? vec3(position.x, -position.y, position.z) : position;
+  gl_Position = clip_from_studio * vec4(drawn, 1.0);
+}
+#endif
+
+#ifdef FRAGMENT
+in vec3 position;
+in vec2 surface;
+out vec4 color;
+
+// Radius gradient by central differences, at the texture's own scale or a pixel's if that is more;
+// `bend` is the second derivative along the wall (positive in a groove), 1/m.
+vec3 normal_of(sampler2D radius, float u, float t, float low, float side, out float bend) {
+  float r = textureLod(radius, vec2(u, t), 0.0).r;
+  float du = max(1.0 / grid.x, 0.7 * pixel / (2.0 * kPi * max(r, 0.01)));
+  float dt = max(1.0 / grid.y, 0.7 * pixel / height);
+  float up = min(t + dt, 1.0 - 0.5 / grid.y), down = max(t - dt, low);
+  float ru = textureLod(radius, vec2(u, up), 0.0).r, rd = textureLod(radius, vec2(u, down), 0.0).r;
+  float rl = textureLod(radius, vec2(u - du, t), 0.0).r;
+  float rr = textureLod(radius, vec2(u + du, t), 0.0).r;
+  float slope_y = (ru - rd) / max((up - down) * height, 1e-5);
+  float slope_a = (rr - rl) / (2.0 * du * 2.0 * kPi * max(r, 0.002));
+  float step_y = max(dt * height, 1e-5);
+  bend = side * (ru + rd - 2.0 * r) / (step_y * step_y);
+  vec2 out_dir = vec2(cos(surface.x), sin(surface.x));
+  vec2 round_dir = vec2(-out_dir.y, out_dir.x);
+  vec2 level = out_dir - slope_a * round_dir;
+  return side * normalize(vec3(level.x, -slope_y, level.y));
+}
+
+vec3 section_color(float u) {
+  float rho = length(position.xz), t = position.y / height;
+  float outer = outer_at(u, t), inner = inner_at(u, t);
+  float edge = min(outer - rho, position.y);
+  edge = min(edge, position.y > floor_height ? min(rho - inner, height + 0.002 - position.y)
+                                             : (rho < inner_at(u, 0.0) ? floor_height - position.y : 1.0));
+  vec3 clay = mix(mix(dry_color, wet_color, 0.45 * wetness), body_color, fired);
+  vec3 flat_ = mix(clay, vec3(0.93, 0.80, 0.66), 0.55);
+  float fleck = textureLod(grain, vec2(rho, position.y) * 24.0, 0.0).r;
+  flat_ *= 0.94 + 0.1 * fleck;
+  float ink = 1.0 - smoothstep(0.8 * pixel, 2.0 * pixel, edge);
+  return mix(flat_ * 0.98, vec3(0.017, 0.014, 0.012), 0.9 * ink);
+}
+
+void main() {
+  float u = turn_of(surface.x), t = clamp(surface.y, 0.0, 1.0);
+  if (part >= 4) {
+    color = vec4(dithered(to_display(tone(section_color(u))), gl_FragCoord.xy), 1.0);
+    return;
+  }
+  float bend = 0.0;
+  vec3 n = vec3(0.0, 1.0, 0.0);
+  vec3 outward = vec3(cos(surface.x), 0.0, sin(surface.x));
+  float rho = length(position.xz);
+  if (part == 0) {
+    n = normal_of(outer_radius, u, t, 0.5 / grid.y, 1.0, bend);
+    // The wall meets the lip without a crease.
+    n = normalize(mix(n, vec3(0.0, 1.0, 0.0), 0.6 * smoothstep(height - 0.0012, height, position.y)));
+  } else if (part == 1) {
+    float outer = outer_at(u, 1.0), inner = inner_at(u, 1.0);
+    float across = clamp((rho - inner) / max(outer - inner, 1e-4), 0.0, 1.0) * 2.0 - 1.0;
+    n = normalize(outward * across * 0.95 + vec3(0.0, 1.05 - abs(across) * 0.45, 0.0));
+  } else if (part == 2) {
+    n = normal_of(inner_radius, u, max(t, first_wall_row()), first_wall_row(), -1.0, bend);
+    n = normalize(mix(n, vec3(0.0, 1.0, 0.0),
+                      smoothstep(floor_height + 0.004, floor_height, position.y)));
+  } else {
+    float rise = smoothstep(0.72, 1.0, rho / max(inner_at(u, 0.0), 1e-4));
+    n = normalize(vec3(0.0, 1.0, 0.0) - outward * 0.5 * rise);
+  }
+
+  // The material under this point.
+  float fleck = textureLod(grain, vec2(u * 6.0, position.y * 22.0 + rho * 9.0), 0.0).r - 0.5;
+  float groove = clamp(bend / 900.0, -1.0, 1.0);
+  float wet = wetness;
+  vec3 albedo = mix(dry_color, wet_color, wet) * (1.0 + 0.16 * fleck) * (1.0 - 0.16 * groove);
+  float roughness = mix(0.78, 0.27 + 0.12 * fleck, wet), coat = mix(0.012, 0.045, wet);
+  if (fired > 0.5) {
+    // Celadon: a coloured glass that runs. Deep in grooves and towards the foot, thin on ridges and
+    // the lip, where the body shows through; the foot ring was wiped clean.
+    float lip = part == 1 ? 1.0 : smoothstep(height - 0.0016, height, position.y);
+    float thick = 0.62 + 0.75 * groove + 0.22 * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
+    if (part >= 2) thick += 0.25 * (1.0 - t);
+    thick = clamp(thick, 0.05, 1.8);
+    vec3 glass = exp(-thick * (-log(glaze_color) * 1.15));
+    vec3 under = mix(body_color, vec3(0.80, 0.78, 0.72), clamp(thick * 1.9, 0.0, 1.0));
+    albedo = under * glass * 1.05;
+    roughness = 0.13 + 0.12 * lip;
+    coat = 0.045;
+    float wiped = part == 0 ? 1.0 - smoothstep(0.0042, 0.0056, position.y + 0.0012 * fleck) : 0.0;
+    vec3 bare = body_color * vec3(1.0, 0.82, 0.66) * (1.0 + 0.3 * fleck);
+    albedo = mix(albedo, bare, wiped);
+    coat *= 1.0 - 0.8 * wiped;
+    roughness = mix(roughness, 0.7, wiped);
+  }
+
+  Seen s;
+  if (part >= 2) {
+    s = seen_inside(position, n, t, albedo, opened);
+  } else {
+    s = seen_outside(position, n, t);
+    // Near the foot the pot shades its own wheel head, which then has little to hand back.
+    s.sky *= 1.0 - 0.55 * exp(-max(position.y, 0.0) / 0.011) * (0.6 - 0.4 * n.y);
+    // The bared edge of an opened wall lets light round to the lip only.
+    if (part == 1) s.sky = 1.0;
+  }
+  vec3 v = normalize(eye - position);
+  vec3 lit = albedo * diffuse_light(n, s);
+  lit += specular(n, v, roughness, coat, s.sky * (part >= 2 ? s.sky : 1.0), s.window);
+  color = vec4(dithered(to_display(tone(lit)), gl_FragCoord.xy), 1.0);
+  if (mirrored > 0.5) {
+    float fade = exp(-position.y / 0.035);
+    color = vec4(color.rgb * fade, fade);
+  }
+}
+#endif

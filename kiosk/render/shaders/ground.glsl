@@ -1,0 +1,31 @@
+// The vessel's shadow on the plaster: only what it takes away, as a warm dark layer with alpha.
+
+uniform mat4 clip_from_studio;
+uniform sampler2D shadow;
+uniform float reach, plane_y;
+uniform float of_table;  // 1: the table's half of the shadow texture
+uniform float strength;
+
+#ifdef VERTEX
+layout(location = 0) in vec2 place;
+out vec2 ground;
+void main() {
+  ground = (place * 2.0 - 1.0) * reach;
+  gl_Position = clip_from_studio * vec4(ground.x, plane_y, ground.y, 1.0);
+}
+#endif
+
+#ifdef FRAGMENT
+in vec2 ground;
+out vec4 color;
+void main() {
+  vec4 both = texture(shadow, ground / reach * 0.5 + 0.5);
+  vec2 lit = of_table > 0.5 ? both.ba : both.rg;
+  float fade = 1.0 - smoothstep(0.55, 0.98, length(ground) / reach);
+  float light = 0.46 * lit.x + 0.54 * lit.y * lit.y;
+  float dark = (1.0 - light) * fade * strength;
+  // Sky light fills a shadow from the north; clay and floor warm it.
+  vec3 tint = mix(vec3(0.42, 0.335, 0.265), vec3(0.20, 0.15, 0.115), dark);
+  color = vec4(tint, 1.0) * clamp(dark * 0.92 + dither_noise(gl_FragCoord.xy) / 255.0 * step(0.004, dark), 0.0, 1.0);
+}
+#endif

@@ -1,0 +1,330 @@
+#include "kiosk/render/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kiosk/render/shaders.h"
+
+namespace onggi::render {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+constexpr float kWheelRadius = 0.175f;  // metres; a studio wheel's head is 300 to 350 mm across
+constexpr float kTable = -0.024f;       // the table's height under the wheel head's top
+constexpr float kShadowReach = 0.62f;   // metres from the axis that the shadow texture covers
+constexpr int kShadowSize = 224;
+
+// Texture units.
+constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5;
+
+// Display colours of LOOK.md, as linear light.
+const glm::vec3 kDry(0.4342f, 0.2502f, 0.1384f), kWet(0.1559f, 0.0704f, 0.0423f);
+const glm::vec3 kCeladonGlaze(0.3372f, 0.4621f, 0.3515f), kStoneware(0.40f, 0.215f, 0.118f);
+const glm::vec3 kSlip(0.30f, 0.185f, 0.125f);
+
+glm::vec3 vec(Vec3 v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+glm::mat4 clip_of(const view::Camera& camera) {
+  glm::mat4 view, projection;
+  camera.matrices(&view[0][0], &projection[0][0]);
+  return projection * view;
+}
+
+// Metres that one pixel covers at the axis.
+float pixel_size(const view::Camera& camera, double scale) {
+  return static_cast<float>(2.0 * camera.distance * std::tan(0.5 * camera.fov) /
+                            (camera.height * scale));
+}
+
+Mesh unit_sphere() {
+  std::vector<float> v;
+  std::vector<std::uint32_t> t;
+  constexpr std::uint32_t kRound = 32, kDown = 20;
+  for (std::uint32_t j = 0; j <= kDown; ++j) {
+    const float polar = kPi * static_cast<float>(j) / kDown;
+    for (std::uint32_t i = 0; i <= kRound; ++i) {
+      const float a = 2 * kPi * static_cast<float>(i) / kRound;
+      const float p[3] = {std::sin(polar) * std::cos(a), std::cos(polar),
+                          std::sin(polar) * std::sin(a)};
+      v.insert(v.end(), {p[0], p[1], p[2], p[0], p[1], p[2]});
+      if (i == kRound || j == kDown) continue;
+      const std::uint32_t k = j * (kRound + 1) + i, below = k + kRound + 1;
+      t.insert(t.end(), {k, k + 1, below, k + 1, below + 1, below});
+    }
+  }
+  return Mesh(v.data(), v.size(), t.data(), t.size(), {3, 3});
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> Stage::create() {
+  std::unique_ptr<Stage> stage(new Stage);
+  struct Wanted {
+    Program& program;
+    const char* name;
+    const char* text;
+    bool lit;
+  };
+  for (const Wanted& w : {Wanted{stage->clay_program_, "clay", k_clay_glsl, true},
+                          Wanted{stage->wheel_program_, "wheel", k_wheel_glsl, true},
+                          Wanted{stage->solid_program_, "solid", k_solid_glsl, true},
+                          Wanted{stage->shadow_program_, "shadow", k_shadow_glsl, false},
+                          Wanted{stage->ground_program_, "ground", k_ground_glsl, false},
+                          Wanted{stage->plaster_program_, "plaster", k_plaster_glsl, false}}) {
+    auto made = Program::create(w.name, {k_common_glsl, w.lit ? k_light_glsl : "", w.text});
+    if (!made) return tl::unexpected(made.error());
+    w.program = std::move(*made);
+  }
+  stage->quad_ = unit_grid(1, 1);
+  stage->fine_ = unit_grid(256, 512);
+  stage->coarse_ = unit_grid(112, 192);
+  stage->lip_ = unit_grid(160, 8);
+  stage->floor_ = unit_grid(96, 8);
+  stage->section_ = unit_grid(8, 320);
+  stage->disc_ = unit_grid(160, 1);
+  stage->sphere_ = unit_sphere();
+  stage->shadow_ = Target(kShadowSize, kShadowSize, false, 0);
+  return stage;
+}
+
+void Stage::draw_plaster(int width, int height) {
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  plaster_program_.use();
+  plaster_program_.set("size", glm::vec2(width, height));
+  quad_.draw();
+}
+
+void Stage::cast_shadow(double height, bool wheel, const Texture& levels, GLint back_to) {
+  GLint viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  shadow_.bind();
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  shadow_program_.use();
+  studio_.light(shadow_program_, kSky);
+  levels.bind(kLevelsUnit);
+  shadow_program_.set("levels", kLevelsUnit);
+  shadow_program_.set("reach", kShadowReach);
+  shadow_program_.set("height", static_cast<float>(height));
+  shadow_program_.set("table_y", kTable);
+  shadow_program_.set("wheel_radius", wheel ? kWheelRadius : 0.0f);
+  quad_.draw();
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(back_to));
+  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+}
+
+void Stage::set_light(const Program& program, const view::Camera& camera, const Texture& levels) {
+  studio_.light(program, kSky);
+  levels.bind(kLevelsUnit);
+  program.set("levels", kLevelsUnit);
+  studio_.grain().bind(kGrain);
+  program.set("grain", kGrain);
+  shadow_.color().bind(kShadow);
+  program.set("shadow", kShadow);
+  program.set("eye", vec(camera.eye()));
+}
+
+void Stage::draw_ground(const glm::mat4& clip, bool wheel, float strength) {
+  ground_program_.use();
+  shadow_.color().bind(kShadow);
+  ground_program_.set("shadow", kShadow);
+  ground_program_.set("clip_from_studio", clip);
+  ground_program_.set("reach", kShadowReach);
+  ground_program_.set("plane_y", wheel ? kTable : 0.0f);
+  ground_program_.set("of_table", wheel ? 1.0f : 0.0f);
+  ground_program_.set("strength", strength);
+  quad_.draw();
+}
+
+void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double scale) {
+  const bool shown = !clay_.empty();
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  if (clay_.refresh(clay_levels_) || !shadow_of_clay_ || shadow_with_wheel_ != pot.wheel) {
+    cast_shadow(clay_.shape().height, pot.wheel, clay_levels_, target);
+    shadow_of_clay_ = true;
+    shadow_with_wheel_ = pot.wheel;
+  }
+  glClearColor(0, 0, 0, 0);
+  glClearStencil(0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  const glm::mat4 clip = clip_of(pot.camera);
+  const float pixel = pixel_size(pot.camera, scale);
+
+  // 1. What the light does not reach of the table.
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  draw_ground(clip, pot.wheel, pot.wheel ? 0.9f : 1.0f);
+
+  // 2. The wheel head, over the mirrored pot.
+  glEnable(GL_CULL_FACE);
+  if (pot.wheel) {
+    const bool reflective = quality.reflection && shown && pot.cut_away < 0.01;
+    if (reflective) {
+      glEnable(GL_STENCIL_TEST);
+      glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+      glStencilFunc(GL_ALWAYS, 1, 1);
+      glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+      glDisable(GL_DEPTH_TEST);
+      draw_wheel(pot, clip, pixel, true);
+      glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+      glStencilFunc(GL_EQUAL, 1, 1);
+      glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+      draw_reflection(pot, clip);
+      glDisable(GL_STENCIL_TEST);
+    }
+    glEnable(GL_DEPTH_TEST);
+    draw_wheel(pot, clip, pixel, reflective);
+  }
+
+  // 3. The clay, then the tools, which fade into the air.
+  glEnable(GL_DEPTH_TEST);
+  if (shown) draw_clay(pot, clip, pixel, quality.fine_mesh);
+  draw_tools(pot, clip);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel,
+                       bool reflective) {
+  wheel_program_.use();
+  set_light(wheel_program_, pot.camera, clay_levels_);
+  wheel_program_.set("clip_from_studio", clip);
+  wheel_program_.set("radius", kWheelRadius);
+  wheel_program_.set("table_y", kTable);
+  wheel_program_.set("reach", kShadowReach);
+  wheel_program_.set("wheel_angle", static_cast<float>(pot.wheel_angle));
+  wheel_program_.set("wetness", static_cast<float>(pot.wetness));
+  wheel_program_.set("pixel", pixel);
+  wheel_program_.set("reflective", reflective ? 1.0f : 0.0f);
+  wheel_program_.set("opened", static_cast<float>(pot.cut_away));
+  glFrontFace(GL_CW);
+  wheel_program_.set("part", 0);
+  disc_.draw();
+  wheel_program_.set("part", 1);
+  disc_.draw();
+  glFrontFace(GL_CCW);
+}
+
+void Stage::set_clay(const view::PotView& pot, const glm::mat4& clip, float pixel) {
+  const view::GridShape& shape = clay_.shape();
+  const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
+  // The door is hinged at the visitor's right: it opens from the front towards there.
+  const float front = 0.5f * kPi - static_cast<float>(pot.camera.azimuth);
+  clay_program_.use();
+  set_light(clay_program_, pot.camera, clay_levels_);
+  clay_.outer().bind(kOuter);
+  clay_.inner().bind(kInner);
+  clay_program_.set("outer_radius", kOuter);
+  clay_program_.set("inner_radius", kInner);
+  clay_program_.set("clip_from_studio", clip);
+  clay_program_.set("grid", glm::vec2(clay_.sectors(), clay_.rows()));
+  clay_program_.set("height", static_cast<float>(shape.height));
+  clay_program_.set("floor_height", static_cast<float>(shape.floor_height));
+  clay_program_.set("wheel_angle", static_cast<float>(pot.wheel_angle));
+  clay_program_.set("open_from", front - 0.5f * kPi * open);
+  clay_program_.set("open_angle", 0.5f * kPi * open);
+  clay_program_.set("opened", open);
+  clay_program_.set("mirrored", 0.0f);
+  clay_program_.set("pixel", pixel);
+  clay_program_.set("wetness", static_cast<float>(pot.wetness));
+  clay_program_.set("fired", pot.finish == view::Finish::fired ? 1.0f : 0.0f);
+  clay_program_.set("dry_color", kDry);
+  clay_program_.set("wet_color", kWet);
+  clay_program_.set("glaze_color", kCeladonGlaze);
+  clay_program_.set("body_color", kStoneware);
+}
+
+void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool fine) {
+  set_clay(pot, clip, pixel);
+  const Mesh& wall = fine ? fine_ : coarse_;
+  glFrontFace(GL_CCW);
+  const Mesh* parts[] = {&wall, &lip_, &wall, &floor_};
+  for (int part = 0; part < 4; ++part) {
+    clay_program_.set("part", part);
+    parts[part]->draw();
+  }
+  if (pot.cut_away <= 0.001) return;
+  glDisable(GL_CULL_FACE);
+  const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
+  const float front = 0.5f * kPi - static_cast<float>(pot.camera.azimuth);
+  for (const float face : {front, front - 0.5f * kPi * open}) {
+    clay_program_.set("face_angle", face);
+    for (const int part : {4, 5}) {
+      clay_program_.set("part", part);
+      section_.draw();
+    }
+  }
+  glEnable(GL_CULL_FACE);
+}
+
+void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {
+  set_clay(pot, clip, pixel_size(pot.camera, 1.0));
+  clay_program_.set("mirrored", 1.0f);
+  clay_program_.set("part", 0);
+  glFrontFace(GL_CW);
+  // Only what stands near the wheel head is seen in it.
+  const double share = std::min(1.0, 0.12 / std::max(clay_.shape().height, 0.01));
+  const int rows = std::max(1, static_cast<int>(192 * share));
+  coarse_.draw_some(0, rows * 112 * 6);
+  glFrontFace(GL_CCW);
+}
+
+void Stage::draw_tools(const view::PotView& pot, const glm::mat4& clip) {
+  for (const view::ToolView& tool : pot.tools) {
+    if (!tool.visible) continue;
+    // A finger comes from above, and from outside where it works the outer wall.
+    const glm::vec3 tip = vec(tool.position);
+    const float rho = std::hypot(tip.x, tip.z);
+    const Levels& l = clay_.levels();
+    const double t = l.height > 0 ? std::clamp(tip.y / l.height, 0.0, 0.999) : 0.0;
+    const float inner = l.inner[static_cast<std::size_t>(t * kLevels)];
+    const float out = rho > inner ? 1.0f : 0.12f;
+    const glm::vec3 away =
+        rho > 1e-4f ? glm::vec3(tip.x / rho, 0, tip.z / rho) : glm::vec3(1, 0, 0);
+    solid_program_.use();
+    set_light(solid_program_, pot.camera, clay_levels_);
+    solid_program_.set("clip_from_studio", clip);
+    solid_program_.set("base_color", kSlip);
+    solid_program_.set("tip", tip);
+    solid_program_.set("size", static_cast<float>(tool.radius));
+    solid_program_.set("lean", glm::normalize(away * out + glm::vec3(0, 0.75f, 0)));
+    solid_program_.set("part", 1);
+    sphere_.draw();
+  }
+}
+
+void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera& camera,
+                      glm::vec3 color) {
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  upload(levels, mesh_levels_);
+  cast_shadow(levels.height, false, mesh_levels_, target);
+  shadow_of_clay_ = false;
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  const glm::mat4 clip = clip_of(camera);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_DEPTH_TEST);
+  draw_ground(clip, false, 0.95f);
+  glEnable(GL_DEPTH_TEST);
+  solid_program_.use();
+  set_light(solid_program_, camera, mesh_levels_);
+  solid_program_.set("clip_from_studio", clip);
+  solid_program_.set("base_color", color);
+  solid_program_.set("height", static_cast<float>(levels.height));
+  solid_program_.set("part", 0);
+  mesh.draw();
+  glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace onggi::render

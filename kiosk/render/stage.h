@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "engine/base/result.h"
+#include "engine/profile/mesh.h"
+#include "kiosk/render/clay_surface.h"
+#include "kiosk/render/gl.h"
+#include "kiosk/render/studio.h"
+#include "kiosk/view/frame.h"
+
+namespace onggi::render {
+
+/// How finely the stage is drawn. Never touches the engine's grid.
+struct Quality {
+  int samples = 4;         ///< Multisampling.
+  bool fine_mesh = true;   ///< 256 columns x 512 rows, or 96 x 192.
+  bool reflection = true;  ///< The pot mirrored in the wheel head.
+};
+
+/// Everything in space: the clay, the wheel head, the tools, their light and shadow. Draws into the
+/// bound target, over a transparent ground (premultiplied, display sRGB).
+class Stage {
+ public:
+  static Result<std::unique_ptr<Stage>> create();
+
+  ClaySurface& clay() { return clay_; }
+  /// Draws the pot into the bound target, which is `scale` times the camera's size.
+  void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
+  /// Draws `mesh` (already on the card, `levels` its own) seen by `camera`.
+  void draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera& camera,
+                 glm::vec3 color);
+  /// The plaster, over the whole bound target of this size.
+  void draw_plaster(int width, int height);
+
+ private:
+  Stage() = default;
+  void cast_shadow(double height, bool wheel, const Texture& levels, GLint back_to);
+  void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
+  void draw_ground(const glm::mat4& clip, bool wheel, float strength);
+  void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel, bool reflective);
+  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool fine);
+  void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
+  void draw_tools(const view::PotView& pot, const glm::mat4& clip);
+  void set_clay(const view::PotView& pot, const glm::mat4& clip, float pixel);
+
+  Studio studio_;
+  ClaySurface clay_;
+  Program clay_program_, wheel_program_, solid_program_, shadow_program_, ground_program_,
+      plaster_program_;
+  Mesh quad_, fine_, coarse_, lip_, floor_, section_, disc_, sphere_;
+  Texture clay_levels_, mesh_levels_;
+  Target shadow_;
+  bool shadow_of_clay_ = false;  // and still true
+  bool shadow_with_wheel_ = false;
+};
+
+}  // namespace onggi::render

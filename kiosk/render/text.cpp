@@ -1,0 +1,172 @@
+#include "kiosk/render/text.h"
+
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace onggi::render {
+namespace {
+
+constexpr std::size_t kMostBytes = 48u << 20;
+constexpr std::size_t kMostSizes = 4096;
+
+// Everything the look of a paragraph depends on but its colour, which the shader gives.
+std::string key_of(const std::string& text, const view::TextStyle& s, float width) {
+  char head[64];
+  std::snprintf(head, sizeof head, "%d %.2f %d %d %.3f %.1f ", static_cast<int>(s.face),
+                static_cast<double>(s.px), s.bold ? 1 : 0, static_cast<int>(s.align),
+                static_cast<double>(s.line_height), static_cast<double>(std::max(width, 0.0f)));
+  return head + s.language + '\n' + text;
+}
+
+// The families of one voice, nearest script first; fontconfig finds any other script itself.
+std::string families(const view::TextStyle& s) {
+  const bool serif = s.face == view::Face::serif;
+  std::string out = serif ? "Noto Serif" : "Noto Sans";
+  const std::string cjk = serif ? "Noto Serif CJK " : "Noto Sans CJK ";
+  const std::string two = s.language.substr(0, 2);
+  out += two == "ja"   ? "," + cjk + "JP"
+         : two == "zh" ? "," + cjk + (s.language.find("Hant") != std::string::npos ? "TC" : "SC")
+                       : "," + cjk + "KR";
+  if (two == "ar" || two == "fa" || two == "ur") {
+    out += serif ? ",Noto Naskh Arabic" : ",Noto Sans Arabic";
+  }
+  return out + (serif ? ",serif" : ",sans-serif");
+}
+
+// Korean may break inside a word, but reads better when it does not (as museum labels are set).
+void keep_korean_words(const std::string& text, PangoAttrList* attributes) {
+  constexpr std::size_t kLongest = 36;  // bytes: twelve syllables
+  std::size_t start = 0;
+  while (start < text.size()) {
+    const std::size_t end = std::min(text.find_first_of(" \n\t", start), text.size());
+    if (end > start + 1 && end - start <= kLongest) {
+      PangoAttribute* keep = pango_attr_allow_breaks_new(FALSE);
+      keep->start_index = static_cast<guint>(start);
+      keep->end_index = static_cast<guint>(end);
+      pango_attr_list_insert(attributes, keep);
+    }
+    start = end + 1;
+  }
+}
+
+}  // namespace
+
+struct Typesetter::Pango {
+  PangoFontMap* map = pango_cairo_font_map_new();
+  PangoContext* context = pango_font_map_create_context(map);
+
+  Pango() {
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_ON);
+    pango_cairo_context_set_font_options(context, options);
+    cairo_font_options_destroy(options);
+  }
+  ~Pango() {
+    g_object_unref(context);
+    g_object_unref(map);
+  }
+
+  PangoLayout* layout(const std::string& text, const view::TextStyle& s, float width) const {
+    PangoLayout* layout = pango_layout_new(context);
+    PangoFontDescription* font = pango_font_description_from_string(families(s).c_str());
+    pango_font_description_set_absolute_size(font, std::round(s.px * PANGO_SCALE));
+    pango_font_description_set_weight(font, s.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+    pango_layout_set_font_description(layout, font);
+    pango_font_description_free(font);
+    PangoAttrList* attributes = pango_attr_list_new();
+    pango_attr_list_insert(attributes, pango_attr_font_features_new("tnum=1"));
+    pango_attr_list_insert(attributes,
+                           pango_attr_language_new(pango_language_from_string(s.language.c_str())));
+    // An absolute line height keeps lines even where a fallback font is taller.
+    pango_attr_list_insert(attributes, pango_attr_line_height_new_absolute(static_cast<int>(
+                                           std::round(s.px * s.line_height) * PANGO_SCALE)));
+    if (s.language.compare(0, 2, "ko") == 0) keep_korean_words(text, attributes);
+    pango_layout_set_attributes(layout, attributes);
+    pango_attr_list_unref(attributes);
+    pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_auto_dir(layout, TRUE);
+    // Left means start: Pango turns it round in right-to-left paragraphs.
+    pango_layout_set_alignment(layout, s.align == view::Align::centre ? PANGO_ALIGN_CENTER
+                                       : s.align == view::Align::end  ? PANGO_ALIGN_RIGHT
+                                                                      : PANGO_ALIGN_LEFT);
+    if (width > 0) pango_layout_set_width(layout, static_cast<int>(std::ceil(width)) * PANGO_SCALE);
+    pango_layout_set_text(layout, text.c_str(), static_cast<int>(text.size()));
+    return layout;
+  }
+};
+
+Typesetter::Typesetter() : pango_(std::make_unique<Pango>()) {}
+Typesetter::~Typesetter() = default;
+
+view::TextMeasure::Size Typesetter::measure(const std::string& text, const view::TextStyle& style,
+                                            float width) const {
+  const std::string key = key_of(text, style, width);
+  const auto found = sizes_.find(key);
+  if (found != sizes_.end()) return found->second;
+  if (sizes_.size() >= kMostSizes) sizes_.clear();
+  PangoLayout* layout = pango_->layout(text, style, width);
+  PangoRectangle logical;
+  pango_layout_get_pixel_extents(layout, nullptr, &logical);
+  g_object_unref(layout);
+  return sizes_[key] = {static_cast<float>(logical.width), static_cast<float>(logical.height)};
+}
+
+const Typesetter::Block& Typesetter::set(const std::string& text, const view::TextStyle& style,
+                                         float width) {
+  std::string key = key_of(text, style, width);
+  if (const auto found = index_.find(key); found != index_.end()) {
+    blocks_.splice(blocks_.begin(), blocks_, found->second);
+    return found->second->second;
+  }
+
+  PangoLayout* layout = pango_->layout(text, style, width);
+  PangoRectangle logical;
+  pango_layout_get_pixel_extents(layout, nullptr, &logical);
+  Block block;
+  block.pad = static_cast<int>(std::ceil(0.4f * style.px));
+  block.width = static_cast<float>(logical.width);
+  block.height = static_cast<float>(logical.height);
+  const int box = width > 0 ? static_cast<int>(std::ceil(width)) : 0;
+  const int w = std::clamp(std::max(box, logical.x + logical.width) + 2 * block.pad, 1, 8192);
+  const int h = std::clamp(logical.height + 2 * block.pad, 1, 8192);
+  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, w, h);
+  cairo_t* cairo = cairo_create(surface);
+  cairo_set_source_rgba(cairo, 1, 1, 1, 1);
+  cairo_move_to(cairo, block.pad, block.pad);
+  pango_cairo_show_layout(cairo, layout);
+  cairo_destroy(cairo);
+  cairo_surface_flush(surface);
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+  std::vector<std::uint8_t> mask(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  const unsigned char* from = cairo_image_surface_get_data(surface);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(h) && from != nullptr; ++y) {
+    std::memcpy(&mask[y * static_cast<std::size_t>(w)], from + y * stride,
+                static_cast<std::size_t>(w));
+  }
+  cairo_surface_destroy(surface);
+  g_object_unref(layout);
+
+  block.bytes = mask.size();
+  block.mask = Texture::create(GL_R8, w, h, GL_RED, GL_UNSIGNED_BYTE, mask.data());
+  // Pixel for pixel: filtering could only blur it.
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+
+  bytes_ += block.bytes;
+  blocks_.emplace_front(key, std::move(block));
+  index_[std::move(key)] = blocks_.begin();
+  while (bytes_ > kMostBytes && blocks_.size() > 1) {
+    bytes_ -= blocks_.back().second.bytes;
+    index_.erase(blocks_.back().first);
+    blocks_.pop_back();
+  }
+  return blocks_.front().second;
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,226 @@
+#include "kiosk/render/window.h"
+
+#include <epoxy/gl.h>
+// GL comes from epoxy.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "kiosk/render/touch.h"
+
+namespace onggi::render {
+namespace {
+
+constexpr double kStillSeconds = 3.0;  // after which the cursor hides
+using view::InputEvent;
+using view::Key;
+
+std::string last_error() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text != nullptr ? text : "no reason given";
+}
+
+Key key_of(int key) {
+  switch (key) {
+    case GLFW_KEY_UP:
+      return Key::up;
+    case GLFW_KEY_DOWN:
+      return Key::down;
+    case GLFW_KEY_LEFT:
+      return Key::left;
+    case GLFW_KEY_RIGHT:
+      return Key::right;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+    case GLFW_KEY_SPACE:
+      return Key::enter;
+    case GLFW_KEY_ESCAPE:
+    case GLFW_KEY_BACKSPACE:
+      return Key::back;
+    case GLFW_KEY_F1:
+    case GLFW_KEY_H:
+      return Key::help;
+    case GLFW_KEY_PAGE_UP:
+    case GLFW_KEY_PERIOD:
+      return Key::depth_in;
+    case GLFW_KEY_PAGE_DOWN:
+    case GLFW_KEY_COMMA:
+      return Key::depth_out;
+    case GLFW_KEY_EQUAL:
+    case GLFW_KEY_KP_ADD:
+      return Key::faster;
+    case GLFW_KEY_MINUS:
+    case GLFW_KEY_KP_SUBTRACT:
+      return Key::slower;
+    case GLFW_KEY_S:
+      return Key::side;
+    case GLFW_KEY_W:
+      return Key::water;
+    case GLFW_KEY_R:
+      return Key::renew;
+    case GLFW_KEY_C:
+      return Key::cut;
+    case GLFW_KEY_L:
+      return Key::language;
+    default:
+      return Key::none;
+  }
+}
+
+Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
+  if (glfwInit() != GLFW_TRUE) {
+    return problem("display", "No window can be opened: " + last_error() + ".",
+                   "Start Onggi on a machine with an X display, or under xvfb-run.", 1);
+  }
+  const bool full = options.width == 0 && options.height == 0;
+  GLFWmonitor* monitor = full ? glfwGetPrimaryMonitor() : nullptr;
+  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  const int width = mode != nullptr ? mode->width : (full ? 1280 : options.width);
+  const int height = mode != nullptr ? mode->height : (full ? 720 : options.height);
+
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+  glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  // A hidden window cannot be full screen: that would map it.
+  GLFWmonitor* on = options.visible ? monitor : nullptr;
+  GLFWwindow* made = glfwCreateWindow(width, height, options.title.c_str(), on, nullptr);
+  if (made == nullptr) {
+    auto why =
+        problem("display", "A window with OpenGL 3.3 core cannot be opened: " + last_error() + ".",
+                "Install the graphics driver (Debian: libgl1-mesa-dri), or run with "
+                "LIBGL_ALWAYS_SOFTWARE=1.",
+                1);
+    glfwTerminate();
+    return why;
+  }
+  std::unique_ptr<Window> window(new Window);
+  window->window_ = made;
+  window->visible_ = options.visible;
+  window->full_screen_ = full;
+  glfwMakeContextCurrent(made);
+  glfwSwapInterval(0);  // frames are paced by Renderer::present
+  glfwGetFramebufferSize(made, &window->width_, &window->height_);
+  if (!options.visible) {
+    window->width_ = width;
+    window->height_ = height;
+  }
+  window->listen();
+  return window;
+}
+
+Window::~Window() {
+  touch_.reset();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void Window::listen() {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int width, int height) {
+    if (width < 1 || height < 1) return;
+    self(w)->width_ = width;
+    self(w)->height_ = height;
+    self(w)->push({.kind = InputEvent::Kind::resize,
+                   .x = static_cast<float>(width),
+                   .y = static_cast<float>(height)});
+  });
+  glfwSetWindowCloseCallback(
+      window_, [](GLFWwindow* w) { self(w)->push({.kind = InputEvent::Kind::close}); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    self(w)->pointer(InputEvent::Kind::pointer_move, x, y);
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    double x = 0, y = 0;
+    glfwGetCursorPos(w, &x, &y);
+    self(w)->pointer(
+        action == GLFW_PRESS ? InputEvent::Kind::pointer_down : InputEvent::Kind::pointer_up, x, y);
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) {
+    self(w)->push({.kind = InputEvent::Kind::scroll,
+                   .x = self(w)->x_,
+                   .y = self(w)->y_,
+                   .scroll = static_cast<float>(notches)});
+  });
+  glfwSetKeyCallback(
+      window_, [](GLFWwindow* w, int key, int, int action, int) { self(w)->key(key, action); });
+  // A lost monitor makes GLFW fall back to a small window before anyone is told; go back to full
+  // screen when there is a monitor again. None at all is a legal state: keep running.
+  glfwSetMonitorCallback([](GLFWmonitor*, int) {
+    if (GLFWwindow* w = glfwGetCurrentContext()) self(w)->monitor_lost_ = true;
+  });
+  touch_ = Touch::listen(window_);
+}
+
+void Window::push(InputEvent event) { events_.push_back(event); }
+
+void Window::pointer(InputEvent::Kind kind, double x, double y) {
+  // A touch is also sent as an emulated mouse; the touch itself has been heard already.
+  if (touch_ != nullptr && touch_->active()) return;
+  // Window coordinates become framebuffer pixels (they differ on scaled displays).
+  int w = 0, h = 0;
+  glfwGetWindowSize(window_, &w, &h);
+  x_ = static_cast<float>(x * width_ / std::max(w, 1));
+  y_ = static_cast<float>(y * height_ / std::max(h, 1));
+  if (kind == InputEvent::Kind::pointer_down) pressed_ = true;
+  if (kind == InputEvent::Kind::pointer_up) pressed_ = false;
+  cursor_moved_ = glfwGetTime();
+  push({.kind = kind, .x = x_, .y = y_});
+}
+
+void Window::key(int key, int action) {
+  const Key named = key_of(key);
+  if (named == Key::none) return;
+  push({.kind = action == GLFW_RELEASE ? InputEvent::Kind::key_up : InputEvent::Kind::key_down,
+        .key = named,
+        .repeat = action == GLFW_REPEAT});
+}
+
+void Window::mind_monitor(double) {
+  if (!monitor_lost_ || !full_screen_ || !visible_) return;
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  monitor_lost_ = false;
+  if (glfwGetWindowMonitor(window_) != nullptr) return;
+  const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+  if (mode == nullptr) return;
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::mind_cursor(double now) {
+  if (!visible_) return;
+  const bool touched = touch_ != nullptr && touch_->last_time() > cursor_moved_;
+  const bool show = !touched && (pressed_ || now - cursor_moved_ < kStillSeconds);
+  if (show == cursor_shown_) return;
+  cursor_shown_ = show;
+  glfwSetInputMode(window_, GLFW_CURSOR, show ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+}
+
+std::vector<InputEvent> Window::poll() {
+  if (touch_ != nullptr) {
+    for (const InputEvent& event : touch_->poll()) push(event);
+  }
+  glfwPollEvents();
+  const double now = glfwGetTime();
+  mind_monitor(now);
+  mind_cursor(now);
+  return std::exchange(events_, {});
+}
+
+void Window::swap() { glfwSwapBuffers(window_); }
+
+}  // namespace onggi::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "kiosk/render/renderer.h"
+#include "kiosk/view/input.h"
+
+struct GLFWwindow;
+
+namespace onggi::render {
+
+class Touch;
+
+/// The window and its GL context, and everything that is pressed, turned or touched in it.
+class Window {
+ public:
+  static Result<std::unique_ptr<Window>> create(const WindowOptions& options);
+  ~Window();
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool visible() const { return visible_; }
+  std::vector<view::InputEvent> poll();
+  void swap();
+
+ private:
+  Window() = default;
+  void listen();
+  void push(view::InputEvent event);
+  void pointer(view::InputEvent::Kind kind, double x, double y);
+  void key(int key, int action);
+  void mind_monitor(double now);
+  void mind_cursor(double now);
+
+  GLFWwindow* window_ = nullptr;
+  std::unique_ptr<Touch> touch_;
+  std::vector<view::InputEvent> events_;
+  int width_ = 0, height_ = 0;
+  bool visible_ = true, full_screen_ = false, cursor_shown_ = true, pressed_ = false;
+  bool monitor_lost_ = false;
+  double cursor_moved_ = 0;  // s, GLFW's clock
+  float x_ = 0, y_ = 0;
+};
+
+}  // namespace onggi::render

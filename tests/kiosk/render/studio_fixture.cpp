@@ -1,0 +1,144 @@
+#include "tests/kiosk/render/studio_fixture.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+namespace onggi::render::testing {
+namespace {
+
+// An X server of our own on a number it finds free itself; ends with this process.
+class OwnDisplay {
+ public:
+  OwnDisplay() {
+    if (getenv("DISPLAY") != nullptr) return;
+    int ends[2];
+    if (pipe(ends) != 0) return;
+    server_ = fork();
+    if (server_ == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      close(ends[0]);
+      const int quiet = open("/dev/null", O_WRONLY);
+      dup2(quiet, 1);
+      dup2(quiet, 2);
+      const std::string fd = std::to_string(ends[1]);
+      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1920x1920x24", "-nolisten",
+             "tcp", "-noreset", static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    close(ends[1]);
+    char number[16] = {};
+    const ssize_t n = read(ends[0], number, sizeof number - 1);
+    close(ends[0]);
+    if (n <= 0) return;
+    const std::string digits(number, static_cast<std::size_t>(n));
+    setenv("DISPLAY", (":" + digits.substr(0, digits.find('\n'))).c_str(), 1);
+  }
+  ~OwnDisplay() {
+    if (server_ <= 0) return;
+    kill(server_, SIGTERM);
+    waitpid(server_, nullptr, 0);
+  }
+
+ private:
+  pid_t server_ = -1;
+};
+
+class World : public ::testing::Environment {
+ public:
+  void SetUp() override {
+    display_ = std::make_unique<OwnDisplay>();
+    if (getenv("DISPLAY") == nullptr) return;
+    const WindowOptions options{
+        .width = 1280, .height = 720, .visible = false, .title = "Onggi render tests"};
+    auto made = Renderer::create(options);
+    // A server that has just told its number may still be opening its door.
+    for (int i = 0; i < 40 && !made; ++i) {
+      usleep(50000);
+      made = Renderer::create(options);
+    }
+    if (!made) {
+      ADD_FAILURE() << to_text(made.error());
+      return;
+    }
+    renderer = std::move(*made);
+    renderer->set_full_quality(true);
+  }
+  void TearDown() override {
+    renderer.reset();
+    display_.reset();
+  }
+  std::unique_ptr<Renderer> renderer;
+
+ private:
+  std::unique_ptr<OwnDisplay> display_;
+};
+
+World* const world = static_cast<World*>(::testing::AddGlobalTestEnvironment(new World));
+
+}  // namespace
+
+void StudioTest::SetUp() {
+  if (world->renderer == nullptr) GTEST_SKIP() << "no display, and Xvfb is not installed";
+}
+
+Renderer& StudioTest::renderer() { return *world->renderer; }
+
+std::vector<view::RowUpdate> thrown_rows(const view::GridShape& shape, double (*outer)(double),
+                                         double wall, double grooves) {
+  std::vector<view::RowUpdate> rows;
+  const auto sectors = static_cast<std::size_t>(shape.sectors);
+  for (int j = 0; j < shape.rows; ++j) {
+    const double t = (j + 0.5) / shape.rows, h = t * shape.height;
+    view::RowUpdate row{j, std::vector<float>(2 * sectors)};
+    for (std::size_t i = 0; i < sectors; ++i) {
+      // A finger that rises 4 mm a turn leaves a spiral.
+      const double turn = (static_cast<double>(i) + 0.5) / shape.sectors;
+      const double spiral = std::sin(6.283185307 * (h / 0.0055 - turn));
+      const double r = outer(t) + grooves * spiral * (0.7 + 0.3 * std::sin(31 * t));
+      row.radii[i] = static_cast<float>(r);
+      row.radii[sectors + i] = h < shape.floor_height
+                                   ? 0.0f
+                                   : static_cast<float>(outer(t) - wall - 0.5 * grooves * spiral);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+void keep_for_looking(const view::Image& image, const std::string& name) {
+  const char* folder = getenv("ONGGI_GALLERY");
+  if (folder == nullptr) return;
+  std::ofstream file(std::string(folder) + "/" + name + ".ppm", std::ios::binary);
+  file << "P6\n" << image.width << " " << image.height << "\n255\n";
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    file.write(reinterpret_cast<const char*>(&image.rgba[i]), 3);
+  }
+}
+
+view::Frame frame_with_pot(int width, int height, double pot_height, double pot_radius) {
+  view::Frame frame;
+  frame.width = width;
+  frame.height = height;
+  view::PotView pot;
+  const auto w = static_cast<float>(width), h = static_cast<float>(height);
+  pot.camera = view::frame_pot(width, height, {0.25f * w, 0.12f * h, 0.5f * w, 0.70f * h},
+                               pot_height, pot_radius);
+  frame.pot = pot;
+  return frame;
+}
+
+Pixel pixel_at(const view::Image& image, int x, int y) {
+  const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                             static_cast<std::size_t>(x));
+  return {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]};
+}
+
+}  // namespace onggi::render::testing
