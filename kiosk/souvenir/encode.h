@@ -12,15 +12,25 @@ namespace onggi::souvenir {
 
 enum class Format { png, jpeg };
 
-/// What goes into a picture file's metadata.
+/// What goes into a picture file's metadata, in any script. UTF-8.
 struct Caption {
   std::string title, copyright, description;
 };
 
+/// Largest width and height that is encoded, pixels.
+inline constexpr int kLargestSide = 16384;
+
 /// Encodes in a helper process (onggi-encode, beside this program), so that OpenImageIO's start-up,
-/// its 260 libraries and its exits on error never reach the kiosk. Blocks; call off the main
-/// thread. Problem (exit 1) when the helper is missing, dies or takes over `timeout_s`.
+/// its 260 libraries and its exits on error never reach the kiosk. sRGB, 300 dots an inch; PNG
+/// keeps alpha where there is any, JPEG (quality 92) lies on white. Blocks; call off the main
+/// thread. Problem (exit 1) when the helper is missing, dies, takes over `timeout_s`, or gives less
+/// than a whole picture.
 Result<std::vector<std::byte>> encode(const view::Image& image, Format format,
                                       const Caption& caption, double timeout_s = 20.0);
+
+/// The same with another helper program; for tests of what a helper may do wrong.
+Result<std::vector<std::byte>> encode_with(const std::filesystem::path& helper,
+                                           const view::Image& image, Format format,
+                                           const Caption& caption, double timeout_s);
 
 }  // namespace onggi::souvenir

@@ -1,0 +1,67 @@
+#include "kiosk/souvenir/encode.h"
+
+#include <nlohmann/json.hpp>
+
+#include "kiosk/souvenir/helper_process.h"
+#include "kiosk/souvenir/picture_bytes.h"
+
+#ifndef ONGGI_VERSION
+#error "The build gives ONGGI_VERSION."
+#endif
+
+namespace onggi::souvenir {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One line of JSON that onggi-encode reads before the pixels.
+std::string header(const view::Image& image, Format format, const Caption& caption) {
+  const nlohmann::json json{{"width", image.width},
+                            {"height", image.height},
+                            {"format", format == Format::png ? "png" : "jpeg"},
+                            {"title", caption.title},
+                            {"copyright", caption.copyright},
+                            {"description", caption.description},
+                            {"software", "Onggi " ONGGI_VERSION}};
+  // A caption with broken UTF-8 costs a letter, never the picture.
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> encode(const view::Image& image, Format format,
+                                      const Caption& caption, double timeout_s) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) {
+    return problem("/proc/self/exe",
+                   "The kiosk cannot tell where it lies: " + error.message() + ".", "Mount /proc.",
+                   1);
+  }
+  return encode_with(program.parent_path() / "onggi-encode", image, format, caption, timeout_s);
+}
+
+Result<std::vector<std::byte>> encode_with(const fs::path& helper, const view::Image& image,
+                                           Format format, const Caption& caption,
+                                           double timeout_s) {
+  const bool sized = image.width > 0 && image.height > 0 && image.width <= kLargestSide &&
+                     image.height <= kLargestSide;
+  const std::size_t pixels =
+      sized ? static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) : 0;
+  if (!sized || image.rgba.size() != 4 * pixels) {
+    return problem("picture " + std::to_string(image.width) + " x " + std::to_string(image.height),
+                   "The picture has no pixels, too many, or not as many as its size says.",
+                   "This is a fault of the program: report it with the log.", 1);
+  }
+  // Noise does not compress, so PNG may need all bytes and a little; the rest is metadata.
+  const std::size_t most = 5 * pixels + (1u << 20);
+  auto ran = run_helper(helper, header(image, format, caption), image.rgba, timeout_s, most);
+  if (!ran) return tl::unexpected(ran.error());
+  if (!is_whole(ran->out, format)) {
+    return problem(helper.string(), "The helper gave less than a whole picture.",
+                   "Free memory, and build the kiosk again if this returns.", 1);
+  }
+  return std::move(ran->out);
+}
+
+}  // namespace onggi::souvenir

@@ -1,0 +1,93 @@
+#include "kiosk/souvenir/keepsake.h"
+
+#include <span>
+#include <system_error>
+
+#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/souvenir/visit_folder.h"
+
+namespace onggi::souvenir {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostOfOneName = 99;
+
+/// A folder that goes away with everything in it unless it is kept.
+class PartialFolder {
+ public:
+  explicit PartialFolder(fs::path path) : path_(std::move(path)) {}
+  ~PartialFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  PartialFolder(const PartialFolder&) = delete;
+  PartialFolder& operator=(const PartialFolder&) = delete;
+  const fs::path& path() const { return path_; }
+  void keep() { path_.clear(); }
+
+ private:
+  fs::path path_;
+};
+
+/// A name that neither a visit nor one in the making has, its .partial folder made.
+Result<std::string> take_name(const fs::path& folder, const std::string& wanted) {
+  for (int i = 1; i <= kMostOfOneName; ++i) {
+    const std::string name = i == 1 ? wanted : wanted + "_" + std::to_string(i);
+    std::error_code error;
+    if (fs::symlink_status(folder / name, error).type() != fs::file_type::not_found) continue;
+    // create_directory is the one step that two writers cannot both win.
+    if (fs::create_directory(folder / (name + kPartial), error)) return name;
+    if (error) {
+      return tl::unexpected(disk_problem(folder / (name + kPartial), "write", error.value()));
+    }
+  }
+  return problem((folder / wanted).string(), "There are 99 visits of this name already.",
+                 "Set the machine's clock: it seems to stand still.", 1);
+}
+
+}  // namespace
+
+Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder, int quota_mb) {
+  const std::string wanted = visit_name(keepsake.name);
+  if (wanted.empty()) {
+    return problem(keepsake.name, "A visit's name begins with its date and time.",
+                   "This is a fault of the program: report it with the log.", 1);
+  }
+  // Encode first: what fails here has not touched the disk.
+  auto png = encode(keepsake.postcard, Format::png, keepsake.caption);
+  if (!png) return tl::unexpected(png.error());
+  auto jpeg = encode(keepsake.postcard, Format::jpeg, keepsake.caption);
+  if (!jpeg) return tl::unexpected(jpeg.error());
+  const std::vector<std::byte> stl = write_stl(keepsake.pot, keepsake.caption.title);
+
+  if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
+  const auto name = take_name(folder, wanted);
+  if (!name) return tl::unexpected(name.error());
+  PartialFolder partial(folder / (*name + kPartial));
+
+  KeepsakeFiles files;
+  files.folder = folder / *name;
+  const auto write = [&](fs::path& path, const char* file,
+                         std::span<const std::byte> bytes) -> Result<void> {
+    if (bytes.empty()) return {};
+    path = files.folder / file;
+    return write_durably(partial.path() / file, bytes);
+  };
+  const bool has_pot = !keepsake.pot.triangles.empty();
+  for (const Result<void>& written :
+       {write(files.png, kPostcardPng, *png), write(files.jpeg, kPostcardJpeg, *jpeg),
+        write(files.glb, kPotGlb, keepsake.glb),
+        write(files.stl, kPotStl, has_pot ? std::span(stl) : std::span<const std::byte>()),
+        write(files.replay, kReplay, keepsake.replay)}) {
+    if (!written) return tl::unexpected(written.error());
+  }
+  if (auto renamed = rename_durably(partial.path(), files.folder); !renamed) {
+    return tl::unexpected(renamed.error());
+  }
+  partial.keep();
+  tidy(folder, quota_mb, *name);
+  return files;
+}
+
+}  // namespace onggi::souvenir

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kiosk/souvenir/encode.h"
+
+namespace onggi::souvenir {
+
+/// Is this the whole of a PNG or JPEG: its first bytes and its closing mark?
+bool is_whole(std::span<const std::byte> bytes, Format format);
+
+/// `png` with title, copyright, description and software as chunks behind its header: tEXt for
+/// ASCII, which every reader shows; iTXt for all else, as tEXt knows Latin-1 only and would garble
+/// 달항아리. Empty texts are left out. `png` must be whole.
+std::vector<std::byte> with_texts(std::span<const std::byte> png, const Caption& caption,
+                                  const std::string& software);
+
+}  // namespace onggi::souvenir

@@ -1,0 +1,125 @@
+#include "kiosk/souvenir/visit_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "kiosk/souvenir/keepsake.h"
+
+namespace onggi::souvenir {
+namespace {
+
+namespace fs = std::filesystem;
+
+// 9 stands for any digit, the rest for itself.
+constexpr std::string_view kPattern = "9999-99-99_999999_";
+constexpr std::size_t kLongestName = 120;
+constexpr auto kLeftoverAge = std::chrono::hours(1);
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_plain(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '-' ||
+         c == '_';
+}
+
+/// Only what save() writes: its files, or what a power cut left of one (".postcard.png.12-3.part").
+bool is_ours(const std::string& file) {
+  constexpr std::array<std::string_view, 5> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
+                                                  kReplay};
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+    return file == name ||
+           (file.starts_with("." + std::string(name) + ".") && file.ends_with(".part"));
+  });
+}
+
+struct Visit {
+  fs::path folder;
+  std::uintmax_t bytes = 0;
+};
+
+/// True where `folder` is a real folder (no link) that holds nothing but our files; adds up
+/// `bytes`.
+bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
+  std::error_code error;
+  if (fs::symlink_status(folder, error).type() != fs::file_type::directory) return false;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const bool file = fs::symlink_status(entry->path(), error).type() == fs::file_type::regular;
+    if (!file || !is_ours(entry->path().filename().string())) return false;
+    bytes += fs::file_size(entry->path(), error);
+  }
+  return !error;
+}
+
+/// Renamed first, so that a power cut in the middle leaves a leftover, not half a visit.
+void remove_visit(const fs::path& folder) {
+  fs::path going = folder;
+  going += kPartial;
+  std::error_code error;
+  fs::rename(folder, going, error);
+  if (!error) fs::remove_all(going, error);
+}
+
+/// A .partial that no writer is still at: over an hour old. One from the future (a clock that was
+/// set back) waits until the clock has caught up.
+bool is_leftover(const fs::path& folder) {
+  std::error_code error;
+  const auto changed = fs::last_write_time(folder, error);
+  return !error && fs::file_time_type::clock::now() - changed > kLeftoverAge;
+}
+
+}  // namespace
+
+bool is_visit_name(std::string_view name) {
+  if (name.size() <= kPattern.size()) return false;
+  for (std::size_t i = 0; i < kPattern.size(); ++i) {
+    if (kPattern[i] == '9' ? !is_digit(name[i]) : name[i] != kPattern[i]) return false;
+  }
+  return true;
+}
+
+std::string visit_name(std::string_view wanted) {
+  if (!is_visit_name(wanted)) return "";
+  std::string name(wanted.substr(0, kLongestName));
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !is_plain(c); }, '_');
+  // Never the name of a folder in the making.
+  while (name.ends_with(kPartial)) name[name.size() - std::string_view(kPartial).size()] = '_';
+  return name;
+}
+
+void tidy(const fs::path& folder, int quota_mb, const std::string& keep) {
+  std::vector<Visit> visits;
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    Visit visit{entry->path()};
+    if (!is_visit_name(name) || !holds_only_ours(visit.folder, visit.bytes)) continue;
+    if (!name.ends_with(kPartial)) {
+      visits.push_back(visit);
+    } else if (is_leftover(visit.folder)) {
+      std::error_code ignored;
+      fs::remove_all(visit.folder, ignored);
+    }
+  }
+
+  // Names begin with the time, so the order of names is the order of visits.
+  std::sort(visits.begin(), visits.end(),
+            [](const Visit& a, const Visit& b) { return a.folder < b.folder; });
+  const auto quota = static_cast<std::uintmax_t>(std::max(quota_mb, 0)) * 1000000u;
+  std::uintmax_t total = 0;
+  for (const Visit& visit : visits) total += visit.bytes;
+  for (const Visit& visit : visits) {
+    if (total <= quota) break;
+    if (visit.folder.filename() == keep) continue;
+    remove_visit(visit.folder);
+    total -= visit.bytes;
+  }
+}
+
+}  // namespace onggi::souvenir
