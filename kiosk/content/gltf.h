@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -15,7 +16,8 @@ namespace onggi::content {
 struct GltfModel {
   TriangleMesh mesh;
   std::array<float, 3> base_color{0.8f, 0.8f, 0.8f};  ///< Linear, of the largest material.
-  std::string copyright;                              ///< asset.copyright
+  bool colored = false;   ///< The file gives that colour; not where it is an image.
+  std::string copyright;  ///< asset.copyright
   std::vector<std::string> warnings;
 };
 

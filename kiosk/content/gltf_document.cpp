@@ -221,9 +221,17 @@ json cut_down(const json& doc, const std::vector<Bytes>& buffers) {
         material["pbrMetallicRoughness"] = color;
       }
   if (out.contains("meshes") && out["meshes"].is_array())
-    for (json& mesh : out["meshes"])
-      if (mesh.contains("primitives"))
-        keep(mesh, "primitives", {"attributes", "indices", "material", "mode"});
+    for (json& mesh : out["meshes"]) {
+      if (!mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
+      // The accessors of a Draco primitive have no bytes of their own, and tinygltf asks for them.
+      for (json& primitive : mesh["primitives"])
+        if (const json* all = member(primitive, "extensions");
+            all != nullptr && member(*all, "KHR_draco_mesh_compression") != nullptr) {
+          primitive["attributes"] = json::object();
+          primitive.erase("indices");
+        }
+      keep(mesh, "primitives", {"attributes", "indices", "material", "mode"});
+    }
   out["buffers"] = json::array();
   for (std::size_t i = 0; i < buffers.size(); ++i)
     out["buffers"].push_back({{"byteLength", 1}, {"uri", std::to_string(i)}});

@@ -1,0 +1,71 @@
+#include "kiosk/content/gltf_accessor.h"
+
+#ifdef ONGGI_HAS_DRACO
+#include <draco/compression/decode.h>
+#endif
+
+#include <cmath>
+#include <exception>
+
+namespace onggi::content {
+
+#ifdef ONGGI_HAS_DRACO
+
+namespace {
+
+bool copy_attribute(const draco::Mesh& mesh, int id, std::vector<std::array<float, 3>>& out) {
+  const draco::PointAttribute* attribute =
+      id < 0 ? nullptr : mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
+  if (attribute == nullptr || attribute->num_components() != 3) return false;
+  out.resize(mesh.num_points());
+  for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
+    const auto value = attribute->mapped_index(draco::PointIndex(i));
+    if (value.value() >= attribute->size() ||
+        !attribute->ConvertValue<float>(value, 3, out[i].data()))
+      return false;
+    for (const float v : out[i])
+      if (!std::isfinite(v)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
+                                      const DracoPrimitive& primitive, const std::string& where) {
+  const auto damaged = [&] {
+    return problem(where, "its Draco compression is damaged.",
+                   "Export the vessel again, without compression if need be.");
+  };
+  try {
+    draco::DecoderBuffer buffer;
+    buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    draco::Decoder decoder;
+    auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
+    if (!decoded.ok() || decoded.value() == nullptr) return damaged();
+    const draco::Mesh& mesh = *decoded.value();
+    if (mesh.num_points() > kMostElements || mesh.num_faces() > kMostElements) return damaged();
+    DecodedPrimitive out;
+    if (!copy_attribute(mesh, primitive.position, out.positions)) return damaged();
+    if (!copy_attribute(mesh, primitive.normal, out.normals)) out.normals.clear();
+    out.indices.reserve(std::size_t{3} * mesh.num_faces());
+    for (std::uint32_t f = 0; f < mesh.num_faces(); ++f)
+      for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(f)))
+        out.indices.push_back(corner.value());
+    return out;
+  } catch (const std::exception&) {
+    return damaged();
+  }
+}
+
+#else
+
+Result<DecodedPrimitive> decode_draco(std::span<const unsigned char>, const DracoPrimitive&,
+                                      const std::string& where) {
+  return problem(where, "it is compressed with Draco, and this program was built without it.",
+                 "Export the vessel without Draco compression, or build with libdraco-dev.");
+}
+
+#endif
+
+}  // namespace onggi::content
