@@ -6,6 +6,7 @@
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
+#include "engine/profile/profile.h"
 
 namespace onggi {
 

@@ -1,0 +1,336 @@
+#include "engine/profile/extraction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "engine/profile/axis.h"
+#include "engine/profile/opening.h"
+#include "engine/profile/walls.h"
+
+namespace onggi {
+
+namespace {
+
+constexpr int kRays = 128;
+constexpr int kCoarse = 80;
+/// More of the surface than this stands off any circle: not a body of revolution.
+constexpr double kMostMasked = 0.33;
+constexpr double kMostCost = 0.30;
+/// A slice belongs to the body where this share of its circle is there.
+constexpr double kCovered = 0.5;
+/// Ends whose views differ by less than this are equally open, or equally closed.
+constexpr double kUndecided = 0.02;
+/// Less than this mean depth is a flat or domed end, not a mouth.
+constexpr double kOpen = 0.03;
+/// Surfaces further from the axis than this many times the body's radius are other objects.
+constexpr double kFarAway = 3.0;
+/// A cavity shallower than this share of the height is a modelled mouth over a solid body.
+constexpr double kDeepEnough = 0.5;
+
+std::string percent(double share) {
+  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+}
+
+struct Body {
+  AxisFrame frame;
+  double bottom = 0.0, top = 0.0, size = 0.0;
+  bool facing_known = true;
+};
+
+class Extractor {
+ public:
+  Extractor(const TriangleMesh& mesh, const ExtractionOptions& options, const std::string& name)
+      : mesh_(mesh), options_(options), name_(name), rays_(ray_directions(kRays)) {}
+  Result<ExtractedProfile> run();
+
+ private:
+  Result<void> check_mesh() const;
+  Result<void> find_body();
+  void find_ends(const Slicer& slicer);
+  void stand_upright();
+  void read_slices();
+  Result<void> judge_roundness();
+  void fill_gaps();
+  void read_inside();
+  double covered(const Slicer& slicer, double height) const;
+  tl::unexpected<Problem> not_round(const std::string& why) const {
+    return problem(name_, "it is no body of revolution: " + why,
+                   "Choose a vessel thrown on a wheel, export one object alone, or cut off handles "
+                   "and spouts in the modelling tool.");
+  }
+  void warn(std::string text) { out_.warnings.push_back(std::move(text)); }
+
+  const TriangleMesh& mesh_;
+  const ExtractionOptions& options_;
+  const std::string& name_;
+  std::vector<Vec2> rays_;
+  Body body_;
+  std::vector<double> heights_;
+  std::vector<WallSlice> slices_;
+  EndView mouth_;
+  ExtractedProfile out_;
+};
+
+Result<void> Extractor::check_mesh() const {
+  if (mesh_.triangles.empty())
+    return problem(name_, "it has no triangles.", "Export the vessel's surface.");
+  for (const auto& t : mesh_.triangles)
+    for (const std::uint32_t i : t)
+      if (i >= mesh_.positions.size())
+        return problem(name_, "a triangle names a vertex that is not there.",
+                       "Export the vessel again.");
+  double low = 1e300, high = -1e300;
+  for (const auto& p : mesh_.positions)
+    for (const float v : p) {
+      if (!std::isfinite(v))
+        return problem(name_, "a vertex lies nowhere: its position is not a number.",
+                       "Clean the mesh in the modelling tool and export again.");
+      low = std::min<double>(low, v);
+      high = std::max<double>(high, v);
+    }
+  if (!(high - low > 1e-9 * std::max(std::abs(high), std::abs(low))) || high - low < 1e-12)
+    return problem(name_, "it has no extent.",
+                   "Apply the scale in the modelling tool, and export.");
+  return {};
+}
+
+double Extractor::covered(const Slicer& slicer, double height) const {
+  const auto outline = slicer.cut(std::span(&height, 1));
+  const WallSlice wall = read_wall(outline[0], rays_, body_.size, body_.facing_known);
+  return wall.outer > 0.0 ? static_cast<double>(wall.present - wall.masked) / kRays : 0.0;
+}
+
+/// The rim is where most of a circle ends, not where the highest splinter or handle does.
+void Extractor::find_ends(const Slicer& slicer) {
+  const double low = slicer.lowest(), high = slicer.highest();
+  const double step = (high - low) / kCoarse;
+  std::vector<double> heights;
+  for (int i = 0; i < kCoarse; ++i) heights.push_back(low + (i + 0.5) * step);
+  const auto outlines = slicer.cut(heights);
+
+  // How far the body reaches, and whether its surfaces know their outside.
+  std::vector<double> reach;
+  std::size_t outward = 0, all = 0;
+  for (const auto& outline : outlines) {
+    std::vector<double> radii;
+    for (const auto& ray : crossings(outline, {}, rays_))
+      if (!ray.empty()) {
+        radii.push_back(ray.front().radius);
+        ++all;
+        if (ray.front().outward) ++outward;
+      }
+    const Agreement mode = agreement(radii, rays_.size(), kCovered);
+    if (mode.found) reach.push_back(mode.middle());
+  }
+  body_.size = reach.empty() ? 0.0 : *std::max_element(reach.begin(), reach.end());
+  body_.facing_known = static_cast<double>(outward) > 0.9 * static_cast<double>(all);
+
+  const auto is_body = [&](double h) { return covered(slicer, h) >= kCovered; };
+  std::size_t first = 0, last = heights.size();
+  while (first < last && !is_body(heights[first])) ++first;
+  while (last > first && !is_body(heights[last - 1])) --last;
+  if (first >= last) return;
+  const auto edge = [&](double inside, double outside) {
+    for (int i = 0; i < 10; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      (is_body(middle) ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  body_.bottom = edge(heights[first], first == 0 ? low : heights[first - 1]);
+  body_.top = edge(heights[last - 1], last == heights.size() ? high : heights[last]);
+}
+
+Result<void> Extractor::find_body() {
+  const FoundAxis axis = find_axis(mesh_);
+  if (axis.cost > kMostCost)
+    return not_round("about its best axis " + percent(axis.cost) +
+                     " of the surface lies away from a circle.");
+  body_.frame = axis_frame(axis.origin, axis.direction);
+  const Slicer slicer(mesh_, body_.frame);
+  find_ends(slicer);
+  if (!(body_.top > body_.bottom) || body_.size <= 0.0)
+    return not_round("no slice across its axis is a circle.");
+  double furthest = 0.0;
+  for (const auto& t : mesh_.triangles)
+    for (const std::uint32_t i : t) furthest = std::max(furthest, length(slicer.plane(i)));
+  if (furthest > kFarAway * body_.size)
+    return not_round("its surfaces reach " + std::to_string(std::lround(furthest / body_.size)) +
+                     " times as far from the axis as its wall. Perhaps the file holds several "
+                     "objects.");
+  return {};
+}
+
+/// Up is where one can look in. A foot may be hollow, but a mouth is deeper.
+void Extractor::stand_upright() {
+  const Slicer slicer(mesh_, body_.frame);
+  const double inset = 0.004 * (body_.top - body_.bottom);
+  const auto radius_at = [&](double height) {
+    const auto outline = slicer.cut(std::span(&height, 1));
+    const double radius = read_wall(outline[0], rays_, body_.size, body_.facing_known).outer;
+    return radius > 0.0 ? radius : 0.3 * body_.size;
+  };
+  const EndView above =
+      look_into(slicer, body_.bottom, body_.top, radius_at(body_.top - inset), true);
+  const EndView below =
+      look_into(slicer, body_.bottom, body_.top, radius_at(body_.bottom + inset), false);
+  const Vec3 up = body_.frame.up;
+  bool turn = false;
+  if (options_.up) {
+    turn = dot(*options_.up, up) < 0.0;
+  } else if (std::abs(above.openness - below.openness) > kUndecided &&
+             std::max(above.openness, below.openness) > kOpen) {
+    turn = below.openness > above.openness;
+  } else {
+    // glTF stands on y; files that come from drawing boards stand on z.
+    const double y = std::abs(up.y), z = std::abs(up.z), x = std::abs(up.x);
+    turn = (y >= z && y >= x ? up.y : z >= x ? up.z : up.x) < 0.0;
+    warn("Neither end is open; it is taken to stand as the file has it.");
+  }
+  mouth_ = turn ? below : above;
+  if (!turn) return;
+  body_.frame = axis_frame(body_.frame.origin, -up);
+  std::swap(body_.bottom, body_.top);
+  body_.bottom = -body_.bottom;
+  body_.top = -body_.top;
+}
+
+void Extractor::read_slices() {
+  const Slicer slicer(mesh_, body_.frame);
+  const int n = std::clamp(options_.slices, 16, 2000);
+  const double height = body_.top - body_.bottom;
+  std::vector<double> cuts;
+  for (int i = 0; i < n; ++i) {
+    heights_.push_back(height * i / (n - 1));
+    // A plane through a flat foot or rim meets nothing or everything; stay a hair inside.
+    cuts.push_back(body_.bottom + std::clamp(heights_.back(), 0.001 * height, 0.999 * height));
+  }
+  for (const auto& outline : slicer.cut(cuts))
+    slices_.push_back(read_wall(outline, rays_, body_.size, body_.facing_known));
+}
+
+Result<void> Extractor::judge_roundness() {
+  double spread = 0.0, mean = 0.0, masked = 0.0;
+  int round = 0;
+  for (const WallSlice& s : slices_) {
+    masked += s.outer > 0.0 ? s.masked + (kRays - s.present) : kRays;
+    if (s.outer <= 0.0) continue;
+    spread += s.spread;
+    mean += s.outer;
+    ++round;
+  }
+  const auto n = static_cast<double>(slices_.size());
+  out_.masked_fraction = masked / (n * kRays);
+  if (out_.masked_fraction > kMostMasked || round < 0.8 * n)
+    return not_round(percent(out_.masked_fraction) +
+                     " of it stands off the circle that the rest agrees on.");
+  out_.symmetry = std::clamp(1.0 - spread / mean, 0.0, 1.0);
+  if (out_.masked_fraction > 0.01)
+    warn("Left out as handle, spout or damage: " + percent(out_.masked_fraction) +
+         " of the surface.");
+  return {};
+}
+
+/// A slice without a wall takes it from its neighbours.
+void Extractor::fill_gaps() {
+  const std::size_t n = slices_.size();
+  std::size_t filled = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (slices_[i].outer > 0.0) continue;
+    std::size_t above = i, below = i;
+    while (above < n && slices_[above].outer <= 0.0) ++above;
+    while (below > 0 && slices_[below].outer <= 0.0) --below;
+    ++filled;
+    if (above == n) {
+      slices_[i].outer = slices_[below].outer;
+    } else if (slices_[below].outer <= 0.0) {
+      slices_[i].outer = slices_[above].outer;
+    } else {
+      const double t = static_cast<double>(i - below) / static_cast<double>(above - below);
+      slices_[i].outer = slices_[below].outer + t * (slices_[above].outer - slices_[below].outer);
+    }
+  }
+  if (filled > 0)
+    warn("The wall is missing at " + std::to_string(filled) + " of " + std::to_string(n) +
+         " heights; it is drawn on from its neighbours.");
+}
+
+void Extractor::read_inside() {
+  const std::size_t n = slices_.size();
+  const double height = heights_.back();
+  const double guess = std::clamp(options_.inferred_wall_ratio, 0.005, 0.5) * body_.size;
+  const bool open = mouth_.openness > kOpen;
+  double floor = height - mouth_.floor;
+  const bool deep = open && mouth_.floor >= kDeepEnough * height;
+  if (!open) warn("No opening is seen at the top; lid or stopper are part of the outline.");
+  if (open && !deep)
+    warn("The inside is modelled only " + percent(mouth_.floor / height) +
+         " deep; below that the wall is a guess.");
+  if (mouth_.through > 0.02 && open)
+    warn("There is a hole through the base; it is taken as closed.");
+  if (!deep || floor <= 0.0) floor = guess;
+  floor = std::min(floor, 0.5 * height);
+
+  // Thickness where both sides are seen; elsewhere the nearest seen one, or the guess.
+  std::vector<double> thickness(n, 0.0);
+  std::size_t seen = 0, wanted = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (heights_[i] <= floor) continue;
+    ++wanted;
+    const bool trusted = open && slices_[i].inner > 0.0 && heights_[i] > height - mouth_.floor;
+    if (!trusted) continue;
+    thickness[i] = slices_[i].outer - slices_[i].inner;
+    ++seen;
+  }
+  const double share = wanted > 0 ? static_cast<double>(seen) / static_cast<double>(wanted) : 0.0;
+  out_.profile.inner_wall = share >= 0.75 ? InnerWall::measured : InnerWall::inferred;
+  if (share < 0.75)
+    warn("The inner wall is seen on " + percent(share) + " of the height; the rest is inferred.");
+
+  for (std::size_t i = 0; i < n; ++i) {
+    ProfilePoint p{heights_[i], slices_[i].outer, 0.0};
+    if (heights_[i] > floor) {
+      double t = thickness[i];
+      for (std::size_t d = 1; t <= 0.0 && d < n; ++d) {
+        // A seen thickness far away says little about this place.
+        if (static_cast<double>(d) > 0.1 * static_cast<double>(n)) break;
+        if (i + d < n && thickness[i + d] > 0.0) t = thickness[i + d];
+        if (i >= d && t <= 0.0 && thickness[i - d] > 0.0) t = thickness[i - d];
+      }
+      if (t <= 0.0) {
+        // Across a leaning wall, the horizontal section is longer than the wall is thick.
+        const std::size_t a = i > 0 ? i - 1 : i, b = std::min(i + 1, n - 1);
+        const double lean = (slices_[b].outer - slices_[a].outer) / (heights_[b] - heights_[a]);
+        t = guess * std::min(3.0, std::sqrt(1.0 + lean * lean));
+      }
+      p.inner = std::clamp(p.outer - t, 0.05 * p.outer, 0.98 * p.outer);
+      if (thickness[i] > 0.0) p.inner = slices_[i].inner;
+    }
+    out_.profile.points.push_back(p);
+  }
+}
+
+Result<ExtractedProfile> Extractor::run() {
+  if (auto good = check_mesh(); !good) return tl::unexpected<Problem>(good.error());
+  if (auto good = find_body(); !good) return tl::unexpected<Problem>(good.error());
+  stand_upright();
+  read_slices();
+  if (auto good = judge_roundness(); !good) return tl::unexpected<Problem>(good.error());
+  fill_gaps();
+  read_inside();
+  out_.axis_direction = body_.frame.up;
+  out_.axis_origin = body_.frame.origin + body_.frame.up * body_.bottom;
+  if (auto good = validate(out_.profile, name_); !good)
+    return tl::unexpected<Problem>(good.error());
+  return std::move(out_);
+}
+
+}  // namespace
+
+Result<ExtractedProfile> extract_profile(const TriangleMesh& mesh, const ExtractionOptions& options,
+                                         const std::string& name) {
+  return Extractor(mesh, options, name).run();
+}
+
+}  // namespace onggi

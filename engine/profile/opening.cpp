@@ -1,0 +1,74 @@
+#include "engine/profile/opening.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi {
+
+namespace {
+
+constexpr int kGrid = 48;
+/// Looks stay clear of the rim itself.
+constexpr double kWithin = 0.8;
+/// The deepest surface that is not a stray splinter: this share of the looks goes deeper.
+constexpr double kDeepest = 0.03;
+
+double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+
+}  // namespace
+
+EndView look_into(const Slicer& slicer, double bottom, double top, double radius, bool from_top) {
+  EndView out;
+  const double half = kWithin * radius, step = 2.0 * half / kGrid;
+  const double height = top - bottom;
+  if (!(half > 0.0) || !(height > 0.0)) return out;
+  const double none = 1e300;
+  std::vector<double> depth(static_cast<std::size_t>(kGrid) * kGrid, none);
+
+  // Draw every triangle into a square of looks, keeping the nearest surface of each.
+  const auto first_at = [&](double low) {
+    return static_cast<int>(std::clamp(std::ceil((low + half) / step - 0.5), 0.0, 1.0 * kGrid));
+  };
+  for (const auto& t : slicer.mesh().triangles) {
+    const Vec2 a = slicer.plane(t[0]), b = slicer.plane(t[1]), c = slicer.plane(t[2]);
+    const double area = cross(b - a, c - a);
+    if (area == 0.0) continue;
+    const int x0 = first_at(std::min({a.x, b.x, c.x})), x1 = first_at(std::max({a.x, b.x, c.x}));
+    const int y0 = first_at(std::min({a.y, b.y, c.y})), y1 = first_at(std::max({a.y, b.y, c.y}));
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) {
+        const Vec2 p{(x + 0.5) * step - half, (y + 0.5) * step - half};
+        const double wa = cross(b - p, c - p) / area, wb = cross(c - p, a - p) / area;
+        const double wc = 1.0 - wa - wb;
+        if (wa < 0.0 || wb < 0.0 || wc < 0.0) continue;
+        const double h =
+            wa * slicer.height(t[0]) + wb * slicer.height(t[1]) + wc * slicer.height(t[2]);
+        double& nearest = depth[static_cast<std::size_t>(y) * kGrid + static_cast<std::size_t>(x)];
+        nearest = std::min(nearest, from_top ? top - h : h - bottom);
+      }
+  }
+
+  std::vector<double> seen;
+  double sum = 0.0;
+  int looks = 0, through = 0;
+  for (int y = 0; y < kGrid; ++y)
+    for (int x = 0; x < kGrid; ++x) {
+      const Vec2 p{(x + 0.5) * step - half, (y + 0.5) * step - half};
+      if (dot(p, p) > half * half) continue;
+      ++looks;
+      const double d = depth[static_cast<std::size_t>(y) * kGrid + static_cast<std::size_t>(x)];
+      if (d == none) ++through;
+      sum += d == none ? 1.0 : std::clamp(d / height, 0.0, 1.0);
+      if (d != none) seen.push_back(d);
+    }
+  out.openness = sum / looks;
+  out.through = static_cast<double>(through) / looks;
+  if (!seen.empty()) {
+    std::sort(seen.begin(), seen.end());
+    out.floor =
+        seen[static_cast<std::size_t>((1.0 - kDeepest) * static_cast<double>(seen.size() - 1))];
+  }
+  return out;
+}
+
+}  // namespace onggi

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/profile/slices.h"
+
+namespace onggi {
+
+/// What is seen looking along the axis into one end of a vessel.
+struct EndView {
+  double openness = 0.0;  ///< Mean depth seen within the end's circle / height, 0..1.
+  double through = 0.0;   ///< Share of that circle where nothing stops the view.
+  double floor = 0.0;     ///< Distance from the end to the deepest surface seen, frame units.
+};
+
+/// Looks into the circle of `radius` about the axis, from above (`from_top`) or from below, between
+/// the heights `bottom` and `top`. O(triangles). Allocates.
+EndView look_into(const Slicer& slicer, double bottom, double top, double radius, bool from_top);
+
+}  // namespace onggi

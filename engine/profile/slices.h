@@ -1,0 +1,72 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/profile/mesh.h"
+
+namespace onggi {
+
+/// A right-handed frame on an axis: heights along `up` from `origin`, `across` and `along` in the
+/// plane. Unit vectors.
+struct AxisFrame {
+  Vec3 origin;
+  Vec3 up{0, 1, 0};
+  Vec3 across{1, 0, 0};
+  Vec3 along{0, 0, 1};
+};
+
+/// The frame on the line through `origin` along `direction` (any length but 0).
+AxisFrame axis_frame(Vec3 origin, Vec3 direction);
+
+/// A piece of a mesh's outline in a cutting plane.
+struct CutSegment {
+  Vec2 a, b;    ///< In the frame's (across, along).
+  Vec2 facing;  ///< Where the surface looks, not normalised.
+};
+
+/// Vertices of a mesh in an axis frame, ready to be cut at any heights. O(vertices) to make.
+class Slicer {
+ public:
+  Slicer(const TriangleMesh& mesh, const AxisFrame& frame);
+
+  double lowest() const { return lowest_; }
+  double highest() const { return highest_; }
+  /// The outlines at `heights` (rising), one list each. O(triangles + segments). Allocates.
+  std::vector<std::vector<CutSegment>> cut(std::span<const double> heights) const;
+  /// Vertex `i` as (across, along) and height.
+  Vec2 plane(std::size_t i) const { return plane_[i]; }
+  double height(std::size_t i) const { return height_[i]; }
+  const TriangleMesh& mesh() const { return *mesh_; }
+
+ private:
+  const TriangleMesh* mesh_;
+  std::vector<Vec2> plane_;
+  std::vector<double> height_;
+  double lowest_ = 0.0, highest_ = 0.0;
+};
+
+/// Where a ray from the centre outwards meets the outline.
+struct Crossing {
+  double radius = 0.0;
+  bool outward = true;  ///< The surface there looks away from the centre.
+};
+
+/// Directions of `rays` even rays round the axis; ray k at the angle (k + 0.5) * 2 pi / rays.
+std::vector<Vec2> ray_directions(int rays);
+
+/// All crossings of one outline with every ray from `centre`, outermost first. Allocates.
+std::vector<std::vector<Crossing>> crossings(std::span<const CutSegment> outline, Vec2 centre,
+                                             std::span<const Vec2> rays);
+
+/// `values` (sorted here) agree about a radius where the shortest interval that holds `share` of
+/// `all` lies: its ends. Both 0 where there are too few values. Robust against any handle that
+/// covers less than 1 - share of the circle.
+struct Agreement {
+  double low = 0.0, high = 0.0;
+  bool found = false;
+  double middle() const { return 0.5 * (low + high); }
+};
+Agreement agreement(std::vector<double>& values, std::size_t all, double share);
+
+}  // namespace onggi
