@@ -63,8 +63,8 @@ struct SceneRead {
 
 /// Reads a scene: tables [clay] [tool] [contact] [wheel] [guard], whose keys are SceneDef's own,
 /// and the effects [friction] [water], which are simulated where their table is written and absent
-/// where it is not. `def` always passes validate(): good values are kept, and where they contradict
-/// each other the whole scene goes back to its defaults, with a Problem.
+/// where it is not. Ranges are the engine's. `def` always passes validate(): what it refuses goes
+/// back to its default, with a Problem. A file that cannot be read gives SceneDef's defaults.
 SceneRead read_scene(const std::filesystem::path& file);
 
 }  // namespace onggi::settings

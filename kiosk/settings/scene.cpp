@@ -1,0 +1,149 @@
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "kiosk/settings/exhibit.h"
+#include "kiosk/settings/toml_reader.h"
+
+namespace onggi::settings {
+namespace {
+
+using Table = TomlReader::Table;
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+/// Reads fields without a range: ranges are the engine's, and validate() alone knows them.
+class SceneReader {
+ public:
+  SceneReader(TomlReader& reader, SceneDef& def) : root_(reader.root()), def_(def) {}
+
+  void read() {
+    read_clay(def_.clay);
+    read_table("tool", [&] { number("radius", def_.tool.radius); });
+    read_table("contact", [&] {
+      number("relaxation_time", def_.contact.relaxation_time);
+      number("stiffness", def_.contact.stiffness);
+    });
+    read_table("wheel", [&] {
+      number("max_speed", def_.wheel.max_speed);
+      number("acceleration", def_.wheel.acceleration);
+    });
+    read_table("guard", [&] {
+      number("max_force", def_.guard.max_force);
+      number("max_slew", def_.guard.max_slew);
+      number("engage_time", def_.guard.engage_time);
+    });
+    read_effect("friction", def_.friction, [&](FrictionDef& friction) {
+      number("coefficient", friction.coefficient);
+      number("wet_factor", friction.wet_factor);
+      number("slip_speed", friction.slip_speed);
+    });
+    read_effect("water", def_.water, [&](WaterDef& water) {
+      number("wetting_time", water.wetting_time);
+      number("drying_time", water.drying_time);
+      number("softening", water.softening);
+    });
+    root_.finish();
+  }
+
+  /// Asks the engine until it has nothing more to say; each field it refuses is told at its line
+  /// and goes back to its default.
+  void check() {
+    for (;;) {
+      const Result<void> good = validate(def_);
+      if (good) return;
+      tell(good.error());
+      if (!put_back(good.error().where)) {
+        def_ = SceneDef{};
+        return;
+      }
+    }
+  }
+
+ private:
+  void read_clay(ClayDef& clay) {
+    read_table("clay", [&] {
+      integer("rows", clay.rows);
+      integer("sectors", clay.sectors);
+      number("height", clay.height);
+      number("outer_radius", clay.outer_radius);
+      number("inner_radius", clay.inner_radius);
+      number("floor_thickness", clay.floor_thickness);
+      number("wall_min", clay.wall_min);
+      number("radius_min", clay.radius_min);
+      number("radius_max", clay.radius_max);
+      table_.boolean("keep_undo", clay.keep_undo);
+    });
+  }
+  void read_table(const std::string& name, const std::function<void()>& fields) {
+    name_ = name;
+    table_ = root_.child(name);
+    fields();
+    table_.finish();
+  }
+  /// The table's presence is the effect's presence: SceneDef's own default does not count.
+  template <class Def, class Fields>
+  void read_effect(const std::string& name, std::optional<Def>& effect, const Fields& fields) {
+    effect.reset();
+    read_table(name, [&] {
+      if (table_.present()) fields(effect.emplace());
+    });
+  }
+  void number(const std::string& key, double& field) {
+    const double before = field;
+    if (table_.number(key, field, -kAny, kAny)) {
+      put_back_[name_ + "." + key] = [&field, before] { field = before; };
+    }
+  }
+  void integer(const std::string& key, int& field) {
+    const int before = field;
+    if (table_.integer(key, field, std::numeric_limits<int>::min(),
+                       std::numeric_limits<int>::max())) {
+      put_back_[name_ + "." + key] = [&field, before] { field = before; };
+    }
+  }
+
+  void tell(const Problem& problem) {
+    const std::size_t dot = problem.where.find('.');
+    const std::string key = dot == std::string::npos ? "" : problem.where.substr(dot + 1);
+    root_.child(problem.where.substr(0, dot)).complain(key, problem.what, problem.remedy);
+  }
+
+  /// Puts `field` back to its default; where the file does not write it, every field of its table:
+  /// what contradicts the default is one of those. False where there is nothing to put back.
+  bool put_back(const std::string& field) {
+    if (const auto found = put_back_.find(field); found != put_back_.end()) {
+      found->second();
+      put_back_.erase(found);
+      return true;
+    }
+    const std::string prefix = field.substr(0, field.find('.') + 1);
+    return std::erase_if(put_back_, [&](const auto& entry) {
+             if (!entry.first.starts_with(prefix)) return false;
+             entry.second();
+             return true;
+           }) > 0;
+  }
+
+  Table root_, table_;
+  SceneDef& def_;
+  std::string name_;
+  std::map<std::string, std::function<void()>> put_back_;  // by "table.key"
+};
+
+}  // namespace
+
+SceneRead read_scene(const std::filesystem::path& file) {
+  SceneRead read;
+  TomlReader reader(file);
+  if (reader.ok()) {
+    SceneReader scene(reader, read.def);
+    scene.read();
+    scene.check();
+  }
+  read.problems = reader.problems();
+  read.keys_checked = reader.keys_checked();
+  return read;
+}
+
+}  // namespace onggi::settings

@@ -1,0 +1,195 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "engine/scene/scene.h"
+#include "kiosk/settings/exhibit.h"
+
+namespace onggi::settings {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+std::string all(const Problems& problems) {
+  std::string out;
+  for (const Problem& p : problems) out += to_text(p) + "\n";
+  return out;
+}
+
+SceneRead read(const std::string& text) {
+  const fs::path file =
+      fs::temp_directory_path() / ("onggi_scene_" + std::to_string(::getpid()) + ".toml");
+  std::ofstream(file, std::ios::binary) << text;
+  SceneRead scene = read_scene(file);
+  fs::remove(file);
+  return scene;
+}
+
+/// Every number of a definition in one line; "-" for an effect that is absent.
+std::string figures(const SceneDef& d) {
+  std::ostringstream out;
+  out.precision(17);
+  const ClayDef& c = d.clay;
+  out << c.rows << ' ' << c.sectors << ' ' << c.height << ' ' << c.outer_radius << ' '
+      << c.inner_radius << ' ' << c.floor_thickness << ' ' << c.wall_min << ' ' << c.radius_min
+      << ' ' << c.radius_max << ' ' << c.keep_undo << ' ' << d.tool.radius << ' '
+      << d.contact.relaxation_time << ' ' << d.contact.stiffness << ' ' << d.wheel.max_speed << ' '
+      << d.wheel.acceleration << ' ' << d.guard.max_force << ' ' << d.guard.max_slew << ' '
+      << d.guard.engage_time;
+  if (d.friction) {
+    out << " f " << d.friction->coefficient << ' ' << d.friction->wet_factor << ' '
+        << d.friction->slip_speed;
+  } else {
+    out << " -";
+  }
+  if (d.water) {
+    out << " w " << d.water->wetting_time << ' ' << d.water->drying_time << ' '
+        << d.water->softening;
+  } else {
+    out << " -";
+  }
+  return out.str();
+}
+
+TEST(scene, the_scenes_that_ship_are_without_fault_and_can_be_thrown_on) {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator("config/scenes")) {
+    ++scenes;
+    const SceneRead r = read_scene(entry.path());
+    EXPECT_THAT(r.problems, IsEmpty()) << entry.path() << "\n" << all(r.problems);
+    EXPECT_GT(r.keys_checked, 0);
+    auto scene = Scene::create(r.def);
+    ASSERT_TRUE(scene);
+    Hands hands;
+    hands.wheel_speed = r.def.wheel.max_speed;
+    hands.hand[0] = {{r.def.clay.outer_radius, r.def.clay.height / 2, 0}, true};
+    double most = 0;
+    for (int tick = 0; tick < 2000; ++tick)
+      most = std::max(most, length(scene->step(hands, 0.001).hand[0].force));
+    EXPECT_GT(most, 0.1) << "the clay is felt";
+    EXPECT_LE(most, r.def.guard.max_force + 1e-9);
+  }
+  EXPECT_GE(scenes, 2);
+}
+
+TEST(scene, first_touch_is_the_engines_own_figures_written_out) {
+  const SceneRead r = read_scene("config/scenes/first_touch.toml");
+  EXPECT_EQ(figures(r.def), figures(SceneDef{}));
+  EXPECT_EQ(r.keys_checked, 23);
+}
+
+TEST(scene, an_effect_is_there_where_its_table_is_written_and_absent_where_not) {
+  const SceneRead none = read("");
+  EXPECT_THAT(none.problems, IsEmpty());
+  EXPECT_FALSE(none.def.friction);
+  EXPECT_FALSE(none.def.water);
+  const SceneRead water = read("[water]\n");
+  EXPECT_FALSE(water.def.friction);
+  ASSERT_TRUE(water.def.water);
+  EXPECT_EQ(water.def.water->drying_time, WaterDef{}.drying_time);
+}
+
+TEST(scene, every_number_is_read_into_its_own_field) {
+  const SceneRead r = read(R"([clay]
+rows = 100
+sectors = 200
+height = 0.3
+outer_radius = 0.07
+inner_radius = 0.03
+floor_thickness = 0.02
+wall_min = 0.005
+radius_min = 0.004
+radius_max = 0.2
+keep_undo = false
+[tool]
+radius = 0.01
+[contact]
+relaxation_time = 0.02
+stiffness = 1e6
+[wheel]
+max_speed = 20
+acceleration = 10
+[guard]
+max_force = 2
+max_slew = 100
+engage_time = 1
+[friction]
+coefficient = 0.1
+wet_factor = 0.2
+slip_speed = 0.03
+[water]
+wetting_time = 1
+drying_time = 2
+softening = 0.3
+)");
+  EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
+  EXPECT_EQ(r.keys_checked, 24);
+  EXPECT_EQ(figures(r.def),
+            "100 200 0.29999999999999999 0.070000000000000007 0.029999999999999999 0.02 "
+            "0.0050000000000000001 0.0040000000000000001 0.20000000000000001 0 0.01 0.02 1000000 "
+            "20 10 2 100 1 f 0.10000000000000001 0.20000000000000001 0.029999999999999999 w 1 2 "
+            "0.29999999999999999");
+}
+
+TEST(scene, what_the_engine_refuses_is_told_at_its_line_and_the_rest_is_kept) {
+  const SceneRead r = read("[clay]\nrows = 4\nheight = 0.3\n[guard]\nmax_force = 50\n[contcat]\n");
+  ASSERT_THAT(r.problems, SizeIs(3)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":2:8"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("clay.rows is 4"));
+  EXPECT_THAT(r.problems[1].where, EndsWith(":5:13"));
+  EXPECT_THAT(r.problems[1].remedy, HasSubstr("22.2 N"));
+  EXPECT_THAT(r.problems[2].remedy, HasSubstr("Write contact"));
+  EXPECT_EQ(r.def.clay.rows, ClayDef{}.rows);
+  EXPECT_EQ(r.def.clay.height, 0.3);
+}
+
+TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {
+  const SceneRead r = read("[tool]\nradius = 0.01\n[clay]\ninner_radius = 0.09\nrows = 100\n");
+  ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":3:1"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("clay.outer_radius"));
+  EXPECT_EQ(r.def.clay.inner_radius, ClayDef{}.inner_radius);
+  EXPECT_EQ(r.def.tool.radius, 0.01);
+}
+
+TEST(scene, whatever_is_written_the_scene_can_be_thrown_on) {
+  rc::check([](const std::vector<std::pair<std::uint8_t, double>>& values) {
+    static const char* const kKeys[] = {
+        "clay.rows",         "clay.sectors",         "clay.height",       "clay.outer_radius",
+        "clay.inner_radius", "clay.floor_thickness", "clay.wall_min",     "clay.radius_min",
+        "clay.radius_max",   "tool.radius",          "contact.stiffness", "wheel.max_speed",
+        "guard.max_force",   "friction.coefficient", "water.softening",   "water.tide"};
+    std::map<std::string, std::string> lines;
+    for (const auto& [pick, value] : values) {
+      std::ostringstream number;
+      number.precision(17);
+      number << (pick % 3 == 0 ? value : value / 1e3);
+      lines[kKeys[pick % std::size(kKeys)]] = number.str();
+    }
+    std::string text;
+    for (const auto& [key, value] : lines) text += key + " = " + value + "\n";
+    const SceneRead r = read(text);
+    RC_ASSERT(validate(r.def).has_value());
+    for (const Problem& p : r.problems) {
+      RC_ASSERT(p.where.find(".toml:") != std::string::npos);
+      RC_ASSERT(!p.remedy.empty());
+    }
+  });
+}
+
+TEST(scene, a_file_that_is_not_there_leaves_the_engines_own_scene) {
+  const SceneRead r = read_scene("config/scenes/frist_touch.toml");
+  ASSERT_THAT(r.problems, SizeIs(1));
+  EXPECT_EQ(figures(r.def), figures(SceneDef{}));
+}
+
+}  // namespace
+}  // namespace onggi::settings
