@@ -43,21 +43,18 @@ int steps_for(const ToolSweep& sweep) noexcept {
 bool ToolContact::choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept {
   const WallThere wall = wall_at(clay, at);
   const double d = axis_distance(at);
-  const bool below_rim = at.y < clay.rim_height();
-  SideWish wish = sweep.wish;
-  // Below the rim a wish cannot pass a tool through the wall.
-  if (below_rim && (d > wall.outer || d < wall.inner)) wish = SideWish::by_position;
+  const bool beside_wall = at.y < clay.rim_height() && (d > wall.outer || d < wall.inner);
+  const bool by_position = beside_wall || sweep.wish == SideWish::by_position;
   const bool nearer = d < 0.5 * (wall.outer + wall.inner);
-  const bool inside = wish == SideWish::by_position ? nearer : wish == SideWish::inside;
+  const bool inside = by_position ? nearer : sweep.wish == SideWish::inside;
   side_ = inside ? WallSide::inside : WallSide::outside;
+
   const double here = depth_at(clay, side_, at, sweep.radius, &sum_.visited);
-  if (here == 0.0) return false;
-  // A first touch from clear air is shallow. If it is deep, the tool came along the other face:
-  // taking it for this one would cut the whole wall away. A wish decides where both are likely.
-  if (wish != SideWish::by_position && here <= sweep.radius) return true;
+  if (beside_wall || here <= sweep.radius) return here > 0.0;
+  // Over the rim or within the wall, and deep at first touch: the tool came along the other face.
+  // Taking it for this one would cut the whole wall away.
   const double there = depth_at(clay, other(side_), at, sweep.radius, &sum_.visited);
-  if (there >= here) return true;
-  side_ = other(side_);
+  if (there < here) side_ = other(side_);
   return there > 0.0;
 }
 

@@ -43,6 +43,7 @@ Window::Window(const Clay& clay, Vec3 from, Vec3 to, double radius) noexcept
 }
 
 int Window::blocks(double section, BlockRange (&ranges)[2]) const noexcept {
+  if (section < 0.0) return 0;
   ranges[0] = {0, all_blocks_};
   if (section >= nearest_) return 1;  // the axis is inside the section: the full circle, once
 

@@ -22,7 +22,8 @@ class Window {
   int end_row() const { return end_row_; }  ///< One past the last.
 
   /// Ranges for a row where the sphere's cross-section has radius `section` (m). Gives how many of
-  /// `ranges` are used: 1, or 2 where the window passes angle 0. They never share a block.
+  /// `ranges` are used: 0 where there is no section, 1, or 2 where the window passes angle 0. They
+  /// never share a block.
   int blocks(double section, BlockRange (&ranges)[2]) const noexcept;
 
  private:

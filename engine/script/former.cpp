@@ -1,0 +1,186 @@
+#include "engine/script/former.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi {
+namespace {
+
+constexpr double kGoodEnough = 0.0003;  // m: what a pass need not take up
+constexpr double kDeepest =
+    0.007;                        // m: the least that a roughing pass takes, where so much is left
+constexpr int kMostPasses = 6;    // of one roughing
+constexpr double kOver = 0.0004;  // m: widened beyond the goal, for the outside to cut back
+constexpr double kTouchSpeed = 0.1;  // m/s, from clear air to the clay
+
+}  // namespace
+
+Former::Former(const SceneDef& scene, Choreography& hand, double haste)
+    : scene_(scene), hand_(hand), haste_(haste), radius_(scene.tool.radius) {
+  const ClayDef& clay = scene.clay;
+  const auto count = static_cast<std::size_t>(std::clamp(clay.height / 0.0005, 64.0, 1000.0));
+  spacing_ = clay.height / static_cast<double>(count);
+  outer_.assign(count, clay.outer_radius);
+  inner_.assign(count, clay.inner_radius);
+  for (std::size_t n = 0; n < count && height_of(n) < clay.floor_thickness; ++n) inner_[n] = 0.0;
+}
+
+void Former::set_goal(const std::function<double(double)>& outer_at) {
+  const ClayDef& clay = scene_.clay;
+  goal_outer_.resize(outer_.size());
+  goal_inner_.resize(outer_.size());
+  for (std::size_t n = 0; n < outer_.size(); ++n) {
+    goal_outer_[n] = std::clamp(outer_at(height_of(n)), clay.radius_min + clay.wall_min,
+                                clay.radius_max - kOver);
+    // Where the wall is pushed out it ends wall_min thick, a little wide.
+    const double over = goal_outer_[n] > outer_[n] ? kOver : -kOver;
+    goal_inner_[n] = goal_outer_[n] - clay.wall_min + over;
+  }
+}
+
+// The tool's centre along a face: as near as the sphere gets without cutting it anywhere.
+std::vector<double> Former::centre_path(WallSide side, const std::vector<double>& face) const {
+  const int count = static_cast<int>(face.size());
+  const int reach = static_cast<int>(radius_ / spacing_);
+  std::vector<double> centre(face.size());
+  for (int n = 0; n < count; ++n) {
+    double best = side == WallSide::outside ? 0.0 : 1.0;
+    for (int m = std::max(0, n - reach); m <= std::min(count - 1, n + reach); ++m) {
+      const double dy = (m - n) * spacing_;
+      const double bulge = std::sqrt(std::max(0.0, (radius_ - dy) * (radius_ + dy)));
+      const double at = face[static_cast<std::size_t>(m)];
+      best = side == WallSide::outside ? std::max(best, at + bulge) : std::min(best, at - bulge);
+    }
+    centre[static_cast<std::size_t>(n)] = std::max(best, 0.0);
+  }
+  return centre;
+}
+
+void Former::pass(WallSide side, const std::vector<double>& face, std::size_t first,
+                  std::size_t last, std::string_view phase, double speed) {
+  const ClayDef& clay = scene_.clay;
+  // The floor stops a tool inside; outside, a fingertip half sunk to the wheel head reaches the
+  // foot.
+  const double lowest =
+      side == WallSide::inside ? clay.floor_thickness + 1.02 * radius_ : 0.1 * radius_;
+  std::vector<double> wall = face;
+  if (side == WallSide::inside)
+    for (std::size_t n = 0; n < wall.size() && height_of(n) < clay.floor_thickness; ++n)
+      wall[n] = 1.0;  // the floor's rows are no wall to keep clear of
+  const std::vector<double> centre = centre_path(side, wall);
+  const double from = std::max(lowest, height_of(first) - radius_);
+  const double to = std::max(from, std::min(clay.height, height_of(last) + radius_));
+  std::vector<Vec2> path;
+  for (std::size_t n = 0; n < centre.size(); ++n)
+    if (height_of(n) >= from && height_of(n) <= to) path.push_back({centre[n], height_of(n)});
+  if (path.empty()) return;
+
+  wet_every_third_pass();
+  hand_.phase("carry");
+  double clear = 0.0;
+  if (side == WallSide::outside) {
+    clear = *std::ranges::max_element(outer_) + radius_ + 0.002;
+  } else {
+    // As far from the axis as the pot lets a fingertip down.
+    for (std::size_t n = 0; n < inner_.size(); ++n)
+      if (height_of(n) > path.front().y - radius_) {
+        const double room = inner_[n] - radius_ - 0.002;
+        clear = clear == 0.0 ? room : std::min(clear, room);
+      }
+    clear = std::max(clear, 0.0);
+  }
+  hand_.carry(side, {clear, path.front().y}, clay.height, *std::ranges::max_element(outer_),
+              radius_);
+  hand_.phase(phase);
+  hand_.glide(std::vector<Vec2>{path.front()}, kTouchSpeed);
+  hand_.wait_turns(1.0);
+  hand_.glide(path, speed * haste_);
+  hand_.wait_turns(1.0);
+  hand_.lift();
+
+  // What the sphere leaves behind.
+  const int reach = static_cast<int>(radius_ / spacing_);
+  for (std::size_t n = 0; n < centre.size(); ++n) {
+    if (height_of(n) < from || height_of(n) > to) continue;
+    for (int step = -reach; step <= reach; ++step) {
+      const auto m = static_cast<std::size_t>(static_cast<int>(n) + step);
+      if (m >= outer_.size()) continue;
+      const double dy = step * spacing_;
+      const double bulge = std::sqrt(std::max(0.0, (radius_ - dy) * (radius_ + dy)));
+      if (side == WallSide::outside) {
+        outer_[m] =
+            std::min(outer_[m], std::max(centre[n] - bulge, clay.radius_min + clay.wall_min));
+        inner_[m] = std::max(0.0, std::min(inner_[m], outer_[m] - clay.wall_min));
+      } else if (height_of(m) > clay.floor_thickness) {
+        inner_[m] = std::max(inner_[m], centre[n] + bulge);
+        outer_[m] = std::max(outer_[m], inner_[m] + clay.wall_min);
+      }
+    }
+  }
+}
+
+void Former::wet_every_third_pass() {
+  if (passes_++ % 3 != 0) return;
+  hand_.lift();
+  hand_.phase("water");
+  hand_.water(true);
+  hand_.wait(0.8);
+  hand_.water(false);
+}
+
+void Former::open(std::string_view phase, double speed) {
+  const ClayDef& clay = scene_.clay;
+  double most = 0.0;
+  for (std::size_t n = 0; n < inner_.size(); ++n)
+    if (height_of(n) > clay.floor_thickness) most = std::max(most, goal_inner_[n] - inner_[n]);
+  const double step = std::max(kDeepest, most / kMostPasses);
+  for (int k = 0; k < kMostPasses; ++k) {
+    std::vector<double> face(inner_.size());
+    std::size_t first = inner_.size();
+    std::size_t last = 0;
+    for (std::size_t n = 0; n < inner_.size(); ++n) {
+      face[n] = std::min(goal_inner_[n], inner_[n] + step);
+      if (height_of(n) <= clay.floor_thickness || face[n] - inner_[n] < kGoodEnough) continue;
+      first = std::min(first, n);
+      last = n;
+    }
+    if (first > last) return;
+    pass(WallSide::inside, face, first, last, phase, speed);
+  }
+}
+
+void Former::narrow(std::string_view phase, double speed) {
+  double most = 0.0;
+  for (std::size_t n = 0; n < outer_.size(); ++n) most = std::max(most, outer_[n] - goal_outer_[n]);
+  const double step = std::max(kDeepest, most / kMostPasses);
+  for (int k = 0; k < kMostPasses; ++k) {
+    std::vector<double> face(outer_.size());
+    std::size_t first = outer_.size();
+    std::size_t last = 0;
+    for (std::size_t n = 0; n < outer_.size(); ++n) {
+      face[n] = std::max(goal_outer_[n], outer_[n] - step);
+      if (outer_[n] - face[n] < kGoodEnough) continue;
+      first = std::min(first, n);
+      last = n;
+    }
+    if (first > last) return;
+    pass(WallSide::outside, face, first, last, phase, speed);
+  }
+}
+
+void Former::smooth(WallSide side, std::string_view phase, double speed) {
+  pass(side, side == WallSide::outside ? goal_outer_ : goal_inner_, 0, outer_.size() - 1, phase,
+       speed);
+}
+
+void Former::rest() {
+  hand_.lift();
+  hand_.phase("lift");
+  const double widest = *std::ranges::max_element(outer_);
+  hand_.carry(WallSide::outside, {widest + 6.0 * radius_, 0.8 * scene_.clay.height},
+              scene_.clay.height, widest, radius_);
+  hand_.wheel(3.0);
+  hand_.wait(1.5);
+}
+
+}  // namespace onggi

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/profile/profile.h"
+#include "engine/scene/scene_def.h"
+#include "engine/script/choreography.h"
+
+namespace onggi {
+
+/// Plans how one fingertip brings a lump to an outline: passes from the foot upwards, each as deep
+/// as clay takes in one go, inside where the wall must be wider, outside where it must be narrower.
+/// It keeps account of the shape that the passes should leave. Allocates; not for the tick.
+class Former {
+ public:
+  /// `haste` multiplies the speed of every pass.
+  Former(const SceneDef& scene, Choreography& hand, double haste = 1.0);
+
+  /// The outline wanted: outer radius at a height, m. Clipped to what the clay allows.
+  void set_goal(const std::function<double(double)>& outer_at);
+
+  /// Widens from inside until the outer face can be cut to the goal, the wall thinned on the way.
+  void open(std::string_view phase, double speed);
+  /// Narrows from outside to the goal.
+  void narrow(std::string_view phase, double speed);
+  /// One slow pass along the whole goal, on one side.
+  void smooth(WallSide side, std::string_view phase, double speed);
+
+  /// Hands off; the wheel slows.
+  void rest();
+
+ private:
+  double height_of(std::size_t n) const { return (static_cast<double>(n) + 0.5) * spacing_; }
+  std::vector<double> centre_path(WallSide side, const std::vector<double>& face) const;
+  void pass(WallSide side, const std::vector<double>& face, std::size_t first, std::size_t last,
+            std::string_view phase, double speed);
+  void wet_every_third_pass();
+
+  const SceneDef& scene_;
+  Choreography& hand_;
+  double haste_, radius_, spacing_;
+  std::vector<double> goal_outer_, goal_inner_;  // wanted, by height
+  std::vector<double> outer_, inner_;            // expected so far
+  int passes_ = 0;
+};
+
+}  // namespace onggi

@@ -1,0 +1,211 @@
+#include "engine/script/script.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/math/portable.h"
+#include "engine/script/choreography.h"
+#include "engine/script/former.h"
+
+namespace onggi {
+namespace {
+
+constexpr double kHandAngle =
+    0.35;                         // rad from x towards z: at the visitor's right, a little in front
+constexpr double kRough = 0.036;  // m/s along the wall
+constexpr double kFine = 0.015;
+constexpr double kWheelRough = 18.0;  // rad/s: 172 rpm
+constexpr double kWheelFine = 20.0;   // 191 rpm
+
+constexpr std::array<std::string_view, 6> kNames{"true", "collar", "belly",
+                                                 "bowl", "groove", "follow"};
+
+// Plays keys back.
+class PlannedScript final : public Script {
+ public:
+  explicit PlannedScript(std::vector<Key> keys) : keys_(std::move(keys)) {}
+
+  Hands at(double t, const Clay&) noexcept override {
+    while (next_ + 1 < keys_.size() && keys_[next_].time <= t) ++next_;
+    const Key& a = keys_[next_ - 1];
+    const Key& b = keys_[next_];
+    const double span = b.time - a.time;
+    const double share = span > 0.0 ? std::clamp((t - a.time) / span, 0.0, 1.0) : 1.0;
+    const Vec2 place = a.place + share * (b.place - a.place);
+    const bool over = t >= duration();
+    Hands hands;
+    hands.hand[0].position = {place.x * cos_, place.y, place.x * sin_};
+    hands.hand[0].active = a.active && !over;
+    hands.hand[0].side = a.side == WallSide::inside ? SideWish::inside : SideWish::outside;
+    hands.wheel_speed = (over ? b : a).wheel_speed;
+    hands.water = a.water && !over;
+    return hands;
+  }
+
+  double duration() const override { return keys_.back().time; }
+
+  std::string_view phase(double t) const override {
+    const auto after = std::upper_bound(keys_.begin(), keys_.end(), t,
+                                        [](double time, const Key& k) { return time < k.time; });
+    return after == keys_.begin() ? keys_.front().phase : (after - 1)->phase;
+  }
+
+ private:
+  std::vector<Key> keys_;
+  std::size_t next_ = 1;
+  double cos_ = portable::cos(kHandAngle);
+  double sin_ = portable::sin(kHandAngle);
+};
+
+// 0 below `low`, 1 above `high`, smooth between.
+double rise(double h, double low, double high) {
+  const double t = std::clamp((h - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+void begin(Choreography& hand) {
+  hand.wheel(kWheelRough);
+  hand.wait(1.0);
+}
+
+// A narrow neck over a straight body.
+void collar(Former& former, const ClayDef& clay) {
+  former.set_goal([&](double h) {
+    const double t = h / clay.height;
+    return clay.outer_radius * (0.97 - 0.45 * rise(t, 0.5, 0.78) + 0.08 * rise(t, 0.85, 1.0));
+  });
+  former.narrow("collar", kRough);
+  former.smooth(WallSide::outside, "smooth", kFine);
+}
+
+// A barrel, pushed out from inside; the solid foot stays.
+void belly(Former& former, const ClayDef& clay) {
+  former.set_goal([&](double h) {
+    const double wide = portable::sin(portable::kPi * rise(h / clay.height, 0.02, 1.0));
+    return std::min(clay.outer_radius * (0.95 + 0.55 * wide), 0.95 * clay.radius_max);
+  });
+  former.open("belly", kRough);
+  former.narrow("shape", kRough);
+  former.smooth(WallSide::outside, "smooth", kFine);
+}
+
+// A foot, and a wall that flares to the rim.
+void bowl(Former& former, const ClayDef& clay) {
+  const double rim = std::min(2.0 * clay.outer_radius, 0.95 * clay.radius_max);
+  former.set_goal([&](double h) {
+    const double t = h / clay.height;
+    return 0.85 * clay.outer_radius + (rim - 0.85 * clay.outer_radius) * std::sqrt(t) * t;
+  });
+  former.open("open", kRough);
+  former.narrow("foot", kRough);
+  former.smooth(WallSide::outside, "smooth", kFine);
+}
+
+// One fingertip held to a straight wall.
+void groove(Former& former, const SceneDef& scene) {
+  const ClayDef& clay = scene.clay;
+  const double radius = scene.tool.radius;
+  former.set_goal([&](double h) {
+    const double dy = std::fabs(h - 0.6 * clay.height);
+    const double cut = std::sqrt(std::max(0.0, radius * radius - dy * dy)) - 0.2 * radius;
+    return clay.outer_radius - std::max(0.0, cut);
+  });
+  former.narrow("groove", 0.2 * kRough);
+}
+
+// The target's own outline: widen, narrow, then twice over it slowly.
+void follow(Former& former, Choreography& hand, const Profile& target) {
+  former.set_goal([&](double h) { return target.outer_at(h); });
+  former.open("open", kRough);
+  former.smooth(WallSide::inside, "pull", 1.4 * kFine);
+  former.narrow("shape", kRough);
+  hand.wheel(kWheelFine);
+  former.smooth(WallSide::outside, "smooth", kFine);
+  former.smooth(WallSide::outside, "smooth", kFine);
+}
+
+// A visitor watches for about this long. Small pots get slower passes, tall ones quicker.
+std::vector<Key> follow_in_time(const ScriptContext& context) {
+  constexpr double kWanted = 112.0;  // s at pace 1
+  double haste = 1.0;
+  for (int round = 0;; ++round) {
+    Choreography hand(context.pace, context.scene.wheel.max_speed, context.seed);
+    Former former(context.scene, hand, haste);
+    begin(hand);
+    follow(former, hand, *context.target);
+    former.rest();
+    if (round == 1) return hand.finish();
+    const double on_clay = hand.time_on_clay();
+    const double left = std::max(kWanted / context.pace - (hand.time() - on_clay), 0.4 * on_clay);
+    // Past 2.4 times the usual speed the clay no longer follows the finger.
+    haste = std::clamp(on_clay / left, 0.5, std::max(0.5, 2.4 / context.pace));
+  }
+}
+
+// Letters to change, add or drop to turn one word into the other.
+std::size_t edits(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t corner = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, corner + (a[i - 1] == b[j - 1] ? 0u : 1u)});
+      corner = above;
+    }
+  }
+  return row[b.size()];
+}
+
+Result<void> check(std::string_view name, const ScriptContext& context) {
+  const std::string where = "script \"" + std::string(name) + "\"";
+  if (std::ranges::find(kNames, name) == kNames.end()) {
+    const std::string_view nearest =
+        *std::ranges::min_element(kNames, {}, [&](std::string_view n) { return edits(name, n); });
+    std::string all;
+    for (std::string_view n : kNames) all += (all.empty() ? "" : ", ") + std::string(n);
+    return problem(where, "There is no script of that name.",
+                   "Did you mean \"" + std::string(nearest) + "\"? There are " + all + ".");
+  }
+  if (!(context.pace >= 0.25 && context.pace <= 4.0))
+    return problem(where, "Its pace is outside 0.25 to 4.", "Write a pace from 0.25 to 4.");
+  if (auto good = validate(context.scene); !good) return good;
+  if (name != "follow") return {};
+  if (context.target == nullptr)
+    return problem(where, "It follows a vessel's outline, and none is given.",
+                   "Choose a vessel, or a script that needs none: true, collar, belly, bowl, "
+                   "groove.");
+  return validate(*context.target, where + ", target");
+}
+
+}  // namespace
+
+std::span<const std::string_view> script_names() { return kNames; }
+
+Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptContext& context) {
+  if (auto good = check(name, context); !good) return tl::unexpected<Problem>(good.error());
+  if (name == "follow") return std::make_unique<PlannedScript>(follow_in_time(context));
+  const ClayDef& clay = context.scene.clay;
+  Choreography hand(context.pace, context.scene.wheel.max_speed, context.seed);
+  Former former(context.scene, hand);
+  begin(hand);
+  if (name == "true") {
+    former.set_goal([&](double) { return 0.94 * clay.outer_radius; });
+    former.narrow("centre", kRough);
+    former.smooth(WallSide::outside, "smooth", kFine);
+  } else if (name == "collar") {
+    collar(former, clay);
+  } else if (name == "belly") {
+    belly(former, clay);
+  } else if (name == "bowl") {
+    bowl(former, clay);
+  } else {
+    groove(former, context.scene);
+  }
+  former.rest();
+  return std::make_unique<PlannedScript>(hand.finish());
+}
+
+}  // namespace onggi
