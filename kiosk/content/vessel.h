@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -26,9 +27,10 @@ struct Vessel {
   std::filesystem::path file;           ///< The GLB or glTF.
   std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
   std::string credit, licence, source;
-  double true_height = 0.0;    ///< Metres, from the TOML; 0 = unknown (mesh units taken as metres).
+  double true_height = 0.0;    ///< Metres, from the TOML; 0 = unknown: file units are metres, or,
+                               ///< where that is absurd, it is made 0.3 m tall with a warning.
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
-  ExtractedProfile extracted;  ///< Of `mesh`, upright.
+  ExtractedProfile extracted;  ///< Its profile in metres; the axis as the file has it, file units.
   std::array<float, 3> color{0.62f, 0.44f, 0.31f};  ///< Linear base colour for its picture.
 
   /// The label in `language`, else English, else one made of the file's name.
@@ -43,12 +45,25 @@ struct Catalogue {
 };
 
 /// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
-/// folder down). Sorted by id. `progress(done, total, name)` is called before each, if given.
+/// folder down). Sorted by id. Reads on as many threads as there are processors. `progress(done,
+/// total, name)` is called before each, if given, from any of them but one at a time.
 Catalogue open_shelf(const std::filesystem::path& folder,
                      void (*progress)(int, int, const std::string&, void*) = nullptr,
                      void* user = nullptr);
 
 /// One vessel: a pack folder, or a GLB/glTF file.
 Result<Vessel> load_vessel(const std::filesystem::path& path);
+
+/// What check_shelf() looked at, and everything wrong with it: also what the kiosk would open all
+/// the same, such as a label of more than 100 words or a size that contradicts the drawing.
+struct ShelfCheck {
+  std::vector<Problem> problems;
+  int vessels = 0;
+  int files = 0;
+  int keys_checked = 0;
+};
+
+/// Checks a shelf, one pack, or one GLB/glTF file.
+ShelfCheck check_shelf(const std::filesystem::path& path);
 
 }  // namespace onggi::content

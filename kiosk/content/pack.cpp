@@ -1,0 +1,110 @@
+#include "kiosk/content/pack.h"
+
+#include <cmath>
+
+#include "kiosk/settings/toml_reader.h"
+
+namespace onggi::content {
+
+namespace {
+
+/// A visitor reads a label of this length in under a minute, standing.
+constexpr int kMostWords = 100;
+
+float linear(double srgb) {
+  return static_cast<float>(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
+}
+
+void read_color(settings::TomlReader::Table& root, Pack& pack) {
+  std::vector<double> values;
+  if (!root.numbers("color", values)) return;
+  bool good = values.size() == 3;
+  for (const double v : values) good = good && v >= 0.0 && v <= 1.0;
+  if (!good) {
+    root.complain("color", "color is not three numbers from 0 to 1.",
+                  "Write red, green and blue as on screen: color = [0.62, 0.44, 0.31].");
+    return;
+  }
+  pack.color = {linear(values[0]), linear(values[1]), linear(values[2])};
+}
+
+void read_labels(settings::TomlReader::Table& root, PackRead& read) {
+  auto labels = root.child("label");
+  for (const std::string& language : labels.keys()) {
+    auto table = labels.child(language);
+    Label label;
+    table.require("title", "Give the vessel's name in this language.");
+    table.text("title", label.title);
+    table.text("culture", label.culture);
+    table.text("date", label.date);
+    table.text("made", label.made);
+    table.text("text", label.text);
+    table.finish();
+    read.pack.labels[language] = std::move(label);
+  }
+  labels.finish();
+}
+
+}  // namespace
+
+int count_words(const std::string& text) {
+  int words = 0;
+  bool inside = false;
+  for (const char c : text) {
+    const bool space = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+    if (!space && !inside) ++words;
+    inside = !space;
+  }
+  return words;
+}
+
+std::string Pack::credit_line() const {
+  std::string out = institution;
+  for (const std::string* part : {&accession, &credit})
+    if (!part->empty()) out += (out.empty() ? "" : ", ") + *part;
+  return out;
+}
+
+PackRead read_pack(const std::filesystem::path& toml) {
+  PackRead read;
+  Pack& pack = read.pack;
+  settings::TomlReader reader(toml);
+  auto root = reader.root();
+  root.require("licence", "Say under which licence the shape is shown: licence = \"CC0-1.0\".");
+  root.require("credit", "Say whom to thank: credit = \"Museum, drawn by ...\".");
+  root.text("drawing", pack.drawing);
+  double mm = 0.0;
+  if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;
+  if (root.number("true_diameter_mm", mm, 5.0, 5000.0, "mm")) pack.true_diameter = 0.001 * mm;
+  root.text("institution", pack.institution);
+  root.text("accession", pack.accession);
+  root.text("source", pack.source);
+  root.text("credit", pack.credit);
+  root.text("licence", pack.licence);
+  read_color(root, pack);
+  read_labels(root, read);
+  root.finish();
+  if (!pack.drawing.empty() && pack.drawing != std::filesystem::path(pack.drawing).filename())
+    root.complain("drawing", "drawing names a file outside the vessel's folder.",
+                  "Put the drawing beside vessel.toml and give its name alone.");
+  read.problems = reader.problems();
+
+  // What follows is worth saying, but no reason to leave the vessel off the shelf.
+  for (const auto& [language, label] : pack.labels)
+    if (const int words = count_words(label.text); words > kMostWords)
+      root.child("label").child(language).complain("text",
+                                                   "the label has " + std::to_string(words) +
+                                                       " words, and visitors read " +
+                                                       std::to_string(kMostWords) + " at most.",
+                                                   "Shorten it to what one sees in the vessel.");
+  for (const Problem& p : reader.problems()) {
+    bool known = false;
+    for (const Problem& other : read.problems)
+      known = known || (other.where == p.where && other.what == p.what);
+    if (!known) read.advice.push_back(p);
+  }
+  read.keys_checked = reader.keys_checked();
+  return read;
+}
+
+}  // namespace onggi::content

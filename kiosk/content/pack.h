@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/content/vessel.h"
+
+namespace onggi::content {
+
+/// A vessel.toml: what a curator writes about a vessel (kiosk/docs/curators.md).
+struct Pack {
+  std::string drawing;                          ///< Beside it; empty: none.
+  double true_height = 0.0, true_diameter = 0;  ///< Metres; 0: not given.
+  std::string institution, accession, source, credit, licence;
+  std::optional<std::array<float, 3>> color;  ///< Linear.
+  std::map<std::string, Label> labels;
+
+  /// The credit line as it is printed: institution, accession number, credit.
+  std::string credit_line() const;
+};
+
+struct PackRead {
+  Pack pack;
+  std::vector<Problem> problems;  ///< What keeps it off the shelf, with line and column.
+  std::vector<Problem> advice;    ///< What should be put right, and does not.
+  int keys_checked = 0;
+};
+PackRead read_pack(const std::filesystem::path& toml);
+
+/// Words between spaces, as a reader counts them.
+int count_words(const std::string& text);
+
+}  // namespace onggi::content
