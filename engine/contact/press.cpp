@@ -10,7 +10,9 @@
 namespace onggi {
 namespace {
 
-constexpr float kSnap = 1e-9f;  // a press below a nanometre is none: no denormals, and rest is rest
+// A press below 20 nm is none. Floats at 5 cm are 4 nm apart, so a smaller one would never settle:
+// rest must be rest, and there must be no denormals.
+constexpr float kSnap = 2e-8f;
 
 // The sphere's section with one row's plane, from above.
 struct Section {
@@ -80,6 +82,7 @@ struct RowStep {
   float wall_min;  // hugely negative on floor rows: there is no inner face to carry along
   float decay;     // a = e^(-dt/tau)
   float gone;      // 1 - a
+  float bow;       // how much more than its share of `gone` goes in half the step, times 4
   float rate;      // tau/dt
   float mean;      // (tau/dt)(1 - a): mean over the step of a press that decays from 1
 };
@@ -117,11 +120,14 @@ void press_block(const RowStep& row, Mask8 live, const float* ray_cos, const flo
   const Mask8 leaves = ~arrives & (l_full < zero);
   const Mask8 touch = live & select_mask(arrives, gap > snap, (l0 > snap) | (l_full > snap));
 
-  // Share of the step in touch, where it is not the whole.
-  const Float8 part = select(arrives, gap, l0);
-  const Float8 whole = select(arrives, gap - l0, l0 - l_full);
-  const Float8 share = part / larger(whole, snap);
-  const Float8 l_arrived = zero - ramp * row.gone * share;
+  // Share of the step in touch, where it is not the whole. A tool that leaves is let go after
+  // tau ln(1 + x), x = l0 / (v tau); ln(1 + x) is nearly x (6 + x) / (6 + 4 x).
+  const Float8 part = select(arrives, gap, Float8(row.rate) * l0 * (Float8(6.0f) * ramp + l0));
+  const Float8 whole = select(arrives, gap - l0, ramp * (Float8(6.0f) * ramp + Float8(4.0f) * l0));
+  const Float8 share = smaller(part / larger(whole, 1e-30f), 1.0f);
+  // 1 - e^(-share dt / tau), exact at no, half and the whole of the step.
+  const Float8 settled = share * (Float8(row.gone) + (Float8(1.0f) - share) * row.bow);
+  const Float8 l_arrived = zero - ramp * settled;
   const Float8 l_end = select(arrives, l_arrived, l_full);
   const Float8 l1 = select(l_end > snap, l_end, zero);
   const Float8 l_mean =
@@ -167,6 +173,7 @@ Press press_side(Clay& clay, const SphereStep& step, const Yielding& yielding) {
   const ClayDef& def = clay.def();
   const double rate = yielding.relaxation_time / step.seconds;
   const double gone = -portable::expm1(-1.0 / rate);
+  const double gone_in_half = -portable::expm1(-0.5 / rate);
   const double sector = 2.0 * portable::kPi / def.sectors;
   const Window window(clay, step.from, step.to, step.radius);
   const float* ray_cos = clay.ray_cos().data();
@@ -181,6 +188,7 @@ Press press_side(Clay& clay, const SphereStep& step, const Yielding& yielding) {
                       j < clay.floor_rows() ? -1e9f : static_cast<float>(def.wall_min),
                       static_cast<float>(1.0 - gone),
                       static_cast<float>(gone),
+                      static_cast<float>(4.0 * gone_in_half - 2.0 * gone),
                       static_cast<float>(rate),
                       static_cast<float>(rate * gone)};
     float* face = side == WallSide::outside ? clay.outer_mut(j).data() : clay.inner_mut(j).data();

@@ -36,7 +36,7 @@ int steps_for(const ToolSweep& sweep) noexcept {
   const Vec3 way = sweep.to - sweep.from;
   const double out = std::max(axis_distance(sweep.from), axis_distance(sweep.to));
   const double arc = std::fabs(sweep.angle_to - sweep.angle_from) * out;
-  const double steps = std::ceil((length(way) + arc) / (0.25 * sweep.radius));
+  const double steps = std::ceil((2.0 * arc + length(way)) / (0.25 * sweep.radius));
   return static_cast<int>(std::clamp(steps, 1.0, double{kMostSteps}));
 }
 

@@ -1,0 +1,145 @@
+#include "engine/clay/clay.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+Clay lump(const ClayDef& def = {}) {
+  Result<Clay> clay = Clay::create(def);
+  EXPECT_TRUE(clay) << to_text(clay.error());
+  return std::move(*clay);
+}
+
+std::vector<int> dirty_rows(Clay& clay) {
+  std::vector<int> rows;
+  for (int j = clay.take_dirty(); j >= 0; j = clay.take_dirty(j + 1)) rows.push_back(j);
+  return rows;
+}
+
+TEST(Clay, AFreshLumpIsAThickWalledCylinderWithAFloor) {
+  const Clay clay = lump();
+  EXPECT_EQ(clay.floor_rows(), 20);  // 10 mm of 0.5 mm rows
+  for (int j : {0, 19, 20, 399}) {
+    for (float r : clay.outer(j)) EXPECT_EQ(r, 0.055f);
+    for (float r : clay.inner(j)) EXPECT_EQ(r, j < 20 ? 0.0f : 0.022f);
+  }
+  EXPECT_NEAR(clay.rim_height(), 0.20, 1e-12);
+  const double expected =
+      portable::kPi * (0.055 * 0.055 * 0.2 - 0.022 * 0.022 * (0.2 - 20 * 0.0005));
+  EXPECT_NEAR(clay.volume() / expected, 1.0, 1e-6);
+}
+
+TEST(Clay, ItsProfileStandsOnTheWheelHeadAndEndsAtTheRim) {
+  const Profile p = lump().profile();
+  EXPECT_TRUE(validate(p, "lump"));
+  EXPECT_EQ(p.points.front().height, 0.0);
+  EXPECT_NEAR(p.height(), 0.2, 1e-12);
+  EXPECT_NEAR(p.outer_at(0.1), 0.055, 1e-7);
+  EXPECT_NEAR(p.inner_at(0.1), 0.022, 1e-7);
+  EXPECT_EQ(p.inner_at(0.0), 0.0);
+}
+
+RC_GTEST_PROP(ClayProperty, TheFirstRowAboveAHeightIsTheLowestWhoseMiddleLiesAboveIt, ()) {
+  ClayDef def;
+  def.rows = *rc::gen::inRange(8, 300);
+  def.sectors = 16;
+  const Clay clay = lump(def);
+  const double h = *rc::gen::inRange(-100, 400) * 0.001;
+  const int j = clay.first_row_above(h);
+  RC_ASSERT(j == clay.rows() || clay.row_height(j) > h);
+  RC_ASSERT(j == 0 || clay.row_height(j - 1) <= h);
+}
+
+RC_GTEST_PROP(ClayProperty, EveryDirtyRowIsTakenOnceInOrder, ()) {
+  ClayDef def;
+  def.sectors = 16;
+  def.rows = *rc::gen::inRange(8, 200);
+  Clay clay = lump(def);
+  RC_ASSERT(static_cast<int>(dirty_rows(clay).size()) == def.rows);  // a fresh lump is all new
+  const auto marked = *rc::gen::container<std::set<int>>(rc::gen::inRange(0, def.rows));
+  for (int j : marked) clay.mark_dirty(j);
+  RC_ASSERT(dirty_rows(clay) == std::vector<int>(marked.begin(), marked.end()));
+  RC_ASSERT(clay.take_dirty() == -1);
+}
+
+TEST(Clay, RenewIsSpreadOverCallsAndRestoreBringsEveryBitBack) {
+  Clay clay = lump();
+  const std::uint64_t fresh = clay.hash();
+  clay.outer_mut(100)[7] = 0.05f;
+  clay.inner_mut(30)[359] = 0.03f;
+  std::vector<float> shaped(clay.outer(100).begin(), clay.outer(100).end());
+  dirty_rows(clay);
+
+  int calls = 1;
+  while (!clay.renew_some(8192)) ++calls;
+  EXPECT_EQ(calls, 19);  // 400 rows, 22 a call
+  EXPECT_EQ(clay.outer(100)[7], 0.055f);
+  EXPECT_EQ(dirty_rows(clay).size(), 400u);
+  EXPECT_TRUE(clay.can_restore());
+  EXPECT_NE(clay.hash(), fresh);  // it still holds the shape to go back to
+
+  while (!clay.restore_some(8192)) {
+  }
+  EXPECT_TRUE(std::equal(shaped.begin(), shaped.end(), clay.outer(100).begin()));
+  EXPECT_EQ(clay.inner(30)[359], 0.03f);
+  EXPECT_FALSE(clay.can_restore());
+  EXPECT_TRUE(clay.restore_some(8192));  // nothing to do
+}
+
+TEST(Clay, WithoutUndoARenewedLumpIsAsGoodAsNew) {
+  ClayDef def;
+  def.keep_undo = false;
+  Clay clay = lump(def);
+  const std::uint64_t fresh = clay.hash();
+  clay.outer_mut(3)[3] = 0.04f;
+  EXPECT_NE(clay.hash(), fresh);
+  while (!clay.renew_some(1)) {
+  }
+  EXPECT_FALSE(clay.can_restore());
+  EXPECT_EQ(clay.hash(), fresh);
+}
+
+TEST(Clay, SectorsThatAreNoMultipleOfEightArePadded) {
+  ClayDef def;
+  def.sectors = 100;
+  Clay clay = lump(def);
+  EXPECT_EQ(clay.stride(), 104);
+  EXPECT_EQ(clay.outer(0).size(), 100u);
+  EXPECT_EQ(clay.outer_mut(0).size(), 104u);
+}
+
+TEST(ClayDef, EveryFieldOutOfRangeIsNamed) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto field = [](auto change) {
+    ClayDef def;
+    change(def);
+    const Result<void> result = validate(def, "clay");
+    EXPECT_FALSE(result);
+    EXPECT_FALSE(Clay::create(def));
+    return result ? std::string() : result.error().where;
+  };
+  EXPECT_EQ(field([](ClayDef& d) { d.rows = 7; }), "clay.rows");
+  EXPECT_EQ(field([](ClayDef& d) { d.rows = 20001; }), "clay.rows");
+  EXPECT_EQ(field([](ClayDef& d) { d.sectors = 15; }), "clay.sectors");
+  EXPECT_EQ(field([](ClayDef& d) { d.rows = 20000, d.sectors = 8192; }), "clay.rows");
+  EXPECT_EQ(field([&](ClayDef& d) { d.height = nan; }), "clay.height");
+  EXPECT_EQ(field([](ClayDef& d) { d.radius_max = 2; }), "clay.radius_max");
+  EXPECT_EQ(field([](ClayDef& d) { d.radius_min = 0; }), "clay.radius_min");
+  EXPECT_EQ(field([](ClayDef& d) { d.wall_min = 0; }), "clay.wall_min");
+  EXPECT_EQ(field([](ClayDef& d) { d.inner_radius = 0.001; }), "clay.inner_radius");
+  EXPECT_EQ(field([](ClayDef& d) { d.outer_radius = 0.025; }), "clay.outer_radius");
+  EXPECT_EQ(field([](ClayDef& d) { d.outer_radius = 0.16; }), "clay.outer_radius");
+  EXPECT_EQ(field([](ClayDef& d) { d.floor_thickness = 0.11; }), "clay.floor_thickness");
+}
+
+}  // namespace
+}  // namespace onggi

@@ -1,0 +1,169 @@
+#include "engine/contact/tool_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/stops.h"
+#include "engine/math/random.h"
+
+namespace onggi {
+namespace {
+
+constexpr Yielding kClay{0.00949, 5e6};
+constexpr double kRadius = 0.008;
+
+Clay lump(int sectors = 360) {
+  ClayDef def;
+  def.sectors = sectors;
+  return std::move(*Clay::create(def));
+}
+
+// One tick: `contact` goes from `from` to `to` while the wheel turns by `turn`.
+void tick(ToolContact& contact, Clay& clay, Vec3 from, Vec3 to, double angle = 0.0,
+          double turn = 0.0, SideWish wish = SideWish::by_position) {
+  const ToolSweep sweep{from, to, angle, angle + turn, kRadius, 0.001, wish};
+  const int steps = steps_for(sweep);
+  contact.begin_tick();
+  for (int n = 0; n < steps; ++n) contact.step(clay, sweep, n, steps, kClay);
+}
+
+TEST(Side, IsWhereTheToolStandsUnlessWishedAndPossible) {
+  Clay clay = lump();
+  const auto side_at = [&](Vec3 at, SideWish wish) {
+    ToolContact contact;
+    tick(contact, clay, at, at, 0, 0, wish);
+    return contact.side();
+  };
+  const Vec3 beside{0.08, 0.1, 0}, within{0.01, 0.1, 0}, above{0.03, 0.3, 0};
+  EXPECT_EQ(side_at(beside, SideWish::by_position), WallSide::outside);
+  EXPECT_EQ(side_at(within, SideWish::by_position), WallSide::inside);
+  EXPECT_EQ(side_at(above, SideWish::outside), WallSide::outside);
+  EXPECT_EQ(side_at(above, SideWish::inside), WallSide::inside);
+  EXPECT_EQ(side_at(beside, SideWish::inside), WallSide::outside);  // not through the wall
+  EXPECT_EQ(side_at(within, SideWish::outside), WallSide::inside);
+}
+
+TEST(Side, AWishNeverCutsTheWallAway) {
+  Clay clay = lump();
+  ToolContact contact;
+  // Lowered into the pot while "outside" is wished.
+  for (double y = 0.25; y > 0.1; y -= 0.001)
+    tick(contact, clay, {0.005, y + 0.001, 0}, {0.005, y, 0}, 0, 0, SideWish::outside);
+  EXPECT_NEAR(clay.profile().outer_at(0.15), 0.055, 1e-6);
+  EXPECT_NEAR(clay.profile().outer_at(0.199), 0.055, 1e-6);
+}
+
+TEST(Side, NeverChattersWhileAToolTremblesOnATurningWall) {
+  Clay clay = lump();
+  ToolContact contact;
+  Random random(4);
+  Vec3 last{0.0630, 0.1, 0};
+  int changes = 0;
+  WallSide side = WallSide::outside;
+  for (int n = 0; n < 4000; ++n) {
+    // Pressed right through to a thin wall, trembling by an encoder's step.
+    const double x = std::max(0.0630 - n * 1e-5, 0.030) + random.uniform(-55e-6, 55e-6);
+    const Vec3 at{x, 0.1 + random.uniform(-55e-6, 55e-6), random.uniform(-55e-6, 55e-6)};
+    tick(contact, clay, last, at, n * 0.02, 0.02);
+    changes += contact.side() != side;
+    side = contact.side();
+    last = at;
+  }
+  EXPECT_EQ(changes, 0);
+}
+
+TEST(Side, ChangesOnceWhenTheToolIsCarriedOverTheRim) {
+  Clay clay = lump();
+  ToolContact contact;
+  int changes = 0;
+  WallSide side = WallSide::outside;
+  Vec3 last{0.064, 0.203, 0};
+  tick(contact, clay, last, last);
+  for (double x = 0.064; x > 0.005; x -= 0.003) {
+    const Vec3 at{x, 0.203, 0};  // the rim is at 0.2: the tool brushes over it, too fast to push it
+    tick(contact, clay, last, at);
+    changes += contact.side() != side;
+    side = contact.side();
+    last = at;
+  }
+  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(side, WallSide::inside);
+}
+
+TEST(Sweep, StepsKeepTheToolWithinAQuarterRadiusAndTheClayWithinAnEighth) {
+  EXPECT_EQ(steps_for({{0.06, 0, 0}, {0.06, 0, 0}, 0, 0, kRadius, 0.001}), 1);
+  EXPECT_EQ(steps_for({{0.06, 0, 0}, {0.06, 0.0081, 0}, 0, 0, kRadius, 0.001}), 5);
+  EXPECT_EQ(steps_for({{0.06, 0, 0}, {0.06, 0, 0}, 0, 0.1, kRadius, 0.001}), 6);
+  EXPECT_EQ(steps_for({{9, 0, 0}, {-9, 0, 0}, 0, 0, kRadius, 0.001}), kMostSteps);
+}
+
+TEST(Sweep, AFastToolDoesNotTunnelThroughTheWall) {
+  // 30 mm a tick, past the wall's 33 mm: without a sweep it would be outside, then inside.
+  Clay fast = lump();
+  ToolContact contact;
+  tick(contact, fast, {0.070, 0.1, 0}, {0.070, 0.1, 0});
+  tick(contact, fast, {0.070, 0.1, 0}, {0.040, 0.1, 0});
+  EXPECT_EQ(contact.side(), WallSide::outside);
+  EXPECT_GT(contact.reaction().force.x, 0.0);
+  EXPECT_LT(fast.outer(200)[0], 0.0545f);
+  tick(contact, fast, {0.040, 0.1, 0}, {0.010, 0.1, 0});
+  EXPECT_EQ(contact.side(), WallSide::outside);  // it is in the clay, not in the pot
+}
+
+TEST(Sweep, NoElementIsSkippedHoweverFastTheWheelOrFineTheSectors) {
+  // 300 rpm for 2 s; light touch. At 1440 sectors a tick passes seven.
+  double mean[2];
+  for (int which : {0, 1}) {
+    Clay clay = lump(which == 0 ? 360 : 1440);
+    ToolContact contact;
+    const Vec3 at{0.0627, clay.row_height(200), 0};
+    const double turn = 31.4159 * 0.001;
+    for (int n = 0; n < 2000; ++n) tick(contact, clay, at, at, n * turn, turn);
+    // Smooth round the pot, but for the step at the tool's own place between two turns.
+    const auto row = clay.outer(200);
+    const std::size_t count = row.size();
+    int rough = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float neighbours = 0.5f * (row[(i + count - 1) % count] + row[(i + 1) % count]);
+      rough += std::fabs(row[i] - neighbours) > 1e-6f;
+      EXPECT_LT(row[i], 0.05495f);
+    }
+    EXPECT_LT(rough, 0.05 * static_cast<double>(count));
+    mean[which] = clay.profile().outer_at(clay.row_height(200));
+  }
+  EXPECT_NEAR(mean[0], mean[1], 1e-6);
+}
+
+TEST(Sweep, TurningTheWheelIsTheSameAsCarryingTheToolRound) {
+  Clay turned = lump();
+  Clay carried = lump();
+  ToolContact a;
+  ToolContact b;
+  Press pa, pb;
+  for (int n = 0; n < 100; ++n) {
+    tick(a, turned, {0.062, 0.1, 0}, {0.062, 0.1, 0}, n * 0.01, 0.01);
+    const double from = -n * 0.01;
+    const double to = -(n + 1) * 0.01;
+    tick(b, carried, {0.062 * std::cos(from), 0.1, 0.062 * std::sin(from)},
+         {0.062 * std::cos(to), 0.1, 0.062 * std::sin(to)});
+    pa = a.reaction();
+    pb = b.reaction();
+    EXPECT_NEAR(pa.normal, pb.normal, 1e-3 * pa.normal + 1e-7);
+  }
+  for (std::size_t i = 0; i < 360; ++i)
+    EXPECT_NEAR(turned.outer(200)[i], carried.outer(200)[i], 1e-6);
+}
+
+TEST(Stops, AFlatStopPushesWithTheVolumeOfTheCoveredCapAndStartsSmoothly) {
+  EXPECT_EQ(stop_force(-0.001, kRadius, 5e6), 0.0);
+  EXPECT_EQ(stop_force(0.0, kRadius, 5e6), 0.0);
+  EXPECT_LT(stop_force(1e-5, kRadius, 5e6), 1e-4);
+  const double sphere = 4.0 / 3.0 * 3.14159265358979 * kRadius * kRadius * kRadius;
+  EXPECT_NEAR(stop_force(kRadius, kRadius, 5e6), 5e6 * sphere / 2, 1e-9);
+  EXPECT_NEAR(stop_force(1.0, kRadius, 5e6), 5e6 * sphere, 1e-9);
+}
+
+}  // namespace
+}  // namespace onggi
