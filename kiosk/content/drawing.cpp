@@ -215,7 +215,8 @@ DrawingRead check_drawing(const std::filesystem::path& toml) {
     root.complain("units", "units is \"" + units + "\", and drawings are in millimetres.",
                   "Give all figures in millimetres and write units = \"mm\".");
   root.boolean("smooth", d.smooth);
-  const bool drawn = root.points("outer", d.outer) & root.points("inner", d.inner);
+  const bool outer_drawn = root.points("outer", d.outer),
+             inner_drawn = root.points("inner", d.inner);
   double value = 0.0;
   if (foot.number("ring_inner_radius", value, 0.1, kLargest, "mm")) d.ring_inner_radius = value;
   if (foot.number("recess", value, 0.1, kLargest, "mm")) d.recess = value;
@@ -224,9 +225,10 @@ DrawingRead check_drawing(const std::filesystem::path& toml) {
   rim.finish();
   root.finish();
 
-  if (reader.ok() && drawn &&
-      check_points(root, "outer", d.outer) & check_points(root, "inner", d.inner)) {
-    if (check_ends(root, d) && check_foot(foot, d)) {
+  if (reader.ok() && outer_drawn && inner_drawn) {
+    const bool outer_good = check_points(root, "outer", d.outer);
+    const bool inner_good = check_points(root, "inner", d.inner);
+    if (outer_good && inner_good && check_ends(root, d) && check_foot(foot, d)) {
       const std::vector<Vec2> under = underside(d);
       const Outline outer = outline_of(d, d.outer, false);
       const Outline inner = outline_of(d, d.inner, true);

@@ -195,13 +195,12 @@ TEST(exhibit, the_readme_has_a_row_for_every_key_with_the_default_that_ships) {
     for (const auto& [key, value] : lines_of(file)) {
       if (key == "en" || key == "ko") continue;  // [title], by language
       ++keys;
-      EXPECT_TRUE(std::any_of(rows.begin(), rows.end(),
-                              [&](const std::string& row) {
-                                return row.starts_with("| `" + key + "` |") &&
-                                       (row.ends_with("| " + value + " |") ||
-                                        row.ends_with("| `" + value + "` |"));
-                              }))
-          << key << " = " << value << " in " << file;
+      const std::string start = "| `" + key + "` |", plain = "| " + value + " |",
+                        quoted = "| `" + value + "` |";
+      const bool there = std::any_of(rows.begin(), rows.end(), [&](const std::string& row) {
+        return row.starts_with(start) && (row.ends_with(plain) || row.ends_with(quoted));
+      });
+      EXPECT_TRUE(there) << key << " = " << value << " in " << file;
     }
   }
   EXPECT_EQ(keys, 37);
