@@ -8,14 +8,19 @@ namespace onggi::render {
 
 view::Rect reach_of(const view::PotView& pot, double height, double radius, int width,
                     int frame_height) {
-  // Rings that hold everything: the shadow on the table, the wheel head, the pot, the tools.
+  // Rings that hold everything: the dark round the foot, the wheel head, the pot, and the shadow of
+  // its rim with the soft edge that the window's size gives it.
   struct Ring {
-    double y, r;
+    double x, y, z, r;
   };
-  const Ring rings[] = {{pot.wheel ? -0.024 : 0.0, 0.50},
-                        {0.0, 0.18},
-                        {0.5 * height, 1.25 * radius},
-                        {height * 1.03 + 0.004, 1.25 * radius}};
+  const glm::vec3 light = window_direction();
+  const double table = pot.wheel ? -0.024 : 0.0;
+  const double along = (height - table) / light.y, foot = pot.wheel ? 0.175 : radius;
+  const Ring rings[] = {{0, table, 0, foot + 0.10},
+                        {0, 0, 0, foot},
+                        {0, 0.5 * height, 0, 1.25 * radius},
+                        {0, height * 1.03 + 0.004, 0, 1.25 * radius},
+                        {-light.x * along, table, -light.z * along, radius + 0.14 * along}};
   float left = 1e9f, right = -1e9f, top = 1e9f, bottom = -1e9f;
   const auto take = [&](Vec3 p, double around) {
     const auto at = pot.camera.project(p);
@@ -35,7 +40,7 @@ view::Rect reach_of(const view::PotView& pot, double height, double radius, int 
   for (const Ring& ring : rings) {
     for (int i = 0; i < 24; ++i) {
       const double a = i * 0.2617993877991494;
-      take({ring.r * std::cos(a), ring.y, ring.r * std::sin(a)}, 0);
+      take({ring.x + ring.r * std::cos(a), ring.y, ring.z + ring.r * std::sin(a)}, 0);
     }
   }
   for (const view::ToolView& tool : pot.tools) {

@@ -63,9 +63,12 @@ std::vector<LineVertex> strip_of(const view::Line& line) {
 
 Result<std::unique_ptr<ItemPainter>> ItemPainter::create() {
   std::unique_ptr<ItemPainter> painter(new ItemPainter);
-  auto program = Program::create("item", {k_common_glsl, k_item_glsl});
-  if (!program) return tl::unexpected(program.error());
-  painter->program_ = std::move(*program);
+  for (std::size_t mode = 0; mode < painter->programs_.size(); ++mode) {
+    const std::string which = "#define MODE " + std::to_string(mode) + "\n";
+    auto program = Program::create("item", {which.c_str(), k_common_glsl, k_item_glsl});
+    if (!program) return tl::unexpected(program.error());
+    painter->programs_[mode] = std::move(*program);
+  }
   painter->quad_ = unit_grid(1, 1);
   GLuint name = 0;
   glGenVertexArrays(1, &name);
@@ -90,9 +93,15 @@ void ItemPainter::begin(int width, int height) {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  program_.use();
-  program_.set("size", glm::vec2(width, height));
-  program_.set("image", 0);
+  size_ = glm::vec2(width, height);
+}
+
+const Program& ItemPainter::use(int mode) const {
+  const Program& program = programs_[static_cast<std::size_t>(mode)];
+  program.use();
+  program.set("size", size_);
+  program.set("image", 0);
+  return program;
 }
 
 void ItemPainter::draw(const view::Item& item, const Pictures& pictures) {
@@ -110,12 +119,12 @@ void ItemPainter::draw(const view::Item& item, const Pictures& pictures) {
 
 void ItemPainter::draw_box(const view::Box& box) {
   if (box.rect.w <= 0 || box.rect.h <= 0) return;
-  program_.set("mode", kBox);
-  program_.set("rect", as_vec(box.rect));
-  program_.set("fill", premultiplied(box.fill));
-  program_.set("border_fill", premultiplied(box.border_color));
-  program_.set("radius", box.radius);
-  program_.set("border", box.border);
+  const Program& program = use(kBox);
+  program.set("rect", as_vec(box.rect));
+  program.set("fill", premultiplied(box.fill));
+  program.set("border_fill", premultiplied(box.border_color));
+  program.set("radius", box.radius);
+  program.set("border", box.border);
   quad_.draw();
 }
 
@@ -127,10 +136,10 @@ void ItemPainter::draw_text(const view::Text& text) {
     last_overflow_ = text.text;
   }
   const auto pad = static_cast<float>(block.pad);
-  program_.set("mode", kMask);
-  program_.set("rect", glm::vec4(std::round(text.box.x) - pad, std::round(text.box.y) - pad,
-                                 block.mask.width, block.mask.height));
-  program_.set("fill", premultiplied(text.color));
+  const Program& program = use(kMask);
+  program.set("rect", glm::vec4(std::round(text.box.x) - pad, std::round(text.box.y) - pad,
+                                block.mask.width, block.mask.height));
+  program.set("fill", premultiplied(text.color));
   block.mask.bind(0);
   quad_.draw();
 }
@@ -138,8 +147,8 @@ void ItemPainter::draw_text(const view::Text& text) {
 void ItemPainter::draw_line(const view::Line& line) {
   const std::vector<LineVertex> strip = strip_of(line);
   if (strip.empty()) return;
-  program_.set("mode", kLine);
-  program_.set("radius", 0.5f * line.width);
+  const Program& program = use(kLine);
+  program.set("radius", 0.5f * line.width);
   glBindVertexArray(line_array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, line_vertices_.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(strip.size() * sizeof(LineVertex)),
@@ -155,21 +164,21 @@ void ItemPainter::draw_picture(const view::Picture& picture, const Stored& store
                 picture.box.y + 0.5f * (picture.box.h - h * fit), w * fit, h * fit};
   at.x = std::round(at.x);
   at.y = std::round(at.y);
-  program_.set("mode", kPicture);
-  program_.set("rect", as_vec(at));
-  program_.set("part", stored.bottom_up ? glm::vec4(0, 1, 1, -1) : glm::vec4(0, 0, 1, 1));
-  program_.set("opacity", picture.opacity);
+  const Program& program = use(kPicture);
+  program.set("rect", as_vec(at));
+  program.set("part", stored.bottom_up ? glm::vec4(0, 1, 1, -1) : glm::vec4(0, 0, 1, 1));
+  program.set("opacity", picture.opacity);
   texture.bind(0);
   quad_.draw();
 }
 
 void ItemPainter::draw_layer(const Texture& layer, const view::Rect& rect, glm::vec4 part,
                              float opacity) {
-  program_.set("mode", kPicture);
-  program_.set("rect", as_vec(rect));
+  const Program& program = use(kPicture);
+  program.set("rect", as_vec(rect));
   // Targets keep their rows from the bottom.
-  program_.set("part", glm::vec4(part.x, 1.0f - part.y, part.z, -part.w));
-  program_.set("opacity", opacity);
+  program.set("part", glm::vec4(part.x, 1.0f - part.y, part.z, -part.w));
+  program.set("opacity", opacity);
   layer.bind(0);
   quad_.draw();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -41,7 +42,10 @@ class ItemPainter {
   void draw_line(const view::Line& line);
   void draw_picture(const view::Picture& picture, const Stored& stored);
 
-  Program program_;
+  const Program& use(int mode) const;
+
+  std::array<Program, 4> programs_;  // by mode
+  glm::vec2 size_{1.0f};
   Mesh quad_;
   ArrayName line_array_;
   BufferName line_vertices_;

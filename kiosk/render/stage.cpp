@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "kiosk/render/shaders.h"
 
@@ -13,6 +14,7 @@ constexpr float kWheelRadius = 0.175f;  // metres; a studio wheel's head is 300 
 constexpr float kTable = -0.024f;       // the table's height under the wheel head's top
 constexpr float kShadowReach = 0.62f;   // metres from the axis that the shadow texture covers
 constexpr int kShadowSize = 224;
+constexpr int kCoarseColumns = 96, kCoarseRows = 192;
 
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5;
@@ -38,6 +40,11 @@ float pixel_size(const view::Camera& camera, double scale) {
                             (camera.height * scale));
 }
 
+// The angle about the axis that faces the camera.
+float front_of(const view::Camera& camera) {
+  return 0.5f * kPi - static_cast<float>(camera.azimuth);
+}
+
 Mesh unit_sphere() {
   std::vector<float> v;
   std::vector<std::uint32_t> t;
@@ -61,25 +68,38 @@ Mesh unit_sphere() {
 
 Result<std::unique_ptr<Stage>> Stage::create() {
   std::unique_ptr<Stage> stage(new Stage);
-  struct Wanted {
-    Program& program;
-    const char* name;
-    const char* text;
-    bool lit;
+  Result<void> fine;
+  const auto make = [&fine](Program& into, const char* name, const char* text, bool lit, int part,
+                            int fired) {
+    if (!fine) return;
+    const std::string which =
+        "#define PART " + std::to_string(part) + "\n#define FIRED " + std::to_string(fired) + "\n";
+    auto made =
+        Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text});
+    if (made) {
+      into = std::move(*made);
+    } else {
+      fine = tl::unexpected(made.error());
+    }
   };
-  for (const Wanted& w : {Wanted{stage->clay_program_, "clay", k_clay_glsl, true},
-                          Wanted{stage->wheel_program_, "wheel", k_wheel_glsl, true},
-                          Wanted{stage->solid_program_, "solid", k_solid_glsl, true},
-                          Wanted{stage->shadow_program_, "shadow", k_shadow_glsl, false},
-                          Wanted{stage->ground_program_, "ground", k_ground_glsl, false},
-                          Wanted{stage->plaster_program_, "plaster", k_plaster_glsl, false}}) {
-    auto made = Program::create(w.name, {k_common_glsl, w.lit ? k_light_glsl : "", w.text});
-    if (!made) return tl::unexpected(made.error());
-    w.program = std::move(*made);
+  for (int part = 0; part < 6; ++part) {
+    const auto p = static_cast<std::size_t>(part);
+    make(stage->clay_programs_[0][p], "clay", k_clay_glsl, true, part, 0);
+    make(stage->clay_programs_[1][p], "clay", k_clay_glsl, true, part, 1);
   }
+  for (const int part : {0, 1}) {
+    const auto p = static_cast<std::size_t>(part);
+    make(stage->wheel_programs_[p], "wheel", k_wheel_glsl, true, part, 0);
+    make(stage->solid_programs_[p], "solid", k_solid_glsl, true, part, 0);
+  }
+  make(stage->shadow_program_, "shadow", k_shadow_glsl, false, 0, 0);
+  make(stage->ground_program_, "ground", k_ground_glsl, false, 0, 0);
+  make(stage->plaster_program_, "plaster", k_plaster_glsl, false, 0, 0);
+  if (!fine) return tl::unexpected(fine.error());
   stage->quad_ = unit_grid(1, 1);
   stage->fine_ = unit_grid(256, 512);
-  stage->coarse_ = unit_grid(112, 192);
+  stage->coarse_ = unit_grid(kCoarseColumns, kCoarseRows);
+  stage->inner_ = unit_grid(72, 96);
   stage->lip_ = unit_grid(160, 8);
   stage->floor_ = unit_grid(96, 8);
   stage->section_ = unit_grid(8, 320);
@@ -194,71 +214,70 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
 void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel,
                        bool reflective) {
-  wheel_program_.use();
-  set_light(wheel_program_, pot.camera, clay_levels_);
-  wheel_program_.set("clip_from_studio", clip);
-  wheel_program_.set("radius", kWheelRadius);
-  wheel_program_.set("table_y", kTable);
-  wheel_program_.set("reach", kShadowReach);
-  wheel_program_.set("wheel_angle", static_cast<float>(pot.wheel_angle));
-  wheel_program_.set("wetness", static_cast<float>(pot.wetness));
-  wheel_program_.set("pixel", pixel);
-  wheel_program_.set("reflective", reflective ? 1.0f : 0.0f);
-  wheel_program_.set("opened", static_cast<float>(pot.cut_away));
   glFrontFace(GL_CW);
-  wheel_program_.set("part", 0);
-  disc_.draw();
-  wheel_program_.set("part", 1);
-  disc_.draw();
+  for (const Program& program : wheel_programs_) {
+    program.use();
+    set_light(program, pot.camera, clay_levels_);
+    program.set("clip_from_studio", clip);
+    program.set("radius", kWheelRadius);
+    program.set("table_y", kTable);
+    program.set("reach", kShadowReach);
+    program.set("wheel_angle", static_cast<float>(pot.wheel_angle));
+    program.set("wetness", static_cast<float>(pot.wetness));
+    program.set("pixel", pixel);
+    program.set("reflective", reflective ? 1.0f : 0.0f);
+    program.set("opened", static_cast<float>(pot.cut_away));
+    disc_.draw();
+  }
   glFrontFace(GL_CCW);
 }
 
-void Stage::set_clay(const view::PotView& pot, const glm::mat4& clip, float pixel) {
+const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::mat4& clip,
+                               float pixel) {
   const view::GridShape& shape = clay_.shape();
+  const bool fired = pot.finish == view::Finish::fired;
   const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
-  // The door is hinged at the visitor's right: it opens from the front towards there.
-  const float front = 0.5f * kPi - static_cast<float>(pot.camera.azimuth);
-  clay_program_.use();
-  set_light(clay_program_, pot.camera, clay_levels_);
+  const Program& program = clay_programs_[fired ? 1 : 0][static_cast<std::size_t>(part)];
+  program.use();
+  set_light(program, pot.camera, clay_levels_);
   clay_.outer().bind(kOuter);
   clay_.inner().bind(kInner);
-  clay_program_.set("outer_radius", kOuter);
-  clay_program_.set("inner_radius", kInner);
-  clay_program_.set("clip_from_studio", clip);
-  clay_program_.set("grid", glm::vec2(clay_.sectors(), clay_.rows()));
-  clay_program_.set("height", static_cast<float>(shape.height));
-  clay_program_.set("floor_height", static_cast<float>(shape.floor_height));
-  clay_program_.set("wheel_angle", static_cast<float>(pot.wheel_angle));
-  clay_program_.set("open_from", front - 0.5f * kPi * open);
-  clay_program_.set("open_angle", 0.5f * kPi * open);
-  clay_program_.set("opened", open);
-  clay_program_.set("mirrored", 0.0f);
-  clay_program_.set("pixel", pixel);
-  clay_program_.set("wetness", static_cast<float>(pot.wetness));
-  clay_program_.set("fired", pot.finish == view::Finish::fired ? 1.0f : 0.0f);
-  clay_program_.set("dry_color", kDry);
-  clay_program_.set("wet_color", kWet);
-  clay_program_.set("glaze_color", kCeladonGlaze);
-  clay_program_.set("body_color", kStoneware);
+  program.set("outer_radius", kOuter);
+  program.set("inner_radius", kInner);
+  program.set("clip_from_studio", clip);
+  program.set("grid", glm::vec2(clay_.sectors(), clay_.rows()));
+  program.set("height", static_cast<float>(shape.height));
+  program.set("floor_height", static_cast<float>(shape.floor_height));
+  program.set("wheel_angle", static_cast<float>(pot.wheel_angle));
+  // The door is hinged at the visitor's right: it opens from the front towards there.
+  program.set("open_from", front_of(pot.camera) - 0.5f * kPi * open);
+  program.set("open_angle", 0.5f * kPi * open);
+  program.set("opened", open);
+  program.set("mirrored", 0.0f);
+  program.set("pixel", pixel);
+  program.set("wetness", static_cast<float>(pot.wetness));
+  program.set("fired", fired ? 1.0f : 0.0f);
+  program.set("dry_color", kDry);
+  program.set("wet_color", kWet);
+  program.set("glaze_color", kCeladonGlaze);
+  program.set("body_color", kStoneware);
+  return program;
 }
 
 void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool fine) {
-  set_clay(pot, clip, pixel);
-  const Mesh& wall = fine ? fine_ : coarse_;
-  glFrontFace(GL_CCW);
-  const Mesh* parts[] = {&wall, &lip_, &wall, &floor_};
+  const Mesh* parts[] = {fine ? &fine_ : &coarse_, &lip_, fine ? &fine_ : &inner_, &floor_};
   for (int part = 0; part < 4; ++part) {
-    clay_program_.set("part", part);
+    use_clay(part, pot, clip, pixel);
     parts[part]->draw();
   }
   if (pot.cut_away <= 0.001) return;
   glDisable(GL_CULL_FACE);
   const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
-  const float front = 0.5f * kPi - static_cast<float>(pot.camera.azimuth);
-  for (const float face : {front, front - 0.5f * kPi * open}) {
-    clay_program_.set("face_angle", face);
-    for (const int part : {4, 5}) {
-      clay_program_.set("part", part);
+  const float front = front_of(pot.camera);
+  for (const int part : {4, 5}) {
+    const Program& program = use_clay(part, pot, clip, pixel);
+    for (const float face : {front, front - 0.5f * kPi * open}) {
+      program.set("face_angle", face);
       section_.draw();
     }
   }
@@ -266,14 +285,13 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
 }
 
 void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {
-  set_clay(pot, clip, pixel_size(pot.camera, 1.0));
-  clay_program_.set("mirrored", 1.0f);
-  clay_program_.set("part", 0);
+  const Program& program = use_clay(0, pot, clip, pixel_size(pot.camera, 1.0));
+  program.set("mirrored", 1.0f);
   glFrontFace(GL_CW);
   // Only what stands near the wheel head is seen in it.
   const double share = std::min(1.0, 0.12 / std::max(clay_.shape().height, 0.01));
-  const int rows = std::max(1, static_cast<int>(192 * share));
-  coarse_.draw_some(0, rows * 112 * 6);
+  const int rows = std::max(1, static_cast<int>(kCoarseRows * share));
+  coarse_.draw_some(0, rows * kCoarseColumns * 6);
   glFrontFace(GL_CCW);
 }
 
@@ -289,14 +307,14 @@ void Stage::draw_tools(const view::PotView& pot, const glm::mat4& clip) {
     const float out = rho > inner ? 1.0f : 0.12f;
     const glm::vec3 away =
         rho > 1e-4f ? glm::vec3(tip.x / rho, 0, tip.z / rho) : glm::vec3(1, 0, 0);
-    solid_program_.use();
-    set_light(solid_program_, pot.camera, clay_levels_);
-    solid_program_.set("clip_from_studio", clip);
-    solid_program_.set("base_color", kSlip);
-    solid_program_.set("tip", tip);
-    solid_program_.set("size", static_cast<float>(tool.radius));
-    solid_program_.set("lean", glm::normalize(away * out + glm::vec3(0, 0.75f, 0)));
-    solid_program_.set("part", 1);
+    const Program& program = solid_programs_[1];
+    program.use();
+    set_light(program, pot.camera, clay_levels_);
+    program.set("clip_from_studio", clip);
+    program.set("base_color", kSlip);
+    program.set("tip", tip);
+    program.set("size", static_cast<float>(tool.radius));
+    program.set("lean", glm::normalize(away * out + glm::vec3(0, 0.75f, 0)));
     sphere_.draw();
   }
 }
@@ -317,12 +335,12 @@ void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera
   glDisable(GL_DEPTH_TEST);
   draw_ground(clip, false, 0.95f);
   glEnable(GL_DEPTH_TEST);
-  solid_program_.use();
-  set_light(solid_program_, camera, mesh_levels_);
-  solid_program_.set("clip_from_studio", clip);
-  solid_program_.set("base_color", color);
-  solid_program_.set("height", static_cast<float>(levels.height));
-  solid_program_.set("part", 0);
+  const Program& program = solid_programs_[0];
+  program.use();
+  set_light(program, camera, mesh_levels_);
+  program.set("clip_from_studio", clip);
+  program.set("base_color", color);
+  program.set("height", static_cast<float>(levels.height));
   mesh.draw();
   glDisable(GL_DEPTH_TEST);
 }

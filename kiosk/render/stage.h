@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 
@@ -43,13 +44,14 @@ class Stage {
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool fine);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_tools(const view::PotView& pot, const glm::mat4& clip);
-  void set_clay(const view::PotView& pot, const glm::mat4& clip, float pixel);
+  const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
 
   Studio studio_;
   ClaySurface clay_;
-  Program clay_program_, wheel_program_, solid_program_, shadow_program_, ground_program_,
-      plaster_program_;
-  Mesh quad_, fine_, coarse_, lip_, floor_, section_, disc_, sphere_;
+  std::array<std::array<Program, 6>, 2> clay_programs_;  // by finish and part of clay.glsl
+  std::array<Program, 2> wheel_programs_, solid_programs_;
+  Program shadow_program_, ground_program_, plaster_program_;
+  Mesh quad_, fine_, coarse_, inner_, lip_, floor_, section_, disc_, sphere_;
   Texture clay_levels_, mesh_levels_;
   Target shadow_;
   bool shadow_of_clay_ = false;  // and still true

@@ -119,6 +119,8 @@ Texture make_sky() {
 
 }  // namespace
 
+glm::vec3 window_direction() { return kWindow; }
+
 glm::vec3 studio_light(glm::vec3 d) {
   const glm::vec3 wall(0.47f, 0.42f, 0.365f), ceiling(0.66f, 0.655f, 0.65f);
   const glm::vec3 floor(0.36f, 0.285f, 0.22f), far(0.22f, 0.175f, 0.135f);

@@ -6,6 +6,9 @@
 
 namespace onggi::render {
 
+/// Towards the middle of the studio's one window.
+glm::vec3 window_direction();
+
 /// The studio's light without its window, in a direction (unit, y up). Linear; 1 is white paper in
 /// full light. A plaster room lit from the left: bright ceiling, a dim warm far wall, a low floor.
 glm::vec3 studio_light(glm::vec3 direction);

@@ -1,12 +1,13 @@
 // The clay: a mesh whose density is its own, displaced by the radius textures. Its columns stand
 // still in the studio while the texture turns past them, so the cut-away needs no discarded pixel.
+// PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of the floor, 5 of the wall. FIRED: 0
+// or 1. Both are known when the program is made: software rasterizers run every branch of a shader.
 
 uniform mat4 clip_from_studio;
 uniform sampler2D outer_radius, inner_radius, grain;
 uniform vec2 grid;  // sectors, rows
 uniform float height, floor_height, wheel_angle, open_from, open_angle, face_angle, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
-uniform int part;  // 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of the floor, 5 of the wall
 uniform float wetness, fired, opened;
 uniform vec3 dry_color, wet_color, glaze_color, body_color;
 
@@ -17,6 +18,10 @@ float inner_at(float u, float t) {
   return textureLod(inner_radius, vec2(u, max(t, first_wall_row())), 0.0).r;
 }
 
+float lip_rise(float wall, float across) {
+  return 0.28 * wall * sqrt(max(4.0 * across * (1.0 - across), 0.0));
+}
+
 #ifdef VERTEX
 layout(location = 0) in vec2 place;  // round (or across the wall), along
 out vec3 position;
@@ -24,32 +29,35 @@ out vec2 surface;  // angle in the studio, share of the height
 
 void main() {
   float round_ = place.x, along = place.y;
+#if PART >= 4
+  float angle = face_angle;
+#else
   float angle = open_from + open_angle + round_ * (2.0 * kPi - open_angle);
-  if (part >= 4) angle = face_angle;
+#endif
   float u = turn_of(angle);
+#if PART == 0
+  float y = along * height;
+  float r = outer_at(u, along);
+#elif PART == 1
+  // A potter's wet finger leaves the lip round, which the grid cannot hold.
   float top_outer = outer_at(u, 1.0), top_inner = inner_at(u, 1.0);
-  float wall = top_outer - top_inner;
-  float y = along * height, r = 0.0;
-  if (part == 0) {
-    r = outer_at(u, along);
-  } else if (part == 1) {
-    // A potter's wet finger leaves the lip round, which the grid cannot hold.
-    r = mix(top_outer, top_inner, along);
-    y = height + 0.28 * wall * sqrt(max(4.0 * along * (1.0 - along), 0.0));
-  } else if (part == 2) {
-    y = mix(height, floor_height, along);
-    r = inner_at(u, y / height);
-  } else if (part == 3) {
-    y = floor_height;
-    r = inner_at(u, 0.0) * (1.0 - along);
-  } else if (part == 4) {
-    y = along * floor_height;
-    r = round_ * outer_at(u, y / height);
-  } else {
-    y = mix(floor_height, height, along);
-    r = mix(inner_at(u, y / height), outer_at(u, y / height), round_);
-    if (along > 0.999) y += 0.28 * wall * sqrt(max(4.0 * round_ * (1.0 - round_), 0.0));
-  }
+  float y = height + lip_rise(top_outer - top_inner, along);
+  float r = mix(top_outer, top_inner, along);
+#elif PART == 2
+  float y = mix(height, floor_height, along);
+  float r = inner_at(u, y / height);
+#elif PART == 3
+  float y = floor_height;
+  float r = inner_at(u, 0.0) * (1.0 - along);
+#elif PART == 4
+  float y = along * floor_height;
+  float r = round_ * outer_at(u, y / height);
+#else
+  float y = mix(floor_height, height, along);
+  float outer = outer_at(u, y / height), inner = inner_at(u, y / height);
+  float r = mix(inner, outer, round_);
+  y += along > 0.999 ? lip_rise(outer - inner, round_) : 0.0;
+#endif
   position = vec3(r * cos(angle), y, r * sin(angle));
   surface = vec2(angle, y / height);
   vec3 drawn = mirrored > 0.5 ? vec3(position.x, -position.y, position.z) : position;
@@ -98,30 +106,29 @@ vec3 section_color(float u) {
 
 void main() {
   float u = turn_of(surface.x), t = clamp(surface.y, 0.0, 1.0);
-  if (part >= 4) {
-    color = vec4(dithered(to_display(tone(section_color(u))), gl_FragCoord.xy), 1.0);
-    return;
-  }
+#if PART >= 4
+  color = vec4(dithered(to_display(tone(section_color(u))), gl_FragCoord.xy), 1.0);
+#else
   float bend = 0.0;
   vec3 n = vec3(0.0, 1.0, 0.0);
   vec3 outward = vec3(cos(surface.x), 0.0, sin(surface.x));
   float rho = length(position.xz);
-  if (part == 0) {
-    n = normal_of(outer_radius, u, t, 0.5 / grid.y, 1.0, bend);
-    // The wall meets the lip without a crease.
-    n = normalize(mix(n, vec3(0.0, 1.0, 0.0), 0.6 * smoothstep(height - 0.0012, height, position.y)));
-  } else if (part == 1) {
-    float outer = outer_at(u, 1.0), inner = inner_at(u, 1.0);
-    float across = clamp((rho - inner) / max(outer - inner, 1e-4), 0.0, 1.0) * 2.0 - 1.0;
-    n = normalize(outward * across * 0.95 + vec3(0.0, 1.05 - abs(across) * 0.45, 0.0));
-  } else if (part == 2) {
-    n = normal_of(inner_radius, u, max(t, first_wall_row()), first_wall_row(), -1.0, bend);
-    n = normalize(mix(n, vec3(0.0, 1.0, 0.0),
-                      smoothstep(floor_height + 0.004, floor_height, position.y)));
-  } else {
-    float rise = smoothstep(0.72, 1.0, rho / max(inner_at(u, 0.0), 1e-4));
-    n = normalize(vec3(0.0, 1.0, 0.0) - outward * 0.5 * rise);
-  }
+#if PART == 0
+  n = normal_of(outer_radius, u, t, 0.5 / grid.y, 1.0, bend);
+  // The wall meets the lip without a crease.
+  n = normalize(mix(n, vec3(0.0, 1.0, 0.0), 0.6 * smoothstep(height - 0.0012, height, position.y)));
+#elif PART == 1
+  float outer = outer_at(u, 1.0), inner = inner_at(u, 1.0);
+  float across = clamp((rho - inner) / max(outer - inner, 1e-4), 0.0, 1.0) * 2.0 - 1.0;
+  n = normalize(outward * across * 0.95 + vec3(0.0, 1.05 - abs(across) * 0.45, 0.0));
+#elif PART == 2
+  n = normal_of(inner_radius, u, max(t, first_wall_row()), first_wall_row(), -1.0, bend);
+  n = normalize(mix(n, vec3(0.0, 1.0, 0.0),
+                    smoothstep(floor_height + 0.004, floor_height, position.y)));
+#else
+  float rise = smoothstep(0.72, 1.0, rho / max(inner_at(u, 0.0), 1e-4));
+  n = normalize(vec3(0.0, 1.0, 0.0) - outward * 0.5 * rise);
+#endif
 
   // The material under this point.
   float fleck = textureLod(grain, vec2(u * 6.0, position.y * 22.0 + rho * 9.0), 0.0).r - 0.5;
@@ -129,42 +136,39 @@ void main() {
   float wet = wetness;
   vec3 albedo = mix(dry_color, wet_color, wet) * (1.0 + 0.16 * fleck) * (1.0 - 0.16 * groove);
   float roughness = mix(0.78, 0.27 + 0.12 * fleck, wet), coat = mix(0.012, 0.045, wet);
-  if (fired > 0.5) {
-    // Celadon: a coloured glass that runs. Deep in grooves and towards the foot, thin on ridges and
-    // the lip, where the body shows through; the foot ring was wiped clean.
-    float lip = part == 1 ? 1.0 : smoothstep(height - 0.0016, height, position.y);
-    float thick = 0.62 + 0.75 * groove + 0.22 * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
-    if (part >= 2) thick += 0.25 * (1.0 - t);
-    thick = clamp(thick, 0.05, 1.8);
-    vec3 glass = exp(-thick * (-log(glaze_color) * 1.15));
-    vec3 under = mix(body_color, vec3(0.80, 0.78, 0.72), clamp(thick * 1.9, 0.0, 1.0));
-    albedo = under * glass * 1.05;
-    roughness = 0.13 + 0.12 * lip;
-    coat = 0.045;
-    float wiped = part == 0 ? 1.0 - smoothstep(0.0042, 0.0056, position.y + 0.0012 * fleck) : 0.0;
-    vec3 bare = body_color * vec3(1.0, 0.82, 0.66) * (1.0 + 0.3 * fleck);
-    albedo = mix(albedo, bare, wiped);
-    coat *= 1.0 - 0.8 * wiped;
-    roughness = mix(roughness, 0.7, wiped);
-  }
+#if FIRED
+  // Celadon: a coloured glass that runs. Deep in grooves and towards the foot, thin on ridges and
+  // the lip, where the body shows through; the foot ring was wiped clean.
+  float lip = PART == 1 ? 1.0 : smoothstep(height - 0.0016, height, position.y);
+  float thick = 0.62 + 0.75 * groove + 0.22 * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
+  if (PART >= 2) thick += 0.25 * (1.0 - t);
+  thick = clamp(thick, 0.05, 1.8);
+  vec3 glass = exp(-thick * (-log(glaze_color) * 1.15));
+  vec3 under = mix(body_color, vec3(0.80, 0.78, 0.72), clamp(thick * 1.9, 0.0, 1.0));
+  albedo = under * glass * 1.05;
+  roughness = 0.13 + 0.12 * lip;
+  coat = 0.045;
+  float wiped = PART == 0 ? 1.0 - smoothstep(0.0042, 0.0056, position.y + 0.0012 * fleck) : 0.0;
+  vec3 bare = body_color * vec3(1.0, 0.82, 0.66) * (1.0 + 0.3 * fleck);
+  albedo = mix(albedo, bare, wiped);
+  coat *= 1.0 - 0.8 * wiped;
+  roughness = mix(roughness, 0.7, wiped);
+#endif
 
-  Seen s;
-  if (part >= 2) {
-    s = seen_inside(position, n, t, albedo, opened);
-  } else {
-    s = seen_outside(position, n, t);
-    // Near the foot the pot shades its own wheel head, which then has little to hand back.
-    s.sky *= 1.0 - 0.55 * exp(-max(position.y, 0.0) / 0.011) * (0.6 - 0.4 * n.y);
-    // The bared edge of an opened wall lets light round to the lip only.
-    if (part == 1) s.sky = 1.0;
-  }
+#if PART >= 2
+  Seen s = seen_inside(position, n, t, albedo, opened);
+#else
+  Seen s = seen_outside(position, n, t);
+  // Near the foot the pot shades its own wheel head, which then has little to hand back.
+  s.sky *= 1.0 - 0.55 * exp(-max(position.y, 0.0) / 0.011) * (0.6 - 0.4 * n.y);
+  if (PART == 1) s.sky = 1.0;
+#endif
   vec3 v = normalize(eye - position);
   vec3 lit = albedo * diffuse_light(n, s);
-  lit += specular(n, v, roughness, coat, s.sky * (part >= 2 ? s.sky : 1.0), s.window);
+  lit += specular(n, v, roughness, coat, s.sky * (PART >= 2 ? s.sky : 1.0), s.window);
   color = vec4(dithered(to_display(tone(lit)), gl_FragCoord.xy), 1.0);
-  if (mirrored > 0.5) {
-    float fade = exp(-position.y / 0.035);
-    color = vec4(color.rgb * fade, fade);
-  }
+  // The wheel head mirrors what stands near it.
+  color *= mirrored > 0.5 ? exp(-position.y / 0.035) : 1.0;
+#endif
 }
 #endif

@@ -1,11 +1,10 @@
-// Flat items over the picture: boxes, text, lines, pictures. Pixels from the top left.
+// Flat items over the picture. Pixels from the top left. MODE: 0 box, 1 text mask, 2 picture, 3 line.
 
 uniform vec2 size;      // of the frame, pixels
 uniform vec4 rect;      // of the item: x, y, width, height
 uniform vec4 part;      // pictures: the share of the texture, x, y, width, height
 uniform vec4 fill, border_fill;
 uniform float radius, border, opacity;
-uniform int mode;  // 0 box, 1 text mask, 2 picture, 3 line
 uniform sampler2D image;
 
 #ifdef VERTEX
@@ -16,9 +15,9 @@ out vec2 pixel, uv;
 out vec4 tint;
 out float across;
 void main() {
-  float pad = mode == 0 ? 1.0 : 0.0;
-  pixel = mode == 3 ? place : rect.xy - pad + place * (rect.zw + 2.0 * pad);
-  uv = mode == 2 ? part.xy + place * part.zw : place;
+  float pad = MODE == 0 ? 1.0 : 0.0;
+  pixel = MODE == 3 ? place : rect.xy - pad + place * (rect.zw + 2.0 * pad);
+  uv = MODE == 2 ? part.xy + place * part.zw : place;
   tint = tint_in;
   across = across_in;
   gl_Position = vec4(pixel.x / size.x * 2.0 - 1.0, 1.0 - pixel.y / size.y * 2.0, 0.0, 1.0);
@@ -32,20 +31,20 @@ in float across;
 out vec4 color;
 
 void main() {
-  if (mode == 0) {
-    vec2 half_size = 0.5 * rect.zw;
-    float r = min(radius, min(half_size.x, half_size.y));
-    vec2 d = abs(pixel - rect.xy - half_size) - half_size + r;
-    float away = length(max(d, 0.0)) + min(max(d.x, d.y), 0.0) - r;
-    float cover = clamp(0.5 - away, 0.0, 1.0);
-    float rim = border > 0.0 ? clamp(away + border + 0.5, 0.0, 1.0) : 0.0;
-    color = mix(fill, border_fill, rim) * cover;
-  } else if (mode == 1) {
-    color = fill * texture(image, uv).r;
-  } else if (mode == 2) {
-    color = texture(image, uv) * opacity;
-  } else {
-    color = tint * clamp(radius + 0.5 - abs(across), 0.0, 1.0);
-  }
+#if MODE == 0
+  vec2 half_size = 0.5 * rect.zw;
+  float r = min(radius, min(half_size.x, half_size.y));
+  vec2 d = abs(pixel - rect.xy - half_size) - half_size + r;
+  float away = length(max(d, 0.0)) + min(max(d.x, d.y), 0.0) - r;
+  float cover = clamp(0.5 - away, 0.0, 1.0);
+  float rim = border > 0.0 ? clamp(away + border + 0.5, 0.0, 1.0) : 0.0;
+  color = mix(fill, border_fill, rim) * cover;
+#elif MODE == 1
+  color = fill * texture(image, uv).r;
+#elif MODE == 2
+  color = texture(image, uv) * opacity;
+#else
+  color = tint * clamp(radius + 0.5 - abs(across), 0.0, 1.0);
+#endif
 }
 #endif

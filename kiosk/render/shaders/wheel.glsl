@@ -1,10 +1,9 @@
 // The wheel head: dark turned wood, wet with slip where the potter works, a dab of white slip to
-// show its turning.
+// show its turning. PART: 0 top, 1 rim.
 
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow, grain;
 uniform float radius, table_y, reach, wheel_angle, wetness, pixel, reflective, opened;
-uniform int part;  // 0 top, 1 rim
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;  // round, along
@@ -12,7 +11,7 @@ out vec3 position;
 void main() {
   float angle = place.x * 2.0 * kPi;
   vec2 d = vec2(cos(angle), sin(angle));
-  position = part == 0 ? vec3(d.x * radius * place.y, 0.0, d.y * radius * place.y)
+  position = PART == 0 ? vec3(d.x * radius * place.y, 0.0, d.y * radius * place.y)
                        : vec3(d.x * radius, table_y * place.y, d.y * radius);
   gl_Position = clip_from_studio * vec4(position, 1.0);
 }
@@ -26,16 +25,16 @@ void main() {
   float rho = length(position.xz);
   float c = cos(wheel_angle), s = sin(wheel_angle);
   vec2 own = vec2(c * position.x + s * position.z, -s * position.x + c * position.z);
-  vec3 n = part == 0 ? vec3(0.0, 1.0, 0.0) : vec3(position.x, 0.0, position.z) / radius;
+  vec3 n = PART == 0 ? vec3(0.0, 1.0, 0.0) : vec3(position.x, 0.0, position.z) / radius;
   // A turned edge catches the light.
   float edge = smoothstep(radius - 0.003, radius, rho);
-  if (part == 0) n = normalize(n + vec3(position.x, 0.0, position.z) / rho * edge * 0.8);
+  if (PART == 0) n = normalize(n + vec3(position.x, 0.0, position.z) / rho * edge * 0.8);
 
   vec2 wood = own * vec2(2.2, 26.0);
   float fibre = textureLod(grain, wood * 0.6, 0.0).r - 0.5;
   float mottle = textureLod(grain, own * 2.3, 0.0).r - 0.5;
   vec3 albedo = vec3(0.105, 0.068, 0.046) * (1.0 + 0.30 * fibre + 0.25 * mottle);
-  if (part == 0) {
+  if (PART == 0) {
     // Centring rings, every 15 mm, cut fine.
     float ring = abs(fract(rho / 0.015 + 0.5) - 0.5) * 0.015;
     float cut = 1.0 - smoothstep(0.0004, 0.0004 + 1.4 * pixel, ring);
@@ -48,17 +47,17 @@ void main() {
   }
   vec4 lit = texture(shadow, position.xz / reach * 0.5 + 0.5);
   Seen seen;
-  seen.window = part == 0 ? lit.r : 1.0;
-  seen.sky = part == 0 ? lit.g * lit.g : 0.35 + 0.65 * smoothstep(1.0, 0.0, position.y / table_y);
+  seen.window = PART == 0 ? lit.r : 1.0;
+  seen.sky = PART == 0 ? lit.g * lit.g : 0.35 + 0.65 * smoothstep(1.0, 0.0, position.y / table_y);
   // Where the pot stands is dark, but an opened pot lets light down to it.
-  if (part == 0) seen.sky = max(seen.sky, 0.5 * opened);
+  if (PART == 0) seen.sky = max(seen.sky, 0.5 * opened);
   seen.bounce = vec3(1.0);
   vec3 v = normalize(eye - position);
   float rough = mix(0.62, 0.34, wetness) + 0.15 * mottle;
   vec3 light = albedo * diffuse_light(n, seen);
   light += specular(n, v, rough, 0.035, seen.sky, seen.window * 0.7);
   // Where wet, the wheel head lets the mirrored pot drawn beneath it through, a little.
-  float cover = part == 0 ? 1.0 - reflective * (0.10 + 0.20 * wetness) : 1.0;
+  float cover = PART == 0 ? 1.0 - reflective * (0.10 + 0.20 * wetness) : 1.0;
   color = vec4(dithered(to_display(tone(light)), gl_FragCoord.xy) * cover, cover);
 }
 #endif
