@@ -6,12 +6,15 @@
 namespace onggi::render {
 namespace {
 
+constexpr int kWarmUp = 3;
 constexpr int kSettle = 6;        // frames at a scale before it is judged
 constexpr double kStep = 0.0625;  // scales are multiples of it, so that targets are few
 
 }  // namespace
 
 void Pacing::frame(double ms) {
+  // The first frames compile shaders and set the first texts.
+  if (frames_++ < kWarmUp) return;
   // One stall (a new font, a shader's first use) is not a trend.
   const double counted = mean_ms_ > 0 ? std::min(ms, 3.0 * mean_ms_) : ms;
   mean_ms_ = mean_ms_ > 0 ? mean_ms_ + 0.25 * (counted - mean_ms_) : counted;

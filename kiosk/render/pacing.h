@@ -21,7 +21,7 @@ class Pacing {
  private:
   double late_ms_, idle_ms_;
   double mean_ms_ = 0, scale_ = kMost;
-  int since_change_ = 0;
+  int since_change_ = 0, frames_ = 0;
 };
 
 }  // namespace onggi::render

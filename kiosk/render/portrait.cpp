@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace onggi::render {
 namespace {
 
 using Point = std::array<float, 3>;
+
+constexpr float kPictured = 0.2f;  // metres, the largest side
 
 // Area-weighted means of the faces' normals.
 std::vector<Point> normals_of(const TriangleMesh& mesh) {
@@ -37,8 +40,12 @@ TriangleMesh standing(const TriangleMesh& mesh) {
       high[k] = std::max(high[k], p[k]);
     }
   }
+  // Every vessel is pictured at one size, so that light and shadow treat a cup as they do a jar.
+  const float widest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-6f});
+  const float to = kPictured / widest;
   for (Point& p : out.positions) {
-    p = {p[0] - 0.5f * (low[0] + high[0]), p[1] - low[1], p[2] - 0.5f * (low[2] + high[2])};
+    p = {(p[0] - 0.5f * (low[0] + high[0])) * to, (p[1] - low[1]) * to,
+         (p[2] - 0.5f * (low[2] + high[2])) * to};
   }
   if (out.normals.size() != out.positions.size()) out.normals = normals_of(out);
   return out;
@@ -51,31 +58,48 @@ Levels levels_of(const TriangleMesh& mesh) {
   float top = 0;
   for (const Point& p : mesh.positions) top = std::max(top, p[1]);
   levels.height = std::max(top, 1e-4f);
-  const auto level_at = [&](float y) {
-    const float t = y / static_cast<float>(levels.height) * kLevels;
-    return std::clamp(static_cast<int>(t), 0, kLevels - 1);
+  const auto step = static_cast<float>(levels.height) / kLevels;
+  const auto level_at = [step](float y) {
+    return std::clamp(static_cast<int>(y / step), 0, kLevels - 1);
   };
-  // Edges, not only corners: a long triangle crosses levels that hold none of its corners.
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t ia = t[k], ib = t[(k + 1) % 3];
-      const Point &a = mesh.positions[ia], &b = mesh.positions[ib];
-      const Point& n = mesh.normals[ia];
-      const bool inward = n[0] * a[0] + n[2] * a[2] < -0.2f * std::hypot(a[0], a[2]);
-      const int from = level_at(std::min(a[1], b[1])), to = level_at(std::max(a[1], b[1]));
-      for (int l = from; l <= to; ++l) {
-        const float y =
-            (static_cast<float>(l) + 0.5f) * static_cast<float>(levels.height) / kLevels;
-        const float rise = b[1] - a[1];
-        const float s = std::abs(rise) > 1e-6f ? std::clamp((y - a[1]) / rise, 0.0f, 1.0f) : 0.0f;
-        const float rho = std::hypot(a[0] + s * (b[0] - a[0]), a[2] + s * (b[2] - a[2]));
-        auto& into = inward ? levels.inner : levels.outer;
-        into[static_cast<std::size_t>(l)] = std::max(into[static_cast<std::size_t>(l)], rho);
+  // Means weighted by area, outer wall first: a handle is small, and what of it faces the axis from
+  // beyond the outer wall is no inner wall.
+  for (const bool inward : {false, true}) {
+    std::array<float, kLevels> sum{}, weight{};
+    auto& into = inward ? levels.inner : levels.outer;
+    for (const auto& t : mesh.triangles) {
+      const Point &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+      const Point& n = mesh.normals[t[0]];
+      const Point m{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
+      const float rho = std::hypot(m[0], m[2]);
+      // A flat foot or lid holds all radii at one height and says nothing of the wall.
+      if (std::abs(n[1]) > 0.93f) continue;
+      if ((n[0] * m[0] + n[2] * m[2] < -0.1f * rho) != inward) continue;
+      const float area = std::hypot((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]),
+                                    (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]),
+                                    (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]));
+      for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        const int from = level_at(std::min(p[1], q[1])), to = level_at(std::max(p[1], q[1]));
+        for (int l = from; l <= to; ++l) {
+          // Where the edge crosses the level's middle.
+          const float y = (static_cast<float>(l) + 0.5f) * step, rise = q[1] - p[1];
+          const float s = std::abs(rise) > 1e-6f ? std::clamp((y - p[1]) / rise, 0.0f, 1.0f) : 0.5f;
+          const float at = std::hypot(p[0] + s * (q[0] - p[0]), p[2] + s * (q[2] - p[2]));
+          const auto k = static_cast<std::size_t>(l);
+          if (inward && at > levels.outer[k]) continue;
+          const float w = (area / static_cast<float>(to - from + 1) + 1e-12f) * (0.0004f + at * at);
+          sum[k] += w * at;
+          weight[k] += w;
+        }
       }
     }
-  }
-  for (std::size_t l = 0; l < kLevels; ++l) {
-    levels.inner[l] = std::min(levels.inner[l], levels.outer[l]);
+    for (std::size_t k = 0; k < kLevels; ++k) into[k] = weight[k] > 0 ? sum[k] / weight[k] : 0.0f;
+    if (inward) continue;
+    // Levels without an outer wall of their own (flat feet, flat lips) take the nearest one's.
+    for (std::size_t k = 1; k < kLevels; ++k) into[k] = into[k] > 0 ? into[k] : into[k - 1];
+    for (std::size_t k = kLevels - 1; k > 0; --k) {
+      into[k - 1] = into[k - 1] > 0 ? into[k - 1] : into[k];
+    }
   }
   return levels;
 }

@@ -149,7 +149,8 @@ void GlRenderer::present() {
     glFinish();
   }
   const double ms = drew_ms_ + ms_since(begun);
-  mean_ms_ = frames_ == 0 ? ms : mean_ms_ + 0.1 * (ms - mean_ms_);
+  // A mean over about a second; one that starts with the second frame, as the first compiles.
+  mean_ms_ = frames_ < 2 ? ms : mean_ms_ + 0.08 * (ms - mean_ms_);
   ++frames_;
   if (full_quality_) return;
   pacing_.frame(ms);

@@ -20,7 +20,7 @@ constexpr int kCoarseColumns = 96, kCoarseRows = 192;
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5;
 
 // Display colours of LOOK.md, as linear light.
-const glm::vec3 kDry(0.4342f, 0.2502f, 0.1384f), kWet(0.1559f, 0.0704f, 0.0423f);
+const glm::vec3 kDry(0.405f, 0.240f, 0.137f), kWet(0.1559f, 0.0704f, 0.0423f);
 const glm::vec3 kCeladonGlaze(0.3372f, 0.4621f, 0.3515f), kStoneware(0.40f, 0.215f, 0.118f);
 const glm::vec3 kSlip(0.30f, 0.185f, 0.125f);
 
@@ -149,7 +149,8 @@ void Stage::set_light(const Program& program, const view::Camera& camera, const 
   program.set("eye", vec(camera.eye()));
 }
 
-void Stage::draw_ground(const glm::mat4& clip, bool wheel, float strength) {
+void Stage::draw_ground(const glm::mat4& clip, bool wheel, float foot, float strength,
+                        glm::vec2 faded_size) {
   ground_program_.use();
   shadow_.color().bind(kShadow);
   ground_program_.set("shadow", kShadow);
@@ -157,7 +158,10 @@ void Stage::draw_ground(const glm::mat4& clip, bool wheel, float strength) {
   ground_program_.set("reach", kShadowReach);
   ground_program_.set("plane_y", wheel ? kTable : 0.0f);
   ground_program_.set("of_table", wheel ? 1.0f : 0.0f);
+  ground_program_.set("foot", wheel ? kWheelRadius : foot);
   ground_program_.set("strength", strength);
+  ground_program_.set("size", faded_size);
+  ground_program_.set("edge", faded_size * glm::vec2(0.28f, 0.14f));
   quad_.draw();
 }
 
@@ -181,27 +185,22 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  draw_ground(clip, pot.wheel, pot.wheel ? 0.9f : 1.0f);
+  draw_ground(clip, pot.wheel, clay_.levels().outer[0], pot.wheel ? 0.9f : 1.0f);
 
-  // 2. The wheel head, over the mirrored pot.
+  // 2. The wheel head, and the pot mirrored in it.
   glEnable(GL_CULL_FACE);
   if (pot.wheel) {
-    const bool reflective = quality.reflection && shown && pot.cut_away < 0.01;
-    if (reflective) {
-      glEnable(GL_STENCIL_TEST);
-      glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-      glStencilFunc(GL_ALWAYS, 1, 1);
-      glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-      glDisable(GL_DEPTH_TEST);
-      draw_wheel(pot, clip, pixel, true);
-      glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-      glStencilFunc(GL_EQUAL, 1, 1);
-      glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-      draw_reflection(pot, clip);
-      glDisable(GL_STENCIL_TEST);
-    }
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glEnable(GL_DEPTH_TEST);
-    draw_wheel(pot, clip, pixel, reflective);
+    draw_wheel(pot, clip, pixel);
+    if (quality.reflection && shown && pot.cut_away < 0.01) {
+      glStencilFunc(GL_EQUAL, 1, 1);
+      glDisable(GL_DEPTH_TEST);
+      draw_reflection(pot, clip);
+    }
+    glDisable(GL_STENCIL_TEST);
   }
 
   // 3. The clay, then the tools, which fade into the air.
@@ -212,8 +211,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glDisable(GL_DEPTH_TEST);
 }
 
-void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel,
-                       bool reflective) {
+void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
   glFrontFace(GL_CW);
   for (const Program& program : wheel_programs_) {
     program.use();
@@ -225,7 +223,6 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
     program.set("wheel_angle", static_cast<float>(pot.wheel_angle));
     program.set("wetness", static_cast<float>(pot.wetness));
     program.set("pixel", pixel);
-    program.set("reflective", reflective ? 1.0f : 0.0f);
     program.set("opened", static_cast<float>(pot.cut_away));
     disc_.draw();
   }
@@ -333,7 +330,7 @@ void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
-  draw_ground(clip, false, 0.95f);
+  draw_ground(clip, false, levels.outer[0], 0.78f, glm::vec2(camera.width, camera.height));
   glEnable(GL_DEPTH_TEST);
   const Program& program = solid_programs_[0];
   program.use();

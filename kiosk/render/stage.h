@@ -39,8 +39,9 @@ class Stage {
   Stage() = default;
   void cast_shadow(double height, bool wheel, const Texture& levels, GLint back_to);
   void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
-  void draw_ground(const glm::mat4& clip, bool wheel, float strength);
-  void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel, bool reflective);
+  void draw_ground(const glm::mat4& clip, bool wheel, float foot, float strength,
+                   glm::vec2 faded_size = glm::vec2(0.0f));
+  void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool fine);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_tools(const view::PotView& pot, const glm::mat4& clip);

@@ -13,7 +13,7 @@ constexpr int kSkySize = 32;   // texels of the sharpest level
 constexpr int kSkyLevels = 5;  // roughness 0, 1/4 .. 1
 constexpr int kGrainSize = 256;
 
-const glm::vec3 kWindow = glm::normalize(glm::vec3(-0.78f, 0.60f, 0.46f));
+const glm::vec3 kWindow = glm::normalize(glm::vec3(-0.86f, 0.60f, 0.36f));
 
 glm::vec3 octahedral(float x, float z) {
   glm::vec3 d(x, 1.0f - std::abs(x) - std::abs(z), z);
@@ -122,14 +122,14 @@ Texture make_sky() {
 glm::vec3 window_direction() { return kWindow; }
 
 glm::vec3 studio_light(glm::vec3 d) {
-  const glm::vec3 wall(0.47f, 0.42f, 0.365f), ceiling(0.66f, 0.655f, 0.65f);
-  const glm::vec3 floor(0.36f, 0.285f, 0.22f), far(0.22f, 0.175f, 0.135f);
+  const glm::vec3 wall(0.37f, 0.33f, 0.285f), ceiling(0.52f, 0.51f, 0.50f);
+  const glm::vec3 floor(0.29f, 0.225f, 0.17f), far(0.15f, 0.115f, 0.085f);
   const float up = glm::smoothstep(0.0f, 0.8f, d.y), down = glm::smoothstep(0.0f, -0.5f, d.y);
   glm::vec3 light = glm::mix(wall, ceiling, up);
   light = glm::mix(light, floor, down);
   // Away from the window the room is dim and warm; beside it the reveal glows.
   const float away = glm::smoothstep(-0.1f, 1.0f, -glm::dot(d, kWindow));
-  light = glm::mix(light, far, 0.6f * away);
+  light = glm::mix(light, far, 0.75f * away);
   const float near = glm::smoothstep(0.55f, 0.95f, glm::dot(d, kWindow));
   return light + near * glm::vec3(0.42f, 0.44f, 0.46f);
 }
@@ -162,7 +162,7 @@ void Studio::light(const Program& program, int unit) const {
   program.set("window_dir", kWindow);
   program.set("window_across", across);
   program.set("window_up", glm::cross(kWindow, across));
-  program.set("window_light", glm::vec3(0.76f, 0.775f, 0.79f));
+  program.set("window_light", glm::vec3(0.84f, 0.85f, 0.855f));
   sky_.bind(unit);
   program.set("sky", unit);
 }

@@ -31,9 +31,8 @@ std::string families(const view::TextStyle& s) {
   out += two == "ja"   ? "," + cjk + "JP"
          : two == "zh" ? "," + cjk + (s.language.find("Hant") != std::string::npos ? "TC" : "SC")
                        : "," + cjk + "KR";
-  if (two == "ar" || two == "fa" || two == "ur") {
-    out += serif ? ",Noto Naskh Arabic" : ",Noto Sans Arabic";
-  }
+  out += serif ? ",Noto Naskh Arabic,Noto Serif Hebrew,Noto Serif Devanagari,Noto Serif Thai"
+               : ",Noto Sans Arabic,Noto Sans Hebrew,Noto Sans Devanagari,Noto Sans Thai";
   return out + (serif ? ",serif" : ",sans-serif");
 }
 
@@ -83,6 +82,7 @@ struct Typesetter::Pango {
     pango_attr_list_insert(attributes, pango_attr_font_features_new("tnum=1"));
     pango_attr_list_insert(attributes,
                            pango_attr_language_new(pango_language_from_string(s.language.c_str())));
+    pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
     // An absolute line height keeps lines even where a fallback font is taller.
     pango_attr_list_insert(attributes, pango_attr_line_height_new_absolute(static_cast<int>(
                                            std::round(s.px * s.line_height) * PANGO_SCALE)));

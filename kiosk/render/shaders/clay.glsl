@@ -109,7 +109,7 @@ void main() {
 #if PART >= 4
   color = vec4(dithered(to_display(tone(section_color(u))), gl_FragCoord.xy), 1.0);
 #else
-  float bend = 0.0;
+  float bend = 0.0, across = 0.0;
   vec3 n = vec3(0.0, 1.0, 0.0);
   vec3 outward = vec3(cos(surface.x), 0.0, sin(surface.x));
   float rho = length(position.xz);
@@ -119,7 +119,7 @@ void main() {
   n = normalize(mix(n, vec3(0.0, 1.0, 0.0), 0.6 * smoothstep(height - 0.0012, height, position.y)));
 #elif PART == 1
   float outer = outer_at(u, 1.0), inner = inner_at(u, 1.0);
-  float across = clamp((rho - inner) / max(outer - inner, 1e-4), 0.0, 1.0) * 2.0 - 1.0;
+  across = clamp((rho - inner) / max(outer - inner, 1e-4), 0.0, 1.0) * 2.0 - 1.0;
   n = normalize(outward * across * 0.95 + vec3(0.0, 1.05 - abs(across) * 0.45, 0.0));
 #elif PART == 2
   n = normal_of(inner_radius, u, max(t, first_wall_row()), first_wall_row(), -1.0, bend);
@@ -139,13 +139,13 @@ void main() {
 #if FIRED
   // Celadon: a coloured glass that runs. Deep in grooves and towards the foot, thin on ridges and
   // the lip, where the body shows through; the foot ring was wiped clean.
-  float lip = PART == 1 ? 1.0 : smoothstep(height - 0.0016, height, position.y);
+  float lip = PART == 1 ? 1.0 - 0.75 * across * across : smoothstep(height - 0.0016, height, position.y);
   float thick = 0.62 + 0.75 * groove + 0.22 * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
   if (PART >= 2) thick += 0.25 * (1.0 - t);
   thick = clamp(thick, 0.05, 1.8);
   vec3 glass = exp(-thick * (-log(glaze_color) * 1.15));
-  vec3 under = mix(body_color, vec3(0.80, 0.78, 0.72), clamp(thick * 1.9, 0.0, 1.0));
-  albedo = under * glass * 1.05;
+  vec3 under = mix(body_color * vec3(1.0, 0.86, 0.72), vec3(0.80, 0.78, 0.72), clamp(thick * 1.9, 0.0, 1.0));
+  albedo = under * glass * 0.86;
   roughness = 0.13 + 0.12 * lip;
   coat = 0.045;
   float wiped = PART == 0 ? 1.0 - smoothstep(0.0042, 0.0056, position.y + 0.0012 * fleck) : 0.0;
@@ -167,8 +167,8 @@ void main() {
   vec3 lit = albedo * diffuse_light(n, s);
   lit += specular(n, v, roughness, coat, s.sky * (PART >= 2 ? s.sky : 1.0), s.window);
   color = vec4(dithered(to_display(tone(lit)), gl_FragCoord.xy), 1.0);
-  // The wheel head mirrors what stands near it.
-  color *= mirrored > 0.5 ? exp(-position.y / 0.035) : 1.0;
+  // The wheel head mirrors what stands near it, the more the wetter it is.
+  color *= mirrored > 0.5 ? exp(-position.y / 0.035) * (0.07 + 0.23 * wetness) : 1.0;
 #endif
 }
 #endif

@@ -2,9 +2,11 @@
 
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow;
-uniform float reach, plane_y;
+uniform float reach, plane_y, foot;
 uniform float of_table;  // 1: the table's half of the shadow texture
 uniform float strength;
+uniform vec2 edge;  // pixels over which the shadow fades to the picture's edges; 0: it does not
+uniform vec2 size;
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;
@@ -22,8 +24,12 @@ void main() {
   vec4 both = texture(shadow, ground / reach * 0.5 + 0.5);
   vec2 lit = of_table > 0.5 ? both.ba : both.rg;
   float fade = 1.0 - smoothstep(0.55, 0.98, length(ground) / reach);
-  float light = 0.46 * lit.x + 0.54 * lit.y * lit.y;
-  float dark = (1.0 - light) * fade * strength;
+  // The sky's part is gone a hand's breadth from the foot: the real one never ends, a picture does.
+  float sky = mix(lit.y * lit.y, 1.0, smoothstep(0.0, 0.24, length(ground) - foot));
+  float light = 0.46 * lit.x + 0.54 * sky;
+  vec2 inset = min(gl_FragCoord.xy, size - gl_FragCoord.xy) / max(edge, vec2(1.0));
+  vec2 within = mix(vec2(1.0), smoothstep(0.0, 1.0, inset), step(vec2(1.0), edge));
+  float dark = (1.0 - light) * fade * within.x * within.y * strength;
   // Sky light fills a shadow from the north; clay and floor warm it.
   vec3 tint = mix(vec3(0.42, 0.335, 0.265), vec3(0.20, 0.15, 0.115), dark);
   color = vec4(tint, 1.0) * clamp(dark * 0.92 + dither_noise(gl_FragCoord.xy) / 255.0 * step(0.004, dark), 0.0, 1.0);

@@ -22,7 +22,7 @@ vec3 ambient(vec3 n) {
 float wrapped(float cosine) {
   const float reach = 0.22;
   float c = clamp((cosine + reach) / (1.0 + reach), 0.0, 1.0);
-  return c * mix(c, 1.0, smoothstep(0.0, 0.7, c));
+  return c * (0.35 * c + 0.65);
 }
 
 vec3 sky_at(vec3 d, float level) {
@@ -68,7 +68,7 @@ Seen seen_outside(vec3 p, vec3 n, float t) {
   // Angle of the light from the vertical, in the meridian plane; the wall above ends at level.y.
   float lean = atan(dot(window_dir.xz, out_dir), window_dir.y);
   Seen s;
-  s.window = smoothstep(-0.3, 0.18, lean - level.y);
+  s.window = smoothstep(-0.62, 0.02, lean - level.y);
   s.sky = level.z;
   s.bounce = vec3(1.0);
   return s;
@@ -84,7 +84,7 @@ Seen seen_inside(vec3 p, vec3 n, float t, vec3 albedo, float opened) {
   float z = d / (a + max(level.x, 1e-4));
   float facing_axis = 2.0 * ((z * z + 0.5) / sqrt(z * z + 1.0) - z);
   float share = mix(facing_axis, facing_up, clamp(n.y, 0.0, 1.0));
-  share = mix(share, 1.0, 0.5 * opened);
+  share = mix(share, 1.0, 0.6 * opened);
   float along = d / max(window_dir.y, 0.05);
   vec2 q = p.xz + window_dir.xz * along;
   float soft = 0.0015 + 0.2 * along;

@@ -3,7 +3,7 @@
 
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow, grain;
-uniform float radius, table_y, reach, wheel_angle, wetness, pixel, reflective, opened;
+uniform float radius, table_y, reach, wheel_angle, wetness, pixel, opened;
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;  // round, along
@@ -56,8 +56,6 @@ void main() {
   float rough = mix(0.62, 0.34, wetness) + 0.15 * mottle;
   vec3 light = albedo * diffuse_light(n, seen);
   light += specular(n, v, rough, 0.035, seen.sky, seen.window * 0.7);
-  // Where wet, the wheel head lets the mirrored pot drawn beneath it through, a little.
-  float cover = PART == 0 ? 1.0 - reflective * (0.10 + 0.20 * wetness) : 1.0;
-  color = vec4(dithered(to_display(tone(light)), gl_FragCoord.xy) * cover, cover);
+  color = vec4(dithered(to_display(tone(light)), gl_FragCoord.xy), 1.0);
 }
 #endif

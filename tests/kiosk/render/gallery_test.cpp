@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "kiosk/content/gltf.h"
 #include "kiosk/view/palette.h"
 #include "tests/kiosk/render/studio_fixture.h"
 
@@ -68,6 +71,116 @@ TEST_F(Gallery, ABowlAndADeepJar) {
   frame.pot->wetness = 0.6;
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "jar");
+}
+
+view::Text label(float x, float y, float w, float h, const char* text, float px,
+                 view::Face face = view::Face::sans, const char* language = "en",
+                 view::Color color = view::kInk) {
+  view::Text t;
+  t.box = {x, y, w, h};
+  t.text = text;
+  t.style = {.face = face, .px = px, .language = language};
+  t.color = color;
+  return t;
+}
+
+TEST_F(Gallery, APageOfTextInFourScripts) {
+  Renderer& r = renderer();
+  view::Frame page;
+  page.width = kWidth;
+  page.height = kHeight;
+  const float px = 26, w = 520;
+  page.items = {
+      label(60, 50, w, 90, "Moon jar", 61, view::Face::serif),
+      label(60, 140, w, 200,
+            "Two bowls thrown on the wheel, joined at the rim and fired as one. Height 30.5 cm; "
+            "mouth 14.2 cm.",
+            px),
+      label(60, 340, w, 90, "\xEB\x8B\xAC\xED\x95\xAD\xEC\x95\x84\xEB\xA6\xAC", 61,
+            view::Face::serif, "ko"),
+      label(60, 430, w, 200,
+            "\xEB\xAC\xBC\xEB\xA0\x88\xEB\xA1\x9C \xEB\xB9\x9A\xEC\x9D\x80 \xEB\x91\x90 "
+            "\xEA\xB0\x9C\xEC\x9D\x98 \xEC\x82\xAC\xEB\xB0\x9C\xEC\x9D\x84 "
+            "\xED\x95\x98\xEB\x82\x98\xEB\xA1\x9C "
+            "\xEC\x9D\xB4\xEC\x96\xB4 "
+            "\xEA\xB5\xAC\xEC\x9B\xA0\xEC\x8A\xB5\xEB\x8B\x88\xEB\x8B\xA4. 30.5 cm",
+            px, view::Face::sans, "ko"),
+      label(680, 50, w, 120, "\xD8\xAC\xD8\xB1\xD8\xA9 \xD8\xA7\xD9\x84\xD9\x82\xD9\x85\xD8\xB1",
+            61, view::Face::serif, "ar"),
+      label(680, 150, w, 120,
+            "\xD8\xA7\xD8\xB1\xD9\x81\xD8\xB9 \xD8\xA7\xD9\x84\xD8\xAC\xD8\xAF\xD8\xA7\xD8\xB1 "
+            "\xD8\xA8\xD8\xA8\xD8\xB7\xD8\xA1 2.5 mm",
+            px, view::Face::sans, "ar"),
+      label(680, 240, w, 90, "\xE6\x9C\x88\xE5\xA3\xBA  \xD7\x9B\xD7\x93", 61, view::Face::serif,
+            "ja"),
+      label(680, 560, w, 60, "1111 mm\n2468 mm", 20, view::Face::sans, "en", view::kFaintInk)};
+  view::Box button{{680, 350, 260, 84}, 42, view::kCobalt, 0, {}};
+  page.items.emplace_back(button);
+  view::Text words = label(680, 374, 260, 40, "Begin", px, view::Face::sans, "en", view::kPlaster);
+  words.style.align = view::Align::centre;
+  words.style.bold = true;
+  page.items.emplace_back(words);
+  page.items.emplace_back(view::Box{{970, 350, 230, 84}, 12, {1, 1, 1, 0.4f}, 2, view::kCobalt});
+  view::Line line;
+  for (int i = 0; i <= 120; ++i) {
+    const float x = static_cast<float>(i) * 4.0f;
+    line.points.emplace_back(690 + x, 500 + 24 * std::sin(x * 0.03f));
+    const float t = static_cast<float>(i) / 120;
+    line.colors.push_back(
+        {0.54f * t + 0.18f * (1 - t), 0.23f * t + 0.29f * (1 - t), 0.13f * t + 0.49f * (1 - t), 1});
+  }
+  line.width = 3;
+  page.items.emplace_back(line);
+  const std::uint64_t before = r.status().text_overflows;
+  r.draw(page);
+  keep_for_looking(r.read_pixels(), "text");
+  EXPECT_EQ(r.status().text_overflows, before) << r.status().last_overflow;
+}
+
+TEST_F(Gallery, TheShelfOfTheExhibit) {
+  if (!std::filesystem::is_directory("content/vessels"))
+    GTEST_SKIP() << "content/vessels is absent";
+  Renderer& r = renderer();
+  view::Frame page;
+  page.width = kWidth;
+  page.height = kHeight;
+  std::vector<std::filesystem::path> folders;
+  for (const auto& entry : std::filesystem::directory_iterator("content/vessels")) {
+    folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  std::vector<view::PictureId> pictures;
+  for (const auto& folder : folders) {
+    const auto model = content::read_gltf(folder / "vessel.glb");
+    if (!model) continue;
+    pictures.push_back(r.make_picture(model->mesh, {0.62f, 0.44f, 0.31f}, 400, 420));
+    const auto k = static_cast<float>(pictures.size() - 1);
+    const float x = 30 + 205 * std::fmod(k, 6.0f), y = 30 + 340 * std::floor(k / 6.0f);
+    page.items.emplace_back(view::Picture{{x, y, 200, 210}, pictures.back(), 1});
+    page.items.emplace_back(label(x, y + 220, 200, 80, folder.filename().c_str(), 20));
+  }
+  r.draw(page);
+  keep_for_looking(r.read_pixels(), "shelf");
+  for (const view::PictureId id : pictures) r.drop_picture(id);
+}
+
+TEST_F(Gallery, VesselsThatNobodyHereMade) {
+  if (!std::filesystem::is_directory("../shared/vessels")) GTEST_SKIP() << "../shared is absent";
+  Renderer& r = renderer();
+  view::Frame page;
+  page.width = kWidth;
+  page.height = kHeight;
+  int k = 0;
+  for (const char* name : {"m3_roman_pottery_01", "m3_wine_jug_02", "ycb_024_bowl",
+                           "polyhaven_ceramic_vase_01_quant", "ycb_025_mug"}) {
+    const auto vessel = content::read_gltf(std::string("../shared/vessels/") + name + ".glb");
+    if (!vessel) continue;
+    const auto id = r.make_picture(vessel->mesh, {0.5f, 0.42f, 0.34f}, 420, 480);
+    const float x = 20 + 250 * static_cast<float>(k++);
+    page.items.emplace_back(view::Picture{{x, 200, 240, 280}, id, 1});
+  }
+  r.draw(page);
+  keep_for_looking(r.read_pixels(), "shelf_shared");
 }
 
 }  // namespace

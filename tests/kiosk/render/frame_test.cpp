@@ -1,0 +1,220 @@
+#include <cmath>
+
+#include "kiosk/view/palette.h"
+#include "tests/kiosk/render/studio_fixture.h"
+
+namespace onggi::render::testing {
+namespace {
+
+using AFrame = StudioTest;
+
+double cylinder(double) { return 0.05; }
+const view::GridShape kCylinder{200, 180, 0.15, 0.010};
+
+view::Frame empty_frame() {
+  view::Frame frame;
+  frame.width = 640;
+  frame.height = 400;
+  return frame;
+}
+
+view::Image drawn(Renderer& r, const view::Frame& frame) {
+  r.draw(frame);
+  return r.read_pixels();
+}
+
+int difference(Pixel a, Pixel b) {
+  return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+}
+
+TEST_F(AFrame, WithNothingInItIsPlaster) {
+  const view::Image image = drawn(renderer(), empty_frame());
+  ASSERT_EQ(image.width, 640);
+  for (int y = 5; y < 400; y += 39) {
+    for (int x = 5; x < 640; x += 63) {
+      const Pixel p = pixel_at(image, x, y);
+      EXPECT_LT(difference(p, {0xED, 0xE8, 0xE1}), 45);
+      EXPECT_GE(p.r, p.g);
+      EXPECT_GE(p.g, p.b);  // warm white all over
+    }
+  }
+}
+
+TEST_F(AFrame, PlasterNeverBandsIntoFlatSteps) {
+  // A banded gradient has long runs of one value in a row; a dithered one does not.
+  const view::Image image = drawn(renderer(), empty_frame());
+  int run = 0, longest = 0;
+  for (int x = 1; x < 640; ++x) {
+    run = difference(pixel_at(image, x, 390), pixel_at(image, x - 1, 390)) == 0 ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  EXPECT_LT(longest, 40);
+}
+
+TEST_F(AFrame, BoxesStandWhereTheyWerePutAndInTheirColour) {
+  view::Frame frame = empty_frame();
+  frame.items.emplace_back(view::Box{{100, 50, 200, 80}, 0, view::kCobalt, 0, {}});
+  frame.items.emplace_back(view::Box{{100, 200, 200, 80}, 30, view::kIron, 0, {}});
+  const view::Image image = drawn(renderer(), frame);
+  EXPECT_LT(difference(pixel_at(image, 100, 50), {0x2F, 0x4B, 0x7C}), 4);
+  EXPECT_LT(difference(pixel_at(image, 299, 129), {0x2F, 0x4B, 0x7C}), 4);
+  EXPECT_GT(difference(pixel_at(image, 98, 50), {0x2F, 0x4B, 0x7C}), 200);
+  EXPECT_LT(difference(pixel_at(image, 200, 240), {0x8A, 0x3B, 0x22}), 4);
+  EXPECT_GT(difference(pixel_at(image, 101, 201), {0x8A, 0x3B, 0x22}), 200);  // round corner
+}
+
+TEST_F(AFrame, LinesAreAsWideAsAsked) {
+  view::Frame frame = empty_frame();
+  view::Line line;
+  line.points = {{100, 100}, {500, 100}};
+  line.colors = {view::kInk};
+  line.width = 6;
+  frame.items.emplace_back(line);
+  const view::Image image = drawn(renderer(), frame);
+  double ink = 0;
+  for (int y = 80; y < 120; ++y) ink += (237 - pixel_at(image, 300, y).r) / (237.0 - 35.0);
+  EXPECT_NEAR(ink, 6.0, 0.4);
+}
+
+TEST_F(AFrame, PicturesKeepTheirAspectAndTheirSidesUp) {
+  view::Image flag{2, 4, std::vector<std::uint8_t>(32, 255)};
+  for (std::size_t i = 0; i < 16; i += 4) flag.rgba[i + 1] = flag.rgba[i + 2] = 0;  // top half red
+  const view::PictureId id = renderer().make_picture(flag);
+  view::Frame frame = empty_frame();
+  frame.items.emplace_back(view::Picture{{100, 100, 200, 100}, id, 1});
+  const view::Image image = drawn(renderer(), frame);
+  EXPECT_LT(difference(pixel_at(image, 200, 110), {255, 0, 0}), 10);
+  EXPECT_LT(difference(pixel_at(image, 200, 190), {255, 255, 255}), 10);
+  EXPECT_LT(difference(pixel_at(image, 150, 150), {0xED, 0xE8, 0xE1}), 45);  // outside its 50 px
+  renderer().drop_picture(id);
+  EXPECT_LT(difference(pixel_at(drawn(renderer(), frame), 200, 110), {0xED, 0xE8, 0xE1}), 45);
+}
+
+TEST_F(AFrame, AFadeShowsThePictureOfTheScreenBefore) {
+  Renderer& r = renderer();
+  view::Frame before = empty_frame();
+  before.screen_serial = 101;
+  before.items.emplace_back(view::Box{{0, 0, 640, 400}, 0, {1, 0, 0, 1}, 0, {}});
+  r.draw(before);
+  view::Frame after = empty_frame();
+  after.screen_serial = 102;
+  after.items.emplace_back(view::Box{{0, 0, 640, 400}, 0, {0, 0, 1, 1}, 0, {}});
+  after.fade = 0.75f;
+  const Pixel early = pixel_at(drawn(r, after), 320, 200);
+  EXPECT_NEAR(early.r, 191, 3);
+  EXPECT_NEAR(early.b, 64, 3);
+  after.fade = 0.25f;
+  EXPECT_NEAR(pixel_at(drawn(r, after), 320, 200).r, 64, 3);
+  after.fade = 0;
+  EXPECT_EQ(pixel_at(drawn(r, after), 320, 200).r, 0);
+}
+
+TEST_F(AFrame, TheClayStandsWhereTheCameraSaysItDoes) {
+  Renderer& r = renderer();
+  r.set_grid(kCylinder);
+  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0));
+  view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
+  const view::Image with = drawn(r, frame);
+  for (const double side : {-1.0, 1.0}) {
+    const auto inside = frame.pot->camera.project({side * 0.045, 0.12, 0});
+    const auto outside = frame.pot->camera.project({side * 0.056, 0.12, 0});
+    const Pixel in =
+        pixel_at(with, static_cast<int>(inside->first), static_cast<int>(inside->second));
+    const Pixel out =
+        pixel_at(with, static_cast<int>(outside->first), static_cast<int>(outside->second));
+    EXPECT_GT(in.r - in.b, 25) << "clay is brown";
+    EXPECT_LT(out.r - out.b, 25) << "plaster is not";
+  }
+}
+
+TEST_F(AFrame, WetClayIsDarkerThanDryClay) {
+  Renderer& r = renderer();
+  r.set_grid(kCylinder);
+  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0));
+  view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
+  const auto at = frame.pot->camera.project({0.01, 0.07, 0.049});
+  const int x = static_cast<int>(at->first), y = static_cast<int>(at->second);
+  const Pixel dry = pixel_at(drawn(r, frame), x, y);
+  frame.pot->wetness = 1;
+  const Pixel wet = pixel_at(drawn(r, frame), x, y);
+  EXPECT_GT(dry.r + dry.g + dry.b, wet.r + wet.g + wet.b + 60);
+}
+
+TEST_F(AFrame, ChangedRowsShowAndOthersStay) {
+  Renderer& r = renderer();
+  r.set_grid(kCylinder);
+  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0));
+  view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
+  const view::Image before = drawn(r, frame);
+  auto rows = thrown_rows(
+      kCylinder, [](double) { return 0.060; }, 0.018, 0);
+  rows.erase(rows.begin(), rows.begin() + 100);
+  rows.resize(20);  // a bulge at half height
+  r.update_rows(rows);
+  const view::Image after = drawn(r, frame);
+  const auto bulge = frame.pot->camera.project({0.057, 0.0825, 0});
+  const auto below = frame.pot->camera.project({0.045, 0.03, 0});
+  const auto at = [](const view::Image& image, const auto& p) {
+    return pixel_at(image, static_cast<int>(p->first), static_cast<int>(p->second));
+  };
+  EXPECT_GT(difference(at(before, bulge), at(after, bulge)), 40);
+  EXPECT_LT(difference(at(before, below), at(after, below)), 25);
+}
+
+TEST_F(AFrame, AnOpenedPotShowsItsSectionAtTheRight) {
+  Renderer& r = renderer();
+  r.set_grid(kCylinder);
+  r.update_rows(thrown_rows(kCylinder, cylinder, 0.012, 0));
+  view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
+  const view::Image closed = drawn(r, frame);
+  frame.pot->cut_away = 1;
+  const view::Image open = drawn(r, frame);
+  const auto wall = frame.pot->camera.project({0.044, 0.07, 0});
+  const auto left = frame.pot->camera.project({-0.03, 0.07, 0.039});
+  const auto at = [](const view::Image& image, const auto& p) {
+    return pixel_at(image, static_cast<int>(p->first), static_cast<int>(p->second));
+  };
+  EXPECT_GT(at(open, wall).r, at(closed, wall).r + 20) << "the section is pale";
+  EXPECT_LT(difference(at(open, left), at(closed, left)), 6) << "the left stays shut";
+}
+
+TEST_F(AFrame, TheInsideOfADeepJarIsDark) {
+  Renderer& r = renderer();
+  r.set_grid(kCylinder);
+  r.update_rows(thrown_rows(
+      kCylinder, [](double) { return 0.03; }, 0.005, 0));
+  view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
+  frame.pot->camera.elevation = 1.25;
+  const view::Image image = drawn(r, frame);
+  const auto deep = frame.pot->camera.project({0, 0.03, -0.022});
+  const auto lip = frame.pot->camera.project({-0.0275, 0.1505, 0});
+  const Pixel d = pixel_at(image, static_cast<int>(deep->first), static_cast<int>(deep->second));
+  const Pixel l = pixel_at(image, static_cast<int>(lip->first), static_cast<int>(lip->second));
+  EXPECT_LT(d.r + d.g + d.b, (l.r + l.g + l.b) / 2);
+}
+
+TEST_F(AFrame, DrawsTheSamePixelsTwice) {
+  Renderer& r = renderer();
+  r.set_grid(kCylinder);
+  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0.0002));
+  view::Frame frame = frame_with_pot(640, 400, 0.15, 0.05);
+  frame.pot->wetness = 0.5;
+  EXPECT_EQ(drawn(r, frame).rgba, drawn(r, frame).rgba);
+}
+
+TEST_F(AFrame, OffscreenLeavesTheWindowsPictureAlone) {
+  Renderer& r = renderer();
+  const view::Image before = drawn(r, empty_frame());
+  view::Frame card = empty_frame();
+  card.width = 300;
+  card.height = 420;
+  card.items.emplace_back(view::Box{{0, 0, 300, 420}, 0, view::kInk, 0, {}});
+  const view::Image image = r.draw_offscreen(card);
+  EXPECT_EQ(image.width, 300);
+  EXPECT_EQ(image.height, 420);
+  EXPECT_LT(pixel_at(image, 150, 200).r, 50);
+  EXPECT_EQ(r.read_pixels().rgba, before.rgba);
+}
+
+}  // namespace
+}  // namespace onggi::render::testing

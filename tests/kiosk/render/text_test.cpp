@@ -1,0 +1,89 @@
+#include "kiosk/render/text.h"
+
+#include "kiosk/view/palette.h"
+#include "tests/kiosk/render/studio_fixture.h"
+
+namespace onggi::render::testing {
+namespace {
+
+TEST(Typesetter, SetsEverySentenceOnWholeLines) {
+  const Typesetter type;
+  const view::TextStyle style{.px = 30, .line_height = 1.4f};
+  const auto one = type.measure("A pot", style, 0);
+  EXPECT_FLOAT_EQ(one.height, 42.0f);
+  const auto many =
+      type.measure("A pot that was thrown on a wheel and dried in the sun.", style, 260);
+  EXPECT_LE(many.width, 260.0f);
+  EXPECT_GT(many.height, 42.0f);
+  EXPECT_FLOAT_EQ(many.height / 42.0f, std::round(many.height / 42.0f));
+}
+
+TEST(Typesetter, KeepsTheLineHeightInEveryScript) {
+  const Typesetter type;
+  for (const char* text : {"Pot", "\xEB\x8F\x84\xEC\x9E\x90\xEA\xB8\xB0", "\xE5\xA3\xBA",
+                           "\xD8\xAC\xD8\xB1\xD8\xA9", "\xD7\x9B\xD7\x93"}) {
+    const auto size = type.measure(text, {.px = 30, .line_height = 1.4f}, 0);
+    EXPECT_FLOAT_EQ(size.height, 42.0f) << text;
+    EXPECT_GT(size.width, 10.0f) << text;
+  }
+}
+
+TEST(Typesetter, NumbersAreTabular) {
+  const Typesetter type;
+  EXPECT_EQ(type.measure("1111", {.px = 40}, 0).width, type.measure("8888", {.px = 40}, 0).width);
+}
+
+TEST(Typesetter, KoreanWordsAreNotBroken) {
+  const Typesetter type;
+  const view::TextStyle style{.px = 30, .language = "ko"};
+  const std::string word = "\xEB\xAC\xBC\xEB\xA0\x88\xEB\xA1\x9C";  // three syllables
+  const auto alone = type.measure(word, style, 0);
+  // Room for a word and a half: the second word goes to the next line whole.
+  const auto two = type.measure(word + " " + word, style, alone.width * 1.6f);
+  EXPECT_NEAR(two.width, alone.width, 12.0f);
+  EXPECT_FLOAT_EQ(two.height, 2 * alone.height);
+}
+
+using TextOnScreen = StudioTest;
+
+TEST_F(TextOnScreen, RightToLeftStartsAtTheRight) {
+  view::Frame frame;
+  frame.width = 600;
+  frame.height = 100;
+  view::Text text;
+  text.box = {0, 20, 600, 60};
+  text.text = "\xD8\xAC\xD8\xB1\xD8\xA9";
+  text.style = {.px = 40, .language = "ar"};
+  text.color = view::kInk;
+  frame.items.emplace_back(text);
+  renderer().draw(frame);
+  const view::Image image = renderer().read_pixels();
+  int left = 0, right = 0;
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 300; ++x) {
+      left += pixel_at(image, x, y).r < 128 ? 1 : 0;
+      right += pixel_at(image, x + 300, y).r < 128 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(left, 0);
+  EXPECT_GT(right, 100);
+}
+
+TEST_F(TextOnScreen, WhatDoesNotFitIsDrawnAndCounted) {
+  view::Frame frame;
+  frame.width = 400;
+  frame.height = 200;
+  view::Text text;
+  text.box = {10, 10, 120, 30};
+  text.text = "Far too much for one line of this box";
+  text.style = {.px = 24};
+  text.color = view::kInk;
+  frame.items.emplace_back(text);
+  const std::uint64_t before = renderer().status().text_overflows;
+  renderer().draw(frame);
+  EXPECT_EQ(renderer().status().text_overflows, before + 1);
+  EXPECT_EQ(renderer().status().last_overflow, text.text);
+}
+
+}  // namespace
+}  // namespace onggi::render::testing
