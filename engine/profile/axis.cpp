@@ -9,12 +9,16 @@ namespace onggi {
 namespace {
 
 constexpr int kJudgeSlices = 24;
-constexpr int kRefineSlices = 48;
+constexpr int kRefineSlices = 36;
 constexpr int kRays = 48;
 /// A radius counts as agreeing within this share of the vessel's largest radius...
 constexpr double kAgree = 0.03;
 /// ...and as entirely elsewhere beyond this one.
 constexpr double kElsewhere = 0.15;
+/// An axis this good needs no rival.
+constexpr double kSurely = 0.01;
+/// No tilt can make slices rounder than this by more than rounding errors.
+constexpr double kPerfect = 2e-4;
 /// A tilt must better the cost by this factor, or the axis as the file has it is kept.
 constexpr double kWorthTilting = 0.97;
 
@@ -84,11 +88,13 @@ void improve_circle(std::span<const Vec2> points, double scale, FittedCircle& c)
 
 /// Where each ray leaves an outline for good.
 std::vector<Vec2> outermost(const std::vector<CutSegment>& outline, Vec2 centre,
-                            std::span<const Vec2> rays) {
+                            RayCrossings& rays) {
   std::vector<Vec2> out;
-  const auto all = crossings(outline, centre, rays);
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if (!all[k].empty()) out.push_back(centre + rays[k] * all[k].front().radius);
+  rays.meet(outline, centre);
+  out.reserve(rays.fan().count());
+  for (std::size_t k = 0; k < rays.fan().count(); ++k)
+    if (!rays.ray(k).empty())
+      out.push_back(centre + rays.fan().direction(k) * rays.ray(k).front().radius);
   return out;
 }
 
@@ -132,21 +138,22 @@ struct Judged {
 /// Slices across `direction`: the best common centre, how far they are circles about it, and which
 /// way the centres of the circles themselves run.
 Judged judge(const TriangleMesh& mesh, Vec3 origin, Vec3 direction, int slices, bool keep_origin,
-             std::span<const Vec2> rays) {
+             RayCrossings& rays) {
   const AxisFrame frame = axis_frame(origin, direction);
   const Slicer slicer(mesh, frame);
   const std::vector<double> heights = even_heights(slicer, slices);
+  const std::size_t n = rays.fan().count();
   const auto outlines = slicer.cut(heights);
 
   double size = 0.0;
   std::vector<FittedCircle> circles(outlines.size());
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const auto points = outermost(outlines[i], centroid(outlines[i]), rays);
-    if (points.size() < rays.size() / 2) continue;
+    if (points.size() < n / 2) continue;
     double reach = 0.0;
     for (const Vec2& p : points) reach = std::max(reach, length(p - points[0]));
     circles[i] = fit_circle(points, kAgree * 0.5 * reach);
-    circles[i].support *= static_cast<double>(points.size()) / static_cast<double>(rays.size());
+    circles[i].support *= static_cast<double>(points.size()) / static_cast<double>(n);
     if (circles[i].support < 0.3 || circles[i].radius > reach) circles[i] = {};
     size = std::max(size, circles[i].radius);
   }
@@ -173,11 +180,11 @@ Judged judge(const TriangleMesh& mesh, Vec3 origin, Vec3 direction, int slices, 
   for (const auto& outline : outlines) {
     std::vector<double> radii;
     for (const Vec2& p : outermost(outline, centre, rays)) radii.push_back(length(p - centre));
-    const Agreement mode = agreement(radii, rays.size(), 0.5);
-    double missed = static_cast<double>(rays.size() - radii.size());
+    const Agreement mode = agreement(radii, n, 0.5);
+    double missed = static_cast<double>(n - radii.size());
     for (const double r : radii)
       missed += mode.found ? std::min(1.0, std::abs(r - mode.middle()) / (kElsewhere * size)) : 1.0;
-    cost += missed / static_cast<double>(rays.size());
+    cost += missed / static_cast<double>(n);
   }
   out.axis.cost = cost / static_cast<double>(outlines.size());
   return out;
@@ -227,21 +234,26 @@ FittedCircle fit_circle(std::span<const Vec2> points, double tolerance) {
 }
 
 FoundAxis find_axis(const TriangleMesh& mesh) {
-  const std::vector<Vec2> rays = ray_directions(kRays);
+  const RayFan fan(kRays);
+  RayCrossings rays(fan);
   const Vec3 middle = middle_of(mesh);
   FoundAxis best;
-  Judged start;
-  for (const Vec3& direction : axis_candidates(mesh)) {
+  const auto try_axis = [&](Vec3 direction) {
     const Judged judged = judge(mesh, middle, direction, kJudgeSlices, false, rays);
-    // The file's own axes come first, and another must be clearly better.
-    if (judged.axis.cost < kWorthTilting * best.cost - 1e-4) best = judged.axis, start = judged;
-  }
+    if (judged.axis.cost < kWorthTilting * best.cost - 1e-4) best = judged.axis;
+  };
+  // The file's own axes come first, y before z; another must be clearly better.
+  for (const Vec3& direction : {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}})
+    if (best.cost >= kSurely) try_axis(direction);
+  if (best.cost >= kSurely)
+    for (const Vec3& direction : axis_candidates(mesh)) try_axis(direction);
   if (best.cost >= 1.0) return best;
 
   // Follow the centres of the circles, as long as that makes the slices rounder.
   Judged now = judge(mesh, best.origin, best.direction, kRefineSlices, false, rays);
   best = now.axis;
   for (int step = 0; step < 6; ++step) {
+    if (best.cost < kPerfect) break;
     const Judged tilted = judge(mesh, now.tilted_origin, now.tilted, kRefineSlices, true, rays);
     if (tilted.axis.cost > kWorthTilting * best.cost - 1e-5) break;
     best = tilted.axis;

@@ -17,7 +17,8 @@ struct FoundAxis {
 /// circle is free. `mesh` must have an extent and finite positions. Allocates.
 FoundAxis find_axis(const TriangleMesh& mesh);
 
-/// Every axis worth trying, the file's own first. Unit vectors.
+/// Axes that the shape itself suggests: where its normals meet, and its principal axes; none within
+/// 0.6 degrees of x, y or z. Unit vectors.
 std::vector<Vec3> axis_candidates(const TriangleMesh& mesh);
 
 /// The circle that most of `points` lie on: by least median of a fixed set of triples, then

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -144,10 +145,12 @@ bool axis_of_normals(const std::vector<Patch>& patches, Vec3& direction) {
 }  // namespace
 
 std::vector<Vec3> axis_candidates(const TriangleMesh& mesh) {
-  std::vector<Vec3> out{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  std::vector<Vec3> out;
   const auto add = [&](Vec3 d) {
+    constexpr double kSame = 0.99995;  // cosine of 0.6 degrees
+    if (std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) > kSame) return;
     for (const Vec3& other : out)
-      if (std::abs(dot(d, other)) > 0.99995) return;  // within 0.6 degrees
+      if (std::abs(dot(d, other)) > kSame) return;
     out.push_back(d);
   };
   const std::vector<Patch> patches = patches_of(mesh);

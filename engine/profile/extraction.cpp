@@ -12,8 +12,8 @@ namespace onggi {
 
 namespace {
 
-constexpr int kRays = 128;
-constexpr int kCoarse = 80;
+constexpr int kRays = 96;
+constexpr int kCoarse = 48;
 /// More of the surface than this stands off any circle: not a body of revolution.
 constexpr double kMostMasked = 0.33;
 constexpr double kMostCost = 0.30;
@@ -41,7 +41,7 @@ struct Body {
 class Extractor {
  public:
   Extractor(const TriangleMesh& mesh, const ExtractionOptions& options, const std::string& name)
-      : mesh_(mesh), options_(options), name_(name), rays_(ray_directions(kRays)) {}
+      : mesh_(mesh), options_(options), name_(name), fan_(kRays), rays_(fan_) {}
   Result<ExtractedProfile> run();
 
  private:
@@ -53,7 +53,7 @@ class Extractor {
   Result<void> judge_roundness();
   void fill_gaps();
   void read_inside();
-  double covered(const Slicer& slicer, double height) const;
+  double covered(const Slicer& slicer, double height);
   tl::unexpected<Problem> not_round(const std::string& why) const {
     return problem(name_, "it is no body of revolution: " + why,
                    "Choose a vessel thrown on a wheel, export one object alone, or cut off handles "
@@ -64,7 +64,8 @@ class Extractor {
   const TriangleMesh& mesh_;
   const ExtractionOptions& options_;
   const std::string& name_;
-  std::vector<Vec2> rays_;
+  RayFan fan_;
+  RayCrossings rays_;
   Body body_;
   std::vector<double> heights_;
   std::vector<WallSlice> slices_;
@@ -95,7 +96,7 @@ Result<void> Extractor::check_mesh() const {
   return {};
 }
 
-double Extractor::covered(const Slicer& slicer, double height) const {
+double Extractor::covered(const Slicer& slicer, double height) {
   const auto outline = slicer.cut(std::span(&height, 1));
   const WallSlice wall = read_wall(outline[0], rays_, body_.size, body_.facing_known);
   return wall.outer > 0.0 ? static_cast<double>(wall.present - wall.masked) / kRays : 0.0;
@@ -114,13 +115,14 @@ void Extractor::find_ends(const Slicer& slicer) {
   std::size_t outward = 0, all = 0;
   for (const auto& outline : outlines) {
     std::vector<double> radii;
-    for (const auto& ray : crossings(outline, {}, rays_))
-      if (!ray.empty()) {
-        radii.push_back(ray.front().radius);
-        ++all;
-        if (ray.front().outward) ++outward;
-      }
-    const Agreement mode = agreement(radii, rays_.size(), kCovered);
+    rays_.meet(outline, {});
+    for (std::size_t k = 0; k < fan_.count(); ++k) {
+      if (rays_.ray(k).empty()) continue;
+      radii.push_back(rays_.ray(k).front().radius);
+      ++all;
+      if (rays_.ray(k).front().outward) ++outward;
+    }
+    const Agreement mode = agreement(radii, fan_.count(), kCovered);
     if (mode.found) reach.push_back(mode.middle());
   }
   body_.size = reach.empty() ? 0.0 : *std::max_element(reach.begin(), reach.end());
@@ -131,8 +133,12 @@ void Extractor::find_ends(const Slicer& slicer) {
   while (first < last && !is_body(heights[first])) ++first;
   while (last > first && !is_body(heights[last - 1])) --last;
   if (first >= last) return;
+  const double hair = 0.002 * (high - low);
   const auto edge = [&](double inside, double outside) {
-    for (int i = 0; i < 10; ++i) {
+    // Most vessels end in a flat foot and an even rim.
+    const double close = outside + (inside > outside ? hair : -hair);
+    if ((outside == low || outside == high) && is_body(close)) return outside;
+    for (int i = 0; i < 8; ++i) {
       const double middle = 0.5 * (inside + outside);
       (is_body(middle) ? inside : outside) = middle;
     }

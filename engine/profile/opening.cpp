@@ -7,7 +7,7 @@ namespace onggi {
 
 namespace {
 
-constexpr int kGrid = 48;
+constexpr int kGrid = 40;
 /// Looks stay clear of the rim itself.
 constexpr double kWithin = 0.8;
 /// The deepest surface that is not a stray splinter: this share of the looks goes deeper.

@@ -17,6 +17,13 @@ Vec3 at(const TriangleMesh& mesh, std::size_t i) {
 
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
+/// Rises with the angle of p from 0 to 4 in a full turn.
+double turn_of(Vec2 p) {
+  const double part = p.y / (std::abs(p.x) + std::abs(p.y));
+  if (p.x < 0.0) return 2.0 - part;
+  return p.y < 0.0 ? 4.0 + part : part;
+}
+
 }  // namespace
 
 AxisFrame axis_frame(Vec3 origin, Vec3 direction) {
@@ -84,50 +91,68 @@ std::vector<std::vector<CutSegment>> Slicer::cut(std::span<const double> heights
         s.a = point(t[2], t[0], *h);
         s.b = point(t[2], t[1], *h);
       }
-      out[static_cast<std::size_t>(h - heights.begin())].push_back(s);
+      auto& outline = out[static_cast<std::size_t>(h - heights.begin())];
+      if (outline.empty()) outline.reserve(256);
+      outline.push_back(s);
     }
   }
   return out;
 }
 
-std::vector<Vec2> ray_directions(int rays) {
-  std::vector<Vec2> out;
-  for (int k = 0; k < rays; ++k) {
-    const double angle = (k + 0.5) * 2.0 * portable::kPi / rays;
-    out.push_back({portable::cos(angle), portable::sin(angle)});
+RayFan::RayFan(int count) {
+  for (int k = 0; k < count; ++k) {
+    const double angle = (k + 0.5) * 2.0 * portable::kPi / count;
+    directions_.push_back({portable::cos(angle), portable::sin(angle)});
+    turns_.push_back(turn_of(directions_.back()));
   }
-  return out;
+  const std::size_t buckets = 4 * directions_.size();
+  for (std::size_t i = 0; i <= buckets; ++i)
+    from_turn_.push_back(static_cast<std::size_t>(
+        std::lower_bound(turns_.begin(), turns_.end(),
+                         4.0 * static_cast<double>(i) / static_cast<double>(buckets)) -
+        turns_.begin()));
 }
 
-std::vector<std::vector<Crossing>> crossings(std::span<const CutSegment> outline, Vec2 centre,
-                                             std::span<const Vec2> rays) {
-  const auto n = static_cast<long>(rays.size());
-  std::vector<std::vector<Crossing>> out(rays.size());
-  const double per_turn = static_cast<double>(n) / (2.0 * portable::kPi);
+std::size_t RayFan::first_after(Vec2 p) const {
+  const double turn = turn_of(p);
+  const double bucket = turn * static_cast<double>(directions_.size());
+  std::size_t ray = from_turn_[std::min(static_cast<std::size_t>(bucket), from_turn_.size() - 1)];
+  while (ray > 0 && turns_[ray - 1] >= turn) --ray;
+  while (ray < turns_.size() && turns_[ray] < turn) ++ray;
+  return ray;
+}
+
+void RayCrossings::meet(std::span<const CutSegment> outline, Vec2 centre) {
+  const std::size_t n = fan_->count();
+  met_.clear();
+  begin_.assign(n + 1, 0);
   for (const CutSegment& s : outline) {
-    const Vec2 a = s.a - centre, b = s.b - centre;
-    double from = portable::atan2(a.y, a.x) * per_turn - 0.5;
-    double to = portable::atan2(b.y, b.x) * per_turn - 0.5;
-    // Seen from the centre a straight piece spans less than half a turn.
-    const double turn = static_cast<double>(n);
-    if (to - from > turn / 2) to -= turn;
-    if (from - to > turn / 2) from -= turn;
-    if (from > to) std::swap(from, to);
-    for (auto k = static_cast<long>(std::ceil(from)); static_cast<double>(k) < to; ++k) {
-      const auto ray = static_cast<std::size_t>(((k % n) + n) % n);
-      const Vec2 d = rays[ray];
+    Vec2 a = s.a - centre, b = s.b - centre;
+    // Seen from the centre a straight piece spans less than half a turn; let it run to the left.
+    const double side = cross(a, b);
+    if (side == 0.0) continue;
+    if (side < 0.0) std::swap(a, b);
+    const std::size_t last = fan_->first_after(b) % n;
+    for (std::size_t k = fan_->first_after(a) % n; k != last; k = k + 1 == n ? 0 : k + 1) {
+      const Vec2 d = fan_->direction(k);
       const double ca = cross(d, a), cb = cross(d, b);
       if (ca == cb) continue;
-      const double t = ca / (ca - cb);
-      const double radius = dot(d, a + (b - a) * t);
-      if (radius > 0.0) out[ray].push_back({radius, dot(d, s.facing) > 0.0});
+      const double radius = dot(d, a + (b - a) * (ca / (ca - cb)));
+      if (!(radius > 0.0)) continue;
+      met_.push_back({k, {radius, dot(d, s.facing) > 0.0}});
+      ++begin_[k + 1];
     }
   }
-  for (auto& ray : out)
-    std::sort(ray.begin(), ray.end(), [](const Crossing& a, const Crossing& b) {
-      return a.radius != b.radius ? a.radius > b.radius : a.outward > b.outward;
-    });
-  return out;
+  for (std::size_t k = 0; k < n; ++k) begin_[k + 1] += begin_[k];
+  next_.assign(begin_.begin(), begin_.end() - 1);
+  sorted_.resize(met_.size());
+  for (const auto& [k, crossing] : met_) sorted_[next_[k]++] = crossing;
+  for (std::size_t k = 0; k < n; ++k)
+    std::sort(sorted_.begin() + static_cast<std::ptrdiff_t>(begin_[k]),
+              sorted_.begin() + static_cast<std::ptrdiff_t>(begin_[k + 1]),
+              [](const Crossing& a, const Crossing& b) {
+                return a.radius != b.radius ? a.radius > b.radius : a.outward > b.outward;
+              });
 }
 
 Agreement agreement(std::vector<double>& values, std::size_t all, double share) {

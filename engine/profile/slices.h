@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/profile/mesh.h"
@@ -52,12 +53,40 @@ struct Crossing {
   bool outward = true;  ///< The surface there looks away from the centre.
 };
 
-/// Directions of `rays` even rays round the axis; ray k at the angle (k + 0.5) * 2 pi / rays.
-std::vector<Vec2> ray_directions(int rays);
+/// Even rays round the axis; ray k at the angle (k + 0.5) * 2 pi / count. Finds a point's place
+/// between them without an arc tangent: the order of y / (|x| + |y|) is the order of angles.
+class RayFan {
+ public:
+  explicit RayFan(int count);
+  std::size_t count() const { return directions_.size(); }
+  Vec2 direction(std::size_t ray) const { return directions_[ray]; }
+  /// The first ray at or after `p`'s angle; count() after the last. p is not the origin.
+  std::size_t first_after(Vec2 p) const;
 
-/// All crossings of one outline with every ray from `centre`, outermost first. Allocates.
-std::vector<std::vector<Crossing>> crossings(std::span<const CutSegment> outline, Vec2 centre,
-                                             std::span<const Vec2> rays);
+ private:
+  std::vector<Vec2> directions_;
+  std::vector<double> turns_;           // of each ray, rising, 0..4
+  std::vector<std::size_t> from_turn_;  // first ray at or after each of many even turns
+};
+
+/// All crossings of one outline with every ray of a fan, each ray's outermost first. Keeps its
+/// memory from one outline to the next.
+class RayCrossings {
+ public:
+  explicit RayCrossings(const RayFan& fan) : fan_(&fan) {}
+  /// Meets `outline` from `centre`. Allocates only where it needs more than ever before.
+  void meet(std::span<const CutSegment> outline, Vec2 centre);
+  std::span<const Crossing> ray(std::size_t k) const {
+    return std::span(sorted_).subspan(begin_[k], begin_[k + 1] - begin_[k]);
+  }
+  const RayFan& fan() const { return *fan_; }
+
+ private:
+  const RayFan* fan_;
+  std::vector<std::pair<std::size_t, Crossing>> met_;
+  std::vector<Crossing> sorted_;
+  std::vector<std::size_t> begin_, next_;
+};
 
 /// `values` (sorted here) agree about a radius where the shortest interval that holds `share` of
 /// `all` lies: its ends. Both 0 where there are too few values. Robust against any handle that

@@ -43,7 +43,7 @@ Near near(const std::vector<double>& values, double low, double high) {
 
 /// The surface that begins with crossing `from`: the middle of an odd number of crossings that
 /// stand within `rough` of each other. Moves `from` past them.
-double surface(const std::vector<Crossing>& ray, std::size_t& from, double rough) {
+double surface(std::span<const Crossing> ray, std::size_t& from, double rough) {
   std::size_t last = from;
   while (last + 2 < ray.size() && ray[last].radius - ray[last + 2].radius < rough) last += 2;
   const double radius = ray[(from + last) / 2].radius;
@@ -53,21 +53,23 @@ double surface(const std::vector<Crossing>& ray, std::size_t& from, double rough
 
 }  // namespace
 
-WallSlice read_wall(const std::vector<CutSegment>& outline, std::span<const Vec2> rays, double size,
+WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, double size,
                     bool facing_known) {
   WallSlice out;
-  const auto all = crossings(outline, {}, rays);
+  rays.meet(outline, {});
+  const std::size_t n = rays.fan().count();
   const double rough = kRough * size;
   std::vector<double> outer;
-  std::vector<std::size_t> behind(all.size(), 0);
-  std::vector<double> outer_of(all.size(), 0.0);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].empty()) continue;
-    outer_of[k] = surface(all[k], behind[k], rough);
+  std::vector<std::size_t> behind(n, 0);
+  std::vector<double> outer_of(n, 0.0);
+  outer.reserve(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (rays.ray(k).empty()) continue;
+    outer_of[k] = surface(rays.ray(k), behind[k], rough);
     outer.push_back(outer_of[k]);
   }
   out.present = static_cast<int>(outer.size());
-  const Agreement mode = agreement(outer, rays.size(), kShare);
+  const Agreement mode = agreement(outer, n, kShare);
   if (!mode.found) return out;
   const double off = std::max(kStandsOff * size, 0.75 * (mode.high - mode.low));
   const double low = mode.middle() - off, high = mode.middle() + off;
@@ -77,8 +79,9 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, std::span<const Vec2
   out.spread = wall.spread;
 
   std::vector<double> inner;
+  inner.reserve(n);
   int looked = 0;
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  for (std::size_t k = 0; k < n; ++k) {
     if (outer_of[k] <= 0.0) continue;
     if (outer_of[k] < low || outer_of[k] > high) {
       ++out.masked;
@@ -87,8 +90,9 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, std::span<const Vec2
     ++looked;
     // Behind the outer surface the next one that looks towards the axis is the inner wall.
     std::size_t next = behind[k];
-    while (facing_known && next < all[k].size() && all[k][next].outward) ++next;
-    if (next < all[k].size()) inner.push_back(surface(all[k], next, rough));
+    const auto ray = rays.ray(k);
+    while (facing_known && next < ray.size() && ray[next].outward) ++next;
+    if (next < ray.size()) inner.push_back(surface(ray, next, rough));
   }
   if (2 * inner.size() < static_cast<std::size_t>(looked)) return out;
   const Agreement inside = agreement(inner, inner.size(), kShare);

@@ -16,8 +16,8 @@ struct WallSlice {
 };
 
 /// Reads one outline cut about the origin of its plane. `size` is the vessel's largest radius, for
-/// tolerances. `facing_known` says that the mesh's surfaces know their outside.
-WallSlice read_wall(const std::vector<CutSegment>& outline, std::span<const Vec2> rays, double size,
+/// tolerances. `rays` is scratch. `facing_known` says that the mesh's surfaces know their outside.
+WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, double size,
                     bool facing_known);
 
 }  // namespace onggi

@@ -20,9 +20,8 @@ namespace onggi::score {
 ///   remark.neck_wide {mm}     remark.neck_narrow {mm}    narrowest diameter above the belly
 ///   remark.mouth_wide {mm}    remark.mouth_narrow {mm}   diameter at the rim
 ///   remark.foot_wide {mm}     remark.foot_narrow {mm}    diameter at the foot
-///   remark.wide {mm} {percent}   remark.narrow {mm} {percent}   diameter at {percent} of the
-///   height
-///                                                        from the foot, where none of the above is
+///   remark.wide {mm} {percent}, remark.narrow {mm} {percent}   diameter at {percent} of the height
+///                             from the foot, where no part of those above is
 ///   remark.tall {mm}          remark.short {mm}          height; never when scale-free
 ///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
 struct Remark {
