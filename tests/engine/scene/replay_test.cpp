@@ -1,0 +1,170 @@
+#include "engine/scene/replay.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "engine/math/random.h"
+
+namespace onggi {
+namespace {
+
+SceneDef small() {
+  SceneDef def;
+  def.clay.rows = 40;
+  def.clay.sectors = 48;
+  return def;
+}
+
+double odd_number(Random& random) {
+  const double odd[] = {0.0,
+                        -0.0,
+                        1e-310,
+                        std::numeric_limits<double>::infinity(),
+                        std::numeric_limits<double>::quiet_NaN(),
+                        random.uniform(-0.1, 0.1)};
+  return odd[random.bits() % 6];
+}
+
+TickRecord random_tick(Random& random, TickRecord r) {
+  for (HandInput& hand : r.hands.hand) {
+    if (random.uniform() < 0.3)
+      hand.position = {random.uniform(-0.1, 0.1), random.uniform(0, 0.2),
+                       random.uniform(-0.1, 0.1)};
+    if (random.uniform() < 0.02) hand.position.y = odd_number(random);
+    if (random.uniform() < 0.1) hand.active = !hand.active;
+    if (random.uniform() < 0.1) hand.side = static_cast<SideWish>(random.bits() % 3);
+  }
+  if (random.uniform() < 0.1) r.hands.wheel_speed = random.uniform(-30, 30);
+  if (random.uniform() < 0.1) r.hands.water = !r.hands.water;
+  if (random.uniform() < 0.05) r.hands.renew = !r.hands.renew;
+  if (random.uniform() < 0.05) r.hands.restore = !r.hands.restore;
+  if (random.uniform() < 0.1) r.dt = random.uniform(1e-4, 5e-3);
+  if (random.uniform() < 0.01) r.dt = odd_number(random);
+  return r;
+}
+
+// A random visit played on a scene and recorded.
+std::vector<std::byte> recorded(std::uint64_t seed, int ticks, const SceneDef& def,
+                                std::vector<TickRecord>* out = nullptr) {
+  Scene scene = std::move(*Scene::create(def));
+  ReplayWriter writer(def, "moon_jar", seed);
+  Random random(seed);
+  TickRecord r;
+  for (int n = 0; n < ticks; ++n) {
+    r = random_tick(random, r);
+    scene.step(r.hands, r.dt);
+    writer.tick(r);
+    if (out != nullptr) out->push_back(r);
+    if (n % 50 == 49) writer.note_hash(scene.state_hash());
+  }
+  return writer.finish(scene.state_hash());
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+bool same_bits(Vec3 a, Vec3 b) {
+  return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
+
+RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSameHashes,
+              (std::uint64_t seed)) {
+  SceneDef def = small();
+  if (seed % 2 == 0) def.friction.reset();
+  if (seed % 3 == 0) def.water.reset();
+  std::vector<TickRecord> ticks;
+  const auto bytes = recorded(seed, 120, def, &ticks);
+  const Result<Replay> replay = Replay::read(bytes, "test");
+  RC_ASSERT(replay.has_value());
+  RC_ASSERT(replay->vessel_id == "moon_jar");
+  RC_ASSERT(replay->seed == seed);
+  RC_ASSERT(replay->def.friction.has_value() == (seed % 2 != 0));
+  RC_ASSERT(replay->def.water.has_value() == (seed % 3 != 0));
+  RC_ASSERT(replay->ticks.size() == ticks.size());
+  for (std::size_t n = 0; n < ticks.size(); ++n) {
+    const TickRecord& a = ticks[n];
+    const TickRecord& b = replay->ticks[n];
+    RC_ASSERT(same_bits(a.dt, b.dt) && same_bits(a.hands.wheel_speed, b.hands.wheel_speed));
+    for (std::size_t k = 0; k < 2; ++k) {
+      RC_ASSERT(same_bits(a.hands.hand[k].position, b.hands.hand[k].position));
+      RC_ASSERT(a.hands.hand[k].active == b.hands.hand[k].active);
+      RC_ASSERT(a.hands.hand[k].side == b.hands.hand[k].side);
+    }
+    RC_ASSERT(a.hands.water == b.hands.water && a.hands.renew == b.hands.renew &&
+              a.hands.restore == b.hands.restore);
+  }
+  const Result<ReplayOutcome> outcome = run_replay(*replay);
+  RC_ASSERT(outcome.has_value());
+  RC_ASSERT(outcome->first_difference_tick == -1);
+  RC_ASSERT(outcome->replayed_hash == outcome->recorded_hash);
+  RC_ASSERT(outcome->hashes_checked == 3u);
+}
+
+RC_GTEST_PROP(ReplayProperty, ADamagedFileIsRefusedOrReadAndNeverCrashes, (std::uint64_t seed)) {
+  auto bytes = recorded(5, 60, small());
+  Random random(seed);
+  const int changes = 1 + static_cast<int>(random.bits() % 4);
+  for (int n = 0; n < changes; ++n) {
+    switch (random.bits() % 3) {
+      case 0:
+        bytes[random.bits() % bytes.size()] = static_cast<std::byte>(random.bits());
+        break;
+      case 1:
+        bytes.resize(1 + random.bits() % bytes.size());
+        break;
+      default:
+        bytes.insert(bytes.begin() + static_cast<long>(random.bits() % bytes.size()),
+                     static_cast<std::byte>(random.bits()));
+    }
+  }
+  const Result<Replay> replay = Replay::read(bytes, "damaged");
+  if (!replay) {
+    RC_ASSERT(!replay.error().where.empty() && !replay.error().remedy.empty());
+  } else {
+    RC_ASSERT(validate(replay->def).has_value());
+  }
+}
+
+TEST(Replay, EveryShorterFileIsRefused) {
+  const auto bytes = recorded(9, 40, small());
+  for (std::size_t n = 0; n < bytes.size(); ++n)
+    EXPECT_FALSE(Replay::read(std::span(bytes).first(n), "short")) << n;
+  auto longer = bytes;
+  longer.push_back(std::byte{0});
+  EXPECT_FALSE(Replay::read(longer, "long"));
+}
+
+TEST(Replay, AnUnchangedTickIsOneByte) {
+  const SceneDef def = small();
+  ReplayWriter short_one(def, "x", 1);
+  ReplayWriter long_one(def, "x", 1);
+  TickRecord r;
+  r.hands.hand[0].position.x = std::numeric_limits<double>::quiet_NaN();
+  short_one.tick(r);
+  for (int n = 0; n < 1001; ++n) long_one.tick(r);
+  EXPECT_EQ(long_one.finish(0).size(), short_one.finish(0).size() + 1000);
+}
+
+TEST(Replay, AnotherHashIsFoundAtItsTick) {
+  const SceneDef def = small();
+  ReplayWriter writer(def, "x", 1);
+  for (int n = 0; n < 10; ++n) writer.tick({});
+  writer.note_hash(12345);
+  writer.tick({});
+  const Result<Replay> replay = Replay::read(writer.finish(0), "test");
+  ASSERT_TRUE(replay);
+  std::unique_ptr<Scene> scene;
+  const Result<ReplayOutcome> outcome = run_replay(*replay, &scene);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->first_difference_tick, 10);
+  EXPECT_EQ(outcome->ticks, 11u);
+  ASSERT_NE(scene, nullptr);
+  EXPECT_EQ(scene->state_hash(), outcome->replayed_hash);
+}
+
+}  // namespace
+}  // namespace onggi

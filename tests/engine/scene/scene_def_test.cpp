@@ -1,0 +1,78 @@
+#include "engine/scene/scene_def.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "engine/profile/measures.h"
+#include "engine/scene/scene.h"
+#include "tests/engine/script/vessels.h"
+
+namespace onggi {
+namespace {
+
+TEST(SceneDef, TheDefaultsAreGood) { EXPECT_TRUE(validate(SceneDef{})); }
+
+TEST(SceneDef, EveryFieldIsCheckedAndNamed) {
+  using Change = std::function<void(SceneDef&, double)>;
+  const std::vector<std::pair<std::string, Change>> fields{
+      {"clay.height", [](SceneDef& d, double v) { d.clay.height = v; }},
+      {"tool.radius", [](SceneDef& d, double v) { d.tool.radius = v; }},
+      {"contact.relaxation_time", [](SceneDef& d, double v) { d.contact.relaxation_time = v; }},
+      {"contact.stiffness", [](SceneDef& d, double v) { d.contact.stiffness = v; }},
+      {"wheel.max_speed", [](SceneDef& d, double v) { d.wheel.max_speed = v; }},
+      {"wheel.acceleration", [](SceneDef& d, double v) { d.wheel.acceleration = v; }},
+      {"guard.max_force", [](SceneDef& d, double v) { d.guard.max_force = v; }},
+      {"guard.max_slew", [](SceneDef& d, double v) { d.guard.max_slew = v; }},
+      {"guard.engage_time", [](SceneDef& d, double v) { d.guard.engage_time = v; }},
+      {"friction.coefficient", [](SceneDef& d, double v) { d.friction->coefficient = v; }},
+      {"friction.wet_factor", [](SceneDef& d, double v) { d.friction->wet_factor = v; }},
+      {"friction.slip_speed", [](SceneDef& d, double v) { d.friction->slip_speed = v; }},
+      {"water.wetting_time", [](SceneDef& d, double v) { d.water->wetting_time = v; }},
+      {"water.drying_time", [](SceneDef& d, double v) { d.water->drying_time = v; }},
+      {"water.softening", [](SceneDef& d, double v) { d.water->softening = v; }},
+  };
+  for (const auto& [name, change] : fields) {
+    for (double bad : {-1.0, 1e12, std::numeric_limits<double>::quiet_NaN()}) {
+      SceneDef def;
+      change(def, bad);
+      const Result<void> result = validate(def);
+      ASSERT_FALSE(result) << name;
+      EXPECT_EQ(result.error().where, name);
+      EXPECT_FALSE(result.error().remedy.empty());
+      EXPECT_FALSE(Scene::create(def));
+    }
+  }
+}
+
+TEST(WorkspaceScale, BringsAVesselWithinReachAndKeepsItsShape) {
+  Profile amphora = vessels::amphora();  // 62 cm
+  const Profile p = scaled(amphora, workspace_scale(amphora));
+  EXPECT_NEAR(p.height(), 0.20, 1e-9);
+  Profile kylix = vessels::kylix();  // wider than high
+  const Profile k = scaled(kylix, workspace_scale(kylix));
+  EXPECT_NEAR(2.0 * k.max_radius(), 0.22, 1e-9);
+}
+
+TEST(Lump, IsAsTallAsTheTargetHasRoomForAFingerAndIsClearlyAnotherShape) {
+  for (const auto& [name, drawn] : vessels::all()) {
+    const Profile target = scaled(drawn, workspace_scale(drawn));
+    SceneDef def;
+    def.clay = lump_for(target, def.clay);
+    EXPECT_TRUE(validate(def)) << name;
+    EXPECT_DOUBLE_EQ(def.clay.height, target.height());
+    EXPECT_GT(def.clay.inner_radius, def.tool.radius) << name;
+    EXPECT_GT(def.clay.outer_radius, def.clay.inner_radius + 1.5 * def.clay.wall_min) << name;
+    const Scene scene = std::move(*Scene::create(def));
+    const Measures m = compare(target, scene.clay().profile(), true);
+    EXPECT_GT(m.outline_rms, 0.06) << name;
+    EXPECT_LT(m.outline_overlap, 0.8) << name;
+  }
+}
+
+}  // namespace
+}  // namespace onggi
