@@ -113,7 +113,7 @@ class GlRenderer final : public Renderer {
   double present_scale() const { return full_quality_ ? 1.0 : pacing_.scale(); }
   Quality present_quality() const {
     if (full_quality_ || !software_) return {};
-    return {.samples = 0, .fine_mesh = false, .reflection = pacing_.scale() > 0.6};
+    return {.samples = 0, .reflection = pacing_.scale() > 0.6};
   }
   view::PictureId keep(ItemPainter::Stored stored) {
     // Pictures are shown smaller than made: levels keep them clean.

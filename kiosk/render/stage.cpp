@@ -14,7 +14,14 @@ constexpr float kWheelRadius = 0.175f;  // metres; a studio wheel's head is 300 
 constexpr float kTable = -0.024f;       // the table's height under the wheel head's top
 constexpr float kShadowReach = 0.62f;   // metres from the axis that the shadow texture covers
 constexpr int kShadowSize = 224;
-constexpr int kCoarseColumns = 96, kCoarseRows = 192;
+
+// Meshes of the walls, and the pot's height in pixels up to which each is fine enough: never finer
+// than the pixels, as slivers cost a software rasterizer more than all shading.
+struct Wall {
+  int columns, rows;
+  float most_pixels;
+};
+constexpr std::array<Wall, 3> kWalls{{{72, 112, 280.0f}, {96, 192, 900.0f}, {192, 400, 1e9f}}};
 
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5;
@@ -97,9 +104,9 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   make(stage->plaster_program_, "plaster", k_plaster_glsl, false, 0, 0);
   if (!fine) return tl::unexpected(fine.error());
   stage->quad_ = unit_grid(1, 1);
-  stage->fine_ = unit_grid(256, 512);
-  stage->coarse_ = unit_grid(kCoarseColumns, kCoarseRows);
-  stage->inner_ = unit_grid(72, 96);
+  for (std::size_t i = 0; i < kWalls.size(); ++i) {
+    stage->walls_[i] = unit_grid(kWalls[i].columns, kWalls[i].rows);
+  }
   stage->lip_ = unit_grid(160, 8);
   stage->floor_ = unit_grid(96, 8);
   stage->section_ = unit_grid(8, 320);
@@ -205,7 +212,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
   // 3. The clay, then the tools, which fade into the air.
   glEnable(GL_DEPTH_TEST);
-  if (shown) draw_clay(pot, clip, pixel, quality.fine_mesh);
+  if (shown) draw_clay(pot, clip, pixel);
   draw_tools(pot, clip);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
@@ -261,8 +268,12 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   return program;
 }
 
-void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool fine) {
-  const Mesh* parts[] = {fine ? &fine_ : &coarse_, &lip_, fine ? &fine_ : &inner_, &floor_};
+void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel) {
+  const auto tall = static_cast<float>(clay_.shape().height) / pixel;
+  std::size_t size = 0;
+  while (tall > kWalls[size].most_pixels) ++size;
+  // Less is seen of the inside: the next coarser mesh does.
+  const Mesh* parts[] = {&walls_[size], &lip_, &walls_[size > 0 ? size - 1 : 0], &floor_};
   for (int part = 0; part < 4; ++part) {
     use_clay(part, pot, clip, pixel);
     parts[part]->draw();
@@ -287,8 +298,8 @@ void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {
   glFrontFace(GL_CW);
   // Only what stands near the wheel head is seen in it.
   const double share = std::min(1.0, 0.12 / std::max(clay_.shape().height, 0.01));
-  const int rows = std::max(1, static_cast<int>(kCoarseRows * share));
-  coarse_.draw_some(0, rows * kCoarseColumns * 6);
+  const int rows = std::max(1, static_cast<int>(kWalls[0].rows * share));
+  walls_[0].draw_some(0, rows * kWalls[0].columns * 6);
   glFrontFace(GL_CCW);
 }
 

@@ -16,7 +16,6 @@ namespace onggi::render {
 /// How finely the stage is drawn. Never touches the engine's grid.
 struct Quality {
   int samples = 4;         ///< Multisampling.
-  bool fine_mesh = true;   ///< 256 columns x 512 rows, or 96 x 192.
   bool reflection = true;  ///< The pot mirrored in the wheel head.
 };
 
@@ -42,7 +41,7 @@ class Stage {
   void draw_ground(const glm::mat4& clip, bool wheel, float foot, float strength,
                    glm::vec2 faded_size = glm::vec2(0.0f));
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
-  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool fine);
+  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_tools(const view::PotView& pot, const glm::mat4& clip);
   const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
@@ -52,7 +51,8 @@ class Stage {
   std::array<std::array<Program, 6>, 2> clay_programs_;  // by finish and part of clay.glsl
   std::array<Program, 2> wheel_programs_, solid_programs_;
   Program shadow_program_, ground_program_, plaster_program_;
-  Mesh quad_, fine_, coarse_, inner_, lip_, floor_, section_, disc_, sphere_;
+  std::array<Mesh, 3> walls_;
+  Mesh quad_, lip_, floor_, section_, disc_, sphere_;
   Texture clay_levels_, mesh_levels_;
   Target shadow_;
   bool shadow_of_clay_ = false;  // and still true
