@@ -81,10 +81,12 @@ std::string place(const std::string& where, int accessor) {
   return where + ", accessor " + std::to_string(accessor);
 }
 
-/// Calls `store(element, pointer)` for every element, sparse ones last.
-template <class Store>
+/// Calls `make_room()` once all figures are known to be sound, then `store(element, pointer)` for
+/// every element, sparse ones last.
+template <class MakeRoom, class Store>
 Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int index,
-                          std::size_t components, const std::string& here, Store&& store) {
+                          std::size_t components, const std::string& here, MakeRoom&& make_room,
+                          Store&& store) {
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
   const std::size_t size = components * component_size(accessor.componentType);
   if (accessor.bufferView >= 0) {
@@ -99,10 +101,14 @@ Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int 
     if (!fits(*bytes, accessor.byteOffset, stride, size, accessor.count))
       return unsound(here, std::to_string(accessor.count) + " elements do not fit into the " +
                                std::to_string(bytes->size()) + " bytes of their buffer view.");
+    make_room();
     for (std::size_t i = 0; i < accessor.count; ++i)
       store(i, bytes->data() + accessor.byteOffset + i * stride);
   }
-  if (!accessor.sparse.isSparse) return {};
+  if (!accessor.sparse.isSparse) {
+    if (accessor.bufferView < 0) return unsound(here, "it has no data.");
+    return {};
+  }
 
   const auto& sparse = accessor.sparse;
   const auto sparse_count = static_cast<std::size_t>(std::max(0, static_cast<int>(sparse.count)));
@@ -117,6 +123,7 @@ Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int 
       !fits(*places, index_offset, index_size, index_size, sparse_count) ||
       !fits(*values, value_offset, size, size, sparse_count))
     return unsound(here, "its sparse part does not fit into its buffer views.");
+  if (accessor.bufferView < 0) make_room();  // all zero but for the sparse part
   for (std::size_t i = 0; i < sparse_count; ++i) {
     const std::uint32_t at =
         as_index(places->data() + index_offset + i * index_size, sparse.indices.componentType);
@@ -218,10 +225,11 @@ Result<std::vector<std::array<float, 3>>> GltfReader::vectors(int accessor,
   if (a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
     return unsound(here, "whole numbers of 32 bits are no vectors.");
   const std::size_t size = component_size(a.componentType);
-  std::vector<std::array<float, 3>> out(a.count);
+  std::vector<std::array<float, 3>> out;
   std::size_t bad = a.count;
-  const auto read =
-      each_element(*this, model, accessor, 3, here, [&](std::size_t i, const unsigned char* at) {
+  const auto read = each_element(
+      *this, model, accessor, 3, here, [&] { out.resize(a.count); },
+      [&](std::size_t i, const unsigned char* at) {
         for (std::size_t k = 0; k < 3; ++k) {
           out[i][k] = as_float(at + k * size, a.componentType, a.normalized);
           if (!std::isfinite(out[i][k])) bad = std::min(bad, i);
@@ -243,9 +251,9 @@ Result<std::vector<std::uint32_t>> GltfReader::indices(int accessor, const std::
       a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
       a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
     return unsound(here, "indices must be whole numbers without a sign.");
-  std::vector<std::uint32_t> out(a.count);
+  std::vector<std::uint32_t> out;
   const auto read = each_element(
-      *this, model, accessor, 1, here,
+      *this, model, accessor, 1, here, [&] { out.resize(a.count); },
       [&](std::size_t i, const unsigned char* at) { out[i] = as_index(at, a.componentType); });
   if (!read) return tl::unexpected<Problem>(read.error());
   return out;
