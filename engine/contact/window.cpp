@@ -28,8 +28,8 @@ double cross_section(double radius, double dy) noexcept {
 }
 
 Window::Window(const Clay& clay, Vec3 from, Vec3 to, double radius) noexcept
-    : radius_(radius),
-      nearest_(nearest_to_axis(from, to)),
+    : nearest_(nearest_to_axis(from, to)),
+      per_radian_(clay.sectors() / (2.0 * portable::kPi)),
       sectors_(clay.sectors()),
       all_blocks_(clay.stride() / 8),
       first_row_(clay.first_row_above(std::min(from.y, to.y) - radius)),
@@ -39,7 +39,8 @@ Window::Window(const Clay& clay, Vec3 from, Vec3 to, double radius) noexcept
   if (turn_ > portable::kPi) turn_ -= 2.0 * portable::kPi;
   if (turn_ < -portable::kPi) turn_ += 2.0 * portable::kPi;
   middle_ = start + 0.5 * turn_;
-  half_ = nearest_ > radius ? portable::asin(radius / nearest_) : 0.5 * portable::kPi;
+  half_per_section_ = nearest_ > radius ? portable::asin(radius / nearest_) / radius
+                                        : 0.5 * portable::kPi / std::max(nearest_, 1e-12);
 }
 
 int Window::blocks(double section, BlockRange (&ranges)[2]) const noexcept {
@@ -49,13 +50,13 @@ int Window::blocks(double section, BlockRange (&ranges)[2]) const noexcept {
 
   // The row's own half angle is asin(section / nearest). The arcsine is convex and 0 at 0, so the
   // widest row's angle in proportion is never too small, and costs no trigonometry.
-  const double widest = std::min(radius_, nearest_);
-  const double half = half_ * (section / widest) + 0.5 * std::fabs(turn_);
+  const double half = half_per_section_ * section + 0.5 * std::fabs(turn_);
   if (half >= portable::kPi) return 1;
-  const double per_radian = sectors_ / (2.0 * portable::kPi);
-  // One element more on each side covers the rounding of the angles.
-  int first = static_cast<int>(std::floor((middle_ - half) * per_radian - 0.5)) - 1;
-  int last = static_cast<int>(std::ceil((middle_ + half) * per_radian - 0.5)) + 1;
+  // Two whole turns added keep the figures positive, where casting is flooring. One element more on
+  // each side covers the rounding of the angles.
+  const int turns = 2 * sectors_;
+  int first = static_cast<int>((middle_ - half) * per_radian_ - 0.5 + turns) - 1 - turns;
+  int last = static_cast<int>((middle_ + half) * per_radian_ - 0.5 + turns) + 2 - turns;
   if (last - first + 1 >= sectors_) return 1;
   const int shift = first < 0 ? sectors_ : first >= sectors_ ? -sectors_ : 0;
   first += shift;

@@ -27,7 +27,7 @@ class Window {
   int blocks(double section, BlockRange (&ranges)[2]) const noexcept;
 
  private:
-  double radius_, nearest_, middle_, turn_, half_;
+  double nearest_, per_radian_, middle_, turn_, half_per_section_;
   int sectors_, all_blocks_, first_row_, end_row_;
 };
 

@@ -55,8 +55,8 @@ RC_GTEST_PROP(ClayProperty, TheFirstRowAboveAHeightIsTheLowestWhoseMiddleLiesAbo
   const Clay clay = lump(def);
   const double h = *rc::gen::inRange(-100, 400) * 0.001;
   const int j = clay.first_row_above(h);
-  RC_ASSERT(j == clay.rows() || clay.row_height(j) > h);
-  RC_ASSERT(j == 0 || clay.row_height(j - 1) <= h);
+  if (j < clay.rows()) RC_ASSERT(clay.row_height(j) > h);
+  if (j > 0) RC_ASSERT(clay.row_height(j - 1) <= h);
 }
 
 RC_GTEST_PROP(ClayProperty, EveryDirtyRowIsTakenOnceInOrder, ()) {
