@@ -15,7 +15,7 @@ view::Rect reach_of(const view::PotView& pot, double height, double radius, int 
   };
   const glm::vec3 light = window_direction();
   const double table = pot.wheel ? -0.024 : 0.0;
-  const double along = (height - table) / light.y, foot = pot.wheel ? 0.175 : radius;
+  const double along = (height - table) / light.y, foot = pot.wheel ? pot.wheel_radius : radius;
   const Ring rings[] = {{0, table, 0, foot + 0.25},
                         {0, 0, 0, foot},
                         {0, 0.5 * height, 0, 1.25 * radius},

@@ -10,9 +10,8 @@ namespace onggi::render {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kWheelRadius = 0.175f;  // metres; a studio wheel's head is 300 to 350 mm across
-constexpr float kTable = -0.024f;       // the table's height under the wheel head's top
-constexpr float kShadowReach = 0.62f;   // metres from the axis that the shadow texture covers
+constexpr float kTable = -0.024f;      // the table's height under the wheel head's top
+constexpr float kShadowReach = 0.62f;  // metres from the axis that the shadow texture covers
 constexpr int kShadowSize = 224;
 
 // Meshes of the walls, and the pot's height in pixels up to which each is fine enough: never finer
@@ -125,7 +124,7 @@ void Stage::draw_plaster(int width, int height) {
   quad_.draw();
 }
 
-void Stage::cast_shadow(double height, bool wheel, const Texture& levels, GLint back_to) {
+void Stage::cast_shadow(double height, float wheel_radius, const Texture& levels, GLint back_to) {
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
   shadow_.bind();
@@ -139,7 +138,7 @@ void Stage::cast_shadow(double height, bool wheel, const Texture& levels, GLint 
   shadow_program_.set("reach", kShadowReach);
   shadow_program_.set("height", static_cast<float>(height));
   shadow_program_.set("table_y", kTable);
-  shadow_program_.set("wheel_radius", wheel ? kWheelRadius : 0.0f);
+  shadow_program_.set("wheel_radius", wheel_radius);
   quad_.draw();
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(back_to));
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
@@ -165,7 +164,7 @@ void Stage::draw_ground(const glm::mat4& clip, bool wheel, float foot, float str
   ground_program_.set("reach", kShadowReach);
   ground_program_.set("plane_y", wheel ? kTable : 0.0f);
   ground_program_.set("of_table", wheel ? 1.0f : 0.0f);
-  ground_program_.set("foot", wheel ? kWheelRadius : foot);
+  ground_program_.set("foot", foot);
   ground_program_.set("strength", strength);
   ground_program_.set("size", faded_size);
   ground_program_.set("edge", faded_size * glm::vec2(0.28f, 0.14f));
@@ -176,10 +175,11 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   const bool shown = !clay_.empty();
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-  if (clay_.refresh(clay_levels_) || !shadow_of_clay_ || shadow_with_wheel_ != pot.wheel) {
-    cast_shadow(clay_.shape().height, pot.wheel, clay_levels_, target);
+  const float wheel_radius = pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f;
+  if (clay_.refresh(clay_levels_) || !shadow_of_clay_ || shadow_wheel_ != wheel_radius) {
+    cast_shadow(clay_.shape().height, wheel_radius, clay_levels_, target);
     shadow_of_clay_ = true;
-    shadow_with_wheel_ = pot.wheel;
+    shadow_wheel_ = wheel_radius;
   }
   glClearColor(0, 0, 0, 0);
   glClearStencil(0);
@@ -192,7 +192,8 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  draw_ground(clip, pot.wheel, clay_.levels().outer[0], pot.wheel ? 0.9f : 1.0f);
+  draw_ground(clip, pot.wheel, pot.wheel ? wheel_radius : clay_.levels().outer[0],
+              pot.wheel ? 0.9f : 1.0f);
 
   // 2. The wheel head, and the pot mirrored in it.
   glEnable(GL_CULL_FACE);
@@ -224,7 +225,7 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
     program.use();
     set_light(program, pot.camera, clay_levels_);
     program.set("clip_from_studio", clip);
-    program.set("radius", kWheelRadius);
+    program.set("radius", static_cast<float>(pot.wheel_radius));
     program.set("table_y", kTable);
     program.set("reach", kShadowReach);
     program.set("wheel_angle", static_cast<float>(pot.wheel_angle));
@@ -332,7 +333,7 @@ void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   upload(levels, mesh_levels_);
-  cast_shadow(levels.height, false, mesh_levels_, target);
+  cast_shadow(levels.height, 0.0f, mesh_levels_, target);
   shadow_of_clay_ = false;
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -36,7 +36,8 @@ class Stage {
 
  private:
   Stage() = default;
-  void cast_shadow(double height, bool wheel, const Texture& levels, GLint back_to);
+  /// `wheel_radius` 0: no wheel head.
+  void cast_shadow(double height, float wheel_radius, const Texture& levels, GLint back_to);
   void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
   void draw_ground(const glm::mat4& clip, bool wheel, float foot, float strength,
                    glm::vec2 faded_size = glm::vec2(0.0f));
@@ -56,7 +57,7 @@ class Stage {
   Texture clay_levels_, mesh_levels_;
   Target shadow_;
   bool shadow_of_clay_ = false;  // and still true
-  bool shadow_with_wheel_ = false;
+  float shadow_wheel_ = 0;
 };
 
 }  // namespace onggi::render

@@ -93,7 +93,8 @@ struct PotView {
   Finish finish = Finish::clay;
   double cut_away =
       0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
-  bool wheel = true;  ///< Draw the wheel head.
+  bool wheel = true;            ///< Draw the wheel head.
+  double wheel_radius = 0.175;  ///< Of its head, metres, 0.05..0.3.
   std::array<ToolView, 2> tools;
   double opacity = 1;  ///< 0..1, against the plaster, for fades.
 };
