@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kiosk/screens/label.h"
 #include "kiosk/screens/screen.h"
@@ -171,7 +172,12 @@ class Choose final : public Screen {
     if (shelf == nullptr) return;
     const TypeScale& t = page.type();
     Rect words = page.where().words, picture = page.where().pot;
-    if (!page.where().portrait) {
+    if (page.where().portrait) {
+      const float more = words.h * 0.2f;
+      words.y -= more;
+      words.h += more;
+      picture.h -= more;
+    } else {
       // A label needs longer lines than a hint: half the page.
       const Rect whole = page.where().page;
       words.w = std::round(whole.w * 0.52f);
@@ -182,7 +188,7 @@ class Choose final : public Screen {
         words.x = whole.x + whole.w - words.w;
       }
     }
-    if (shelf->picture != 0) page.draw(view::Picture{picture, shelf->picture, 1});
+    lay_out_picture(page, *shelf, picture);
 
     const content::Label label = desk.label(open_);
     Column column(page, words);
@@ -197,23 +203,43 @@ class Choose final : public Screen {
     column.foot_buttons(onward);
     column.foot_space(t.gap * 1.5f);
     column.text(label.title, t.title, Face::serif);
-    column.text(label_line(label), t.body, Face::sans, view::kFaintInk);
-    if (shelf->vessel->true_height > 0)
-      column.text(desk.say("choose.size", {{"cm", centimetres(shelf->vessel->true_height)}}),
-                  t.body, Face::sans, view::kFaintInk);
+    std::string line = label_line(label);
+    if (shelf->vessel->true_height > 0) {
+      const std::string size =
+          desk.say("choose.size", {{"cm", centimetres(shelf->vessel->true_height)}});
+      line += (line.empty() ? "" : ". ") + size;
+    }
+    column.text(line, t.body, Face::sans, view::kFaintInk);
     column.space(t.gap);
 
-    const std::vector<std::string> paragraphs{label.text, label.made, shelf->vessel->credit};
-    const std::vector<std::string> parts =
-        parts_that_fit(page, paragraphs, page.style(Face::sans, t.body), column.rest());
-    part_ = std::min(part_, static_cast<int>(parts.size()) - 1);
-    if (!parts.empty()) column.text(parts[static_cast<std::size_t>(std::max(part_, 0))], t.body);
+    const auto style = page.style(Face::sans, t.body);
+    const auto parts = parts_that_fit(page, {label.text, label.made}, style, column.rest());
+    part_ = std::clamp(part_, 0, static_cast<int>(parts.size()) - 1);
+    bool first = true;
+    for (const std::string& paragraph : parts[static_cast<std::size_t>(part_)]) {
+      if (!std::exchange(first, false)) column.space(paragraph_gap(style));
+      column.text(paragraph, t.body);
+    }
     if ((parts.size() > 1) != several) {
       // "Read on" appears or goes: once more with it in the reckoning.
       parts_ = static_cast<int>(parts.size());
       page.restart();
     }
     parts_ = static_cast<int>(parts.size());
+  }
+
+  /// The vessel, and under it whose picture it is.
+  void lay_out_picture(Page& page, const ShelfCard& shelf, Rect room) const {
+    const std::string& credit = shelf.vessel->credit;
+    if (!credit.empty()) {
+      const auto style = page.style(Face::sans, page.type().body, view::Align::centre);
+      const auto size = page.size(credit, style, room.w);
+      room.h -= size.height + page.type().gap;
+      if (room.h < page.type().body * 4) page.overflowed();
+      page.words({room.x, room.y + room.h + page.type().gap, room.w, size.height}, credit, style,
+                 view::kFaintInk);
+    }
+    if (shelf.picture != 0) page.draw(view::Picture{room, shelf.picture, 1});
   }
 
   int first_ = 0;  ///< A card of the page shown.

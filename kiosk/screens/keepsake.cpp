@@ -52,17 +52,18 @@ class Keepsake final : public Screen {
   void back() override { desk.go(ScreenId::result); }
 
  private:
-  /// A card of 5:7 lying on the plaster: a soft shadow of three films, no frame.
+  /// A card of 5:7 lying on the plaster: a soft shadow laid in films, no frame.
   void lay_out_card(Page& page) const {
     const Rect room = page.where().pot;
     const float h = std::min(room.h, room.w * 1.4f), w = h / 1.4f;
     const Rect card{room.x + (room.w - w) / 2, room.y + (room.h - h) / 2, w, h};
-    for (int i = 1; i <= 4; ++i) {
-      const float grow = page.type().body * 0.16f * static_cast<float>(i);
-      page.draw(view::Box{{card.x - grow, card.y - grow + page.type().body * 0.2f,
+    constexpr int kFilms = 14;
+    for (int i = 1; i <= kFilms; ++i) {
+      const float grow = page.type().body * 0.06f * static_cast<float>(i);
+      page.draw(view::Box{{card.x - grow, card.y - grow + page.type().body * 0.3f,
                            card.w + 2 * grow, card.h + 2 * grow},
                           grow,
-                          view::with_alpha(view::kInk, 0.035f),
+                          view::with_alpha(view::kInk, 0.009f),
                           0,
                           {}});
     }

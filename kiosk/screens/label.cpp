@@ -36,26 +36,35 @@ std::vector<std::string> sentences(const std::string& text) {
   return found;
 }
 
-std::vector<std::string> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
-                                        const view::TextStyle& style, const view::Rect& box) {
+float paragraph_gap(const view::TextStyle& style) { return style.px * 0.5f; }
+
+std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
+                                      const view::TextStyle& style, const view::Rect& box) {
   const float width = std::min(box.w, style.px * 0.52f * 55.0f);
-  std::vector<std::string> parts;
-  std::string part;
+  const auto height = [&](const std::string& words) {
+    return page.size(words, style, width).height;
+  };
+  std::vector<LabelPart> parts(1);
+  float used = 0;  // By the whole paragraphs of the last part.
   for (const std::string& paragraph : paragraphs) {
-    bool first = true;
+    std::string words;
     for (const std::string& sentence : sentences(paragraph)) {
-      const std::string joined = part.empty() ? sentence : part + (first ? "\n" : " ") + sentence;
-      first = false;
-      if (page.size(joined, style, width).height <= box.h) {
-        part = joined;
+      const float before = parts.back().empty() ? 0.0f : used + paragraph_gap(style);
+      const std::string longer = words.empty() ? sentence : words + " " + sentence;
+      if (before + height(longer) <= box.h) {
+        words = longer;
         continue;
       }
-      if (!part.empty()) parts.push_back(std::move(part));
-      part = sentence;
-      if (page.size(part, style, width).height > box.h) page.overflowed();
+      if (!words.empty()) parts.back().push_back(std::move(words));
+      if (!parts.back().empty()) parts.emplace_back();
+      used = 0;
+      words = sentence;
+      if (height(words) > box.h) page.overflowed();
     }
+    if (words.empty()) continue;
+    used += (parts.back().empty() ? 0.0f : paragraph_gap(style)) + height(words);
+    parts.back().push_back(std::move(words));
   }
-  if (!part.empty() || parts.empty()) parts.push_back(std::move(part));
   return parts;
 }
 

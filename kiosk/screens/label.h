@@ -14,10 +14,16 @@ std::string label_line(const content::Label& label);
 /// Metres as centimetres with one decimal where it is not a whole number: "30.5".
 std::string centimetres(double metres);
 
+/// Paragraphs that go on one page.
+using LabelPart = std::vector<std::string>;
+
+/// Pixels between paragraphs of `style`.
+float paragraph_gap(const view::TextStyle& style);
+
 /// `paragraphs` (empty ones left out) broken between sentences into parts that each fit `box`. At
 /// least one part; a single sentence that does not fit makes the page overflow.
-std::vector<std::string> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
-                                        const view::TextStyle& style, const view::Rect& box);
+std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
+                                      const view::TextStyle& style, const view::Rect& box);
 
 /// Sentences of a text, each with the space after it left off.
 std::vector<std::string> sentences(const std::string& text);

@@ -34,8 +34,8 @@ Regions regions(int width, int height, float margin, bool mirrored) {
   r.portrait = height > width;
   r.mirrored = mirrored;
   if (r.portrait) {
-    r.pot = {margin, margin, w - 2 * margin, std::round(h * 0.55f) - margin};
-    const float top = r.pot.y + r.pot.h + margin * 0.5f;
+    r.pot = {margin * 2, margin * 1.5f, w - 4 * margin, std::round(h * 0.52f) - margin * 1.5f};
+    const float top = r.pot.y + r.pot.h + margin * 1.5f;
     r.words = {margin, top, w - 2 * margin, h - margin - top};
     return r;
   }
@@ -43,7 +43,8 @@ Regions regions(int width, int height, float margin, bool mirrored) {
   // The axis on the vertical third: the pot's half width is what is left beside it on both sides.
   const float axis = w * 2.0f / 3.0f;
   const float half = std::min(axis - (r.words.x + r.words.w + margin), w - axis);
-  r.pot = {axis - half, margin, 2 * half, h - 2 * margin};
+  // Air above the rim; below the foot, the wheel.
+  r.pot = {axis - half, margin * 1.2f, 2 * half, h - margin * 3.4f};
   if (mirrored) {
     r.words.x = w - r.words.x - r.words.w;
     r.pot.x = w - r.pot.x - r.pot.w;

@@ -41,7 +41,7 @@ struct Padding {
   float x, y;
 };
 Padding padding(Look look, const TypeScale& t) {
-  return look == Look::quiet || look == Look::plain ? Padding{t.body * 0.15f, t.body * 0.2f}
+  return look == Look::quiet || look == Look::plain ? Padding{0, t.body * 0.2f}
                                                     : Padding{t.body * 0.7f, t.body * 0.32f};
 }
 view::TextStyle button_style(const Page& page) {
@@ -165,12 +165,17 @@ float Column::flow(const std::vector<Button>& row, float indent,
                    std::vector<Placed>& placed) const {
   const float gap = page_.type().gap;
   float x = indent, y = 0, row_height = 0;
+  std::size_t row_begin = placed.size();
+  const auto level = [&] {
+    for (; row_begin < placed.size(); ++row_begin) placed[row_begin].rect.h = row_height;
+  };
   for (const Button& button : row) {
     const float widest = box_.w - indent;
     const float spread = button.look == Look::quiet ? gap * 2 : gap;
     const auto size = page_.size(button, widest);
     if (size.width > widest + 1) page_.overflowed();
     if (x > indent && x + size.width > box_.w) {
+      level();
       x = indent;
       y += row_height + gap;
       row_height = 0;
@@ -179,6 +184,7 @@ float Column::flow(const std::vector<Button>& row, float indent,
     row_height = std::max(row_height, size.height);
     x += size.width + spread;
   }
+  level();
   return y + row_height;
 }
 
@@ -213,13 +219,21 @@ void Column::foot_buttons(const std::vector<Button>& row, const std::string& cap
   place(placed, foot_, caption, caption_width);
 }
 
-void Column::circles(int full, int count, float diameter) {
+void Column::circles(int full, int count, const std::string& words) {
+  const auto style = page_.style(Face::sans, page_.type().body);
+  const auto size = page_.size(words, style, -1);
+  const float diameter = page_.type().body * 0.95f, pitch = diameter * 1.45f;
   for (int i = 0; i < count; ++i) {
-    const Rect r{box_.x + static_cast<float>(i) * diameter * 1.45f, top_, diameter, diameter};
+    const Rect r{box_.x + static_cast<float>(i) * pitch, top_ + (size.height - diameter) / 2,
+                 diameter, diameter};
     const Color fill = i < full ? view::kIron : Color{0, 0, 0, 0};
     page_.draw(view::Box{r, diameter / 2, fill, std::max(1.5f, diameter * 0.07f), view::kIron});
   }
-  top_ += diameter;
+  const float x = box_.x + static_cast<float>(count) * pitch + page_.type().gap * 0.5f;
+  const float room = size.width + kSlack;
+  if (x + room > box_.x + box_.w) page_.overflowed();
+  page_.words({x, top_, room, size.height}, words, style, view::kFaintInk);
+  top_ += size.height;
   check();
 }
 

@@ -110,8 +110,8 @@ class Column {
                float caption_width = 0);
   void foot_buttons(const std::vector<Button>& row, const std::string& caption = {},
                     float caption_width = 0);
-  /// `count` circles, the first `full` of them filled: stars that any script can read.
-  void circles(int full, int count, float diameter);
+  /// `count` circles, the first `full` of them filled, and the same in words after them.
+  void circles(int full, int count, const std::string& words);
   /// What is left between top and foot.
   view::Rect rest() const { return {box_.x, top_, box_.w, foot_ - top_}; }
   void check() const;

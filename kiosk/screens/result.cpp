@@ -45,8 +45,7 @@ class Result final : public Screen {
     column.space(t.gap * 0.5f);
     column.text(desk.say("result.title_" + stars), t.title, Face::serif);
     column.space(t.gap);
-    column.circles(desk.score.stars, 5, t.body * 0.95f);
-    column.text(desk.say("result.stars", {{"stars", stars}}), t.body, Face::sans, view::kFaintInk);
+    column.circles(desk.score.stars, 5, desk.say("result.stars", {{"stars", stars}}));
     column.space(t.gap);
     remarks(column, t, "result.alike", desk.score.alike);
     if (!desk.score.try_next.empty()) column.space(t.gap);

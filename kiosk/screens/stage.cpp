@@ -31,6 +31,9 @@ void Stage::update(const Desk& desk, double dt, const Profile* target, bool cut,
     height_ = eased(height_, height, dt, 0.5);
     radius_ = eased(radius_, std::max(radius, radius_ * 0.97), dt, 0.5);
   }
+  // A bat as a potter would choose it, a little wider than pot and lump; it stays for the pot's
+  // life.
+  if (fresh || wheel_radius_ == 0) wheel_radius_ = std::clamp(1.35 * radius, 0.09, 0.175);
   serial_ = desk.status.scene_serial;
 
   const double open = cut ? 1.0 : 0.0, there = desk.pot_ready() ? 1.0 : 0.0;
@@ -39,14 +42,31 @@ void Stage::update(const Desk& desk, double dt, const Profile* target, bool cut,
 }
 
 view::Camera Stage::camera(const Page& page) const {
-  return view::frame_pot(page.width(), page.height(), page.where().pot, std::max(height_, 0.02),
-                         std::max(radius_, 0.01));
+  constexpr double kHeadThickness = 0.024;
+  const double height = std::max(height_, 0.02), radius = std::max(radius_, 0.01);
+  const Regions& where = page.where();
+  view::Rect box = where.pot;
+  for (int i = 0;; ++i) {
+    const view::Camera camera = view::frame_pot(page.width(), page.height(), box, height, radius);
+    const double r = wheel_radius_;
+    const auto front = camera.project({0, -kHeadThickness, r});
+    const auto left = camera.project({-r, 0, 0}), right = camera.project({r, 0, 0});
+    if (!front || !left || !right || i == 24) return camera;
+    const bool clear = where.portrait   ? front->second <= where.words.y
+                       : where.mirrored ? right->first <= where.words.x
+                                        : left->first >= where.words.x + where.words.w;
+    if (clear) return camera;
+    // Smaller: in portrait from below, so that the rim stays where it was.
+    const float w = box.w * 0.97f, h = box.h * 0.97f;
+    box = {box.x + (box.w - w) / 2, where.portrait ? box.y : box.y + (box.h - h) / 2, w, h};
+  }
 }
 
 view::PotView Stage::view(const Desk& desk, const Page& page) const {
   view::PotView pot;
   pot.camera = camera(page);
   pot.wheel_angle = desk.status.feedback.wheel_angle;
+  pot.wheel_radius = wheel_radius_;
   pot.wetness = desk.status.feedback.wetness;
   pot.cut_away = cut_ < 0.004 ? 0.0 : cut_;
   pot.opacity = desk.pot_ready() ? shown_ : 0.0;

@@ -12,6 +12,7 @@ class Stage {
   /// `target` may be nullptr. `hold` keeps the camera still (a finger is on the clay).
   void update(const Desk& desk, double dt, const Profile* target, bool cut, bool hold);
   view::PotView view(const Desk& desk, const Page& page) const;
+  /// The pot as large as its place allows, with the wheel head clear of the words.
   view::Camera camera(const Page& page) const;
   /// The clay as it is now, at most some 8 times a second. Empty before the first pot.
   const Profile& made() const { return made_; }
@@ -20,7 +21,7 @@ class Stage {
   Profile made_;
   double made_at_ = -1;
   std::uint32_t serial_ = 0;
-  double height_ = 0, radius_ = 0;
+  double height_ = 0, radius_ = 0, wheel_radius_ = 0;
   double cut_ = 0, shown_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kiosk/content/language.h"
@@ -94,6 +95,8 @@ class Visit {
   ///   over any  "help", "help.close", "idle.stay", "language", "back"
   /// Nothing when it is not on the screen. A control acts when the pointer is lifted on it.
   std::optional<view::Rect> control(const std::string& id) const;
+  /// All of them, in reading order.
+  std::vector<std::pair<std::string, view::Rect>> controls() const;
   /// The control that the keyboard is on; empty while a pointer is used or the keys move the hand.
   const std::string& focus() const;
 

@@ -1,0 +1,217 @@
+#include "kiosk/screens/visit_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kiosk/screens/focus.h"
+
+namespace onggi::screens {
+
+using view::InputEvent;
+using view::Key;
+
+std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk) {
+  switch (id) {
+    case ScreenId::choose:
+      return make_choose(desk);
+    case ScreenId::throwing:
+      return make_throwing(desk);
+    case ScreenId::result:
+      return make_result(desk);
+    case ScreenId::keepsake:
+      return make_keepsake(desk);
+    case ScreenId::fault:
+      return make_fault(desk);
+    case ScreenId::attract:
+      break;
+  }
+  return make_attract(desk);
+}
+
+/// The words change where they stand: cross-fade.
+void Visit::State::reworded() {
+  ++serial;
+  changed_at = desk.now;
+}
+
+/// The picture changes to another: cross-fade, and nothing stays pressed or focused.
+void Visit::State::changed() {
+  reworded();
+  focused.clear();
+  pressed.clear();
+  page.reset();
+}
+
+void Visit::State::settle() {
+  if (std::exchange(desk.turned, false) && !desk.next) changed();
+  if (!desk.next) return;
+  const ScreenId to = *desk.next;
+  desk.next.reset();
+  screen->let_go();
+  over = Over::nothing;
+  if (to == ScreenId::attract) desk.forget();
+  screen = make_screen(to, desk);
+  changed();
+}
+
+void Visit::State::cover(Over what) {
+  if (over == what) return;
+  over = what;
+  if (what != Over::nothing) screen->let_go();
+  changed();
+}
+
+void Visit::State::set_language(std::size_t index) {
+  desk.language = index;
+  reworded();
+}
+
+void Visit::State::press(const std::string& control) {
+  if (const auto language = language_of(desk, control)) return set_language(*language);
+  if (control == "help") return cover(Over::help);
+  if (control == "help.close" || control == "idle.stay") return cover(Over::nothing);
+  if (control == "back")
+    screen->back();
+  else
+    screen->press(control);
+  settle();
+}
+
+std::string Visit::State::control_at(float x, float y) const {
+  if (page)
+    for (auto c = page->controls().rbegin(); c != page->controls().rend(); ++c)
+      if (c->rect.contains(x, y)) return c->id;
+  return {};
+}
+
+void Visit::State::pointer(const InputEvent& e) {
+  using Kind = InputEvent::Kind;
+  by_keys = false;
+  focused.clear();
+  const std::string on = e.kind == Kind::pointer_down || e.kind == Kind::pointer_up
+                             ? control_at(e.x, e.y)
+                             : std::string();
+  if (over == Over::idle) {
+    // Any touch says "I am here"; only the language is worth hearing besides.
+    if (e.kind == Kind::pointer_down && language_of(desk, on)) set_language(*language_of(desk, on));
+    return;
+  }
+  if (e.kind == Kind::pointer_down) {
+    // The first touch is never lost: wherever it lands, the visit begins.
+    if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
+        !language_of(desk, on)) {
+      desk.go(ScreenId::choose);
+      return settle();
+    }
+    pressed = on;
+    if (!on.empty()) return over == Over::nothing ? screen->hold(on) : void();
+  }
+  if (e.kind == Kind::pointer_up && !pressed.empty()) {
+    const std::string was = std::exchange(pressed, {});
+    if (was == on) press(was);
+    return;
+  }
+  if (over == Over::help) {
+    if (e.kind == Kind::pointer_up) cover(Over::nothing);
+    return;
+  }
+  if (page && pressed.empty()) screen->pointer(e, *page);
+  settle();
+}
+
+void Visit::State::key(const InputEvent& e) {
+  by_keys = true;
+  if (over == Over::idle) {
+    if (e.key == Key::language) set_language(*language_of(desk, "language"));
+    return;
+  }
+  if (e.key == Key::language && !e.repeat) return press("language");
+  if (e.key == Key::help && !e.repeat) return press(over == Over::help ? "help.close" : "help");
+  if (over == Over::help) {
+    if (e.key == Key::back) return press("help.close");
+  } else {
+    if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none) {
+      desk.go(ScreenId::choose);
+      return settle();
+    }
+    if (screen->key(e.key, e.repeat)) return settle();
+    if (e.key == Key::back && !e.repeat) return press("back");
+  }
+  if (!page || page->controls().empty()) return;
+  const auto step = [&](Direction to) {
+    if (!focused.empty()) focused = step_focus(page->controls(), focused, to);
+  };
+  switch (e.key) {
+    case Key::up:
+      return step(Direction::up);
+    case Key::down:
+      return step(Direction::down);
+    case Key::left:
+      return step(Direction::left);
+    case Key::right:
+      return step(Direction::right);
+    case Key::enter:
+      if (!focused.empty() && !e.repeat) press(focused);
+      return;
+    default:
+      return;
+  }
+}
+
+/// While keys are used something is always focused, unless the keys move the hand.
+void Visit::State::keep_focus() {
+  if (!by_keys) return focused.clear();
+  const std::string first = over == Over::help   ? "help.close"
+                            : over == Over::idle ? "idle.stay"
+                                                 : screen->first_focus();
+  if (first.empty()) return focused.clear();
+  const auto is_there = [&](const std::string& id) {
+    return page && std::any_of(page->controls().begin(), page->controls().end(),
+                               [&](const Control& c) { return c.id == id; });
+  };
+  if (focused.empty() || (page && !is_there(focused)))
+    focused = !page || is_there(first)   ? first
+              : page->controls().empty() ? std::string()
+                                         : page->controls().front().id;
+}
+
+Page Visit::State::lay_out(int width, int height, float size) {
+  const TypeScale type = type_scale(desk.screen(), width, height, size);
+  Page made(measuring, {width,
+                        height,
+                        type,
+                        regions(width, height, type.margin, desk.mirrored()),
+                        desk.words().code(),
+                        {focused, pressed}});
+  switch (over) {
+    case Over::nothing:
+      screen->lay_out(made);
+      break;
+    case Over::help:
+      lay_out_help(made, desk, screen->help_key());
+      break;
+    case Over::idle:
+      lay_out_idle(made, desk, idle.seconds_left());
+      break;
+  }
+  return made;
+}
+
+/// Words that do not fit are set smaller, a step at a time, and then stay so while this picture
+/// lasts: sizes that come and go with the words would flicker.
+void Visit::State::lay_out_fitting(int width, int height) {
+  const std::string now_for = std::to_string(serial) + ' ' + std::to_string(width) + 'x' +
+                              std::to_string(height) + desk.words().code();
+  if (shrunk_for != now_for) shrink = 1.0f;
+  shrunk_for = now_for;
+  constexpr float kStep = 0.94f, kLeast = 0.4f;
+  int again = 3;
+  for (;;) {
+    page = std::make_unique<Page>(lay_out(width, height, shrink));
+    if (page->restarted() && again-- > 0) continue;
+    if (!page->overflow() || shrink < kLeast) return;
+    shrink *= kStep;
+  }
+}
+
+}  // namespace onggi::screens

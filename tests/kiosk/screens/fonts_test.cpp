@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include "kiosk/content/vessel.h"
+#include "kiosk/render/text.h"
+#include "tests/kiosk/screens/layout_check.h"
+
+namespace onggi::screens {
+namespace {
+
+/// The exhibit's own shelf and the fonts it is shown in.
+void check_all(int width, int height) {
+  const render::Typesetter fonts;
+  const content::Catalogue shelf = content::open_shelf("content/vessels");
+  ASSERT_GE(shelf.vessels.size(), 8u);
+  for (const bool korean : {false, true}) {
+    Visitor v(0, &fonts);
+    v.vessels = shelf.vessels;
+    for (content::Vessel& vessel : v.vessels) {
+      const double scale = 0.2 / vessel.extracted.profile.height();
+      v.shelf.push_back({&vessel, 7, scaled(vessel.extracted.profile, scale), scale});
+    }
+    v.width = width;
+    v.height = height;
+    v.show();
+    if (korean) v.touch("language");
+    walk(v, [&](const std::string& name) { check_layout(v, fonts, name); });
+  }
+}
+
+TEST(Fonts, NothingIsCutOrOverlapsAt1280x720) { check_all(1280, 720); }
+TEST(Fonts, NothingIsCutOrOverlapsAt1920x1080) { check_all(1920, 1080); }
+TEST(Fonts, NothingIsCutOrOverlapsAt1080x1920) { check_all(1080, 1920); }
+TEST(Fonts, NothingIsCutOrOverlapsAt1024x600) { check_all(1024, 600); }
+
+TEST(Fonts, EveryVesselsLabelIsReadToItsEndInBothLanguages) {
+  const render::Typesetter fonts;
+  const content::Catalogue shelf = content::open_shelf("content/vessels");
+  for (const bool korean : {false, true}) {
+    Visitor v(0, &fonts);
+    v.vessels = shelf.vessels;
+    for (content::Vessel& vessel : v.vessels) v.shelf.push_back({&vessel, 7, jar(0.08), 0.65});
+    v.width = 1024;
+    v.height = 600;
+    v.show();
+    if (korean) v.touch("language");
+    v.down(500, 5), v.up(500, 5);
+    v.show();
+    for (std::size_t i = 0; i < v.shelf.size(); ++i) {
+      const std::string card = "choose.card." + std::to_string(i);
+      while (!v.visit->control(card)) v.touch("choose.next");
+      v.touch(card);
+      std::string read;
+      for (int part = 0; part < 6; ++part) {
+        read += words_in(v.frame);
+        check_layout(v, fonts, v.vessels[i].id);
+        if (!v.visit->control("choose.more")) break;
+        v.touch("choose.more");
+      }
+      // The label's last words are there, wherever it was broken.
+      const std::string text = v.vessels[i].label(v.visit->language()).text;
+      EXPECT_NE(read.find(text.substr(text.size() - 12)), std::string::npos) << v.vessels[i].id;
+      v.touch("back");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace onggi::screens

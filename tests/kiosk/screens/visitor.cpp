@@ -1,0 +1,233 @@
+#include "tests/kiosk/screens/visitor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/math/portable.h"
+
+namespace onggi::screens {
+
+using view::InputEvent;
+
+view::TextMeasure::Size PlainMeasure::measure(const std::string& text, const view::TextStyle& style,
+                                              float width) const {
+  const auto advance = [&](std::size_t& i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const std::size_t bytes = c < 0x80 ? 1 : c < 0xE0 ? 2 : c < 0xF0 ? 3 : 4;
+    i += bytes;
+    return style.px * (bytes >= 3 ? 0.95f : 0.52f);
+  };
+  float widest = 0, line = 0;
+  int lines = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '\n') {
+      ++lines, ++i, line = 0;
+      continue;
+    }
+    // One word with the space after it.
+    float word = 0;
+    while (i < text.size() && text[i] != ' ' && text[i] != '\n') word += advance(i);
+    if (width > 0 && line > 0 && line + word > width) ++lines, line = 0;
+    line += word;
+    widest = std::max(widest, line);
+    if (i < text.size() && text[i] == ' ') line += advance(i);
+  }
+  return {widest, static_cast<float>(lines) * style.px * style.line_height};
+}
+
+Profile jar(double belly, double mouth, double foot) {
+  Profile p;
+  for (int i = 0; i <= 40; ++i) {
+    const double t = i / 40.0;
+    const double outer =
+        foot + (mouth - foot) * t + (belly - 0.5 * (foot + mouth)) * sin(3.14159 * t);
+    p.points.push_back({0.2 * t, outer, t < 0.06 ? 0.0 : outer - 0.006});
+  }
+  return p;
+}
+
+Visitor::Visitor(int count, const view::TextMeasure* measure) {
+  for (const char* file : {"content/languages/en.toml", "content/languages/ko.toml"}) {
+    auto language = content::Language::read(file);
+    EXPECT_TRUE(language) << (language ? "" : to_text(language.error()));
+    if (language) languages.push_back(*language);
+  }
+  vessels.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    content::Vessel& v = vessels[static_cast<std::size_t>(i)];
+    v.id = "vessel_" + std::to_string(i);
+    v.true_height = 0.305;
+    v.credit = "Shape drawn for Onggi from published dimensions";
+    std::string label;
+    for (int k = 0; k < 10; ++k) label += "The potter set two thrown bowls rim to rim today. ";
+    v.labels["en"] = {i % 3 == 0 ? "Panathenaic amphora" : "Moon jar",
+                      i % 2 == 0 ? "Korea, Joseon dynasty; used in Japan" : "Maya, Late Classic",
+                      "about 3500–3200 BCE", "Two bowls, thrown and joined.", label};
+    std::string korean;
+    for (int k = 0; k < 8; ++k) korean += "도공은 사발 두 개를 빚어 위아래로 맞붙였다. ";
+    v.labels["ko"] = {"파나테나이아 암포라", "미국 뉴멕시코, 아코마 푸에블로",
+                      "기원전 3500–3200년 무렵", "물레로 빚은 사발 두 개를 맞붙였다.", korean};
+  }
+  for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65});
+  mirror.reset(100, 16, 0.2, 0.01, 0.055, 0.022);
+  VisitWorld world;
+  world.exhibit = &exhibit;
+  world.languages = &languages;
+  world.shelf = &shelf;
+  world.measure = measure ? measure : &plain;
+  world.mirror = &mirror;
+  world.potter = &potter;
+  visit = std::make_unique<Visit>(world);
+  show();
+}
+
+void Visitor::frames(double seconds) {
+  const double until = now + seconds - 1e-9;
+  int skipped = 0;
+  do {
+    now += 1.0 / 30;
+    visit->update(now, status);
+    while (auto request = visit->take_request()) {
+      if (const auto* start = std::get_if<StartPot>(&*request)) {
+        ++status.scene_serial;
+        status.scripted = start->scripted;
+        status.script_done = false;
+        mirror.reset(100, 16, 0.2, 0.01, 0.055, 0.022);
+      }
+      seen_.push_back(std::move(*request));
+    }
+    // Long waits are looked at twice a second only, to keep the test short.
+    if (seconds < 5 || ++skipped % 15 == 0 || now >= until) frame = visit->frame(width, height);
+  } while (now < until);
+}
+
+std::vector<Request> Visitor::requests() { return std::exchange(seen_, {}); }
+
+void Visitor::down(float x, float y) {
+  visit->input({InputEvent::Kind::pointer_down, x, y, 0, view::Key::none, false}, now);
+}
+void Visitor::move(float x, float y) {
+  visit->input({InputEvent::Kind::pointer_move, x, y, 0, view::Key::none, false}, now);
+}
+void Visitor::up(float x, float y) {
+  visit->input({InputEvent::Kind::pointer_up, x, y, 0, view::Key::none, false}, now);
+}
+
+void Visitor::touch(const std::string& control) {
+  const auto rect = visit->control(control);
+  ASSERT_TRUE(rect) << control << " is not on the screen";
+  down(rect->x + rect->w / 2, rect->y + rect->h / 2);
+  show();
+  up(rect->x + rect->w / 2, rect->y + rect->h / 2);
+  show();
+}
+
+void Visitor::key(view::Key key) {
+  visit->input({InputEvent::Kind::key_down, 0, 0, 0, key, false}, now);
+  visit->input({InputEvent::Kind::key_up, 0, 0, 0, key, false}, now);
+  show();
+}
+
+bool Visitor::key_to(const std::string& control) {
+  const auto wanted = visit->control(control);
+  if (!wanted) return false;
+  using view::Key;
+  for (int i = 0; i < 60; ++i) {
+    if (visit->focus() == control) {
+      key(Key::enter);
+      return true;
+    }
+    const auto at = visit->control(visit->focus());
+    if (!at) {
+      key(Key::down);
+      continue;
+    }
+    // Straight towards it as a person would; every so often the other way, past what is between.
+    const float dx = wanted->x + wanted->w / 2 - at->x - at->w / 2;
+    const float dy = wanted->y + wanted->h / 2 - at->y - at->h / 2;
+    const bool upright = std::abs(dy) > 4 && (i % 3 != 2 || std::abs(dx) < 4);
+    key(upright ? (dy > 0 ? Key::down : Key::up) : (dx > 0 ? Key::right : Key::left));
+  }
+  return false;
+}
+
+void Visitor::throw_a_pot() {
+  down(600, 300);
+  up(600, 300);
+  show();
+  touch("choose.card.0");
+  touch("choose.throw");
+  show();
+}
+
+void Visitor::make_result() {
+  throw_a_pot();
+  touch("throw.done");
+}
+
+void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
+  const auto settled = [&](const std::string& name) {
+    v.frames(1.0);
+    look(name);
+  };
+  const auto with_help = [&](const std::string& name) {
+    settled(name);
+    v.touch("help");
+    settled(name + " help");
+    v.touch("help.close");
+  };
+  v.status.script_done = true;
+  v.frames(2);
+  with_help("attract");
+  v.down(400, 5), v.up(400, 5);
+  with_help("choose");
+  if (v.visit->control("choose.next")) {
+    v.touch("choose.next");
+    settled("choose second page");
+    v.touch("choose.previous");
+  }
+  v.touch("choose.card.0");
+  settled("label");
+  if (v.visit->control("choose.more")) {
+    v.touch("choose.more");
+    settled("label read on");
+  }
+  v.touch("choose.throw");
+  v.frames(3);
+  with_help("throw");
+  v.touch("throw.side");
+  v.frames(3);
+  v.touch("throw.renew");
+  v.status.can_restore = true;
+  settled("throw inside");
+  v.touch("throw.done");
+  with_help("result");
+  v.touch("result.keep");
+  settled("keepsake waiting");
+  v.visit->show_postcard(9);
+  v.visit->keepsake_kept("2026-05-04_141503_panathenaic_amphora");
+  with_help("keepsake");
+  v.frames(v.exhibit.idle.result_after + 1);
+  settled("idle");
+  v.move(3, 3);
+  v.show();
+  v.touch("back");
+  v.touch("back");
+  v.touch("throw.done");
+  v.touch("result.keep");
+  v.visit->keepsake_failed({"disk", "full", "make room"});
+  settled("keepsake failed");
+  v.visit->fail({"a", "b", "c"});
+  settled("fault");
+}
+
+std::string words_in(const view::Frame& frame) {
+  std::string all;
+  for (const view::Item& item : frame.items)
+    if (const auto* text = std::get_if<view::Text>(&item)) all += text->text + "\n";
+  return all;
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kiosk/screens/visit.h"
+
+namespace onggi::screens {
+
+/// Stands in for a font: half an em a Latin letter, a whole one for anything wider, breaks at
+/// spaces.
+class PlainMeasure final : public view::TextMeasure {
+ public:
+  Size measure(const std::string& text, const view::TextStyle& style, float width) const override;
+};
+
+/// Remembers what the screens asked of the wheel.
+class RecordingPotter final : public loop::PotterCommands {
+ public:
+  void start(std::unique_ptr<Scene>) override {}
+  void play(std::unique_ptr<Script>) override {}
+  void hand(int, const HandInput& target) override { hands.push_back(target); }
+  void wheel(double rad_per_s) override { wheels.push_back(rad_per_s); }
+  void water(bool held) override { waters.push_back(held); }
+  void renew() override { ++renewed; }
+  void restore() override { ++restored; }
+  void pause(bool) override {}
+
+  std::vector<HandInput> hands;
+  std::vector<double> wheels;
+  std::vector<bool> waters;
+  int renewed = 0, restored = 0;
+};
+
+/// A vessel that is `belly` wide (radius, metres) half-way up, 0.2 m high.
+Profile jar(double belly, double mouth = 0.04, double foot = 0.04);
+
+/// A whole exhibit without window, loop or files, and someone who visits it.
+class Visitor {
+ public:
+  explicit Visitor(int vessels = 9, const view::TextMeasure* measure = nullptr);
+
+  void frames(double seconds);  ///< Time passes, thirty frames a second.
+  void show() { frames(1.0 / 30); }
+  void down(float x, float y);
+  void move(float x, float y);
+  void up(float x, float y);
+  void touch(const std::string& control);  ///< Down and up in the middle of a control.
+  void key(view::Key key);
+  /// Arrows until `control` is focused, then Enter: false when no arrow leads there.
+  bool key_to(const std::string& control);
+  void throw_a_pot();  ///< From attract to the throw screen, by touch.
+  void make_result();
+  std::vector<Request> requests();
+
+  std::vector<content::Language> languages;
+  settings::Exhibit exhibit;
+  std::vector<content::Vessel> vessels;
+  std::vector<ShelfCard> shelf;
+  PlainMeasure plain;
+  loop::Mirror mirror;
+  RecordingPotter potter;
+  loop::LoopStatus status;
+  std::unique_ptr<Visit> visit;
+  view::Frame frame;
+  int width = 1280, height = 720;
+  double now = 100;
+
+ private:
+  std::vector<Request> seen_;
+};
+
+/// Goes through everything a visitor can see, as it stands once cross-fades are over: every screen,
+/// the label, help, the warning, the fault, a kept and a failed postcard. `look` gets its name.
+void walk(Visitor& visitor, const std::function<void(const std::string&)>& look);
+
+/// All words of a frame, one after the other.
+std::string words_in(const view::Frame& frame);
+
+}  // namespace onggi::screens

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "kiosk/content/language.h"
+#include "kiosk/score/score.h"
+
+namespace onggi::screens {
+namespace {
+
+content::Language read(const std::string& code) {
+  auto language = content::Language::read("content/languages/" + code + ".toml");
+  EXPECT_TRUE(language) << (language ? "" : to_text(language.error()));
+  return language ? *language : content::Language{};
+}
+
+std::multiset<std::string> places(const std::string& words) {
+  static const std::regex kPlace("\\{[a-z_]+\\}");
+  std::multiset<std::string> found;
+  for (auto i = std::sregex_iterator(words.begin(), words.end(), kPlace);
+       i != std::sregex_iterator(); ++i)
+    found.insert(i->str());
+  return found;
+}
+
+TEST(Words, EnglishAndKoreanSayTheSameThingsWithTheSamePlaces) {
+  const auto en = read("en"), ko = read("ko");
+  EXPECT_EQ(en.keys(), ko.keys());
+  for (const std::string& key : en.keys())
+    EXPECT_EQ(places(en.say(key)), places(ko.say(key))) << key;
+}
+
+TEST(Words, EveryKeyThatTheScreensUseIsThere) {
+  const auto en = read("en");
+  const auto all = en.keys();
+  const std::set<std::string> keys(all.begin(), all.end());
+  static const std::regex kKey(
+      "\"((?:all|attract|choose|throw|hint|place|result|keepsake|idle|fault|help)\\.[a-z_0-9]+)\"");
+  int seen = 0;
+  for (const auto& file : std::filesystem::directory_iterator("kiosk/screens")) {
+    if (file.path().extension() != ".cpp") continue;
+    std::ifstream in(file.path());
+    for (std::string line; std::getline(in, line);) {
+      if (line.find("say(") == std::string::npos && line.find("hint.") == std::string::npos &&
+          line.find("place.") == std::string::npos)
+        continue;
+      for (auto i = std::sregex_iterator(line.begin(), line.end(), kKey);
+           i != std::sregex_iterator(); ++i) {
+        // A control may share a line with its words; only what is in neither list is missing.
+        const std::string key = (*i)[1];
+        const bool control = line.find("{\"" + key + "\"") != std::string::npos ||
+                             key == "result.title_" || key == "throw.done";
+        EXPECT_TRUE(control || keys.count(key) > 0) << file.path() << ": " << key;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 40);
+}
+
+TEST(Words, EveryRemarkOfAScoreHasItsWords) {
+  const auto en = read("en"), ko = read("ko");
+  for (const std::string& key : score::remark_keys()) {
+    EXPECT_NE(en.say(key).front(), '[') << key;
+    EXPECT_NE(ko.say(key).front(), '[') << key;
+  }
+}
+
+TEST(Words, EveryScreenHasItsHelp) {
+  for (const auto& language : {read("en"), read("ko")})
+    for (const char* screen : {"attract", "choose", "throw", "result", "keepsake", "fault"})
+      for (const char* kind : {"", "_keys"})
+        EXPECT_NE(language.say(std::string("help.") + screen + kind).front(), '[');
+}
+
+TEST(Words, EnglishSentencesHaveAtMostTwentyFiveWords) {
+  const auto en = read("en");
+  for (const std::string& key : en.keys()) {
+    int words = 0;
+    for (const char c : en.say(key) + " ") {
+      if (c == ' ') ++words;
+      if (c == '.' || c == '?' || c == ':') words = 0;
+      EXPECT_LE(words, 25) << key;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace onggi::screens
