@@ -4,8 +4,10 @@
 // GL comes from epoxy.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
 
 #include <algorithm>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -71,6 +73,17 @@ Key key_of(int key) {
   }
 }
 
+// Graphics drivers keep tables and threads for the life of the process, and their exit handlers run
+// after GLFW would have unloaded them (leak checkers lose their way too): hold what is loaded now.
+void keep_drivers_loaded() {
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const auto path = line.find('/');
+    if (path == std::string::npos || line.find("_dri.so", path) == std::string::npos) continue;
+    dlopen(line.c_str() + path, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+  }
+}
+
 Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
 }  // namespace
@@ -112,6 +125,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   window->visible_ = options.visible;
   window->full_screen_ = full;
   glfwMakeContextCurrent(made);
+  keep_drivers_loaded();
   glfwSwapInterval(0);  // frames are paced by Renderer::present
   glfwGetFramebufferSize(made, &window->width_, &window->height_);
   if (!options.visible) {
