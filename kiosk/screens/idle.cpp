@@ -8,7 +8,8 @@ IdleWatch::Word IdleWatch::look(double now, double warn_after, double countdown)
   constexpr double kLeast =
       20.0;  // A person with slow hands needs this long to answer (WCAG 2.2.1).
   if (!started_) touched(now);
-  left_ = warn_after + std::max(countdown, kLeast) - (now - last_);
+  countdown_ = std::max(countdown, kLeast);
+  left_ = warn_after + countdown_ - (now - last_);
   if (now - last_ < warn_after) return Word::none;
   return left_ > 0 ? Word::warn : Word::over;
 }

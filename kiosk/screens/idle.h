@@ -14,10 +14,11 @@ class IdleWatch {
   /// `warn_after` s without input before the warning, then `countdown` s (at least 20).
   Word look(double now, double warn_after, double countdown);
   double seconds_left() const { return left_; }
+  double countdown() const { return countdown_; }
 
  private:
   bool started_ = false;
-  double last_ = 0, left_ = 0;
+  double last_ = 0, left_ = 0, countdown_ = 20;
 };
 
 }  // namespace onggi::screens

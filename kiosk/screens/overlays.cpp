@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "kiosk/screens/screen.h"
@@ -46,7 +47,7 @@ void lay_out_help(Page& page, const Desk& desk, const std::string& help_key) {
   column.text(desk.say(help_key + "_keys"), t.body, Face::sans, view::kFaintInk);
 }
 
-void lay_out_idle(Page& page, const Desk& desk, double seconds_left) {
+void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown) {
   const TypeScale& t = page.type();
   Column column(page, page.where().page);
   column.foot_buttons(language_buttons(desk));
@@ -56,7 +57,13 @@ void lay_out_idle(Page& page, const Desk& desk, double seconds_left) {
   column.text(desk.say("idle.title"), t.display, Face::serif);
   column.space(t.gap);
   column.text(desk.say("idle.countdown", {{"seconds", std::to_string(seconds)}}), t.lead);
-  column.space(t.gap * 2);
+  column.space(t.gap);
+  // The same as a line that grows shorter.
+  const view::Rect rest = column.rest();
+  const auto share = static_cast<float>(std::clamp(seconds_left / countdown, 0.0, 1.0));
+  const float thick = std::max(2.0f, t.body * 0.12f);
+  page.draw(view::Box{{rest.x, rest.y, rest.w * share, thick}, thick / 2, view::kInk, 0, {}});
+  column.space(thick + t.gap * 2);
   column.buttons({{"idle.stay", desk.say("idle.stay"), Look::solid}});
 }
 

@@ -57,6 +57,6 @@ std::optional<std::size_t> language_of(const Desk& desk, const std::string& cont
 
 /// What lies over a screen instead of its words.
 void lay_out_help(Page& page, const Desk& desk, const std::string& help_key);
-void lay_out_idle(Page& page, const Desk& desk, double seconds_left);
+void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown);
 
 }  // namespace onggi::screens

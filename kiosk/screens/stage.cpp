@@ -126,6 +126,19 @@ void dashes(Page& page, const std::vector<std::pair<float, float>>& points, view
   if (on) stroke(page, piece, color, width);
 }
 
+/// How far `made` is outside `target` about height `h`: a mean over a finger's breadth, so that
+/// throwing lines do not make the ghost flicker.
+double beyond(const Profile& made, const Profile& target, double h) {
+  if (made.points.empty()) return 0.0;
+  constexpr int kReach = 3;
+  double off = 0;
+  for (int k = -kReach; k <= kReach; ++k) {
+    const double at = std::clamp(h + 0.0015 * k, 0.0, target.height());
+    off += made.outer_at(at) - target.outer_at(at);
+  }
+  return off / (2 * kReach + 1);
+}
+
 Vec3 beside(const view::Camera& camera, double r, double h) {
   Vec3 right, up, back;
   camera.basis(right, up, back);
@@ -144,7 +157,7 @@ void draw_ghost(Page& page, const view::Camera& camera, const Profile& target,
       const double r = target.outer_at(h);
       const auto at = camera.project(beside(camera, side * r, h));
       if (!at) continue;
-      const double off = made.points.empty() ? 0.0 : made.outer_at(h) - r;
+      const double off = beyond(made, target, h);
       const Fit fit = off > near_enough ? Fit::wide : off < -near_enough ? Fit::narrow : Fit::near;
       if (runs.empty() || runs.back().fit != fit) {
         Run run{fit, {}};

@@ -191,7 +191,7 @@ Page Visit::State::lay_out(int width, int height, float size) {
       lay_out_help(made, desk, screen->help_key());
       break;
     case Over::idle:
-      lay_out_idle(made, desk, idle.seconds_left());
+      lay_out_idle(made, desk, idle.seconds_left(), idle.countdown());
       break;
   }
   return made;
