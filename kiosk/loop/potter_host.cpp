@@ -10,8 +10,9 @@ PotterHost::~PotterHost() = default;
 
 bool PotterHost::send(const Command& command) {
   if (core_.send(command)) return true;
-  // A full queue means that the loop has stood still for 256 wishes. Where the hand is to go is then
-  // dropped (the next frame knows better); everything else waits for room, a second at the most.
+  // A full queue means that the loop has stood still for 256 wishes. Where the hand is to go is
+  // then dropped (the next frame knows better); everything else waits for room, a second at the
+  // most.
   if (command.kind == Command::Kind::hand) return false;
   for (int i = 0; i < 1000; ++i) {
     let_loop_turn();

@@ -1,0 +1,203 @@
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "kiosk/app/commands/commands.h"
+#include "kiosk/app/kiosk.h"
+#include "kiosk/app/log.h"
+#include "kiosk/app/monotonic.h"
+#include "kiosk/app/paths.h"
+#include "kiosk/app/scripted_visitor.h"
+#include "kiosk/app/virtual_display.h"
+#include "kiosk/app/visit_report.h"
+#include "kiosk/app/window_size.h"
+#include "kiosk/settings/toml_reader.h"
+#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/souvenir/encode.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::app {
+
+namespace {
+
+constexpr double kFrameSeconds = 0.04;  // 25 frames a second of visit, each 40 ticks of the wheel.
+constexpr int kFrameTicks = 40;
+
+struct VisitArguments {
+  std::string config, script = "follow", vessel, out, json, window = "1280x720", language, shelf;
+  std::uint64_t seed = 1;
+  bool realtime = false;
+};
+
+/// The vessel named: a file of its own makes a shelf of one, an id is looked up on the exhibit's
+/// shelf.
+struct Choice {
+  std::optional<fs::path> shelf;
+  std::string id;
+};
+
+Choice choose(const VisitArguments& arguments) {
+  std::error_code ignored;
+  if (fs::is_regular_file(arguments.vessel, ignored) ||
+      fs::exists(fs::path(arguments.vessel) / "vessel.toml", ignored))
+    return {arguments.vessel, ""};
+  if (!arguments.shelf.empty()) return {arguments.shelf, arguments.vessel};
+  return {std::nullopt, arguments.vessel};
+}
+
+Result<int> find_card(const Kiosk& kiosk, Shelf& shelf, const Choice& choice) {
+  const auto& cards = shelf.cards();
+  if (choice.id.empty() && !cards.empty()) return 0;
+  if (choice.id.empty()) {
+    if (!shelf.problems().empty()) return tl::unexpected(shelf.problems().front());
+    return problem(choice.shelf->string(), "It holds no vessel.", "Name a GLB or glTF file.");
+  }
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    if (cards[i].vessel->id == choice.id) return static_cast<int>(i);
+    ids.push_back(cards[i].vessel->id);
+  }
+  const std::string nearest = settings::nearest_name(choice.id, ids);
+  std::string all;
+  for (const std::string& id : ids) all += (all.empty() ? "" : ", ") + id;
+  return problem(
+      "--vessel " + choice.id,
+      "No such file, and no such vessel on the shelf " + kiosk.exhibit().shelf.string() + ".",
+      (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + ("There are: " + all + "."));
+}
+
+/// Keeps the pictures of the screens passed, encoded once the visit is over.
+class ScreenAlbum {
+ public:
+  ScreenAlbum(Kiosk& kiosk, fs::path folder) : kiosk_(kiosk), folder_(std::move(folder)) {}
+
+  void take(const std::string& name) { pages_.push_back({name, kiosk_.picture()}); }
+
+  Result<std::vector<fs::path>> write() const {
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+      const std::string number = (i < 9 ? "0" : "") + std::to_string(i + 1);
+      const fs::path file = folder_ / (number + "_" + pages_[i].name + ".png");
+      auto bytes = souvenir::encode(pages_[i].image, souvenir::Format::png,
+                                    {"Onggi: " + pages_[i].name, kiosk_.exhibit().credit, ""});
+      if (!bytes) return tl::unexpected(bytes.error());
+      if (auto good = souvenir::write_durably(file, *bytes); !good)
+        return tl::unexpected(good.error());
+      files.push_back(file);
+    }
+    return files;
+  }
+
+ private:
+  struct Page {
+    std::string name;
+    view::Image image;
+  };
+  Kiosk& kiosk_;
+  fs::path folder_;
+  std::vector<Page> pages_;
+};
+
+/// Frames until the visitor is done; prints how far the throwing is.
+Result<void> walk(Kiosk& kiosk, ScriptedVisitor& visitor, bool realtime) {
+  const double begun = monotonic_seconds();
+  int printed = -1;
+  for (int n = 0; !visitor.done(); ++n) {
+    const double now = n * kFrameSeconds;
+    kiosk.advance(kFrameTicks);
+    if (!kiosk.frame(now, realtime))
+      return problem("the window", "It was closed during the visit.", "Leave it open.", 1);
+    if (auto good = visitor.step(now); !good) return good;
+    if (kiosk.visit().screen() == screens::ScreenId::throwing) {
+      const int tenth = static_cast<int>(kiosk.potter().status().script_progress * 10);
+      if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
+    }
+    // A save runs on a worker: give it wall time, or the visit's clock would outrun it.
+    if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (realtime)
+      std::this_thread::sleep_for(std::chrono::duration<double>(
+          std::max(0.0, begun + now + kFrameSeconds - monotonic_seconds())));
+  }
+  return {};
+}
+
+Result<void> visit(const VisitArguments& arguments) {
+  const auto config = exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  KioskOptions options;
+  options.config = *config;
+  options.stepped = true;
+  options.seed = arguments.seed;
+  options.language = arguments.language;
+  options.keepsakes = fs::path(arguments.out);
+  options.window.visible = arguments.realtime;
+  if (auto good = read_window_size(arguments.window, options.window); !good) return good;
+  const Choice choice = choose(arguments);
+  options.shelf = choice.shelf;
+
+  auto display = VirtualDisplay::ensure(options.window.width, options.window.height);
+  if (!display) return tl::unexpected(display.error());
+  auto opened = Kiosk::open(options);
+  if (!opened) return tl::unexpected(opened.error());
+  Kiosk& kiosk = **opened;
+  const auto card = find_card(kiosk, kiosk.shelf(), choice);
+  if (!card) return tl::unexpected(card.error());
+
+  ScreenAlbum album(kiosk, fs::path(arguments.out) / "screens");
+  ScriptedVisitor::Plan plan;
+  plan.script = arguments.script;
+  plan.card = *card;
+  plan.seed = arguments.seed;
+  ScriptedVisitor visitor(kiosk, plan, [&album](const std::string& name) { album.take(name); });
+  if (auto good = walk(kiosk, visitor, arguments.realtime); !good) return good;
+  album.take("attract_again");
+  const auto pages = album.write();
+  if (!pages) return tl::unexpected(pages.error());
+
+  const std::string report = visit_report(*kiosk.kept(), *pages);
+  const fs::path beside = fs::path(arguments.out) / "visit.json";
+  for (const fs::path& file : {beside, fs::path(arguments.json)})
+    if (!file.empty() && file != "-")
+      if (auto good = souvenir::write_durably(file, std::as_bytes(std::span(report))); !good)
+        return good;
+  std::cout << (arguments.json == "-" ? report : visit_summary(*kiosk.kept()));
+  return {};
+}
+
+}  // namespace
+
+void add_visit(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<VisitArguments>();
+  CLI::App* command =
+      app.add_subcommand("visit", "Make a whole visit without a person, and keep its picture");
+  command->footer(
+      "Example: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -");
+  command->add_option("--script", arguments->script,
+                      "What the hands do: true, collar, belly, bowl, groove, follow [follow]");
+  command
+      ->add_option("--vessel", arguments->vessel,
+                   "A vessel of the shelf, a pack, or a GLB/glTF file")
+      ->required();
+  command->add_option("--out", arguments->out, "Folder for the keepsake and the screens' pictures")
+      ->required();
+  command->add_option("--seed", arguments->seed, "Unevenness of the scripted hands [1]");
+  command->add_option(
+      "--json", arguments->json,
+      "Write what it came to as JSON here too (- for standard output); OUT/visit.json always");
+  command->add_flag("--realtime", arguments->realtime, "At a visitor's speed, in a visible window");
+  command->add_option("--window", arguments->window, "WIDTHxHEIGHT of the screens [1280x720]");
+  command->add_option("--language", arguments->language, "A language of the exhibit [its first]");
+  command->add_option("--config", arguments->config, "The exhibit's TOML [config/exhibit.toml]");
+  command->add_option("--shelf", arguments->shelf, "A folder of vessels instead of the exhibit's");
+  command->callback([arguments, &exit_code] {
+    if (auto good = visit(*arguments); !good) exit_code = exit_with(good.error());
+  });
+}
+
+}  // namespace onggi::app

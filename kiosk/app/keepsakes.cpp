@@ -1,0 +1,34 @@
+#include "kiosk/app/keepsakes.h"
+
+#include <chrono>
+#include <utility>
+
+namespace onggi::app {
+
+Keepsakes::Keepsakes(std::filesystem::path folder, int quota_mb)
+    : folder_(std::move(folder)), quota_mb_(quota_mb) {}
+
+Keepsakes::~Keepsakes() {
+  for (auto& save : saving_) save.wait();
+}
+
+void Keepsakes::save(souvenir::Keepsake keepsake) {
+  // Each save waits for the one before: two at once would each count the quota without the other.
+  std::shared_future<Result<souvenir::KeepsakeFiles>> before;
+  if (!saving_.empty()) before = saving_.back();
+  saving_.push_back(std::async(std::launch::async, [this, before, kept = std::move(keepsake)] {
+                      if (before.valid()) before.wait();
+                      return souvenir::save(kept, folder_, quota_mb_);
+                    }).share());
+}
+
+std::optional<Result<souvenir::KeepsakeFiles>> Keepsakes::finished() {
+  if (saving_.empty() ||
+      saving_.front().wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  auto outcome = saving_.front().get();
+  saving_.erase(saving_.begin());
+  return outcome;
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,235 @@
+#include "kiosk/app/kiosk.h"
+
+#include <cstdio>
+#include <ctime>
+#include <utility>
+
+#include "engine/clay/clay_mesh.h"
+#include "engine/profile/mesh.h"
+#include "engine/script/script.h"
+#include "kiosk/app/log.h"
+#include "kiosk/app/words.h"
+#include "kiosk/content/gltf.h"
+#include "kiosk/loop/loop_thread.h"
+#include "kiosk/loop/stepped_potter.h"
+#include "kiosk/souvenir/postcard.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::app {
+
+namespace {
+
+// Attract mode shows a pot in about half a minute, the time a passer-by gives it.
+constexpr double kAttractPace = 3.0;
+
+std::string local_time(const char* format) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[64];
+  return {text, std::strftime(text, sizeof text, format, &local)};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
+  std::unique_ptr<Kiosk> kiosk(new Kiosk);
+  kiosk->seed_ = options.seed;
+  kiosk->stepped_ = options.stepped;
+  if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
+  kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf));
+  kiosk->keepsakes_ =
+      std::make_unique<Keepsakes>(options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder),
+                                  kiosk->exhibit_.keepsake.quota_mb);
+  auto renderer = render::Renderer::create(options.window);
+  if (!renderer) return tl::unexpected(renderer.error());
+  kiosk->renderer_ = std::move(*renderer);
+  const render::RenderStatus drawn_by = kiosk->renderer_->status();
+  log_line("Drawing with " + drawn_by.device + (drawn_by.software ? ", without a GPU." : "."));
+
+  if (options.stepped) {
+    kiosk->potter_ = std::make_unique<loop::SteppedPotter>();
+    kiosk->renderer_->set_full_quality(true);
+    kiosk->shelf_->wait();
+  } else {
+    auto loop = std::make_unique<loop::LoopThread>();
+    for (const std::string& remark : loop->remarks()) log_line(remark);
+    kiosk->potter_ = std::move(loop);
+  }
+  return kiosk;
+}
+
+Kiosk::~Kiosk() = default;
+
+Result<void> Kiosk::read_settings(const KioskOptions& options) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(options.config, ignored))
+    return problem(options.config.string(), "There is no such exhibit file.",
+                   "Name one: onggi run --config config/exhibit.toml.");
+  auto exhibit = settings::read_exhibit(options.config);
+  log_problems(exhibit.problems);
+  exhibit_ = std::move(exhibit.exhibit);
+  auto scene = settings::read_scene(exhibit_.scene);
+  log_problems(scene.problems);
+  scene_def_ = scene.def;
+  scene_def_.guard.max_force *= exhibit_.screen.force;
+  pot_def_ = scene_def_;
+  if (auto good = validate(scene_def_); !good) return good;
+
+  auto languages = read_languages(exhibit_, options.language);
+  if (!languages) return tl::unexpected(languages.error());
+  languages_ = std::move(*languages);
+  return {};
+}
+
+void Kiosk::begin_visit() {
+  screens::VisitWorld world;
+  world.exhibit = &exhibit_;
+  world.languages = &languages_;
+  world.shelf = &shelf_->cards();
+  world.measure = &renderer_->measure();
+  world.mirror = &potter_->mirror();
+  world.potter = potter_.get();
+  world.max_wheel_speed = scene_def_.wheel.max_speed;
+  world.tool_radius = scene_def_.tool.radius;
+  visit_ = std::make_unique<screens::Visit>(world);
+  if (shelf_->cards().empty())
+    visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
+                  "Run onggi check, mend what it names, and start again."});
+}
+
+void Kiosk::advance(int ticks) {
+  if (auto* stepped = dynamic_cast<loop::SteppedPotter*>(potter_.get())) stepped->advance(ticks);
+}
+
+bool Kiosk::frame(double now, bool draw) {
+  bool open = true;
+  const auto events = renderer_->poll();
+  if (!visit_ && shelf_->ready()) begin_visit();
+  for (const view::InputEvent& event : events) {
+    if (event.kind == view::InputEvent::Kind::close) open = false;
+    if (visit_) visit_->input(event, now);
+  }
+  if (!visit_) {
+    renderer_->draw(opening_frame());
+    renderer_->present();
+    return open;
+  }
+
+  std::vector<view::RowUpdate> rows;
+  potter_->collect([&rows](int row, const std::vector<float>& radii) {
+    rows.push_back({row, radii});
+  });
+  if (!rows.empty()) renderer_->update_rows(rows);
+  note_saved();
+  visit_->update(now, potter_->status());
+  while (auto request = visit_->take_request())
+    std::visit([this](const auto& wish) { carry_out(wish); }, *request);
+  if (stepped_)
+    while (shelf_->draw_next_picture(*renderer_)) {
+    }
+  else
+    shelf_->draw_next_picture(*renderer_);
+  last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
+  if (draw) {
+    renderer_->draw(last_frame_);
+    renderer_->present();
+  }
+  return open;
+}
+
+view::Image Kiosk::picture() {
+  renderer_->draw(last_frame_);
+  return renderer_->read_pixels();
+}
+
+view::Frame Kiosk::opening_frame() const {
+  const Shelf::Progress progress = shelf_->progress();
+  return make_opening_frame(languages_.front(), renderer_->width(), renderer_->height(),
+                            progress.done, progress.total);
+}
+
+void Kiosk::carry_out(const screens::StartPot& request) {
+  const auto& cards = shelf_->cards();
+  if (request.card < 0 || request.card >= static_cast<int>(cards.size())) return;
+  const screens::ShelfCard& card = cards[static_cast<std::size_t>(request.card)];
+  SceneDef def = scene_def_;
+  def.clay = lump_for(card.target, scene_def_.clay);
+  auto scene = Scene::create(def);
+  if (!scene) {
+    log_problem(scene.error());
+    visit_->fail(scene.error());
+    return;
+  }
+  pot_def_ = def;
+  pot_card_ = request.card;
+  potter_->start(std::make_unique<Scene>(std::move(*scene)));
+  renderer_->set_grid({def.clay.rows, def.clay.sectors, def.clay.height, def.clay.floor_thickness});
+  ++pots_;
+  if (!request.scripted) {
+    potter_->record(card.vessel->id, seed_);
+    return;
+  }
+  auto script = make_script("follow", {def, &card.target, seed_ + pots_, kAttractPace});
+  if (script)
+    potter_->play(std::move(*script));
+  else
+    log_problem(script.error());
+}
+
+void Kiosk::carry_out(const screens::MakeKeepsake& request) {
+  const screens::ShelfCard& card = shelf_->cards()[static_cast<std::size_t>(request.card)];
+  const content::Language& language = language_of(languages_, visit_->language());
+  const content::Label label = card.vessel->label(language.code());
+  KeptVisit kept;
+  kept.vessel_id = card.vessel->id;
+  kept.score = request.score;
+
+  souvenir::Keepsake keepsake;
+  const bool lent = potter_->with_scene([&](Scene& scene) {
+    kept.state_hash = scene.state_hash();
+    kept.ticks = scene.counters().ticks;
+    keepsake.pot = mesh_of(scene.clay());
+  });
+  if (!lent) {
+    visit_->keepsake_failed({"the wheel", "The clay did not come back from the wheel in time.",
+                             "If this returns, look for a stuck 1 kHz loop in the log.", 1});
+    return;
+  }
+  if (potter_->dropped_records() == 0) keepsake.replay = potter_->replay(kept.state_hash);
+
+  const souvenir::PostcardWords words =
+      postcard_words(language, label, request.score.stars, exhibit_);
+  const view::Image image = renderer_->draw_offscreen(
+      souvenir::compose_postcard(words, request.made, card.target, renderer_->measure()));
+  postcard_ = renderer_->make_picture(image);
+  visit_->show_postcard(postcard_);
+
+  keepsake.name = local_time("%Y-%m-%d_%H%M%S_") + card.vessel->id;
+  keepsake.postcard = image;
+  keepsake.caption = {words.title, exhibit_.credit, words.vessel};
+  keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit_.credit);
+  keepsakes_->save(std::move(keepsake));
+  kept_ = std::move(kept);
+}
+
+void Kiosk::carry_out(const screens::ForgetVisitor&) {
+  potter_->stop_recording();
+  if (postcard_ != 0) renderer_->drop_picture(std::exchange(postcard_, 0));
+}
+
+void Kiosk::note_saved() {
+  const auto saved = keepsakes_->finished();
+  if (!saved) return;
+  if (kept_) kept_->saved = *saved;
+  if (*saved) {
+    log_line("Kept " + (*saved)->folder.string());
+    visit_->keepsake_kept((*saved)->folder.filename().string());
+  } else {
+    log_problem(saved->error());
+    visit_->keepsake_failed(saved->error());
+  }
+}
+
+}  // namespace onggi::app

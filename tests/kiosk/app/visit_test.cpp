@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/kiosk/app/program.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::app {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
+  const TemporaryFolder folder;
+  Json reports[2];
+  for (int i = 0; i < 2; ++i) {
+    const std::string out = (folder / std::to_string(i)).string();
+    const Run run = onggi(
+        "visit --script follow --vessel moon_jar --seed 3 --window 1024x600 --json - --out " + out);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    reports[i] = Json::parse(run.out);
+  }
+  EXPECT_EQ(reports[0]["state_hash"], reports[1]["state_hash"]);
+  EXPECT_EQ(reports[0]["score"], reports[1]["score"]);
+  EXPECT_EQ(reports[0]["ticks"], reports[1]["ticks"]);
+  EXPECT_GT(reports[0]["score"].get<double>(), 90.0);
+  EXPECT_EQ(reports[0]["vessel"], "moon_jar");
+
+  EXPECT_GE(reports[0]["screens"].size(), 6u);
+  ASSERT_EQ(reports[0]["files"].size(), 5u);
+  for (const char* list : {"screens", "files"})
+    for (const Json& file : reports[0][list])
+      EXPECT_GT(fs::file_size(file.get<std::string>()), 1000u) << file;
+
+  // The replay that the visitor left throws the same pot in the engine alone.
+  const Run replay = onggi("replay --json - " + reports[0]["files"][4].get<std::string>());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  EXPECT_EQ(Json::parse(replay.out)["state_hash"], reports[0]["state_hash"]);
+}
+
+TEST(Visit, AFolderThatCannotBeWrittenIsSaidAndTheVisitGoesOn) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "file") << "in the way";
+  const Run run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " +
+                        (folder / "file").string());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("file"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnUnknownVesselIsRefusedWithTheNearestRightName) {
+  const TemporaryFolder folder;
+  const Run run = onggi("visit --vessel moon_jra --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("Did you mean moon_jar?"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {
+  const TemporaryFolder folder;
+  const Run run =
+      onggi("visit --script folow --vessel moon_jar --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("follow"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace onggi::app
