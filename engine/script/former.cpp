@@ -173,6 +173,10 @@ void Former::smooth(WallSide side, std::string_view phase, double speed) {
        speed);
 }
 
+void Former::finish(WallSide side, std::string_view phase, double speed) {
+  smooth(side, phase, speed / haste_);
+}
+
 void Former::rest() {
   hand_.lift();
   hand_.phase("lift");

@@ -23,6 +23,8 @@ namespace {
 // Attract mode shows a pot in about half a minute, the time a passer-by gives it.
 constexpr double kAttractPace = 3.0;
 
+constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
+
 std::string local_time(const char* format) {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -225,7 +227,8 @@ void Kiosk::note_saved() {
   if (kept_) kept_->saved = *saved;
   if (*saved) {
     log_line("Kept " + (*saved)->folder.string());
-    visit_->keepsake_kept((*saved)->folder.filename().string());
+    // Date and time are enough to ask for at the desk, and short enough to remember.
+    visit_->keepsake_kept((*saved)->folder.filename().string().substr(0, kSpokenName));
   } else {
     log_problem(saved->error());
     visit_->keepsake_failed(saved->error());

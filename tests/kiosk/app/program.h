@@ -13,7 +13,7 @@
 namespace onggi::app {
 
 /// What a run of the real program came to.
-struct Run {
+struct Outcome {
   int exit_code = -1;
   std::string out, err;
 };
@@ -43,7 +43,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 }
 
 /// Runs `onggi ARGUMENTS` through the shell, with no display of anyone's.
-inline Run onggi(const std::string& arguments) {
+inline Outcome onggi(const std::string& arguments) {
   const TemporaryFolder folder;
   const std::string out = (folder / "out").string(), err = (folder / "err").string();
   const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY '" ONGGI_PROGRAM "' " + arguments +

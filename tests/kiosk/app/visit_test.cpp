@@ -18,7 +18,7 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   Json reports[2];
   for (int i = 0; i < 2; ++i) {
     const std::string out = (folder / std::to_string(i)).string();
-    const Run run = onggi(
+    const Outcome run = onggi(
         "visit --script follow --vessel moon_jar --seed 3 --window 1024x600 --json - --out " + out);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     reports[i] = Json::parse(run.out);
@@ -36,7 +36,7 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
       EXPECT_GT(fs::file_size(file.get<std::string>()), 1000u) << file;
 
   // The replay that the visitor left throws the same pot in the engine alone.
-  const Run replay = onggi("replay --json - " + reports[0]["files"][4].get<std::string>());
+  const Outcome replay = onggi("replay --json - " + reports[0]["files"][4].get<std::string>());
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
   EXPECT_EQ(Json::parse(replay.out)["state_hash"], reports[0]["state_hash"]);
 }
@@ -44,22 +44,22 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
 TEST(Visit, AFolderThatCannotBeWrittenIsSaidAndTheVisitGoesOn) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "in the way";
-  const Run run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " +
-                        (folder / "file").string());
+  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " +
+                            (folder / "file").string());
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("file"), std::string::npos) << run.err;
 }
 
 TEST(Visit, AnUnknownVesselIsRefusedWithTheNearestRightName) {
   const TemporaryFolder folder;
-  const Run run = onggi("visit --vessel moon_jra --out " + (folder / "out").string());
+  const Outcome run = onggi("visit --vessel moon_jra --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("Did you mean moon_jar?"), std::string::npos) << run.err;
 }
 
 TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {
   const TemporaryFolder folder;
-  const Run run =
+  const Outcome run =
       onggi("visit --script folow --vessel moon_jar --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("follow"), std::string::npos) << run.err;
