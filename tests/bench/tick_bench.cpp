@@ -52,7 +52,7 @@ void tick(benchmark::State& state) {
   for (auto _ : state) {
     t += 0.001;
     // Up and down the wall, so that there is always fresh clay to press.
-    const double swing = t - static_cast<long>(t * 2.0) * 0.5;
+    const double swing = t - static_cast<double>(static_cast<long>(t * 2.0)) * 0.5;
     hands.hand[0].position = pose.at + Vec3{0, 0.1 * (swing < 0.25 ? swing : 0.5 - swing), 0};
     benchmark::DoNotOptimize(scene->step(hands, 0.001));
   }
