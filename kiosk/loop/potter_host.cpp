@@ -14,7 +14,7 @@ bool PotterHost::send(const Command& command) {
   // then dropped (the next frame knows better); everything else waits for room, a second at the
   // most.
   if (command.kind == Command::Kind::hand) return false;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < static_cast<int>(patience_ * 1000); ++i) {
     let_loop_turn();
     if (core_.send(command)) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -32,6 +32,7 @@ void PotterHost::start(std::unique_ptr<Scene> scene) {
   mirror_.reset(clay.rows, clay.sectors, clay.height, clay.floor_thickness, clay.outer_radius,
                 clay.inner_radius);
   current_ = pot.get();
+  lent_.reset();
   Command command;
   command.kind = Command::Kind::put;
   command.pot = pot.release();
@@ -84,6 +85,15 @@ void PotterHost::take_returned() {
   }
 }
 
+bool PotterHost::put_back() {
+  Command back;
+  back.kind = Command::Kind::put;
+  back.pot = lent_.release();
+  if (send(back)) return true;
+  current_ = nullptr;
+  return false;
+}
+
 void PotterHost::note_records(Pot& pot) {
   TickRecord record;
   while (pot.records.try_dequeue(record))
@@ -92,6 +102,7 @@ void PotterHost::note_records(Pot& pot) {
 
 int PotterHost::collect(const std::function<void(int, const std::vector<float>&)>& changed) {
   take_returned();
+  if (lent_) put_back();  // It came back after with_scene() had given up waiting.
   if (current_ == nullptr) return 0;
   note_records(*current_);
   int count = 0;
@@ -111,8 +122,8 @@ void PotterHost::record(const std::string& vessel_id, std::uint64_t seed) {
 
 bool PotterHost::with_scene(const std::function<void(Scene&)>& look) {
   if (current_ == nullptr) return false;
-  send(wish(Command::Kind::give_back));
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  if (!send(wish(Command::Kind::give_back))) return false;
+  const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_);
   for (;;) {
     let_loop_turn();
     take_returned();
@@ -123,12 +134,7 @@ bool PotterHost::with_scene(const std::function<void(Scene&)>& look) {
   note_records(*lent_);
   dropped_ += std::exchange(lent_->dropped_records, 0);
   look(lent_->scene);
-  Command back;
-  back.kind = Command::Kind::put;
-  back.pot = lent_.release();
-  if (send(back)) return true;
-  current_ = nullptr;
-  return false;
+  return put_back();
 }
 
 std::vector<std::byte> PotterHost::replay(std::uint64_t state_hash) const {

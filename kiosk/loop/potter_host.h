@@ -49,7 +49,8 @@ class PotterHost : public PotterCommands {
   std::vector<std::byte> replay(std::uint64_t state_hash) const;
 
  protected:
-  explicit PotterHost(PotterCore& core) : core_(core) {}
+  /// `patience`: seconds that with_scene() and full queues wait for the loop.
+  explicit PotterHost(PotterCore& core, double patience = 1.0) : core_(core), patience_(patience) {}
   /// Lets the loop side take the commands sent (a stepped wheel applies them here; a thread needs
   /// time).
   virtual void let_loop_turn() = 0;
@@ -57,9 +58,11 @@ class PotterHost : public PotterCommands {
  private:
   bool send(const Command& command);
   void take_returned();
+  bool put_back();  ///< Puts lent_ on the wheel again.
   void note_records(Pot& pot);
 
   PotterCore& core_;
+  double patience_;
   Mirror mirror_;
   Pot* current_ = nullptr;     ///< On the wheel, owned by the core.
   std::unique_ptr<Pot> lent_;  ///< Given back by the core for with_scene().

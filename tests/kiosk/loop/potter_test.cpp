@@ -117,6 +117,44 @@ TEST(Potter, AFloodOfWishesNeitherBlocksNorLeaks) {
   EXPECT_TRUE(potter.with_scene([](Scene&) {}));
 }
 
+/// A loop that stands still until it is told to turn.
+class StalledPotter final : public PotterHost {
+ public:
+  StalledPotter() : PotterHost(core_, 0.02) {}
+  LoopStatus status() const override { return core_.status(); }
+  void turn() { core_.tick(1e-3); }
+
+ private:
+  void let_loop_turn() override {}
+  PotterCore core_;
+};
+
+TEST(Potter, APotThatComesBackTooLateGoesOnTurning) {
+  StalledPotter potter;
+  potter.start(pot(small_scene()));
+  potter.turn();
+  EXPECT_FALSE(potter.with_scene([](Scene&) { FAIL() << "the loop has not answered"; }));
+  potter.turn();            // Hands the pot back, after the host gave up.
+  potter.collect(nullptr);  // Puts it on again.
+  potter.turn();
+  potter.turn();
+  EXPECT_EQ(potter.status().ticks, 3u);
+}
+
+TEST(Potter, TheNextVisitorNeverGetsThePotOfTheLast) {
+  StalledPotter potter;
+  potter.start(pot(small_scene()));
+  for (int i = 0; i < 5; ++i) potter.turn();
+  EXPECT_FALSE(potter.with_scene([](Scene&) {}));
+  potter.turn();
+  potter.start(pot(small_scene()));
+  potter.turn();
+  potter.collect(nullptr);
+  potter.turn();
+  EXPECT_EQ(potter.status().scene_serial, 2u);
+  EXPECT_EQ(potter.status().ticks, 2u);
+}
+
 TEST(Potter, APausedWheelStandsStill) {
   SteppedPotter potter;
   potter.start(pot(small_scene()));
