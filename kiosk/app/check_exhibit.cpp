@@ -17,10 +17,14 @@ namespace onggi::app {
 
 namespace {
 
-void add(CheckReport& report, int keys, std::vector<Problem> problems) {
-  ++report.files;
+void note(CheckReport& report, int keys, std::vector<Problem> problems) {
   report.keys += keys;
   std::move(problems.begin(), problems.end(), std::back_inserter(report.problems));
+}
+
+void add(CheckReport& report, int keys, std::vector<Problem> problems) {
+  ++report.files;
+  note(report, keys, std::move(problems));
 }
 
 void check_scene(CheckReport& report, const fs::path& file) {
@@ -38,8 +42,10 @@ void check_vessels(CheckReport& report, const fs::path& path) {
   auto shelf = content::check_shelf(path);
   report.vessels += shelf.vessels;
   report.files += shelf.files;
-  add(report, shelf.keys_checked, std::move(shelf.problems));
-  --report.files;  // add() counted the shelf itself, which is a folder.
+  if (shelf.vessels == 0 && shelf.problems.empty())
+    shelf.problems.push_back({path.string(), "There is no vessel here.",
+                              "Name a shelf, a vessel, an exhibit or one of their files."});
+  note(report, shelf.keys_checked, std::move(shelf.problems));
 }
 
 void check_whole_exhibit(CheckReport& report, const fs::path& file) {

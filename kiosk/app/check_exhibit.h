@@ -12,7 +12,7 @@ struct CheckReport {
   int files = 0, keys = 0, vessels = 0, languages = 0;
   std::vector<Problem> problems;
 
-  /// "2 problems in 14 files: ..." or "All good: ...", with the counts.
+  /// "All good: checked ..." or "2 problems: checked ...", with the counts.
   std::string summary() const;
 };
 

@@ -12,23 +12,26 @@ Keepsakes::~Keepsakes() {
   for (auto& save : saving_) save.wait();
 }
 
-void Keepsakes::save(souvenir::Keepsake keepsake) {
+int Keepsakes::save(souvenir::Keepsake keepsake) {
   // Each save waits for the one before: two at once would each count the quota without the other.
-  std::shared_future<Result<souvenir::KeepsakeFiles>> before;
+  std::shared_future<Finished> before;
   if (!saving_.empty()) before = saving_.back();
-  saving_.push_back(std::async(std::launch::async, [this, before, kept = std::move(keepsake)] {
-                      if (before.valid()) before.wait();
-                      return souvenir::save(kept, folder_, quota_mb_);
-                    }).share());
+  const int ticket = ++tickets_;
+  saving_.push_back(
+      std::async(std::launch::async, [this, ticket, before, kept = std::move(keepsake)] {
+        if (before.valid()) before.wait();
+        return Finished{ticket, souvenir::save(kept, folder_, quota_mb_)};
+      }).share());
+  return ticket;
 }
 
-std::optional<Result<souvenir::KeepsakeFiles>> Keepsakes::finished() {
+std::optional<Keepsakes::Finished> Keepsakes::finished() {
   if (saving_.empty() ||
       saving_.front().wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return std::nullopt;
-  auto outcome = saving_.front().get();
+  Finished done = saving_.front().get();
   saving_.erase(saving_.begin());
-  return outcome;
+  return done;
 }
 
 }  // namespace onggi::app

@@ -18,15 +18,22 @@ class Keepsakes {
   Keepsakes(std::filesystem::path folder, int quota_mb);
   ~Keepsakes();
 
-  void save(souvenir::Keepsake keepsake);
-  /// The outcome of the oldest save that has come to an end, once each.
-  std::optional<Result<souvenir::KeepsakeFiles>> finished();
+  /// Begins a save; the ticket (> 0) names it in finished().
+  int save(souvenir::Keepsake keepsake);
+
+  struct Finished {
+    int ticket = 0;
+    Result<souvenir::KeepsakeFiles> outcome;
+  };
+  /// The oldest save that has come to an end, once each.
+  std::optional<Finished> finished();
   bool busy() const { return !saving_.empty(); }
 
  private:
   std::filesystem::path folder_;
   int quota_mb_;
-  std::vector<std::shared_future<Result<souvenir::KeepsakeFiles>>> saving_;
+  int tickets_ = 0;
+  std::vector<std::shared_future<Finished>> saving_;
 };
 
 }  // namespace onggi::app

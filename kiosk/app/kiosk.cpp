@@ -38,7 +38,6 @@ std::string local_time(const char* format) {
 Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
   kiosk->seed_ = options.seed;
-  kiosk->stepped_ = options.stepped;
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
   kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf));
   kiosk->keepsakes_ =
@@ -51,7 +50,9 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   log_line("Drawing with " + drawn_by.device + (drawn_by.software ? ", without a GPU." : "."));
 
   if (options.stepped) {
-    kiosk->potter_ = std::make_unique<loop::SteppedPotter>();
+    auto stepped = std::make_unique<loop::SteppedPotter>();
+    kiosk->stepped_ = stepped.get();
+    kiosk->potter_ = std::move(stepped);
     kiosk->renderer_->set_full_quality(true);
     kiosk->shelf_->wait();
   } else {
@@ -85,7 +86,7 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   return {};
 }
 
-void Kiosk::begin_visit() {
+void Kiosk::begin_visit(double now) {
   screens::VisitWorld world;
   world.exhibit = &exhibit_;
   world.languages = &languages_;
@@ -99,19 +100,30 @@ void Kiosk::begin_visit() {
   if (shelf_->cards().empty())
     visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
                   "Run onggi check, mend what it names, and start again."});
+  if (!early_touch_) return;
+  // The first touch counts, even one that came before there was anything to touch.
+  visit_->input(*early_touch_, now);
+  early_touch_->kind = early_touch_->kind == view::InputEvent::Kind::key_down
+                           ? view::InputEvent::Kind::key_up
+                           : view::InputEvent::Kind::pointer_up;
+  visit_->input(*early_touch_, now);
 }
 
 void Kiosk::advance(int ticks) {
-  if (auto* stepped = dynamic_cast<loop::SteppedPotter*>(potter_.get())) stepped->advance(ticks);
+  if (stepped_ != nullptr) stepped_->advance(ticks);
 }
 
 bool Kiosk::frame(double now, bool draw) {
   bool open = true;
   const auto events = renderer_->poll();
-  if (!visit_ && shelf_->ready()) begin_visit();
+  if (!visit_ && shelf_->ready()) begin_visit(now);
   for (const view::InputEvent& event : events) {
     if (event.kind == view::InputEvent::Kind::close) open = false;
-    if (visit_) visit_->input(event, now);
+    if (visit_)
+      visit_->input(event, now);
+    else if (event.kind == view::InputEvent::Kind::pointer_down ||
+             event.kind == view::InputEvent::Kind::key_down)
+      early_touch_ = event;
   }
   if (!visit_) {
     renderer_->draw(opening_frame());
@@ -128,7 +140,7 @@ bool Kiosk::frame(double now, bool draw) {
   visit_->update(now, potter_->status());
   while (auto request = visit_->take_request())
     std::visit([this](const auto& wish) { carry_out(wish); }, *request);
-  if (stepped_)
+  if (stepped_ != nullptr)
     while (shelf_->draw_next_picture(*renderer_)) {
     }
   else
@@ -205,6 +217,7 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
       postcard_words(language, label, request.score.stars, exhibit_);
   const view::Image image = renderer_->draw_offscreen(
       souvenir::compose_postcard(words, request.made, card.target, renderer_->measure()));
+  if (postcard_ != 0) renderer_->drop_picture(postcard_);
   postcard_ = renderer_->make_picture(image);
   visit_->show_postcard(postcard_);
 
@@ -212,27 +225,31 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   keepsake.postcard = image;
   keepsake.caption = {words.title, exhibit_.credit, words.vessel};
   keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit_.credit);
-  keepsakes_->save(std::move(keepsake));
+  saving_ticket_ = keepsakes_->save(std::move(keepsake));
   kept_ = std::move(kept);
 }
 
 void Kiosk::carry_out(const screens::ForgetVisitor&) {
   potter_->stop_recording();
+  saving_ticket_ = 0;
   if (postcard_ != 0) renderer_->drop_picture(std::exchange(postcard_, 0));
 }
 
 void Kiosk::note_saved() {
   const auto saved = keepsakes_->finished();
   if (!saved) return;
-  if (kept_) kept_->saved = *saved;
-  if (*saved) {
-    log_line("Kept " + (*saved)->folder.string());
-    // Date and time are enough to ask for at the desk, and short enough to remember.
-    visit_->keepsake_kept((*saved)->folder.filename().string().substr(0, kSpokenName));
-  } else {
-    log_problem(saved->error());
-    visit_->keepsake_failed(saved->error());
-  }
+  if (saved->outcome)
+    log_line("Kept " + saved->outcome->folder.string());
+  else
+    log_problem(saved->outcome.error());
+  // A save that outlasted its visitor is none of the next one's business.
+  if (saved->ticket != saving_ticket_) return;
+  if (kept_) kept_->saved = saved->outcome;
+  // Date and time are enough to ask for at the desk, and short enough to remember.
+  if (saved->outcome)
+    visit_->keepsake_kept(saved->outcome->folder.filename().string().substr(0, kSpokenName));
+  else
+    visit_->keepsake_failed(saved->outcome.error());
 }
 
 }  // namespace onggi::app

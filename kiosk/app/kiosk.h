@@ -11,12 +11,14 @@
 #include "kiosk/app/shelf.h"
 #include "kiosk/content/language.h"
 #include "kiosk/loop/potter_host.h"
+#include "kiosk/loop/stepped_potter.h"
 #include "kiosk/render/renderer.h"
 #include "kiosk/screens/visit.h"
 #include "kiosk/settings/exhibit.h"
 
 namespace onggi::app {
 
+/// How a kiosk is opened. Everything but `config` has a default.
 struct KioskOptions {
   std::filesystem::path config;                    ///< exhibit.toml
   std::optional<std::filesystem::path> shelf;      ///< Instead of the exhibit's.
@@ -59,7 +61,7 @@ class Kiosk {
   render::Renderer& renderer() { return *renderer_; }
   Shelf& shelf() { return *shelf_; }
   const settings::Exhibit& exhibit() const { return exhibit_; }
-  /// The scene of the pot on the wheel and its target; targets of index < 0 are none.
+  /// The scene of the pot on the wheel, and its card on the shelf (-1 before the first pot).
   const SceneDef& pot_def() const { return pot_def_; }
   int pot_card() const { return pot_card_; }
   const std::optional<KeptVisit>& kept() const { return kept_; }
@@ -70,7 +72,7 @@ class Kiosk {
  private:
   Kiosk() = default;
   Result<void> read_settings(const KioskOptions& options);
-  void begin_visit();
+  void begin_visit(double now);
   void carry_out(const screens::StartPot& request);
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::ForgetVisitor& request);
@@ -82,6 +84,7 @@ class Kiosk {
   std::vector<content::Language> languages_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::PotterHost> potter_;
+  loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Keepsakes> keepsakes_;
   std::unique_ptr<screens::Visit> visit_;
@@ -90,7 +93,9 @@ class Kiosk {
   int pot_card_ = -1;
   view::PictureId postcard_ = 0;
   std::optional<KeptVisit> kept_;
-  bool stepped_ = false;
+  int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.
+  std::optional<view::InputEvent>
+      early_touch_;  ///< The first touch, while the shelf is being read.
   view::Frame last_frame_;
 };
 

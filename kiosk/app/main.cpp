@@ -7,8 +7,10 @@
 #include "kiosk/app/version.h"
 
 int main(int argc, char** argv) {
-  // A helper that dies while we write to it is an error to report, not a reason to end.
+  // A helper that dies while we write to it, or a file that may not grow, is an error to report and
+  // not a reason to end.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 
   CLI::App app{"Onggi: throw pots on a virtual wheel, in a museum.", "onggi"};
   app.set_version_flag("--version", "onggi " + onggi::app::version());

@@ -49,18 +49,20 @@ Result<void> ScriptedVisitor::step(double now) {
   if (entered_ < 0 || screen != screen_) {
     const bool came_back = entered_ >= 0 && screen == ScreenId::attract;
     enter(screen, now);
-    if (came_back) {
-      done_ = kept_seen_;
-      if (!done_)
-        return problem("the visit", "It went back to the start before the keepsake was made.",
-                       "This is a fault of the program: please report it.", 1);
-    }
+    if (came_back && !kept_seen_)
+      return problem("the visit", "It went back to the start before the keepsake was made.",
+                     "This is a fault of the program: please report it.", 1);
   }
   if (done_ || now - entered_ < plan_.linger) return {};
 
   switch (screen) {
     case ScreenId::attract:
       if (touched_) return {};
+      if (kept_seen_) {
+        pass("attract_again");
+        done_ = true;
+        return {};
+      }
       touched_ = true;
       pass("attract");
       touch_at(static_cast<float>(kiosk_.renderer().width()) / 2,

@@ -8,7 +8,7 @@
 namespace onggi::app {
 
 /// A visitor who needs no person: touches the screens' own controls, lets a script move the hands,
-/// and keeps the picture. One step a frame, before Kiosk::frame().
+/// and keeps the picture. One step a frame, after Kiosk::frame().
 class ScriptedVisitor {
  public:
   struct Plan {
@@ -21,11 +21,13 @@ class ScriptedVisitor {
   /// `passed(name)` is called at the moment a screen is worth a picture, once a name.
   ScriptedVisitor(Kiosk& kiosk, Plan plan, std::function<void(const std::string&)> passed);
 
-  /// Before the frame at `now`; gives input to the visit. Problem when the visit stands where no
+  /// After the frame at `now`; gives input to the visit. Problem when the visit stands where no
   /// visitor would be left: a fault, a control that is missing, a keepsake that could not be kept.
   Result<void> step(double now);
   /// Back at attract with the keepsake safe.
   bool done() const { return done_; }
+  /// The script moves the visitor's hands.
+  bool throwing() const { return playing_; }
 
  private:
   void enter(screens::ScreenId screen, double now);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -7,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/script/script.h"
 #include "kiosk/app/commands/commands.h"
 #include "kiosk/app/kiosk.h"
 #include "kiosk/app/log.h"
@@ -53,11 +55,15 @@ Choice choose(const VisitArguments& arguments) {
 
 Result<int> find_card(const Kiosk& kiosk, Shelf& shelf, const Choice& choice) {
   const auto& cards = shelf.cards();
-  if (choice.id.empty() && !cards.empty()) return 0;
-  if (choice.id.empty()) {
-    if (!shelf.problems().empty()) return tl::unexpected(shelf.problems().front());
-    return problem(choice.shelf->string(), "It holds no vessel.", "Name a GLB or glTF file.");
+  const fs::path searched = choice.shelf.value_or(kiosk.exhibit().shelf);
+  if (cards.empty()) {
+    // A single file that was refused has its own reason; a shelf without any vessel has not.
+    if (choice.id.empty() && !shelf.problems().empty())
+      return tl::unexpected(shelf.problems().front());
+    return problem(searched.string(), "No vessel there could be opened.",
+                   "Name a GLB or glTF file, or run onggi check " + searched.string() + ".");
   }
+  if (choice.id.empty()) return 0;
   std::vector<std::string> ids;
   for (std::size_t i = 0; i < cards.size(); ++i) {
     if (cards[i].vessel->id == choice.id) return static_cast<int>(i);
@@ -68,7 +74,7 @@ Result<int> find_card(const Kiosk& kiosk, Shelf& shelf, const Choice& choice) {
   for (const std::string& id : ids) all += (all.empty() ? "" : ", ") + id;
   return problem(
       "--vessel " + choice.id,
-      "No such file, and no such vessel on the shelf " + kiosk.exhibit().shelf.string() + ".",
+      "No such file, and no such vessel on the shelf " + searched.string() + ".",
       (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + ("There are: " + all + "."));
 }
 
@@ -114,7 +120,7 @@ Result<void> walk(Kiosk& kiosk, ScriptedVisitor& visitor, bool realtime) {
     if (!kiosk.frame(now, realtime))
       return problem("the window", "It was closed during the visit.", "Leave it open.", 1);
     if (auto good = visitor.step(now); !good) return good;
-    if (kiosk.visit().screen() == screens::ScreenId::throwing) {
+    if (visitor.throwing()) {
       const int tenth = static_cast<int>(kiosk.potter().status().script_progress * 10);
       if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
     }
@@ -127,7 +133,27 @@ Result<void> walk(Kiosk& kiosk, ScriptedVisitor& visitor, bool realtime) {
   return {};
 }
 
+/// What can be known to be wrong before a visit of a minute begins.
+Result<void> check(const VisitArguments& arguments) {
+  if (arguments.vessel.empty())
+    return problem("--vessel", "It is empty.", "Name a vessel of the shelf, or a file.");
+  if (arguments.out.empty())
+    return problem("--out", "It is empty.", "Name a folder for the keepsake and the pictures.");
+  std::error_code error;
+  if (fs::create_directories(arguments.out, error); error || !fs::is_directory(arguments.out))
+    return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
+                   "Name a folder that may be written.");
+  const auto names = script_names();
+  if (std::find(names.begin(), names.end(), arguments.script) == names.end()) {
+    // make_script has the words for it.
+    auto script = make_script(arguments.script, {});
+    if (!script) return tl::unexpected(script.error());
+  }
+  return {};
+}
+
 Result<void> visit(const VisitArguments& arguments) {
+  if (auto good = check(arguments); !good) return good;
   const auto config = exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   KioskOptions options;
@@ -155,9 +181,10 @@ Result<void> visit(const VisitArguments& arguments) {
   plan.card = *card;
   plan.seed = arguments.seed;
   ScriptedVisitor visitor(kiosk, plan, [&album](const std::string& name) { album.take(name); });
-  if (auto good = walk(kiosk, visitor, arguments.realtime); !good) return good;
-  album.take("attract_again");
+  const auto walked = walk(kiosk, visitor, arguments.realtime);
+  // The pictures are wanted most of all when something went wrong.
   const auto pages = album.write();
+  if (!walked) return walked;
   if (!pages) return tl::unexpected(pages.error());
 
   const std::string report = visit_report(*kiosk.kept(), *pages);
@@ -186,7 +213,8 @@ void add_visit(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--out", arguments->out, "Folder for the keepsake and the screens' pictures")
       ->required();
-  command->add_option("--seed", arguments->seed, "Unevenness of the scripted hands [1]");
+  command->add_option("--seed", arguments->seed, "Unevenness of the scripted hands [1]")
+      ->check(CLI::NonNegativeNumber);
   command->add_option(
       "--json", arguments->json,
       "Write what it came to as JSON here too (- for standard output); OUT/visit.json always");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -57,6 +58,14 @@ TEST(Check, EverySlipOfAnExhibitIsNamedAtOnceWithLineColumnAndRemedy) {
   EXPECT_NE(run.err.find("credit"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find(file + ":3:"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find(file + ":4:"), std::string::npos) << run.err;
+}
+
+TEST(Check, WhereThereIsNothingToCheckIsNotGood) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "empty");
+  const Outcome run = onggi("check " + (folder / "empty").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("no vessel"), std::string::npos) << run.err;
 }
 
 TEST(Vessel, ADrawingBecomesAGlbThatMeasuresAsDrawn) {

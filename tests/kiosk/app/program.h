@@ -42,12 +42,13 @@ inline std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Runs `onggi ARGUMENTS` through the shell, with no display of anyone's.
-inline Outcome onggi(const std::string& arguments) {
+/// Runs `onggi ARGUMENTS` through the shell, with no display of anyone's, after the shell's
+/// `first`.
+inline Outcome onggi(const std::string& arguments, const std::string& first = "true") {
   const TemporaryFolder folder;
   const std::string out = (folder / "out").string(), err = (folder / "err").string();
-  const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY '" ONGGI_PROGRAM "' " + arguments +
-                              " >'" + out + "' 2>'" + err + "' </dev/null";
+  const std::string command = first + " && env -u DISPLAY -u WAYLAND_DISPLAY '" ONGGI_PROGRAM "' " +
+                              arguments + " >'" + out + "' 2>'" + err + "' </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, text_of(out), text_of(err)};
 }

@@ -41,13 +41,27 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   EXPECT_EQ(Json::parse(replay.out)["state_hash"], reports[0]["state_hash"]);
 }
 
-TEST(Visit, AFolderThatCannotBeWrittenIsSaidAndTheVisitGoesOn) {
+TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "in the way";
-  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " +
-                            (folder / "file").string());
+  for (const std::string& out : {(folder / "file").string(), std::string("''")}) {
+    const Outcome run = onggi("visit --vessel moon_jar --out " + out);
+    EXPECT_EQ(run.exit_code, 2) << out;
+    EXPECT_NE(run.err.find("--out"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysWhy) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "out").string();
+  // 800 kB a file: enough for the pictures of small screens, not for the postcard.
+  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " + out,
+                            "ulimit -f 800");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("file"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("postcard"), std::string::npos) << run.err;
+  EXPECT_TRUE(fs::exists(out + "/screens/08_keepsake.png"));
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
 }
 
 TEST(Visit, AnUnknownVesselIsRefusedWithTheNearestRightName) {
@@ -63,6 +77,15 @@ TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {
       onggi("visit --script folow --vessel moon_jar --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("follow"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnEmptyShelfIsNamedByItsPlace) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "shelf");
+  const Outcome run = onggi("visit --vessel moon_jar --shelf " + (folder / "shelf").string() +
+                            " --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find((folder / "shelf").string()), std::string::npos) << run.err;
 }
 
 }  // namespace
