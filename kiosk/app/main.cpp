@@ -4,9 +4,11 @@
 #include <iostream>
 
 #include "kiosk/app/commands/commands.h"
+#include "kiosk/app/heap.h"
 #include "kiosk/app/version.h"
 
 int main(int argc, char** argv) {
+  onggi::app::keep_heap_small();
   // A helper that dies while we write to it, or a file that may not grow, is an error to report and
   // not a reason to end.
   std::signal(SIGPIPE, SIG_IGN);

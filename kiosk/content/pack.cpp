@@ -60,8 +60,8 @@ int count_words(const std::string& text) {
 
 std::string Pack::credit_line() const {
   std::string out = institution;
-  for (const std::string* part : {&accession, &credit})
-    if (!part->empty()) out += (out.empty() ? "" : ", ") + *part;
+  if (!accession.empty()) out += (out.empty() ? "" : ", ") + accession;
+  if (!credit.empty()) out += (out.empty() ? "" : ". ") + credit;
   return out;
 }
 

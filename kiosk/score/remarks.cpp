@@ -9,7 +9,7 @@ namespace {
 
 /// Below this share of the vessel's size a visitor does not see a difference side by side.
 constexpr double kAlike = 0.025;
-constexpr double kOutlineAlike = 0.9;
+constexpr double kOutlineAlike = 0.95;
 constexpr double kWallAlike = 0.85;
 constexpr double kWallUneven = 0.75;
 constexpr std::size_t kMost = 3;

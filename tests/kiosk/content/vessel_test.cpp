@@ -39,7 +39,7 @@ TEST_F(VesselTest, a_pack_brings_its_label_credit_and_true_size) {
   EXPECT_EQ(vessel->id, "jar");
   EXPECT_EQ(vessel->label("ko").title, "달항아리");
   EXPECT_EQ(vessel->label("fr").title, "Moon jar");
-  EXPECT_EQ(vessel->credit, "A museum, 12.3, Drawn for a test");
+  EXPECT_EQ(vessel->credit, "A museum, 12.3. Drawn for a test");
   EXPECT_EQ(vessel->licence, "CC0-1.0");
   EXPECT_NEAR(vessel->extracted.profile.height(), 0.305, 1e-12);
   EXPECT_NEAR(vessel->color[1], 0.2140f, 1e-3);
