@@ -1,6 +1,6 @@
 #include "kiosk/app/heap.h"
 
-#if defined(__GLIBC__) || __has_include(<malloc.h>)
+#if __has_include(<malloc.h>)
 #include <malloc.h>
 #endif
 
