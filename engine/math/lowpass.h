@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace onggi {
 
 /// Second-order Butterworth low-pass (bilinear transform, pre-warped), for one figure at a fixed
@@ -11,6 +13,8 @@ class Lowpass {
   double filter(double in);
   /// As if `value` had come in for ever.
   void settle(double value) { x1_ = x2_ = y1_ = y2_ = value; }
+  /// All that the next filter() depends on, besides what comes in.
+  std::array<double, 4> memory() const { return {x1_, x2_, y1_, y2_}; }
 
  private:
   double b0_, a1_, a2_;

@@ -12,7 +12,7 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 
 /// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
 enum Tag : std::uint8_t {
@@ -122,6 +122,8 @@ bool scene_def(Io& io, SceneDef& d) {
   good = good && optional_part(io, d.water);
   if (good && d.water)
     good = io(d.water->wetting_time) && io(d.water->drying_time) && io(d.water->softening);
+  good = good && optional_part(io, d.paper);
+  if (good && d.paper) good = io(d.paper->c_eta) && io(d.paper->c_v) && io(d.paper->c_r);
   return good;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/contact/paper_model.h"
 #include "engine/contact/stops.h"
 #include "engine/contact/tool_contact.h"
 #include "engine/force/friction.h"
@@ -39,6 +40,13 @@ struct HandState {
   }
 };
 
+// What the paper's scene has besides.
+struct Printed {
+  PaperModel model;
+  PaperCoefficients coefficients;
+  std::array<PaperFilter, kMaxHands> filter{};
+};
+
 enum class LumpWork : std::uint8_t { none, renewing, restoring };
 
 }  // namespace
@@ -47,6 +55,7 @@ struct Scene::State {
   SceneDef def;
   Clay clay;
   std::array<HandState, kMaxHands> hand{};
+  std::optional<Printed> printed;
   double time = 0.0;
   double wheel_angle = 0.0;
   double wheel_speed = 0.0;
@@ -66,9 +75,15 @@ struct Scene::State {
     std::array<ToolSweep, kMaxHands> sweep{};
     std::array<bool, kMaxHands> held{};
     std::array<Vec3, kMaxHands> wanted{};
+    std::array<Press, kMaxHands> press{};
+    std::array<WallSide, kMaxHands> side{};
   };
 
-  State(const SceneDef& d, Clay&& c) : def(d), clay(std::move(c)) {}
+  State(const SceneDef& d, Clay&& c) : def(d), clay(std::move(c)) {
+    if (!def.paper) return;
+    const PaperDef& paper = *def.paper;
+    printed = Printed{PaperModel(clay), {paper.c_eta, paper.c_v, paper.c_r}};
+  }
 
   void take_input(Tick& tick, const Hands& hands, double dt) noexcept;
   void take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept;
@@ -77,6 +92,7 @@ struct Scene::State {
   void work_on_lump(const Hands& hands) noexcept;
   void press_clay(Tick& tick) noexcept;
   void feel(Tick& tick) noexcept;
+  void press_as_printed(Tick& tick) noexcept;
   Feedback guard_and_report(const Tick& tick) noexcept;
 };
 
@@ -174,6 +190,10 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   for (int step = 0; step < steps; ++step)
     for (std::size_t n = 0; n < hand.size(); ++n)
       if (hand[n].present) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding);
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    tick.press[n] = hand[n].contact.reaction();
+    tick.side[n] = hand[n].contact.side();
+  }
 }
 
 // Stage 7. Reaction, friction, and the stops that are not clay.
@@ -203,6 +223,24 @@ void Scene::State::feel(Tick& tick) noexcept {
   }
 }
 
+// Stages 5 and 7 as the paper has them: no steps within the tick, no stops, and a filter.
+void Scene::State::press_as_printed(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    PaperFilter& filter = printed->filter[n];
+    if (!hand[n].present) {
+      filter.settle();
+      continue;
+    }
+    const double angle = tick.angle_from + tick.turn;
+    tick.side[n] = PaperModel::mode(clay, hand[n].at, angle, tick.sweep[n].wish);
+    const PaperTouch touch = printed->model.tick(clay, tick.side[n], hand[n].at, def.tool.radius,
+                                                 angle, tick.turn, printed->coefficients);
+    tick.press[n] = {touch.force, 0.0, touch.depth, touch.visited, touch.touched};
+    const Vec3 filtered = filter.filter(touch.force);
+    if (!tick.held[n]) tick.wanted[n] = filtered;
+  }
+}
+
 // Stages 8 and 9. The guard is always last.
 Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
   const GuardLimits limits{def.guard.max_force, def.guard.max_slew, def.guard.engage_time};
@@ -213,9 +251,9 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
     bool finite = true;
     felt.force = h.guard.step(tick.wanted[n], tick.dt, limits, finite);
     if (!finite) faults |= kFaultForce;
-    const Press& press = h.contact.reaction();
+    const Press& press = tick.press[n];
     felt.contact = h.present && press.touched > 0;
-    felt.side = h.contact.side();
+    felt.side = tick.side[n];
     felt.depth = h.present ? press.depth : 0.0;
     counters.visited_elements += static_cast<std::uint64_t>(press.visited);
     counters.touched_elements += static_cast<std::uint64_t>(press.touched);
@@ -249,10 +287,14 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
   s.turn_wheel(tick);                // 2
   s.dry_or_soak(tick, hands.water);  // 3
   s.work_on_lump(hands);             // 4
-  s.press_clay(tick);                // 5
-                                     // 6: effects, where the scene has them
-  s.feel(tick);                      // 7
-  return s.guard_and_report(tick);   // 8, 9
+  if (s.printed) {
+    s.press_as_printed(tick);  // 5, 7
+  } else {
+    s.press_clay(tick);  // 5
+                         // 6: effects, where the scene has them
+    s.feel(tick);        // 7
+  }
+  return s.guard_and_report(tick);  // 8, 9
 }
 
 const SceneDef& Scene::def() const { return state_->def; }
@@ -282,6 +324,9 @@ std::uint64_t Scene::state_hash() const {
   }
   hash.add(std::uint64_t{s.renew_held} | std::uint64_t{s.restore_held} << 1 |
            static_cast<std::uint64_t>(s.lump_work) << 2 | std::uint64_t{s.faults} << 8);
+  if (s.printed)
+    for (const PaperFilter& filter : s.printed->filter)
+      for (double v : filter.memory()) hash.add(v);
   hash.add(s.clay.hash());
   return hash.value();
 }

@@ -51,12 +51,24 @@ Result<void> check_water(const SceneDef& def) {
   return check.result();
 }
 
+Result<void> check_paper(const SceneDef& def) {
+  if (!def.paper) return {};
+  FieldCheck check("paper");
+  check.range("c_eta", def.paper->c_eta, 0.5, 1000.0, "ticks");
+  check.range("c_v", def.paper->c_v, 0.0, 1000.0, "N/m");
+  check.range("c_r", def.paper->c_r, 0.0, 1e5, "N/m");
+  check.require(!def.friction && !def.water, "c_r",
+                "stands beside friction or water, and the paper's model has neither.",
+                "Leave out friction and water, or leave out paper.");
+  return check.result();
+}
+
 }  // namespace
 
 Result<void> validate(const SceneDef& def) {
   Result<void> good = validate(def.clay, "clay");
-  for (auto check :
-       {check_tool, check_contact, check_wheel, check_guard, check_friction, check_water})
+  for (auto check : {check_tool, check_contact, check_wheel, check_guard, check_friction,
+                     check_water, check_paper})
     if (good) good = check(def);
   return good;
 }

@@ -46,6 +46,16 @@ struct GuardDef {
   double engage_time = 0.5;  ///< s of ramp from zero when a hand arrives or after a fault, 0.05..5.
 };
 
+/// The printed model of Lee, Han & Choi 2008 in place of the corrected one, with its own
+/// coefficients: a tick's and an element's, not the clay's (engine/docs/paper.md). It has its own
+/// friction and no water; tool.radius, wheel and guard hold, contact does not.
+struct PaperDef {
+  double c_eta = 10.0;  ///< Eq. 6: ticks in which clay gives way, 0.5..1000. Below 1 it overshoots.
+  double c_v = 0.864;   ///< Eq. 9: N per metre of one element's press, 0..1000. 5e6 N/m^3 on an
+                        ///< element of 0.18 mm by 1 degree at 55 mm.
+  double c_r = 200.0;   ///< Eq. 10: N per metre of the deepest press, 0..1e5.
+};
+
 struct SceneDef {
   ClayDef clay;
   ToolDef tool;
@@ -54,6 +64,7 @@ struct SceneDef {
   GuardDef guard;
   std::optional<FrictionDef> friction = FrictionDef{};
   std::optional<WaterDef> water = WaterDef{};
+  std::optional<PaperDef> paper;  ///< There: friction and water must not be.
 };
 
 /// First thing wrong with `def`, with field ("clay.rows"), meaning and remedy. Allocates nothing

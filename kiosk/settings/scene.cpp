@@ -43,6 +43,15 @@ class SceneReader {
       number("drying_time", water.drying_time);
       number("softening", water.softening);
     });
+    read_effect("paper", def_.paper, [&](PaperDef& paper) {
+      number("c_eta", paper.c_eta);
+      number("c_v", paper.c_v);
+      number("c_r", paper.c_r);
+    });
+    if (def_.paper) {
+      leave_out("friction", def_.friction);
+      leave_out("water", def_.water);
+    }
     root_.finish();
   }
 
@@ -88,6 +97,16 @@ class SceneReader {
     read_table(name, [&] {
       if (table_.present()) fields(effect.emplace());
     });
+  }
+  /// The paper's model has no place for the effect.
+  template <class Def>
+  void leave_out(const std::string& name, std::optional<Def>& effect) {
+    if (!effect) return;
+    root_.child(name).complain("", name + " stands beside [paper], whose model has none.",
+                               "Remove [" + name + "] or [paper].");
+    std::erase_if(put_back_,
+                  [&](const auto& entry) { return entry.first.starts_with(name + "."); });
+    effect.reset();
   }
   void number(const std::string& key, double& field) {
     const double before = field;

@@ -1,6 +1,7 @@
 // Counts operator new in this program: the tick must not reach it. A sanitizer brings its own
 // operator new, so there these tests are skipped by name.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -21,16 +22,22 @@
 
 namespace {
 std::atomic<long> allocations{0};
+std::atomic<std::size_t> resident{0};  // bytes, with what the allocator rounds up
 }  // namespace
 
 #if ONGGI_COUNTS_NEW
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
+  void* p = std::malloc(size);
+  if (p == nullptr) throw std::bad_alloc();
+  resident += malloc_usable_size(p);
+  return p;
 }
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p) noexcept {
+  resident -= malloc_usable_size(p);
+  std::free(p);
+}
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 #endif
 
 namespace onggi {
@@ -53,6 +60,44 @@ TEST(Scene, AStepAllocatesNothingWhateverHappensInIt) {
     hands.restore = n % 400 == 399;
     scene->step(hands, n % 100 == 0 ? -1.0 : 0.001);
     scene->take_dirty_row(0);
+  }
+  EXPECT_EQ(allocations, before);
+}
+
+SceneDef papers_scene() {
+  SceneDef def;
+  def.clay.height = 0.072;
+  def.clay.inner_radius = def.clay.radius_min = 0.0001;
+  def.clay.wall_min = 0.0005;
+  def.clay.floor_thickness = 0.0;
+  def.clay.keep_undo = false;
+  def.friction.reset();
+  def.water.reset();
+  def.paper.emplace();
+  return def;
+}
+
+TEST(Scene, ThePapersSceneKeepsAtMostTwelveBytesForEachElement) {
+  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  const std::size_t before = resident;
+  auto scene = Scene::create(papers_scene());
+  ASSERT_TRUE(scene);
+  const double each = static_cast<double>(resident - before) / (400.0 * 360.0);
+  EXPECT_GE(each, 8.0);  // it does hold a grid
+  EXPECT_LE(each, 12.0);
+}
+
+TEST(Scene, AStepOfThePapersSceneAllocatesNothing) {
+  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  auto scene = Scene::create(papers_scene());
+  ASSERT_TRUE(scene);
+  Hands hands;
+  hands.wheel_speed = 20.0;
+  hands.hand[0].active = true;
+  const long before = allocations;
+  for (int n = 0; n < 500; ++n) {
+    hands.hand[0].position = {0.065 - n * 2e-5, 0.036, 0.001 * (n % 7)};
+    scene->step(hands, 0.001);
   }
   EXPECT_EQ(allocations, before);
 }

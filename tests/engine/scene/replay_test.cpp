@@ -76,6 +76,7 @@ RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSam
   SceneDef def = small();
   if (seed % 2 == 0) def.friction.reset();
   if (seed % 3 == 0) def.water.reset();
+  if (seed % 6 == 0) def.paper = PaperDef{9.0, 1.5, 100.0};
   std::vector<TickRecord> ticks;
   const auto bytes = recorded(seed, 120, def, &ticks);
   const Result<Replay> replay = Replay::read(bytes, "test");
@@ -84,6 +85,7 @@ RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSam
   RC_ASSERT(replay->seed == seed);
   RC_ASSERT(replay->def.friction.has_value() == (seed % 2 != 0));
   RC_ASSERT(replay->def.water.has_value() == (seed % 3 != 0));
+  RC_ASSERT(replay->def.paper.has_value() == (seed % 6 == 0));
   RC_ASSERT(replay->ticks.size() == ticks.size());
   for (std::size_t n = 0; n < ticks.size(); ++n) {
     const TickRecord& a = ticks[n];

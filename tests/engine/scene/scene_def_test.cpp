@@ -49,6 +49,27 @@ TEST(SceneDef, EveryFieldIsCheckedAndNamed) {
   }
 }
 
+TEST(SceneDef, ThePapersFieldsAreCheckedAndStandAlone) {
+  SceneDef def;
+  def.paper.emplace();
+  EXPECT_EQ(validate(def).error().where, "paper.c_r");  // friction and water are there
+  def.friction.reset();
+  EXPECT_FALSE(validate(def));
+  def.water.reset();
+  EXPECT_TRUE(validate(def));
+  using Field = double PaperDef::*;
+  for (const auto& [name, field] : {std::pair<const char*, Field>{"paper.c_eta", &PaperDef::c_eta},
+                                    {"paper.c_v", &PaperDef::c_v},
+                                    {"paper.c_r", &PaperDef::c_r}}) {
+    for (double bad : {-1.0, 1e12, std::numeric_limits<double>::quiet_NaN()}) {
+      SceneDef worse = def;
+      (*worse.paper).*field = bad;
+      ASSERT_FALSE(validate(worse)) << name;
+      EXPECT_EQ(validate(worse).error().where, name);
+    }
+  }
+}
+
 TEST(WorkspaceScale, BringsAVesselWithinReachAndKeepsItsShape) {
   Profile amphora = vessels::amphora();  // 62 cm
   const Profile p = scaled(amphora, workspace_scale(amphora));

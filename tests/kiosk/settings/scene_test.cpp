@@ -56,6 +56,7 @@ std::string figures(const SceneDef& d) {
   } else {
     out << " -";
   }
+  if (d.paper) out << " p " << d.paper->c_eta << ' ' << d.paper->c_v << ' ' << d.paper->c_r;
   return out.str();
 }
 
@@ -77,7 +78,7 @@ TEST(scene, the_scenes_that_ship_are_without_fault_and_can_be_thrown_on) {
     EXPECT_GT(most, 0.1) << "the clay is felt";
     EXPECT_LE(most, r.def.guard.max_force + 1e-9);
   }
-  EXPECT_GE(scenes, 2);
+  EXPECT_GE(scenes, 3);
 }
 
 TEST(scene, first_touch_is_the_engines_own_figures_written_out) {
@@ -95,6 +96,28 @@ TEST(scene, an_effect_is_there_where_its_table_is_written_and_absent_where_not) 
   EXPECT_FALSE(water.def.friction);
   ASSERT_TRUE(water.def.water);
   EXPECT_EQ(water.def.water->drying_time, WaterDef{}.drying_time);
+}
+
+TEST(scene, the_papers_scene_is_its_grid_its_model_and_nothing_else) {
+  const SceneDef d = read_scene("config/scenes/paper.toml").def;
+  ASSERT_TRUE(d.paper);
+  EXPECT_EQ(figures(d).substr(figures(d).find(" - - p")), " - - p 10 0.86399999999999999 200");
+  EXPECT_EQ(d.clay.rows, 400);
+  EXPECT_EQ(d.clay.sectors, 360);
+  EXPECT_DOUBLE_EQ(d.clay.height / d.clay.rows, 0.00018);
+  EXPECT_FALSE(d.clay.keep_undo);
+}
+
+TEST(scene, an_effect_beside_the_papers_model_is_told_and_left_out) {
+  const SceneRead r = read("[paper]\nc_eta = 12\n[friction]\ncoefficient = 0.1\n[water]\n");
+  ASSERT_THAT(r.problems, SizeIs(2)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":3:1"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("friction stands beside [paper]"));
+  EXPECT_THAT(r.problems[1].where, EndsWith(":5:1"));
+  EXPECT_FALSE(r.def.friction);
+  EXPECT_FALSE(r.def.water);
+  EXPECT_EQ(r.def.paper->c_eta, 12);
+  EXPECT_TRUE(validate(r.def));
 }
 
 TEST(scene, every_number_is_read_into_its_own_field) {
@@ -163,10 +186,13 @@ TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {
 TEST(scene, whatever_is_written_the_scene_can_be_thrown_on) {
   rc::check([](const std::vector<std::pair<std::uint8_t, double>>& values) {
     static const char* const kKeys[] = {
-        "clay.rows",         "clay.sectors",         "clay.height",       "clay.outer_radius",
-        "clay.inner_radius", "clay.floor_thickness", "clay.wall_min",     "clay.radius_min",
-        "clay.radius_max",   "tool.radius",          "contact.stiffness", "wheel.max_speed",
-        "guard.max_force",   "friction.coefficient", "water.softening",   "water.tide"};
+        "clay.rows",         "clay.sectors",         "clay.height",
+        "clay.outer_radius", "clay.inner_radius",    "clay.floor_thickness",
+        "clay.wall_min",     "clay.radius_min",      "clay.radius_max",
+        "tool.radius",       "contact.stiffness",    "wheel.max_speed",
+        "guard.max_force",   "friction.coefficient", "water.softening",
+        "water.tide",        "paper.c_eta",          "paper.c_v",
+        "paper.c_r"};
     std::map<std::string, std::string> lines;
     for (const auto& [pick, value] : values) {
       std::ostringstream number;
