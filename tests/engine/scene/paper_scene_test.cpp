@@ -100,6 +100,23 @@ TEST(Paper15, FrictionDoesNotKnowTheSpeedAndJumpsWhereTheWheelStops) {
   EXPECT_LE(corrected(30.0), 0.35);
 }
 
+TEST(Paper19, NoFloorPushesUp) {
+  const auto lowered = [](bool as_printed) {
+    SceneDef def = papers_scene();
+    def.clay = ClayDef{};
+    if (!as_printed) def.paper.reset();
+    auto scene = Scene::create(def);
+    double most = 0.0;
+    for (int n = 0; n < 1000; ++n) {  // to 6 mm within a floor of 10 mm
+      const Feedback out = scene->step(one_hand({0.001, 0.032 - 2e-5 * n, 0.0}), 0.001);
+      most = std::max(most, out.hand[0].force.y);
+    }
+    return most;
+  };
+  EXPECT_EQ(lowered(true), 0.0);
+  EXPECT_GT(lowered(false), 1.0);
+}
+
 TEST(Paper22, WithinASceneALiftedHandIsFeltAgain) {
   auto scene = Scene::create(papers_scene());
   scene->step(one_hand({0.0, 0.036, 0.0}), 0.001);  // on the axis: 0/0
