@@ -23,11 +23,13 @@
 namespace {
 std::atomic<long> allocations{0};
 std::atomic<std::size_t> resident{0};  // bytes, with what the allocator rounds up
+std::atomic<long> allocated_bytes{0};
 }  // namespace
 
 #if ONGGI_COUNTS_NEW
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
+  allocated_bytes += static_cast<long>(size);
   void* p = std::malloc(size);
   if (p == nullptr) throw std::bad_alloc();
   resident += malloc_usable_size(p);
@@ -108,9 +110,15 @@ TEST(Scene, ADefThatIsRefusedAllocatesNoGrid) {
   def.clay.rows = 20000;
   def.clay.sectors = 1024;  // 160 MB, were it made
   def.guard.max_force = 100.0;
-  const long before = allocations;
-  EXPECT_FALSE(Scene::create(def));
-  EXPECT_LT(allocations - before, 50);  // the words of the Problem
+  SceneDef vast;
+  vast.clay.rows = vast.clay.sectors = 1'000'000;  // 8 TB, were it made
+  for (const SceneDef& refused : {def, vast}) {
+    const long before = allocations;
+    const long bytes_before = allocated_bytes;
+    EXPECT_FALSE(Scene::create(refused));
+    EXPECT_LT(allocations - before, 50);  // the words of the Problem
+    EXPECT_LT(allocated_bytes - bytes_before, 10000);
+  }
 }
 
 }  // namespace

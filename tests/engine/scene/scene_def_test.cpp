@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,42 @@ TEST(SceneDef, ThePapersFieldsAreCheckedAndStandAlone) {
       ASSERT_FALSE(validate(worse)) << name;
       EXPECT_EQ(validate(worse).error().where, name);
     }
+  }
+}
+
+TEST(SceneDef, AnImpossibleLumpIsRefusedWithFieldMeaningAndRemedy) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  using Change = std::function<void(ClayDef&)>;
+  const std::vector<std::pair<std::string, Change>> lumps{
+      {"clay.rows", [](ClayDef& c) { c.rows = 0; }},
+      {"clay.rows", [](ClayDef& c) { c.rows = -400; }},
+      {"clay.sectors", [](ClayDef& c) { c.sectors = 0; }},
+      {"clay.rows", [](ClayDef& c) { c.rows = c.sectors = 1'000'000; }},  // 10^12 elements
+      {"clay.rows", [](ClayDef& c) { c.rows = 20000, c.sectors = 8192; }},
+      {"clay.rows", [](ClayDef& c) { c.rows = c.sectors = std::numeric_limits<int>::max(); }},
+      {"clay.outer_radius", [](ClayDef& c) { c.inner_radius = c.outer_radius + 0.01; }},
+      {"clay.outer_radius", [](ClayDef& c) { c.inner_radius = c.outer_radius; }},
+      {"clay.outer_radius", [](ClayDef& c) { c.outer_radius = c.radius_max + 0.01; }},
+      {"clay.outer_radius", [=](ClayDef& c) { c.outer_radius = kNan; }},
+      {"clay.inner_radius", [=](ClayDef& c) { c.inner_radius = kNan; }},
+      {"clay.inner_radius", [](ClayDef& c) { c.inner_radius = -0.01; }},
+      {"clay.height", [=](ClayDef& c) { c.height = kInfinity; }},
+      {"clay.floor_thickness", [=](ClayDef& c) { c.floor_thickness = kNan; }},
+      {"clay.floor_thickness", [](ClayDef& c) { c.floor_thickness = c.height; }},
+      {"clay.wall_min", [=](ClayDef& c) { c.wall_min = kNan; }},
+      {"clay.radius_min", [=](ClayDef& c) { c.radius_min = kNan; }},
+      {"clay.radius_max", [=](ClayDef& c) { c.radius_max = kNan; }},
+  };
+  for (const auto& [field, change] : lumps) {
+    SceneDef def;
+    change(def.clay);
+    const Result<Scene> scene = Scene::create(def);
+    ASSERT_FALSE(scene) << field;
+    EXPECT_EQ(scene.error().where, field) << to_text(scene.error());
+    EXPECT_GT(scene.error().what.size(), 10u) << field;
+    EXPECT_GT(scene.error().remedy.size(), 10u) << field;
+    EXPECT_EQ(scene.error().exit_code, 2);
   }
 }
 
