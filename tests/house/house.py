@@ -70,11 +70,11 @@ class Table:
 
 
 def room_of(path):
-    """engine/clay/clay.h -> engine/clay; tests/... -> tests; anything else -> None."""
+    """engine/clay/clay.h -> engine/clay; tests/... -> tests; docs, anything else -> None."""
     parts = path.split("/")
     if parts[0] == "tests":
         return "tests"
-    if parts[0] in ("engine", "kiosk") and len(parts) >= 3:
+    if parts[0] in ("engine", "kiosk") and len(parts) >= 3 and parts[1] != "docs":
         return "/".join(parts[:2])
     return None
 

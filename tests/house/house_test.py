@@ -69,6 +69,12 @@ class House(unittest.TestCase):
         self.write("kiosk/render/shaders/clay.h", '#include "kiosk/loop/status.h"\n')
         self.assert_broken("includes", "kiosk/render may not include kiosk/loop/status.h")
 
+    def test_docs_are_no_room_so_an_example_may_link_what_was_installed(self):
+        self.write("engine/docs/example/CMakeLists.txt", "target_link_libraries(a onggi::engine)\n")
+        self.write("engine/docs/example/a.cpp", '#include "engine/clay/clay.h"\n')
+        for name in ("includes", "links", "layout"):
+            self.assertEqual(self.check(name), [], name)
+
     def test_the_app_knows_everyone(self):
         self.write("kiosk/app/commands/run.cpp",
                    '#include "kiosk/loop/potter.h"\n#include <CLI/CLI.hpp>\n')
