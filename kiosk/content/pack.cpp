@@ -39,6 +39,7 @@ void read_labels(settings::TomlReader::Table& root, PackRead& read) {
     table.text("date", label.date);
     table.text("made", label.made);
     table.text("text", label.text);
+    table.text("credit", label.credit);
     table.finish();
     read.pack.labels[language] = std::move(label);
   }

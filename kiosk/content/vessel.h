@@ -19,6 +19,7 @@ struct Label {
   std::string date;     ///< "18th century"
   std::string made;     ///< How it was made, one sentence.
   std::string text;     ///< At most 100 words.
+  std::string credit;   ///< The whole credit line in this language; empty: Vessel::credit.
 };
 
 /// A vessel on the shelf: the mesh for its picture, the profile for its outline and score.

@@ -188,9 +188,10 @@ class Choose final : public Screen {
         words.x = whole.x + whole.w - words.w;
       }
     }
-    lay_out_picture(page, *shelf, picture);
-
     const content::Label label = desk.label(open_);
+    lay_out_picture(page, *shelf, label.credit.empty() ? shelf->vessel->credit : label.credit,
+                    picture);
+
     Column column(page, words);
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
@@ -229,8 +230,8 @@ class Choose final : public Screen {
   }
 
   /// The vessel, and under it whose picture it is.
-  void lay_out_picture(Page& page, const ShelfCard& shelf, Rect room) const {
-    const std::string& credit = shelf.vessel->credit;
+  void lay_out_picture(Page& page, const ShelfCard& shelf, const std::string& credit,
+                       Rect room) const {
     if (!credit.empty()) {
       const auto style = page.style(Face::sans, page.type().body, view::Align::centre);
       const auto size = page.size(credit, style, room.w);

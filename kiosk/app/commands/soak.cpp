@@ -17,11 +17,9 @@ namespace onggi::app {
 namespace {
 
 constexpr double kReportEvery = 30.0;
-// Memory is judged over the second half: the first fills the caches of text, fonts, drivers and the
-// heap.
-constexpr double kWarmUpShare = 0.5;
-constexpr double kGrowthAllowed =
-    48.0;  // MiB: three postcards in the making; a leak goes on growing.
+// Memory is judged by the least of the last quarter against the least of the one before: the first
+// half fills the caches of text, fonts and drivers, and a postcard in the making is no growth.
+constexpr double kGrowthAllowed = 16.0;  // MiB
 
 struct SoakArguments {
   std::string config, window = "1280x720", out = "keepsakes/soak", script = "follow";
@@ -61,7 +59,7 @@ Result<int> soak(const SoakArguments& arguments) {
 
   const double begun = monotonic_seconds(), length = arguments.minutes * 60;
   double next_report = kReportEvery;
-  long warm_bytes = 0, most_bytes = 0;
+  long third_quarter = 0, last_quarter = 0;  // Least resident bytes; 0: not yet looked.
   int visits = 0;
   std::unique_ptr<ScriptedVisitor> visitor;
   for (double now = begun; now - begun < length; now = monotonic_seconds()) {
@@ -82,9 +80,10 @@ Result<int> soak(const SoakArguments& arguments) {
     }
     if (auto good = visitor->step(now); !good) return tl::unexpected(good.error());
     const double elapsed = now - begun;
-    if (elapsed > kWarmUpShare * length) {
-      if (warm_bytes == 0) warm_bytes = resident_bytes();
-      most_bytes = std::max(most_bytes, resident_bytes());
+    if (elapsed > 0.5 * length) {
+      long& least = elapsed > 0.75 * length ? last_quarter : third_quarter;
+      const long now_bytes = resident_bytes();
+      least = least == 0 ? now_bytes : std::min(least, now_bytes);
     }
     if (elapsed >= next_report) {
       report(elapsed, visits, kiosk);
@@ -93,9 +92,9 @@ Result<int> soak(const SoakArguments& arguments) {
   }
   report(length, visits, kiosk);
   const auto lost = kiosk.potter().status().deadlines.lost_ticks;
-  const double grown = static_cast<double>(most_bytes - warm_bytes) / 1048576.0;
+  const double grown = static_cast<double>(last_quarter - third_quarter) / 1048576.0;
   std::printf(
-      "soak: %d visits in %.1f min; memory grew by %.1f MiB at most over the second half; %llu "
+      "soak: %d visits in %.1f min; memory %+.1f MiB from the third quarter to the last; %llu "
       "ticks lost\n",
       visits, arguments.minutes, grown, static_cast<unsigned long long>(lost));
   if (visits == 0)

@@ -45,6 +45,7 @@ const std::map<std::string, Pack>& packs() {
         table.text("date", label.date);
         table.text("made", label.made);
         table.text("text", label.text);
+        table.text("credit", label.credit);
       }
     }
     return out;
@@ -105,6 +106,8 @@ TEST(ShelfPacks, every_label_is_whole_in_english_and_korean) {
         EXPECT_FALSE(text->empty());
       for (const std::string* text : {&label.title, &label.culture, &label.made, &label.text})
         EXPECT_EQ(has_hangul(*text), language == "ko") << *text;
+      // English has it in the pack itself.
+      EXPECT_EQ(has_hangul(label.credit), language == "ko") << label.credit;
     }
 }
 

@@ -16,7 +16,7 @@ class Studio {
   Studio() {
     auto language = content::Language::read("content/languages/en.toml");
     if (language) languages_.push_back(*language);
-    vessel_.labels["en"] = {"Jar", "", "", "", "A jar."};
+    vessel_.labels["en"] = {"Jar", "", "", "", "A jar.", ""};
     shelf_.push_back({&vessel_, 0, jar(0.08), 1.0});
     VisitWorld world;
     world.exhibit = &exhibit_;

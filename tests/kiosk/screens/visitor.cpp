@@ -64,11 +64,18 @@ Visitor::Visitor(int count, const view::TextMeasure* measure) {
     for (int k = 0; k < 10; ++k) label += "The potter set two thrown bowls rim to rim today. ";
     v.labels["en"] = {i % 3 == 0 ? "Panathenaic amphora" : "Moon jar",
                       i % 2 == 0 ? "Korea, Joseon dynasty; used in Japan" : "Maya, Late Classic",
-                      "about 3500–3200 BCE", "Two bowls, thrown and joined.", label};
+                      "about 3500–3200 BCE",
+                      "Two bowls, thrown and joined.",
+                      label,
+                      ""};
     std::string korean;
     for (int k = 0; k < 8; ++k) korean += "도공은 사발 두 개를 빚어 위아래로 맞붙였다. ";
-    v.labels["ko"] = {"파나테나이아 암포라", "미국 뉴멕시코, 아코마 푸에블로",
-                      "기원전 3500–3200년 무렵", "물레로 빚은 사발 두 개를 맞붙였다.", korean};
+    v.labels["ko"] = {"파나테나이아 암포라",
+                      "미국 뉴멕시코, 아코마 푸에블로",
+                      "기원전 3500–3200년 무렵",
+                      "물레로 빚은 사발 두 개를 맞붙였다.",
+                      korean,
+                      ""};
   }
   for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65});
   mirror.reset(100, 16, 0.2, 0.01, 0.055, 0.022);
