@@ -18,18 +18,25 @@ struct Interval {
   int count = 0;
 };
 
-Interval eq2(Vec3 at, double radius, double wheel_angle, int sectors) {
+Interval eq2(Vec3 at, double radius, double wheel_angle, int sectors, AngleReading reading) {
   const double d = axis_distance(at);
   const double middle = 0.5 * portable::kPi - portable::asin(at.x / d);  // acos: 0..pi only
-  const double half = radius / d;
-  if (!std::isfinite(middle)) return {};             // d = 0, and 0/0 selects nothing
-  if (!(half < portable::kPi)) return {0, sectors};  // round and round: each element once
+  if (!std::isfinite(middle)) return {};  // d = 0, and 0/0 selects nothing
+  // 1e4 is 1600 times round: beyond it an index would not hold the count.
+  const double half = std::min(radius / d, 1e4);
+  double from = middle - half;
+  double to = middle + half;
+  if (reading == AngleReading::each_once && !(half < portable::kPi)) return {0, sectors};
+  if (reading == AngleReading::unwrapped) {
+    from = std::max(from, 0.0);
+    to = std::min(to, kFullTurn);
+  }
   const double per_radian = sectors / kFullTurn;
-  const double low = (middle - half - wheel_angle) * per_radian - 0.5;
-  const double high = (middle + half - wheel_angle) * per_radian - 0.5;
-  const int first = static_cast<int>(std::ceil(low));
-  const int count = std::min(static_cast<int>(std::floor(high)) - first + 1, sectors);
-  return {((first % sectors) + sectors) % sectors, std::max(count, 0)};
+  const int first = static_cast<int>(std::ceil((from - wheel_angle) * per_radian - 0.5));
+  const int last = static_cast<int>(std::floor((to - wheel_angle) * per_radian - 0.5));
+  int count = std::max(last - first + 1, 0);
+  if (reading != AngleReading::index_range) count = std::min(count, sectors);
+  return {((first % sectors) + sectors) % sectors, count};
 }
 
 // One element against the sphere, clay frame. Names are the paper's.
@@ -72,7 +79,7 @@ Collision collide(WallSide mode, Vec3 h, double h_r, double d, double s_r, doubl
 
 }  // namespace
 
-PaperModel::PaperModel(const Clay& clay) {
+PaperModel::PaperModel(const Clay& clay, AngleReading reading) : reading_(reading) {
   for (int i = 0; i < clay.sectors(); ++i) {
     const double angle = (i + 0.5) * kFullTurn / clay.sectors();
     cos_.push_back(portable::cos(angle));
@@ -98,7 +105,7 @@ PaperTouch PaperModel::tick(Clay& clay, WallSide mode, Vec3 at, double radius, d
   const double turn_cos = portable::cos(wheel_angle);
   const double turn_sin = portable::sin(wheel_angle);
   const Vec3 h{at.x * turn_cos + at.z * turn_sin, at.y, at.z * turn_cos - at.x * turn_sin};
-  const Interval window = eq2(at, radius, wheel_angle, clay.sectors());
+  const Interval window = eq2(at, radius, wheel_angle, clay.sectors(), reading_);
   const int first_row = clay.first_row_above(at.y - radius);  // eq. 1
   const int end_row = clay.first_row_above(at.y + radius);
 
