@@ -1,76 +1,127 @@
-// A tick of the default scene (400 x 360) at several poses. ns_per_element is the time over the
-// elements visited.
+// What a tick costs: tests/bench/README.md. --short does a few ticks of everything.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <map>
 #include <string>
 
-#include "engine/scene/scene.h"
+#include "tests/bench/goals.h"
+#include "tests/bench/measuring.h"
 
+namespace onggi::bench {
 namespace {
 
-using onggi::Hands;
-using onggi::Scene;
-using onggi::SideWish;
-using onggi::Vec3;
-
-struct Pose {
-  const char* name;
-  Vec3 at;
-  bool second_hand;
+struct Grid {
+  int rows, sectors;
+  Patience patience;
 };
+constexpr Grid kGrids[] = {
+    {400, 360, {5000, 4, 0.0}}, {1600, 720, {2000, 2, 0.0}}, {6400, 2880, {1000, 2, 2.5}}};
+constexpr const Grid& kFinest = kGrids[2];
 
-constexpr Pose kPoses[] = {
-    {"lifted clear, beside the wall", {0.075, 0.1, 0}, false},
-    {"outside, light touch", {0.0625, 0.1, 0}, false},
-    {"outside, 2 mm deep and moving", {0.0610, 0.1, 0}, false},
-    {"inside, d = 15 mm", {0.015, 0.1, 0}, false},
-    {"inside, at the axis", {0.004, 0.1, 0}, false},
-    {"both hands on the wall", {0.0625, 0.1, 0}, true},
-};
-
-void tick(benchmark::State& state) {
-  const Pose& pose = kPoses[state.range(0)];
-  onggi::SceneDef def;
-  def.clay.rows = static_cast<int>(state.range(1));
-  def.clay.sectors = static_cast<int>(state.range(2));
-  auto scene = Scene::create(def);
-  if (!scene) {
-    state.SkipWithError("the scene was refused");
-    return;
-  }
-  Hands hands;
-  hands.wheel_speed = 18.0;
-  hands.hand[0].active = true;
-  hands.hand[1] = {{-0.015, 0.1, 0}, pose.second_hand, SideWish::inside};
-  for (int n = 0; n < 1500; ++n) {
-    hands.hand[0].position = {0.075 + (pose.at.x - 0.075) * n / 1500.0, 0.3 - 0.2 * n / 1500.0, 0};
-    if (pose.at.x < 0.05) hands.hand[0].position = pose.at;
-    scene->step(hands, 0.001);
-  }
-  const auto before = scene->counters();
-  double t = 0.0;
-  for (auto _ : state) {
-    t += 0.001;
-    // Up and down the wall, so that there is always fresh clay to press.
-    const double swing = t - static_cast<double>(static_cast<long>(t * 2.0)) * 0.5;
-    hands.hand[0].position = pose.at + Vec3{0, 0.1 * (swing < 0.25 ? swing : 0.5 - swing), 0};
-    benchmark::DoNotOptimize(scene->step(hands, 0.001));
-  }
-  const auto after = scene->counters();
-  const auto visited = static_cast<double>(after.visited_elements - before.visited_elements);
-  using benchmark::Counter;
-  state.counters["visited"] = Counter(visited, Counter::kAvgIterations);
-  state.counters["touched"] =
-      Counter(static_cast<double>(after.touched_elements - before.touched_elements),
-              Counter::kAvgIterations);
-  state.counters["ns_per_element"] =
-      Counter(visited * 1e-9, static_cast<Counter::Flags>(Counter::kIsRate | Counter::kInvert));
-  state.SetLabel(std::string(pose.name) + ", " + std::to_string(state.range(1)) + " x " +
-                 std::to_string(state.range(2)));
+// Each script is measured once, whoever asks.
+const ScriptTimes& measured(const TickScript& script, const Grid& grid, Effort effort) {
+  static std::map<std::pair<std::string_view, int>, ScriptTimes> all;
+  const auto key = std::pair{script.name, grid.rows};
+  const auto found = all.find(key);
+  if (found != all.end()) return found->second;
+  const Patience patience = effort.few ? Patience{12, 1, 0.0} : grid.patience;
+  return all[key] = measure_script(script, grid.rows, grid.sectors, patience);
 }
-BENCHMARK(tick)
-    ->ArgsProduct({{0, 1, 2, 3, 4, 5}, {400}, {360}})
-    ->Args({1, 1600, 720})
-    ->Args({4, 1600, 720});
+
+void run_script(benchmark::State& state, const TickScript& script, const Grid& grid,
+                Effort effort) {
+  for (auto _ : state) {
+    const ScriptTimes& t = measured(script, grid, effort);
+    state.SetIterationTime(1e-9 * t.all.median);
+    state.counters["median_ns"] = t.all.median;
+    state.counters["p99_ns"] = t.all.p99;
+    state.counters["p999_ns"] = t.all.p999;
+    state.counters["least_p999_ns"] = t.least_p999;
+    state.counters["least_cpu_p999_ns"] = t.least_cpu_p999;
+    state.counters["worst_ns"] = t.all.worst;
+    state.counters["visited"] = t.visited;
+    state.counters["touched"] = t.touched;
+    state.counters["ns_per_visited"] = t.visited > 0.0 ? t.all.median / t.visited : 0.0;
+    char label[160];
+    std::snprintf(label, sizeof label, "hash=%016llx %.*s", static_cast<unsigned long long>(t.hash),
+                  static_cast<int>(script.says.size()), script.says.data());
+    state.SetLabel(label);
+  }
+}
+
+// The slowest script's tail, in the calmest of its blocks.
+Figures tail_on_the_finest_grid(Effort effort) {
+  Figures figures{
+      {"p999_us_6400x2880", 0.0}, {"p999_us_6400x2880_cpu", 0.0}, {"p999_us_6400x2880_all", 0.0}};
+  for (const TickScript& script : tick_scripts()) {
+    const ScriptTimes& t = measured(script, kFinest, effort);
+    figures[0].second = std::max(figures[0].second, 1e-3 * t.least_p999);
+    figures[1].second = std::max(figures[1].second, 1e-3 * t.least_cpu_p999);
+    figures[2].second = std::max(figures[2].second, 1e-3 * t.all.p999);
+    figures.emplace_back("p999_us_6400x2880_" + std::string(script.name), 1e-3 * t.least_p999);
+    figures.emplace_back("p999_us_6400x2880_cpu_" + std::string(script.name),
+                         1e-3 * t.least_cpu_p999);
+  }
+  return figures;
+}
+
+void run_goal(benchmark::State& state, const std::function<Figures()>& goal) {
+  for (auto _ : state) {
+    Figures figures;
+    state.SetIterationTime(1e-9 * timed([&] { figures = goal(); }));
+    for (const auto& [name, value] : figures) state.counters[name] = value;
+  }
+}
+
+void declare(Effort effort) {
+  const auto once = [](benchmark::internal::Benchmark* b, benchmark::TimeUnit unit) {
+    b->Iterations(1)->UseManualTime()->Unit(unit);
+  };
+  const auto goal = [&](const char* name, const std::function<Figures()>& figures) {
+    once(benchmark::RegisterBenchmark(
+             name, [figures](benchmark::State& state) { run_goal(state, figures); }),
+         benchmark::kSecond);
+  };
+  goal("goal/bytes", [] { return bytes_in_the_papers_scene(); });
+  for (const Grid& grid : kGrids)
+    for (const TickScript& script : tick_scripts()) {
+      const std::string name = "script/" + std::string(script.name) + "/" +
+                               std::to_string(grid.rows) + "x" + std::to_string(grid.sectors);
+      once(benchmark::RegisterBenchmark(name.c_str(),
+                                        [&script, &grid, effort](benchmark::State& state) {
+                                          run_script(state, script, grid, effort);
+                                        }),
+           benchmark::kMicrosecond);
+    }
+  goal("goal/p999", [=] { return tail_on_the_finest_grid(effort); });
+  goal("goal/paper_400x360", [=] { return paper_ratio(400, 360, effort); });
+  goal("goal/paper_6400x2880", [=] { return paper_ratio(6400, 2880, effort); });
+  goal("goal/floor", [=] { return floor_ratio(effort); });
+  goal("goal/untouched_rows", [=] { return untouched_rows_ratio(effort); });
+#ifdef ONGGI_WITH_OPENVDB
+  goal("goal/openvdb", [=] { return openvdb_ratio(effort); });
+#else
+  std::fprintf(stderr, "goal/openvdb: skipped, built without OpenVDB (libopenvdb-dev).\n");
+#endif
+}
 
 }  // namespace
+}  // namespace onggi::bench
+
+int main(int argc, char** argv) {
+  onggi::bench::Effort effort;
+  char** const end = argv + argc;
+  char** const rest =
+      std::remove_if(argv, end, [](const char* word) { return std::strcmp(word, "--short") == 0; });
+  effort.few = rest != end;
+  argc = static_cast<int>(rest - argv);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  onggi::bench::declare(effort);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Runs tick_bench --short and looks whether all of its figures are there. Never at how fast they are.
+
+  tests/bench/bench_test.py PATH/TO/tick_bench
+"""
+
+import json
+import math
+import re
+import subprocess
+import sys
+
+GOALS = ["ratio_paper_400x360", "ratio_paper_6400x2880", "ratio_floor", "p999_us_6400x2880",
+         "ratio_untouched_rows", "bytes_per_element_paper_scene"]
+OF_EACH_SCRIPT = ["median_ns", "p99_ns", "p999_ns", "worst_ns", "ns_per_visited"]
+GRIDS = ["400x360", "1600x720", "6400x2880"]
+
+
+def main():
+    run = subprocess.run([sys.argv[1], "--short", "--benchmark_format=json"],
+                         capture_output=True, text=True, check=True)
+    with_openvdb = "built without OpenVDB" not in run.stderr
+    wanted = GOALS + (["ratio_openvdb"] if with_openvdb else [])
+    benchmarks = json.loads(run.stdout)["benchmarks"]
+    wrong = [f"{b['name']}: {b['error_message']}" for b in benchmarks if b.get("error_occurred")]
+    seen = {}
+    scripts = 0
+    for benchmark in benchmarks:
+        seen.update((name, benchmark[name]) for name in wanted if name in benchmark)
+        if not benchmark["name"].startswith("script/"):
+            continue
+        scripts += 1
+        for name in OF_EACH_SCRIPT:
+            if not benchmark.get(name, 0) > 0 or not math.isfinite(benchmark[name]):
+                wrong.append(f"{benchmark['name']}: {name} is missing or not above 0.")
+        if not re.match(r"hash=[0-9a-f]{16} ", benchmark.get("label", "")):
+            wrong.append(f"{benchmark['name']}: no state hash.")
+        if not any(f"/{grid}/" in benchmark["name"] for grid in GRIDS):
+            wrong.append(f"{benchmark['name']}: of a grid that is not one of {', '.join(GRIDS)}.")
+    for name in wanted:
+        if not seen.get(name, 0) > 0 or not math.isfinite(seen[name]):
+            wrong.append(f"{name} is missing or not above 0.")
+    # Bytes are no matter of time, so here the goal itself is kept.
+    if seen.get("bytes_per_element_paper_scene", 0) > 12:
+        wrong.append("The paper's scene keeps more than 12 bytes an element.")
+    if scripts == 0 or scripts % len(GRIDS):
+        wrong.append(f"{scripts} scripts were run, which is not all of them on {len(GRIDS)} grids.")
+    print("\n".join(wrong) or f"{len(wanted)} goals and {scripts} scripts have their figures"
+          + ("." if with_openvdb else ", without OpenVDB: ratio_openvdb is skipped."))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

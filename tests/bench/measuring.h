@@ -1,0 +1,69 @@
+#pragma once
+
+#include <time.h>
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "tests/support/tick_scripts.h"
+
+namespace onggi::bench {
+
+/// Of many ticks' times, ns, wall clock.
+struct Times {
+  double median = 0, p99 = 0, p999 = 0, worst = 0;
+};
+/// Nearest rank. Sorts `ns`; must not be empty.
+Times times_of(std::vector<double>& ns);
+
+/// How long `work` takes, ns. The clock itself costs about 25 ns of it.
+template <class Work>
+double timed(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Time that this thread had a processor for since it began, ns: what others take is not in it.
+inline double thread_ns() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+/// Ticks of a script in a whole Scene.
+struct ScriptTimes {
+  Times all;              ///< Of every tick, wall clock.
+  double least_p999 = 0;  ///< The least of the blocks' p99.9, ns, wall clock.
+  double least_cpu_p999 =
+      0;                   ///< The same in the thread's own time, with about 0.5 us of the clock.
+  double visited = 0;      ///< Elements a tick.
+  double touched = 0;      ///< Elements a tick.
+  std::uint64_t hash = 0;  ///< After the script's first kHashTicks ticks, however many follow.
+};
+inline constexpr int kHashTicks = 200;
+
+/// How many ticks are timed, each alone: blocks of `ticks`, at least `least_blocks` of them and
+/// more until `seconds` have gone or there are kMostBlocks. What the machine does besides falls on
+/// single blocks, so the least of them says most about the tick.
+struct Patience {
+  int ticks, least_blocks;
+  double seconds;
+};
+inline constexpr int kMostBlocks = 16;
+
+ScriptTimes measure_script(const TickScript& script, int rows, int sectors,
+                           const Patience& patience);
+
+/// Medians of two or more works done in turns, `batch` ticks of each, so that all meet the same
+/// weather. A work is called with the tick's number within a pass of `pass` ticks.
+struct Work {
+  virtual ~Work() = default;
+  virtual void tick(int n) noexcept = 0;
+  virtual void freshen() = 0;  ///< Before tick 0; not timed.
+};
+std::vector<double> medians_in_turns(const std::vector<Work*>& works, int pass, int ticks,
+                                     int batch);
+
+}  // namespace onggi::bench

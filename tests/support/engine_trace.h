@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace onggi {
+
+/// Six seconds of a potter's work on a whole grid: outside, inside, water, both hands, a fault, a
+/// renewed lump, a restored one, odd tick lengths. Gives the state's hash after every second, a
+/// line each, as tests/golden/engine_trace.txt holds them. Empty where no scene can be made.
+std::string engine_trace();
+
+}  // namespace onggi
