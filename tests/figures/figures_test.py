@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Draws every figure into a folder of its own, and checks that each carries its data and that the
+data say what engine/docs/paper.md reads from them. Times are never judged.
+
+  tests/figures/figures_test.py --bin DIR    exit 0: good, 1: not, 77: gnuplot is not here
+"""
+
+import argparse
+import csv
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+SVG = "{http://www.w3.org/2000/svg}"
+GRIDS = [("200", "180"), ("200", "360"), ("400", "360"), ("800", "360")]
+out = ""
+
+
+def table(name):
+    with open(os.path.join(out, name), encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def steps(values):
+    return [after - before for before, after in zip(values, values[1:])]
+
+
+def wandering(values):
+    """Total variation over range: 1 for a curve that only rises, more the more it is jagged."""
+    return sum(map(abs, steps(values))) / (max(values) - min(values))
+
+
+class Drawn(unittest.TestCase):
+    def test_every_figure_is_there_and_carries_curves_and_words(self):
+        for name, words in (("push", ["force, N", "mean depth, mm", "elements in collision"]),
+                            ("times", ["1 ms", "800 × 360", "the corrected model"])):
+            tree = xml.etree.ElementTree.parse(os.path.join(out, name + ".svg"))
+            text = " ".join("".join(e.itertext()).strip() for e in tree.iter(SVG + "text"))
+            for word in words:
+                self.assertIn(word, text)
+            drawn = "".join(path.get("d", "") for path in tree.iter(SVG + "path"))
+            self.assertGreater(len(drawn), 2000, name)
+            self.assertNotIn("nan", drawn.lower())
+
+    def test_a_figure_is_drawn_again_from_its_data_alone(self):
+        path = os.path.join(out, "push.svg")
+        with open(path, encoding="utf-8") as file:
+            before = file.read()
+        subprocess.run(["bash", os.path.join(HERE, "draw"), "--out", out, "--from-data"],
+                       check=True, stdout=subprocess.DEVNULL)
+        with open(path, encoding="utf-8") as file:
+            self.assertEqual(before, file.read())
+
+
+class Times(unittest.TestCase):
+    def test_both_models_are_timed_on_the_papers_four_grids(self):
+        rows = table("times.csv")
+        for model in ("paper", "corrected"):
+            whole = [r for r in rows if r["model"] == model and r["distance_mm"] == "all"]
+            self.assertEqual([(r["rows"], r["sectors"]) for r in whole], GRIDS)
+            for row in (r for r in rows if r["model"] == model):
+                least, mean, most = (float(row[k]) for k in ("least_us", "mean_us", "most_us"))
+                self.assertTrue(0.0 < least <= mean + 0.01 and mean <= most + 0.01, row)
+
+    def test_the_work_follows_the_grid_and_the_distance(self):
+        visited = {(r["model"], r["rows"], r["sectors"], r["distance_mm"]): float(r["visited"])
+                   for r in table("times.csv")}
+        for model in ("paper", "corrected"):
+            self.assertGreater(visited[model, "800", "360", "32"],
+                               1.8 * visited[model, "400", "360", "32"])
+            near, far = (visited[model, "400", "360", d] for d in ("8", "48"))
+            self.assertGreater(near, 3.0 * far)
+            # No more than all the way round, over 89 rows in reach; the first tick looks twice more.
+            self.assertLess(visited[model, "400", "360", "2"], 1.3 * 89 * 360)
+        self.assertAlmostEqual(visited["paper", "400", "360", "8"] /
+                               visited["paper", "400", "360", "32"], 4.0, delta=0.1)
+
+    def test_the_machine_is_named(self):
+        with open(os.path.join(out, "times.csv"), encoding="utf-8") as file:
+            self.assertRegex(file.readline(), r"^# machine: \S+.* cores; .*\d{4}-\d\d-\d\d$")
+
+
+class Push(unittest.TestCase):
+    def setUp(self):
+        rows = table("push.csv")
+        self.time = [float(r["time_s"]) for r in rows]
+        self.of = {name: [float(r[name]) for r in rows] for name in rows[0]}
+
+    def between(self, name, begin, end):
+        return [v for t, v in zip(self.time, self.of[name]) if begin < t <= end]
+
+    def test_nothing_is_felt_before_the_touch_and_both_models_feel_it(self):
+        for model in ("paper", "corrected"):
+            self.assertEqual(max(self.between(model + "_force_N", 0.0, 0.199)), 0.0)
+            self.assertGreater(min(self.between(model + "_force_N", 0.3, 3.0)), 0.0)
+            self.assertTrue(all(map(math.isfinite, self.of[model + "_filtered_N"])))
+
+    def test_collisions_and_depth_are_jagged_and_the_filtered_force_is_smooth(self):
+        for model in ("paper", "corrected"):
+            self.assertGreater(wandering(self.of[model + "_touched"]), 10.0)
+            self.assertGreater(wandering(self.of[model + "_mean_mm"]), 10.0)
+            self.assertLess(wandering(self.of[model + "_filtered_N"]), 1.2)
+
+    def test_the_printed_force_is_the_more_jagged_one(self):
+        jumps = {}
+        for model in ("paper", "corrected"):
+            force = self.of[model + "_force_N"]
+            jumps[model] = max(map(abs, steps(force))) / max(force)
+        self.assertGreater(jumps["paper"], 1.5 * jumps["corrected"])
+        self.assertGreater(wandering(self.of["paper_force_N"]),
+                           1.2 * wandering(self.of["corrected_force_N"]))
+
+    def test_collisions_and_force_fall_where_the_centre_passes_the_surface_as_printed_only(self):
+        for name, least in (("touched", 0.10), ("force_N", 0.03)):
+            fall = {}
+            for model in ("paper", "corrected"):
+                before = max(self.between(f"{model}_{name}", 1.75, 1.80))
+                after = min(self.between(f"{model}_{name}", 1.80, 1.90))
+                fall[model] = 1.0 - after / before
+            self.assertGreater(fall["paper"], least)
+            self.assertLess(fall["corrected"], 0.5 * fall["paper"])
+
+    def test_the_filter_is_late(self):
+        # While both rise evenly: how long after the force the filtered one is as high.
+        force, late = self.of["paper_force_N"], self.of["paper_filtered_N"]
+        level = max(force) / 2.0
+        first = next(n for n, v in enumerate(force) if v > level)
+        second = next(n for n, v in enumerate(late) if v > level)
+        self.assertTrue(19 <= second - first <= 26, second - first)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", required=True)
+    arguments, others = parser.parse_known_args()
+    with tempfile.TemporaryDirectory() as out:
+        run = subprocess.run(["bash", os.path.join(HERE, "draw"), "--bin", arguments.bin,
+                              "--out", out, "--quick"], check=False)
+        if run.returncode:
+            sys.exit(run.returncode)
+        unittest.main(argv=[sys.argv[0], *others], verbosity=2)
