@@ -7,13 +7,13 @@
 
 namespace onggi {
 
-std::string engine_trace() {
+std::string engine_trace(int seconds) {
   auto scene = Scene::create({});
   if (!scene) return "";
   std::ostringstream hashes;
   Hands hands;
   hands.wheel_speed = 21.0;
-  for (int n = 0; n < 6000; ++n) {
+  for (int n = 0; n < 1000 * seconds; ++n) {
     const double t = n * 0.001;
     HandInput& out = hands.hand[0];
     HandInput& in = hands.hand[1];

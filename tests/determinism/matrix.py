@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""One trace, one hash: the engine built by each compiler at each level, run on every kind of vector
+that the machine has and with FMA hidden from libm, against tests/golden/engine_trace.txt.
+
+  tests/determinism/matrix.py [--build build/determinism] [--seconds 6]
+  exit 0: all the same, 1: not, or not all could be built
+"""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+
+ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+GOLDEN = os.path.join(ROOT, "tests/golden/engine_trace.txt")
+COMPILERS = ["g++", "clang++-14"]
+# The last lets the compiler use whatever this processor has, FMA too.
+LEVELS = ["-O0", "-O2", "-O3", "-O3 -march=native"]
+# Kinds that must be among those run; a name of Highway's for each.
+WANTED = {"scalar": ("SCALAR", "EMU128"), "SSE4": ("SSE4",), "AVX2": ("AVX2",)}
+HIDE_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA4"}
+
+
+def build(compiler, level, folder):
+    """Path of the program; empty, with what was said, where it cannot be built."""
+    quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "cwd": ROOT}
+    for words in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
+                   "-DCMAKE_BUILD_TYPE=", f"-DCMAKE_CXX_FLAGS={level}", "-DONGGI_KIOSK=OFF"],
+                  ["cmake", "--build", folder, "--target", "engine_trace"]):
+        run = subprocess.run(words, **quiet)
+        if run.returncode:
+            print(run.stdout)
+            return ""
+    return os.path.join(folder, "bin/engine_trace")
+
+
+def run(program, *words, environment=None):
+    out = subprocess.run([program, *words], env={**os.environ, **(environment or {})},
+                         capture_output=True, text=True)
+    if out.returncode:
+        print(out.stderr)
+    return out.stdout.split()
+
+
+def verdict(hashes, golden):
+    """"same", or where the first difference is."""
+    for second, (ours, wanted) in enumerate(zip(hashes, golden), 1):
+        if ours != wanted:
+            return f"DIFFERS in second {second}: {ours}, not {wanted}"
+    return "same" if len(hashes) == len(golden) else f"BROKE OFF after {len(hashes)} seconds"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", default=os.path.join(ROOT, "build/determinism"))
+    parser.add_argument("--seconds", type=int, default=6)
+    arguments = parser.parse_args()
+    with open(GOLDEN, encoding="utf-8") as file:
+        golden = file.read().split()[:arguments.seconds]
+    seconds = ["--seconds", str(arguments.seconds)]
+    wrong, runs, seen, hidden = 0, 0, set(), set()
+
+    def report(what, result):
+        nonlocal wrong, runs
+        runs += 1
+        wrong += result != "same"
+        print(f"  {what:28} {result}", flush=True)
+
+    for compiler in COMPILERS:
+        if not shutil.which(compiler):
+            print(f"{compiler} is not here: tests/packages.txt names it.")
+            wrong += 1
+            continue
+        for level in LEVELS:
+            print(f"{compiler} {level}", flush=True)
+            name = f"{compiler}{level}".replace("+", "x").replace(" ", "").replace("=", "-")
+            program = build(compiler, level, os.path.join(arguments.build, name))
+            if not program:
+                report("build", "FAILED")
+                continue
+            kinds = run(program, "--kinds")
+            seen.update(kinds)
+            for kind in kinds:
+                report(kind, verdict(run(program, *seconds, "--vectors", kind), golden))
+            if not kinds:
+                report("as compiled", verdict(run(program, *seconds), golden))
+            # Hidden only where libm's own answers change by it: else the row would test nothing.
+            if run(program, "--libm") == run(program, "--libm", environment=HIDE_FMA):
+                hidden.add(False)
+                print("  FMA hidden from libm         not run: libm gives the same bits either way")
+            else:
+                hidden.add(True)
+                report("FMA hidden from libm",
+                       verdict(run(program, *seconds, environment=HIDE_FMA), golden))
+
+    for wanted, names in WANTED.items():
+        if seen and not seen.intersection(names):
+            print(f"{wanted}: not among the vectors of this machine ({', '.join(sorted(seen))}).")
+    if True not in hidden:
+        print("FMA could not be hidden on this machine, so that row is open.")
+    print(f"{runs - wrong} of {runs} runs gave the golden's {len(golden)} hashes.")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
