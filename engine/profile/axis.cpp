@@ -9,7 +9,7 @@ namespace onggi {
 namespace {
 
 constexpr int kJudgeSlices = 24;
-constexpr int kRefineSlices = 36;
+constexpr int kRefineSlices = 48;
 constexpr int kRays = 48;
 /// A radius counts as agreeing within this share of the vessel's largest radius...
 constexpr double kAgree = 0.03;
@@ -252,10 +252,13 @@ FoundAxis find_axis(const TriangleMesh& mesh) {
   // Follow the centres of the circles, as long as that makes the slices rounder.
   Judged now = judge(mesh, best.origin, best.direction, kRefineSlices, false, rays);
   best = now.axis;
+  const auto along = [&](double part) { return std::abs(part) > 1.0 - 1e-12; };
+  const bool as_filed =
+      along(best.direction.x) || along(best.direction.y) || along(best.direction.z);
   for (int step = 0; step < 6; ++step) {
     if (best.cost < kPerfect) break;
     const Judged tilted = judge(mesh, now.tilted_origin, now.tilted, kRefineSlices, true, rays);
-    if (tilted.axis.cost > kWorthTilting * best.cost - 1e-5) break;
+    if (tilted.axis.cost > (as_filed ? kWorthTilting * best.cost - 1e-5 : best.cost)) break;
     best = tilted.axis;
     now = tilted;
   }

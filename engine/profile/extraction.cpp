@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "engine/profile/axis.h"
+#include "engine/profile/ends.h"
 #include "engine/profile/opening.h"
 #include "engine/profile/walls.h"
 
@@ -13,12 +14,9 @@ namespace onggi {
 namespace {
 
 constexpr int kRays = 96;
-constexpr int kCoarse = 48;
 /// More of the surface than this stands off any circle: not a body of revolution.
 constexpr double kMostMasked = 0.33;
 constexpr double kMostCost = 0.30;
-/// A slice belongs to the body where this share of its circle is there.
-constexpr double kCovered = 0.5;
 /// Ends whose views differ by less than this are equally open, or equally closed.
 constexpr double kUndecided = 0.02;
 /// Less than this mean depth is a flat or domed end, not a mouth.
@@ -28,15 +26,12 @@ constexpr double kFarAway = 3.0;
 /// A cavity shallower than this share of the height is a modelled mouth over a solid body.
 constexpr double kDeepEnough = 0.5;
 
+/// A foot narrower than this share of the wall a hair above it is a flat one, domed.
+constexpr double kDomed = 0.8, kHair = 0.006;
+
 std::string percent(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
-
-struct Body {
-  AxisFrame frame;
-  double bottom = 0.0, top = 0.0, size = 0.0;
-  bool facing_known = true;
-};
 
 class Extractor {
  public:
@@ -47,13 +42,12 @@ class Extractor {
  private:
   Result<void> check_mesh() const;
   Result<void> find_body();
-  void find_ends(const Slicer& slicer);
   void stand_upright();
   void read_slices();
   Result<void> judge_roundness();
   void fill_gaps();
+  void square_foot();
   void read_inside();
-  double covered(const Slicer& slicer, double height);
   tl::unexpected<Problem> not_round(const std::string& why) const {
     return problem(name_, "it is no body of revolution: " + why,
                    "Choose a vessel thrown on a wheel, export one object alone, or cut off handles "
@@ -66,7 +60,8 @@ class Extractor {
   const std::string& name_;
   RayFan fan_;
   RayCrossings rays_;
-  Body body_;
+  AxisFrame frame_;
+  BodyEnds body_;
   std::vector<double> heights_;
   std::vector<WallSlice> slices_;
   EndView mouth_;
@@ -96,66 +91,14 @@ Result<void> Extractor::check_mesh() const {
   return {};
 }
 
-double Extractor::covered(const Slicer& slicer, double height) {
-  const auto outline = slicer.cut(std::span(&height, 1));
-  const WallSlice wall = read_wall(outline[0], rays_, body_.size, body_.facing_known);
-  return wall.outer > 0.0 ? static_cast<double>(wall.present - wall.masked) / kRays : 0.0;
-}
-
-/// The rim is where most of a circle ends, not where the highest splinter or handle does.
-void Extractor::find_ends(const Slicer& slicer) {
-  const double low = slicer.lowest(), high = slicer.highest();
-  const double step = (high - low) / kCoarse;
-  std::vector<double> heights;
-  for (int i = 0; i < kCoarse; ++i) heights.push_back(low + (i + 0.5) * step);
-  const auto outlines = slicer.cut(heights);
-
-  // How far the body reaches, and whether its surfaces know their outside.
-  std::vector<double> reach;
-  std::size_t outward = 0, all = 0;
-  for (const auto& outline : outlines) {
-    std::vector<double> radii;
-    rays_.meet(outline, {});
-    for (std::size_t k = 0; k < fan_.count(); ++k) {
-      if (rays_.ray(k).empty()) continue;
-      radii.push_back(rays_.ray(k).front().radius);
-      ++all;
-      if (rays_.ray(k).front().outward) ++outward;
-    }
-    const Agreement mode = agreement(radii, fan_.count(), kCovered);
-    if (mode.found) reach.push_back(mode.middle());
-  }
-  body_.size = reach.empty() ? 0.0 : *std::max_element(reach.begin(), reach.end());
-  body_.facing_known = static_cast<double>(outward) > 0.9 * static_cast<double>(all);
-
-  const auto is_body = [&](double h) { return covered(slicer, h) >= kCovered; };
-  std::size_t first = 0, last = heights.size();
-  while (first < last && !is_body(heights[first])) ++first;
-  while (last > first && !is_body(heights[last - 1])) --last;
-  if (first >= last) return;
-  const double hair = 0.002 * (high - low);
-  const auto edge = [&](double inside, double outside) {
-    // Most vessels end in a flat foot and an even rim.
-    const double close = outside + (inside > outside ? hair : -hair);
-    if ((outside == low || outside == high) && is_body(close)) return outside;
-    for (int i = 0; i < 8; ++i) {
-      const double middle = 0.5 * (inside + outside);
-      (is_body(middle) ? inside : outside) = middle;
-    }
-    return inside;
-  };
-  body_.bottom = edge(heights[first], first == 0 ? low : heights[first - 1]);
-  body_.top = edge(heights[last - 1], last == heights.size() ? high : heights[last]);
-}
-
 Result<void> Extractor::find_body() {
   const FoundAxis axis = find_axis(mesh_);
   if (axis.cost > kMostCost)
     return not_round("about its best axis " + percent(axis.cost) +
                      " of the surface lies away from a circle.");
-  body_.frame = axis_frame(axis.origin, axis.direction);
-  const Slicer slicer(mesh_, body_.frame);
-  find_ends(slicer);
+  frame_ = axis_frame(axis.origin, axis.direction);
+  const Slicer slicer(mesh_, frame_);
+  body_ = find_ends(slicer, rays_);
   if (!(body_.top > body_.bottom) || body_.size <= 0.0)
     return not_round("no slice across its axis is a circle.");
   double furthest = 0.0;
@@ -170,7 +113,7 @@ Result<void> Extractor::find_body() {
 
 /// Up is where one can look in. A foot may be hollow, but a mouth is deeper.
 void Extractor::stand_upright() {
-  const Slicer slicer(mesh_, body_.frame);
+  const Slicer slicer(mesh_, frame_);
   const double inset = 0.004 * (body_.top - body_.bottom);
   const auto radius_at = [&](double height) {
     const auto outline = slicer.cut(std::span(&height, 1));
@@ -181,7 +124,7 @@ void Extractor::stand_upright() {
       look_into(slicer, body_.bottom, body_.top, radius_at(body_.top - inset), true);
   const EndView below =
       look_into(slicer, body_.bottom, body_.top, radius_at(body_.bottom + inset), false);
-  const Vec3 up = body_.frame.up;
+  const Vec3 up = frame_.up;
   bool turn = false;
   if (options_.up) {
     turn = dot(*options_.up, up) < 0.0;
@@ -196,14 +139,14 @@ void Extractor::stand_upright() {
   }
   mouth_ = turn ? below : above;
   if (!turn) return;
-  body_.frame = axis_frame(body_.frame.origin, -up);
+  frame_ = axis_frame(frame_.origin, -up);
   std::swap(body_.bottom, body_.top);
   body_.bottom = -body_.bottom;
   body_.top = -body_.top;
 }
 
 void Extractor::read_slices() {
-  const Slicer slicer(mesh_, body_.frame);
+  const Slicer slicer(mesh_, frame_);
   const int n = std::clamp(options_.slices, 16, 2000);
   const double height = body_.top - body_.bottom;
   std::vector<double> cuts;
@@ -260,6 +203,19 @@ void Extractor::fill_gaps() {
   if (filled > 0)
     warn("The wall is missing at " + std::to_string(filled) + " of " + std::to_string(n) +
          " heights; it is drawn on from its neighbours.");
+}
+
+/// A flat foot that a rough or coarse mesh has domed by a hair would end in a point: the wall just
+/// above it is drawn on down.
+void Extractor::square_foot() {
+  const auto reach = std::max<std::size_t>(
+      2, static_cast<std::size_t>(std::ceil(kHair * static_cast<double>(slices_.size()))));
+  if (2 * reach >= slices_.size()) return;
+  const double near = slices_[reach].outer, far = slices_[2 * reach].outer;
+  if (slices_[0].outer >= kDomed * near) return;
+  const double slope = std::max(0.0, (far - near) / static_cast<double>(reach));
+  for (std::size_t i = 0; i < reach; ++i)
+    slices_[i].outer = std::max(slices_[i].outer, near - slope * static_cast<double>(reach - i));
 }
 
 void Extractor::read_inside() {
@@ -324,9 +280,10 @@ Result<ExtractedProfile> Extractor::run() {
   read_slices();
   if (auto good = judge_roundness(); !good) return tl::unexpected<Problem>(good.error());
   fill_gaps();
+  square_foot();
   read_inside();
-  out_.axis_direction = body_.frame.up;
-  out_.axis_origin = body_.frame.origin + body_.frame.up * body_.bottom;
+  out_.axis_direction = frame_.up;
+  out_.axis_origin = frame_.origin + frame_.up * body_.bottom;
   if (auto good = validate(out_.profile, name_); !good)
     return tl::unexpected<Problem>(good.error());
   return std::move(out_);

@@ -10,6 +10,9 @@ namespace onggi {
 
 namespace {
 
+/// An arc that rises by more than this share of its radius has its chord for a side: nine a turn.
+constexpr double kHighestArc = 0.0625;
+
 Vec3 at(const TriangleMesh& mesh, std::size_t i) {
   const auto& p = mesh.positions[i];
   return {p[0], p[1], p[2]};
@@ -61,10 +64,14 @@ std::vector<std::vector<CutSegment>> Slicer::cut(std::span<const double> heights
   std::vector<std::vector<CutSegment>> out(heights.size());
   if (heights.empty()) return out;
   // Both triangles at an edge must find the same point, so an edge always runs upwards.
-  const auto point = [&](std::uint32_t i, std::uint32_t j, double h) {
+  const auto point = [&](std::uint32_t i, std::uint32_t j, double h, Vec2 facing, double& bulge) {
     if (height_[i] > height_[j] || (height_[i] == height_[j] && i > j)) std::swap(i, j);
     const double t = (h - height_[i]) / (height_[j] - height_[i]);
-    return plane_[i] + (plane_[j] - plane_[i]) * t;
+    const Vec2 edge = plane_[j] - plane_[i];
+    // The arc rises over the part of its chord that runs round the axis: across the facing.
+    const double round = cross(facing, edge);
+    bulge = 0.5 * t * (1.0 - t) * round * round;
+    return plane_[i] + edge * t;
   };
   for (const auto& t : mesh_->triangles) {
     const double h0 = height_[t[0]], h1 = height_[t[1]], h2 = height_[t[2]];
@@ -76,20 +83,22 @@ std::vector<std::vector<CutSegment>> Slicer::cut(std::span<const double> heights
     const double ah = h1 - h0, bh = h2 - h0;
     // across x up = along reversed: (x, h, z) is right-handed with h as the second axis.
     const Vec2 facing{ah * b.y - a.y * bh, a.x * bh - ah * b.x};
+    const double size = length(facing);
+    const Vec2 unit = size > 0.0 ? facing * (1.0 / size) : Vec2{};
     for (auto h = first; h != heights.end() && *h <= high; ++h) {
       const bool up0 = h0 >= *h, up1 = h1 >= *h, up2 = h2 >= *h;
       if (up0 == up1 && up1 == up2) continue;
       CutSegment s;
       s.facing = facing;
       if (up0 != up1 && up0 != up2) {
-        s.a = point(t[0], t[1], *h);
-        s.b = point(t[0], t[2], *h);
+        s.a = point(t[0], t[1], *h, unit, s.bulge_a);
+        s.b = point(t[0], t[2], *h, unit, s.bulge_b);
       } else if (up1 != up0 && up1 != up2) {
-        s.a = point(t[1], t[0], *h);
-        s.b = point(t[1], t[2], *h);
+        s.a = point(t[1], t[0], *h, unit, s.bulge_a);
+        s.b = point(t[1], t[2], *h, unit, s.bulge_b);
       } else {
-        s.a = point(t[2], t[0], *h);
-        s.b = point(t[2], t[1], *h);
+        s.a = point(t[2], t[0], *h, unit, s.bulge_a);
+        s.b = point(t[2], t[1], *h, unit, s.bulge_b);
       }
       auto& outline = out[static_cast<std::size_t>(h - heights.begin())];
       if (outline.empty()) outline.reserve(256);
@@ -131,14 +140,25 @@ void RayCrossings::meet(std::span<const CutSegment> outline, Vec2 centre) {
     // Seen from the centre a straight piece spans less than half a turn; let it run to the left.
     const double side = cross(a, b);
     if (side == 0.0) continue;
-    if (side < 0.0) std::swap(a, b);
+    double bulge_a = s.bulge_a, bulge_b = s.bulge_b;
+    if (side < 0.0) {
+      std::swap(a, b);
+      std::swap(bulge_a, bulge_b);
+    }
+    const double chord = dot(b - a, b - a);
     const std::size_t last = fan_->first_after(b) % n;
     for (std::size_t k = fan_->first_after(a) % n; k != last; k = k + 1 == n ? 0 : k + 1) {
       const Vec2 d = fan_->direction(k);
       const double ca = cross(d, a), cb = cross(d, b);
       if (ca == cb) continue;
-      const double radius = dot(d, a + (b - a) * (ca / (ca - cb)));
-      if (!(radius > 0.0)) continue;
+      const double share = ca / (ca - cb);
+      const double flat = dot(d, a + (b - a) * share);
+      if (!(flat > 0.0)) continue;
+      // The corners of the mesh lie on a surface of revolution, and between them it bulges by arcs.
+      // Without this a coarse mesh comes out narrower than what it was made from.
+      const double bulge =
+          (1.0 - share) * bulge_a + share * bulge_b + 0.5 * share * (1.0 - share) * chord;
+      const double radius = flat + std::min(bulge / flat, kHighestArc * flat);
       met_.push_back({k, {radius, dot(d, s.facing) > 0.0}});
       ++begin_[k + 1];
     }

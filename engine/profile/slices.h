@@ -24,6 +24,9 @@ AxisFrame axis_frame(Vec3 origin, Vec3 direction);
 struct CutSegment {
   Vec2 a, b;    ///< In the frame's (across, along).
   Vec2 facing;  ///< Where the surface looks, not normalised.
+  /// How much further out, times the radius, a surface of revolution through the triangle's corners
+  /// lies than a and b, which are on its edges. Frame units squared.
+  double bulge_a = 0.0, bulge_b = 0.0;
 };
 
 /// Vertices of a mesh in an axis frame, ready to be cut at any heights. O(vertices) to make.

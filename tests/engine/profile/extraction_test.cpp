@@ -5,45 +5,16 @@
 
 #include <limits>
 
-#include "engine/math/portable.h"
 #include "engine/profile/measures.h"
-#include "tests/engine/profile/shapes.h"
+#include "tests/engine/profile/poses.h"
 
 namespace onggi {
 namespace {
 
-using portable::kPi;
-
-/// A rigid motion: columns are where x, y and z go.
-struct Pose {
-  Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, shift;
-};
-
-Pose random_pose(unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  const auto unit = [&] {
-    Vec3 v{normal(random), normal(random), normal(random)};
-    return v * (1.0 / length(v));
-  };
-  Pose pose;
-  pose.y = unit();
-  Vec3 aside = unit();
-  aside = aside - pose.y * dot(aside, pose.y);
-  pose.x = aside * (1.0 / length(aside));
-  pose.z = cross(pose.x, pose.y);
-  pose.shift = unit() * 3.0;
-  return pose;
-}
-
-TriangleMesh moved(TriangleMesh mesh, const Pose& pose) {
-  for (auto& p : mesh.positions) {
-    const Vec3 v = pose.x * p[0] + pose.y * p[1] + pose.z * p[2] + pose.shift;
-    p = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-  }
-  mesh.normals.clear();
-  return mesh;
-}
+using shapes::add_handle;
+using shapes::moved;
+using shapes::Pose;
+using shapes::random_pose;
 
 /// Vertices stirred by up to `by` metres every way; welded vertices move together.
 TriangleMesh rough(TriangleMesh mesh, double by, unsigned seed) {
@@ -57,30 +28,6 @@ TriangleMesh rough(TriangleMesh mesh, double by, unsigned seed) {
     p = found->second;
   }
   return mesh;
-}
-
-/// A handle: a bent tube from `low` to `high` on the wall, standing `out` beyond it.
-void add_handle(TriangleMesh& mesh, const Profile& p, double low, double high, double out,
-                double tube) {
-  constexpr std::uint32_t kAlong = 40, kRound = 16;
-  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-  for (std::uint32_t i = 0; i < kAlong; ++i) {
-    const double t = kPi * i / (kAlong - 1);
-    const double h = 0.5 * (low + high) - 0.5 * (high - low) * std::cos(t);
-    const double r = p.outer_at(h) - 0.3 * tube + out * std::sin(t);
-    for (std::uint32_t k = 0; k < kRound; ++k) {
-      const double a = 2 * kPi * k / kRound;
-      mesh.positions.push_back({static_cast<float>(r + tube * std::cos(a) * std::sin(t)),
-                                static_cast<float>(h - tube * std::cos(a) * std::cos(t)),
-                                static_cast<float>(tube * std::sin(a))});
-    }
-  }
-  for (std::uint32_t i = 0; i + 1 < kAlong; ++i)
-    for (std::uint32_t k = 0; k < kRound; ++k) {
-      const std::uint32_t a = base + i * kRound + k, b = base + i * kRound + (k + 1) % kRound;
-      mesh.triangles.push_back({a, b, a + kRound});
-      mesh.triangles.push_back({b, b + kRound, a + kRound});
-    }
 }
 
 double rms(const Profile& a, const Profile& b, bool inner) {
