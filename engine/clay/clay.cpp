@@ -16,11 +16,9 @@ Result<Clay> Clay::create(const ClayDef& def) {
   clay.stride_ = (def.sectors + 7) / 8 * 8;
   const auto rows = static_cast<std::size_t>(def.rows);
 
-  clay.row_thickness_.assign(rows, def.height / def.rows);
-  for (int j = 0; j < def.rows; ++j) {
-    clay.row_height_.push_back((j + 0.5) * def.height / def.rows);
-    if (clay.row_height_.back() < def.floor_thickness) clay.floor_rows_ = j + 1;
-  }
+  clay.row_height_.resize(rows);
+  clay.row_thickness_.resize(rows);
+  clay.lay_rows();
   clay.ray_cos_.assign(clay.padded(), 0.0f);
   clay.ray_sin_.assign(clay.padded(), 0.0f);
   for (int i = 0; i < def.sectors; ++i) {
@@ -33,6 +31,7 @@ Result<Clay> Clay::create(const ClayDef& def) {
   if (def.keep_undo) {
     clay.undo_outer_.resize(clay.outer_.size());
     clay.undo_inner_.resize(clay.inner_.size());
+    clay.undo_stack_ = {clay.row_height_, clay.row_thickness_, clay.floor_top_, clay.floor_rows_};
   }
   clay.dirty_.assign((rows + 63) / 64, 0);
   for (int j = 0; j < def.rows; ++j) clay.lay_lump(j);
@@ -42,6 +41,44 @@ Result<Clay> Clay::create(const ClayDef& def) {
 int Clay::first_row_above(double height) const {
   const auto at = std::upper_bound(row_height_.begin(), row_height_.end(), height);
   return static_cast<int>(at - row_height_.begin());
+}
+
+void Clay::lay_rows() {
+  floor_rows_ = 0;
+  floor_top_ = def_.floor_thickness;
+  for (int j = 0; j < def_.rows; ++j) {
+    const auto n = static_cast<std::size_t>(j);
+    row_thickness_[n] = def_.height / def_.rows;
+    row_height_[n] = (j + 0.5) * def_.height / def_.rows;
+    if (row_height_[n] < def_.floor_thickness) floor_rows_ = j + 1;
+  }
+}
+
+void Clay::restack(int from) {
+  const bool solid = floor_rows_ == def_.rows;
+  double edge = from > 0 ? row_height(from - 1) + 0.5 * row_thickness(from - 1) : 0.0;
+  for (int j = from; j < def_.rows; ++j) {
+    const double thickness = row_thickness(j);
+    row_height_[static_cast<std::size_t>(j)] = edge + 0.5 * thickness;
+    edge += thickness;
+    mark_dirty(j);
+  }
+  if (solid) floor_top_ = rim_height();
+}
+
+void Clay::open_floor_row(double radius) {
+  const int j = --floor_rows_;
+  const auto wall_min = static_cast<float>(def_.wall_min);
+  const auto hole = static_cast<float>(std::max(radius, def_.radius_min));
+  const std::span<const float> out = outer(j);
+  const std::span<float> in = inner_mut(j);
+  for (std::size_t i = 0; i < out.size(); ++i) in[i] = std::min(hole, out[i] - wall_min);
+  mark_dirty(j);
+}
+
+void Clay::lower_floor(double top) {
+  floor_top_ = top;
+  mark_dirty(std::min(floor_rows_, def_.rows - 1));
 }
 
 void Clay::lay_lump(int j) {
@@ -68,6 +105,15 @@ int Clay::take_dirty(int from) {
 }
 
 bool Clay::renew_some(int element_budget) {
+  if (sweep_row_ == 0) {
+    if (def_.keep_undo) {
+      std::ranges::copy(row_height_, undo_stack_.height.begin());
+      std::ranges::copy(row_thickness_, undo_stack_.thickness.begin());
+      undo_stack_.floor_top = floor_top_;
+      undo_stack_.floor_rows = floor_rows_;
+    }
+    lay_rows();
+  }
   const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
   for (; sweep_row_ < end; ++sweep_row_) {
     if (def_.keep_undo) {
@@ -84,6 +130,12 @@ bool Clay::renew_some(int element_budget) {
 
 bool Clay::restore_some(int element_budget) {
   if (!can_restore_) return true;
+  if (sweep_row_ == 0) {
+    std::ranges::copy(undo_stack_.height, row_height_.begin());
+    std::ranges::copy(undo_stack_.thickness, row_thickness_.begin());
+    floor_top_ = undo_stack_.floor_top;
+    floor_rows_ = undo_stack_.floor_rows;
+  }
   const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
   for (; sweep_row_ < end; ++sweep_row_) {
     std::copy_n(undo_outer_.data() + start(sweep_row_), padded(), outer_mut(sweep_row_).data());
@@ -136,10 +188,17 @@ std::uint64_t Clay::hash() const {
     hash.add(outer(j));
     hash.add(inner(j));
   }
+  hash.add(floor_top_);
+  hash.add(static_cast<std::uint64_t>(floor_rows_));
   // Undo rows matter where a restore could still bring them back.
   hash.add(static_cast<std::uint64_t>(can_restore_));
   hash.add(static_cast<std::uint64_t>(sweep_row_));
   const int kept_rows = can_restore_ ? def_.rows : def_.keep_undo ? sweep_row_ : 0;
+  if (kept_rows > 0) {
+    hash.add(undo_stack_.floor_top);
+    hash.add(static_cast<std::uint64_t>(undo_stack_.floor_rows));
+    for (double height : undo_stack_.height) hash.add(height);
+  }
   for (int j = 0; j < kept_rows; ++j) {
     hash.add(std::span<const float>(undo_outer_.data() + start(j), width()));
     hash.add(std::span<const float>(undo_inner_.data() + start(j), width()));

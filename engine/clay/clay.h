@@ -16,9 +16,12 @@ struct ClayDef {
   double height = 0.20;            ///< Metres, 0.01..1.
   double outer_radius = 0.055;     ///< Metres, > inner_radius + wall_min, < radius_max.
   double inner_radius = 0.022;     ///< Metres, >= radius_min.
-  double floor_thickness = 0.010;  ///< Metres; rows below it are solid. 0..height/2.
-  double wall_min = 0.004;    ///< Thinnest wall, metres, 0.0005..0.02. Pressing further carries the
-                              ///< other side along.
+  double floor_thickness = 0.010;  ///< Metres; rows below it are solid. 0..height: a lump that is
+                                   ///< all solid is for a potter to open.
+  double floor_min = 0.004;  ///< Thinnest floor that pressing leaves, metres, 0.0005..0.05. A floor
+                             ///< that begins thinner is firm.
+  double wall_min = 0.004;   ///< Thinnest wall, metres, 0.0005..0.02. Pressing further carries the
+                             ///< other side along.
   double radius_min = 0.002;  ///< Smallest inner radius above the floor, metres, > 0.
   double radius_max = 0.16;   ///< Largest outer radius, metres, <= 1.
   bool keep_undo =
@@ -32,7 +35,8 @@ Result<void> validate(const ClayDef& def, const std::string& where);
 /// radius each. Element (row j, sector i) spans row_thickness(j) round height row_height(j) and the
 /// angle [i, i+1) * 2 pi / sectors; its ray is at the middle, (i + 0.5) * 2 pi / sectors. Angles
 /// are in the clay's own turning frame, x towards angle 0, z towards angle pi/2. Invariant: 0 <=
-/// inner, inner + wall_min <= outer <= radius_max to a float's rounding; inner == 0 on floor rows.
+/// inner, inner + wall_min <= outer <= radius_max to a float's rounding; inner == 0 on floor rows;
+/// rows are stacked without gaps, each of some thickness, and those below floor_top() are solid.
 /// Not safe across threads; allocation only in create().
 class Clay {
  public:
@@ -46,6 +50,9 @@ class Clay {
   int floor_rows() const { return floor_rows_; }
   double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
   double row_thickness(int j) const { return row_thickness_[static_cast<std::size_t>(j)]; }
+  /// Upper face of the solid floor, metres: above the middle of row floor_rows() - 1, and not above
+  /// the middle of row floor_rows().
+  double floor_top() const { return floor_top_; }
   /// Height of the rim: the upper edge of the top row, metres.
   double rim_height() const { return row_height_.back() + 0.5 * row_thickness_.back(); }
   /// Lowest row whose middle lies above `height`; rows() when none does. O(log rows).
@@ -59,6 +66,20 @@ class Clay {
   std::span<float> inner_mut(int j) { return {inner_.data() + start(j), padded()}; }
   std::span<const float> ray_cos() const { return ray_cos_; }  ///< stride() values, one a sector.
   std::span<const float> ray_sin() const { return ray_sin_; }
+
+  /// Metres, > 0. The caller then calls restack() once, with the lowest row that it changed.
+  void set_row_thickness(int j, double thickness) {
+    row_thickness_[static_cast<std::size_t>(j)] = thickness;
+  }
+  /// Stacks row `from` and those above it anew on the row below, and marks them dirty. A lump that
+  /// is solid to the top stays so; else the caller keeps floor_top() between the middles that it
+  /// belongs between. O(rows() - from).
+  void restack(int from);
+  /// The topmost solid row becomes open, with a hole of `radius` (clipped to what the wall needs).
+  /// O(sectors). The caller then says where the floor is: lower_floor().
+  void open_floor_row(double radius);
+  /// Metres, not above floor_top(). Marks the row over it dirty, which carries the floor along.
+  void lower_floor(double top);
 
   /// Rows changed since they were last taken. One bit a row; cost of a look is rows/64 words.
   void mark_dirty(int j) { dirty_[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63); }
@@ -89,11 +110,21 @@ class Clay {
   std::size_t padded() const { return static_cast<std::size_t>(stride_); }
   std::size_t start(int j) const { return static_cast<std::size_t>(j) * padded(); }
   void lay_lump(int j);
+  void lay_rows();
+
+  /// What of the shape is not radii, as restore() brings it back.
+  struct Stack {
+    std::vector<double> height, thickness;
+    double floor_top = 0.0;
+    int floor_rows = 0;
+  };
 
   ClayDef def_;
   int stride_ = 0;
   int floor_rows_ = 0;
+  double floor_top_ = 0.0;
   std::vector<double> row_height_, row_thickness_;
+  Stack undo_stack_;
   std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
   std::vector<float> undo_outer_, undo_inner_;
   std::vector<std::uint64_t> dirty_;

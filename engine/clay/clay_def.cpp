@@ -28,7 +28,8 @@ Result<void> validate(const ClayDef& def, const std::string& where) {
                     " m, which leaves less than wall_min beyond inner_radius.",
                 "Make it more than inner_radius + wall_min (" +
                     number_text(def.inner_radius + def.wall_min) + " m).");
-  check.range("floor_thickness", def.floor_thickness, 0.0, 0.5 * def.height, "m");
+  check.range("floor_thickness", def.floor_thickness, 0.0, def.height, "m");
+  check.range("floor_min", def.floor_min, 0.0005, 0.05, "m");
   return check.result();
 }
 

@@ -87,7 +87,7 @@ TriangleMesh mesh_of(const Clay& clay, int most_rows, int most_sectors) {
   const int last = clay.rows() - 1;
   const int floor_row = std::min(clay.floor_rows(), last);
   const double top = clay.row_height(last) + clay.row_thickness(last) / 2;
-  const double floor = clay.row_height(floor_row) - clay.row_thickness(floor_row) / 2;
+  const double floor = clay.floor_top();
   const auto face = [&] { return Face(mesh, clay, sector_step); };
 
   Face foot = face();

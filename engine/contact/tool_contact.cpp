@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/floor.h"
+#include "engine/contact/rim.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -22,6 +24,12 @@ struct WallThere {
   double outer, inner;
 };
 
+// How far a place is beyond the rim's crown, the outer and the inner face: the largest says by
+// which way it is out of the wall, or nearest to being so. Metres.
+struct Beyond {
+  double crown, outer, inner;
+};
+
 WallThere wall_at(const Clay& clay, Vec3 at) {
   const int row = std::clamp(clay.first_row_above(at.y), 0, clay.rows() - 1);
   const double turns = portable::atan2(at.z, at.x) / (2.0 * portable::kPi);
@@ -29,6 +37,15 @@ WallThere wall_at(const Clay& clay, Vec3 at) {
   const auto i = static_cast<std::size_t>(sector % clay.sectors());
   return {double{clay.outer(row)[i]}, double{clay.inner(row)[i]}};
 }
+
+Beyond beyond(const Clay& clay, Vec3 at) {
+  const WallThere wall = wall_at(clay, at);
+  const double d = axis_distance(at);
+  return {at.y - clay.rim_height(), d - wall.outer, wall.inner - d};
+}
+
+// Over the top, and steeper than the bisector of the rim's corners.
+bool over_rim(const Beyond& b) { return b.crown > 0.0 && b.crown >= std::max(b.outer, b.inner); }
 
 }  // namespace
 
@@ -40,7 +57,8 @@ int steps_for(const ToolSweep& sweep) noexcept {
   return static_cast<int>(std::clamp(steps, 1.0, double{kMostSteps}));
 }
 
-bool ToolContact::choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept {
+bool ToolContact::choose_place(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept {
+  on_rim_ = on_floor_ = false;
   const WallThere wall = wall_at(clay, at);
   const double d = axis_distance(at);
   const bool beside_wall = at.y < clay.rim_height() && (d > wall.outer || d < wall.inner);
@@ -49,13 +67,44 @@ bool ToolContact::choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep)
   const bool inside = by_position ? nearer : sweep.wish == SideWish::inside;
   side_ = inside ? WallSide::inside : WallSide::outside;
 
+  const bool on_floor = at.y - sweep.radius < clay.floor_top();
+  if (over_rim(beyond(clay, at))) {
+    // A solid lump is opened in its middle. Elsewhere its top is its rim.
+    const bool solid = clay.floor_rows() == clay.rows();
+    on_rim_ = !(on_floor && nearer);
+    if (solid && !on_rim_) side_ = WallSide::inside;
+    return on_rim_ ? at.y - sweep.radius < clay.rim_height() : on_floor;
+  }
   const double here = depth_at(clay, side_, at, sweep.radius, &sum_.visited);
-  if (beside_wall || here <= sweep.radius) return here > 0.0;
+  const bool floor_there = on_floor && side_ == WallSide::inside;
+  if (beside_wall || here <= sweep.radius) return here > 0.0 || floor_there;
   // Over the rim or within the wall, and deep at first touch: the tool came along the other face.
   // Taking it for this one would cut the whole wall away.
   const double there = depth_at(clay, other(side_), at, sweep.radius, &sum_.visited);
   if (there < here) side_ = other(side_);
-  return there > 0.0;
+  return there > 0.0 || floor_there;
+}
+
+void ToolContact::change_place(const Clay& clay, Vec3 at, double radius) noexcept {
+  if (!on_rim_ && at.y <= clay.rim_height()) return;
+  const Beyond b = beyond(clay, at);
+  const double band = 0.1 * radius;  // so that a tool that trembles at a corner does not flutter
+  if (on_rim_) {
+    if (b.outer > std::max(0.0, b.crown + band)) {
+      on_rim_ = false;
+      side_ = WallSide::outside;
+    } else if (b.inner > std::max(0.0, b.crown + band)) {
+      on_rim_ = false;
+      side_ = WallSide::inside;
+    }
+  } else if (b.inner > b.crown && side_ == WallSide::outside) {
+    side_ = WallSide::inside;  // carried right across in one step
+  } else if (b.outer > b.crown && side_ == WallSide::inside) {
+    side_ = WallSide::outside;
+  } else {
+    // In a hole that is being opened the tool stays on the floor.
+    on_rim_ = !on_floor_ && b.crown > std::max(b.outer, b.inner) + band;
+  }
 }
 
 void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
@@ -69,20 +118,30 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   const double s = portable::sin(angle);
   const SphereStep part{into_clay_frame(sweep.from + begin * way, sweep.angle_from + begin * turn),
                         turned(sweep.from + end * way, c, -s), sweep.radius, sweep.seconds / of};
+  const BallStep ball{part.from, part.to, part.radius, part.seconds};
 
   if (!touching_) {
-    if (!choose_side(clay, part.to, sweep)) return;
-  } else if (part.to.y > clay.rim_height()) {
-    // Passed over the rim: beyond the wall's far face, not its middle, so that it cannot flutter.
-    const WallThere wall = wall_at(clay, part.to);
-    const double d = axis_distance(part.to);
-    if (side_ == WallSide::outside && d < wall.inner)
-      side_ = WallSide::inside;
-    else if (side_ == WallSide::inside && d > wall.outer)
-      side_ = WallSide::outside;
+    if (!choose_place(clay, part.to, sweep)) return;
+  } else {
+    change_place(clay, part.to, sweep.radius);
   }
 
-  const Press press = onggi::press(clay, side_, part, yielding);
+  Press press;
+  on_floor_ = false;
+  if (on_rim_) {
+    press = press_rim(clay, ball, yielding);
+  } else {
+    press = onggi::press(clay, side_, part, yielding);
+    if (side_ == WallSide::inside) {
+      const Press floor = press_floor(clay, ball, yielding);
+      on_floor_ = floor.touched > 0;
+      press.force += floor.force;
+      press.normal += floor.normal;
+      press.depth = std::max(press.depth, floor.depth);
+      press.visited += floor.visited;
+      press.touched += floor.touched;
+    }
+  }
   touching_ = press.touched > 0;
   const double share = 1.0 / of;
   sum_.force += share * turned(press.force, c, s);

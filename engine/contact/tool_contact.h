@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/contact/place.h"
 #include "engine/contact/press.h"
 
 namespace onggi {
@@ -20,10 +21,10 @@ struct ToolSweep {
 int steps_for(const ToolSweep& sweep) noexcept;
 inline constexpr int kMostSteps = 64;
 
-/// One tool's contact with the clay, over time: which face it works, and the press. No allocation.
+/// One tool's contact with the clay, over time: where it works, and the press. No allocation.
 class ToolContact {
  public:
-  /// One step of a sweep: from share n/of to (n+1)/of. Chooses the side while the tool is clear,
+  /// One step of a sweep: from share n/of to (n+1)/of. Chooses the place while the tool is clear,
   /// presses, and adds to what reaction() gives. Force in the studio frame.
   void step(Clay& clay, const ToolSweep& sweep, int n, int of, const Yielding& yielding) noexcept;
 
@@ -33,15 +34,21 @@ class ToolContact {
   /// The hand is lifted or arrives anew: the next step chooses the side afresh.
   void release() { touching_ = false; }
 
+  /// The face of the wall it works, or worked before it came onto the rim.
   WallSide side() const { return side_; }
+  Place place() const { return on_rim_ ? Place::rim : on_floor_ ? Place::floor : beside(side_); }
   bool touching() const { return touching_; }
 
  private:
   /// Where a tool that was clear stands; false where it is clear at `at` too.
-  bool choose_side(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept;
+  bool choose_place(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept;
+  /// The same of one that touches the clay.
+  void change_place(const Clay& clay, Vec3 at, double radius) noexcept;
 
   WallSide side_ = WallSide::outside;
   bool touching_ = false;
+  bool on_rim_ = false;
+  bool on_floor_ = false;
   Press sum_;
 };
 

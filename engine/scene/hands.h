@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/contact/place.h"
 #include "engine/contact/wall_side.h"
 #include "engine/math/vec.h"
 
@@ -41,8 +42,9 @@ enum FaultBit : std::uint32_t {
 struct HandFeedback {
   Vec3 force;  ///< On the hand, studio frame, newtons, guarded.
   bool contact = false;
-  WallSide side = WallSide::outside;
-  double depth = 0.0;  ///< Deepest press of this tick, metres.
+  WallSide side = WallSide::outside;  ///< Face of the wall; on the rim, the one it came from.
+  Place place = Place::outside;       ///< Where it works, or stands while it is clear.
+  double depth = 0.0;                 ///< Deepest press of this tick, metres.
 };
 
 /// What a tick gives back.

@@ -12,7 +12,7 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 
 /// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
 enum Tag : std::uint8_t {
@@ -112,10 +112,11 @@ template <class Io>
 bool scene_def(Io& io, SceneDef& d) {
   bool good = io(d.clay.rows) && io(d.clay.sectors) && io(d.clay.height) &&
               io(d.clay.outer_radius) && io(d.clay.inner_radius) && io(d.clay.floor_thickness) &&
-              io(d.clay.wall_min) && io(d.clay.radius_min) && io(d.clay.radius_max) &&
-              io(d.clay.keep_undo) && io(d.tool.radius) && io(d.contact.relaxation_time) &&
-              io(d.contact.stiffness) && io(d.wheel.max_speed) && io(d.wheel.acceleration) &&
-              io(d.guard.max_force) && io(d.guard.max_slew) && io(d.guard.engage_time);
+              io(d.clay.floor_min) && io(d.clay.wall_min) && io(d.clay.radius_min) &&
+              io(d.clay.radius_max) && io(d.clay.keep_undo) && io(d.tool.radius) &&
+              io(d.contact.relaxation_time) && io(d.contact.stiffness) && io(d.wheel.max_speed) &&
+              io(d.wheel.acceleration) && io(d.guard.max_force) && io(d.guard.max_slew) &&
+              io(d.guard.engage_time);
   good = good && optional_part(io, d.friction);
   if (good && d.friction)
     good = io(d.friction->coefficient) && io(d.friction->wet_factor) && io(d.friction->slip_speed);

@@ -77,6 +77,7 @@ struct Scene::State {
     std::array<Vec3, kMaxHands> wanted{};
     std::array<Press, kMaxHands> press{};
     std::array<WallSide, kMaxHands> side{};
+    std::array<Place, kMaxHands> place{};
   };
 
   State(const SceneDef& d, Clay&& c) : def(d), clay(std::move(c)) {
@@ -187,16 +188,20 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     tick.sweep[n].angle_to = tick.angle_from + tick.turn;
     steps = std::max(steps, steps_for(tick.sweep[n]));
   }
-  for (int step = 0; step < steps; ++step)
-    for (std::size_t n = 0; n < hand.size(); ++n)
+  for (int step = 0; step < steps; ++step) {
+    // What a wall between two hands comes to must not depend on which hand is called the first.
+    const bool swapped = hand[0].contact.side() > hand[1].contact.side();
+    for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
       if (hand[n].present) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding);
+  }
   for (std::size_t n = 0; n < hand.size(); ++n) {
     tick.press[n] = hand[n].contact.reaction();
     tick.side[n] = hand[n].contact.side();
+    tick.place[n] = hand[n].contact.place();
   }
 }
 
-// Stage 7. Reaction, friction, and the stops that are not clay.
+// Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
 void Scene::State::feel(Tick& tick) noexcept {
   const double radius = def.tool.radius;
   for (std::size_t n = 0; n < hand.size(); ++n) {
@@ -213,12 +218,7 @@ void Scene::State::feel(Tick& tick) noexcept {
           (1.0 / tick.dt) * (h.at - tick.sweep[n].from) - clay_velocity(touch, tick.turn / tick.dt);
       force += friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
-    const int floor_rows = clay.floor_rows();
-    const bool over_floor = h.contact.side() == WallSide::inside && floor_rows > 0;
-    const double stop =
-        over_floor ? clay.row_height(floor_rows - 1) + 0.5 * clay.row_thickness(floor_rows - 1)
-                   : 0.0;
-    force.y += stop_force(stop - (h.at.y - radius), radius, def.contact.stiffness);
+    force.y += stop_force(radius - h.at.y, radius, def.contact.stiffness);
     tick.wanted[n] = force;
   }
 }
@@ -233,6 +233,7 @@ void Scene::State::press_as_printed(Tick& tick) noexcept {
     }
     const double angle = tick.angle_from + tick.turn;
     tick.side[n] = PaperModel::mode(clay, hand[n].at, angle, tick.sweep[n].wish);
+    tick.place[n] = beside(tick.side[n]);
     const PaperTouch touch = printed->model.tick(clay, tick.side[n], hand[n].at, def.tool.radius,
                                                  angle, tick.turn, printed->coefficients);
     tick.press[n] = {touch.force, 0.0, touch.depth, touch.visited, touch.touched};
@@ -254,6 +255,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
     const Press& press = tick.press[n];
     felt.contact = h.present && press.touched > 0;
     felt.side = tick.side[n];
+    felt.place = tick.place[n];
     felt.depth = h.present ? press.depth : 0.0;
     counters.visited_elements += static_cast<std::uint64_t>(press.visited);
     counters.touched_elements += static_cast<std::uint64_t>(press.touched);
@@ -320,7 +322,8 @@ std::uint64_t Scene::state_hash() const {
     hash.add(h.guard.ramp());
     hash.add(std::uint64_t{h.present} | std::uint64_t{h.contact.touching()} << 1 |
              std::uint64_t{h.guard.armed()} << 2 |
-             static_cast<std::uint64_t>(h.contact.side()) << 3);
+             static_cast<std::uint64_t>(h.contact.side()) << 3 |
+             static_cast<std::uint64_t>(h.contact.place()) << 4);
   }
   hash.add(std::uint64_t{s.renew_held} | std::uint64_t{s.restore_held} << 1 |
            static_cast<std::uint64_t>(s.lump_work) << 2 | std::uint64_t{s.faults} << 8);

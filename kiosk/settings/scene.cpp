@@ -78,6 +78,7 @@ class SceneReader {
       number("outer_radius", clay.outer_radius);
       number("inner_radius", clay.inner_radius);
       number("floor_thickness", clay.floor_thickness);
+      number("floor_min", clay.floor_min);
       number("wall_min", clay.wall_min);
       number("radius_min", clay.radius_min);
       number("radius_max", clay.radius_max);

@@ -108,6 +108,45 @@ TEST(Clay, WithoutUndoARenewedLumpIsAsGoodAsNew) {
   EXPECT_EQ(clay.hash(), fresh);
 }
 
+TEST(Clay, RestoreBringsBackTheRowsHeightsAndTheFloor) {
+  Clay clay = lump();
+  clay.set_row_thickness(399, 0.0002);
+  clay.set_row_thickness(250, 0.0003);
+  clay.restack(250);
+  clay.open_floor_row(0.008);
+  clay.lower_floor(0.0096);
+  const double rim = clay.rim_height();
+  const double height = clay.row_height(399);
+  EXPECT_NEAR(rim, 0.2 - 0.0005, 1e-15);
+  EXPECT_NEAR(clay.profile().height(), rim, 1e-15);
+  while (!clay.renew_some(8192)) {
+  }
+  EXPECT_DOUBLE_EQ(clay.rim_height(), 0.2);
+  EXPECT_EQ(clay.floor_rows(), 20);
+  EXPECT_EQ(clay.floor_top(), 0.010);
+  EXPECT_EQ(clay.inner(19)[0], 0.0f);
+  while (!clay.restore_some(8192)) {
+  }
+  EXPECT_EQ(clay.rim_height(), rim);
+  EXPECT_EQ(clay.row_height(399), height);
+  EXPECT_EQ(clay.floor_rows(), 19);
+  EXPECT_EQ(clay.floor_top(), 0.0096);
+  EXPECT_EQ(clay.inner(19)[0], 0.008f);
+}
+
+TEST(Clay, RowsStackedAnewAndAFloorThatSinksAreToldToWhoeverDraws) {
+  Clay clay = lump();
+  dirty_rows(clay);
+  clay.set_row_thickness(395, 0.0004);
+  clay.restack(395);
+  EXPECT_EQ(dirty_rows(clay).size(), 5u);
+  clay.lower_floor(0.0099);
+  EXPECT_EQ(dirty_rows(clay), std::vector<int>{20});
+  clay.open_floor_row(1.0);  // wider than the pot: the wall keeps its least
+  EXPECT_EQ(dirty_rows(clay), std::vector<int>{19});
+  EXPECT_NEAR(clay.inner(19)[5], 0.051, 1e-7);
+}
+
 TEST(Clay, SectorsThatAreNoMultipleOfEightArePadded) {
   ClayDef def;
   def.sectors = 100;
@@ -138,7 +177,8 @@ TEST(ClayDef, EveryFieldOutOfRangeIsNamed) {
   EXPECT_EQ(field([](ClayDef& d) { d.inner_radius = 0.001; }), "clay.inner_radius");
   EXPECT_EQ(field([](ClayDef& d) { d.outer_radius = 0.025; }), "clay.outer_radius");
   EXPECT_EQ(field([](ClayDef& d) { d.outer_radius = 0.16; }), "clay.outer_radius");
-  EXPECT_EQ(field([](ClayDef& d) { d.floor_thickness = 0.11; }), "clay.floor_thickness");
+  EXPECT_EQ(field([](ClayDef& d) { d.floor_thickness = 0.21; }), "clay.floor_thickness");
+  EXPECT_EQ(field([](ClayDef& d) { d.floor_min = 0; }), "clay.floor_min");
 }
 
 }  // namespace

@@ -104,6 +104,7 @@ TEST(Paper19, NoFloorPushesUp) {
   const auto lowered = [](bool as_printed) {
     SceneDef def = papers_scene();
     def.clay = ClayDef{};
+    def.clay.floor_min = def.clay.floor_thickness;  // firm
     if (!as_printed) def.paper.reset();
     auto scene = Scene::create(def);
     double most = 0.0;

@@ -90,7 +90,7 @@ TEST(SceneDef, AnImpossibleLumpIsRefusedWithFieldMeaningAndRemedy) {
       {"clay.inner_radius", [](ClayDef& c) { c.inner_radius = -0.01; }},
       {"clay.height", [=](ClayDef& c) { c.height = kInfinity; }},
       {"clay.floor_thickness", [=](ClayDef& c) { c.floor_thickness = kNan; }},
-      {"clay.floor_thickness", [](ClayDef& c) { c.floor_thickness = c.height; }},
+      {"clay.floor_thickness", [](ClayDef& c) { c.floor_thickness = 1.1 * c.height; }},
       {"clay.wall_min", [=](ClayDef& c) { c.wall_min = kNan; }},
       {"clay.radius_min", [=](ClayDef& c) { c.radius_min = kNan; }},
       {"clay.radius_max", [=](ClayDef& c) { c.radius_max = kNan; }},

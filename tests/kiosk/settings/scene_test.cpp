@@ -39,10 +39,10 @@ std::string figures(const SceneDef& d) {
   out.precision(17);
   const ClayDef& c = d.clay;
   out << c.rows << ' ' << c.sectors << ' ' << c.height << ' ' << c.outer_radius << ' '
-      << c.inner_radius << ' ' << c.floor_thickness << ' ' << c.wall_min << ' ' << c.radius_min
-      << ' ' << c.radius_max << ' ' << c.keep_undo << ' ' << d.tool.radius << ' '
-      << d.contact.relaxation_time << ' ' << d.contact.stiffness << ' ' << d.wheel.max_speed << ' '
-      << d.wheel.acceleration << ' ' << d.guard.max_force << ' ' << d.guard.max_slew << ' '
+      << c.inner_radius << ' ' << c.floor_thickness << ' ' << c.floor_min << ' ' << c.wall_min
+      << ' ' << c.radius_min << ' ' << c.radius_max << ' ' << c.keep_undo << ' ' << d.tool.radius
+      << ' ' << d.contact.relaxation_time << ' ' << d.contact.stiffness << ' ' << d.wheel.max_speed
+      << ' ' << d.wheel.acceleration << ' ' << d.guard.max_force << ' ' << d.guard.max_slew << ' '
       << d.guard.engage_time;
   if (d.friction) {
     out << " f " << d.friction->coefficient << ' ' << d.friction->wet_factor << ' '
@@ -84,7 +84,7 @@ TEST(scene, the_scenes_that_ship_are_without_fault_and_can_be_thrown_on) {
 TEST(scene, first_touch_is_the_engines_own_figures_written_out) {
   const SceneRead r = read_scene("config/scenes/first_touch.toml");
   EXPECT_EQ(figures(r.def), figures(SceneDef{}));
-  EXPECT_EQ(r.keys_checked, 23);
+  EXPECT_EQ(r.keys_checked, 24);
 }
 
 TEST(scene, an_effect_is_there_where_its_table_is_written_and_absent_where_not) {
@@ -128,6 +128,7 @@ height = 0.3
 outer_radius = 0.07
 inner_radius = 0.03
 floor_thickness = 0.02
+floor_min = 0.003
 wall_min = 0.005
 radius_min = 0.004
 radius_max = 0.2
@@ -154,9 +155,10 @@ drying_time = 2
 softening = 0.3
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 24);
+  EXPECT_EQ(r.keys_checked, 25);
   EXPECT_EQ(figures(r.def),
             "100 200 0.29999999999999999 0.070000000000000007 0.029999999999999999 0.02 "
+            "0.0030000000000000001 "
             "0.0050000000000000001 0.0040000000000000001 0.20000000000000001 0 0.01 0.02 1000000 "
             "20 10 2 100 1 f 0.10000000000000001 0.20000000000000001 0.029999999999999999 w 1 2 "
             "0.29999999999999999");
@@ -186,13 +188,13 @@ TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {
 TEST(scene, whatever_is_written_the_scene_can_be_thrown_on) {
   rc::check([](const std::vector<std::pair<std::uint8_t, double>>& values) {
     static const char* const kKeys[] = {
-        "clay.rows",         "clay.sectors",         "clay.height",
-        "clay.outer_radius", "clay.inner_radius",    "clay.floor_thickness",
-        "clay.wall_min",     "clay.radius_min",      "clay.radius_max",
-        "tool.radius",       "contact.stiffness",    "wheel.max_speed",
-        "guard.max_force",   "friction.coefficient", "water.softening",
-        "water.tide",        "paper.c_eta",          "paper.c_v",
-        "paper.c_r"};
+        "clay.rows",         "clay.sectors",      "clay.height",
+        "clay.outer_radius", "clay.inner_radius", "clay.floor_thickness",
+        "clay.floor_min",    "clay.wall_min",     "clay.radius_min",
+        "clay.radius_max",   "tool.radius",       "contact.stiffness",
+        "wheel.max_speed",   "guard.max_force",   "friction.coefficient",
+        "water.softening",   "water.tide",        "paper.c_eta",
+        "paper.c_v",         "paper.c_r"};
     std::map<std::string, std::string> lines;
     for (const auto& [pick, value] : values) {
       std::ostringstream number;

@@ -1,0 +1,85 @@
+#include "engine/contact/floor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/stops.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+constexpr double kSnap = 2e-8;  // m: a press below this is none, as on the wall
+
+// (1 - e^-x) / x and (1 - that) / x, also where x is nearly 0.
+double mean_decay(double x) { return x > 1e-8 ? -portable::expm1(-x) / x : 1.0 - 0.5 * x; }
+double mean_lag(double x) { return x > 1e-4 ? (1.0 - mean_decay(x)) / x : 0.5 - x / 6.0; }
+
+// A press l on clay that gives way at x = dt / tau while the tool comes `deeper` by an even pace:
+// dl/dt = -l/tau + deeper/dt, exactly.
+struct Given {
+  double end, mean;
+};
+Given give_way(double l, double deeper, double x) {
+  const double decay = mean_decay(x);
+  return {l * (1.0 - x * decay) + deeper * decay, l * decay + deeper * mean_lag(x)};
+}
+
+double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
+
+// The share of the floor, from the axis to the tool's far edge, that a ball `depth` deep and `off`
+// the axis covers: what that share gives way, the turning wheel spreads over all of it.
+double covered(double radius, double depth, double off) {
+  const double deep = std::min(depth, radius);
+  const double print = std::sqrt(deep * (2.0 * radius - deep));
+  const double share = print / (print + off);
+  return share * share;
+}
+
+}  // namespace
+
+Press press_floor(Clay& clay, const BallStep& step, const Yielding& yielding) noexcept {
+  Press out;
+  const double top = clay.floor_top();
+  const double l0 = top - (step.from.y - step.radius);
+  const double gap = top - (step.to.y - step.radius);  // l at the end, had the floor not given way
+  if (clay.floor_rows() == 0 || std::max(l0, gap) <= kSnap) return out;
+
+  // The share of the step in touch.
+  const double way = gap - l0;
+  const double begin = l0 < 0.0 ? -l0 / way : 0.0;
+  const double end = gap < 0.0 ? -l0 / way : 1.0;
+  const double share = end - begin;
+  const double first = std::max(l0, 0.0);
+
+  // A floor at its thinnest is firm, and so is one that a tool is found deep in: it was not pressed
+  // there.
+  const double lowest = std::min(clay.def().floor_min, top);
+  const double off = 0.5 * (axis_distance(step.from) + axis_distance(step.to));
+  const bool firm = top <= lowest || first > step.radius;
+  const double rate =
+      firm ? 0.0 : covered(step.radius, std::max(0.5 * (first + std::max(gap, 0.0)), kSnap), off);
+  const double x = rate * share * step.seconds / yielding.relaxation_time;
+  const Given given = give_way(first, share * way, x);
+  // What the tool went deeper and is not pressed, the floor went down.
+  const double sunk = std::clamp(first + share * way - given.end, 0.0, top - lowest);
+  const double mean = std::max(given.mean, 0.0);
+  out.force.y = share * stop_force(mean, step.radius, yielding.stiffness);
+  out.normal = out.force.y;
+  out.depth = std::max(first, gap - sunk);
+  out.touched = 1;
+  if (sunk <= 0.0) return out;
+
+  const double level = top - sunk;
+  const double reach = axis_distance(step.to);
+  while (clay.floor_rows() > 0 && clay.row_height(clay.floor_rows() - 1) >= level) {
+    const double dy = step.to.y - clay.row_height(clay.floor_rows() - 1);
+    const double square = (step.radius - dy) * (step.radius + dy);
+    clay.open_floor_row(reach + std::sqrt(std::max(square, 0.0)));
+    ++out.visited;
+  }
+  clay.lower_floor(level);
+  return out;
+}
+
+}  // namespace onggi

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/contact/wall_side.h"
+
+namespace onggi {
+
+/// Where a tool works, or stands while it is clear: beside the wall, on top of it, or on the floor
+/// within (and then perhaps on the wall's inner face too).
+enum class Place : std::uint8_t { outside, inside, rim, floor };
+
+constexpr Place beside(WallSide side) {
+  return side == WallSide::outside ? Place::outside : Place::inside;
+}
+
+}  // namespace onggi

@@ -1,0 +1,243 @@
+#include "engine/contact/rim.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+constexpr double kSnap = 2e-8;         // m: a press below this is none, as on the wall
+constexpr double kThinnestRow = 0.25;  // of its first thickness: a row pressed together is firm
+constexpr int kMostSectors = 8192;
+
+// Gauss and Legendre's places and weights on -1..1: exact to the eleventh power.
+constexpr std::array<double, 6> kNode{-0.932469514203152, -0.661209386466265, -0.238619186083197,
+                                      0.238619186083197,  0.661209386466265,  0.932469514203152};
+constexpr std::array<double, 6> kWeight{0.171324492379170, 0.360761573048139, 0.467913934572691,
+                                        0.467913934572691, 0.360761573048139, 0.171324492379170};
+
+double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
+
+// The sectors whose rays a ball can meet: `count` from `first` on, round the axis.
+struct Sectors {
+  int first, count;
+};
+Sectors sectors_under(const Clay& clay, Vec3 at, double radius) {
+  const int all = clay.sectors();
+  const double d = axis_distance(at);
+  if (d <= radius) return {0, all};
+  const double per_radian = all / (2.0 * portable::kPi);
+  const double half = portable::asin(radius / d) * per_radian;
+  const double middle = portable::atan2(at.z, at.x) * per_radian - 0.5;
+  const int first = static_cast<int>(std::floor(middle - half));
+  const int count = static_cast<int>(std::ceil(middle + half)) - first + 1;
+  if (count >= all) return {0, all};
+  return {(first + all) % all, count};
+}
+
+// What one sector of the rim takes up, summed over its area: m^3, for each radian of the sector.
+struct SectorPress {
+  double along = 0.0, off = 0.0, up = 0.0;  // press times the ball's normal
+  double all = 0.0;                         // press
+  double deepest = 0.0;                     // m
+};
+
+// Upright rays stand `off` the ball's centre, which is `along` from the axis; `above` the crown.
+SectorPress press_sector(double inner, double outer, double along, double off, double above,
+                         double radius) {
+  SectorPress sum;
+  const double square = (radius - off) * (radius + off);
+  if (square <= 0.0) return sum;
+  // Only rays that meet the ball below the crown.
+  const double reach = above > 0.0 ? square - above * above : square;
+  if (reach <= 0.0) return sum;
+  const double half = std::sqrt(reach);
+  const double begin = std::max(inner, along - half);
+  const double end = std::min(outer, along + half);
+  if (end <= begin) return sum;
+  const auto depth_at = [&](double rho) {
+    const double rise = std::sqrt(std::max(square - (along - rho) * (along - rho), 0.0));
+    const double drop = lip_drop(outer - inner, std::min(rho - inner, outer - rho));
+    // A ball that is sunk in wholly covers no more of the ray than its own chord.
+    return std::min(rise - above - drop, 2.0 * rise);
+  };
+  const double edge = std::min(0.5 * (outer - inner), kLipRadius);
+  sum.deepest = std::max(depth_at(std::clamp(along, inner + edge, outer - edge)), 0.0);
+  for (std::size_t n = 0; n < kNode.size(); ++n) {
+    const double rho = 0.5 * (begin + end) + 0.5 * (end - begin) * kNode[n];
+    const double press = depth_at(rho);
+    if (press <= 0.0) continue;
+    const double area = 0.5 * (end - begin) * kWeight[n] * rho;
+    const double x = along - rho;
+    const double rise = std::sqrt(std::max(square - x * x, 0.0));
+    sum.along += press * area * x / radius;
+    sum.off += press * area * off / radius;
+    sum.up += press * area * rise / radius;
+    sum.all += press * area;
+    sum.deepest = std::max(sum.deepest, press);
+  }
+  return sum;
+}
+
+// 1 at the rim, 0 and level at `reach` below it.
+double fall_off(double below, double reach) {
+  const double t = std::clamp(1.0 - below / reach, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// Presses the rows at the top together, by `sink` in all, or as far as they go; metres. A row gives
+// up a share of what it still can; `reach` is measured in that, so that the press goes deeper down
+// once the rows at the top are firm.
+double lower_rim(Clay& clay, double sink, double reach) {
+  const double thinnest = kThinnestRow * clay.def().height / clay.rows();
+  const auto spare = [&](int j) { return std::max(clay.row_thickness(j) - thinnest, 0.0); };
+  // The row over the floor carries the floor's top.
+  const bool solid = clay.floor_rows() == clay.rows();
+  const int lowest = solid ? clay.first_row_above(clay.def().floor_min) : clay.floor_rows() + 1;
+  double above = 0.0;
+  double room = 0.0;
+  int end = clay.rows();
+  while (end > lowest && above < reach) {
+    const double free = spare(end - 1);
+    room += free * (1.0 - above / reach);
+    above += free;
+    --end;
+  }
+  if (!(room > 1e-9)) return 0.0;
+  const double part = std::min(sink / room, 0.5);
+  above = 0.0;
+  for (int j = clay.rows() - 1; j >= end; --j) {
+    const double free = spare(j);
+    clay.set_row_thickness(j, clay.row_thickness(j) - part * free * (1.0 - above / reach));
+    above += free;
+  }
+  clay.restack(end);
+  return part * room;
+}
+
+// Pushes the top rows of the sectors under the ball outwards (positive) or inwards, both faces.
+void flare(Clay& clay, Sectors under, const float* push, double reach) {
+  const ClayDef& def = clay.def();
+  const auto wall_min = static_cast<float>(def.wall_min);
+  const auto nearest = static_cast<float>(def.radius_min);
+  const auto farthest = static_cast<float>(def.radius_max);
+  const double rim = clay.rim_height();
+  for (int j = clay.rows() - 1; j >= clay.floor_rows(); --j) {
+    const double below = rim - clay.row_height(j);
+    if (below >= reach) return;
+    const auto share = static_cast<float>(fall_off(below, reach));
+    const std::span<float> outer = clay.outer_mut(j);
+    const std::span<float> inner = clay.inner_mut(j);
+    for (int n = 0; n < under.count; ++n) {
+      const auto i = static_cast<std::size_t>((under.first + n) % clay.sectors());
+      const float most = farthest - outer[i];
+      const float least = nearest - inner[i];
+      const float shift = std::clamp(share * push[n], std::min(least, 0.0f), std::max(most, 0.0f));
+      if (shift == 0.0f) continue;
+      outer[i] += shift;
+      inner[i] = std::min(inner[i] + shift, outer[i] - wall_min);
+    }
+    clay.mark_dirty(j);
+  }
+}
+
+}  // namespace
+
+double lip_drop(double thickness, double from_face) noexcept {
+  const double edge = std::min(0.5 * thickness, kLipRadius);
+  const double x = edge - from_face;
+  return x > 0.0 ? edge - std::sqrt(std::max((edge - x) * (edge + x), 0.0)) : 0.0;
+}
+
+double rim_reach(double radius, double thickness, double tool_radius) noexcept {
+  return std::clamp(2.0 * std::sqrt(radius * thickness), tool_radius, 4.0 * tool_radius);
+}
+
+namespace {
+
+Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
+  Press out;
+  const Vec3 at = 0.5 * (step.from + step.to);
+  const double above = at.y - clay.rim_height();
+  if (above >= step.radius) return out;
+  const Sectors under = sectors_under(clay, at, step.radius);
+  const int top = clay.rows() - 1;
+  const double sector = 2.0 * portable::kPi / clay.sectors();
+  const double gone = -portable::expm1(-step.seconds / yielding.relaxation_time);
+  out.visited = under.count;
+
+  // What every sector under the ball takes up, and how far that pushes it aside.
+  std::array<float, kMostSectors> push;  // not cleared: only `under.count` are used
+  SectorPress sum;
+  Vec3 force;
+  double area = 0.0;
+  double girth = 0.0;
+  double most = 0.0;
+  for (int n = 0; n < under.count; ++n) {
+    const auto i = static_cast<std::size_t>((under.first + n) % clay.sectors());
+    const double c = double{clay.ray_cos()[i]};
+    const double s = double{clay.ray_sin()[i]};
+    const double outer = double{clay.outer(top)[i]};
+    const double inner = double{clay.inner(top)[i]};
+    const double own_area = 0.5 * (outer - inner) * (outer + inner);
+    const SectorPress press =
+        press_sector(inner, outer, at.x * c + at.z * s, at.z * c - at.x * s, above, step.radius);
+    area += own_area;
+    girth += 0.5 * (outer + inner);
+    const double aside = -press.along / own_area;
+    push[static_cast<std::size_t>(n)] =
+        std::fabs(aside) > kSnap ? static_cast<float>(aside * gone) : 0.0f;
+    most = std::max(most, std::fabs(aside));
+    if (press.deepest <= kSnap) continue;
+    force += Vec3{press.along * c - press.off * s, press.up, press.along * s + press.off * c};
+    sum.up += press.up;
+    sum.all += press.all;
+    sum.deepest = std::max(sum.deepest, press.deepest);
+    ++out.touched;
+  }
+  if (out.touched == 0) return out;
+
+  // The ring goes down as one, by the share of its area that gives way.
+  const double ring = area / under.count * clay.sectors();
+  const double thickness = area / girth;
+  const double reach = rim_reach(girth / under.count, thickness, step.radius);
+  const double rate = sum.up / (ring * sum.deepest);
+  const double wanted =
+      -sum.deepest * portable::expm1(-rate * step.seconds / yielding.relaxation_time);
+  const double sunk = lower_rim(clay, wanted, reach);
+  if (most > kSnap) flare(clay, under, push.data(), reach);
+
+  // Mean over the step.
+  const double felt = yielding.stiffness * sector * (1.0 - 0.5 * sunk / sum.deepest);
+  out.force = felt * force;
+  out.normal = felt * sum.all;
+  out.depth = sum.deepest;
+  return out;
+}
+
+}  // namespace
+
+Press press_rim(Clay& clay, const BallStep& step, const Yielding& yielding) noexcept {
+  // What is pressed aside and what is pressed down depend on each other: no part is so long that
+  // the clay gives way by more than an eighth in it.
+  const int parts = static_cast<int>(
+      std::clamp(std::ceil(8.0 * step.seconds / yielding.relaxation_time), 1.0, 8.0));
+  const Vec3 way = step.to - step.from;
+  Press out;
+  for (int n = 0; n < parts; ++n) {
+    const BallStep part{step.from + (1.0 * n / parts) * way, step.from + (n + 1.0) / parts * way,
+                        step.radius, step.seconds / parts};
+    const Press press = press_once(clay, part, yielding);
+    out.force += 1.0 / parts * press.force;
+    out.normal += press.normal / parts;
+    out.depth = std::max(out.depth, press.depth);
+    out.visited += press.visited;
+    out.touched += press.touched;
+  }
+  return out;
+}
+
+}  // namespace onggi
