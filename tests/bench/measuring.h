@@ -17,13 +17,16 @@ struct Times {
 /// Nearest rank. Sorts `ns`; must not be empty.
 Times times_of(std::vector<double>& ns);
 
-/// How long `work` takes, ns. The clock itself costs about 25 ns of it.
+/// How long `work` takes, ns, with the clock's own clock_ns().
 template <class Work>
 double timed(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
+
+/// What timed() gives for no work at all: the median, about 25 ns.
+double clock_ns();
 
 /// Time that this thread had a processor for since it began, ns: what others take is not in it.
 inline double thread_ns() {
@@ -57,7 +60,8 @@ ScriptTimes measure_script(const TickScript& script, int rows, int sectors,
                            const Patience& patience);
 
 /// Medians of two or more works done in turns, `batch` ticks of each, so that all meet the same
-/// weather. A work is called with the tick's number within a pass of `pass` ticks.
+/// weather; less clock_ns(), which would draw ratios towards 1. A work is called with the tick's
+/// number within a pass of `pass` ticks.
 struct Work {
   virtual ~Work() = default;
   virtual void tick(int n) noexcept = 0;
