@@ -26,13 +26,15 @@ Result<Clay> Clay::create(const ClayDef& def) {
     clay.ray_cos_[static_cast<std::size_t>(i)] = static_cast<float>(portable::cos(angle));
     clay.ray_sin_[static_cast<std::size_t>(i)] = static_cast<float>(portable::sin(angle));
   }
-  clay.outer_.resize(rows * clay.padded());
-  clay.inner_.resize(rows * clay.padded());
+  clay.outer_.assign(rows * clay.padded(), -1e9f);
+  clay.inner_.assign(rows * clay.padded(), 1e9f);
   if (def.keep_undo) {
     clay.undo_outer_.resize(clay.outer_.size());
     clay.undo_inner_.resize(clay.inner_.size());
     clay.undo_stack_ = {clay.row_height_, clay.row_thickness_, clay.floor_top_, clay.floor_rows_};
   }
+  clay.outer_most_.resize(rows);
+  clay.inner_least_.resize(rows);
   clay.dirty_.assign((rows + 63) / 64, 0);
   for (int j = 0; j < def.rows; ++j) clay.lay_lump(j);
   return clay;
@@ -85,7 +87,20 @@ void Clay::lay_lump(int j) {
   const bool solid = j < floor_rows_;
   std::ranges::fill(outer_mut(j), static_cast<float>(def_.outer_radius));
   std::ranges::fill(inner_mut(j), solid ? 0.0f : static_cast<float>(def_.inner_radius));
+  set_extent(j, outer(j).front(), inner(j).front());
   mark_dirty(j);
+}
+
+void Clay::widen_extent(int j, float outer_most, float inner_least) {
+  const auto n = static_cast<std::size_t>(j);
+  outer_most_[n] = std::max(outer_most_[n], outer_most);
+  inner_least_[n] = std::min(inner_least_[n], inner_least);
+}
+
+void Clay::set_extent(int j, float outer_most, float inner_least) {
+  const auto n = static_cast<std::size_t>(j);
+  outer_most_[n] = outer_most;
+  inner_least_[n] = inner_least;
 }
 
 void Clay::mark_all_dirty() {
@@ -117,8 +132,8 @@ bool Clay::renew_some(int element_budget) {
   const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
   for (; sweep_row_ < end; ++sweep_row_) {
     if (def_.keep_undo) {
-      std::ranges::copy(outer_mut(sweep_row_), undo_outer_.data() + start(sweep_row_));
-      std::ranges::copy(inner_mut(sweep_row_), undo_inner_.data() + start(sweep_row_));
+      std::ranges::copy(pressable_outer(sweep_row_), undo_outer_.data() + start(sweep_row_));
+      std::ranges::copy(pressable_inner(sweep_row_), undo_inner_.data() + start(sweep_row_));
     }
     lay_lump(sweep_row_);
   }
@@ -138,8 +153,8 @@ bool Clay::restore_some(int element_budget) {
   }
   const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
   for (; sweep_row_ < end; ++sweep_row_) {
-    std::copy_n(undo_outer_.data() + start(sweep_row_), padded(), outer_mut(sweep_row_).data());
-    std::copy_n(undo_inner_.data() + start(sweep_row_), padded(), inner_mut(sweep_row_).data());
+    std::copy_n(undo_outer_.data() + start(sweep_row_), width(), outer_mut(sweep_row_).data());
+    std::copy_n(undo_inner_.data() + start(sweep_row_), width(), inner_mut(sweep_row_).data());
     mark_dirty(sweep_row_);
   }
   if (sweep_row_ < def_.rows) return false;

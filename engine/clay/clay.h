@@ -49,6 +49,7 @@ class Clay {
   int stride() const { return stride_; }
   int floor_rows() const { return floor_rows_; }
   double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
+  std::span<const double> row_heights() const { return row_height_; }
   double row_thickness(int j) const { return row_thickness_[static_cast<std::size_t>(j)]; }
   /// Upper face of the solid floor, metres: above the middle of row floor_rows() - 1, and not above
   /// the middle of row floor_rows().
@@ -60,10 +61,10 @@ class Clay {
 
   std::span<const float> outer(int j) const { return {outer_.data() + start(j), width()}; }
   std::span<const float> inner(int j) const { return {inner_.data() + start(j), width()}; }
-  /// stride() values: `sectors` radii in metres, then padding that nobody reads. The caller keeps
-  /// the invariant and calls mark_dirty(j).
-  std::span<float> outer_mut(int j) { return {outer_.data() + start(j), padded()}; }
-  std::span<float> inner_mut(int j) { return {inner_.data() + start(j), padded()}; }
+  /// The caller keeps the invariant and calls mark_dirty(j). Beyond the row, up to stride(), lies
+  /// padding that no tool touches: -1e9 outside, 1e9 inside, with a ray of (0, 0).
+  std::span<float> outer_mut(int j) { return forget_extent(j), pressable_outer(j); }
+  std::span<float> inner_mut(int j) { return forget_extent(j), pressable_inner(j); }
   std::span<const float> ray_cos() const { return ray_cos_; }  ///< stride() values, one a sector.
   std::span<const float> ray_sin() const { return ray_sin_; }
 
@@ -80,6 +81,22 @@ class Clay {
   void open_floor_row(double radius);
   /// Metres, not above floor_top(). Marks the row over it dirty, which carries the floor along.
   void lower_floor(double top);
+  /// No outer radius of row `j` is larger, and no inner one smaller: where nothing can touch,
+  /// nobody need look. Not always the least and the most that would be true.
+  float outer_most(int j) const { return outer_most_[static_cast<std::size_t>(j)]; }
+  float inner_least(int j) const { return inner_least_[static_cast<std::size_t>(j)]; }
+  std::span<const float> outer_most() const { return outer_most_; }
+  std::span<const float> inner_least() const { return inner_least_; }
+  /// As outer_mut() and inner_mut(), for those that call widen_extent() with what they enlarged.
+  std::span<float> pressable_outer(int j) { return {outer_.data() + start(j), width()}; }
+  std::span<float> pressable_inner(int j) { return {inner_.data() + start(j), width()}; }
+  void widen_extent(int j, float outer_most, float inner_least);
+  /// The row was looked at whole, and this is its extent.
+  void set_extent(int j, float outer_most, float inner_least);
+  /// Whose turn it is of `rows` rows: 0, 1, 2 ... from call to call.
+  int next_measured(int rows) {
+    return static_cast<int>(measured_++ % static_cast<unsigned>(rows));
+  }
 
   /// Rows changed since they were last taken. One bit a row; cost of a look is rows/64 words.
   void mark_dirty(int j) { dirty_[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63); }
@@ -118,6 +135,7 @@ class Clay {
     double floor_top = 0.0;
     int floor_rows = 0;
   };
+  void forget_extent(int j) { widen_extent(j, 1e9f, 0.0f); }
 
   ClayDef def_;
   int stride_ = 0;
@@ -126,6 +144,8 @@ class Clay {
   std::vector<double> row_height_, row_thickness_;
   Stack undo_stack_;
   std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
+  std::vector<float> outer_most_, inner_least_;  // a row's extent; no part of the clay's state
+  unsigned measured_ = 0;
   std::vector<float> undo_outer_, undo_inner_;
   std::vector<std::uint64_t> dirty_;
   int sweep_row_ = 0;

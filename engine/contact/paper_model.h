@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/contact/press.h"
+#include "engine/contact/tool.h"
 #include "engine/math/lowpass.h"
 
 namespace onggi {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/contact/ball.h"
-#include "engine/contact/press.h"
+#include "engine/contact/tool.h"
 
 namespace onggi {
 

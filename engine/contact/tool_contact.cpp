@@ -15,10 +15,6 @@ double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
 // Turned about the axis by the angle whose cosine and sine are given, from x towards z.
 Vec3 turned(Vec3 p, double c, double s) { return {c * p.x - s * p.z, p.y, s * p.x + c * p.z}; }
 
-Vec3 into_clay_frame(Vec3 p, double angle) {
-  return turned(p, portable::cos(angle), -portable::sin(angle));
-}
-
 // The wall's faces at the tool's height (the top row above the rim) and angle. Clay frame.
 struct WallThere {
   double outer, inner;
@@ -44,20 +40,35 @@ Beyond beyond(const Clay& clay, Vec3 at) {
   return {at.y - clay.rim_height(), d - wall.outer, wall.inner - d};
 }
 
+// The ball that stands for the tool above the rim and the floor, in step `n` of `of`.
+BallStep ball_step(const ToolSweep& sweep, int n, int of) {
+  const auto place = [&](double share) {
+    const double angle = sweep.angle_from + share * (sweep.angle_to - sweep.angle_from);
+    const Vec3 at = sweep.from + share * (sweep.to - sweep.from);
+    return turned(at, portable::cos(angle), -portable::sin(angle));
+  };
+  return {place(1.0 * n / of), place((n + 1.0) / of), sweep.size.radius, sweep.seconds / of};
+}
+
 // Over the top, and steeper than the bisector of the rim's corners.
 bool over_rim(const Beyond& b) { return b.crown > 0.0 && b.crown >= std::max(b.outer, b.inner); }
 
 }  // namespace
 
-int steps_for(const ToolSweep& sweep) noexcept {
+int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept {
   const Vec3 way = sweep.to - sweep.from;
   const double out = std::max(axis_distance(sweep.from), axis_distance(sweep.to));
   const double arc = std::fabs(sweep.angle_to - sweep.angle_from) * out;
-  const double steps = std::ceil((2.0 * arc + length(way)) / (0.25 * sweep.radius));
-  return static_cast<int>(std::clamp(steps, 1.0, double{kMostSteps}));
+  const double by_way = (2.0 * arc + length(way)) / (0.25 * sweep.size.radius);
+  const double by_time = sweep.seconds / (0.25 * relaxation_time);
+  return static_cast<int>(
+      std::clamp(std::ceil(std::max(by_way, by_time)), 1.0, double{kMostSteps}));
 }
 
-bool ToolContact::choose_place(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept {
+bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place,
+                               const ToolSweep& sweep) noexcept {
+  const Vec3 at = place.at;
+  const double radius = sweep.size.radius;
   on_rim_ = on_floor_ = false;
   const WallThere wall = wall_at(clay, at);
   const double d = axis_distance(at);
@@ -67,20 +78,23 @@ bool ToolContact::choose_place(const Clay& clay, Vec3 at, const ToolSweep& sweep
   const bool inside = by_position ? nearer : sweep.wish == SideWish::inside;
   side_ = inside ? WallSide::inside : WallSide::outside;
 
-  const bool on_floor = at.y - sweep.radius < clay.floor_top();
+  const bool on_floor = at.y - radius < clay.floor_top();
   if (over_rim(beyond(clay, at))) {
     // A solid lump is opened in its middle. Elsewhere its top is its rim.
     const bool solid = clay.floor_rows() == clay.rows();
     on_rim_ = !(on_floor && nearer);
     if (solid && !on_rim_) side_ = WallSide::inside;
-    return on_rim_ ? at.y - sweep.radius < clay.rim_height() : on_floor;
+    return on_rim_ ? at.y - radius < clay.rim_height() : on_floor;
   }
-  const double here = depth_at(clay, side_, at, sweep.radius, &sum_.visited);
+  const auto depth = [&](WallSide side) {
+    return sweep.shape->depth(clay, side, place, sweep.size, sum_.visited);
+  };
+  const double here = depth(side_);
   const bool floor_there = on_floor && side_ == WallSide::inside;
-  if (beside_wall || here <= sweep.radius) return here > 0.0 || floor_there;
+  if (beside_wall || here <= radius) return here > 0.0 || floor_there;
   // Over the rim or within the wall, and deep at first touch: the tool came along the other face.
   // Taking it for this one would cut the whole wall away.
-  const double there = depth_at(clay, other(side_), at, sweep.radius, &sum_.visited);
+  const double there = depth(other(side_));
   if (there < here) side_ = other(side_);
   return there > 0.0 || floor_there;
 }
@@ -109,31 +123,28 @@ void ToolContact::change_place(const Clay& clay, Vec3 at, double radius) noexcep
 
 void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
                        const Yielding& yielding) noexcept {
-  const double begin = static_cast<double>(n) / of;
-  const double end = static_cast<double>(n + 1) / of;
-  const Vec3 way = sweep.to - sweep.from;
-  const double turn = sweep.angle_to - sweep.angle_from;
-  const double angle = sweep.angle_from + end * turn;
+  const double middle = (n + 0.5) / of;
+  const double angle = sweep.angle_from + middle * (sweep.angle_to - sweep.angle_from);
   const double c = portable::cos(angle);
   const double s = portable::sin(angle);
-  const SphereStep part{into_clay_frame(sweep.from + begin * way, sweep.angle_from + begin * turn),
-                        turned(sweep.from + end * way, c, -s), sweep.radius, sweep.seconds / of};
-  const BallStep ball{part.from, part.to, part.radius, part.seconds};
+  const ToolPlace place{turned(sweep.from + middle * (sweep.to - sweep.from), c, -s),
+                        turned(sweep.along, c, -s), turned(sweep.across, c, -s)};
 
   if (!touching_) {
-    if (!choose_place(clay, part.to, sweep)) return;
+    if (!choose_place(clay, place, sweep)) return;
   } else {
-    change_place(clay, part.to, sweep.radius);
+    change_place(clay, place.at, sweep.size.radius);
   }
 
   Press press;
   on_floor_ = false;
+  const double seconds = sweep.seconds / of;
   if (on_rim_) {
-    press = press_rim(clay, ball, yielding);
+    press = press_rim(clay, ball_step(sweep, n, of), yielding);
   } else {
-    press = onggi::press(clay, side_, part, yielding);
+    press = sweep.shape->press(clay, side_, place, sweep.size, seconds, yielding);
     if (side_ == WallSide::inside) {
-      const Press floor = press_floor(clay, ball, yielding);
+      const Press floor = press_floor(clay, ball_step(sweep, n, of), yielding);
       on_floor_ = floor.touched > 0;
       press.force += floor.force;
       press.normal += floor.normal;

@@ -1,24 +1,28 @@
 #pragma once
 
 #include "engine/contact/place.h"
-#include "engine/contact/press.h"
+#include "engine/contact/tool.h"
 
 namespace onggi {
 
 /// A tool's way through one tick, studio frame: straight, while the wheel turns evenly.
 struct ToolSweep {
-  Vec3 from, to;          ///< Centre of the sphere, m.
+  const ToolShape* shape = nullptr;
+  ToolSize size;          ///< Nothing left at 0: see sized().
+  Vec3 from, to;          ///< Middle of its working part, m.
+  Vec3 along{0, 1, 0};    ///< Direction of its length; unit.
+  Vec3 across{0, 0, 1};   ///< Of its thickness; unit, at a right angle to `along`.
   double angle_from = 0;  ///< Wheel angle, rad.
   double angle_to = 0;    ///< Not wrapped: angle_to - angle_from is the tick's turn.
-  double radius = 0;      ///< m.
   double seconds = 0;     ///< > 0.
   SideWish wish = SideWish::by_position;
 };
 
 /// How many equal steps a sweep needs: the tool moves at most a quarter of its radius in one, and
-/// the clay under it an eighth (a light touch is only a quarter radius wide, and half the steps
-/// press a seventh less at 300 rpm); 1..kMostSteps.
-int steps_for(const ToolSweep& sweep) noexcept;
+/// the clay under it an eighth (a light touch is only a quarter radius wide), and it lasts at most
+/// a quarter of `relaxation_time` (s): the target is held where it is in a step's middle, which is
+/// wrong by (dt/tau)^2 / 12 of the press. 1..kMostSteps.
+int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept;
 inline constexpr int kMostSteps = 64;
 
 /// One tool's contact with the clay, over time: where it works, and the press. No allocation.
@@ -41,7 +45,7 @@ class ToolContact {
 
  private:
   /// Where a tool that was clear stands; false where it is clear at `at` too.
-  bool choose_place(const Clay& clay, Vec3 at, const ToolSweep& sweep) noexcept;
+  bool choose_place(const Clay& clay, const ToolPlace& place, const ToolSweep& sweep) noexcept;
   /// The same of one that touches the clay.
   void change_place(const Clay& clay, Vec3 at, double radius) noexcept;
 

@@ -1,104 +1,192 @@
-#pragma once
+// Eight floats worked on together, on whatever vectors the machine has: one AVX register, two of
+// SSE's or NEON's size, or plain arrays. Compiled once for each kind: include it only from files
+// that hwy/foreach_target.h compiles again, and after that header. Every operation is IEEE 754's on
+// each lane alone: no fused operations, no reciprocals, sums always in the same order. So the bits
+// do not depend on the vectors.
+#if defined(ONGGI_MATH_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ONGGI_MATH_LANES_H
+#undef ONGGI_MATH_LANES_H
+#else
+#define ONGGI_MATH_LANES_H
+#endif
+
+#include <hwy/highway.h>
 
 #include <cmath>
-#include <cstddef>
 
-/// Eight floats worked on together, as two SSE-sized halves (the vector extension of g++ and
-/// clang). Every operation is IEEE 754's on each lane alone, so the bits do not depend on the width
-/// of the machine's vectors. No fused operations, no reciprocals.
-namespace onggi {
+HWY_BEFORE_NAMESPACE();
+namespace onggi::HWY_NAMESPACE {
 
 inline constexpr int kLanes = 8;
 
-namespace lanes_detail {
-using F4 = float __attribute__((vector_size(16)));
-using I4 = int __attribute__((vector_size(16)));
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
 
-inline F4 square_root(F4 x) {
-#ifdef __SSE__
-  return __builtin_ia32_sqrtps(x);  // correctly rounded, as std::sqrt is
-#else
-  return F4{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
-#endif
-}
-}  // namespace lanes_detail
-
-/// Eight yes or no answers: all bits set, or none.
+/// Eight yes or no answers.
 struct Mask8 {
-  lanes_detail::I4 lo, hi;
-  friend Mask8 operator&(Mask8 a, Mask8 b) { return {a.lo & b.lo, a.hi & b.hi}; }
-  friend Mask8 operator|(Mask8 a, Mask8 b) { return {a.lo | b.lo, a.hi | b.hi}; }
-  friend Mask8 operator~(Mask8 a) { return {~a.lo, ~a.hi}; }
+  bool v[kLanes];
 };
-
+/// Eight floats.
 struct Float8 {
-  lanes_detail::F4 lo, hi;
-
-  Float8() : Float8(0.0f) {}
-  Float8(float all) : lo{all, all, all, all}, hi{all, all, all, all} {}  // a scalar is eight lanes
-  Float8(lanes_detail::F4 low, lanes_detail::F4 high) : lo(low), hi(high) {}
-
-  static Float8 load(const float* p) {
-    Float8 v;
-    __builtin_memcpy(&v.lo, p, sizeof v.lo);
-    __builtin_memcpy(&v.hi, p + 4, sizeof v.hi);
-    return v;
-  }
-  void store(float* p) const {
-    __builtin_memcpy(p, &lo, sizeof lo);
-    __builtin_memcpy(p + 4, &hi, sizeof hi);
-  }
-  float operator[](std::size_t k) const { return k < 4 ? lo[k] : hi[k - 4]; }
-
-  friend Float8 operator+(Float8 a, Float8 b) { return {a.lo + b.lo, a.hi + b.hi}; }
-  friend Float8 operator-(Float8 a, Float8 b) { return {a.lo - b.lo, a.hi - b.hi}; }
-  friend Float8 operator*(Float8 a, Float8 b) { return {a.lo * b.lo, a.hi * b.hi}; }
-  friend Float8 operator/(Float8 a, Float8 b) { return {a.lo / b.lo, a.hi / b.hi}; }
-  friend Mask8 operator<(Float8 a, Float8 b) { return {a.lo < b.lo, a.hi < b.hi}; }
-  friend Mask8 operator>(Float8 a, Float8 b) { return {a.lo > b.lo, a.hi > b.hi}; }
+  float v[kLanes];
 };
 
-inline Mask8 select_mask(Mask8 mask, Mask8 yes, Mask8 no) { return (mask & yes) | (~mask & no); }
-/// `yes` where `mask`, else `no`.
-inline Float8 select(Mask8 mask, Float8 yes, Float8 no) {
-  using namespace lanes_detail;
-  return {(F4)((mask.lo & (I4)yes.lo) | (~mask.lo & (I4)no.lo)),
-          (F4)((mask.hi & (I4)yes.hi) | (~mask.hi & (I4)no.hi))};
+#define ONGGI_EACH(Result, expression)                        \
+  {                                                           \
+    Result out;                                               \
+    for (int k = 0; k < kLanes; ++k) out.v[k] = (expression); \
+    return out;                                               \
+  }
+inline Float8 all(float value) ONGGI_EACH(Float8, value) inline Float8 load(const float* p)
+    ONGGI_EACH(Float8, p[k]) inline void store(Float8 a, float* p) {
+  for (int k = 0; k < kLanes; ++k) p[k] = a.v[k];
 }
-inline Float8 larger(Float8 a, Float8 b) { return select(a > b, a, b); }
-inline Float8 smaller(Float8 a, Float8 b) { return select(a < b, a, b); }
-inline Float8 abs(Float8 a) { return select(a < Float8(0.0f), Float8(0.0f) - a, a); }
-inline Float8 sqrt(Float8 a) {
-  return {lanes_detail::square_root(a.lo), lanes_detail::square_root(a.hi)};
+/// Towards zero; |a| below 2^31.
+inline void store_whole(Float8 a, int* p) {
+  for (int k = 0; k < kLanes; ++k) p[k] = static_cast<int>(a.v[k]);
 }
+inline Float8 operator+(Float8 a, Float8 b) ONGGI_EACH(Float8, a.v[k] + b.v[k]) inline Float8
+operator-(Float8 a, Float8 b) ONGGI_EACH(Float8, a.v[k] - b.v[k]) inline Float8
+operator*(Float8 a, Float8 b) ONGGI_EACH(Float8, a.v[k] * b.v[k]) inline Float8
+operator/(Float8 a, Float8 b) ONGGI_EACH(Float8, a.v[k] / b.v[k]) inline Float8 sqrt(Float8 a)
+    ONGGI_EACH(Float8, std::sqrt(a.v[k])) inline Float8 abs(Float8 a)
+        ONGGI_EACH(Float8, std::fabs(a.v[k])) inline Mask8
+        operator<(Float8 a, Float8 b) ONGGI_EACH(Mask8, a.v[k] < b.v[k]) inline Mask8
+        operator>(Float8 a, Float8 b) ONGGI_EACH(Mask8, a.v[k] > b.v[k]) inline Mask8
+        operator&(Mask8 a, Mask8 b) ONGGI_EACH(Mask8, a.v[k] && b.v[k]) inline Mask8
+        operator|(Mask8 a, Mask8 b) ONGGI_EACH(Mask8, a.v[k] || b.v[k])
+    /// `yes` where `mask`, else `no`.
+    inline Float8 select(Mask8 mask, Float8 yes, Float8 no)
+        ONGGI_EACH(Float8, mask.v[k] ? yes.v[k] : no.v[k])
+    /// `yes` where `mask`, else 0.
+    inline Float8 only(Mask8 mask, Float8 yes) ONGGI_EACH(Float8, mask.v[k] ? yes.v[k] : 0.0f)
+    /// The larger; `b` where either is NaN.
+    inline Float8 larger(Float8 a, Float8 b) ONGGI_EACH(Float8, a.v[k] > b.v[k] ? a.v[k] : b.v[k])
+    /// The smaller; `b` where either is NaN.
+    inline Float8 smaller(Float8 a, Float8 b) ONGGI_EACH(Float8, a.v[k] < b.v[k] ? a.v[k] : b.v[k])
+#undef ONGGI_EACH
 
-inline bool any(Mask8 m) {
-  long long words[2];
-  const lanes_detail::I4 both = m.lo | m.hi;
-  __builtin_memcpy(words, &both, sizeof words);
-  return (words[0] | words[1]) != 0;
+    /// How many lanes say yes.
+    inline int count(Mask8 m) {
+  int yes = 0;
+  for (bool one : m.v) yes += one;
+  return yes;
 }
-/// How many lanes say yes.
-inline int count(Mask8 m) {
-  const lanes_detail::I4 each = m.lo + m.hi;  // yes is -1
-  return -(each[0] + each[1] + each[2] + each[3]);
+inline bool none(Mask8 m) { return count(m) == 0; }
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+using PartTag = hn::CappedTag<float, kLanes>;
+using PartWhole = hn::RebindToSigned<PartTag>;
+
+// A function of Highway on each part. HWY_MAX_BYTES is the size of this target's vectors.
+#if HWY_MAX_BYTES >= 32
+#define ONGGI_PARTS(type) type low
+#define ONGGI_EACH1(f, a) \
+  { f(a.low) }
+#define ONGGI_EACH2(f, a, b) \
+  { f(a.low, b.low) }
+#define ONGGI_EACH3(f, a, b, c) \
+  { f(a.low, b.low, c.low) }
+#else
+#define ONGGI_PARTS(type) type low, high
+#define ONGGI_EACH1(f, a) \
+  { f(a.low), f(a.high) }
+#define ONGGI_EACH2(f, a, b) \
+  { f(a.low, b.low), f(a.high, b.high) }
+#define ONGGI_EACH3(f, a, b, c) \
+  { f(a.low, b.low, c.low), f(a.high, b.high, c.high) }
+#endif
+
+struct Mask8 {
+  ONGGI_PARTS(hn::Mask<PartTag>);
+};
+struct Float8 {
+  ONGGI_PARTS(hn::Vec<PartTag>);
+};
+
+#if HWY_MAX_BYTES >= 32
+HWY_INLINE Float8 all(float value) { return {hn::Set(PartTag(), value)}; }
+HWY_INLINE Float8 load(const float* p) { return {hn::LoadU(PartTag(), p)}; }
+HWY_INLINE void store(Float8 a, float* p) { hn::StoreU(a.low, PartTag(), p); }
+HWY_INLINE void store_whole(Float8 a, int* p) {
+  hn::StoreU(hn::ConvertTo(PartWhole(), a.low), PartWhole(), p);
 }
-/// The lanes numbered 0.. that lie below `end`.
-inline Mask8 lanes_below(int end) {
-  const lanes_detail::I4 low{0, 1, 2, 3};
-  const lanes_detail::I4 high{4, 5, 6, 7};
-  const lanes_detail::I4 limit{end, end, end, end};
-  return {low < limit, high < limit};
+HWY_INLINE bool none(Mask8 m) { return hn::AllFalse(PartTag(), m.low); }
+HWY_INLINE int count(Mask8 m) { return static_cast<int>(hn::CountTrue(PartTag(), m.low)); }
+#else
+HWY_INLINE Float8 all(float value) {
+  return {hn::Set(PartTag(), value), hn::Set(PartTag(), value)};
 }
+HWY_INLINE Float8 load(const float* p) {
+  return {hn::LoadU(PartTag(), p), hn::LoadU(PartTag(), p + 4)};
+}
+HWY_INLINE void store(Float8 a, float* p) {
+  hn::StoreU(a.low, PartTag(), p);
+  hn::StoreU(a.high, PartTag(), p + 4);
+}
+HWY_INLINE void store_whole(Float8 a, int* p) {
+  hn::StoreU(hn::ConvertTo(PartWhole(), a.low), PartWhole(), p);
+  hn::StoreU(hn::ConvertTo(PartWhole(), a.high), PartWhole(), p + 4);
+}
+HWY_INLINE bool none(Mask8 m) { return hn::AllFalse(PartTag(), hn::Or(m.low, m.high)); }
+HWY_INLINE int count(Mask8 m) {
+  return static_cast<int>(hn::CountTrue(PartTag(), m.low) + hn::CountTrue(PartTag(), m.high));
+}
+#endif
+
+HWY_INLINE Float8 operator+(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Add, a, b); }
+HWY_INLINE Float8 operator-(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Sub, a, b); }
+HWY_INLINE Float8 operator*(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Mul, a, b); }
+HWY_INLINE Float8 operator/(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Div, a, b); }
+HWY_INLINE Float8 sqrt(Float8 a) { return ONGGI_EACH1(hn::Sqrt, a); }
+HWY_INLINE Float8 abs(Float8 a) { return ONGGI_EACH1(hn::Abs, a); }
+HWY_INLINE Mask8 operator<(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Lt, a, b); }
+HWY_INLINE Mask8 operator>(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Gt, a, b); }
+HWY_INLINE Mask8 operator&(Mask8 a, Mask8 b) { return ONGGI_EACH2(hn::And, a, b); }
+HWY_INLINE Mask8 operator|(Mask8 a, Mask8 b) { return ONGGI_EACH2(hn::Or, a, b); }
+HWY_INLINE Float8 select(Mask8 mask, Float8 yes, Float8 no) {
+  return ONGGI_EACH3(hn::IfThenElse, mask, yes, no);
+}
+HWY_INLINE Float8 only(Mask8 mask, Float8 yes) {
+  return ONGGI_EACH2(hn::IfThenElseZero, mask, yes);
+}
+#if HWY_ARCH_X86
+// x86's own maximum is `b` where either is NaN; others' is not.
+HWY_INLINE Float8 larger(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Max, a, b); }
+HWY_INLINE Float8 smaller(Float8 a, Float8 b) { return ONGGI_EACH2(hn::Min, a, b); }
+#else
+HWY_INLINE Float8 larger(Float8 a, Float8 b) { return select(a > b, a, b); }
+HWY_INLINE Float8 smaller(Float8 a, Float8 b) { return select(a < b, a, b); }
+#endif
+
+#undef ONGGI_PARTS
+#undef ONGGI_EACH1
+#undef ONGGI_EACH2
+#undef ONGGI_EACH3
+#endif
+
 /// Lanes added in pairs, always the same ones.
-inline float sum(Float8 a) {
-  const lanes_detail::F4 v = a.lo + a.hi;
-  return (v[0] + v[2]) + (v[1] + v[3]);
+HWY_INLINE float sum(Float8 a) {
+  float v[kLanes];
+  store(a, v);
+  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
-inline float largest(Float8 a) {
-  float most = a[0];
-  for (std::size_t k = 1; k < kLanes; ++k) most = a[k] > most ? a[k] : most;
+HWY_INLINE float largest(Float8 a) {
+  float v[kLanes];
+  store(a, v);
+  float most = v[0];
+  for (int k = 1; k < kLanes; ++k) most = v[k] > most ? v[k] : most;
   return most;
 }
+HWY_INLINE float smallest(Float8 a) {
+  float v[kLanes];
+  store(a, v);
+  float least = v[0];
+  for (int k = 1; k < kLanes; ++k) least = v[k] < least ? v[k] : least;
+  return least;
+}
 
-}  // namespace onggi
+}  // namespace onggi::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -131,7 +131,13 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
   if (h.present && length(to - h.at) > 4.0 * def.tool.radius) h.leave();
   if (!h.present) h.guard.release();
   const Vec3 from = h.present ? h.at : to;
-  tick.sweep[n] = {from, to, 0.0, 0.0, def.tool.radius, tick.dt, in.side};
+  ToolSweep& sweep = tick.sweep[n];
+  sweep.shape = find_tool_shape("sphere");
+  sweep.size = {def.tool.radius, 0.0, 0.0};
+  sweep.from = from;
+  sweep.to = to;
+  sweep.seconds = tick.dt;
+  sweep.wish = in.side;
   h.at = to;
   h.present = true;
 }
@@ -186,7 +192,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     if (!hand[n].present) continue;
     tick.sweep[n].angle_from = tick.angle_from;
     tick.sweep[n].angle_to = tick.angle_from + tick.turn;
-    steps = std::max(steps, steps_for(tick.sweep[n]));
+    steps = std::max(steps, steps_for(tick.sweep[n], yielding.relaxation_time));
   }
   for (int step = 0; step < steps; ++step) {
     // What a wall between two hands comes to must not depend on which hand is called the first.

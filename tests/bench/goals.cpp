@@ -53,7 +53,8 @@ struct FloorWork final : Work {
     decay = portable::exp(-kTickSeconds / def.contact.relaxation_time);
   }
   void tick(int n) noexcept override {
-    floor_loop(contact.clay(), script.side, place_after(script, n), radius, decay);
+    floor_loop(contact.clay(), script.side,
+               0.5 * (place_before(script, n) + place_after(script, n)), radius, decay);
   }
   void freshen() override {
     contact.clay().mark_all_dirty();

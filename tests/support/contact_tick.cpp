@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "tests/support/sphere.h"
 
 namespace onggi {
 namespace {
@@ -25,6 +26,7 @@ void refill(Clay& clay) {
     std::ranges::fill(clay.outer_mut(j), static_cast<float>(def.outer_radius));
     std::ranges::fill(clay.inner_mut(j),
                       j < clay.floor_rows() ? 0.0f : static_cast<float>(def.inner_radius));
+    clay.set_extent(j, clay.outer(j).front(), clay.inner(j).front());
   }
 }
 
@@ -41,18 +43,18 @@ CorrectedContact::CorrectedContact(const TickScript& script, int rows, int secto
 void CorrectedContact::tick(int n) noexcept {
   const HandInput now = script_.hands(n).hand[0];
   const HandInput before = script_.hands(std::max(n - 1, 0)).hand[0];
-  const ToolSweep sweep{
-      before.position, now.position, angle_at(script_, n), angle_at(script_, n + 1), radius_,
-      kTickSeconds,    now.side};
+  const double angle = angle_at(script_, n);
+  const ToolSweep sweep = sweep_sphere(before.position, now.position, radius_, angle,
+                                       angle_at(script_, n + 1) - angle, now.side);
   contact_.begin_tick();
-  const int steps = steps_for(sweep);
+  const int steps = steps_for(sweep, yielding_.relaxation_time);
   for (int step = 0; step < steps; ++step) contact_.step(clay_, sweep, step, steps, yielding_);
   pressed_ = contact_.reaction();
 }
 
 void CorrectedContact::press_alone(int n) noexcept {
-  const SphereStep step{place_before(script_, n), place_after(script_, n), radius_, kTickSeconds};
-  pressed_ = onggi::press(clay_, script_.side, step, yielding_);
+  const Vec3 middle = 0.5 * (place_before(script_, n) + place_after(script_, n));
+  pressed_ = press_sphere(clay_, script_.side, middle, radius_, kTickSeconds, yielding_);
 }
 
 void CorrectedContact::freshen() {

@@ -153,7 +153,24 @@ TEST(Clay, SectorsThatAreNoMultipleOfEightArePadded) {
   Clay clay = lump(def);
   EXPECT_EQ(clay.stride(), 104);
   EXPECT_EQ(clay.outer(0).size(), 100u);
-  EXPECT_EQ(clay.outer_mut(0).size(), 104u);
+  // No tool touches the padding: it lies nowhere that a ray of (0, 0) could meet.
+  EXPECT_EQ(clay.ray_cos()[103], 0.0f);
+  EXPECT_LT(clay.outer(0).data()[103], -1.0f);
+  EXPECT_GT(clay.inner(0).data()[103], 1.0f);
+}
+
+TEST(Clay, ARowsExtentHoldsTheRowWhateverIsWritten) {
+  Clay clay = lump();
+  EXPECT_EQ(clay.outer_most(200), 0.055f);
+  EXPECT_EQ(clay.inner_least(200), 0.022f);
+  clay.outer_mut(200)[7] = 0.1f;
+  clay.inner_mut(201)[7] = 0.01f;
+  EXPECT_GE(clay.outer_most(200), 0.1f);
+  EXPECT_LE(clay.inner_least(201), 0.01f);
+  clay.set_extent(200, 0.1f, 0.022f);
+  clay.widen_extent(200, 0.05f, 0.02f);
+  EXPECT_EQ(clay.outer_most(200), 0.1f);
+  EXPECT_EQ(clay.inner_least(200), 0.02f);
 }
 
 TEST(ClayDef, EveryFieldOutOfRangeIsNamed) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/paper_model.h"
+#include "tests/support/sphere.h"
 
 // What goes wrong where the paper leaves a question open, each with the corrected model's answer
 // beside it. Numbers are those of the table in engine/docs/paper.md.
@@ -34,7 +35,7 @@ PaperTouch printed(Clay& clay, WallSide mode, Vec3 at,
   return PaperModel(clay, reading).tick(clay, mode, at, kRadius, 0.0, 0.0, kPrinted);
 }
 Press corrected(Clay& clay, WallSide side, Vec3 at) {
-  return press(clay, side, {at, at, kRadius, 0.001}, kClay);
+  return press_sphere(clay, side, at, kRadius, 0.001, kClay);
 }
 
 TEST(Paper03, TheIntervalOfAnglesIsCutOffWhereTheCircleBegins) {

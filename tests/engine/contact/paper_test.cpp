@@ -8,6 +8,7 @@
 
 #include "engine/contact/tool_contact.h"
 #include "engine/math/random.h"
+#include "tests/support/sphere.h"
 
 // What goes wrong with the equations as printed, each with the corrected model's answer beside it.
 // Numbers are those of the table in engine/docs/paper.md.
@@ -41,7 +42,7 @@ PaperTouch printed(Clay& clay, WallSide mode, Vec3 at, double radius = kRadius,
 }
 Press corrected(Clay& clay, WallSide side, Vec3 at, double radius = kRadius,
                 double seconds = 0.001) {
-  return press(clay, side, {at, at, radius, seconds}, kClay);
+  return press_sphere(clay, side, at, radius, seconds, kClay);
 }
 
 int moved_in_row(const Clay& clay, int j) {
@@ -128,7 +129,7 @@ TEST(Paper07, TheModeChattersWhileAToolTremblesAtTheSurface) {
     last = mode;
     const WallSide before = contact.side();
     contact.begin_tick();
-    contact.step(b, {from, at, 0, 0, kRadius, 0.001}, 0, 1, kClay);
+    contact.step(b, sweep_sphere(from, at, kRadius), 0, 1, kClay);
     changes[1] += contact.side() != before;
     from = at;
   }
@@ -182,8 +183,8 @@ TEST(Paper16, AFastWheelCarriesElementsPastTheToolUntouched) {
   ToolContact contact;
   for (int n = 0; n < 200; ++n) {
     printed(a, WallSide::outside, at, kNeedle, kPrinted, n * turn, turn);
-    const ToolSweep sweep{at, at, n * turn, (n + 1) * turn, kNeedle, 0.001};
-    const int steps = steps_for(sweep);
+    const ToolSweep sweep = sweep_sphere(at, at, kNeedle, n * turn, turn);
+    const int steps = steps_for(sweep, kClay.relaxation_time);
     contact.begin_tick();
     for (int step = 0; step < steps; ++step) contact.step(b, sweep, step, steps, kClay);
   }
@@ -203,10 +204,11 @@ TEST(Paper17, AFastToolTunnelsTheWall) {
     const WallSide mode = PaperModel::mode(a, at, 0.0, SideWish::by_position);
     EXPECT_EQ(printed(a, mode, at).touched, 0);
   }
-  const ToolSweep arrive{before, before, 0, 0, kRadius, 0.001};
-  const ToolSweep rush{before, after, 0, 0, kRadius, 0.001};
+  const ToolSweep arrive = sweep_sphere(before, before, kRadius);
+  const ToolSweep rush = sweep_sphere(before, after, kRadius);
   contact.step(b, arrive, 0, 1, kClay);
-  for (int n = 0; n < steps_for(rush); ++n) contact.step(b, rush, n, steps_for(rush), kClay);
+  const int steps = steps_for(rush, kClay.relaxation_time);
+  for (int n = 0; n < steps; ++n) contact.step(b, rush, n, steps, kClay);
   EXPECT_GT(contact.reaction().touched, 0);
   EXPECT_EQ(contact.side(), WallSide::outside);
 }

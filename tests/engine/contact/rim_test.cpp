@@ -10,6 +10,7 @@
 #include "engine/contact/tool_contact.h"
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
+#include "tests/support/sphere.h"
 
 namespace onggi {
 namespace {
@@ -39,8 +40,8 @@ struct Turning {
   Press last{};
 
   void tick(Vec3 from, Vec3 to, double turn) {
-    const ToolSweep sweep{from, to, angle, angle + turn, kRadius, 0.001};
-    const int steps = steps_for(sweep);
+    const ToolSweep sweep = sweep_sphere(from, to, kRadius, angle, turn);
+    const int steps = steps_for(sweep, kClay.relaxation_time);
     contact.begin_tick();
     for (int n = 0; n < steps; ++n) contact.step(clay, sweep, n, steps, kClay);
     angle += turn;
@@ -208,7 +209,7 @@ TEST(Rim, NothingJumpsWhereAToolSlidesFromTheWallOverTheRimIntoTheMouth) {
       Clay clay = lump();
       ToolContact contact;
       const Vec3 at{d, kRim + kRadius - deep, 0};
-      const ToolSweep sweep{at, at, 0, 0, kRadius, 0.001};
+      const ToolSweep sweep = sweep_sphere(at, at, kRadius);
       contact.begin_tick();
       contact.step(clay, sweep, 0, 1, kClay);
       const Vec3 force = contact.reaction().force;

@@ -7,6 +7,7 @@
 
 #include "engine/contact/stops.h"
 #include "engine/math/random.h"
+#include "tests/support/sphere.h"
 
 namespace onggi {
 namespace {
@@ -23,8 +24,8 @@ Clay lump(int sectors = 360) {
 // One tick: `contact` goes from `from` to `to` while the wheel turns by `turn`.
 void tick(ToolContact& contact, Clay& clay, Vec3 from, Vec3 to, double angle = 0.0,
           double turn = 0.0, SideWish wish = SideWish::by_position) {
-  const ToolSweep sweep{from, to, angle, angle + turn, kRadius, 0.001, wish};
-  const int steps = steps_for(sweep);
+  const ToolSweep sweep = sweep_sphere(from, to, kRadius, angle, turn, wish);
+  const int steps = steps_for(sweep, kClay.relaxation_time);
   contact.begin_tick();
   for (int n = 0; n < steps; ++n) contact.step(clay, sweep, n, steps, kClay);
 }
@@ -93,10 +94,15 @@ TEST(Side, ChangesOnceWhenTheToolIsCarriedOverTheRim) {
 }
 
 TEST(Sweep, StepsKeepTheToolWithinAQuarterRadiusAndTheClayWithinAnEighth) {
-  EXPECT_EQ(steps_for({{0.06, 0, 0}, {0.06, 0, 0}, 0, 0, kRadius, 0.001}), 1);
-  EXPECT_EQ(steps_for({{0.06, 0, 0}, {0.06, 0.0081, 0}, 0, 0, kRadius, 0.001}), 5);
-  EXPECT_EQ(steps_for({{0.06, 0, 0}, {0.06, 0, 0}, 0, 0.1, kRadius, 0.001}), 6);
-  EXPECT_EQ(steps_for({{9, 0, 0}, {-9, 0, 0}, 0, 0, kRadius, 0.001}), kMostSteps);
+  const auto steps = [](Vec3 from, Vec3 to, double turn, double tau = kClay.relaxation_time) {
+    return steps_for(sweep_sphere(from, to, kRadius, 0.0, turn), tau);
+  };
+  const Vec3 at{0.06, 0, 0};
+  EXPECT_EQ(steps(at, at, 0.0), 1);
+  EXPECT_EQ(steps(at, {0.06, 0.0081, 0}, 0.0), 5);
+  EXPECT_EQ(steps(at, at, 0.1), 6);
+  EXPECT_EQ(steps({9, 0, 0}, {-9, 0, 0}, 0.0), kMostSteps);
+  EXPECT_EQ(steps(at, at, 0.0, 0.001), 4);  // and no longer than a quarter of the relaxation time
 }
 
 TEST(Sweep, AFastToolDoesNotTunnelThroughTheWall) {
@@ -121,13 +127,14 @@ TEST(Sweep, NoElementIsSkippedHoweverFastTheWheelOrFineTheSectors) {
     const Vec3 at{0.0627, clay.row_height(200), 0};
     const double turn = 31.4159 * 0.001;
     for (int n = 0; n < 2000; ++n) tick(contact, clay, at, at, n * turn, turn);
-    // Smooth round the pot, but for the step at the tool's own place between two turns.
+    // Smooth round the pot to a few micrometres (a step of the tool is an eighth of its radius),
+    // but for the tool's own place between two turns.
     const auto row = clay.outer(200);
     const std::size_t count = row.size();
     int rough = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const float neighbours = 0.5f * (row[(i + count - 1) % count] + row[(i + 1) % count]);
-      rough += std::fabs(row[i] - neighbours) > 1e-6f;
+      rough += std::fabs(row[i] - neighbours) > 5e-6f;
       EXPECT_LT(row[i], 0.05495f);
     }
     EXPECT_LT(rough, 0.05 * static_cast<double>(count));
@@ -143,9 +150,9 @@ TEST(Sweep, TurningTheWheelIsTheSameAsCarryingTheToolRound) {
   ToolContact b;
   Press pa, pb;
   for (int n = 0; n < 100; ++n) {
-    tick(a, turned, {0.062, 0.1, 0}, {0.062, 0.1, 0}, n * 0.01, 0.01);
-    const double from = -n * 0.01;
-    const double to = -(n + 1) * 0.01;
+    tick(a, turned, {0.062, 0.1, 0}, {0.062, 0.1, 0}, n * 0.001, 0.001);
+    const double from = -n * 0.001;
+    const double to = -(n + 1) * 0.001;
     tick(b, carried, {0.062 * std::cos(from), 0.1, 0.062 * std::sin(from)},
          {0.062 * std::cos(to), 0.1, 0.062 * std::sin(to)});
     pa = a.reaction();

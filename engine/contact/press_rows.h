@@ -1,0 +1,296 @@
+// How any tool presses the rows it reaches, eight elements at a time. A tool's file in
+// engine/contact/tools gives a class that tells how it meets one row:
+//
+//   struct Shape {
+//     Shape(const ToolPlace&, const ToolSize&);
+//     double reach() const;                   // of the ball round `at` that holds the tool, m
+//     Row row(double height, const RowReach&) const;  // its closed-form section with that plane
+//   };
+//   struct Row {
+//     template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin) const;
+//     void react(RowSum&, Float8 weight, const Meeting&, Float8 cos, Float8 sin) const;
+//     void collect(const RowSum&, float area, Reaction&) const;
+//   };
+//
+// Compiled once for each kind of vector: include it only from such a file.
+#if defined(ONGGI_CONTACT_PRESS_ROWS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ONGGI_CONTACT_PRESS_ROWS_H
+#undef ONGGI_CONTACT_PRESS_ROWS_H
+#else
+#define ONGGI_CONTACT_PRESS_ROWS_H
+#endif
+
+#include <algorithm>
+
+#include "engine/contact/plan_rows.h"
+#include "engine/contact/tool.h"
+#include "engine/math/lanes.h"
+#include "engine/math/portable.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace onggi::HWY_NAMESPACE {
+
+// A press below 80 nm is none: a float's step at 12 cm is 7 nm, a tenth of it is what 1 ms of the
+// stiffest clay takes away, and rest must be rest.
+inline constexpr float kSnap = 8e-8f;
+
+/// How eight rays meet a tool's section: where the tool's near end (pressing from outside) or far
+/// end (from inside) lies along each, in metres from the axis, negative beyond it. `covered`, 0..1,
+/// is how much of each element the section covers; it counts only where the meeting is `careful`.
+struct Meeting {
+  Float8 end;
+  Float8 covered;
+  Mask8 hit;
+};
+
+/// Sums over one row of weight = press times radius. What x, y and z are is the tool's to say.
+struct RowSum {
+  Float8 weight, x, y, z;
+};
+
+/// Sums over all rows: force on the tool and its normal part, N.
+struct Reaction {
+  Float8 normal, x, y, z;
+};
+
+// Positive is a press: S - E1 from outside, E2 - S from inside.
+template <WallSide side>
+HWY_INLINE Float8 press_of(Float8 face, Float8 target) {
+  return side == WallSide::outside ? face - target : target - face;
+}
+
+/// What holds for all elements of a step.
+struct StepFigures {
+  float limit;  // how far the face may be pressed: the clay keeps radius_min, wall_min, radius_max
+  float wall_min;
+  float gone;  // 1 - e^(-dt/tau): how much of a press the clay gives way by in the step
+};
+
+// Most rows are plain. Some need care: near the axis, and near the clay's limits, a tool may ask
+// for more than the clay allows; a tool outside works the half of the clay that it stands over, not
+// what lies beyond the axis; and where the press is deep at the section's very edges, an element
+// counts for the share that is covered, or the force would step as elements come and go.
+template <WallSide side, bool careful>
+HWY_INLINE Float8 target_of(const Meeting& m, const StepFigures& figures) {
+  if constexpr (!careful) return m.end;
+  return side == WallSide::outside ? larger(m.end, all(figures.limit))
+                                   : smaller(m.end, all(figures.limit));
+}
+
+struct Pressed {
+  RowSum sum;
+  Float8 depth;   // deepest of each lane
+  Float8 behind;  // the farthest that the other face was carried
+  int touched;
+};
+
+// One block of eight elements, with the target held where it is in the middle of the step: exact
+// exponential relaxation, second order in the step for a target that moves.
+template <WallSide side, bool careful, bool hollow, class Row>
+HWY_INLINE void press_block(const Row& row, const StepFigures& figures, const float* ray_cos,
+                            const float* ray_sin, float* face, float* behind, Pressed& pressed) {
+  const Float8 c = load(ray_cos);
+  const Float8 s = load(ray_sin);
+  const Float8 radius = load(face);
+  const Meeting m = row.template meet<side, careful>(c, s);
+  const Float8 press = press_of<side>(radius, target_of<side, careful>(m, figures));
+  const Mask8 touch = m.hit & (press > all(kSnap));
+  if (none(touch)) return;
+
+  const Float8 felt = only(touch, careful ? press * m.covered : press);
+  const Float8 given = felt * all(figures.gone);
+  const Float8 now = side == WallSide::outside ? radius - given : radius + given;
+  store(now, face);
+  if constexpr (hollow) {
+    // The other face is carried along where the wall would be too thin.
+    const Float8 back = load(behind);
+    const Float8 thin = all(figures.wall_min);
+    const Float8 least = side == WallSide::outside ? now - thin : now + thin;
+    const Mask8 pushed = touch & (side == WallSide::outside ? least < back : least > back);
+    if (!none(pushed)) {
+      const Float8 carried = select(pushed, least, back);
+      store(carried, behind);
+      pressed.behind = side == WallSide::outside ? smaller(pressed.behind, carried)
+                                                 : larger(pressed.behind, carried);
+    }
+  }
+  row.react(pressed.sum, felt * radius, m, c, s);
+  pressed.depth = larger(pressed.depth, felt);
+  pressed.touched += count(touch);
+}
+
+template <WallSide side, bool careful, bool hollow, class Row>
+HWY_INLINE void press_ranges(const Row& row, const StepFigures& figures, const float* ray_cos,
+                             const float* ray_sin, float* face, float* behind,
+                             const RowReach& reach, Pressed& pressed) {
+  for (int n = 0; n < reach.used; ++n)
+    for (int i = reach.ranges[n].begin * kLanes; i < reach.ranges[n].end * kLanes; i += kLanes)
+      press_block<side, careful, hollow>(row, figures, ray_cos + i, ray_sin + i, face + i,
+                                         behind + i, pressed);
+}
+
+// Rows that a tool can press. Inside, the solid floor rows are a stop instead (stops.h).
+template <WallSide side>
+int first_pressed_row(const Clay& clay, const Window& window) {
+  return side == WallSide::inside ? std::max(window.first_row, clay.floor_rows())
+                                  : window.first_row;
+}
+
+template <WallSide side>
+float limit_of(const ClayDef& def) {
+  return static_cast<float>(side == WallSide::outside ? def.radius_min + def.wall_min
+                                                      : def.radius_max - def.wall_min);
+}
+
+template <WallSide side>
+bool needs_care(float limit, const Window& window, const RowReach& reach) {
+  const double section = double{reach.section};
+  return reach.edged || (side == WallSide::outside ? window.distance - section < double{limit}
+                                                   : window.distance + section > double{limit});
+}
+
+// Pressing leaves a row's extent wider than the row, so that more is looked at than need be: whose
+// turn it is of the window's rows is measured anew.
+inline void measure_extent(Clay& clay, int j) {
+  const float* outer = clay.outer(j).data();
+  const float* inner = clay.inner(j).data();
+  Float8 most = all(0.0f);
+  Float8 least = all(1e9f);
+  for (int i = 0; i < clay.stride(); i += kLanes) {
+    most = larger(load(outer + i), most);
+    least = smaller(load(inner + i), least);
+  }
+  clay.set_extent(j, largest(most), smallest(least));
+}
+
+template <WallSide side, class Shape>
+Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, double seconds,
+                 const Yielding& yielding) {
+  const ClayDef& def = clay.def();
+  const double rate = yielding.relaxation_time / seconds;
+  const double gone = -portable::expm1(-1.0 / rate);
+  const StepFigures figures{limit_of<side>(def), static_cast<float>(def.wall_min),
+                            static_cast<float>(gone)};
+  // The mean press over the step is (tau/dt)(1 - e^(-dt/tau)) of the first.
+  const double weight = yielding.stiffness * 2.0 * portable::kPi / def.sectors * rate * gone;
+  const Shape shape(place, size);
+  const Window window(clay, place.at, shape.reach());
+  const float* ray_cos = clay.ray_cos().data();
+  const float* ray_sin = clay.ray_sin().data();
+
+  Press out;
+  const Float8 zero = all(0.0f);
+  Reaction reaction{zero, zero, zero, zero};
+  Pressed pressed{{zero, zero, zero, zero}, zero, zero, 0};
+  RowReach planned[kPlannedRows];
+  const int end_row = window.end_row;
+  const int first_row = first_pressed_row<side>(clay, window);
+  for (int j = first_row, k = kPlannedRows; j < end_row; ++j, ++k) {
+    if (k == kPlannedRows) {
+      k = 0;
+      plan<side>(clay, window, j, std::min(kPlannedRows, end_row - j), planned);
+    }
+    const RowReach& reach = planned[k];
+    if (reach.used == 0) continue;
+    const auto row = shape.row(clay.row_height(j), reach);
+    float* outer = clay.pressable_outer(j).data();
+    float* inner = clay.pressable_inner(j).data();
+    float* face = side == WallSide::outside ? outer : inner;
+    float* behind = side == WallSide::outside ? inner : outer;
+    pressed.sum = {zero, zero, zero, zero};
+    const Float8 start = all(side == WallSide::outside ? clay.inner_least(j) : clay.outer_most(j));
+    pressed.behind = start;
+    pressed.touched = 0;
+    if (j < clay.floor_rows())
+      press_ranges<side, true, false>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
+    else if (needs_care<side>(figures.limit, window, reach))
+      press_ranges<side, true, true>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
+    else
+      press_ranges<side, false, true>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
+    out.visited += reach.elements();
+    if (pressed.touched == 0) continue;
+    out.touched += pressed.touched;
+    row.collect(pressed.sum, static_cast<float>(weight * clay.row_thickness(j)), reaction);
+    if constexpr (side == WallSide::outside) {
+      if (!none(pressed.behind < start)) clay.widen_extent(j, 0.0f, smallest(pressed.behind));
+    } else {
+      if (!none(pressed.behind > start)) clay.widen_extent(j, largest(pressed.behind), 1e9f);
+    }
+    clay.mark_dirty(j);
+  }
+  if (out.touched > 0) measure_extent(clay, first_row + clay.next_measured(end_row - first_row));
+  out.force = {double{sum(reaction.x)}, double{sum(reaction.y)}, double{sum(reaction.z)}};
+  out.normal = double{sum(reaction.normal)};
+  // Elements in part covered reach a little beyond the tool's surface, and so does their normal.
+  const double strength = length(out.force);
+  if (strength > out.normal) out.force = (out.normal / strength) * out.force;
+  out.depth = double{largest(pressed.depth)};
+  return out;
+}
+
+template <WallSide side, class Shape>
+double depth_in_rows(const Clay& clay, const ToolPlace& place, const ToolSize& size,
+                     std::int64_t& visited) {
+  const StepFigures figures{limit_of<side>(clay.def()), 0.0f, 0.0f};
+  const Shape shape(place, size);
+  const Window window(clay, place.at, shape.reach());
+  const float* ray_cos = clay.ray_cos().data();
+  const float* ray_sin = clay.ray_sin().data();
+  const Float8 snap = all(kSnap);
+  Float8 deepest = all(0.0f);
+  RowReach planned[kPlannedRows];
+  const int end_row = window.end_row;
+  const int first_row = first_pressed_row<side>(clay, window);
+  for (int j = first_row, k = kPlannedRows; j < end_row; ++j, ++k) {
+    if (k == kPlannedRows) {
+      k = 0;
+      plan<side>(clay, window, j, std::min(kPlannedRows, end_row - j), planned);
+    }
+    const RowReach& reach = planned[k];
+    if (reach.used == 0) continue;
+    const auto row = shape.row(clay.row_height(j), reach);
+    const float* face = side == WallSide::outside ? clay.outer(j).data() : clay.inner(j).data();
+    for (int n = 0; n < reach.used; ++n) {
+      for (int i = reach.ranges[n].begin * kLanes; i < reach.ranges[n].end * kLanes; i += kLanes) {
+        const Meeting m = row.template meet<side, true>(load(ray_cos + i), load(ray_sin + i));
+        const Float8 press = press_of<side>(load(face + i), target_of<side, true>(m, figures));
+        deepest = larger(deepest, only(m.hit & (press > snap), press));
+      }
+    }
+    visited += reach.elements();
+  }
+  return double{largest(deepest)};
+}
+
+}  // namespace onggi::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+/// After the Shape, in its namespace: the functions that a ToolShape points to, for this vector.
+#define ONGGI_PRESS_WITH(Shape)                                                             \
+  Press press_tool(Clay& clay, WallSide side, const ToolPlace& place, const ToolSize& size, \
+                   double seconds, const Yielding& yielding) {                              \
+    return side == WallSide::outside                                                        \
+               ? press_rows<WallSide::outside, Shape>(clay, place, size, seconds, yielding) \
+               : press_rows<WallSide::inside, Shape>(clay, place, size, seconds, yielding); \
+  }                                                                                         \
+  double depth_of_tool(const Clay& clay, WallSide side, const ToolPlace& place,             \
+                       const ToolSize& size, std::int64_t& visited) {                       \
+    return side == WallSide::outside                                                        \
+               ? depth_in_rows<WallSide::outside, Shape>(clay, place, size, visited)        \
+               : depth_in_rows<WallSide::inside, Shape>(clay, place, size, visited);        \
+  }
+
+/// At the file's end, once (HWY_ONCE), in namespace onggi: `press` and `depth` below choose the
+/// machine's best vectors when first called.
+#define ONGGI_CHOOSE_VECTORS()                                                                \
+  HWY_EXPORT(press_tool);                                                                     \
+  HWY_EXPORT(depth_of_tool);                                                                  \
+  static Press press(Clay& clay, WallSide side, const ToolPlace& place, const ToolSize& size, \
+                     double seconds, const Yielding& yielding) {                              \
+    return HWY_DYNAMIC_DISPATCH(press_tool)(clay, side, place, size, seconds, yielding);      \
+  }                                                                                           \
+  static double depth(const Clay& clay, WallSide side, const ToolPlace& place,                \
+                      const ToolSize& size, std::int64_t& visited) {                          \
+    return HWY_DYNAMIC_DISPATCH(depth_of_tool)(clay, side, place, size, visited);             \
+  }
+#endif

@@ -1,0 +1,102 @@
+// A ball: the paper's own tool (Lee, Han & Choi 2008). Size: radius.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/contact/tools/sphere.cpp"
+#include <hwy/foreach_target.h>
+
+#include "engine/contact/press_rows.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace onggi::HWY_NAMESPACE {
+namespace {
+
+// Every end E lies on the sphere, so H - E is radius long: no normal needs a length. The sums are
+// those of weight, and of weight times E; H comes in once a row.
+struct SphereRow {
+  Float8 section;     // radius of the row's circle; negative where there is none
+  Float8 at_x, at_z;  // of its middle
+  Float8 edge;        // farthest that an element's ray may pass that is covered in part
+  Float8 per_width, most_covered;
+  float x, z, below;  // of H, from the axis and above the row, over the sphere's radius
+  float per_radius;
+
+  template <WallSide side, bool careful>
+  HWY_INLINE Meeting meet(Float8 c, Float8 s) const {
+    const Float8 along = at_x * c + at_z * s;
+    const Float8 off = at_z * c - at_x * s;
+    // Instead of r^2 - s^2: at a tangent ray the squares would cancel.
+    const Float8 square = (section - off) * (section + off);
+    const Float8 half_chord = sqrt(larger(square, all(0.0f)));
+    const Float8 end = side == WallSide::outside ? along - half_chord : along + half_chord;
+    if constexpr (!careful) return {end, end, square > all(0.0f)};
+    const Float8 inside_edge = edge - abs(off);
+    const Mask8 hit = inside_edge > all(0.0f);
+    return {end, smaller(inside_edge * per_width, most_covered),
+            side == WallSide::outside ? hit & (along > all(0.0f)) : hit};
+  }
+  HWY_INLINE void react(RowSum& sum, Float8 weight, const Meeting& m, Float8 c, Float8 s) const {
+    const Float8 out = weight * m.end;
+    sum.weight = sum.weight + weight;
+    sum.x = sum.x + out * c;
+    sum.z = sum.z + out * s;
+  }
+  HWY_INLINE void collect(const RowSum& sum, float area, Reaction& total) const {
+    const Float8 weight = sum.weight * all(area);
+    const Float8 share = all(area * per_radius);
+    total.normal = total.normal + weight;
+    total.y = total.y + weight * all(below);
+    total.x = total.x + (weight * all(x) - sum.x * share);
+    total.z = total.z + (weight * all(z) - sum.z * share);
+  }
+};
+
+struct Sphere {
+  double radius;
+  float at_x, at_z, x, z, per_radius;
+
+  Sphere(const ToolPlace& place, const ToolSize& size)
+      : radius(size.radius),
+        at_x(static_cast<float>(place.at.x)),
+        at_z(static_cast<float>(place.at.z)),
+        x(static_cast<float>(place.at.x / size.radius)),
+        z(static_cast<float>(place.at.z / size.radius)),
+        per_radius(static_cast<float>(1.0 / size.radius)) {}
+  double reach() const { return radius; }
+  HWY_INLINE SphereRow row(double, const RowReach& reach) const {
+    // Round the axis there are no edges: width 0, and every element is covered.
+    const float width = reach.width > 1e-9f ? reach.width : 1e-9f;
+    const float diameter = 2.0f * reach.section;
+    return {all(reach.section),
+            all(at_x),
+            all(at_z),
+            all(reach.section + 0.5f * width),
+            all(1.0f / width),
+            all(diameter < width ? diameter / width : 1.0f),
+            x,
+            z,
+            reach.above * per_radius,
+            per_radius};
+  }
+};
+
+ONGGI_PRESS_WITH(Sphere)
+
+}  // namespace
+}  // namespace onggi::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace onggi {
+
+ONGGI_CHOOSE_VECTORS()
+
+extern const ToolShape kTool_sphere{
+    .name = "sphere",
+    .usual = {.radius = 0.008},
+    .softness = 1.0,
+    .reach = [](const ToolSize& size) { return size.radius; },
+    .press = press,
+    .depth = depth,
+};
+
+}  // namespace onggi
+#endif
