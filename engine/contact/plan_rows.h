@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace onggi::HWY_NAMESPACE {
 
-static_assert(kPlannedRows == kLanes);
+static_assert(kPlannedRows % kLanes == 0);
 
 inline constexpr float kQuarterTurn = static_cast<float>(0.5 * portable::kPi);
 
@@ -82,59 +82,67 @@ inline void set_ranges(RowReach& row, int low, int high, int sectors, int all_bl
   row.used = 2;
 }
 
+struct PlannedFigures {
+  float above[kPlannedRows], extent[kPlannedRows];
+  float section[kPlannedRows], width[kPlannedRows], per_width[kPlannedRows];
+  float end[kPlannedRows], half[kPlannedRows];
+  int low[kPlannedRows], high[kPlannedRows];
+};
+
 /// See window.h.
 template <WallSide side>
 HWY_INLINE void plan(const Clay& clay, const Window& window, int first, int count, RowReach* rows) {
-  float above[kLanes] = {};
-  float extent[kLanes] = {};
+  PlannedFigures rest;
   const double* heights = clay.row_heights().data() + first;
   const float* extents =
       (side == WallSide::outside ? clay.outer_most() : clay.inner_least()).data() + first;
   for (int k = 0; k < count; ++k) {
-    above[k] = static_cast<float>(window.height - heights[k]);
-    extent[k] = extents[k];
+    rest.above[k] = static_cast<float>(window.height - heights[k]);
+    rest.extent[k] = extents[k];
   }
+  for (int k = count; k % kLanes != 0; ++k) rest.above[k] = rest.extent[k] = 0.0f;
+
+  const Float8 zero = all(0.0f);
   const Float8 radius = all(static_cast<float>(window.radius));
-  const Float8 off = abs(load(above));
-  const Float8 section = sqrt(larger((radius - off) * (radius + off), all(0.0f)));
   const Float8 distance = all(static_cast<float>(window.distance));
-  const Float8 tangent = sqrt(larger((distance - section) * (distance + section), all(0.0f)));
   const double per_radian = clay.sectors() / (2.0 * portable::kPi);
-  // Elements of which only a part is covered lie up to half a width beyond.
-  const Float8 half = all(0.5f) + half_window<side>(distance, section, tangent, load(extent)) *
-                                      all(static_cast<float>(per_radian));
-  // Two whole turns added keep the figures positive, where casting is flooring. The element beyond
-  // the upper end covers the rounding.
+  // Two whole turns added keep the figures positive, where casting is flooring.
   const int turns = 2 * clay.sectors();
   const Float8 middle = all(static_cast<float>(window.middle + turns));
-  float sections[kLanes];
-  float halves[kLanes];
-  int low[kLanes];
-  int high[kLanes];
-  // Where the section ends on the ray that passes half an element within its edge.
-  const Float8 width = tangent * all(static_cast<float>(1.0 / per_radian));
-  const Float8 within = section - all(0.5f) * width;
-  const Float8 along = sqrt(larger((distance - within) * (distance + within), all(0.0f)));
-  const Float8 chord = sqrt(larger((section - within) * (section + within), all(0.0f)));
-  float widths[kLanes];
-  float ends[kLanes];
-  store(side == WallSide::outside ? along - chord : along + chord, ends);
-  store(section, sections);
-  store(width, widths);
-  store(half, halves);
-  store_whole(middle - half, low);
-  store_whole(middle + half, high);
+  for (int k = 0; k < count; k += kLanes) {
+    const Float8 off = abs(load(rest.above + k));
+    const Float8 section = sqrt(larger((radius - off) * (radius + off), zero));
+    const Float8 tangent = sqrt(larger((distance - section) * (distance + section), zero));
+    // Elements of which only a part is covered lie up to half a width beyond.
+    const Float8 angle = half_window<side>(distance, section, tangent, load(rest.extent + k));
+    const Float8 half = all(0.5f) + angle * all(static_cast<float>(per_radian));
+    // Where the section ends on the ray that passes half an element within its edge.
+    const Float8 width = larger(tangent * all(static_cast<float>(1.0 / per_radian)), all(1e-9f));
+    const Float8 within = section - all(0.5f) * width;
+    const Float8 along = sqrt(larger((distance - within) * (distance + within), zero));
+    const Float8 chord = sqrt(larger((section - within) * (section + within), zero));
+    store(section, rest.section + k);
+    store(width, rest.width + k);
+    store(all(1.0f) / width, rest.per_width + k);
+    store(side == WallSide::outside ? along - chord : along + chord, rest.end + k);
+    store(half, rest.half + k);
+    store_whole(middle - half, rest.low + k);
+    store_whole(middle + half, rest.high + k);
+  }
   for (int k = 0; k < count; ++k) {
     RowReach& row = rows[k];
-    row.above = above[k];
-    row.section = sections[k];
-    row.width = widths[k];
-    row.edged =
-        2.0f * sections[k] < widths[k] ||
-        (side == WallSide::outside ? extent[k] + 1e-6f > ends[k] : extent[k] - 1e-6f < ends[k]);
+    row.above = rest.above[k];
+    row.section = rest.section[k];
+    row.width = rest.width[k];
+    row.per_width = rest.per_width[k];
+    row.edged = 2.0f * rest.section[k] < rest.width[k] ||
+                (side == WallSide::outside ? rest.extent[k] + 1e-6f > rest.end[k]
+                                           : rest.extent[k] - 1e-6f < rest.end[k]);
     row.used = 0;
-    if (halves[k] >= 0.0f)
-      set_ranges(row, low[k] - turns, high[k] + 1 - turns, clay.sectors(), clay.stride() / kLanes);
+    // The element beyond the upper end covers the rounding.
+    if (rest.half[k] >= 0.0f)
+      set_ranges(row, rest.low[k] - turns, rest.high[k] + 1 - turns, clay.sectors(),
+                 clay.stride() / kLanes);
   }
 }
 

@@ -5,11 +5,11 @@
 //     Shape(const ToolPlace&, const ToolSize&);
 //     double reach() const;                   // of the ball round `at` that holds the tool, m
 //     Row row(double height, const RowReach&) const;  // its closed-form section with that plane
+//     void collect(const RowSum&, float area, Reaction&) const;  // rows of one thickness together
 //   };
 //   struct Row {
 //     template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin) const;
 //     void react(RowSum&, Float8 weight, const Meeting&, Float8 cos, Float8 sin) const;
-//     void collect(const RowSum&, float area, Reaction&) const;
 //   };
 //
 // Compiled once for each kind of vector: include it only from such a file.
@@ -43,7 +43,8 @@ struct Meeting {
   Mask8 hit;
 };
 
-/// Sums over one row of weight = press times radius. What x, y and z are is the tool's to say.
+/// Sums over rows of one thickness, of weight = press times radius. What x, y and z are is the
+/// tool's to say.
 struct RowSum {
   Float8 weight, x, y, z;
 };
@@ -182,6 +183,7 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
   const Float8 zero = all(0.0f);
   Reaction reaction{zero, zero, zero, zero};
   Pressed pressed{{zero, zero, zero, zero}, zero, zero, 0};
+  double thickness = 0.0;  // of the rows in pressed.sum
   RowReach planned[kPlannedRows];
   const int end_row = window.end_row;
   const int first_row = first_pressed_row<side>(clay, window);
@@ -193,11 +195,15 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
     const RowReach& reach = planned[k];
     if (reach.used == 0) continue;
     const auto row = shape.row(clay.row_height(j), reach);
+    if (clay.row_thickness(j) != thickness) {
+      shape.collect(pressed.sum, static_cast<float>(weight * thickness), reaction);
+      pressed.sum = {zero, zero, zero, zero};
+      thickness = clay.row_thickness(j);
+    }
     float* outer = clay.pressable_outer(j).data();
     float* inner = clay.pressable_inner(j).data();
     float* face = side == WallSide::outside ? outer : inner;
     float* behind = side == WallSide::outside ? inner : outer;
-    pressed.sum = {zero, zero, zero, zero};
     const Float8 start = all(side == WallSide::outside ? clay.inner_least(j) : clay.outer_most(j));
     pressed.behind = start;
     pressed.touched = 0;
@@ -210,7 +216,6 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
     out.visited += reach.elements();
     if (pressed.touched == 0) continue;
     out.touched += pressed.touched;
-    row.collect(pressed.sum, static_cast<float>(weight * clay.row_thickness(j)), reaction);
     if constexpr (side == WallSide::outside) {
       if (!none(pressed.behind < start)) clay.widen_extent(j, 0.0f, smallest(pressed.behind));
     } else {
@@ -218,6 +223,7 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
     }
     clay.mark_dirty(j);
   }
+  shape.collect(pressed.sum, static_cast<float>(weight * thickness), reaction);
   if (out.touched > 0) measure_extent(clay, first_row + clay.next_measured(end_row - first_row));
   out.force = {double{sum(reaction.x)}, double{sum(reaction.y)}, double{sum(reaction.z)}};
   out.normal = double{sum(reaction.normal)};

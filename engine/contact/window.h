@@ -18,7 +18,9 @@ struct BlockRange {
 struct RowReach {
   float above = 0.0f;    ///< Middle of the tool's ball above the row, m.
   float section = 0.0f;  ///< Radius of the ball's cross-section with the row's plane, m.
-  float width = 0.0f;    ///< Of an element at the section's tangents, m; 0 round the axis.
+  float width = 0.0f;    ///< Of an element at the section's tangents, m; 1e-9 round the axis, where
+                         ///< there are none.
+  float per_width = 0.0f;
   bool edged = false;    ///< Elements that the section's edges cross may be pressed.
   BlockRange ranges[2];  ///< They never share a block.
   int used = 0;          ///< Of `ranges`: 1, or 2 where the window passes angle 0, or none.
@@ -31,7 +33,7 @@ struct RowReach {
 };
 
 /// Rows are planned so many at a time.
-inline constexpr int kPlannedRows = 8;
+inline constexpr int kPlannedRows = 32;
 
 /// Which elements a tool can touch that lies within a ball: rows by height, and in each row one or
 /// two ranges of blocks round the tool's angle. Clay frame, metres.

@@ -10,14 +10,13 @@ namespace onggi::HWY_NAMESPACE {
 namespace {
 
 // Every end E lies on the sphere, so H - E is radius long: no normal needs a length. The sums are
-// those of weight, and of weight times E; H comes in once a row.
+// those of weight, and of weight times E; H comes in once.
 struct SphereRow {
   Float8 section;     // radius of the row's circle; negative where there is none
   Float8 at_x, at_z;  // of its middle
   Float8 edge;        // farthest that an element's ray may pass that is covered in part
   Float8 per_width, most_covered;
-  float x, z, below;  // of H, from the axis and above the row, over the sphere's radius
-  float per_radius;
+  Float8 above;  // H above the row, over the sphere's radius
 
   template <WallSide side, bool careful>
   HWY_INLINE Meeting meet(Float8 c, Float8 s) const {
@@ -37,21 +36,15 @@ struct SphereRow {
     const Float8 out = weight * m.end;
     sum.weight = sum.weight + weight;
     sum.x = sum.x + out * c;
+    sum.y = sum.y + weight * above;
     sum.z = sum.z + out * s;
-  }
-  HWY_INLINE void collect(const RowSum& sum, float area, Reaction& total) const {
-    const Float8 weight = sum.weight * all(area);
-    const Float8 share = all(area * per_radius);
-    total.normal = total.normal + weight;
-    total.y = total.y + weight * all(below);
-    total.x = total.x + (weight * all(x) - sum.x * share);
-    total.z = total.z + (weight * all(z) - sum.z * share);
   }
 };
 
 struct Sphere {
   double radius;
-  float at_x, at_z, x, z, per_radius;
+  float at_x, at_z;
+  float x, z, per_radius;  // of H from the axis, over the sphere's radius
 
   Sphere(const ToolPlace& place, const ToolSize& size)
       : radius(size.radius),
@@ -62,19 +55,22 @@ struct Sphere {
         per_radius(static_cast<float>(1.0 / size.radius)) {}
   double reach() const { return radius; }
   HWY_INLINE SphereRow row(double, const RowReach& reach) const {
-    // Round the axis there are no edges: width 0, and every element is covered.
-    const float width = reach.width > 1e-9f ? reach.width : 1e-9f;
-    const float diameter = 2.0f * reach.section;
+    const float narrow = 2.0f * reach.section * reach.per_width;
     return {all(reach.section),
             all(at_x),
             all(at_z),
-            all(reach.section + 0.5f * width),
-            all(1.0f / width),
-            all(diameter < width ? diameter / width : 1.0f),
-            x,
-            z,
-            reach.above * per_radius,
-            per_radius};
+            all(reach.section + 0.5f * reach.width),
+            all(reach.per_width),
+            all(narrow < 1.0f ? narrow : 1.0f),
+            all(reach.above * per_radius)};
+  }
+  HWY_INLINE void collect(const RowSum& sum, float area, Reaction& total) const {
+    const Float8 weight = sum.weight * all(area);
+    const Float8 share = all(area * per_radius);
+    total.normal = total.normal + weight;
+    total.x = total.x + (weight * all(x) - sum.x * share);
+    total.y = total.y + sum.y * all(area);
+    total.z = total.z + (weight * all(z) - sum.z * share);
   }
 };
 
