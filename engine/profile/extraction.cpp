@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kRays = 96;
 /// More of the surface than this stands off any circle: not a body of revolution.
-constexpr double kMostMasked = 0.33;
+constexpr double kMostMasked = 0.25;
 constexpr double kMostCost = 0.30;
 /// Ends whose views differ by less than this are equally open, or equally closed.
 constexpr double kUndecided = 0.02;
@@ -127,11 +127,13 @@ void Extractor::stand_upright() {
   const Vec3 up = frame_.up;
   bool turn = false;
   if (options_.up) {
+    out_.up_from = UpFrom::given;
     turn = dot(*options_.up, up) < 0.0;
   } else if (std::abs(above.openness - below.openness) > kUndecided &&
              std::max(above.openness, below.openness) > kOpen) {
     turn = below.openness > above.openness;
   } else {
+    out_.up_from = UpFrom::file;
     // glTF stands on y; files that come from drawing boards stand on z.
     const double y = std::abs(up.y), z = std::abs(up.z), x = std::abs(up.x);
     turn = (y >= z && y >= x ? up.y : z >= x ? up.z : up.x) < 0.0;
@@ -261,6 +263,7 @@ void Extractor::read_inside() {
         if (i >= d && t <= 0.0 && thickness[i - d] > 0.0) t = thickness[i - d];
       }
       if (t <= 0.0) {
+        out_.inferred_wall = guess;
         // Across a leaning wall, the horizontal section is longer than the wall is thick.
         const std::size_t a = i > 0 ? i - 1 : i, b = std::min(i + 1, n - 1);
         const double lean = (slices_[b].outer - slices_[a].outer) / (heights_[b] - heights_[a]);
@@ -270,6 +273,7 @@ void Extractor::read_inside() {
       if (thickness[i] > 0.0) p.inner = slices_[i].inner;
     }
     out_.profile.points.push_back(p);
+    out_.inner_seen.push_back(thickness[i] > 0.0);
   }
 }
 

@@ -17,11 +17,21 @@ struct ExtractionOptions {
       0.04;  ///< Wall thickness over largest radius where none can be seen.
 };
 
+/// What told which end is up.
+enum class UpFrom {
+  opening,  ///< One end can be looked into deeper.
+  file,     ///< Neither is open, or both are: as the file stands.
+  given,    ///< ExtractionOptions::up.
+};
+
 /// A profile read from triangles, and how far it can be trusted.
 struct ExtractedProfile {
   Profile profile;               ///< Mesh units are taken as metres.
   Vec3 axis_origin;              ///< A point on the axis (at the foot), mesh units.
   Vec3 axis_direction{0, 1, 0};  ///< Unit, foot to rim, mesh axes.
+  UpFrom up_from = UpFrom::opening;
+  std::vector<bool> inner_seen;  ///< By point of `profile`: its inner radius was measured.
+  double inferred_wall = 0.0;    ///< Thickness put where no wall was seen, metres; 0: nowhere.
   double symmetry = 0.0;         ///< 0..1: 1 - spread of outer radius round the axis / mean radius.
   double masked_fraction = 0.0;  ///< Share of (height, angle) cells left out as handle, spout, lid.
   std::vector<std::string> warnings;

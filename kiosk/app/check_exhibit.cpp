@@ -38,8 +38,9 @@ void check_language(CheckReport& report, const fs::path& file) {
   add(report, language.keys_checked, std::move(language.problems));
 }
 
-void check_vessels(CheckReport& report, const fs::path& path) {
-  auto shelf = content::check_shelf(path);
+void check_vessels(CheckReport& report, const fs::path& path,
+                   const settings::ReaderLimits& limits = {}) {
+  auto shelf = content::check_shelf(path, limits);
   report.vessels += shelf.vessels;
   report.files += shelf.files;
   if (shelf.vessels == 0 && shelf.problems.empty())
@@ -60,7 +61,8 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file) {
   for (const std::string& code : exhibit.languages)
     if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
       check_language(report, words);
-  if (fs::is_directory(exhibit.shelf, ignored)) check_vessels(report, exhibit.shelf);
+  if (fs::is_directory(exhibit.shelf, ignored))
+    check_vessels(report, exhibit.shelf, exhibit.reader);
 }
 
 // Tells by what only one kind of file has; an exhibit where nothing tells.

@@ -39,7 +39,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
   kiosk->seed_ = options.seed;
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
-  kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf));
+  kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
+                                          kiosk->exhibit_.reader);
   kiosk->keepsakes_ =
       std::make_unique<Keepsakes>(options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder),
                                   kiosk->exhibit_.keepsake.quota_mb);

@@ -19,7 +19,8 @@ struct Counters {
   std::atomic<int>* total;
 };
 
-content::Catalogue read_shelf(const fs::path& path, Counters counters) {
+content::Catalogue read_shelf(const fs::path& path, Counters counters,
+                              settings::ReaderLimits limits) {
   std::error_code ignored;
   const bool one = fs::is_regular_file(path, ignored) || fs::exists(path / "vessel.toml", ignored);
   if (!one)
@@ -30,19 +31,22 @@ content::Catalogue read_shelf(const fs::path& path, Counters counters) {
           to->total->store(total);
           to->done->store(done);
         },
-        &counters);
+        &counters, limits);
   content::Catalogue catalogue;
-  if (auto vessel = content::load_vessel(path))
-    catalogue.vessels.push_back(std::move(*vessel));
+  content::LoadOptions options;
+  options.limits = limits;
+  if (auto vessels = content::load_vessels(path, options))
+    catalogue.vessels = std::move(*vessels);
   else
-    catalogue.problems.push_back(vessel.error());
+    catalogue.problems.push_back(vessels.error());
   return catalogue;
 }
 
 }  // namespace
 
-Shelf::Shelf(const fs::path& path)
-    : reading_(std::async(std::launch::async, read_shelf, path, Counters{&done_, &total_})) {}
+Shelf::Shelf(const fs::path& path, const settings::ReaderLimits& limits)
+    : reading_(
+          std::async(std::launch::async, read_shelf, path, Counters{&done_, &total_}, limits)) {}
 
 Shelf::~Shelf() = default;
 

@@ -17,7 +17,7 @@ namespace onggi::app {
 class Shelf {
  public:
   /// Starts reading `path` (a shelf folder, a pack, or a single GLB/glTF) on a worker.
-  explicit Shelf(const std::filesystem::path& path);
+  explicit Shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {});
   ~Shelf();
 
   struct Progress {

@@ -61,13 +61,15 @@ Matrix matrix_of(const tinygltf::Node& node) {
   return m;
 }
 
+constexpr auto kNone = static_cast<std::size_t>(-1);
+
 Vec3 column(const Matrix& m, std::size_t c) { return {m[c * 4], m[c * 4 + 1], m[c * 4 + 2]}; }
 
 /// Gathers the primitives of all nodes into one mesh in world space.
 class Gatherer {
  public:
-  explicit Gatherer(const GltfDocument& document)
-      : document_(document), model_(*document.model), reader_(document) {}
+  Gatherer(const GltfDocument& document, const settings::ReaderLimits& limits)
+      : document_(document), model_(*document.model), limits_(limits), reader_(document, limits) {}
 
   Result<void> walk_scene();
   Result<GltfModel> result();
@@ -76,18 +78,26 @@ class Gatherer {
   struct Visit {
     int node;
     Matrix parent;
+    std::size_t above;  ///< Its parent's place in parents_.
   };
+  Result<void> add_part(int node, const std::string& name, int mesh, const Matrix& world,
+                        std::size_t above);
+  void close_parts();
   Result<void> add_mesh(int index, const Matrix& world);
   Result<void> add_primitive(const tinygltf::Primitive& primitive, const DracoPrimitive* draco,
                              const Matrix& world, const std::string& where);
   Result<DecodedPrimitive> read_primitive(const tinygltf::Primitive& primitive,
                                           const std::string& where);
+  void check_draco_bounds(const DecodedPrimitive& data, int accessor);
   std::vector<int> roots() const;
 
   const GltfDocument& document_;
   const tinygltf::Model& model_;
+  const settings::ReaderLimits limits_;
   GltfReader reader_;
   GltfModel out_;
+  std::vector<std::size_t> parents_;  ///< Of each part, its parent part.
+  std::size_t corners_ = 0;           ///< Read so far, kept or not.
   std::vector<std::size_t> triangles_of_material_;
   std::size_t skipped_ = 0;
 };
@@ -110,12 +120,15 @@ Result<void> Gatherer::walk_scene() {
   triangles_of_material_.assign(model_.materials.size(), 0);
   if (model_.nodes.empty()) {
     for (std::size_t i = 0; i < model_.meshes.size(); ++i)
-      if (auto added = add_mesh(static_cast<int>(i), kIdentity); !added) return added;
+      if (auto added = add_part(static_cast<int>(i), "", static_cast<int>(i), kIdentity, kNone);
+          !added)
+        return added;
+    close_parts();
     return {};
   }
   std::vector<bool> seen(model_.nodes.size(), false);
   std::vector<Visit> stack;
-  for (const int root : roots()) stack.push_back({root, kIdentity});
+  for (const int root : roots()) stack.push_back({root, kIdentity, kNone});
   while (!stack.empty()) {
     const Visit visit = stack.back();
     stack.pop_back();
@@ -129,11 +142,42 @@ Result<void> Gatherer::walk_scene() {
     seen[index] = true;
     const tinygltf::Node& node = model_.nodes[index];
     const Matrix world = multiply(visit.parent, matrix_of(node));
-    if (node.mesh >= 0)
-      if (auto added = add_mesh(node.mesh, world); !added) return added;
-    for (const int child : node.children) stack.push_back({child, world});
+    const std::size_t here_in_parts = out_.parts.size();
+    if (auto added = add_part(visit.node, node.name, node.mesh, world, visit.above); !added)
+      return added;
+    for (const int child : node.children) stack.push_back({child, world, here_in_parts});
   }
+  close_parts();
   return {};
+}
+
+Result<void> Gatherer::add_part(int node, const std::string& name, int mesh, const Matrix& world,
+                                std::size_t above) {
+  GltfPart part;
+  part.node = node;
+  part.name = name;
+  if (name.empty() && mesh >= 0 && static_cast<std::size_t>(mesh) < model_.meshes.size())
+    part.name = model_.meshes[static_cast<std::size_t>(mesh)].name;
+  part.first_position = out_.mesh.positions.size();
+  part.first_triangle = out_.mesh.triangles.size();
+  if (mesh >= 0)
+    if (auto added = add_mesh(mesh, world); !added) return added;
+  part.positions = out_.mesh.positions.size() - part.first_position;
+  part.triangles = out_.mesh.triangles.size() - part.first_triangle;
+  part.mesh = part.triangles > 0;
+  out_.parts.push_back(std::move(part));
+  parents_.push_back(above);
+  return {};
+}
+
+/// A last-in, first-out walk finishes all below a node before its neighbour: runs without gaps.
+void Gatherer::close_parts() {
+  for (std::size_t i = out_.parts.size(); i-- > 0;)
+    if (parents_[i] != kNone) {
+      out_.parts[parents_[i]].positions += out_.parts[i].positions;
+      out_.parts[parents_[i]].triangles += out_.parts[i].triangles;
+    }
+  std::erase_if(out_.parts, [](const GltfPart& part) { return part.triangles == 0; });
 }
 
 Result<void> Gatherer::add_mesh(int index, const Matrix& world) {
@@ -208,9 +252,10 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
   if (draco != nullptr) {
     const auto bytes = reader_.view(draco->view, where);
     if (!bytes) return tl::unexpected<Problem>(bytes.error());
-    auto decoded = decode_draco(*bytes, *draco, where);
+    auto decoded = decode_draco(*bytes, *draco, where, limits_);
     if (!decoded) return tl::unexpected<Problem>(decoded.error());
     data = std::move(*decoded);
+    check_draco_bounds(data, draco->accessor);
     mode = TINYGLTF_MODE_TRIANGLES;
   } else {
     auto read = read_primitive(primitive, where);
@@ -218,8 +263,11 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
     data = std::move(*read);
   }
   const std::size_t count = data.positions.size();
-  if (count + out_.mesh.positions.size() > kMostElements ||
-      data.indices.size() + 3 * out_.mesh.triangles.size() > 3 * kMostElements)
+  // Corners are counted as they are read: a node that shows a mesh once more costs its time again,
+  // even where nothing of it is kept.
+  corners_ += data.indices.size();
+  if (count + out_.mesh.positions.size() > static_cast<std::size_t>(limits_.vertices) ||
+      corners_ / 3 > static_cast<std::size_t>(limits_.triangles))
     return problem(where, "the file has more vertices than a vessel needs.",
                    "Export it with fewer triangles: 100,000 show every throwing line.");
   for (const std::uint32_t i : data.indices)
@@ -276,12 +324,26 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
   return {};
 }
 
+void Gatherer::check_draco_bounds(const DecodedPrimitive& data, int accessor) {
+  if (data.positions.empty()) return;
+  std::array<double, 3> low, high;
+  low.fill(1e300);
+  high.fill(-1e300);
+  for (const auto& p : data.positions)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min<double>(low[k], p[k]);
+      high[k] = std::max<double>(high[k], p[k]);
+    }
+  reader_.check_bounds(accessor, low, high, 0.02);  // Draco rounds positions
+}
+
 Result<GltfModel> Gatherer::result() {
   if (out_.mesh.triangles.empty())
     return problem(document_.name, "there is no surface in it.",
                    "Export the vessel's mesh as triangles.");
-  out_.copyright = model_.asset.copyright;
+  out_.credit = document_.credit;
   out_.warnings = document_.warnings;
+  out_.warnings.insert(out_.warnings.end(), reader_.warnings().begin(), reader_.warnings().end());
   if (skipped_ > 0)
     out_.warnings.push_back(std::to_string(skipped_) + " sets of points or lines were left out.");
   const auto largest =
@@ -298,10 +360,11 @@ Result<GltfModel> Gatherer::result() {
 
 }  // namespace
 
-Result<GltfModel> read_gltf(const std::filesystem::path& file) {
-  const auto document = open_gltf(file);
+Result<GltfModel> read_gltf(const std::filesystem::path& file,
+                            const settings::ReaderLimits& limits) {
+  const auto document = open_gltf(file, limits);
   if (!document) return tl::unexpected<Problem>(document.error());
-  Gatherer gatherer(*document);
+  Gatherer gatherer(*document, limits);
   if (auto walked = gatherer.walk_scene(); !walked) return tl::unexpected<Problem>(walked.error());
   return gatherer.result();
 }

@@ -10,6 +10,11 @@ namespace onggi::content {
 
 namespace {
 
+constexpr std::size_t kMostFromNothing = 1u << 20;
+/// meshopt's codecs spend at least two bits on each byte of sixteen vertices, and a byte on each
+/// triangle or index: a claim of more than this many bytes for one is no compression.
+constexpr std::size_t kMostDense = 64;
+
 tl::unexpected<Problem> unsound(const std::string& where, std::string what) {
   return problem(where, std::move(what),
                  "Export the vessel again; a glTF validator shows the place.");
@@ -136,16 +141,20 @@ Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int 
 }
 
 /// What must hold before any byte of an accessor is looked at.
-Result<void> check(const tinygltf::Model& model, int index, int type, const std::string& here) {
+Result<void> check(const tinygltf::Model& model, int index, int type, std::size_t most,
+                   const std::string& here) {
   if (index < 0 || static_cast<std::size_t>(index) >= model.accessors.size())
     return unsound(here, "there is no such accessor.");
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
   if (accessor.type != type)
     return unsound(here, type == TINYGLTF_TYPE_VEC3 ? "it does not hold vectors of three."
                                                     : "it does not hold single numbers.");
-  if (accessor.count > kMostElements)
+  if (accessor.count > most)
     return unsound(here, "it claims " + std::to_string(accessor.count) +
-                             " elements, and the most is " + std::to_string(kMostElements) + ".");
+                             " elements, and the most is " + std::to_string(most) + ".");
+  // Elements of no buffer view cost the file nothing, and are all zero but for a sparse part.
+  if (accessor.bufferView < 0 && accessor.count > kMostFromNothing)
+    return unsound(here, "it claims " + std::to_string(accessor.count) + " elements of no data.");
   if (component_size(accessor.componentType) == 0)
     return unsound(here, "its numbers are of the unknown type " +
                              std::to_string(accessor.componentType) + ".");
@@ -189,10 +198,18 @@ Result<Bytes> GltfReader::decode_meshopt(const MeshoptView& view, const std::str
                                ? view.stride % 4 == 0 && view.stride > 0 && view.stride <= 256
                                : view.stride == 2 || view.stride == 4;
   const bool triangles = view.mode == "TRIANGLES";
-  if (view.count > kMostElements || !stride_good || (triangles && view.count % 3 != 0) ||
+  const auto most = static_cast<std::size_t>(3) *
+                    static_cast<std::size_t>(std::max(limits_.vertices, limits_.triangles));
+  if (view.count > most || !stride_good || (triangles && view.count % 3 != 0) ||
       (!attributes && !triangles && view.mode != "INDICES"))
     return unsound(where, "the figures of its meshopt compression do not make sense.");
-  Bytes out(view.count * view.stride);
+  const std::size_t size = view.count * view.stride;
+  if (size / kMostDense > view.length ||
+      size > (static_cast<std::size_t>(limits_.file_mb) << 20) - decoded_bytes_)
+    return unsound(where, "its meshopt compression claims to hold " + std::to_string(size) +
+                              " bytes, more than it can or may.");
+  decoded_bytes_ += size;
+  Bytes out(size);
   if (out.empty()) return out;
   const unsigned char* from = buffer.data() + view.offset;
   int fault = 0;
@@ -219,7 +236,9 @@ Result<std::vector<std::array<float, 3>>> GltfReader::vectors(int accessor,
                                                               const std::string& where) {
   const std::string here = place(where, accessor);
   const tinygltf::Model& model = *document_.model;
-  if (auto good = check(model, accessor, TINYGLTF_TYPE_VEC3, here); !good)
+  if (auto good = check(model, accessor, TINYGLTF_TYPE_VEC3,
+                        static_cast<std::size_t>(limits_.vertices), here);
+      !good)
     return tl::unexpected<Problem>(good.error());
   const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
   if (a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
@@ -227,24 +246,52 @@ Result<std::vector<std::array<float, 3>>> GltfReader::vectors(int accessor,
   const std::size_t size = component_size(a.componentType);
   std::vector<std::array<float, 3>> out;
   std::size_t bad = a.count;
+  std::array<double, 3> low, high;
+  low.fill(1e300);
+  high.fill(-1e300);
   const auto read = each_element(
       *this, model, accessor, 3, here, [&] { out.resize(a.count); },
       [&](std::size_t i, const unsigned char* at) {
         for (std::size_t k = 0; k < 3; ++k) {
           out[i][k] = as_float(at + k * size, a.componentType, a.normalized);
           if (!std::isfinite(out[i][k])) bad = std::min(bad, i);
+          const double stored = as_float(at + k * size, a.componentType, false);
+          low[k] = std::min(low[k], stored);
+          high[k] = std::max(high[k], stored);
         }
       });
   if (!read) return tl::unexpected<Problem>(read.error());
   if (bad < a.count)
     return unsound(here, "element " + std::to_string(bad) + " is not a finite number.");
+  if (a.count > 0) check_bounds(accessor, low, high, 1e-4);
   return out;
+}
+
+void GltfReader::check_bounds(int accessor, const std::array<double, 3>& low,
+                              const std::array<double, 3>& high, double slack) {
+  const auto declared = document_.bounds.find(accessor);
+  if (declared == document_.bounds.end()) return;
+  double reach = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    reach = std::max({reach, high[k] - low[k], declared->second.high[k] - declared->second.low[k]});
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (low[k] >= declared->second.low[k] - slack * reach &&
+        high[k] <= declared->second.high[k] + slack * reach)
+      continue;
+    if (out_of_bounds_.insert(accessor).second)
+      warnings_.push_back("The numbers of accessor " + std::to_string(accessor) +
+                          " lie outside the bounds declared for them; they are used as they are.");
+    return;
+  }
 }
 
 Result<std::vector<std::uint32_t>> GltfReader::indices(int accessor, const std::string& where) {
   const std::string here = place(where, accessor);
   const tinygltf::Model& model = *document_.model;
-  if (auto good = check(model, accessor, TINYGLTF_TYPE_SCALAR, here); !good)
+  if (auto good =
+          check(model, accessor, TINYGLTF_TYPE_SCALAR,
+                static_cast<std::size_t>(3) * static_cast<std::size_t>(limits_.triangles), here);
+      !good)
     return tl::unexpected<Problem>(good.error());
   const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
   if (a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -14,19 +15,30 @@ namespace onggi::content {
 /// of KHR_mesh_quantization. Keeps decoded views; the document must outlive it.
 class GltfReader {
  public:
-  explicit GltfReader(const GltfDocument& document) : document_(document) {}
+  GltfReader(const GltfDocument& document, const settings::ReaderLimits& limits)
+      : document_(document), limits_(limits) {}
 
-  /// VEC3 of floats or of (normalised) integers. Non-finite numbers are a Problem.
+  /// VEC3 of floats or of (normalised) integers. Non-finite numbers are a Problem; numbers outside
+  /// the bounds that the file declares are a warning.
   Result<std::vector<std::array<float, 3>>> vectors(int accessor, const std::string& where);
   /// SCALAR of unsigned integers.
   Result<std::vector<std::uint32_t>> indices(int accessor, const std::string& where);
   /// The bytes of a buffer view, decoded if it was compressed. Valid as long as this reader.
   Result<std::span<const unsigned char>> view(int index, const std::string& where);
+  /// Warns where the numbers from `low` to `high` do not lie within what `accessor` declares, by
+  /// more than `slack` of its extent.
+  void check_bounds(int accessor, const std::array<double, 3>& low,
+                    const std::array<double, 3>& high, double slack);
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   Result<Bytes> decode_meshopt(const MeshoptView& view, const std::string& where);
   const GltfDocument& document_;
+  const settings::ReaderLimits limits_;
   std::map<int, Bytes> decoded_;
+  std::size_t decoded_bytes_ = 0;
+  std::set<int> out_of_bounds_;
+  std::vector<std::string> warnings_;
 };
 
 /// Vertices and triangles of a primitive as its codec gave them.
@@ -37,9 +49,7 @@ struct DecodedPrimitive {
 
 /// KHR_draco_mesh_compression; a Problem with a remedy where the program was built without Draco.
 Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
-                                      const DracoPrimitive& primitive, const std::string& where);
-
-/// No vessel needs more, and a file that claims more is refused before memory is asked for.
-inline constexpr std::size_t kMostElements = std::size_t{1} << 24;
+                                      const DracoPrimitive& primitive, const std::string& where,
+                                      const settings::ReaderLimits& limits);
 
 }  // namespace onggi::content

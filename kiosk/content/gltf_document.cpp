@@ -6,90 +6,14 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "kiosk/content/gltf_container.h"
+#include "kiosk/content/gltf_credit_reader.h"
+
 namespace onggi::content {
 
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t kLargestFile = std::size_t{512} << 20;
-constexpr std::size_t kLargestJson = std::size_t{32} << 20;
-/// glTF itself nests about 8 deep; `extras` may go further, but not this far.
-constexpr int kDeepest = 64;
-
-constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
-
-std::uint32_t u32_at(const Bytes& bytes, std::size_t at) {
-  return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
-         static_cast<std::uint32_t>(bytes[at + 2]) << 16 |
-         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
-}
-
-struct Container {
-  std::string json;
-  std::optional<Bytes> bin;
-};
-
-tl::unexpected<Problem> broken(const std::string& name, std::string what) {
-  return problem(name, std::move(what),
-                 "Export it again as glTF 2.0 (GLB); it may have been cut off on the way.");
-}
-
-/// glTF 2.0, section 4.4: header, a JSON chunk, an optional BIN chunk, others skipped.
-Result<Container> split(const std::string& name, const Bytes& bytes) {
-  Container out;
-  if (bytes.size() < 4 || u32_at(bytes, 0) != kMagic) {
-    out.json.assign(bytes.begin(), bytes.end());
-    return out;
-  }
-  if (bytes.size() < 20) return broken(name, "this GLB ends within its header.");
-  if (u32_at(bytes, 4) != 2)
-    return broken(name, "this GLB is of version " + std::to_string(u32_at(bytes, 4)) +
-                            ", and 2 is what can be read.");
-  const std::size_t total = u32_at(bytes, 8);
-  if (total > bytes.size())
-    return broken(name, "this GLB says it has " + std::to_string(total) + " bytes, and has " +
-                            std::to_string(bytes.size()) + ".");
-  std::size_t at = 12;
-  for (int chunk = 0; at + 8 <= total; ++chunk) {
-    const std::size_t length = u32_at(bytes, at);
-    const std::uint32_t kind = u32_at(bytes, at + 4);
-    at += 8;
-    if (length > total - at) return broken(name, "a chunk of this GLB runs over its end.");
-    const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto last = first + static_cast<std::ptrdiff_t>(length);
-    if (chunk == 0 && kind != kJsonChunk)
-      return broken(name, "the first chunk of this GLB is not JSON.");
-    if (chunk == 0) out.json.assign(first, last);
-    if (chunk == 1 && kind == kBinChunk) out.bin = Bytes(first, last);
-    at += length;
-  }
-  return out;
-}
-
-/// Depth before any parser with a stack meets it.
-Result<void> measure_json(const std::string& name, const std::string& text) {
-  if (text.size() > kLargestJson)
-    return broken(name, "its JSON has " + std::to_string(text.size() >> 20) +
-                            " MiB, and the most is " + std::to_string(kLargestJson >> 20) + ".");
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\') ++i;
-      if (c == '"') quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kDeepest)
-        return broken(name, "its JSON is nested more than " + std::to_string(kDeepest) + " deep.");
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-  return {};
-}
 
 bool starts_with(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
@@ -104,7 +28,7 @@ bool can_do_without_or_knows(const std::string& extension) {
   };
   if (std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end()) return true;
   for (const char* look : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
-                           "EXT_lights_", "MSFT_texture_"})
+                           "EXT_lights_", "MSFT_texture_", "KHR_xmp"})
     if (starts_with(extension, look)) return true;
   return false;
 }
@@ -139,6 +63,33 @@ std::string words(const json& object, const char* key) {
   return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
 }
 
+/// Three finite numbers.
+std::optional<std::array<double, 3>> triple(const json* list) {
+  std::array<double, 3> out{};
+  if (list == nullptr || !list->is_array() || list->size() != 3) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(*list)[k].is_number()) return std::nullopt;
+    out[k] = (*list)[k].get<double>();
+  }
+  return out;
+}
+
+/// Where the accessors of three numbers say that their elements lie.
+void note_bounds(const json& doc, GltfDocument& out) {
+  const json* accessors = member(doc, "accessors");
+  for (std::size_t i = 0; accessors != nullptr && accessors->is_array() && i < accessors->size();
+       ++i) {
+    const json *low = member((*accessors)[i], "min"), *high = member((*accessors)[i], "max");
+    if (low == nullptr || high == nullptr || words((*accessors)[i], "type") != "VEC3") continue;
+    const auto a = triple(low), b = triple(high);
+    if (a && b)
+      out.bounds[static_cast<int>(i)] = {*a, *b};
+    else
+      out.warnings.push_back("The bounds declared for accessor " + std::to_string(i) +
+                             " are not three numbers each; its data is used as it is.");
+  }
+}
+
 /// Notes what the extensions say, which tinygltf does not act upon.
 void note_compression(const json& doc, GltfDocument& out) {
   constexpr auto kNone = static_cast<std::size_t>(-1);
@@ -168,8 +119,10 @@ void note_compression(const json& doc, GltfDocument& out) {
         return value < 1u << 30 ? static_cast<int>(value) : -1;
       };
       const json* ids = member(*ext, "attributes");
+      const json* declared = member((*primitives)[p], "attributes");
       out.draco[{static_cast<int>(m), static_cast<int>(p)}] = {
-          as_index(ext, "bufferView"), as_index(ids, "POSITION"), as_index(ids, "NORMAL")};
+          as_index(ext, "bufferView"), as_index(ids, "POSITION"), as_index(ids, "NORMAL"),
+          as_index(declared, "POSITION")};
     }
   }
   const json* materials = member(doc, "materials");
@@ -240,11 +193,11 @@ json cut_down(const json& doc, const std::vector<Bytes>& buffers) {
 
 Result<std::vector<Bytes>> load_buffers(const std::string& name,
                                         const std::filesystem::path& folder, const json& doc,
-                                        const std::optional<Bytes>& bin) {
+                                        const std::optional<Bytes>& bin, std::size_t most) {
   std::vector<Bytes> out;
   const json* list = member(doc, "buffers");
   if (list == nullptr || !list->is_array()) return out;
-  std::size_t left = kLargestFile;
+  std::size_t left = most;
   for (std::size_t i = 0; i < list->size(); ++i) {
     const json& buffer = (*list)[i];
     const std::string uri = words(buffer, "uri");
@@ -253,7 +206,7 @@ Result<std::vector<Bytes>> load_buffers(const std::string& name,
     if (starts_with(uri, "data:")) {
       std::string mime;
       if (!tinygltf::DecodeDataURI(&bytes, mime, uri, 0, false))
-        return broken(here, "its data within the file cannot be decoded.");
+        return broken_gltf(here, "its data within the file cannot be decoded.");
     } else if (!uri.empty()) {
       auto read = read_beneath(folder, uri, left, here);
       if (!read) return tl::unexpected<Problem>(read.error());
@@ -264,10 +217,10 @@ Result<std::vector<Bytes>> load_buffers(const std::string& name,
     // Without uri or chunk it is the fallback of compressed views, which is never read.
     const std::size_t wanted = whole(buffer, "byteLength", 0);
     if (bytes.size() < wanted && !(uri.empty() && !(i == 0 && bin)))
-      return broken(here, "it should have " + std::to_string(wanted) + " bytes, and has " +
-                              std::to_string(bytes.size()) + ".");
+      return broken_gltf(here, "it should have " + std::to_string(wanted) + " bytes, and has " +
+                                   std::to_string(bytes.size()) + ".");
     if (bytes.size() > wanted) bytes.resize(wanted);
-    if (bytes.size() > left) return broken(here, "the buffers together are too large.");
+    if (bytes.size() > left) return broken_gltf(here, "the buffers together are too large.");
     left -= bytes.size();
     out.push_back(std::move(bytes));
   }
@@ -312,26 +265,28 @@ tinygltf::FsCallbacks memory_files(std::vector<Bytes>* buffers) {
 
 }  // namespace
 
-Result<GltfDocument> open_gltf(const std::filesystem::path& file) {
+Result<GltfDocument> open_gltf(const std::filesystem::path& file,
+                               const settings::ReaderLimits& limits) {
   GltfDocument out;
   out.name = file.string();
-  const auto bytes = read_regular_file(file, kLargestFile);
+  const auto most = static_cast<std::size_t>(limits.file_mb) << 20;
+  const auto bytes = read_regular_file(file, most);
   if (!bytes) return tl::unexpected<Problem>(bytes.error());
-  const auto container = split(out.name, *bytes);
+  const auto container = split_gltf(out.name, *bytes, limits);
   if (!container) return tl::unexpected<Problem>(container.error());
-  if (auto good = measure_json(out.name, container->json); !good)
-    return tl::unexpected<Problem>(good.error());
 
   const json doc = json::parse(container->json, nullptr, false);
   if (doc.is_discarded() || !doc.is_object())
-    return broken(out.name, "it is not a glTF file: its JSON cannot be parsed.");
+    return broken_gltf(out.name, "it is not a glTF file: its JSON cannot be parsed.");
   const json* asset = member(doc, "asset");
   if (asset == nullptr || !starts_with(words(*asset, "version"), "2."))
-    return broken(out.name, "it does not say that it is glTF of version 2.");
+    return broken_gltf(out.name, "it does not say that it is glTF of version 2.");
   if (auto good = check_extensions(out.name, doc); !good)
     return tl::unexpected<Problem>(good.error());
   note_compression(doc, out);
-  auto buffers = load_buffers(out.name, file.parent_path(), doc, container->bin);
+  note_bounds(doc, out);
+  out.credit = read_credit(doc);
+  auto buffers = load_buffers(out.name, file.parent_path(), doc, container->bin, most);
   if (!buffers) return tl::unexpected<Problem>(buffers.error());
   out.buffers = std::move(*buffers);
 
@@ -347,9 +302,9 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file) {
                           nullptr);
     if (!loader.LoadASCIIFromString(out.model.get(), &error, &warning, text.c_str(),
                                     static_cast<unsigned int>(text.size()), ""))
-      return broken(out.name, "it is not sound glTF: " + first_line(error));
+      return broken_gltf(out.name, "it is not sound glTF: " + first_line(error));
   } catch (const std::exception& e) {
-    return broken(out.name, std::string("it is not sound glTF: ") + first_line(e.what()));
+    return broken_gltf(out.name, std::string("it is not sound glTF: ") + first_line(e.what()));
   }
   return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,6 +10,8 @@
 
 #include "engine/base/result.h"
 #include "kiosk/content/confined_files.h"
+#include "kiosk/content/gltf_credit.h"
+#include "kiosk/settings/reader_limits.h"
 
 namespace tinygltf {
 class Model;
@@ -26,6 +29,7 @@ struct MeshoptView {
 struct DracoPrimitive {
   int view = -1;
   int position = -1, normal = -1;  ///< Attribute ids inside the Draco data.
+  int accessor = -1;               ///< That declares the positions' bounds.
 };
 
 /// A glTF 2.0 file whose JSON has been measured, whose required extensions are known, whose buffers
@@ -37,11 +41,17 @@ struct GltfDocument {
   std::map<int, MeshoptView> meshopt;
   std::map<std::pair<int, int>, DracoPrimitive> draco;  ///< By (mesh, primitive).
   std::vector<bool> textured;                           ///< By material: its colour is an image.
+  struct Bounds {
+    std::array<double, 3> low{}, high{};
+  };
+  std::map<int, Bounds> bounds;  ///< Declared, by accessor, in the numbers as they are stored.
+  GltfCredit credit;
   std::vector<std::string> warnings;
 };
 
 /// Only geometry, nodes and base colours are handed on: images, textures, skins, animations,
 /// cameras and extras are cut out before tinygltf sees the JSON, and it opens no file of its own.
-Result<GltfDocument> open_gltf(const std::filesystem::path& file);
+Result<GltfDocument> open_gltf(const std::filesystem::path& file,
+                               const settings::ReaderLimits& limits);
 
 }  // namespace onggi::content

@@ -32,7 +32,8 @@ bool copy_attribute(const draco::Mesh& mesh, int id, std::vector<std::array<floa
 }  // namespace
 
 Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
-                                      const DracoPrimitive& primitive, const std::string& where) {
+                                      const DracoPrimitive& primitive, const std::string& where,
+                                      const settings::ReaderLimits& limits) {
   const auto damaged = [&] {
     return problem(where, "its Draco compression is damaged.",
                    "Export the vessel again, without compression if need be.");
@@ -44,7 +45,10 @@ Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
     if (!decoded.ok() || decoded.value() == nullptr) return damaged();
     const draco::Mesh& mesh = *decoded.value();
-    if (mesh.num_points() > kMostElements || mesh.num_faces() > kMostElements) return damaged();
+    if (mesh.num_points() > static_cast<std::size_t>(limits.vertices) ||
+        mesh.num_faces() > static_cast<std::size_t>(limits.triangles))
+      return problem(where, "its Draco compression holds more vertices than a vessel needs.",
+                     "Export the vessel with fewer triangles.");
     DecodedPrimitive out;
     if (!copy_attribute(mesh, primitive.position, out.positions)) return damaged();
     if (!copy_attribute(mesh, primitive.normal, out.normals)) out.normals.clear();
@@ -61,7 +65,7 @@ Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
 #else
 
 Result<DecodedPrimitive> decode_draco(std::span<const unsigned char>, const DracoPrimitive&,
-                                      const std::string& where) {
+                                      const std::string& where, const settings::ReaderLimits&) {
   return problem(where, "it is compressed with Draco, and this program was built without it.",
                  "Export the vessel without Draco compression, or build with libdraco-dev.");
 }

@@ -28,6 +28,31 @@ void read_color(settings::TomlReader::Table& root, Pack& pack) {
   pack.color = {linear(values[0]), linear(values[1]), linear(values[2])};
 }
 
+void read_mesh_terms(settings::TomlReader::Table& root, Pack& pack) {
+  root.text("node", pack.node);
+  std::string unit;
+  if (root.text("units", unit)) {
+    if (unit == "m") pack.unit = 1.0;
+    if (unit == "cm") pack.unit = 0.01;
+    if (unit == "mm") pack.unit = 0.001;
+    if (unit == "in") pack.unit = 0.0254;
+    if (pack.unit == 0.0)
+      root.complain("units", "units is \"" + unit + "\", which is no unit of length known here.",
+                    "Write what one unit of the mesh is: \"mm\", \"cm\", \"m\" or \"in\".");
+  }
+  std::string up;
+  if (!root.text("up", up)) return;
+  if (up == "x") pack.up = Vec3{1, 0, 0};
+  if (up == "y") pack.up = Vec3{0, 1, 0};
+  if (up == "z") pack.up = Vec3{0, 0, 1};
+  if (up == "-x") pack.up = Vec3{-1, 0, 0};
+  if (up == "-y") pack.up = Vec3{0, -1, 0};
+  if (up == "-z") pack.up = Vec3{0, 0, -1};
+  if (!pack.up)
+    root.complain("up", "up is \"" + up + "\", which is no axis.",
+                  "Write the mesh's axis that the rim lies towards: \"y\", \"z\", \"-z\" ...");
+}
+
 void read_labels(settings::TomlReader::Table& root, PackRead& read) {
   auto labels = root.child("label");
   for (const std::string& language : labels.keys()) {
@@ -77,6 +102,7 @@ PackRead read_pack(const std::filesystem::path& toml) {
   double mm = 0.0;
   if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;
   if (root.number("true_diameter_mm", mm, 5.0, 5000.0, "mm")) pack.true_diameter = 0.001 * mm;
+  read_mesh_terms(root, pack);
   root.text("institution", pack.institution);
   root.text("accession", pack.accession);
   root.text("source", pack.source);
@@ -91,6 +117,9 @@ PackRead read_pack(const std::filesystem::path& toml) {
   read.problems = reader.problems();
 
   // What follows is worth saying, but no reason to leave the vessel off the shelf.
+  if (pack.licence == kLicenceNotKnown)
+    root.complain("licence", "the licence is not known.",
+                  "Ask the owner of the scan, and write it: licence = \"CC-BY-4.0\".");
   for (const auto& [language, label] : pack.labels)
     if (const int words = count_words(label.text); words > kMostWords)
       root.child("label").child(language).complain("text",

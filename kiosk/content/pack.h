@@ -15,6 +15,9 @@ namespace onggi::content {
 struct Pack {
   std::string drawing;                          ///< Beside it; empty: none.
   double true_height = 0.0, true_diameter = 0;  ///< Metres; 0: not given.
+  double unit = 0.0;                            ///< Metres in one unit of the mesh; 0: not given.
+  std::optional<Vec3> up;                       ///< In the mesh's axes.
+  std::string node;                             ///< The object of the file; empty: all of it.
   std::string institution, accession, source, credit, licence;
   std::optional<std::array<float, 3>> color;  ///< Linear.
   std::map<std::string, Label> labels;
@@ -30,6 +33,13 @@ struct PackRead {
   int keys_checked = 0;
 };
 PackRead read_pack(const std::filesystem::path& toml);
+
+/// What an imported pack says where the file names no licence; `onggi check` asks for a real one.
+inline constexpr const char* kLicenceNotKnown = "not known";
+
+/// A vessel.toml for `vessel`, filled in as far as its file tells, with what is left to the curator
+/// in comments.
+std::string pack_toml(const Vessel& vessel);
 
 /// Words between spaces, as a reader counts them.
 int count_words(const std::string& text);

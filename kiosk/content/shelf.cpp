@@ -83,7 +83,7 @@ void check_sizes(const fs::path& toml, const Pack& pack, const Vessel& vessel, S
          "Correct the figure, or the mesh; a diameter measured over handles is left out."});
 }
 
-void check_pack(const fs::path& folder, ShelfCheck& check) {
+void check_pack(const fs::path& folder, const LoadOptions& options, ShelfCheck& check) {
   const fs::path toml = folder / "vessel.toml";
   const PackRead read = read_pack(toml);
   ++check.files;
@@ -97,7 +97,7 @@ void check_pack(const fs::path& folder, ShelfCheck& check) {
     check.problems.insert(check.problems.end(), drawing.problems.begin(), drawing.problems.end());
   }
   if (!read.problems.empty()) return;  // load_vessel would say the first of them again
-  const auto vessel = load_vessel(folder);
+  const auto vessel = load_vessel(folder, options);
   ++check.files;
   if (!vessel)
     check.problems.push_back(vessel.error());
@@ -108,13 +108,15 @@ void check_pack(const fs::path& folder, ShelfCheck& check) {
 }  // namespace
 
 Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const std::string&, void*),
-                     void* user) {
+                     void* user, const settings::ReaderLimits& limits) {
   Catalogue out;
+  LoadOptions options;
+  options.limits = limits;
   std::error_code error;
   const std::vector<Entry> entries = entries_of(folder, error);
   if (error) out.problems.push_back(no_shelf(folder, error));
 
-  std::vector<std::optional<Result<Vessel>>> loaded(entries.size());
+  std::vector<std::optional<Result<std::vector<Vessel>>>> loaded(entries.size());
   std::atomic<std::size_t> next{0};
   std::mutex one_at_a_time;
   const auto work = [&] {
@@ -123,7 +125,9 @@ Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const st
         const std::lock_guard lock(one_at_a_time);
         progress(static_cast<int>(i), static_cast<int>(entries.size()), entries[i].id, user);
       }
-      loaded[i] = load_vessel(entries[i].path);
+      LoadOptions own = options;
+      own.id = entries[i].id;
+      loaded[i] = load_vessels(entries[i].path, own);
     }
   };
   const std::size_t helpers =
@@ -138,14 +142,15 @@ Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const st
       out.problems.push_back(loaded[i]->error());
       continue;
     }
-    out.vessels.push_back(std::move(**loaded[i]));
-    out.vessels.back().id = entries[i].id;
+    for (Vessel& vessel : **loaded[i]) out.vessels.push_back(std::move(vessel));
   }
   return out;
 }
 
-ShelfCheck check_shelf(const fs::path& path) {
+ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits) {
   ShelfCheck check;
+  LoadOptions options;
+  options.limits = limits;
   std::error_code error, ignored;
   std::vector<Entry> entries;
   if (fs::exists(path / "vessel.toml", ignored) || fs::is_regular_file(path, ignored))
@@ -154,14 +159,15 @@ ShelfCheck check_shelf(const fs::path& path) {
     entries = entries_of(path, error);
   if (error) check.problems.push_back(no_shelf(path, error));
   for (const Entry& entry : entries) {
-    ++check.vessels;
     if (fs::is_directory(entry.path, ignored)) {
-      check_pack(entry.path, check);
+      ++check.vessels;
+      check_pack(entry.path, options, check);
       continue;
     }
     ++check.files;
-    if (const auto vessel = load_vessel(entry.path); !vessel)
-      check.problems.push_back(vessel.error());
+    const auto vessels = load_vessels(entry.path, options);
+    check.vessels += vessels ? static_cast<int>(vessels->size()) : 1;
+    if (!vessels) check.problems.push_back(vessels.error());
   }
   return check;
 }

@@ -53,9 +53,10 @@ std::string metres(double value) {
   return text;
 }
 
-/// What file units are worth in metres.
-double scale_for(Vessel& vessel, double height) {
-  if (vessel.true_height > 0.0) return vessel.true_height / height;
+/// What file units are worth in metres, for a vessel `height` units tall.
+double unit_for(Vessel& vessel, double unit, double height) {
+  if (vessel.true_height > 0.0) return vessel.true_height / vessel.extracted.profile.height();
+  if (unit > 0.0) return unit;
   if (height >= kLowest && height <= kHighest) return 1.0;
   vessel.extracted.warnings.push_back("It is " + metres(height) +
                                       " units tall, so they are not metres; shown " +
@@ -63,28 +64,155 @@ double scale_for(Vessel& vessel, double height) {
   return kAssumedHeight / height;
 }
 
-Result<Vessel> load(Vessel vessel) {
-  auto model = read_gltf(vessel.file);
-  if (!model) return tl::unexpected<Problem>(model.error());
-  auto found = extract_profile(model->mesh, {}, vessel.file.string());
+/// What is known before the file is read: `vessel` has what the pack says.
+struct Order {
+  Vessel vessel;
+  double unit = 0.0;                          ///< Metres in a unit of the file; 0: not known.
+  std::optional<std::array<float, 3>> color;  ///< Of the pack.
+  LoadOptions options;
+};
+
+/// The vessel that `mesh` is, all but its size.
+Result<Vessel> measured(const Order& order, const GltfModel& model, const TriangleMesh& mesh,
+                        const std::string& name) {
+  Vessel vessel = order.vessel;
+  ExtractionOptions options;
+  options.up = order.options.up;
+  auto found = extract_profile(mesh, options, name);
   if (!found) return tl::unexpected<Problem>(found.error());
   vessel.extracted = std::move(*found);
-  for (std::string& warning : model->warnings)
-    vessel.extracted.warnings.push_back(std::move(warning));
-  const double scale = scale_for(vessel, vessel.extracted.profile.height());
-  vessel.mesh = upright(model->mesh, vessel.extracted, scale);
-  vessel.extracted.profile = scaled(vessel.extracted.profile, scale);
-  if (vessel.credit.empty()) vessel.credit = model->copyright;
-  if (model->colored) vessel.color = model->base_color;
+  vessel.extracted.warnings.insert(vessel.extracted.warnings.end(), model.warnings.begin(),
+                                   model.warnings.end());
+  vessel.given = model.credit;
+  if (vessel.credit.empty()) vessel.credit = model.credit.line();
+  if (vessel.licence.empty()) vessel.licence = model.credit.licence;
+  if (vessel.source.empty()) vessel.source = model.credit.source;
+  if (model.colored) vessel.color = model.base_color;
+  if (order.color) vessel.color = *order.color;
   return vessel;
 }
 
-Result<Vessel> load_pack(const fs::path& folder) {
+/// Turns and scales a measured vessel; `height` is that by which its file's units are judged.
+void set_upright(Vessel& vessel, const TriangleMesh& mesh, double unit, double height) {
+  ExtractedProfile& found = vessel.extracted;
+  vessel.unit = unit_for(vessel, unit, height);
+  vessel.mesh = upright(mesh, found, vessel.unit);
+  found.profile = scaled(found.profile, vessel.unit);
+  found.inferred_wall *= vessel.unit;
+  if (found.inferred_wall > 0.0)
+    found.warnings.push_back("Where no inner wall was seen it is drawn " +
+                             metres(1000.0 * found.inferred_wall) + " mm inside the outer one.");
+}
+
+std::string called(const GltfPart& part) {
+  return part.name.empty() ? std::to_string(part.node) : part.name;
+}
+
+void name_nodes(Vessel& vessel, const GltfModel& model, const GltfPart* whole) {
+  for (const GltfPart& part : model.parts)
+    if (part.mesh &&
+        (whole == nullptr || (part.first_triangle >= whole->first_triangle &&
+                              part.first_triangle < whole->first_triangle + whole->triangles)))
+      vessel.nodes.push_back({called(part), part.triangles});
+}
+
+Result<Vessel> load_one(const Order& order, const GltfModel& model, const GltfPart* part) {
+  const TriangleMesh own = part == nullptr ? TriangleMesh{} : mesh_of(model, *part);
+  const TriangleMesh& mesh = part == nullptr ? model.mesh : own;
+  std::string name = order.vessel.file.string();
+  if (part != nullptr) name += ", node \"" + called(*part) + "\"";
+  auto vessel = measured(order, model, mesh, name);
+  if (!vessel) return vessel;
+  name_nodes(*vessel, model, part);
+  set_upright(*vessel, mesh, order.unit, vessel->extracted.profile.height());
+  return vessel;
+}
+
+Problem several_objects(const Order& order, const std::vector<const GltfPart*>& objects) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(objects.size(), 12); ++i)
+    names += (i == 0 ? "\"" : ", \"") + called(*objects[i]) + "\"";
+  if (objects.size() > 12) names += " ...";
+  return {order.vessel.file.string(),
+          "it holds " + std::to_string(objects.size()) +
+              " objects that do not all touch: " + names + ".",
+          "Name the one that is the vessel: --node NAME, or node = \"NAME\" in vessel.toml."};
+}
+
+Result<Vessel> load_named(const Order& order, const GltfModel& model) {
+  const std::string& wanted = order.options.node;
+  if (wanted.empty()) {
+    if (const auto objects = separate_objects(model); !objects.empty())
+      return tl::unexpected<Problem>(several_objects(order, objects));
+    return load_one(order, model, nullptr);
+  }
+  if (const GltfPart* part = find_part(model, wanted)) return load_one(order, model, part);
+  std::string names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(model.parts.size(), 12); ++i)
+    names += (i == 0 ? "\"" : ", \"") + called(model.parts[i]) + "\"";
+  return problem(order.vessel.file.string(),
+                 "it has no node \"" + wanted.substr(0, 80) + "\" that carries a surface.",
+                 "Name one of these: " + names + (model.parts.size() > 12 ? " ..." : "") + ".");
+}
+
+/// Letters, digits and _ of a node's name, for an id.
+std::string plain(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool keeps = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       static_cast<unsigned char>(c) >= 0x80;
+    if (keeps)
+      out += c;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  }
+  return out;
+}
+
+Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model,
+                                      const std::vector<const GltfPart*>& objects) {
+  const auto most = static_cast<std::size_t>(order.options.limits.vessels_in_a_file);
+  if (objects.size() > most)
+    return problem(order.vessel.file.string(),
+                   "it holds " + std::to_string(objects.size()) + " objects, and the most is " +
+                       std::to_string(most) + ".",
+                   "Export the vessels one by one, or a few to a file.");
+  std::vector<Vessel> out;
+  std::vector<const GltfPart*> parts;
+  std::string others;
+  for (const GltfPart* part : objects) {
+    auto vessel = measured(order, model, mesh_of(model, *part), called(*part));
+    if (!vessel) {
+      others += (others.empty() ? "\"" : ", \"") + called(*part) + "\"";
+      continue;
+    }
+    vessel->node = called(*part);
+    vessel->id += "_" + plain(vessel->node);
+    for (const Vessel& other : out)
+      if (other.id == vessel->id) vessel->id += "_" + std::to_string(part->node);
+    vessel->nodes.push_back({called(*part), part->triangles});
+    out.push_back(std::move(*vessel));
+    parts.push_back(part);
+  }
+  if (out.empty()) return tl::unexpected<Problem>(several_objects(order, objects));
+  if (!others.empty())
+    out.front().extracted.warnings.push_back("In the same file, and no vessels: " + others + ".");
+  // A set was modelled in one unit, which its tallest piece tells.
+  double tallest = 0.0;
+  for (const Vessel& v : out) tallest = std::max(tallest, v.extracted.profile.height());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    set_upright(out[i], mesh_of(model, *parts[i]), order.unit, tallest);
+  return out;
+}
+
+/// What the pack in `folder` says, or what is wrong with it.
+Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) {
   const PackRead read = read_pack(folder / "vessel.toml");
   if (!read.problems.empty()) return tl::unexpected<Problem>(read.problems.front());
   const Pack& pack = read.pack;
-  Vessel vessel;
-  vessel.id = folder.filename().string();
+  Order order;
+  Vessel& vessel = order.vessel;
+  vessel.id = options.id.empty() ? folder.filename().string() : options.id;
   vessel.file = folder / "vessel.glb";
   std::error_code ignored;
   if (!fs::exists(vessel.file, ignored) && fs::exists(folder / "vessel.gltf", ignored))
@@ -100,9 +228,31 @@ Result<Vessel> load_pack(const fs::path& folder) {
   vessel.licence = pack.licence;
   vessel.source = pack.source;
   vessel.true_height = pack.true_height;
-  auto loaded = load(std::move(vessel));
-  if (loaded && pack.color) loaded->color = *pack.color;
-  return loaded;
+  vessel.node = pack.node;
+  order.unit = pack.unit;
+  order.options = options;
+  if (!pack.node.empty()) order.options.node = pack.node;
+  if (pack.up) order.options.up = pack.up;
+  if (pack.color) order.color = pack.color;
+  return order;
+}
+
+Result<Order> order_of(const fs::path& path, const LoadOptions& options) {
+  // "pack/" names the folder as "pack" does.
+  const fs::path named = path.filename().empty() ? path.parent_path() : path;
+  std::error_code ignored;
+  if (fs::exists(named / "vessel.toml", ignored)) return order_of_pack(named, options);
+  Order order;
+  order.vessel.id = options.id.empty() ? named.stem().string() : options.id;
+  order.vessel.file = named;
+  order.vessel.node = options.node;
+  order.options = options;
+  return order;
+}
+
+Problem no_memory(const fs::path& path) {
+  return {path.string(), "it needs more memory than there is.",
+          "Export the vessel with fewer triangles."};
 }
 
 }  // namespace
@@ -111,7 +261,7 @@ Label Vessel::label(const std::string& language) const {
   for (const std::string& wanted : {language, std::string("en")})
     if (const auto found = labels.find(wanted); found != labels.end()) return found->second;
   Label made;
-  made.title = title_of(id);
+  made.title = title_of(!node.empty() ? node : !given.title.empty() ? given.title : id);
   return made;
 }
 
@@ -121,19 +271,35 @@ const Vessel* Catalogue::find(const std::string& id) const {
   return nullptr;
 }
 
-Result<Vessel> load_vessel(const fs::path& path) {
+Result<Vessel> load_vessel(const fs::path& path, const LoadOptions& options) {
   try {
-    // "pack/" names the folder as "pack" does.
-    const fs::path named = path.filename().empty() ? path.parent_path() : path;
-    std::error_code ignored;
-    if (fs::exists(named / "vessel.toml", ignored)) return load_pack(named);
-    Vessel vessel;
-    vessel.id = named.stem().string();
-    vessel.file = named;
-    return load(std::move(vessel));
+    const auto order = order_of(path, options);
+    if (!order) return tl::unexpected<Problem>(order.error());
+    const auto model = read_gltf(order->vessel.file, options.limits);
+    if (!model) return tl::unexpected<Problem>(model.error());
+    return load_named(*order, *model);
   } catch (const std::bad_alloc&) {
-    return problem(path.string(), "it needs more memory than there is.",
-                   "Export the vessel with fewer triangles.");
+    return tl::unexpected<Problem>(no_memory(path));
+  }
+}
+
+Result<std::vector<Vessel>> load_vessels(const fs::path& path, const LoadOptions& options) {
+  try {
+    const auto order = order_of(path, options);
+    if (!order) return tl::unexpected<Problem>(order.error());
+    const auto model = read_gltf(order->vessel.file, options.limits);
+    if (!model) return tl::unexpected<Problem>(model.error());
+    // One label, size and number cannot be those of ten vessels: a pack names its object.
+    if (order->options.node.empty() && order->vessel.labels.empty())
+      if (const auto objects = separate_objects(*model); !objects.empty())
+        return load_each(*order, *model, objects);
+    auto vessel = load_named(*order, *model);
+    if (!vessel) return tl::unexpected<Problem>(vessel.error());
+    std::vector<Vessel> out;
+    out.push_back(std::move(*vessel));
+    return out;
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected<Problem>(no_memory(path));
   }
 }
 

@@ -3,12 +3,15 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/profile/extraction.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/content/gltf_credit.h"
+#include "kiosk/settings/reader_limits.h"
 
 namespace onggi::content {
 
@@ -24,14 +27,22 @@ struct Label {
 
 /// A vessel on the shelf: the mesh for its picture, the profile for its outline and score.
 struct Vessel {
-  std::string id;                       ///< Folder or file name, without its ending.
-  std::filesystem::path file;           ///< The GLB or glTF.
+  std::string id;              ///< Folder or file name, without its ending.
+  std::filesystem::path file;  ///< The GLB or glTF.
+  std::string node;            ///< The object of that file; empty: all of it.
+  struct Node {
+    std::string name;
+    std::size_t triangles = 0;
+  };
+  std::vector<Node> nodes;              ///< That carry its surface.
   std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
+  GltfCredit given;                     ///< What the file says of itself.
   std::string credit, licence, source;
   double true_height = 0.0;    ///< Metres, from the TOML; 0 = unknown: file units are metres, or,
                                ///< where that is absurd, it is made 0.3 m tall with a warning.
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
   ExtractedProfile extracted;  ///< Its profile in metres; the axis as the file has it, file units.
+  double unit = 1.0;           ///< Metres that one unit of the file was taken for.
   std::array<float, 3> color{0.62f, 0.44f, 0.31f};  ///< Linear base colour for its picture.
 
   /// The label in `language`, else English, else one made of the file's name.
@@ -46,14 +57,29 @@ struct Catalogue {
 };
 
 /// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
-/// folder down). Sorted by id. Reads on as many threads as there are processors. `progress(done,
-/// total, name)` is called before each, if given, from any of them but one at a time.
+/// folder down). A file of several objects that stand apart brings each that is a vessel. Sorted by
+/// id. Reads on as many threads as there are processors. `progress(done, total, name)` is called
+/// before each, if given, from any of them but one at a time.
 Catalogue open_shelf(const std::filesystem::path& folder,
                      void (*progress)(int, int, const std::string&, void*) = nullptr,
-                     void* user = nullptr);
+                     void* user = nullptr, const settings::ReaderLimits& limits = {});
 
-/// One vessel: a pack folder, or a GLB/glTF file.
-Result<Vessel> load_vessel(const std::filesystem::path& path);
+/// How a vessel's file is to be read. What a pack's TOML says goes before `node` and `up`.
+struct LoadOptions {
+  std::string id;    ///< On the shelf; empty: the file's or folder's name.
+  std::string node;  ///< Name or number of the node that is the vessel; empty: all of the file.
+  std::optional<Vec3> up;  ///< In the file's axes; absent: decided from the shape.
+  settings::ReaderLimits limits;
+};
+
+/// One vessel: a pack folder, or a GLB/glTF file. A file of several objects that stand apart is a
+/// Problem that lists them, unless one is named.
+Result<Vessel> load_vessel(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// The same, but every object of a file of several that is a vessel, each with its own id
+/// ("tea_set_cup"). At least one, or a Problem.
+Result<std::vector<Vessel>> load_vessels(const std::filesystem::path& path,
+                                         const LoadOptions& options = {});
 
 /// What check_shelf() looked at, and everything wrong with it: also what the kiosk would open all
 /// the same, such as a label of more than 100 words or a size that contradicts the drawing.
@@ -65,6 +91,7 @@ struct ShelfCheck {
 };
 
 /// Checks a shelf, one pack, or one GLB/glTF file.
-ShelfCheck check_shelf(const std::filesystem::path& path);
+ShelfCheck check_shelf(const std::filesystem::path& path,
+                       const settings::ReaderLimits& limits = {});
 
 }  // namespace onggi::content

@@ -171,6 +171,17 @@ void read_screen(Table table, Exhibit::Screen& screen) {
   table.finish();
 }
 
+void read_reader(Table table, ReaderLimits& limits) {
+  table.integer("file_mb", limits.file_mb, 1, 4096, "MiB");
+  table.integer("json_mb", limits.json_mb, 1, 1024, "MiB");
+  table.integer("json_depth", limits.json_depth, 8, 256);
+  table.integer("json_values", limits.json_values, 1000, 100'000'000);
+  table.integer("vertices", limits.vertices, 1000, 100'000'000);
+  table.integer("triangles", limits.triangles, 1000, 100'000'000);
+  table.integer("vessels_in_a_file", limits.vessels_in_a_file, 1, 1000);
+  table.finish();
+}
+
 }  // namespace
 
 ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) {
@@ -188,6 +199,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_idle(root.child("idle"), exhibit.idle);
   read_keepsake(root.child("keepsake"), folder, exhibit.keepsake);
   read_screen(root.child("screen"), exhibit.screen);
+  read_reader(root.child("reader"), exhibit.reader);
   root.finish();
 
   read.problems = reader.problems();

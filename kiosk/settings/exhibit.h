@@ -7,6 +7,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/scene_def.h"
+#include "kiosk/settings/reader_limits.h"
 
 namespace onggi::settings {
 
@@ -37,6 +38,7 @@ struct Exhibit {
     bool left_handed = false;  ///< Mirrors the layout and the wheel.
     double force = 1.0;        ///< 0 (off) .. 1 of the device's cap.
   } screen;
+  ReaderLimits reader;  ///< [reader]: what is allowed of a vessel's file.
 };
 
 /// Everything found wrong; empty is good. Each has file:line:column, meaning, remedy, and names the

@@ -11,6 +11,11 @@ void add_visit(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_vessel(CLI::App& app, int& exit_code);
+void add_score(CLI::App& app, int& exit_code);
 void add_soak(CLI::App& app, int& exit_code);
+
+/// Of `onggi vessel`.
+void add_inspect(CLI::App& vessel, int& exit_code);
+void add_import(CLI::App& vessel, int& exit_code);
 
 }  // namespace onggi::app

@@ -11,8 +11,8 @@ namespace onggi::app {
 namespace {
 
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
-  for (const char* command :
-       {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect", "soak"}) {
+  for (const char* command : {"", "run", "visit", "replay", "check", "vessel", "vessel make",
+                              "vessel inspect", "vessel import", "soak"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
@@ -77,6 +77,48 @@ TEST(Vessel, ADrawingBecomesAGlbThatMeasuresAsDrawn) {
   const Outcome inspect = onggi("vessel inspect --json - " + glb);
   ASSERT_EQ(inspect.exit_code, 0) << inspect.err;
   EXPECT_NEAR(nlohmann::json::parse(inspect.out)["height_m"].get<double>(), 0.305, 0.003);
+}
+
+TEST(Vessel, WhatIsInspectedIsToldInJsonAndDrawn) {
+  const TemporaryFolder folder;
+  const std::string png = (folder / "jar.png").string();
+  const Outcome run = onggi("vessel inspect content/vessels/moon_jar --json - --plot " + png);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto report = nlohmann::json::parse(run.out);
+  for (const char* key :
+       {"file", "nodes", "triangles", "height_m", "axis", "up", "symmetry", "masked_fraction",
+        "inner", "outer", "inner_profile", "warnings", "licence", "credit"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  EXPECT_EQ(report["axis"]["origin"].size(), 3u);
+  EXPECT_EQ(report["outer"][0].size(), 2u);
+  EXPECT_EQ(report["inner"], "measured");
+  const std::string picture = text_of(png);
+  EXPECT_GT(picture.size(), 50000u);
+  EXPECT_EQ(picture.substr(1, 3), "PNG");
+}
+
+TEST(Vessel, AScanBecomesAPackThatTheKioskOpens) {
+  const TemporaryFolder folder;
+  const std::string shelf = (folder / "shelf").string();
+  const std::string command =
+      "vessel import content/vessels/tea_bowl/vessel.glb --id my_bowl --shelf " + shelf;
+  ASSERT_EQ(onggi(command).exit_code, 0);
+  EXPECT_EQ(text_of(shelf + "/my_bowl/vessel.glb"), text_of("content/vessels/tea_bowl/vessel.glb"));
+  EXPECT_EQ(onggi("vessel inspect " + shelf + "/my_bowl").exit_code, 0);
+  const Outcome again = onggi(command);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.err.find("there already"), std::string::npos);
+  EXPECT_EQ(onggi("vessel import content/vessels/tea_bowl/vessel.glb --id ../x").exit_code, 2);
+}
+
+TEST(Vessel, WhatCannotBeATargetEndsWithTwoPlaceMeaningAndRemedy) {
+  const std::string ewer = "../shared/vessels/sketchfab_ewer_dmitriy_draco.glb";
+  if (!std::filesystem::exists(ewer)) GTEST_SKIP() << "there is no " << ewer;
+  const Outcome run = onggi("vessel inspect " + ewer + " --json -");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  for (const char* words : {"ewer", "no body of revolution", "Choose a vessel"})
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
 }
 
 TEST(Replay, AFileThatIsNoReplayIsRefusedWithAMeaning) {

@@ -56,7 +56,8 @@ TEST_F(GltfTest, what_is_written_is_read_again_to_the_bit) {
   ASSERT_TRUE(model) << to_text(model.error());
   EXPECT_EQ(model->mesh.positions, mesh.positions);
   EXPECT_EQ(model->mesh.triangles, mesh.triangles);
-  EXPECT_EQ(model->copyright, "CC0, of nobody");
+  EXPECT_EQ(model->credit.copyright, "CC0, of nobody");
+  EXPECT_EQ(model->credit.licence, "CC0-1.0");
   EXPECT_TRUE(model->colored);
   EXPECT_NEAR(model->base_color[0], 0.342f, 1e-6);
 }

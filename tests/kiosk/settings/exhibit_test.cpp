@@ -78,9 +78,12 @@ diagonal_mm = 1400
 reduced_motion = true
 left_handed = true
 force = 0
+[reader]
+file_mb = 32
+vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 15);
+  EXPECT_EQ(r.keys_checked, 17);
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
   EXPECT_EQ(r.exhibit.title, (std::map<std::string, std::string>{{"ko", "항아리"}}));
@@ -95,6 +98,9 @@ force = 0
   EXPECT_TRUE(r.exhibit.screen.reduced_motion);
   EXPECT_TRUE(r.exhibit.screen.left_handed);
   EXPECT_EQ(r.exhibit.screen.force, 0);
+  EXPECT_EQ(r.exhibit.reader.file_mb, 32);
+  EXPECT_EQ(r.exhibit.reader.vertices, 200000);
+  EXPECT_EQ(r.exhibit.reader.triangles, ReaderLimits{}.triangles);
 }
 
 TEST_F(ExhibitTest, all_problems_are_told_at_once_and_good_values_are_kept) {
@@ -203,13 +209,13 @@ TEST(exhibit, the_readme_has_a_row_for_every_key_with_the_default_that_ships) {
       EXPECT_TRUE(there) << key << " = " << value << " in " << file;
     }
   }
-  EXPECT_EQ(keys, 38);
+  EXPECT_EQ(keys, 45);
 }
 
 TEST(exhibit, the_exhibit_that_ships_is_without_fault) {
   const ExhibitRead r = read_exhibit("config/exhibit.toml");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 16);
+  EXPECT_EQ(r.keys_checked, 23);
 }
 
 TEST(exhibit, what_ships_is_what_holds_where_nothing_is_written) {
@@ -230,6 +236,7 @@ TEST(exhibit, what_ships_is_what_holds_where_nothing_is_written) {
   EXPECT_EQ(shipped.screen.reduced_motion, none.screen.reduced_motion);
   EXPECT_EQ(shipped.screen.left_handed, none.screen.left_handed);
   EXPECT_EQ(shipped.screen.force, none.screen.force);
+  EXPECT_EQ(shipped.reader, none.reader);
 }
 
 }  // namespace

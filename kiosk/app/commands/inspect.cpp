@@ -1,0 +1,141 @@
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "engine/profile/measures.h"
+#include "kiosk/app/commands/commands.h"
+#include "kiosk/app/log.h"
+#include "kiosk/content/vessel.h"
+#include "kiosk/render/vessel_sheet.h"
+#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/souvenir/encode.h"
+#include "kiosk/view/vessel_sheet.h"
+
+namespace onggi::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  std::string file, node, json, plot;
+};
+
+const char* name_of(InnerWall wall) {
+  return wall == InnerWall::measured   ? "measured"
+         : wall == InnerWall::inferred ? "inferred"
+                                       : "none";
+}
+
+const char* name_of(UpFrom from) {
+  return from == UpFrom::opening ? "opening" : from == UpFrom::file ? "file" : "given";
+}
+
+Json json_of(const content::Vessel& vessel) {
+  const ExtractedProfile& e = vessel.extracted;
+  Json outer = Json::array(), inner = Json::array(), nodes = Json::array();
+  std::size_t seen = 0, walled = 0;
+  for (std::size_t i = 0; i < e.profile.points.size(); ++i) {
+    const ProfilePoint& p = e.profile.points[i];
+    outer.push_back({p.height, p.outer});
+    if (p.inner <= 0) continue;
+    inner.push_back({p.height, p.inner});
+    ++walled;
+    if (i < e.inner_seen.size() && e.inner_seen[i]) ++seen;
+  }
+  for (const auto& node : vessel.nodes)
+    nodes.push_back({{"name", node.name}, {"triangles", node.triangles}});
+  const auto vec = [](Vec3 v) { return Json::array({v.x, v.y, v.z}); };
+  Json report;
+  report["file"] = vessel.file.string();
+  report["nodes"] = std::move(nodes);
+  report["triangles"] = vessel.mesh.triangles.size();
+  report["height_m"] = e.profile.height();
+  report["metres_per_unit"] = vessel.unit;
+  report["axis"] = {{"origin", vec(e.axis_origin)}, {"direction", vec(e.axis_direction)}};
+  report["up"] = vec(e.axis_direction);
+  report["up_from"] = name_of(e.up_from);
+  report["symmetry"] = e.symmetry;
+  report["masked_fraction"] = e.masked_fraction;
+  report["inner"] = name_of(e.profile.inner_wall);
+  report["inner_measured_share"] =
+      walled > 0 ? static_cast<double>(seen) / static_cast<double>(walled) : 0.0;
+  report["inferred_wall_m"] = e.inferred_wall;
+  report["outer"] = std::move(outer);
+  report["inner_profile"] = std::move(inner);
+  report["warnings"] = e.warnings;
+  report["licence"] = vessel.licence;
+  report["credit"] = vessel.credit;
+  return report;
+}
+
+void print_summary(const content::Vessel& vessel) {
+  const ExtractedProfile& e = vessel.extracted;
+  const Dimensions d = dimensions(e.profile);
+  std::printf(
+      "%s\n  height %.1f mm, widest %.1f mm at %.1f mm, mouth %.1f mm, foot %.1f mm\n"
+      "  wall %.1f mm (%s), symmetry %.3f, %.1f %% masked\n",
+      vessel.file.c_str(), d.height * 1e3, d.belly * 1e3, d.belly_height * 1e3, d.mouth * 1e3,
+      d.foot * 1e3, d.wall_mean * 1e3, name_of(e.profile.inner_wall), e.symmetry,
+      e.masked_fraction * 100);
+  if (!vessel.credit.empty() || !vessel.licence.empty())
+    std::printf("  %s%s%s\n", vessel.credit.c_str(),
+                vessel.credit.empty() || vessel.licence.empty() ? "" : ", ",
+                vessel.licence.c_str());
+  for (const std::string& warning : e.warnings) std::printf("  note: %s\n", warning.c_str());
+}
+
+Result<void> plot(const content::Vessel& vessel, const std::string& file) {
+  const view::VesselSheet sheet = view::sheet_of(vessel);
+  souvenir::Caption caption;
+  caption.title = sheet.title;
+  caption.copyright = sheet.credit;
+  caption.description = "Section and view, drawn by Onggi from " + vessel.file.filename().string();
+  const auto png = souvenir::encode(render::draw_sheet(sheet), souvenir::Format::png, caption);
+  if (!png) return tl::unexpected(png.error());
+  return souvenir::write_durably(file, *png);
+}
+
+Result<void> inspect(const Arguments& arguments) {
+  content::LoadOptions options;
+  options.node = arguments.node;
+  const auto vessel = content::load_vessel(arguments.file, options);
+  if (!vessel) return tl::unexpected(vessel.error());
+  if (!arguments.plot.empty())
+    if (auto good = plot(*vessel, arguments.plot); !good) return good;
+  const std::string text =
+      json_of(*vessel).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (arguments.json == "-") {
+    std::cout << text;
+    return {};
+  }
+  if (!arguments.json.empty())
+    if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
+      return good;
+  print_summary(*vessel);
+  return {};
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& vessel, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = vessel.add_subcommand("inspect", "Measure a vessel as a target");
+  command->footer(
+      "Example: onggi vessel inspect scan.glb --plot scan.png\n"
+      "What cannot be a target ends with 2, and is told with place, meaning and remedy.");
+  command->add_option("file", arguments->file, "A GLB, a glTF or a vessel pack")->required();
+  command->add_option("--node", arguments->node,
+                      "The node that is the vessel, by name or number [all of the file]");
+  command->add_option("--json", arguments->json, "Write all of it as JSON (- for standard output)");
+  command->add_option("--plot", arguments->plot,
+                      "Draw section and view, as archaeologists do, into this PNG");
+  command->callback([arguments, &exit_code] {
+    if (auto good = inspect(*arguments); !good) exit_code = exit_with(good.error());
+  });
+}
+
+}  // namespace onggi::app

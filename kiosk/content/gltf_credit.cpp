@@ -1,0 +1,175 @@
+#include "kiosk/content/gltf_credit.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+
+#include "kiosk/content/gltf_credit_reader.h"
+
+namespace onggi::content {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongest = 1000;
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// One line without control characters, cut between two characters of UTF-8.
+std::string tidy(std::string text) {
+  if (text.size() > kLongest) {
+    std::size_t end = kLongest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+    text.resize(end);
+  }
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  const auto first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+const json* member(const json& object, const std::string& key) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(key);
+  return found == object.end() ? nullptr : &*found;
+}
+
+/// A JSON-LD value as words: a string, a list of them, one in a language, or a name inside an
+/// object. English goes before other languages.
+std::string words_of(const json& value, int depth = 0) {
+  if (depth > 8) return "";
+  if (value.is_string()) return tidy(value.get<std::string>());
+  if (value.is_array()) {
+    std::string all;
+    for (const json& entry : value) {
+      const json* language = member(entry, "@language");
+      const std::string one = words_of(entry, depth + 1);
+      if (language != nullptr && language->is_string()) {
+        // The same text in several languages, not several texts.
+        if (language->get<std::string>().rfind("en", 0) == 0) return one;
+        if (all.empty()) all = one;
+      } else if (!one.empty()) {
+        all += (all.empty() ? "" : ", ") + one;
+      }
+    }
+    return tidy(all);
+  }
+  for (const char* inside : {"@value", "@list", "@set", "rdf:Alt", "rdf:Seq", "rdf:Bag", "rdf:_1",
+                             "name", "foaf:name", "schema:name", "@id"})
+    if (const json* found = member(value, inside)) return words_of(*found, depth + 1);
+  return "";
+}
+
+/// The words of the first of `keys` (in lower case) that `object` has.
+std::string first_of(const json& object, std::initializer_list<const char*> keys) {
+  if (!object.is_object()) return "";
+  for (const char* key : keys)
+    for (auto at = object.begin(); at != object.end(); ++at)
+      if (lower(at.key()) == key)
+        if (std::string words = words_of(at.value()); !words.empty()) return words;
+  return "";
+}
+
+/// The packet that the asset names, else the first.
+const json* xmp_packet(const json& document) {
+  const json* all = member(document, "extensions");
+  const json* xmp = all == nullptr ? nullptr : member(*all, "KHR_xmp_json_ld");
+  const json* packets = xmp == nullptr ? nullptr : member(*xmp, "packets");
+  if (packets == nullptr || !packets->is_array() || packets->empty()) return nullptr;
+  std::size_t index = 0;
+  if (const json* asset = member(document, "asset"))
+    if (const json* own = member(*asset, "extensions"))
+      if (const json* named = member(*own, "KHR_xmp_json_ld"))
+        if (const json* packet = member(*named, "packet");
+            packet != nullptr && packet->is_number_unsigned())
+          index = packet->get<std::size_t>();
+  return index < packets->size() ? &(*packets)[index] : nullptr;
+}
+
+void fill(std::string& place, std::string words) {
+  if (place.empty()) place = std::move(words);
+}
+
+}  // namespace
+
+std::string licence_named_in(const std::string& text) {
+  const std::string all = lower(text);
+  if (all.find("publicdomain/zero") != std::string::npos || all.find("cc0") != std::string::npos)
+    return "CC0-1.0";
+  // "CC-BY-NC-4.0", "CC BY 4.0", "creativecommons.org/licenses/by-sa/3.0/"
+  std::size_t at = all.find("creativecommons.org/licenses/");
+  if (at != std::string::npos) {
+    at += std::string("creativecommons.org/licenses/").size();
+  } else {
+    at = std::min(all.find("cc-by"), all.find("cc by"));
+    if (at == std::string::npos) return "";
+    at += 3;
+  }
+  std::string out = "CC";
+  while (at < all.size()) {
+    std::string part;
+    while (at < all.size() && all[at] >= 'a' && all[at] <= 'z') part += all[at++];
+    const bool known = part == "by" || part == "nc" || part == "sa" || part == "nd";
+    if (!known) break;
+    out += "-";
+    for (const char c : part) out += static_cast<char>(c - 'a' + 'A');
+    if (at < all.size() && (all[at] == '-' || all[at] == ' ' || all[at] == '/')) ++at;
+  }
+  if (out == "CC") return "";
+  std::string version;
+  while (at < all.size() && ((all[at] >= '0' && all[at] <= '9') || all[at] == '.'))
+    version += all[at++];
+  while (!version.empty() && version.back() == '.') version.pop_back();
+  return version.size() == 3 ? out + "-" + version : out;
+}
+
+std::string GltfCredit::line() const {
+  std::string out;
+  if (!title.empty() && !creator.empty()) out = "“" + title + "” by " + creator;
+  if (out.empty()) out = creator;
+  // What the copyright says already is not said twice.
+  if (!copyright.empty() && (out.empty() || copyright != creator))
+    out += (out.empty() ? "" : ". ") + copyright;
+  return out;
+}
+
+GltfCredit read_credit(const json& document) {
+  GltfCredit out;
+  if (const json* xmp = xmp_packet(document)) {
+    out.title = first_of(*xmp, {"dc:title", "dcterms:title", "xmp:nickname"});
+    out.creator = first_of(*xmp, {"dc:creator", "dcterms:creator", "cc:attributionname",
+                                  "xmprights:owner", "dc:publisher"});
+    out.copyright = first_of(*xmp, {"dc:rights", "dcterms:rights"});
+    out.licence = first_of(
+        *xmp, {"dcterms:license", "cc:license", "xmprights:usageterms", "xmprights:webstatement"});
+    out.source = first_of(*xmp, {"dc:source", "dcterms:source", "cc:attributionurl",
+                                 "dc:identifier", "dcterms:identifier"});
+    out.date = first_of(*xmp, {"dcterms:created", "dc:date", "xmp:createdate"});
+    out.description = first_of(*xmp, {"dc:description", "dcterms:description"});
+  }
+  if (const json* asset = member(document, "asset")) {
+    if (const json* extras = member(*asset, "extras")) {
+      fill(out.title, first_of(*extras, {"title", "name"}));
+      fill(out.creator,
+           first_of(*extras, {"author", "creator", "artist", "credit", "attribution"}));
+      fill(out.licence, first_of(*extras, {"license", "licence", "rights"}));
+      fill(out.source, first_of(*extras, {"source", "url", "link"}));
+      fill(out.copyright, first_of(*extras, {"copyright"}));
+      fill(out.date, first_of(*extras, {"date", "created"}));
+      fill(out.description, first_of(*extras, {"description"}));
+    }
+    fill(out.copyright, first_of(*asset, {"copyright"}));
+  }
+  const std::string named = licence_named_in(out.licence);
+  if (!named.empty()) out.licence = named;
+  if (out.licence.empty()) out.licence = licence_named_in(out.copyright);
+  return out;
+}
+
+}  // namespace onggi::content

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace onggi::settings {
+
+/// What is allowed of a vessel's file, whoever made it: [reader] of an exhibit. A file beyond any
+/// of these is refused by name before memory is asked for. The defaults are ten times what a
+/// careful scan needs and a tenth of what a kiosk has.
+struct ReaderLimits {
+  int file_mb = 512;            ///< MiB of a file, and of all buffers of a glTF together, 1..4096.
+  int json_mb = 64;             ///< MiB of a glTF's JSON, 1..1024.
+  int json_depth = 64;          ///< Brackets within brackets in it, 8..256.
+  int json_values = 2'000'000;  ///< Values in it, 1000..100000000.
+  int vertices = 16'777'216;    ///< Of all its nodes together, 1000..100000000.
+  int triangles = 16'777'216;   ///< The same for triangles, 1000..100000000.
+  int vessels_in_a_file = 64;   ///< The most that one file brings onto the shelf, 1..1000.
+  friend bool operator==(const ReaderLimits&, const ReaderLimits&) = default;
+};
+
+}  // namespace onggi::settings
