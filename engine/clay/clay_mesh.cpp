@@ -4,11 +4,17 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
+
+#include "engine/clay/lip.h"
+#include "engine/math/portable.h"
 
 namespace onggi {
 
 namespace {
+
+constexpr int kLipRings = 12;
 
 using Position = std::array<float, 3>;
 
@@ -25,11 +31,19 @@ class Face {
 
   /// A ring at `height` with a row's radii; radii empty: all vertices on the axis.
   void ring(double height, std::span<const float> radii) {
+    ring([&](std::size_t i) { return Vec2{radii.empty() ? 0.0 : double{radii[i]}, height}; });
+  }
+
+  /// A ring whose vertex in sector i is at `place(i)`: distance from the axis, and height.
+  template <class Place>
+  requires std::is_invocable_r_v<Vec2, Place, std::size_t>
+  void ring(Place place) {
     for (int k = 0; k < count_; ++k) {
       const auto i = static_cast<std::size_t>(k * step_);
-      const float r = radii.empty() ? 0.0f : radii[i];
+      const Vec2 at = place(i);
+      const auto r = static_cast<float>(at.x);
       mesh_.positions.push_back(
-          {r * clay_.ray_cos()[i], static_cast<float>(height), r * clay_.ray_sin()[i]});
+          {r * clay_.ray_cos()[i], static_cast<float>(at.y), r * clay_.ray_sin()[i]});
     }
     if (++rings_ < 2) return;
     const auto n = static_cast<std::uint32_t>(count_);
@@ -87,7 +101,7 @@ TriangleMesh mesh_of(const Clay& clay, int most_rows, int most_sectors) {
   const int last = clay.rows() - 1;
   const int floor_row = std::min(clay.floor_rows(), last);
   const double top = clay.row_height(last) + clay.row_thickness(last) / 2;
-  const double floor = clay.floor_top();
+  const double floor = clay.floor_rows() < clay.rows() ? clay.floor_top() : top;
   const auto face = [&] { return Face(mesh, clay, sector_step); };
 
   Face foot = face();
@@ -95,20 +109,33 @@ TriangleMesh mesh_of(const Clay& clay, int most_rows, int most_sectors) {
   foot.ring(0, clay.outer(0));
   foot.finish();
 
+  // The lip is round: the faces end at its shoulders.
+  const double below_lip = top - kLipRadius;
+  const auto lip = [&](double across) {
+    return [&clay, last, top, across](std::size_t i) {
+      const double out = double{clay.outer(last)[i]};
+      const double in = double{clay.inner(last)[i]};
+      const double rho = out + across * (in - out);
+      return Vec2{rho, top - lip_drop(in, out, rho)};
+    };
+  };
+
   Face outer = face();
   outer.ring(0, clay.outer(0));
-  for (int j = 0; j <= last; j += row_step) outer.ring(clay.row_height(j), clay.outer(j));
-  outer.ring(top, clay.outer(last));
+  for (int j = 0; j <= last && clay.row_height(j) < below_lip; j += row_step)
+    outer.ring(clay.row_height(j), clay.outer(j));
+  outer.ring(lip(0.0));
   outer.finish();
 
   Face rim = face();
-  rim.ring(top, clay.outer(last));
-  rim.ring(top, clay.inner(last));
+  for (int n = 0; n <= kLipRings; ++n)  // closest where it is round
+    rim.ring(lip(0.5 - 0.5 * portable::cos(portable::kPi * n / kLipRings)));
   rim.finish();
 
   Face inner = face();
-  inner.ring(top, clay.inner(last));
-  for (int j = last; j >= floor_row; j -= row_step) inner.ring(clay.row_height(j), clay.inner(j));
+  inner.ring(lip(1.0));
+  for (int j = last; j >= floor_row; j -= row_step)
+    if (clay.row_height(j) < below_lip) inner.ring(clay.row_height(j), clay.inner(j));
   inner.ring(floor, clay.inner(floor_row));
   inner.finish();
 

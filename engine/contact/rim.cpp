@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/clay/lip.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -60,12 +61,13 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
   if (end <= begin) return sum;
   const auto depth_at = [&](double rho) {
     const double rise = std::sqrt(std::max(square - (along - rho) * (along - rho), 0.0));
-    const double drop = lip_drop(outer - inner, std::min(rho - inner, outer - rho));
+    const double drop = lip_drop(inner, outer, rho);
     // A ball that is sunk in wholly covers no more of the ray than its own chord.
     return std::min(rise - above - drop, 2.0 * rise);
   };
   const double edge = std::min(0.5 * (outer - inner), kLipRadius);
-  sum.deepest = std::max(depth_at(std::clamp(along, inner + edge, outer - edge)), 0.0);
+  const double crown_begin = inner > 0.0 ? inner + edge : 0.0;
+  sum.deepest = std::max(depth_at(std::clamp(along, crown_begin, outer - edge)), 0.0);
   for (std::size_t n = 0; n < kNode.size(); ++n) {
     const double rho = 0.5 * (begin + end) + 0.5 * (end - begin) * kNode[n];
     const double press = depth_at(rho);
@@ -145,12 +147,6 @@ void flare(Clay& clay, Sectors under, const float* push, double reach) {
 }
 
 }  // namespace
-
-double lip_drop(double thickness, double from_face) noexcept {
-  const double edge = std::min(0.5 * thickness, kLipRadius);
-  const double x = edge - from_face;
-  return x > 0.0 ? edge - std::sqrt(std::max((edge - x) * (edge + x), 0.0)) : 0.0;
-}
 
 double rim_reach(double radius, double thickness, double tool_radius) noexcept {
   return std::clamp(2.0 * std::sqrt(radius * thickness), tool_radius, 4.0 * tool_radius);

@@ -5,14 +5,6 @@
 
 namespace onggi {
 
-/// Radius of the rim's rounded edges, metres; half the wall's thickness where that is less, and the
-/// lip then is half a torus. Its crown is at Clay::rim_height().
-inline constexpr double kLipRadius = 0.003;
-
-/// How far below its crown the lip of a wall `thickness` thick is, `from_face` (0..thickness) from
-/// one of the faces. Metres.
-double lip_drop(double thickness, double from_face) noexcept;
-
 /// How deep into the wall from the rim a press on it is taken up, metres: what an edge load bends
 /// of a thin shell of that radius and thickness, and 1 to 4 times the tool's radius.
 double rim_reach(double radius, double thickness, double tool_radius) noexcept;

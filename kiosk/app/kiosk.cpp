@@ -133,8 +133,8 @@ bool Kiosk::frame(double now, bool draw) {
   }
 
   std::vector<view::RowUpdate> rows;
-  potter_->collect([&rows](int row, const std::vector<float>& radii) {
-    rows.push_back({row, radii});
+  potter_->collect([&rows](const loop::RowChannel::Row& row) {
+    rows.push_back({row.row, row.radii, view::RowPlace{row.middle, row.rim, row.floor}});
   });
   if (!rows.empty()) renderer_->update_rows(rows);
   note_saved();

@@ -23,8 +23,9 @@ void Mirror::reset(int rows, int sectors, double height, double floor_height, do
   inner_.assign(n, static_cast<float>(inner));
   mean_outer_.assign(static_cast<std::size_t>(rows), outer);
   mean_inner_.assign(static_cast<std::size_t>(rows), inner);
-  const double thickness = height / rows;
-  for (int j = 0; j < rows && (j + 0.5) * thickness < floor_height; ++j) {
+  middle_.resize(static_cast<std::size_t>(rows));
+  for (int j = 0; j < rows; ++j) middle_[static_cast<std::size_t>(j)] = (j + 0.5) * height / rows;
+  for (int j = 0; j < rows && middle_[static_cast<std::size_t>(j)] < floor_height; ++j) {
     const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(sectors);
     std::fill_n(inner_.begin() + static_cast<std::ptrdiff_t>(at), sectors, 0.0f);
     mean_inner_[static_cast<std::size_t>(j)] = 0.0;
@@ -42,16 +43,23 @@ void Mirror::apply(int row, const std::vector<float>& radii) {
   mean_inner_[r] = mean(radii.data() + sectors_, sectors_);
 }
 
+void Mirror::stack(int row, double middle, double rim, double floor) {
+  if (row < 0 || row >= rows_) return;
+  middle_[static_cast<std::size_t>(row)] = middle;
+  height_ = rim;
+  floor_height_ = floor;
+}
+
 Profile Mirror::profile() const {
   Profile profile;
   if (rows_ == 0) return profile;
   profile.points.reserve(static_cast<std::size_t>(rows_) + 2);
-  const double thickness = height_ / rows_;
   // Rows carry their middle; the foot and the rim repeat the row next to them.
   profile.points.push_back({0.0, mean_outer_.front(), mean_inner_.front()});
-  for (int j = 0; j < rows_; ++j) {
-    const auto r = static_cast<std::size_t>(j);
-    profile.points.push_back({(j + 0.5) * thickness, mean_outer_[r], mean_inner_[r]});
+  for (std::size_t r = 0; r < middle_.size(); ++r) {
+    // While rows are on their way some lie where others were: heights must rise all the same.
+    if (middle_[r] > profile.height() && middle_[r] < height_)
+      profile.points.push_back({middle_[r], mean_outer_[r], mean_inner_[r]});
   }
   profile.points.push_back({height_, mean_outer_.back(), mean_inner_.back()});
   return profile;
@@ -60,10 +68,13 @@ Profile Mirror::profile() const {
 double Mirror::radius_at(double h, WallSide side) const {
   if (rows_ == 0) return 0.0;
   const std::vector<double>& means = side == WallSide::outside ? mean_outer_ : mean_inner_;
-  const double at = std::clamp(h / height_ * rows_ - 0.5, 0.0, static_cast<double>(rows_ - 1));
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, means.size() - 1);
-  const double share = at - static_cast<double>(below);
+  const auto next = std::upper_bound(middle_.begin(), middle_.end(), h);
+  if (next == middle_.begin()) return means.front();
+  if (next == middle_.end()) return means.back();
+  const auto above = static_cast<std::size_t>(next - middle_.begin());
+  const std::size_t below = above - 1;
+  const double gap = middle_[above] - middle_[below];
+  const double share = gap > 0 ? std::clamp((h - middle_[below]) / gap, 0.0, 1.0) : 0.0;
   return means[below] * (1 - share) + means[above] * share;
 }
 

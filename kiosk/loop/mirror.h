@@ -11,14 +11,17 @@ namespace onggi::loop {
 /// that a profile costs O(rows). Main thread only.
 class Mirror {
  public:
-  /// The grid of a new scene: even rows over `height` metres, all at the lump's radii.
+  /// The grid of a new scene: even rows at first, over `height` metres, all at the lump's radii.
   void reset(int rows, int sectors, double height, double floor_height, double outer, double inner);
   /// `radii`: `sectors` outer radii, then `sectors` inner ones, metres.
   void apply(int row, const std::vector<float>& radii);
+  /// Where the middle of a row now is, and the rim and the floor, metres.
+  void stack(int row, double middle, double rim, double floor);
 
   int rows() const { return rows_; }
   int sectors() const { return sectors_; }
   double height() const { return height_; }
+  double floor_height() const { return floor_height_; }
   const std::vector<float>& outer() const { return outer_; }  ///< rows x sectors.
   const std::vector<float>& inner() const { return inner_; }
   Profile profile() const;
@@ -29,7 +32,7 @@ class Mirror {
   int rows_ = 0, sectors_ = 0;
   double height_ = 0, floor_height_ = 0;
   std::vector<float> outer_, inner_;
-  std::vector<double> mean_outer_, mean_inner_;
+  std::vector<double> mean_outer_, mean_inner_, middle_;
 };
 
 }  // namespace onggi::loop

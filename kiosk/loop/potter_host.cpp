@@ -100,7 +100,7 @@ void PotterHost::note_records(Pot& pot) {
     if (recording_) recording_->tick(record);
 }
 
-int PotterHost::collect(const std::function<void(int, const std::vector<float>&)>& changed) {
+int PotterHost::collect(const std::function<void(const RowChannel::Row&)>& changed) {
   take_returned();
   if (lent_) put_back();  // It came back after with_scene() had given up waiting.
   if (current_ == nullptr) return 0;
@@ -108,7 +108,8 @@ int PotterHost::collect(const std::function<void(int, const std::vector<float>&)
   int count = 0;
   while (RowChannel::Row* row = current_->rows.take()) {
     mirror_.apply(row->row, row->radii);
-    if (changed) changed(row->row, row->radii);
+    mirror_.stack(row->row, row->middle, row->rim, row->floor);
+    if (changed) changed(*row);
     current_->rows.give_back(row);
     ++count;
   }

@@ -33,7 +33,7 @@ class PotterHost : public PotterCommands {
 
   /// Once a frame: takes in what the loop handed back, notes ticks into the replay, applies changed
   /// rows to the mirror and calls `changed(row, radii)` for each. Returns how many rows changed.
-  int collect(const std::function<void(int, const std::vector<float>&)>& changed);
+  int collect(const std::function<void(const RowChannel::Row&)>& changed);
   const Mirror& mirror() const { return mirror_; }
 
   /// Notes ticks of the pot on the wheel from its first one. Call right after start().

@@ -17,7 +17,9 @@ class RowChannel {
  public:
   struct Row {
     int row = 0;
-    std::vector<float> radii;  ///< `sectors` outer, then `sectors` inner, metres.
+    double middle = 0;          ///< Height of the row's middle, metres.
+    double rim = 0, floor = 0;  ///< Of the clay as the row was copied: its height, and its floor's.
+    std::vector<float> radii;   ///< `sectors` outer, then `sectors` inner, metres.
   };
 
   /// Allocates up to 512 buffers for a clay of `rows` x `sectors`.

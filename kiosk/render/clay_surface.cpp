@@ -25,7 +25,12 @@ void ClaySurface::set_grid(const view::GridShape& shape) {
   if (rows_ < 1 || sectors_ < 1) return;
   mean_outer_.assign(static_cast<std::size_t>(rows_), 0.0f);
   mean_inner_.assign(static_cast<std::size_t>(rows_), 0.0f);
-  levels_.height = shape.height;
+  middle_.resize(static_cast<std::size_t>(rows_));
+  for (int j = 0; j < rows_; ++j)
+    middle_[static_cast<std::size_t>(j)] = (static_cast<float>(j) + 0.5f) *
+                                           static_cast<float>(shape.height) /
+                                           static_cast<float>(rows_);
+  stacked_ = false;
   fill(shape.lump_outer, shape.lump_inner);
 }
 
@@ -71,6 +76,13 @@ void ClaySurface::update(std::span<const view::RowUpdate> rows) {
     glBindTexture(GL_TEXTURE_2D, inner_.name.get());
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, j, sectors_, 1, GL_RED, GL_FLOAT, inner);
     means_of(j, outer, inner);
+    if (!row.place) continue;
+    float& middle = middle_[static_cast<std::size_t>(j)];
+    const auto now = static_cast<float>(row.place->middle);
+    if (middle != now || shape_.height != row.place->rim) stacked_ = false;
+    middle = now;
+    shape_.height = row.place->rim;
+    shape_.floor_height = row.place->floor;
   }
   if (!rows.empty()) changed_ = seen_ = true;
 }
@@ -88,11 +100,46 @@ void ClaySurface::means_of(int row, const float* outer, const float* inner) {
   mean_inner_[static_cast<std::size_t>(row)] = i / static_cast<float>(n);
 }
 
+// A height is between the middles of two rows; below the lowest and above the highest it is theirs.
+void ClaySurface::stack() {
+  heights_.resize(2 * kHeights);
+  const auto count = static_cast<float>(rows_);
+  const auto height = static_cast<float>(shape_.height);
+  std::size_t above = 0;
+  for (std::size_t k = 0; k < kHeights; ++k) {
+    const float y = static_cast<float>(k) / (kHeights - 1) * height;
+    while (above < middle_.size() && middle_[above] <= y) ++above;
+    const std::size_t high = std::clamp<std::size_t>(above, 1, middle_.size() - 1), low = high - 1;
+    const float gap = std::max(middle_[high] - middle_[low], 1e-7f);
+    const float row = static_cast<float>(low) + (y - middle_[low]) / gap;
+    heights_[2 * k] = std::clamp((row + 0.5f) / count, 0.0f, 1.0f);
+    heights_[2 * k + 1] = height / (gap * count);
+  }
+  if (!row_at_.name) {
+    row_at_ = Texture::create(GL_RG32F, kHeights, 1, GL_RG, GL_FLOAT, heights_.data());
+  } else {
+    glBindTexture(GL_TEXTURE_2D, row_at_.name.get());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kHeights, 1, GL_RG, GL_FLOAT, heights_.data());
+  }
+  stacked_ = true;
+}
+
+float ClaySurface::lip() const {
+  if (mean_outer_.empty()) return 0.0f;
+  return std::min(static_cast<float>(shape_.lip_radius),
+                  0.5f * (mean_outer_.back() - mean_inner_.back()));
+}
+
 bool ClaySurface::refresh(Texture& levels_texture) {
-  if (!changed_ || rows_ < 1) return false;
+  if (!changed_ || rows_ < 2) return false;
+  if (!stacked_) stack();
+  int solid = 0;
+  while (solid < rows_ && mean_inner_[static_cast<std::size_t>(solid)] == 0.0f) ++solid;
+  first_wall_row_ = (static_cast<float>(solid) + 0.5f) / static_cast<float>(rows_);
+  levels_.height = shape_.height;
   for (std::size_t l = 0; l < kLevels; ++l) {
-    const auto row =
-        std::min<std::size_t>((2 * l + 1) * static_cast<std::size_t>(rows_) / (2 * kLevels),
+    const std::size_t k = (2 * l + 1) * kHeights / (2 * kLevels);
+    const auto row = std::min(static_cast<std::size_t>(heights_[2 * k] * static_cast<float>(rows_)),
                               static_cast<std::size_t>(rows_ - 1));
     levels_.outer[l] = mean_outer_[row];
     levels_.inner[l] = mean_inner_[row];

@@ -23,7 +23,8 @@ struct Wall {
 constexpr std::array<Wall, 3> kWalls{{{72, 112, 280.0f}, {96, 192, 900.0f}, {192, 400, 1e9f}}};
 
 // Texture units.
-constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5;
+constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
+              kRowAt = 6;
 
 // Display colours of LOOK.md, as linear light.
 const glm::vec3 kDry(0.405f, 0.240f, 0.137f), kWet(0.1559f, 0.0704f, 0.0423f);
@@ -106,9 +107,9 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   for (std::size_t i = 0; i < kWalls.size(); ++i) {
     stage->walls_[i] = unit_grid(kWalls[i].columns, kWalls[i].rows);
   }
-  stage->lip_ = unit_grid(160, 8);
+  stage->lip_ = unit_grid(160, 12);
   stage->floor_ = unit_grid(96, 8);
-  stage->section_ = unit_grid(8, 320);
+  stage->section_ = unit_grid(16, 320);
   stage->disc_ = unit_grid(160, 1);
   stage->sphere_ = unit_sphere();
   stage->shadow_ = Target(kShadowSize, kShadowSize, false, 0);
@@ -249,6 +250,11 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   clay_.inner().bind(kInner);
   program.set("outer_radius", kOuter);
   program.set("inner_radius", kInner);
+  clay_.row_at().bind(kRowAt);
+  program.set("row_at", kRowAt);
+  program.set("first_wall_row", clay_.first_wall_row());
+  program.set("lip_radius", static_cast<float>(shape.lip_radius));
+  program.set("mean_lip", clay_.lip());
   program.set("clip_from_studio", clip);
   program.set("grid", glm::vec2(clay_.sectors(), clay_.rows()));
   program.set("height", static_cast<float>(shape.height));

@@ -5,21 +5,38 @@
 
 uniform mat4 clip_from_studio;
 uniform sampler2D outer_radius, inner_radius, grain;
+uniform sampler2D row_at;  // over the share of the height: share of the rows, and its slope
 uniform vec2 grid;  // sectors, rows
+uniform float first_wall_row, lip_radius, mean_lip;
 uniform float height, floor_height, wheel_angle, open_from, open_angle, face_angle, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
 uniform float wetness, fired, opened;
 uniform vec3 dry_color, wet_color, glaze_color, body_color;
 
 float turn_of(float angle) { return (angle - wheel_angle) / (2.0 * kPi); }
-float first_wall_row() { return (ceil(floor_height / height * grid.y - 0.01) + 0.5) / grid.y; }
-float outer_at(float u, float t) { return textureLod(outer_radius, vec2(u, t), 0.0).r; }
+vec2 rows_at(float t) {
+  float n = float(textureSize(row_at, 0).x);
+  return textureLod(row_at, vec2((t * (n - 1.0) + 0.5) / n, 0.5), 0.0).rg;
+}
+float outer_at(float u, float t) { return textureLod(outer_radius, vec2(u, rows_at(t).x), 0.0).r; }
 float inner_at(float u, float t) {
-  return textureLod(inner_radius, vec2(u, max(t, first_wall_row())), 0.0).r;
+  return textureLod(inner_radius, vec2(u, max(rows_at(t).x, first_wall_row)), 0.0).r;
 }
 
-float lip_rise(float wall, float across) {
-  return 0.28 * wall * sqrt(max(4.0 * across * (1.0 - across), 0.0));
+// A potter's wet finger leaves the lip round: half a torus on a thin wall, rounded edges on a thick
+// one. How deep it goes down at its faces.
+float lip_depth(float u) {
+  float inner = textureLod(inner_radius, vec2(u, 1.0), 0.0).r;
+  float wall = textureLod(outer_radius, vec2(u, 1.0), 0.0).r - inner;
+  return min(lip_radius, inner > 0.0 ? 0.5 * wall : wall);
+}
+// And how far above that it is at `rho` from the axis. The top of a solid lump has one face only.
+float lip_rise(float depth, float inner, float outer, float rho) {
+  float wall = inner > 0.0 ? outer - inner : 2.0 * outer;
+  float x = inner > 0.0 ? min(outer - rho, rho - inner) : outer - rho;
+  float edge = min(depth, 0.5 * wall);
+  float away = clamp(1.0 - x / max(edge, 1e-6), 0.0, 1.0);
+  return depth * sqrt(1.0 - away * away);
 }
 
 #ifdef VERTEX
@@ -35,16 +52,21 @@ void main() {
   float angle = open_from + open_angle + round_ * (2.0 * kPi - open_angle);
 #endif
   float u = turn_of(angle);
+#if PART != 3 && PART != 4
+  float depth = lip_depth(u), shoulder = height - depth;
+#endif
 #if PART == 0
-  float y = along * height;
-  float r = outer_at(u, along);
+  float y = along * shoulder;
+  float r = outer_at(u, y / height);
 #elif PART == 1
-  // A potter's wet finger leaves the lip round, which the grid cannot hold.
-  float top_outer = outer_at(u, 1.0), top_inner = inner_at(u, 1.0);
-  float y = height + lip_rise(top_outer - top_inner, along);
-  float r = mix(top_outer, top_inner, along);
+  float top_outer = outer_at(u, shoulder / height), top_inner = inner_at(u, shoulder / height);
+  float across = 0.5 - 0.5 * cos(kPi * along);  // closest where the lip is round
+  float r = mix(top_outer, top_inner, across);
+  float y = shoulder + lip_rise(depth, top_inner, top_outer, r);
+  // The walls have other columns: a hem hides the slits between.
+  if (along < 0.001 || along > 0.999) y -= top_inner > 0.0 || along < 0.5 ? 0.0003 : 0.0;
 #elif PART == 2
-  float y = mix(height, floor_height, along);
+  float y = mix(shoulder, min(floor_height, shoulder), along);
   float r = inner_at(u, y / height);
 #elif PART == 3
   float y = floor_height;
@@ -53,10 +75,10 @@ void main() {
   float y = along * floor_height;
   float r = round_ * outer_at(u, y / height);
 #else
-  float y = mix(floor_height, height, along);
+  float y = mix(min(floor_height, shoulder), shoulder, along);
   float outer = outer_at(u, y / height), inner = inner_at(u, y / height);
-  float r = mix(inner, outer, round_);
-  y += along > 0.999 ? lip_rise(outer - inner, round_) : 0.0;
+  float r = mix(inner, outer, 0.5 - 0.5 * cos(kPi * round_));
+  y += along > 0.999 ? lip_rise(depth, inner, outer, r) : 0.0;
 #endif
   position = vec3(r * cos(angle), y, r * sin(angle));
   surface = vec2(angle, y / height);
@@ -73,16 +95,18 @@ out vec4 color;
 // Radius gradient by central differences, at the texture's own scale or a pixel's if that is more;
 // `bend` is the second derivative along the wall (positive in a groove), 1/m.
 vec3 normal_of(sampler2D radius, float u, float t, float low, float side, out float bend) {
-  float r = textureLod(radius, vec2(u, t), 0.0).r;
+  vec2 row = rows_at(t);
+  float v = max(row.x, low), metres = height / row.y;  // metres: that one whole share of rows is
+  float r = textureLod(radius, vec2(u, v), 0.0).r;
   float du = max(1.0 / grid.x, 0.7 * pixel / (2.0 * kPi * max(r, 0.01)));
-  float dt = max(1.0 / grid.y, 0.7 * pixel / height);
-  float up = min(t + dt, 1.0 - 0.5 / grid.y), down = max(t - dt, low);
+  float dv = max(1.0 / grid.y, 0.7 * pixel / metres);
+  float up = min(v + dv, 1.0 - 0.5 / grid.y), down = max(v - dv, low);
   float ru = textureLod(radius, vec2(u, up), 0.0).r, rd = textureLod(radius, vec2(u, down), 0.0).r;
-  float rl = textureLod(radius, vec2(u - du, t), 0.0).r;
-  float rr = textureLod(radius, vec2(u + du, t), 0.0).r;
-  float slope_y = (ru - rd) / max((up - down) * height, 1e-5);
+  float rl = textureLod(radius, vec2(u - du, v), 0.0).r;
+  float rr = textureLod(radius, vec2(u + du, v), 0.0).r;
+  float slope_y = (ru - rd) / max((up - down) * metres, 1e-5);
   float slope_a = (rr - rl) / (2.0 * du * 2.0 * kPi * max(r, 0.002));
-  float step_y = max(dt * height, 1e-5);
+  float step_y = max(dv * metres, 1e-5);
   bend = side * (ru + rd - 2.0 * r) / (step_y * step_y);
   vec2 out_dir = vec2(cos(surface.x), sin(surface.x));
   vec2 round_dir = vec2(-out_dir.y, out_dir.x);
@@ -94,7 +118,9 @@ vec3 section_color(float u) {
   float rho = length(position.xz), t = position.y / height;
   float outer = outer_at(u, t), inner = inner_at(u, t);
   float edge = min(outer - rho, position.y);
-  edge = min(edge, position.y > floor_height ? min(rho - inner, height + 0.002 - position.y)
+  float depth = lip_depth(u);
+  float top = height - depth + lip_rise(depth, inner, outer, rho);
+  edge = min(edge, position.y > floor_height ? min(rho - inner, top - position.y)
                                              : (rho < inner_at(u, 0.0) ? floor_height - position.y : 1.0));
   vec3 clay = mix(mix(dry_color, wet_color, 0.45 * wetness), body_color, fired);
   vec3 flat_ = mix(clay, vec3(0.93, 0.80, 0.66), 0.55);
@@ -115,14 +141,16 @@ void main() {
   float rho = length(position.xz);
 #if PART == 0
   n = normal_of(outer_radius, u, t, 0.5 / grid.y, 1.0, bend);
-  // The wall meets the lip without a crease.
-  n = normalize(mix(n, vec3(0.0, 1.0, 0.0), 0.6 * smoothstep(height - 0.0012, height, position.y)));
 #elif PART == 1
-  float outer = outer_at(u, 1.0), inner = inner_at(u, 1.0);
+  float depth = lip_depth(u);
+  float outer = outer_at(u, 1.0 - depth / height), inner = inner_at(u, 1.0 - depth / height);
   across = clamp((rho - inner) / max(outer - inner, 1e-4), 0.0, 1.0) * 2.0 - 1.0;
-  n = normalize(outward * across * 0.95 + vec3(0.0, 1.05 - abs(across) * 0.45, 0.0));
+  float edge = max(min(depth, 0.5 * (outer - inner)), 1e-5);
+  float tilt = clamp(1.0 - (outer - rho) / edge, 0.0, 1.0);
+  if (inner > 0.0) tilt -= clamp(1.0 - (rho - inner) / edge, 0.0, 1.0);
+  n = normalize(outward * tilt * 0.95 + vec3(0.0, sqrt(1.0 - 0.9 * tilt * tilt), 0.0));
 #elif PART == 2
-  n = normal_of(inner_radius, u, max(t, first_wall_row()), first_wall_row(), -1.0, bend);
+  n = normal_of(inner_radius, u, t, first_wall_row, -1.0, bend);
   n = normalize(mix(n, vec3(0.0, 1.0, 0.0),
                     smoothstep(floor_height + 0.004, floor_height, position.y)));
 #else
@@ -139,7 +167,8 @@ void main() {
 #if FIRED
   // Celadon: a coloured glass that runs. Deep in grooves and towards the foot, thin on ridges and
   // the lip, where the body shows through; the foot ring was wiped clean.
-  float lip = PART == 1 ? 1.0 - 0.75 * across * across : smoothstep(height - 0.0016, height, position.y);
+  float lip = PART == 1 ? 1.0 - 0.75 * across * across
+                        : 0.25 * smoothstep(-mean_lip - 0.0016, -mean_lip, position.y - height);
   float thick = 0.62 + 0.75 * groove + 0.22 * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
   if (PART >= 2) thick += 0.25 * (1.0 - t);
   thick = clamp(thick, 0.05, 1.8);

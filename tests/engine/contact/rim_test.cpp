@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/clay/lip.h"
 #include "engine/contact/paper_model.h"
 #include "engine/contact/tool_contact.h"
 #include "engine/math/portable.h"
@@ -137,8 +138,7 @@ double brute_up(double inner, double outer, Vec3 at, double rim) {
       const double square = kRadius * kRadius - std::pow(x - at.x, 2) - std::pow(z - at.z, 2);
       if (rho < inner || rho > outer || square <= 0.0) continue;
       const double rise = std::sqrt(square);
-      const double l =
-          rim - lip_drop(outer - inner, std::min(rho - inner, outer - rho)) - at.y + rise;
+      const double l = rim - lip_drop(inner, outer, rho) - at.y + rise;
       if (l > 0.0) sum += std::min(l, 2 * rise) * rise / kRadius * net * net;
     }
   return sum;
@@ -255,15 +255,15 @@ TEST(Rim, TheTopOfASolidLumpIsARimFarFromItsMiddleAndGoesDownAsAWhole) {
   expect_whole(clay);
 }
 
-TEST(Rim, AThinLipIsHalfATorus) {
-  for (double x = 0.0; x <= 0.004; x += 0.0005)
-    EXPECT_NEAR(lip_drop(0.004, x),
-                0.002 - std::sqrt(0.002 * 0.002 - std::pow(x - 0.002, 2)) *
-                            (std::fabs(x - 0.002) <= 0.002 ? 1 : 0),
-                1e-9 + (x > 0.002 ? 0.0021 : 0.0));
-  EXPECT_EQ(lip_drop(0.03, 0.003), 0.0);
-  EXPECT_EQ(lip_drop(0.03, 0.015), 0.0);
-  EXPECT_NEAR(lip_drop(0.03, 0.0), 0.003, 1e-15);
+TEST(Rim, AThinLipIsHalfATorusAThickOneHasRoundEdgesAndASolidTopOnlyOne) {
+  for (double x = 0.0; x <= 0.0041; x += 0.0005)
+    EXPECT_NEAR(std::hypot(x - 0.002, 0.002 - lip_drop(0.05, 0.054, 0.05 + x)), 0.002, 1e-12) << x;
+  EXPECT_EQ(lip_drop(0.02, 0.05, 0.0231), 0.0);
+  EXPECT_EQ(lip_drop(0.02, 0.05, 0.035), 0.0);
+  EXPECT_NEAR(lip_drop(0.02, 0.05, 0.02), 0.003, 1e-15);
+  EXPECT_NEAR(lip_drop(0.02, 0.05, 0.05), 0.003, 1e-15);
+  EXPECT_EQ(lip_drop(0.0, 0.05, 0.0), 0.0);
+  EXPECT_NEAR(lip_drop(0.0, 0.05, 0.05), 0.003, 1e-15);
 }
 
 TEST(Rim, ComesToRest) {

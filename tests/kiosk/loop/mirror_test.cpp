@@ -29,6 +29,28 @@ TEST(Mirror, AChangedRowChangesTheProfileAtItsHeightOnly) {
   EXPECT_NEAR(mirror.radius_at(0.15, WallSide::outside), 0.05, 1e-12);
 }
 
+TEST(Mirror, RowsAreWhereTheySayTheyAre) {
+  Mirror mirror;
+  mirror.reset(100, 16, 0.2, 0.01, 0.05, 0.02);
+  mirror.apply(99, std::vector<float>(32, 0.04f));
+  for (int j = 50; j < 100; ++j) mirror.stack(j, 0.1 + (j - 49.5) * 0.001, 0.15, 0.008);
+  EXPECT_DOUBLE_EQ(mirror.height(), 0.15);
+  EXPECT_DOUBLE_EQ(mirror.floor_height(), 0.008);
+  EXPECT_DOUBLE_EQ(mirror.profile().height(), 0.15);
+  EXPECT_NEAR(mirror.radius_at(0.1495, WallSide::outside), 0.04, 1e-6);
+  EXPECT_NEAR(mirror.radius_at(0.1490, WallSide::outside), 0.045, 1e-6);
+  EXPECT_NEAR(mirror.radius_at(0.1480, WallSide::outside), 0.05, 1e-12);
+  EXPECT_TRUE(validate(mirror.profile(), "pressed").has_value());
+}
+
+TEST(Mirror, HeightsRiseWhileRowsAreOnTheirWay) {
+  Mirror mirror;
+  mirror.reset(100, 16, 0.2, 0.01, 0.05, 0.02);
+  mirror.stack(90, 0.12, 0.15, 0.01);  // those under it still say that they are higher
+  EXPECT_TRUE(validate(mirror.profile(), "on the way").has_value());
+  EXPECT_DOUBLE_EQ(mirror.profile().height(), 0.15);
+}
+
 TEST(Mirror, ARowOfAnotherGridIsRefused) {
   Mirror mirror;
   mirror.reset(10, 16, 0.2, 0.01, 0.05, 0.02);

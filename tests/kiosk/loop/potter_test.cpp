@@ -59,6 +59,38 @@ TEST(Potter, WhatAHandPressesIntoTheClayReachesTheMirrorRowForRow) {
   expect_mirror_is_the_clay(potter);
 }
 
+TEST(Potter, ARimThatIsPressedDownReachesTheMirror) {
+  SteppedPotter potter;
+  SceneDef def = small_scene();
+  def.clay.inner_radius = 0.049;
+  potter.start(pot(def));
+  potter.wheel(15);
+  HandInput hand;
+  hand.active = true;
+  for (int n = 0; n < 60; ++n) {
+    hand.position = {0.052, def.clay.height + def.tool.radius + 0.002 - n * 0.0001, 0};
+    potter.hand(0, hand);
+    potter.advance(20);
+    potter.collect(nullptr);
+  }
+  potter.hand(0, HandInput{});
+  for (int i = 0; i < 10; ++i) {
+    potter.advance(20);
+    potter.collect(nullptr);
+  }
+  EXPECT_LT(potter.mirror().height(), def.clay.height - 0.001);
+  expect_mirror_is_the_clay(potter);
+  ASSERT_TRUE(potter.with_scene([&](Scene& scene) {
+    const Profile shown = potter.mirror().profile();
+    const Profile real = scene.clay().profile();
+    ASSERT_EQ(shown.points.size(), real.points.size());
+    for (std::size_t n = 0; n < real.points.size(); ++n) {
+      EXPECT_EQ(shown.points[n].height, real.points[n].height);
+      EXPECT_NEAR(shown.points[n].outer, real.points[n].outer, 1e-12);
+    }
+  }));
+}
+
 TEST(Potter, OnceTheMirrorIsLevelAnUntouchedPotSendsNoRows) {
   SteppedPotter potter;
   potter.start(pot(small_scene()));

@@ -161,6 +161,39 @@ TEST_F(AFrame, ChangedRowsShowAndOthersStay) {
   EXPECT_LT(difference(at(before, below), at(after, below)), 25);
 }
 
+TEST_F(AFrame, RowsPressedTogetherAreDrawnWhereTheyStand) {
+  // One outline on even rows, and on rows of which the upper half is half as thick.
+  const auto outline = [](double h) { return 0.045 + 0.01 * std::sin(60 * h); };
+  const auto rows_at = [&](const view::GridShape& shape, const auto& middle) {
+    std::vector<view::RowUpdate> rows;
+    for (int j = 0; j < shape.rows; ++j) {
+      view::RowUpdate row{j, std::vector<float>(360, static_cast<float>(outline(middle(j))))};
+      for (std::size_t i = 180; i < 360; ++i)
+        row.radii[i] = middle(j) < 0.010 ? 0.0f : row.radii[i] - 0.008f;
+      row.place = view::RowPlace{middle(j), 0.1125, 0.010};
+      rows.push_back(std::move(row));
+    }
+    return rows;
+  };
+  Renderer& r = renderer();
+  view::Frame frame = frame_with_pot(800, 600, 0.1125, 0.055);
+  frame.pot->cut_away = 1;
+  const view::GridShape even{150, 180, 0.1125, 0.010};
+  r.set_grid(even);
+  r.update_rows(rows_at(even, [](int j) { return (j + 0.5) * 0.00075; }));
+  const view::Image expected = drawn(r, frame);
+  r.set_grid(kCylinder);
+  r.update_rows(rows_at(kCylinder, [](int j) {
+    return j < 100 ? (j + 0.5) * 0.00075 : 0.075 + (j - 99.5) * 0.000375;
+  }));
+  const view::Image image = drawn(r, frame);
+  int unlike = 0;
+  for (int y = 0; y < 600; ++y)
+    for (int x = 0; x < 800; ++x)
+      unlike += difference(pixel_at(image, x, y), pixel_at(expected, x, y)) > 24;
+  EXPECT_LT(unlike, 500) << "of 480,000 pixels";
+}
+
 TEST_F(AFrame, AnOpenedPotShowsItsSectionAtTheRight) {
   Renderer& r = renderer();
   r.set_grid(kCylinder);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "engine/scene/scene.h"
 #include "kiosk/content/gltf.h"
 #include "kiosk/view/palette.h"
 #include "tests/kiosk/render/studio_fixture.h"
@@ -71,6 +72,58 @@ TEST_F(Gallery, ABowlAndADeepJar) {
   frame.pot->wetness = 0.6;
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "jar");
+}
+
+// Real clay: a lump opened by a fingertip, and a wall whose rim was pressed down and flared.
+TEST_F(Gallery, ALumpIsOpenedAndARimIsPressedAndFlared) {
+  Renderer& r = renderer();
+  const auto show = [&](const SceneDef& def, auto hand_at, int ticks, const std::string& name) {
+    Scene scene = std::move(*Scene::create(def));
+    Hands hands;
+    hands.wheel_speed = 18.0;
+    for (int n = 0; n < ticks; ++n) {
+      hands.hand[0].active = n > 1000;
+      hands.hand[0].position = hand_at(n * 0.001 - 1.0);
+      scene.step(hands, 0.001);
+    }
+    const Clay& clay = scene.clay();
+    r.set_grid({def.clay.rows, def.clay.sectors, def.clay.height, def.clay.floor_thickness});
+    std::vector<view::RowUpdate> rows;
+    for (int j = 0; j < clay.rows(); ++j) {
+      view::RowUpdate row{j, {clay.outer(j).begin(), clay.outer(j).end()}};
+      row.radii.insert(row.radii.end(), clay.inner(j).begin(), clay.inner(j).end());
+      row.place = view::RowPlace{clay.row_height(j), clay.rim_height(), clay.floor_top()};
+      rows.push_back(std::move(row));
+    }
+    r.update_rows(rows);
+    view::Frame frame = frame_with_pot(kWidth, kHeight, clay.rim_height(), 0.06);
+    frame.pot->wetness = 0.4;
+    frame.pot->camera.elevation = 0.45;
+    r.draw(frame);
+    keep_for_looking(r.read_pixels(), name);
+    frame.pot->cut_away = 1.0;
+    frame.pot->camera.elevation = 0.25;
+    frame.pot->tools[0] = {true, hands.hand[0].position, 0.008};
+    r.draw(frame);
+    keep_for_looking(r.read_pixels(), name + "_open");
+  };
+  SceneDef solid;
+  solid.clay.height = solid.clay.floor_thickness = 0.08;
+  show(
+      solid,
+      [](double t) {
+        return Vec3{t < 3 ? 0.0 : 0.006 * (t - 3), t < 3 ? 0.09 - 0.02 * t : 0.03, 0};
+      },
+      6000, "lump_opened");
+  SceneDef wall;
+  wall.clay.height = 0.10;
+  wall.clay.inner_radius = 0.049;
+  show(
+      wall,
+      [](double t) {
+        return Vec3{0.047 + 0.003 * t, 0.109 - 0.002 * t, 0};
+      },
+      4000, "rim_flared");
 }
 
 view::Text label(float x, float y, float w, float h, const char* text, float px,

@@ -1,0 +1,84 @@
+#include "engine/clay/clay_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/clay/lip.h"
+#include "tests/engine/profile/shapes.h"
+
+namespace onggi {
+namespace {
+
+Clay lump(const ClayDef& def) { return std::move(*Clay::create(def)); }
+
+// Vertices of the five faces lie doubled on the edges between them.
+TriangleMesh joined(const TriangleMesh& mesh) {
+  TriangleMesh out;
+  std::vector<std::uint32_t> place(mesh.positions.size());
+  for (std::size_t n = 0; n < mesh.positions.size(); ++n) {
+    const auto same = std::ranges::find(out.positions, mesh.positions[n]);
+    place[n] = static_cast<std::uint32_t>(same - out.positions.begin());
+    if (same == out.positions.end()) out.positions.push_back(mesh.positions[n]);
+  }
+  for (auto t : mesh.triangles) {
+    for (std::uint32_t& corner : t) corner = place[corner];
+    out.triangles.push_back(t);
+  }
+  return out;
+}
+
+double top_of(const TriangleMesh& mesh) {
+  float top = 0.0f;
+  for (const auto& p : mesh.positions) top = std::max(top, p[1]);
+  return double{top};
+}
+
+TEST(ClayMesh, IsClosedRoundLippedAndAsTallAsThePot) {
+  ClayDef def;
+  def.rows = 60;
+  def.sectors = 48;
+  for (const double inner : {0.022, 0.049}) {
+    def.inner_radius = inner;
+    const Clay clay = lump(def);
+    const TriangleMesh mesh = mesh_of(clay);
+    EXPECT_EQ(shapes::open_edges(joined(mesh)), 0);
+    EXPECT_NEAR(top_of(mesh), 0.2, 1e-6);
+    // The edges are rounded off, and a polygon of 48 corners is short of the circle.
+    EXPECT_LT(shapes::volume(mesh), clay.volume());
+    EXPECT_NEAR(shapes::volume(mesh) / clay.volume(), 1.0, 0.01);
+  }
+}
+
+TEST(ClayMesh, ALumpThatNobodyOpenedIsClosedAndFlatInItsMiddle) {
+  ClayDef def;
+  def.rows = 60;
+  def.sectors = 48;
+  def.floor_thickness = def.height;
+  const Clay clay = lump(def);
+  const TriangleMesh mesh = mesh_of(clay);
+  EXPECT_EQ(shapes::open_edges(joined(mesh)), 0);
+  EXPECT_NEAR(shapes::volume(mesh) / clay.volume(), 1.0, 0.01);
+  for (const auto& p : mesh.positions)
+    EXPECT_TRUE(std::hypot(p[0], p[2]) > 0.01f || p[1] == 0.0f || p[1] > 0.1999f);
+}
+
+TEST(ClayMesh, FollowsRowsPressedTogetherAndAFloorThatSank) {
+  ClayDef def;
+  def.rows = 60;
+  def.sectors = 48;
+  Clay clay = lump(def);
+  for (int j = 40; j < 60; ++j) clay.set_row_thickness(j, 0.001);
+  clay.restack(40);
+  clay.lower_floor(0.0095);
+  const TriangleMesh mesh = mesh_of(clay);
+  EXPECT_EQ(shapes::open_edges(joined(mesh)), 0);
+  EXPECT_NEAR(top_of(mesh), clay.rim_height(), 1e-6);
+  bool floor = false;
+  for (const auto& p : mesh.positions) floor = floor || p[1] == 0.0095f;
+  EXPECT_TRUE(floor);
+}
+
+}  // namespace
+}  // namespace onggi
