@@ -32,7 +32,9 @@ TEST(Mirror, AChangedRowChangesTheProfileAtItsHeightOnly) {
 TEST(Mirror, RowsAreWhereTheySayTheyAre) {
   Mirror mirror;
   mirror.reset(100, 16, 0.2, 0.01, 0.05, 0.02);
-  mirror.apply(99, std::vector<float>(32, 0.04f));
+  std::vector<float> row(32, 0.04f);
+  for (int i = 16; i < 32; ++i) row[static_cast<std::size_t>(i)] = 0.03f;
+  mirror.apply(99, row);
   for (int j = 50; j < 100; ++j) mirror.stack(j, 0.1 + (j - 49.5) * 0.001, 0.15, 0.008);
   EXPECT_DOUBLE_EQ(mirror.height(), 0.15);
   EXPECT_DOUBLE_EQ(mirror.floor_height(), 0.008);
