@@ -19,7 +19,9 @@ namespace onggi::bench {
 namespace {
 
 // One light touch outside, and the two poses that the design measures: far from the axis and near.
-constexpr std::array<std::string_view, 3> kPoses{"light_touch", "inside_29_mm", "inside_12_mm"};
+// Those of the goal, and one where both models have little to do.
+constexpr std::array<std::string_view, 3> kPoses{"inside_29_mm", "inside_12_mm", "light_touch"};
+constexpr std::string_view kLightest = "light_touch";
 constexpr std::pair<int, int> kSmall{400, 360};
 constexpr std::pair<int, int> kLarge{6400, 2880};
 
@@ -92,12 +94,13 @@ Figures paper_ratio(int rows, int sectors, Effort effort) {
       figures.emplace_back("paper_us" + of, 1e-3 * ns[0]);
       figures.emplace_back("corrected_us" + of, 1e-3 * ns[1]);
       figures.emplace_back("paper_over_corrected" + of, ns[0] / ns[1]);
-      least = std::min(least, ns[0] / ns[1]);
+      if (pose != kLightest) least = std::min(least, ns[0] / ns[1]);
     }
     SceneWork printed(script, printed_scene(script, rows, sectors));
     SceneWork corrected(script, script.scene(rows, sectors));
     const auto ns = medians_in_turns({&printed, &corrected}, script.pass(), ticks / 2, batch);
-    least_step = std::min(least_step, ns[0] / ns[1]);
+    figures.emplace_back("paper_over_corrected_step" + of, ns[0] / ns[1]);
+    if (pose != kLightest) least_step = std::min(least_step, ns[0] / ns[1]);
   }
   figures.front().second = least;
   figures.emplace_back("ratio_paper_step_" + grid, least_step);
