@@ -8,7 +8,7 @@ machine = system(sprintf("sed -n 's/^# machine: //p' '%s'", data))
 bottom = 0.195
 set multiplot
 set logscale y
-set yrange [1:40000]
+set yrange [0.3:40000]
 set ytics (1, 10, 100, "1 000" 1000, "10 000" 10000)
 set tmargin at screen 0.815
 set bmargin at screen bottom
