@@ -12,7 +12,7 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 3;
+inline constexpr std::uint32_t kVersion = 4;
 
 /// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
 enum Tag : std::uint8_t {
@@ -107,7 +107,7 @@ bool optional_part(Io& io, std::optional<Part>& part) {
 }
 
 /// Every field of a SceneDef, for writing and for reading alike. A field added to SceneDef is added
-/// here, and kVersion raised.
+/// here, an effect's to its own list; kVersion is raised either way.
 template <class Io>
 bool scene_def(Io& io, SceneDef& d) {
   bool good = io(d.clay.rows) && io(d.clay.sectors) && io(d.clay.height) &&
@@ -117,12 +117,11 @@ bool scene_def(Io& io, SceneDef& d) {
               io(d.contact.relaxation_time) && io(d.contact.stiffness) && io(d.wheel.max_speed) &&
               io(d.wheel.acceleration) && io(d.guard.max_force) && io(d.guard.max_slew) &&
               io(d.guard.engage_time);
-  good = good && optional_part(io, d.friction);
-  if (good && d.friction)
-    good = io(d.friction->coefficient) && io(d.friction->wet_factor) && io(d.friction->slip_speed);
-  good = good && optional_part(io, d.water);
-  if (good && d.water)
-    good = io(d.water->wetting_time) && io(d.water->drying_time) && io(d.water->softening);
+  each_effect(d, [&]<class Def>(std::optional<Def>& effect) {
+    good = good && optional_part(io, effect);
+    if (!effect) return;
+    for (const EffectField<Def>& field : Def::fields()) good = good && io((*effect).*(field.value));
+  });
   good = good && optional_part(io, d.paper);
   if (good && d.paper) good = io(d.paper->c_eta) && io(d.paper->c_v) && io(d.paper->c_r);
   return good;

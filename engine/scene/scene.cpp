@@ -7,7 +7,6 @@
 #include "engine/contact/paper_model.h"
 #include "engine/contact/stops.h"
 #include "engine/contact/tool_contact.h"
-#include "engine/force/friction.h"
 #include "engine/force/guard.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
@@ -60,7 +59,7 @@ struct Scene::State {
   double wheel_angle = 0.0;
   double wheel_speed = 0.0;
   double wheel_asked = 0.0;
-  double wetness = 0.0;
+  std::optional<Moisture> moisture;
   bool renew_held = false;
   bool restore_held = false;
   LumpWork lump_work = LumpWork::none;
@@ -81,6 +80,7 @@ struct Scene::State {
   };
 
   State(const SceneDef& d, Clay&& c) : def(d), clay(std::move(c)) {
+    if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
     if (!def.paper) return;
     const PaperDef& paper = *def.paper;
     printed = Printed{PaperModel(clay), {paper.c_eta, paper.c_v, paper.c_r}};
@@ -89,8 +89,10 @@ struct Scene::State {
   void take_input(Tick& tick, const Hands& hands, double dt) noexcept;
   void take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept;
   void turn_wheel(Tick& tick) noexcept;
-  void dry_or_soak(const Tick& tick, bool sponge) noexcept;
+  void soak_or_dry(const Tick& tick, bool sponge) noexcept;
   void work_on_lump(const Hands& hands) noexcept;
+  double wetness_at(double height) const;
+  Yielding yielding_at(double height) const;
   void press_clay(Tick& tick) noexcept;
   void feel(Tick& tick) noexcept;
   void press_as_printed(Tick& tick) noexcept;
@@ -157,12 +159,23 @@ void Scene::State::turn_wheel(Tick& tick) noexcept {
   if (wheel_angle >= full) wheel_angle = 0.0;  // -tiny + 2 pi rounds to 2 pi
 }
 
-// Stage 3. Exact exponentials, so that the tick's length does not matter.
-void Scene::State::dry_or_soak(const Tick& tick, bool sponge) noexcept {
-  if (!def.water) return;
-  wetness = sponge ? wetness - (1.0 - wetness) * portable::expm1(-tick.dt / def.water->wetting_time)
-                   : wetness * portable::exp(-tick.dt / def.water->drying_time);
-  if (wetness < 1e-9) wetness = 0.0;
+// Stage 3. The sponge is where the hands are.
+void Scene::State::soak_or_dry(const Tick& tick, bool sponge) noexcept {
+  if (!moisture) return;
+  std::array<double, kMaxHands> heights{};
+  std::size_t held = 0;
+  for (const HandState& h : hand)
+    if (h.present) heights[held++] = h.at.y;
+  moisture->soak_or_dry(*def.moisture, clay, tick.dt, sponge, std::span(heights).first(held));
+}
+
+double Scene::State::wetness_at(double height) const {
+  return moisture ? moisture->at(clay, height) : 0.0;
+}
+
+Yielding Scene::State::yielding_at(double height) const {
+  const double soft = moisture ? softness(*def.moisture, wetness_at(height)) : 1.0;
+  return {def.contact.relaxation_time * soft, def.contact.stiffness};
 }
 
 // Stage 4. A fresh lump, or the last shape back, a few rows a tick.
@@ -184,21 +197,21 @@ void Scene::State::work_on_lump(const Hands& hands) noexcept {
 
 // Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
 void Scene::State::press_clay(Tick& tick) noexcept {
-  const double soft = def.water ? 1.0 + wetness * (def.water->softening - 1.0) : 1.0;
-  const Yielding yielding{def.contact.relaxation_time * soft, def.contact.stiffness};
+  std::array<Yielding, kMaxHands> yielding;
   int steps = 1;
   for (std::size_t n = 0; n < hand.size(); ++n) {
     hand[n].contact.begin_tick();
     if (!hand[n].present) continue;
     tick.sweep[n].angle_from = tick.angle_from;
     tick.sweep[n].angle_to = tick.angle_from + tick.turn;
-    steps = std::max(steps, steps_for(tick.sweep[n], yielding.relaxation_time));
+    yielding[n] = yielding_at(hand[n].at.y);
+    steps = std::max(steps, steps_for(tick.sweep[n], yielding[n].relaxation_time));
   }
   for (int step = 0; step < steps; ++step) {
     // What a wall between two hands comes to must not depend on which hand is called the first.
     const bool swapped = hand[0].contact.side() > hand[1].contact.side();
     for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
-      if (hand[n].present) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding);
+      if (hand[n].present) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
   }
   for (std::size_t n = 0; n < hand.size(); ++n) {
     tick.press[n] = hand[n].contact.reaction();
@@ -218,7 +231,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     const double strength = length(press.force);
     if (def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
-      const double mu = friction.coefficient * (1.0 + wetness * (friction.wet_factor - 1.0));
+      const double mu = friction_coefficient(friction, wetness_at(h.at.y));
       const Vec3 touch = h.at - (radius / strength) * press.force;
       const Vec3 slip =
           (1.0 / tick.dt) * (h.at - tick.sweep[n].from) - clay_velocity(touch, tick.turn / tick.dt);
@@ -270,7 +283,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
   time += tick.dt;
   out.wheel_angle = wheel_angle;
   out.wheel_speed = wheel_speed;
-  out.wetness = wetness;
+  out.wetness = moisture ? moisture->mean() : 0.0;
   out.faults = faults;
   return out;
 }
@@ -293,7 +306,7 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
   State::Tick tick;
   s.take_input(tick, hands, dt);     // 1
   s.turn_wheel(tick);                // 2
-  s.dry_or_soak(tick, hands.water);  // 3
+  s.soak_or_dry(tick, hands.water);  // 3
   s.work_on_lump(hands);             // 4
   if (s.printed) {
     s.press_as_printed(tick);  // 5, 7
@@ -321,7 +334,9 @@ std::uint64_t Scene::state_hash() const {
     hash.add(v.y);
     hash.add(v.z);
   };
-  for (double v : {s.time, s.wheel_angle, s.wheel_speed, s.wheel_asked, s.wetness}) hash.add(v);
+  for (double v :
+       {s.time, s.wheel_angle, s.wheel_speed, s.wheel_asked, s.moisture ? s.moisture->mean() : 0.0})
+    hash.add(v);
   for (const HandState& h : s.hand) {
     add(h.at);
     add(h.guard.force());
@@ -336,6 +351,7 @@ std::uint64_t Scene::state_hash() const {
   if (s.printed)
     for (const PaperFilter& filter : s.printed->filter)
       for (double v : filter.memory()) hash.add(v);
+  if (s.moisture) s.moisture->add_to(hash);
   hash.add(s.clay.hash());
   return hash.value();
 }

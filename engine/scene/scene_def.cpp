@@ -1,5 +1,7 @@
 #include "engine/scene/scene_def.h"
 
+#include <string>
+
 #include "engine/base/field_check.h"
 
 namespace onggi {
@@ -33,22 +35,12 @@ Result<void> check_guard(const SceneDef& def) {
   return check.result();
 }
 
-Result<void> check_friction(const SceneDef& def) {
-  if (!def.friction) return {};
-  FieldCheck check("friction");
-  check.range("coefficient", def.friction->coefficient, 0.0, 2.0, "");
-  check.range("wet_factor", def.friction->wet_factor, 0.0, 1.0, "");
-  check.range("slip_speed", def.friction->slip_speed, 1e-4, 0.1, "m/s");
-  return check.result();
-}
-
-Result<void> check_water(const SceneDef& def) {
-  if (!def.water) return {};
-  FieldCheck check("water");
-  check.range("wetting_time", def.water->wetting_time, 0.05, 60.0, "s");
-  check.range("drying_time", def.water->drying_time, 1.0, 36000.0, "s");
-  check.range("softening", def.water->softening, 0.05, 1.0, "");
-  return check.result();
+Result<void> check_effects(const SceneDef& def) {
+  Result<void> good;
+  each_effect(def, [&](const auto& effect) {
+    if (good && effect) good = check_fields(*effect);
+  });
+  return good;
 }
 
 Result<void> check_paper(const SceneDef& def) {
@@ -57,9 +49,15 @@ Result<void> check_paper(const SceneDef& def) {
   check.range("c_eta", def.paper->c_eta, 0.5, 1000.0, "ticks");
   check.range("c_v", def.paper->c_v, 0.0, 1000.0, "N/m");
   check.range("c_r", def.paper->c_r, 0.0, 1e5, "N/m");
-  check.require(!def.friction && !def.water, "c_r",
-                "stands beside friction or water, and the paper's model has neither.",
-                "Leave out friction and water, or leave out paper.");
+  const char* beside = nullptr;
+  each_effect(def, [&]<class Def>(const std::optional<Def>& effect) {
+    if (effect && beside == nullptr) beside = Def::kName;
+  });
+  if (beside != nullptr)
+    check.require(
+        false, "c_r",
+        std::string("stands beside ") + beside + ", and the paper's model has no effects.",
+        std::string("Leave out ") + beside + ", or leave out paper.");
   return check.result();
 }
 
@@ -67,8 +65,8 @@ Result<void> check_paper(const SceneDef& def) {
 
 Result<void> validate(const SceneDef& def) {
   Result<void> good = validate(def.clay, "clay");
-  for (auto check : {check_tool, check_contact, check_wheel, check_guard, check_friction,
-                     check_water, check_paper})
+  for (auto check :
+       {check_tool, check_contact, check_wheel, check_guard, check_effects, check_paper})
     if (good) good = check(def);
   return good;
 }

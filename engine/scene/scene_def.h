@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "engine/clay/clay.h"
+#include "engine/effects/friction.h"
+#include "engine/effects/moisture.h"
 
 namespace onggi {
 
@@ -19,24 +21,9 @@ struct ContactDef {
       5e6;  ///< k_A, N per metre of press and m^2 of touched wall, 1e5..5e7. Higher feels drier.
 };
 
-/// Coulomb friction, regularised: F_t = -mu N v / sqrt(v^2 + eps^2).
-struct FrictionDef {
-  double coefficient = 0.35;  ///< mu when dry, 0..2.
-  double wet_factor = 0.3;    ///< mu is multiplied by this when dripping wet, 0..1.
-  double slip_speed = 0.01;   ///< eps, m/s, 1e-4..0.1.
-};
-
 struct WheelDef {
   double max_speed = 31.4;     ///< rad/s (300 rpm), 0..62.9. Asked speeds are clamped to it.
   double acceleration = 20.0;  ///< rad/s^2, 0.1..1000.
-};
-
-/// A sponge's water: lies on the clay, lubricates and softens it, dries. One figure for the pot.
-struct WaterDef {
-  double wetting_time = 0.6;  ///< s to soak while the sponge is held, 0.05..60.
-  double drying_time = 60.0;  ///< s, time constant, 1..36000.
-  double softening =
-      0.5;  ///< Relaxation time when dripping wet, as a share of the dry one, 0.05..1.
 };
 
 /// The last word on every force. Always on.
@@ -48,7 +35,7 @@ struct GuardDef {
 
 /// The printed model of Lee, Han & Choi 2008 in place of the corrected one, with its own
 /// coefficients: a tick's and an element's, not the clay's (engine/docs/paper.md). It has its own
-/// friction and no water; tool.radius, wheel and guard hold, contact does not.
+/// friction and no effect; tool.radius, wheel and guard hold, contact does not.
 struct PaperDef {
   double c_eta = 10.0;  ///< Eq. 6: ticks in which clay gives way, 0.5..1000. Below 1 it overshoots.
   double c_v = 0.864;   ///< Eq. 9: N per metre of one element's press, 0..1000. 5e6 N/m^3 on an
@@ -62,13 +49,23 @@ struct SceneDef {
   ContactDef contact;
   WheelDef wheel;
   GuardDef guard;
+  // Effects (engine/docs/effects.md): one that is present is simulated; one that is absent costs no
+  // byte and no instruction.
+  std::optional<MoistureDef> moisture = MoistureDef{};
   std::optional<FrictionDef> friction = FrictionDef{};
-  std::optional<WaterDef> water = WaterDef{};
-  std::optional<PaperDef> paper;  ///< There: friction and water must not be.
+  std::optional<PaperDef> paper;  ///< There: no effect must be.
 };
 
-/// First thing wrong with `def`, with field ("clay.rows"), meaning and remedy. Allocates nothing
-/// big.
+/// Calls `visit` with every effect of `def`, a std::optional<XDef>, in the pipeline's order: the
+/// one list of them. SceneDef may be const.
+template <class AnySceneDef, class Visit>
+void each_effect(AnySceneDef& def, Visit&& visit) {
+  visit(def.moisture);
+  visit(def.friction);
+}
+
+/// First thing wrong with `def`, with field ("clay.rows") or effect ("slump"), meaning and remedy.
+/// Allocates nothing big.
 Result<void> validate(const SceneDef& def);
 
 /// Targets are worked at a size a hand can reach: the factor that brings `target` within

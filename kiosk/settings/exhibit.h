@@ -64,9 +64,9 @@ struct SceneRead {
 };
 
 /// Reads a scene: tables [clay] [tool] [contact] [wheel] [guard], whose keys are SceneDef's own,
-/// and the effects [friction] [water], which are simulated where their table is written and absent
-/// where it is not. Ranges are the engine's. `def` always passes validate(): what it refuses goes
-/// back to its default, with a Problem. A file that cannot be read gives SceneDef's defaults.
+/// and the effects (engine/docs/effects.md), which are simulated where their table is written and
+/// absent where it is not. Ranges are the engine's. `def` always passes validate(): what it refuses
+/// goes back to its default, with a Problem. A file that cannot be read gives SceneDef's defaults.
 SceneRead read_scene(const std::filesystem::path& file);
 
 }  // namespace onggi::settings

@@ -33,25 +33,25 @@ class SceneReader {
       number("max_slew", def_.guard.max_slew);
       number("engage_time", def_.guard.engage_time);
     });
-    read_effect("friction", def_.friction, [&](FrictionDef& friction) {
-      number("coefficient", friction.coefficient);
-      number("wet_factor", friction.wet_factor);
-      number("slip_speed", friction.slip_speed);
-    });
-    read_effect("water", def_.water, [&](WaterDef& water) {
-      number("wetting_time", water.wetting_time);
-      number("drying_time", water.drying_time);
-      number("softening", water.softening);
+    each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
+      read_effect(Def::kName, effect, [&](Def& written) {
+        for (const EffectField<Def>& field : Def::fields())
+          number(field.key, written.*(field.value));
+      });
     });
     read_effect("paper", def_.paper, [&](PaperDef& paper) {
       number("c_eta", paper.c_eta);
       number("c_v", paper.c_v);
       number("c_r", paper.c_r);
     });
-    if (def_.paper) {
-      leave_out("friction", def_.friction);
-      leave_out("water", def_.water);
-    }
+    if (def_.paper)
+      each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
+        if (!effect) return;
+        root_.child(Def::kName)
+            .complain("", std::string(Def::kName) + " stands beside [paper], whose model has none.",
+                      std::string("Remove [") + Def::kName + "] or [paper].");
+        leave_out(Def::kName, effect);
+      });
     root_.finish();
   }
 
@@ -99,12 +99,9 @@ class SceneReader {
       if (table_.present()) fields(effect.emplace());
     });
   }
-  /// The paper's model has no place for the effect.
+  /// As if the table had not been written.
   template <class Def>
   void leave_out(const std::string& name, std::optional<Def>& effect) {
-    if (!effect) return;
-    root_.child(name).complain("", name + " stands beside [paper], whose model has none.",
-                               "Remove [" + name + "] or [paper].");
     std::erase_if(put_back_,
                   [&](const auto& entry) { return entry.first.starts_with(name + "."); });
     effect.reset();
@@ -132,6 +129,16 @@ class SceneReader {
   /// Puts `field` back to its default; where the file does not write it, every field of its table:
   /// what contradicts the default is one of those. False where there is nothing to put back.
   bool put_back(const std::string& field) {
+    // An effect that needs another which is not there: the field is the effect itself.
+    if (field.find('.') == std::string::npos) {
+      bool found = false;
+      each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
+        if (field != Def::kName || !effect) return;
+        leave_out(field, effect);
+        found = true;
+      });
+      return found;
+    }
     if (const auto found = put_back_.find(field); found != put_back_.end()) {
       found->second();
       put_back_.erase(found);

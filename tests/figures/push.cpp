@@ -31,7 +31,7 @@ onggi::SceneDef papers_pot() {
   def.clay.keep_undo = false;
   def.wheel.acceleration = 1000.0;
   def.guard = {22.2, 1e5, 0.05};
-  def.water.reset();
+  def.moisture.reset();
   return def;
 }
 

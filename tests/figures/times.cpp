@@ -57,7 +57,7 @@ onggi::SceneDef pot(bool as_printed, Grid grid, double distance) {
   def.guard = {22.2, 1e5, 0.05};
   if (as_printed) {
     def.friction.reset();
-    def.water.reset();
+    def.moisture.reset();
     def.paper.emplace();
   }
   return def;

@@ -68,7 +68,7 @@ SceneDef printed_scene(const TickScript& script, int rows, int sectors) {
   def.clay.inner_radius = def.clay.radius_min = 0.0001;
   def.clay.wall_min = 0.0005;
   def.friction.reset();
-  def.water.reset();
+  def.moisture.reset();
   def.paper.emplace();
   return def;
 }

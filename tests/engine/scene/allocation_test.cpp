@@ -74,7 +74,7 @@ SceneDef papers_scene() {
   def.clay.floor_thickness = 0.0;
   def.clay.keep_undo = false;
   def.friction.reset();
-  def.water.reset();
+  def.moisture.reset();
   def.paper.emplace();
   return def;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/contact/paper_model.h"
-#include "engine/force/friction.h"
+#include "engine/effects/friction.h"
 #include "engine/scene/scene.h"
 
 namespace onggi {
@@ -20,7 +20,7 @@ SceneDef papers_scene() {
   def.clay.keep_undo = false;
   def.guard.engage_time = 0.05;
   def.friction.reset();
-  def.water.reset();
+  def.moisture.reset();
   def.paper.emplace();
   return def;
 }

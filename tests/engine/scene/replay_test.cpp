@@ -75,7 +75,7 @@ RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSam
               (std::uint64_t seed)) {
   SceneDef def = small();
   if (seed % 2 == 0) def.friction.reset();
-  if (seed % 3 == 0) def.water.reset();
+  if (seed % 3 == 0) def.moisture.reset();
   if (seed % 6 == 0) def.paper = PaperDef{9.0, 1.5, 100.0};
   std::vector<TickRecord> ticks;
   const auto bytes = recorded(seed, 120, def, &ticks);
@@ -84,7 +84,7 @@ RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSam
   RC_ASSERT(replay->vessel_id == "moon_jar");
   RC_ASSERT(replay->seed == seed);
   RC_ASSERT(replay->def.friction.has_value() == (seed % 2 != 0));
-  RC_ASSERT(replay->def.water.has_value() == (seed % 3 != 0));
+  RC_ASSERT(replay->def.moisture.has_value() == (seed % 3 != 0));
   RC_ASSERT(replay->def.paper.has_value() == (seed % 6 == 0));
   RC_ASSERT(replay->ticks.size() == ticks.size());
   for (std::size_t n = 0; n < ticks.size(); ++n) {

@@ -30,12 +30,6 @@ TEST(SceneDef, EveryFieldIsCheckedAndNamed) {
       {"guard.max_force", [](SceneDef& d, double v) { d.guard.max_force = v; }},
       {"guard.max_slew", [](SceneDef& d, double v) { d.guard.max_slew = v; }},
       {"guard.engage_time", [](SceneDef& d, double v) { d.guard.engage_time = v; }},
-      {"friction.coefficient", [](SceneDef& d, double v) { d.friction->coefficient = v; }},
-      {"friction.wet_factor", [](SceneDef& d, double v) { d.friction->wet_factor = v; }},
-      {"friction.slip_speed", [](SceneDef& d, double v) { d.friction->slip_speed = v; }},
-      {"water.wetting_time", [](SceneDef& d, double v) { d.water->wetting_time = v; }},
-      {"water.drying_time", [](SceneDef& d, double v) { d.water->drying_time = v; }},
-      {"water.softening", [](SceneDef& d, double v) { d.water->softening = v; }},
   };
   for (const auto& [name, change] : fields) {
     for (double bad : {-1.0, 1e12, std::numeric_limits<double>::quiet_NaN()}) {
@@ -53,10 +47,11 @@ TEST(SceneDef, EveryFieldIsCheckedAndNamed) {
 TEST(SceneDef, ThePapersFieldsAreCheckedAndStandAlone) {
   SceneDef def;
   def.paper.emplace();
-  EXPECT_EQ(validate(def).error().where, "paper.c_r");  // friction and water are there
+  EXPECT_EQ(validate(def).error().where, "paper.c_r");
+  EXPECT_NE(validate(def).error().remedy.find("moisture"), std::string::npos);
+  def.moisture.reset();
+  EXPECT_NE(validate(def).error().remedy.find("friction"), std::string::npos);
   def.friction.reset();
-  EXPECT_FALSE(validate(def));
-  def.water.reset();
   EXPECT_TRUE(validate(def));
   using Field = double PaperDef::*;
   for (const auto& [name, field] : {std::pair<const char*, Field>{"paper.c_eta", &PaperDef::c_eta},

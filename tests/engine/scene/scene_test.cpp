@@ -115,7 +115,7 @@ TEST(Scene, WetClayGivesWaySoonerAndDragsLess) {
 
 TEST(Scene, WithoutWaterTheSpongeDoesNothing) {
   SceneDef def = small();
-  def.water.reset();
+  def.moisture.reset();
   Scene s = scene(def);
   Hands hands;
   hands.water = true;

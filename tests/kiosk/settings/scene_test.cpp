@@ -33,7 +33,7 @@ SceneRead read(const std::string& text) {
   return scene;
 }
 
-/// Every number of a definition in one line; "-" for an effect that is absent.
+/// Every number of a definition in one line, with the effects that are there.
 std::string figures(const SceneDef& d) {
   std::ostringstream out;
   out.precision(17);
@@ -44,19 +44,12 @@ std::string figures(const SceneDef& d) {
       << ' ' << d.contact.relaxation_time << ' ' << d.contact.stiffness << ' ' << d.wheel.max_speed
       << ' ' << d.wheel.acceleration << ' ' << d.guard.max_force << ' ' << d.guard.max_slew << ' '
       << d.guard.engage_time;
-  if (d.friction) {
-    out << " f " << d.friction->coefficient << ' ' << d.friction->wet_factor << ' '
-        << d.friction->slip_speed;
-  } else {
-    out << " -";
-  }
-  if (d.water) {
-    out << " w " << d.water->wetting_time << ' ' << d.water->drying_time << ' '
-        << d.water->softening;
-  } else {
-    out << " -";
-  }
-  if (d.paper) out << " p " << d.paper->c_eta << ' ' << d.paper->c_v << ' ' << d.paper->c_r;
+  each_effect(d, [&]<class Def>(const std::optional<Def>& effect) {
+    if (!effect) return;
+    out << ' ' << Def::kName;
+    for (const EffectField<Def>& field : Def::fields()) out << ' ' << (*effect).*(field.value);
+  });
+  if (d.paper) out << " paper " << d.paper->c_eta << ' ' << d.paper->c_v << ' ' << d.paper->c_r;
   return out.str();
 }
 
@@ -84,24 +77,47 @@ TEST(scene, the_scenes_that_ship_are_without_fault_and_can_be_thrown_on) {
 TEST(scene, first_touch_is_the_engines_own_figures_written_out) {
   const SceneRead r = read_scene("config/scenes/first_touch.toml");
   EXPECT_EQ(figures(r.def), figures(SceneDef{}));
-  EXPECT_EQ(r.keys_checked, 24);
+  EXPECT_EQ(r.keys_checked, 27);
+}
+
+TEST(scene, every_effect_is_read_from_a_table_of_its_name_each_number_into_its_own_field) {
+  SceneDef all_of_them;
+  each_effect(all_of_them, []<class Def>(std::optional<Def>& effect) { effect.emplace(); });
+  std::string text;
+  double share = 0.25;
+  each_effect(all_of_them, [&]<class Def>(std::optional<Def>& effect) {
+    text += "[" + std::string(Def::kName) + "]\n";
+    for (const EffectField<Def>& field : Def::fields()) {
+      double& number = (*effect).*(field.value);
+      number = field.least + share * (field.most - field.least);
+      share = share < 0.7 ? share + 0.0625 : 0.25;
+      std::ostringstream written;
+      written.precision(17);
+      written << number;
+      text += std::string(field.key) + " = " + written.str() + "\n";
+    }
+  });
+  const SceneRead r = read(text);
+  EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
+  EXPECT_EQ(figures(r.def), figures(all_of_them));
 }
 
 TEST(scene, an_effect_is_there_where_its_table_is_written_and_absent_where_not) {
   const SceneRead none = read("");
   EXPECT_THAT(none.problems, IsEmpty());
   EXPECT_FALSE(none.def.friction);
-  EXPECT_FALSE(none.def.water);
-  const SceneRead water = read("[water]\n");
-  EXPECT_FALSE(water.def.friction);
-  ASSERT_TRUE(water.def.water);
-  EXPECT_EQ(water.def.water->drying_time, WaterDef{}.drying_time);
+  EXPECT_FALSE(none.def.moisture);
+  const SceneRead wet = read("[moisture]\n");
+  EXPECT_FALSE(wet.def.friction);
+  ASSERT_TRUE(wet.def.moisture);
+  EXPECT_EQ(wet.def.moisture->drying_time, MoistureDef{}.drying_time);
 }
 
 TEST(scene, the_papers_scene_is_its_grid_its_model_and_nothing_else) {
   const SceneDef d = read_scene("config/scenes/paper.toml").def;
   ASSERT_TRUE(d.paper);
-  EXPECT_EQ(figures(d).substr(figures(d).find(" - - p")), " - - p 10 0.86399999999999999 200");
+  EXPECT_TRUE(figures(d).ends_with(" 0.050000000000000003 paper 10 0.86399999999999999 200"))
+      << figures(d);
   EXPECT_EQ(d.clay.rows, 400);
   EXPECT_EQ(d.clay.sectors, 360);
   EXPECT_DOUBLE_EQ(d.clay.height / d.clay.rows, 0.00018);
@@ -109,13 +125,13 @@ TEST(scene, the_papers_scene_is_its_grid_its_model_and_nothing_else) {
 }
 
 TEST(scene, an_effect_beside_the_papers_model_is_told_and_left_out) {
-  const SceneRead r = read("[paper]\nc_eta = 12\n[friction]\ncoefficient = 0.1\n[water]\n");
+  const SceneRead r = read("[paper]\nc_eta = 12\n[friction]\ncoefficient = 0.1\n[moisture]\n");
   ASSERT_THAT(r.problems, SizeIs(2)) << all(r.problems);
   EXPECT_THAT(r.problems[0].where, EndsWith(":3:1"));
   EXPECT_THAT(r.problems[0].what, HasSubstr("friction stands beside [paper]"));
   EXPECT_THAT(r.problems[1].where, EndsWith(":5:1"));
   EXPECT_FALSE(r.def.friction);
-  EXPECT_FALSE(r.def.water);
+  EXPECT_FALSE(r.def.moisture);
   EXPECT_EQ(r.def.paper->c_eta, 12);
   EXPECT_TRUE(validate(r.def));
 }
@@ -149,19 +165,23 @@ engage_time = 1
 coefficient = 0.1
 wet_factor = 0.2
 slip_speed = 0.03
-[water]
+[moisture]
 wetting_time = 1
 drying_time = 2
 softening = 0.3
+weakening = 0.1
+air = 0.2
+sponge_height = 0.02
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 25);
-  EXPECT_EQ(figures(r.def),
-            "100 200 0.29999999999999999 0.070000000000000007 0.029999999999999999 0.02 "
-            "0.0030000000000000001 "
-            "0.0050000000000000001 0.0040000000000000001 0.20000000000000001 0 0.01 0.02 1000000 "
-            "20 10 2 100 1 f 0.10000000000000001 0.20000000000000001 0.029999999999999999 w 1 2 "
-            "0.29999999999999999");
+  EXPECT_EQ(r.keys_checked, 28);
+  EXPECT_EQ(
+      figures(r.def),
+      "100 200 0.29999999999999999 0.070000000000000007 0.029999999999999999 0.02 "
+      "0.0030000000000000001 "
+      "0.0050000000000000001 0.0040000000000000001 0.20000000000000001 0 0.01 0.02 1000000 "
+      "20 10 2 100 1 moisture 1 2 0.29999999999999999 0.10000000000000001 0.20000000000000001 0.02 "
+      "friction 0.10000000000000001 0.20000000000000001 0.029999999999999999");
 }
 
 TEST(scene, what_the_engine_refuses_is_told_at_its_line_and_the_rest_is_kept) {
@@ -188,13 +208,13 @@ TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {
 TEST(scene, whatever_is_written_the_scene_can_be_thrown_on) {
   rc::check([](const std::vector<std::pair<std::uint8_t, double>>& values) {
     static const char* const kKeys[] = {
-        "clay.rows",         "clay.sectors",      "clay.height",
-        "clay.outer_radius", "clay.inner_radius", "clay.floor_thickness",
-        "clay.floor_min",    "clay.wall_min",     "clay.radius_min",
-        "clay.radius_max",   "tool.radius",       "contact.stiffness",
-        "wheel.max_speed",   "guard.max_force",   "friction.coefficient",
-        "water.softening",   "water.tide",        "paper.c_eta",
-        "paper.c_v",         "paper.c_r"};
+        "clay.rows",          "clay.sectors",      "clay.height",
+        "clay.outer_radius",  "clay.inner_radius", "clay.floor_thickness",
+        "clay.floor_min",     "clay.wall_min",     "clay.radius_min",
+        "clay.radius_max",    "tool.radius",       "contact.stiffness",
+        "wheel.max_speed",    "guard.max_force",   "friction.coefficient",
+        "moisture.softening", "moisture.tide",     "paper.c_eta",
+        "paper.c_v",          "paper.c_r"};
     std::map<std::string, std::string> lines;
     for (const auto& [pick, value] : values) {
       std::ostringstream number;

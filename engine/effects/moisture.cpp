@@ -1,0 +1,85 @@
+#include "engine/effects/moisture.h"
+
+#include <algorithm>
+
+#include "engine/math/portable.h"
+
+namespace onggi {
+
+std::span<const EffectField<MoistureDef>> MoistureDef::fields() {
+  static constexpr EffectField<MoistureDef> kFields[] = {
+      {"wetting_time", &MoistureDef::wetting_time, 0.05, 60.0, "s"},
+      {"drying_time", &MoistureDef::drying_time, 1.0, 36000.0, "s"},
+      {"softening", &MoistureDef::softening, 0.05, 1.0, ""},
+      {"weakening", &MoistureDef::weakening, 0.005, 1.0, ""},
+      {"air", &MoistureDef::air, 0.0, 1.0, ""},
+      {"sponge_height", &MoistureDef::sponge_height, 0.0, 1.0, "m"},
+  };
+  return kFields;
+}
+
+double softness(const MoistureDef& def, double wetness) noexcept {
+  return 1.0 + wetness * (def.softening - 1.0);
+}
+
+double strength(const MoistureDef& def, double wetness) noexcept {
+  return wetness > 0.0 ? portable::exp(wetness * portable::log(def.weakening)) : 1.0;
+}
+
+Moisture::Moisture(const MoistureDef& def, int rows) {
+  if (def.sponge_height > 0.0) row_.assign(static_cast<std::size_t>(rows), -def.air);
+  air_ = def.sponge_height > 0.0 ? def.air : 0.0;
+}
+
+void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seconds, bool sponge,
+                           std::span<const double> heights) noexcept {
+  if (row_.empty()) {
+    mean_ = sponge ? mean_ - (1.0 - mean_) * portable::expm1(-seconds / def.wetting_time)
+                   : def.air + (mean_ - def.air) * portable::exp(-seconds / def.drying_time);
+    if (mean_ < 1e-9) mean_ = 0.0;
+    return;
+  }
+  // The room may have changed.
+  if (air_ != def.air)
+    for (double& wet : row_) wet += (air_ - def.air) / decay_;
+  air_ = def.air;
+  const double faded = portable::exp(-seconds / def.drying_time);
+  mean_ = air_ + (mean_ - air_) * faded;
+  decay_ *= faded;
+  // Before digits are lost in the factor; once in a quarter of an hour.
+  if (decay_ < 1e-6) {
+    for (double& wet : row_) wet *= decay_;
+    decay_ = 1.0;
+  }
+  if (!sponge) return;
+  const double share = -portable::expm1(-seconds / def.wetting_time);
+  const double reach = 0.5 * def.sponge_height;
+  const int end = static_cast<int>(row_.size());
+  if (heights.empty())
+    for (std::size_t j = 0; j < row_.size(); ++j) soak_row(j, share);
+  for (const double height : heights)
+    for (int j = clay.first_row_above(height - reach);
+         j < end && clay.row_height(j) < height + reach; ++j)
+      soak_row(static_cast<std::size_t>(j), share);
+  mean_ = std::clamp(mean_, 0.0, 1.0);
+}
+
+void Moisture::soak_row(std::size_t j, double share) noexcept {
+  const double wet = air_ + row_[j] * decay_;
+  const double more = share * (1.0 - wet);
+  row_[j] += more / decay_;
+  mean_ += more / static_cast<double>(row_.size());
+}
+
+double Moisture::at(const Clay& clay, double height) const {
+  if (row_.empty()) return mean_;
+  return of_row(std::clamp(clay.first_row_above(height), 0, static_cast<int>(row_.size()) - 1));
+}
+
+void Moisture::add_to(StateHash& hash) const {
+  if (row_.empty()) return;
+  hash.add(decay_);
+  for (const double wet : row_) hash.add(wet);
+}
+
+}  // namespace onggi

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/clay/clay.h"
+#include "engine/effects/effect_field.h"
+#include "engine/math/hash.h"
+
+namespace onggi {
+
+/// Water in the clay: a sponge brings it, the air takes it. Wet clay gives way sooner, drags less,
+/// and carries less. Wetness 0 is plastic clay as it comes from the bag, 1 is dripping slip.
+struct MoistureDef {
+  double wetting_time = 0.6;  ///< s to soak while the sponge is held, 0.05..60.
+  double drying_time = 60.0;  ///< s, time constant, 1..36000.
+  double softening = 0.5;     ///< Relaxation time when dripping wet, as a share of the dry one,
+                              ///< 0.05..1. Lower: wet clay gives way at a touch.
+  double weakening = 0.03;    ///< Yield strength and viscosity when dripping wet, as a share of the
+                              ///< dry ones, 0.005..1; in between by powers of it. Strength falls
+                              ///< about 35 times from the plastic to the liquid limit. For slump.
+  double air = 0.0;  ///< Wetness that the clay dries towards, 0..1: a damp room leaves it wet.
+  double sponge_height = 0.0;  ///< m, 0..1: height of the band that the sponge wets, about each
+                               ///< hand. 0: all of the pot alike, and no row has a wetness of its
+                               ///< own. Fixed when the scene is made.
+
+  static constexpr const char* kName = "moisture";
+  static std::span<const EffectField<MoistureDef>> fields();
+};
+
+/// Relaxation time of clay of `wetness`, as a share of the dry clay's.
+double softness(const MoistureDef& def, double wetness) noexcept;
+/// Yield strength and viscosity likewise.
+double strength(const MoistureDef& def, double wetness) noexcept;
+
+/// How wet a pot is, all of it alike or row by row. Exact exponentials, so that the tick's length
+/// does not matter. Allocates only when made; one thread.
+class Moisture {
+ public:
+  /// Dry clay of `rows` rows.
+  Moisture(const MoistureDef& def, int rows);
+
+  /// Stage 3 of the pipeline. With `sponge`, it is held at `heights` (m, on the rows of `clay`);
+  /// none means the whole pot. O(rows under the sponge).
+  void soak_or_dry(const MoistureDef& def, const Clay& clay, double seconds, bool sponge,
+                   std::span<const double> heights) noexcept;
+
+  /// Mean over the rows, 0..1.
+  double mean() const { return mean_; }
+  /// Of row `j`, 0..1.
+  double of_row(int j) const {
+    return row_.empty() ? mean_ : air_ + row_[static_cast<std::size_t>(j)] * decay_;
+  }
+  /// At `height` m, the nearest row's.
+  double at(const Clay& clay, double height) const;
+  void add_to(StateHash& hash) const;
+
+ private:
+  void soak_row(std::size_t j, double share) noexcept;
+
+  // All rows dry at one pace, so that one factor does for them: row j is air + row_[j] * decay_.
+  std::vector<double> row_;
+  double decay_ = 1.0;
+  double air_ = 0.0;
+  double mean_ = 0.0;
+};
+
+}  // namespace onggi
