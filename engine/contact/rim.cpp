@@ -120,28 +120,56 @@ double lower_rim(Clay& clay, double sink, double reach) {
   return part * room;
 }
 
-// Pushes the top rows of the sectors under the ball outwards (positive) or inwards, both faces.
-void flare(Clay& clay, Sectors under, const float* push, double reach) {
-  const ClayDef& def = clay.def();
+// What a pushed face may come to, and has come to.
+struct Extent {
+  std::array<float, 8> outer, inner;  // eight at a time: the farthest, the nearest
+};
+
+// Pushes `count` neighbours by their share of `push`, both faces. Plain loops of eight, which
+// compilers turn into vectors; the bits are those of one at a time.
+void shift(float* outer, float* inner, const float* push, int count, float share,
+           const ClayDef& def, Extent& extent) {
   const auto wall_min = static_cast<float>(def.wall_min);
   const auto nearest = static_cast<float>(def.radius_min);
   const auto farthest = static_cast<float>(def.radius_max);
+  const auto one = [&](int n, std::size_t k) {
+    const float room_out = farthest - outer[n];
+    const float room_in = nearest - inner[n];
+    const float wanted = share * push[n];
+    const float most = room_out > 0.0f ? room_out : 0.0f;
+    const float least = room_in < 0.0f ? room_in : 0.0f;
+    const float below = wanted < most ? wanted : most;
+    const float by = below > least ? below : least;
+    const float out = outer[n] + by;
+    const float in = inner[n] + by < out - wall_min ? inner[n] + by : out - wall_min;
+    outer[n] = out;
+    inner[n] = by == 0.0f ? inner[n] : in;
+    extent.outer[k] = out > extent.outer[k] ? out : extent.outer[k];
+    extent.inner[k] = inner[n] < extent.inner[k] ? inner[n] : extent.inner[k];
+  };
+  int n = 0;
+  for (; n + 8 <= count; n += 8)
+    for (int k = 0; k < 8; ++k) one(n + k, static_cast<std::size_t>(k));
+  for (; n < count; ++n) one(n, 0);
+}
+
+// Pushes the top rows of the sectors under the ball outwards (positive) or inwards, both faces.
+void flare(Clay& clay, Sectors under, const float* push, double reach) {
   const double rim = clay.rim_height();
+  const int before_end = std::min(under.count, clay.sectors() - under.first);
   for (int j = clay.rows() - 1; j >= clay.floor_rows(); --j) {
     const double below = rim - clay.row_height(j);
     if (below >= reach) return;
     const auto share = static_cast<float>(fall_off(below, reach));
-    const std::span<float> outer = clay.outer_mut(j);
-    const std::span<float> inner = clay.inner_mut(j);
-    for (int n = 0; n < under.count; ++n) {
-      const auto i = static_cast<std::size_t>((under.first + n) % clay.sectors());
-      const float most = farthest - outer[i];
-      const float least = nearest - inner[i];
-      const float shift = std::clamp(share * push[n], std::min(least, 0.0f), std::max(most, 0.0f));
-      if (shift == 0.0f) continue;
-      outer[i] += shift;
-      inner[i] = std::min(inner[i] + shift, outer[i] - wall_min);
-    }
+    float* outer = clay.pressable_outer(j).data();
+    float* inner = clay.pressable_inner(j).data();
+    Extent extent;
+    extent.outer.fill(0.0f);
+    extent.inner.fill(1e9f);
+    shift(outer + under.first, inner + under.first, push, before_end, share, clay.def(), extent);
+    shift(outer, inner, push + before_end, under.count - before_end, share, clay.def(), extent);
+    clay.widen_extent(j, *std::ranges::max_element(extent.outer),
+                      *std::ranges::min_element(extent.inner));
     clay.mark_dirty(j);
   }
 }

@@ -45,8 +45,29 @@ void Choreography::go(Vec2 place, double speed) {
   put();
 }
 
+void Choreography::grip(double room, double seconds) {
+  now_.active = true;
+  if (now_.grip == 0.0) now_.grip = room;
+  put();
+  now_.time += seconds / pace_;
+  now_.place.x += 0.5 * (room - now_.grip);
+  now_.grip = room;
+  put();
+}
+
+void Choreography::raise(double way, double speed) {
+  go({now_.place.x, now_.place.y + way}, speed);
+}
+
 void Choreography::lift() {
   if (!now_.active) return;
+  if (now_.grip > 0.0) {
+    grip(now_.grip + 0.008, 0.16);
+    now_.active = false;
+    now_.grip = 0.0;
+    put();
+    return;
+  }
   const double away = now_.side == WallSide::outside ? 0.004 : -0.004;
   go({std::max(now_.place.x + away, 0.0), now_.place.y}, 0.05);
   now_.active = false;

@@ -20,6 +20,8 @@ struct Key {
   bool active = false;
   bool water = false;
   WallSide side = WallSide::outside;
+  double grip = 0.0;  ///< Above 0: the other hand works too, opposite and inside, with so much room
+                      ///< between the two tools, m. 0: it is away.
   std::string_view phase;  ///< Of static storage.
 };
 
@@ -42,6 +44,11 @@ class Choreography {
   void carry(WallSide side, Vec2 place, double rim, double widest, double radius);
   /// Puts the hand to the clay here and moves it along `path` at about `speed` m/s.
   void glide(std::span<const Vec2> path, double speed);
+  /// Closes or opens the grip of both hands to `room` metres within `seconds`, about its middle.
+  /// The hands come onto the clay by it: nothing may be between them and the clay before.
+  void grip(double room, double seconds);
+  /// Lifts the hand straight up by `way` metres, off the rim or out of the pot, at about `speed`.
+  void raise(double way, double speed);
   void lift();
 
   double time() const { return now_.time; }

@@ -7,6 +7,7 @@
 #include "engine/math/portable.h"
 #include "engine/script/choreography.h"
 #include "engine/script/former.h"
+#include "engine/script/upright.h"
 
 namespace onggi {
 namespace {
@@ -21,13 +22,15 @@ constexpr double kFinish = 0.008;
 constexpr double kWheelRough = 18.0;  // rad/s: 172 rpm
 constexpr double kWheelFine = 22.0;   // 210 rpm
 
-constexpr std::array<std::string_view, 6> kNames{"true", "collar", "belly",
-                                                 "bowl", "groove", "follow"};
+constexpr std::array<std::string_view, 10> kNames{"true",      "collar", "belly", "bowl",
+                                                  "groove",    "follow", "open",  "press_rim",
+                                                  "flare_rim", "squeeze"};
 
 // Plays keys back.
 class PlannedScript final : public Script {
  public:
-  explicit PlannedScript(std::vector<Key> keys) : keys_(std::move(keys)) {}
+  PlannedScript(std::vector<Key> keys, double tool_radius)
+      : keys_(std::move(keys)), radius_(tool_radius) {}
 
   Hands at(double t, const Clay&) noexcept override {
     while (next_ + 1 < keys_.size() && keys_[next_].time <= t) ++next_;
@@ -41,6 +44,12 @@ class PlannedScript final : public Script {
     hands.hand[0].position = {place.x * cos_, place.y, place.x * sin_};
     hands.hand[0].active = a.active && !over;
     hands.hand[0].side = a.side == WallSide::inside ? SideWish::inside : SideWish::outside;
+    if (a.grip > 0.0) {
+      const double room = a.grip + share * ((b.grip > 0.0 ? b.grip : a.grip) - a.grip);
+      const double inner = place.x - 2.0 * radius_ - room;
+      hands.hand[1] = {
+          {inner * cos_, place.y, inner * sin_}, hands.hand[0].active, SideWish::inside};
+    }
     hands.wheel_speed = (over ? b : a).wheel_speed;
     hands.water = a.water && !over;
     return hands;
@@ -57,6 +66,7 @@ class PlannedScript final : public Script {
  private:
   std::vector<Key> keys_;
   std::size_t next_ = 1;
+  double radius_;
   double cos_ = portable::cos(kHandAngle);
   double sin_ = portable::sin(kHandAngle);
 };
@@ -183,11 +193,16 @@ Result<void> check(std::string_view name, const ScriptContext& context) {
   if (!(context.pace >= 0.25 && context.pace <= 4.0))
     return problem(where, "Its pace is outside 0.25 to 4.", "Write a pace from 0.25 to 4.");
   if (auto good = validate(context.scene); !good) return good;
+  const ClayDef& clay = context.scene.clay;
+  if ((name == "flare_rim" || name == "squeeze") && clay.floor_thickness > 0.5 * clay.height)
+    return problem(where, "It works a wall, and this lump is solid for more than half its height.",
+                   "Open it first: script \"open\".");
   if (name != "follow") return {};
   if (context.target == nullptr)
     return problem(where, "It follows a vessel's outline, and none is given.",
                    "Choose a vessel, or a script that needs none: true, collar, belly, bowl, "
-                   "groove.");
+                   "groove, "
+                   "open, press_rim, flare_rim, squeeze.");
   return validate(*context.target, where + ", target");
 }
 
@@ -197,7 +212,8 @@ std::span<const std::string_view> script_names() { return kNames; }
 
 Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptContext& context) {
   if (auto good = check(name, context); !good) return tl::unexpected<Problem>(good.error());
-  if (name == "follow") return std::make_unique<PlannedScript>(follow_in_time(context));
+  if (name == "follow")
+    return std::make_unique<PlannedScript>(follow_in_time(context), context.scene.tool.radius);
   const ClayDef& clay = context.scene.clay;
   Choreography hand(context.pace, context.scene.wheel.max_speed, context.seed);
   Former former(context.scene, hand);
@@ -212,11 +228,13 @@ Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptC
     belly(former, clay);
   } else if (name == "bowl") {
     bowl(former, clay);
-  } else {
+  } else if (name == "groove") {
     groove(former, context.scene);
+  } else {
+    work_upright(name, hand, context.scene);
   }
   former.rest();
-  return std::make_unique<PlannedScript>(hand.finish());
+  return std::make_unique<PlannedScript>(hand.finish(), context.scene.tool.radius);
 }
 
 }  // namespace onggi

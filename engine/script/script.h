@@ -35,7 +35,8 @@ struct ScriptContext {
   double pace = 1.0;                ///< 0.25..4; 2 does the same moves in half the time.
 };
 
-/// "true", "collar", "belly", "bowl", "groove", "follow".
+/// "true", "collar", "belly", "bowl", "groove", "follow"; "open", "press_rim", "flare_rim",
+/// "squeeze".
 std::span<const std::string_view> script_names();
 
 /// Problem names the script, the nearest right name, and what is missing (follow without target).

@@ -1,5 +1,6 @@
 #include "tests/support/engine_trace.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "engine/math/portable.h"
@@ -23,6 +24,9 @@ std::string engine_trace(int seconds) {
     in.active = n > 2200 && n < 4800;
     in.side = SideWish::inside;
     in.position = {-0.012 - 0.004 * (t - 2.0), 0.15 - 0.02 * t, 0.002 * portable::sin(40.0 * t)};
+    // On the rim, and down through the floor.
+    if (n >= 3600 && n < 4500) out.position = {0.050, 0.2075 - 0.001 * (t - 3.6), 0.01};
+    if (n >= 3400) in.position.y = std::max(in.position.y - 0.08 * (t - 3.4), 0.011);
     hands.water = n % 1500 < 300;
     hands.renew = n == 5000;
     hands.restore = n == 5500;

@@ -4,7 +4,8 @@
 
 namespace onggi {
 
-/// Six seconds of a potter's work on a whole grid: outside, inside, water, both hands, a fault, a
+/// Six seconds of a potter's work on a whole grid: outside, inside, on the rim, in the floor,
+/// water, both hands, a fault, a
 /// renewed lump, a restored one, odd tick lengths. Gives the state's hash after every second, a
 /// line each, as tests/golden/engine_trace.txt holds them, or after the first `seconds` only. Empty
 /// where no scene can be made.

@@ -79,6 +79,49 @@ TEST(Script, GrooveCutsOneNotchAndLeavesTheRest) {
   for (double h : {0.02, 0.08, 0.105, 0.135, 0.18}) EXPECT_NEAR(p.outer_at(h), 0.055, 1e-5) << h;
 }
 
+TEST(Script, OpenMakesAPotOfASolidLump) {
+  ScriptContext context;
+  ClayDef& clay = context.scene.clay;
+  clay.height = clay.floor_thickness = 0.08;
+  const Thrown thrown = play("open", context);
+  EXPECT_FALSE(thrown.jumped);
+  EXPECT_NEAR(thrown.profile.floor_height(), 0.006, 0.001);
+  for (double h = 0.02; h < 0.07; h += 0.01) {
+    EXPECT_NEAR(thrown.profile.inner_at(h), 0.045, 0.0015) << h;
+    EXPECT_NEAR(thrown.profile.outer_at(h), 0.055, 0.0005) << h;
+  }
+}
+
+TEST(Script, PressRimMakesAPotLower) {
+  ScriptContext context;
+  context.scene.clay.inner_radius = 0.047;
+  const Thrown thrown = play("press_rim", context);
+  EXPECT_FALSE(thrown.jumped);
+  EXPECT_NEAR(thrown.profile.height(), 0.192, 0.0025);
+  EXPECT_NEAR(thrown.profile.outer_at(0.1), 0.055, 1e-6);
+}
+
+TEST(Script, FlareRimWidensTheMouth) {
+  ScriptContext context;
+  context.scene.clay.inner_radius = 0.049;
+  const Thrown thrown = play("flare_rim", context);
+  EXPECT_FALSE(thrown.jumped);
+  EXPECT_GT(thrown.profile.points.back().outer, 0.0562);
+  EXPECT_NEAR(thrown.profile.outer_at(0.14), 0.055, 1e-6);
+}
+
+TEST(Script, SqueezeThinsTheWallBetweenTwoHands) {
+  ScriptContext context;
+  context.scene.clay.inner_radius = 0.045;
+  const Thrown thrown = play("squeeze", context);
+  EXPECT_FALSE(thrown.jumped);
+  for (double h = 0.03; h < 0.19; h += 0.02) {
+    EXPECT_NEAR(thrown.profile.outer_at(h) - thrown.profile.inner_at(h), 0.0072, 0.0007)
+        << h;  // the clay lags
+    EXPECT_NEAR(thrown.profile.outer_at(h) + thrown.profile.inner_at(h), 0.1, 0.0006) << h;
+  }
+}
+
 TEST(Script, TrueMakesABattedLumpACylinderAgain) {
   ScriptContext context;
   Scene scene = std::move(*Scene::create(context.scene));
@@ -183,7 +226,11 @@ TEST(Script, AnUnknownNameAMissingTargetOrAWrongPaceIsRefusedWithARemedy) {
   ScriptContext bad;
   bad.scene.clay.rows = 1;
   EXPECT_FALSE(make_script("true", bad));
-  EXPECT_EQ(script_names().size(), 6u);
+  EXPECT_EQ(script_names().size(), 10u);
+  ScriptContext solid;
+  solid.scene.clay.floor_thickness = solid.scene.clay.height;
+  EXPECT_FALSE(make_script("squeeze", solid));
+  EXPECT_TRUE(make_script("open", solid));
 }
 
 }  // namespace
