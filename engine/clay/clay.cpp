@@ -28,14 +28,10 @@ Result<Clay> Clay::create(const ClayDef& def) {
   }
   clay.outer_.assign(rows * clay.padded(), -1e9f);
   clay.inner_.assign(rows * clay.padded(), 1e9f);
-  if (def.keep_undo) {
-    clay.undo_outer_.resize(clay.outer_.size());
-    clay.undo_inner_.resize(clay.inner_.size());
-    clay.undo_stack_ = {clay.row_height_, clay.row_thickness_, clay.floor_top_, clay.floor_rows_};
-  }
   clay.outer_most_.resize(rows);
   clay.inner_least_.resize(rows);
   clay.dirty_.assign((rows + 63) / 64, 0);
+  clay.changed_ = clay.dirty_;
   for (int j = 0; j < def.rows; ++j) clay.lay_lump(j);
   return clay;
 }
@@ -63,7 +59,7 @@ void Clay::restack(int from) {
     const double thickness = row_thickness(j);
     row_height_[static_cast<std::size_t>(j)] = edge + 0.5 * thickness;
     edge += thickness;
-    mark_dirty(j);
+    put(dirty_, j);  // to be drawn elsewhere, and else as it was
   }
   if (solid) floor_top_ = rim_height();
 }
@@ -81,6 +77,11 @@ void Clay::open_floor_row(double radius) {
 void Clay::lower_floor(double top) {
   floor_top_ = top;
   mark_dirty(std::min(floor_rows_, def_.rows - 1));
+}
+
+void Clay::set_floor(int rows, double top) {
+  floor_rows_ = rows;
+  floor_top_ = top;
 }
 
 void Clay::lay_lump(int j) {
@@ -104,62 +105,27 @@ void Clay::set_extent(int j, float outer_most, float inner_least) {
 }
 
 void Clay::mark_all_dirty() {
-  for (int j = 0; j < def_.rows; ++j) mark_dirty(j);
+  for (int j = 0; j < def_.rows; ++j) put(dirty_, j);
 }
 
-int Clay::take_dirty(int from) {
+int Clay::take(Bits& bits, int from) {
   std::size_t word = static_cast<std::size_t>(std::max(from, 0)) >> 6;
   std::uint64_t keep = ~0ULL << (std::max(from, 0) & 63);
-  for (; word < dirty_.size(); ++word, keep = ~0ULL) {
-    const std::uint64_t seen = dirty_[word] & keep;
+  for (; word < bits.size(); ++word, keep = ~0ULL) {
+    const std::uint64_t seen = bits[word] & keep;
     if (seen == 0) continue;
-    dirty_[word] &= ~(seen & (~seen + 1));
+    bits[word] &= ~(seen & (~seen + 1));
     return static_cast<int>(word * 64) + std::countr_zero(seen);
   }
   return -1;
 }
 
 bool Clay::renew_some(int element_budget) {
-  if (sweep_row_ == 0) {
-    if (def_.keep_undo) {
-      std::ranges::copy(row_height_, undo_stack_.height.begin());
-      std::ranges::copy(row_thickness_, undo_stack_.thickness.begin());
-      undo_stack_.floor_top = floor_top_;
-      undo_stack_.floor_rows = floor_rows_;
-    }
-    lay_rows();
-  }
+  if (sweep_row_ == 0) lay_rows();
   const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
-  for (; sweep_row_ < end; ++sweep_row_) {
-    if (def_.keep_undo) {
-      std::ranges::copy(pressable_outer(sweep_row_), undo_outer_.data() + start(sweep_row_));
-      std::ranges::copy(pressable_inner(sweep_row_), undo_inner_.data() + start(sweep_row_));
-    }
-    lay_lump(sweep_row_);
-  }
+  for (; sweep_row_ < end; ++sweep_row_) lay_lump(sweep_row_);
   if (sweep_row_ < def_.rows) return false;
   sweep_row_ = 0;
-  can_restore_ = def_.keep_undo;
-  return true;
-}
-
-bool Clay::restore_some(int element_budget) {
-  if (!can_restore_) return true;
-  if (sweep_row_ == 0) {
-    std::ranges::copy(undo_stack_.height, row_height_.begin());
-    std::ranges::copy(undo_stack_.thickness, row_thickness_.begin());
-    floor_top_ = undo_stack_.floor_top;
-    floor_rows_ = undo_stack_.floor_rows;
-  }
-  const int end = std::min(def_.rows, sweep_row_ + std::max(1, element_budget / stride_));
-  for (; sweep_row_ < end; ++sweep_row_) {
-    std::copy_n(undo_outer_.data() + start(sweep_row_), width(), outer_mut(sweep_row_).data());
-    std::copy_n(undo_inner_.data() + start(sweep_row_), width(), inner_mut(sweep_row_).data());
-    mark_dirty(sweep_row_);
-  }
-  if (sweep_row_ < def_.rows) return false;
-  sweep_row_ = 0;
-  can_restore_ = false;
   return true;
 }
 
@@ -205,19 +171,7 @@ std::uint64_t Clay::hash() const {
   }
   hash.add(floor_top_);
   hash.add(static_cast<std::uint64_t>(floor_rows_));
-  // Undo rows matter where a restore could still bring them back.
-  hash.add(static_cast<std::uint64_t>(can_restore_));
   hash.add(static_cast<std::uint64_t>(sweep_row_));
-  const int kept_rows = can_restore_ ? def_.rows : def_.keep_undo ? sweep_row_ : 0;
-  if (kept_rows > 0) {
-    hash.add(undo_stack_.floor_top);
-    hash.add(static_cast<std::uint64_t>(undo_stack_.floor_rows));
-    for (double height : undo_stack_.height) hash.add(height);
-  }
-  for (int j = 0; j < kept_rows; ++j) {
-    hash.add(std::span<const float>(undo_outer_.data() + start(j), width()));
-    hash.add(std::span<const float>(undo_inner_.data() + start(j), width()));
-  }
   return hash.value();
 }
 

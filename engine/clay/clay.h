@@ -24,8 +24,8 @@ struct ClayDef {
                              ///< other side along.
   double radius_min = 0.002;  ///< Smallest inner radius above the floor, metres, > 0.
   double radius_max = 0.16;   ///< Largest outer radius, metres, <= 1.
-  bool keep_undo =
-      true;  ///< Keep a second grid so that renew() can be taken back (doubles the memory).
+  bool keep_undo = true;      ///< Strokes, and new clay, can be taken back (history.h): doubles the
+                              ///< memory, and 32 MiB more.
 };
 
 /// Checks every field; `where` prefixes the field's name in the Problem. Nothing is allocated.
@@ -71,6 +71,7 @@ class Clay {
   /// Metres, > 0. The caller then calls restack() once, with the lowest row that it changed.
   void set_row_thickness(int j, double thickness) {
     row_thickness_[static_cast<std::size_t>(j)] = thickness;
+    put(changed_, j);
   }
   /// Stacks row `from` and those above it anew on the row below, and marks them dirty. A lump that
   /// is solid to the top stays so; else the caller keeps floor_top() between the middles that it
@@ -81,6 +82,9 @@ class Clay {
   void open_floor_row(double radius);
   /// Metres, not above floor_top(). Marks the row over it dirty, which carries the floor along.
   void lower_floor(double top);
+  /// As they were once together: solid rows, and the upper face of the floor in metres.
+  void set_floor(int rows, double top);
+
   /// No outer radius of row `j` is larger, and no inner one smaller: where nothing can touch,
   /// nobody need look. Not always the least and the most that would be true.
   float outer_most(int j) const { return outer_most_[static_cast<std::size_t>(j)]; }
@@ -98,27 +102,28 @@ class Clay {
     return static_cast<int>(measured_++ % static_cast<unsigned>(rows));
   }
 
-  /// Rows changed since they were last taken. One bit a row; cost of a look is rows/64 words.
-  void mark_dirty(int j) { dirty_[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63); }
+  /// Rows changed since they were last taken, for those that draw them. One bit a row; cost of a
+  /// look is rows/64 words.
+  void mark_dirty(int j) { put(dirty_, j), put(changed_, j); }
+  /// All are to be drawn; none is changed.
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
-  int take_dirty(int from = 0);
+  int take_dirty(int from = 0) { return take(dirty_, from); }
+  /// The same rows, for those that keep what they were (history.h). A row that only moved up or
+  /// down as others grew or sank is not among them.
+  int take_change(int from = 0) { return take(changed_, from); }
+  void forget_change(int j) { changed_[static_cast<std::size_t>(j >> 6)] &= ~(1ULL << (j & 63)); }
 
-  /// Back to the lump (keeping the present shape for restore() where keep_undo), or back from it.
-  /// Spread over calls so that no tick pays for the whole grid: each call does at most
-  /// `element_budget` elements (at least a row) and returns true once all is done. One that was
-  /// begun is finished before the other is. restore_some() has nothing to do unless can_restore().
+  /// Back to the lump. Spread over calls so that no tick pays for the whole grid: each call does at
+  /// most `element_budget` elements (at least a row) and returns true once all is done.
   bool renew_some(int element_budget);
-  bool restore_some(int element_budget);
-  bool can_restore() const { return can_restore_; }
 
   /// Mean outer and inner radius of every row, as a Profile. O(rows x sectors); allocates; not for
   /// the tick.
   Profile profile() const;
   /// Clay volume, m^3. O(rows x sectors).
   double volume() const;
-  /// Hash of every radius bit and row height, of what restore() would bring back, and of how far a
-  /// renew or restore has come. O(rows x sectors).
+  /// Hash of every radius bit and row height, and of how far a renew has come. O(rows x sectors).
   std::uint64_t hash() const;
 
  private:
@@ -129,12 +134,9 @@ class Clay {
   void lay_lump(int j);
   void lay_rows();
 
-  /// What of the shape is not radii, as restore() brings it back.
-  struct Stack {
-    std::vector<double> height, thickness;
-    double floor_top = 0.0;
-    int floor_rows = 0;
-  };
+  using Bits = std::vector<std::uint64_t>;
+  static void put(Bits& bits, int j) { bits[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63); }
+  static int take(Bits& bits, int from);
   void forget_extent(int j) { widen_extent(j, 1e9f, 0.0f); }
 
   ClayDef def_;
@@ -142,14 +144,11 @@ class Clay {
   int floor_rows_ = 0;
   double floor_top_ = 0.0;
   std::vector<double> row_height_, row_thickness_;
-  Stack undo_stack_;
   std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
   std::vector<float> outer_most_, inner_least_;  // a row's extent; no part of the clay's state
   unsigned measured_ = 0;
-  std::vector<float> undo_outer_, undo_inner_;
-  std::vector<std::uint64_t> dirty_;
+  Bits dirty_, changed_;
   int sweep_row_ = 0;
-  bool can_restore_ = false;
 };
 
 }  // namespace onggi

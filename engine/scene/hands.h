@@ -27,7 +27,7 @@ struct Hands {
   bool water = false;        ///< A wet sponge is held to the clay.
   bool renew = false;        ///< Put a fresh lump on: starts on the tick it becomes true, takes
                              ///< elements / 8192 ticks, in which nothing is pressed.
-  bool restore = false;      ///< Take the last renew back, likewise.
+  bool restore = false;  ///< Take the last stroke or renew back (engine/clay/history.h), likewise.
   friend bool operator==(const Hands&, const Hands&) = default;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/clay/history.h"
 #include "engine/contact/paper_model.h"
 #include "engine/contact/stops.h"
 #include "engine/contact/tool_contact.h"
@@ -46,13 +47,14 @@ struct Printed {
   std::array<PaperFilter, kMaxHands> filter{};
 };
 
-enum class LumpWork : std::uint8_t { none, renewing, restoring };
+enum class LumpWork : std::uint8_t { none, keeping, renewing, restoring };
 
 }  // namespace
 
 struct Scene::State {
   SceneDef def;
   Clay clay;
+  std::optional<History> history;
   std::array<HandState, kMaxHands> hand{};
   std::optional<Printed> printed;
   double time = 0.0;
@@ -81,6 +83,7 @@ struct Scene::State {
 
   State(const SceneDef& d, Clay&& c) : def(d), clay(std::move(c)) {
     if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
+    if (def.clay.keep_undo) history.emplace(clay);
     if (!def.paper) return;
     const PaperDef& paper = *def.paper;
     printed = Printed{PaperModel(clay), {paper.c_eta, paper.c_v, paper.c_r}};
@@ -93,6 +96,7 @@ struct Scene::State {
   void work_on_lump(const Hands& hands) noexcept;
   double wetness_at(double height) const;
   Yielding yielding_at(double height) const;
+  void keep_history(const Tick& tick) noexcept;
   void press_clay(Tick& tick) noexcept;
   void feel(Tick& tick) noexcept;
   void press_as_printed(Tick& tick) noexcept;
@@ -178,21 +182,33 @@ Yielding Scene::State::yielding_at(double height) const {
   return {def.contact.relaxation_time * soft, def.contact.stiffness};
 }
 
-// Stage 4. A fresh lump, or the last shape back, a few rows a tick.
+// Stage 4. A fresh lump, or the last step back, a few rows a tick.
 void Scene::State::work_on_lump(const Hands& hands) noexcept {
   if (lump_work == LumpWork::none) {
     if (hands.renew && !renew_held)
-      lump_work = LumpWork::renewing;
-    else if (hands.restore && !restore_held && clay.can_restore())
+      lump_work = history ? LumpWork::keeping : LumpWork::renewing;
+    else if (hands.restore && !restore_held && history && history->can_step_back())
       lump_work = LumpWork::restoring;
   }
   renew_held = hands.renew;
   restore_held = hands.restore;
   if (lump_work == LumpWork::none) return;
-  const bool done = lump_work == LumpWork::renewing ? clay.renew_some(kLumpBudget)
-                                                    : clay.restore_some(kLumpBudget);
-  if (done) lump_work = LumpWork::none;
   for (HandState& h : hand) h.leave();
+  if (lump_work == LumpWork::keeping) {
+    if (history->begin_step(clay, kLumpBudget)) lump_work = LumpWork::renewing;
+    return;
+  }
+  const bool done = lump_work == LumpWork::renewing ? clay.renew_some(kLumpBudget)
+                                                    : history->step_back_some(clay, kLumpBudget);
+  if (done) lump_work = LumpWork::none;
+}
+
+// Stage 4, at the tick's end: what a visitor may want back.
+void Scene::State::keep_history(const Tick& tick) noexcept {
+  if (!history || lump_work == LumpWork::keeping || lump_work == LumpWork::restoring) return;
+  const bool touching = std::ranges::any_of(
+      hand, [](const HandState& h) { return h.present && h.contact.touching(); });
+  history->follow(clay, touching || lump_work == LumpWork::renewing, tick.dt);
 }
 
 // Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
@@ -315,11 +331,13 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
                          // 6: effects, where the scene has them
     s.feel(tick);        // 7
   }
+  s.keep_history(tick);
   return s.guard_and_report(tick);  // 8, 9
 }
 
 const SceneDef& Scene::def() const { return state_->def; }
 const Clay& Scene::clay() const { return state_->clay; }
+bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
 int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }
 void Scene::mark_all_dirty() noexcept { state_->clay.mark_all_dirty(); }
 void Scene::clear_faults() noexcept { state_->faults = 0; }
@@ -353,6 +371,7 @@ std::uint64_t Scene::state_hash() const {
       for (double v : filter.memory()) hash.add(v);
   if (s.moisture) s.moisture->add_to(hash);
   hash.add(s.clay.hash());
+  if (s.history) s.history->add_to(hash);
   return hash.value();
 }
 

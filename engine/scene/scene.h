@@ -34,6 +34,8 @@ class Scene {
 
   const SceneDef& def() const;
   const Clay& clay() const;
+  /// Hands::restore has a stroke, or a fresh lump, to take back.
+  bool can_restore() const;
   /// Takes and clears the lowest changed row at or above `from`; -1 when none. No allocation.
   int take_dirty_row(int from) noexcept;
   void mark_all_dirty() noexcept;

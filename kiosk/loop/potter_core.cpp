@@ -118,7 +118,7 @@ void PotterCore::tick(double dt) noexcept {
   pot_->rows.publish(pot_->scene, kRowsPerTick);
   status_.ticks = pot_->scene.counters().ticks;
   status_.time = pot_->scene.time();
-  status_.can_restore = pot_->scene.clay().can_restore();
+  status_.can_restore = pot_->scene.can_restore();
   status_.script_progress =
       script_ == nullptr ? 0 : std::min(1.0, script_time_ / std::max(1e-3, script_->duration()));
   status_.script_done = script_ != nullptr && script_time_ >= script_->duration();

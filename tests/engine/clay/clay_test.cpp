@@ -71,80 +71,35 @@ RC_GTEST_PROP(ClayProperty, EveryDirtyRowIsTakenOnceInOrder, ()) {
   RC_ASSERT(clay.take_dirty() == -1);
 }
 
-TEST(Clay, RenewIsSpreadOverCallsAndRestoreBringsEveryBitBack) {
+TEST(Clay, RenewIsSpreadOverCallsAndAsGoodAsNew) {
   Clay clay = lump();
   const std::uint64_t fresh = clay.hash();
   clay.outer_mut(100)[7] = 0.05f;
   clay.inner_mut(30)[359] = 0.03f;
-  std::vector<float> shaped(clay.outer(100).begin(), clay.outer(100).end());
+  clay.set_row_thickness(399, 0.0002);
+  clay.restack(399);
+  clay.open_floor_row(0.008);
+  clay.lower_floor(0.0096);
   dirty_rows(clay);
+  EXPECT_NE(clay.hash(), fresh);
 
   int calls = 1;
   while (!clay.renew_some(8192)) ++calls;
   EXPECT_EQ(calls, 19);  // 400 rows, 22 a call
-  EXPECT_EQ(clay.outer(100)[7], 0.055f);
   EXPECT_EQ(dirty_rows(clay).size(), 400u);
-  EXPECT_TRUE(clay.can_restore());
-  EXPECT_NE(clay.hash(), fresh);  // it still holds the shape to go back to
-
-  while (!clay.restore_some(8192)) {
-  }
-  EXPECT_TRUE(std::equal(shaped.begin(), shaped.end(), clay.outer(100).begin()));
-  EXPECT_EQ(clay.inner(30)[359], 0.03f);
-  EXPECT_FALSE(clay.can_restore());
-  EXPECT_TRUE(clay.restore_some(8192));  // nothing to do
-}
-
-TEST(Clay, WithoutUndoARenewedLumpIsAsGoodAsNew) {
-  ClayDef def;
-  def.keep_undo = false;
-  Clay clay = lump(def);
-  const std::uint64_t fresh = clay.hash();
-  clay.outer_mut(3)[3] = 0.04f;
-  EXPECT_NE(clay.hash(), fresh);
-  while (!clay.renew_some(1)) {
-  }
-  EXPECT_FALSE(clay.can_restore());
   EXPECT_EQ(clay.hash(), fresh);
 }
 
-TEST(Clay, RestoreBringsBackTheRowsHeightsAndTheFloor) {
-  Clay clay = lump();
-  clay.set_row_thickness(399, 0.0002);
-  clay.set_row_thickness(250, 0.0003);
-  clay.restack(250);
-  clay.open_floor_row(0.008);
-  clay.lower_floor(0.0096);
-  const double rim = clay.rim_height();
-  const double height = clay.row_height(399);
-  EXPECT_NEAR(rim, 0.2 - 0.0005, 1e-15);
-  EXPECT_NEAR(clay.profile().height(), rim, 1e-15);
-  while (!clay.renew_some(8192)) {
-  }
-  EXPECT_DOUBLE_EQ(clay.rim_height(), 0.2);
-  EXPECT_EQ(clay.floor_rows(), 20);
-  EXPECT_EQ(clay.floor_top(), 0.010);
-  EXPECT_EQ(clay.inner(19)[0], 0.0f);
-  while (!clay.restore_some(8192)) {
-  }
-  EXPECT_EQ(clay.rim_height(), rim);
-  EXPECT_EQ(clay.row_height(399), height);
-  EXPECT_EQ(clay.floor_rows(), 19);
-  EXPECT_EQ(clay.floor_top(), 0.0096);
-  EXPECT_EQ(clay.inner(19)[0], 0.008f);
-}
-
-TEST(Clay, RowsStackedAnewAndAFloorThatSinksAreToldToWhoeverDraws) {
+TEST(Clay, ARowThatOnlyMovesUpOrDownIsToBeDrawnAndIsNotChanged) {
   Clay clay = lump();
   dirty_rows(clay);
-  clay.set_row_thickness(395, 0.0004);
-  clay.restack(395);
-  EXPECT_EQ(dirty_rows(clay).size(), 5u);
-  clay.lower_floor(0.0099);
-  EXPECT_EQ(dirty_rows(clay), std::vector<int>{20});
-  clay.open_floor_row(1.0);  // wider than the pot: the wall keeps its least
-  EXPECT_EQ(dirty_rows(clay), std::vector<int>{19});
-  EXPECT_NEAR(clay.inner(19)[5], 0.051, 1e-7);
+  while (clay.take_change() >= 0) {
+  }
+  clay.set_row_thickness(390, 0.0003);
+  clay.restack(390);
+  EXPECT_EQ(dirty_rows(clay).size(), 10u);
+  EXPECT_EQ(clay.take_change(), 390);
+  EXPECT_EQ(clay.take_change(), -1);
 }
 
 TEST(Clay, SectorsThatAreNoMultipleOfEightArePadded) {

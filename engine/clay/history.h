@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/clay/clay.h"
+#include "engine/math/hash.h"
+
+namespace onggi {
+
+/// What a visitor may take back: the clay as it was before each stroke, as far as a fixed amount of
+/// memory reaches. A step is one touch from first contact until the hands have been clear for
+/// kPause; a longer touch is cut after kLongest. On 400 x 360 the memory holds at least half a
+/// minute of the busiest throwing.
+///
+/// How: a second grid lags behind the clay. A row that changed is copied from it into a ring the
+/// first time in a step, and brought up to date when the step is over, some rows a tick. So no tick
+/// pays for a stroke, and a step's edge is sharp to a few ticks (half a second on 18 million
+/// elements). Allocates in its constructor only. Not safe across threads.
+class History {
+ public:
+  static constexpr double kPause = 0.4;    ///< s.
+  static constexpr double kLongest = 3.0;  ///< s.
+  static constexpr std::size_t kBytes = 32u
+                                        << 20;  ///< Of the ring; more where one whole grid is more.
+
+  explicit History(Clay& clay);
+
+  /// Once a tick, after the clay changed. `touching`: a hand presses it. Cost follows the rows that
+  /// changed, at most about 8192 elements.
+  void follow(Clay& clay, bool touching, double seconds) noexcept;
+  /// What follows is a step of its own, and what was before is kept to the last bit: at most about
+  /// `element_budget` elements a call, true once it is so. Until then nobody may change the clay.
+  bool begin_step(Clay& clay, int element_budget) noexcept;
+
+  bool can_step_back() const;
+  /// Takes the last step back, at most about `element_budget` elements a call. True once it is
+  /// done, or where there is nothing to take back; until then nobody else may change the clay.
+  bool step_back_some(Clay& clay, int element_budget) noexcept;
+
+  /// Of what is kept, not of its radii: those follow from what the hands did.
+  void add_to(StateHash& hash) const;
+
+ private:
+  struct Step {
+    std::uint64_t first = 0;  // of its rows in the ring, counted from the beginning of time
+    double floor_top = 0.0;
+    int floor_rows = 0;
+  };
+  struct Slot {
+    int row = 0;
+    double thickness = 0.0;
+  };
+  using Bits = std::vector<std::uint64_t>;
+
+  int rows_of(int elements) const { return elements > stride_ ? elements / stride_ : 1; }
+  bool keep_up(Clay& clay, int rows) noexcept;
+  void end_step(const Clay& clay) noexcept;
+  void remember(int j) noexcept;
+  void settle(const Clay& clay, int j) noexcept;
+  void put_back(Clay& clay, std::uint64_t at) noexcept;
+  bool reaches(const Step& step) const { return next_ - step.first <= slots_.size(); }
+  float* ring_row(std::uint64_t at);
+  float* shadow_row(int j);
+
+  int stride_, sectors_;
+  std::vector<float> shadow_;  // outer, then inner, row by row
+  std::vector<double> shadow_thickness_;
+  std::unique_ptr<float[]> ring_;  // not written before it is used, so not resident either
+  std::vector<Slot> slots_;
+  std::vector<Step> steps_;  // the last is under way; never grows
+  Bits in_step_;             // rows that the present step has in the ring
+  Bits unsettled_;           // rows of the step before whose shadow is not up to date
+  std::uint64_t next_ = 0;
+  double clear_ = 0.0;
+  double lasted_ = 0.0;
+  int lowest_ = 0;  // row put back whose thickness changed
+  bool going_back_ = false;
+};
+
+}  // namespace onggi

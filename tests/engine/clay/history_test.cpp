@@ -1,0 +1,186 @@
+#include "engine/clay/history.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <vector>
+
+#include "engine/math/random.h"
+
+namespace onggi {
+namespace {
+
+ClayDef small() {
+  ClayDef def;
+  def.rows = 60;
+  def.sectors = 40;
+  return def;
+}
+
+Clay lump(const ClayDef& def) { return std::move(*Clay::create(def)); }
+
+// One stroke: some rows pressed, then hands clear for half a second.
+void stroke(Clay& clay, History& history, Random& random, double seconds = 0.2) {
+  const int first = static_cast<int>(random.uniform(0.0, 50.0));
+  for (int n = 0; n < static_cast<int>(seconds * 1000.0); ++n) {
+    for (int j = first; j < first + 8; ++j) {
+      clay.outer_mut(j)[static_cast<std::size_t>(n) % 40] -= 1e-6f;
+      clay.mark_dirty(j);
+    }
+    if (n % 50 == 0) {
+      clay.set_row_thickness(first + 3, clay.row_thickness(first + 3) * 0.999);
+      clay.restack(first + 3);
+    }
+    history.follow(clay, true, 0.001);
+  }
+  for (int n = 0; n < 500; ++n) history.follow(clay, false, 0.001);
+}
+
+void step_back(Clay& clay, History& history) {
+  int calls = 0;
+  while (!history.step_back_some(clay, 8192)) ASSERT_LT(++calls, 10000);
+}
+
+// Radii and the rows' thickness, bit for bit.
+std::vector<double> shape(const Clay& clay) {
+  std::vector<double> all;
+  for (int j = 0; j < clay.rows(); ++j) {
+    all.insert(all.end(), clay.outer(j).begin(), clay.outer(j).end());
+    all.insert(all.end(), clay.inner(j).begin(), clay.inner(j).end());
+    all.push_back(clay.row_thickness(j));
+  }
+  all.push_back(clay.floor_top());
+  all.push_back(clay.floor_rows());
+  return all;
+}
+
+TEST(History, AFreshLumpHasNothingToTakeBack) {
+  Clay clay = lump(small());
+  History history(clay);
+  EXPECT_FALSE(history.can_step_back());
+  const auto before = shape(clay);
+  EXPECT_TRUE(history.step_back_some(clay, 8192));
+  for (int n = 0; n < 1000; ++n) history.follow(clay, false, 0.001);
+  EXPECT_FALSE(history.can_step_back());
+  EXPECT_EQ(shape(clay), before);
+}
+
+TEST(History, EveryStrokeComesBackBitForBitLastOneFirst) {
+  Clay clay = lump(small());
+  History history(clay);
+  Random random(3);
+  std::vector<std::vector<double>> shapes;
+  for (int n = 0; n < 12; ++n) {
+    shapes.push_back(shape(clay));
+    stroke(clay, history, random);
+  }
+  for (int n = 11; n >= 0; --n) {
+    ASSERT_TRUE(history.can_step_back()) << n;
+    step_back(clay, history);
+    EXPECT_EQ(shape(clay), shapes[static_cast<std::size_t>(n)]) << n;
+  }
+  EXPECT_FALSE(history.can_step_back());
+}
+
+TEST(History, AStrokeUnderWayIsTakenBackToItsBeginning) {
+  Clay clay = lump(small());
+  History history(clay);
+  Random random(4);
+  stroke(clay, history, random);
+  const auto before = shape(clay);
+  for (int n = 0; n < 100; ++n) {
+    clay.inner_mut(30)[5] += 1e-5f;
+    clay.mark_dirty(30);
+    history.follow(clay, true, 0.001);
+  }
+  step_back(clay, history);
+  EXPECT_EQ(shape(clay), before);
+  EXPECT_TRUE(history.can_step_back());  // the stroke before it
+}
+
+TEST(History, ALongTouchIsCutIntoStepsOfThreeSeconds) {
+  Clay clay = lump(small());
+  History history(clay);
+  Random random(5);
+  const auto fresh = shape(clay);
+  stroke(clay, history, random, 10.0);
+  int steps = 0;
+  for (; history.can_step_back(); ++steps) step_back(clay, history);
+  EXPECT_EQ(steps, 4);
+  EXPECT_EQ(shape(clay), fresh);
+}
+
+TEST(History, WhatWasTakenBackCanBeThrownAnew) {
+  Clay clay = lump(small());
+  History history(clay);
+  Random random(6);
+  stroke(clay, history, random);
+  const auto one = shape(clay);
+  for (int n = 0; n < 5; ++n) {
+    stroke(clay, history, random);
+    step_back(clay, history);
+    EXPECT_EQ(shape(clay), one) << n;
+  }
+}
+
+TEST(History, ARenewedLumpIsTakenBackWithItsFloorAndHeights) {
+  Clay clay = lump(small());
+  History history(clay);
+  Random random(7);
+  stroke(clay, history, random);
+  clay.open_floor_row(0.01);
+  clay.lower_floor(0.0085);
+  const auto thrown = shape(clay);
+  const double rim = clay.rim_height();
+  while (!history.begin_step(clay, 100)) {
+  }
+  bool done = false;
+  while (!done) {
+    done = clay.renew_some(8192);
+    history.follow(clay, true, 0.001);
+  }
+  EXPECT_NE(shape(clay), thrown);
+  step_back(clay, history);
+  EXPECT_EQ(shape(clay), thrown);
+  EXPECT_EQ(clay.rim_height(), rim);
+}
+
+TEST(History, KeepsAtLeastHalfAMinuteOfTheBusiestThrowingOnTheDefaultGrid) {
+  // The tool runs up and down the whole wall in a second and a half, without a pause.
+  Clay clay = lump({});
+  History history(clay);
+  double time = 0.0;
+  for (int n = 0; n < 60000; ++n, time += 0.001) {
+    const int middle =
+        static_cast<int>(200.0 + 180.0 * ((n / 750) % 2 == 0 ? 1 : -1) * ((n % 750) / 375.0 - 1.0));
+    for (int j = middle - 16; j < middle + 16; ++j) {
+      clay.pressable_outer(j)[static_cast<std::size_t>(n) % 360] -= 1e-7f;
+      clay.mark_dirty(j);
+    }
+    history.follow(clay, true, 0.001);
+  }
+  int steps = 0;
+  for (; history.can_step_back(); ++steps) step_back(clay, history);
+  EXPECT_GE(steps * History::kLongest, 30.0 - History::kLongest);
+  EXPECT_LT(steps, 25);  // and not for ever: the memory is fixed
+}
+
+RC_GTEST_PROP(HistoryProperty, ComesBackToAShapeThatWasThereWhateverIsDone, ()) {
+  Clay clay = lump(small());
+  History history(clay);
+  Random random(*rc::gen::arbitrary<std::uint32_t>());
+  std::vector<std::vector<double>> shapes{shape(clay)};
+  for (int n = 0; n < 8; ++n) {
+    if (*rc::gen::arbitrary<bool>() || !history.can_step_back()) {
+      stroke(clay, history, random, *rc::gen::inRange(1, 300) * 1e-3);
+      shapes.push_back(shape(clay));
+    } else {
+      step_back(clay, history);
+      shapes.pop_back();
+      RC_ASSERT(shape(clay) == shapes.back());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace onggi
