@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kWidth = 2400, kMargin = 130;
 /// The drawing itself, with room for diameters and the height beside it.
-constexpr double kMostWide = 1560, kMostHigh = 1700, kBesides = 190;
+constexpr double kMostWide = 1560, kMostHigh = 1700;
 constexpr double kTitle = 68, kText = 33, kSmall = 29;
 
 constexpr view::Color kPaper = view::rgb(0xFBF8F2);
