@@ -64,6 +64,8 @@ Key key_of(int key) {
       return Key::water;
     case GLFW_KEY_R:
       return Key::renew;
+    case GLFW_KEY_Z:
+      return Key::restore;
     case GLFW_KEY_C:
       return Key::cut;
     case GLFW_KEY_L:

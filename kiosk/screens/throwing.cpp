@@ -45,7 +45,6 @@ class Throwing final : public Screen {
     for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
     if (contact) {
       touched_ = true;
-      since_renew_ += dt;
       dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
     }
     if (water_) dry_ = 0;
@@ -100,8 +99,10 @@ class Throwing final : public Screen {
       cut_chosen_ = true;
     } else if (control == "throw.renew") {
       let_go();
-      can_bring_back() ? desk.world.potter->restore() : desk.world.potter->renew();
-      since_renew_ = 0;
+      desk.world.potter->renew();
+    } else if (control == "throw.restore") {
+      let_go();
+      desk.world.potter->restore();
     } else if (control == "throw.done") {
       finish();
     }
@@ -161,6 +162,9 @@ class Throwing final : public Screen {
         return repeat || (press("throw.cut"), true);
       case Key::renew:
         return repeat || (press("throw.renew"), true);
+      case Key::restore:
+        if (desk.status.can_restore) press("throw.restore");
+        return true;
       case Key::faster:
         return press("throw.faster"), true;
       case Key::slower:
@@ -206,7 +210,6 @@ class Throwing final : public Screen {
     water_ = on;
     desk.world.potter->water(on);
   }
-  bool can_bring_back() const { return desk.status.can_restore && since_renew_ < 2.0; }
 
   void move_by_keys(double outward, double up) {
     if (!desk.pot_ready() || desk.world.mirror->rows() == 0) return;
@@ -240,7 +243,7 @@ class Throwing final : public Screen {
   WallSide face_ = WallSide::outside;
   bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
        menu_ = false;
-  double soaked_at_ = -1, dry_ = 0, since_renew_ = 1e9;
+  double soaked_at_ = -1, dry_ = 0;
   std::uint32_t serial_ = 0;
 };
 
@@ -262,10 +265,7 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
   column.foot_buttons(
       {{"throw.water", desk.say("throw.water"), water_ ? Look::solid : Look::outline},
        {"throw.cut", desk.say("throw.cut"), cut_ ? Look::solid : Look::outline},
-       {"throw.renew", desk.say(can_bring_back() ? "throw.restore" : "throw.renew"), Look::outline,
-        desk.say("throw.restore").size() > desk.say("throw.renew").size()
-            ? desk.say("throw.restore")
-            : desk.say("throw.renew")}},
+       {"throw.renew", desk.say("throw.renew"), Look::outline}},
       clay, captions);
   column.foot_space(t.gap);
   column.foot_buttons({{"throw.slower", desk.say("throw.slower"), Look::outline},
@@ -273,12 +273,15 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
                        {"throw.faster", desk.say("throw.faster"), Look::outline}},
                       wheel, captions);
   column.foot_space(t.gap);
+  const bool back = desk.status.can_restore;
   column.foot_buttons({{"throw.side",
                         desk.say("throw.outside"),
                         Look::outline,
                         {},
                         desk.say("throw.inside"),
-                        face_ == WallSide::inside}},
+                        face_ == WallSide::inside},
+                       {back ? "throw.restore" : "", desk.say("throw.restore"),
+                        back ? Look::outline : Look::plain}},
                       hand, captions);
 }
 

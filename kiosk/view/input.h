@@ -19,7 +19,8 @@ enum class Key : std::uint8_t {
   side,
   water,
   renew,
-  cut,       ///< "s", "w", "r", "c".
+  restore,
+  cut,       ///< "s", "w", "r", "z", "c".
   language,  ///< "l"
   none,
 };
