@@ -7,7 +7,9 @@ namespace {
 
 TEST(Vectors, PlainCodeIsAlwaysThereAndComesLast) {
   ASSERT_FALSE(vector_kinds().empty());
-  EXPECT_EQ(vector_kinds().back(), "SCALAR");
+  // Highway has two ways of plain code; which one depends on the compiler.
+  const std::string_view last = vector_kinds().back();
+  EXPECT_TRUE(last == "SCALAR" || last == "EMU128") << last;
 }
 
 TEST(Vectors, OnlyAKindThatTheMachineHasCanBeChosen) {
