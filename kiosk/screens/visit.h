@@ -89,7 +89,8 @@ class Visit {
   ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
   ///             "choose.more" (a long label read on), "back" to the shelf
   ///   throw     "throw.side", "throw.slower", "throw.faster", "throw.water", "throw.cut",
-  ///             "throw.renew", "throw.restore" (while there is a stroke to take back), "throw.done"
+  ///             "throw.renew", "throw.restore" (while there is a stroke to take back),
+  ///             "throw.done"
   ///   result    "result.keep", "result.again", "result.other"
   ///   keepsake  "keepsake.done"        fault  "fault.on"
   ///   over any  "help", "help.close", "idle.stay", "language", "back"
