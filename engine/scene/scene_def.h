@@ -4,6 +4,7 @@
 
 #include "engine/clay/clay.h"
 #include "engine/effects/friction.h"
+#include "engine/effects/kiln.h"
 #include "engine/effects/moisture.h"
 
 namespace onggi {
@@ -53,6 +54,7 @@ struct SceneDef {
   // byte and no instruction.
   std::optional<MoistureDef> moisture = MoistureDef{};
   std::optional<FrictionDef> friction = FrictionDef{};
+  std::optional<KilnDef> kiln;    ///< Of the visit's end: no stage of the tick.
   std::optional<PaperDef> paper;  ///< There: no effect must be.
 };
 
@@ -62,6 +64,7 @@ template <class AnySceneDef, class Visit>
 void each_effect(AnySceneDef& def, Visit&& visit) {
   visit(def.moisture);
   visit(def.friction);
+  visit(def.kiln);
 }
 
 /// First thing wrong with `def`, with field ("clay.rows") or effect ("slump"), meaning and remedy.

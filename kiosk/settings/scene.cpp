@@ -1,6 +1,9 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/settings/toml_reader.h"
@@ -35,6 +38,7 @@ class SceneReader {
     });
     each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
       read_effect(Def::kName, effect, [&](Def& written) {
+        if constexpr (std::is_same_v<Def, KilnDef>) read_body(written);
         for (const EffectField<Def>& field : Def::fields())
           number(field.key, written.*(field.value));
       });
@@ -84,6 +88,26 @@ class SceneReader {
       number("radius_max", clay.radius_max);
       table_.boolean("keep_undo", clay.keep_undo);
     });
+  }
+  /// A clay by name; a number that is written beside it has the last word.
+  void read_body(KilnDef& kiln) {
+    std::string name;
+    if (!table_.text("body", name)) return;
+    if (const ClayBody* body = find_clay_body(name)) {
+      kiln.drying_shrinkage = body->drying_shrinkage;
+      kiln.firing_shrinkage = body->firing_shrinkage;
+      return;
+    }
+    std::vector<std::string> all;
+    std::string listed;
+    for (const ClayBody& body : clay_bodies()) {
+      all.emplace_back(body.name);
+      listed += (listed.empty() ? "" : ", ") + all.back();
+    }
+    const std::string nearest = nearest_name(name, all);
+    table_.complain("body", "\"" + name + "\" is no clay body.",
+                    nearest.empty() ? "Write one of " + listed + "."
+                                    : "Write " + nearest + ", if that is meant.");
   }
   void read_table(const std::string& name, const std::function<void()>& fields) {
     name_ = name;

@@ -76,8 +76,11 @@ TEST(scene, the_scenes_that_ship_are_without_fault_and_can_be_thrown_on) {
 
 TEST(scene, first_touch_is_the_engines_own_figures_written_out) {
   const SceneRead r = read_scene("config/scenes/first_touch.toml");
-  EXPECT_EQ(figures(r.def), figures(SceneDef{}));
-  EXPECT_EQ(r.keys_checked, 27);
+  // And a kiln at the end, which the engine has where it is asked for.
+  SceneDef own;
+  own.kiln.emplace();
+  EXPECT_EQ(figures(r.def), figures(own));
+  EXPECT_EQ(r.keys_checked, 29);
 }
 
 TEST(scene, every_effect_is_read_from_a_table_of_its_name_each_number_into_its_own_field) {
@@ -111,6 +114,26 @@ TEST(scene, an_effect_is_there_where_its_table_is_written_and_absent_where_not) 
   EXPECT_FALSE(wet.def.friction);
   ASSERT_TRUE(wet.def.moisture);
   EXPECT_EQ(wet.def.moisture->drying_time, MoistureDef{}.drying_time);
+}
+
+TEST(scene, a_kilns_clay_goes_by_name_and_a_number_beside_it_has_the_last_word) {
+  const SceneRead r = read("[kiln]\nfiring_shrinkage = 0.1\nbody = \"porcelain\"\n");
+  EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
+  ASSERT_TRUE(r.def.kiln);
+  EXPECT_EQ(r.def.kiln->drying_shrinkage, find_clay_body("porcelain")->drying_shrinkage);
+  EXPECT_EQ(r.def.kiln->firing_shrinkage, 0.1);
+  EXPECT_FALSE(read("").def.kiln);
+}
+
+TEST(scene, a_clay_that_nobody_sells_is_told_with_the_nearest_and_stoneware_stands_in) {
+  const SceneRead r = read("[kiln]\nbody = \"porcelin\"\nfiring_shrinkage = 0.5\n");
+  ASSERT_THAT(r.problems, SizeIs(2)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":2:8"));
+  EXPECT_THAT(r.problems[0].remedy, HasSubstr("Write porcelain"));
+  EXPECT_THAT(r.problems[1].what, HasSubstr("kiln.firing_shrinkage is 0.5"));
+  EXPECT_EQ(r.def.kiln->firing_shrinkage, KilnDef{}.firing_shrinkage);
+  EXPECT_THAT(read("[kiln]\nbody = \"marble\"\n").problems[0].remedy,
+              HasSubstr("earthenware, stoneware, porcelain"));
 }
 
 TEST(scene, the_papers_scene_is_its_grid_its_model_and_nothing_else) {
