@@ -12,6 +12,9 @@
 //     void react(RowSum&, Float8 weight, const Meeting&, Float8 cos, Float8 sin) const;
 //   };
 //
+// A row may have a Meeting of its own with more in it, for its react(). A tool that is no ball is a
+// Shape made by solid_rows.h, which plans its rows itself.
+//
 // Compiled once for each kind of vector: include it only from such a file.
 #if defined(ONGGI_CONTACT_PRESS_ROWS_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ONGGI_CONTACT_PRESS_ROWS_H
@@ -21,6 +24,7 @@
 #endif
 
 #include <algorithm>
+#include <type_traits>
 
 #include "engine/contact/plan_rows.h"
 #include "engine/contact/tool.h"
@@ -72,10 +76,10 @@ struct StepFigures {
 // what lies beyond the axis; and where the press is deep at the section's very edges, an element
 // counts for the share that is covered, or the force would step as elements come and go.
 template <WallSide side, bool careful>
-HWY_INLINE Float8 target_of(const Meeting& m, const StepFigures& figures) {
-  if constexpr (!careful) return m.end;
-  return side == WallSide::outside ? larger(m.end, all(figures.limit))
-                                   : smaller(m.end, all(figures.limit));
+HWY_INLINE Float8 target_of(Float8 end, const StepFigures& figures) {
+  if constexpr (!careful) return end;
+  return side == WallSide::outside ? larger(end, all(figures.limit))
+                                   : smaller(end, all(figures.limit));
 }
 
 struct Pressed {
@@ -85,6 +89,15 @@ struct Pressed {
   int touched;
 };
 
+// A row that asks where the faces are is told.
+template <WallSide side, bool careful, class Row>
+HWY_INLINE auto meeting_of(const Row& row, Float8 c, Float8 s, Float8 face) {
+  if constexpr (requires { row.template meet<side, careful>(c, s, face); })
+    return row.template meet<side, careful>(c, s, face);
+  else
+    return row.template meet<side, careful>(c, s);
+}
+
 // One block of eight elements, with the target held where it is in the middle of the step: exact
 // exponential relaxation, second order in the step for a target that moves.
 template <WallSide side, bool careful, bool hollow, class Row>
@@ -93,8 +106,8 @@ HWY_INLINE void press_block(const Row& row, const StepFigures& figures, const fl
   const Float8 c = load(ray_cos);
   const Float8 s = load(ray_sin);
   const Float8 radius = load(face);
-  const Meeting m = row.template meet<side, careful>(c, s);
-  const Float8 press = press_of<side>(radius, target_of<side, careful>(m, figures));
+  const auto m = meeting_of<side, careful>(row, c, s, radius);
+  const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, figures));
   const Mask8 touch = m.hit & (press > all(kSnap));
   if (none(touch)) return;
 
@@ -131,8 +144,8 @@ HWY_INLINE void press_ranges(const Row& row, const StepFigures& figures, const f
 }
 
 // Rows that a tool can press. Inside, the solid floor rows are a stop instead (stops.h).
-template <WallSide side>
-int first_pressed_row(const Clay& clay, const Window& window) {
+template <WallSide side, class AnyWindow>
+int first_pressed_row(const Clay& clay, const AnyWindow& window) {
   return side == WallSide::inside ? std::max(window.first_row, clay.floor_rows())
                                   : window.first_row;
 }
@@ -149,6 +162,46 @@ bool needs_care(float limit, const Window& window, const RowReach& reach) {
   return reach.edged || (side == WallSide::outside ? window.distance - section < double{limit}
                                                    : window.distance + section > double{limit});
 }
+
+// How the rows of a Shape are planned: a ball's all by one window, or by the Shape itself.
+template <class Shape>
+concept PlansItself = requires {
+  typename Shape::Reach;
+};
+
+template <class Shape>
+struct Planning {
+  using Reach = RowReach;
+  static Window window(const Clay& clay, const Shape& shape, Vec3 at) {
+    return {clay, at, shape.reach()};
+  }
+  template <WallSide side>
+  HWY_INLINE static void plan_some(const Clay& clay, const Shape&, const Window& window, int first,
+                                   int count, Reach* rows) {
+    plan<side>(clay, window, first, count, rows);
+  }
+  template <WallSide side>
+  static bool careful(float limit, const Window& window, const Reach& reach) {
+    return needs_care<side>(limit, window, reach);
+  }
+};
+
+template <PlansItself Shape>
+struct Planning<Shape> {
+  using Reach = typename Shape::Reach;
+  static auto window(const Clay& clay, const Shape& shape, Vec3 at) {
+    return shape.window(clay, at);
+  }
+  template <WallSide side, class AnyWindow>
+  static void plan_some(const Clay& clay, const Shape& shape, const AnyWindow& window, int first,
+                        int count, Reach* rows) {
+    shape.template plan<side>(clay, window, first, count, rows);
+  }
+  template <WallSide side, class AnyWindow>
+  static std::true_type careful(float, const AnyWindow&, const Reach&) {
+    return {};
+  }
+};
 
 // Pressing leaves a row's extent wider than the row, so that more is looked at than need be: whose
 // turn it is of the window's rows is measured anew.
@@ -175,7 +228,8 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
   // The mean press over the step is (tau/dt)(1 - e^(-dt/tau)) of the first.
   const double weight = yielding.stiffness * 2.0 * portable::kPi / def.sectors * rate * gone;
   const Shape shape(place, size);
-  const Window window(clay, place.at, shape.reach());
+  using Plan = Planning<Shape>;
+  const auto window = Plan::window(clay, shape, place.at);
   const float* ray_cos = clay.ray_cos().data();
   const float* ray_sin = clay.ray_sin().data();
 
@@ -184,15 +238,16 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
   Reaction reaction{zero, zero, zero, zero};
   Pressed pressed{{zero, zero, zero, zero}, zero, zero, 0};
   double thickness = 0.0;  // of the rows in pressed.sum
-  RowReach planned[kPlannedRows];
+  typename Plan::Reach planned[kPlannedRows];
   const int end_row = window.end_row;
   const int first_row = first_pressed_row<side>(clay, window);
   for (int j = first_row, k = kPlannedRows; j < end_row; ++j, ++k) {
     if (k == kPlannedRows) {
       k = 0;
-      plan<side>(clay, window, j, std::min(kPlannedRows, end_row - j), planned);
+      Plan::template plan_some<side>(clay, shape, window, j, std::min(kPlannedRows, end_row - j),
+                                     planned);
     }
-    const RowReach& reach = planned[k];
+    const auto& reach = planned[k];
     if (reach.used == 0) continue;
     const auto row = shape.row(clay.row_height(j), reach);
     if (clay.row_thickness(j) != thickness) {
@@ -209,7 +264,7 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
     pressed.touched = 0;
     if (j < clay.floor_rows())
       press_ranges<side, true, false>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
-    else if (needs_care<side>(figures.limit, window, reach))
+    else if (Plan::template careful<side>(figures.limit, window, reach))
       press_ranges<side, true, true>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
     else
       press_ranges<side, false, true>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
@@ -239,27 +294,30 @@ double depth_in_rows(const Clay& clay, const ToolPlace& place, const ToolSize& s
                      std::int64_t& visited) {
   const StepFigures figures{limit_of<side>(clay.def()), 0.0f, 0.0f};
   const Shape shape(place, size);
-  const Window window(clay, place.at, shape.reach());
+  using Plan = Planning<Shape>;
+  const auto window = Plan::window(clay, shape, place.at);
   const float* ray_cos = clay.ray_cos().data();
   const float* ray_sin = clay.ray_sin().data();
   const Float8 snap = all(kSnap);
   Float8 deepest = all(0.0f);
-  RowReach planned[kPlannedRows];
+  typename Plan::Reach planned[kPlannedRows];
   const int end_row = window.end_row;
   const int first_row = first_pressed_row<side>(clay, window);
   for (int j = first_row, k = kPlannedRows; j < end_row; ++j, ++k) {
     if (k == kPlannedRows) {
       k = 0;
-      plan<side>(clay, window, j, std::min(kPlannedRows, end_row - j), planned);
+      Plan::template plan_some<side>(clay, shape, window, j, std::min(kPlannedRows, end_row - j),
+                                     planned);
     }
-    const RowReach& reach = planned[k];
+    const auto& reach = planned[k];
     if (reach.used == 0) continue;
     const auto row = shape.row(clay.row_height(j), reach);
     const float* face = side == WallSide::outside ? clay.outer(j).data() : clay.inner(j).data();
     for (int n = 0; n < reach.used; ++n) {
       for (int i = reach.ranges[n].begin * kLanes; i < reach.ranges[n].end * kLanes; i += kLanes) {
-        const Meeting m = row.template meet<side, true>(load(ray_cos + i), load(ray_sin + i));
-        const Float8 press = press_of<side>(load(face + i), target_of<side, true>(m, figures));
+        const Float8 radius = load(face + i);
+        const auto m = meeting_of<side, true>(row, load(ray_cos + i), load(ray_sin + i), radius);
+        const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, figures));
         deepest = larger(deepest, only(m.hit & (press > snap), press));
       }
     }

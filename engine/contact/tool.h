@@ -25,6 +25,19 @@ struct ToolPlace {
   Vec3 across{0, 0, 1};  ///< Direction of its thickness; unit, at a right angle to `along`.
 };
 
+/// How a tool is held: directions by the hand's place. x away from the axis (inside the pot,
+/// towards it), y up, z with the wheel's turn; unit, at right angles.
+struct Hold {
+  Vec3 along{0, 1, 0};
+  Vec3 across{0, 0, 1};
+};
+
+/// The ball that stands for a tool where only its farthest point one way counts.
+struct ToolBall {
+  Vec3 middle;        ///< m
+  double radius = 0;  ///< m, > 0.
+};
+
 /// How the clay gives way and pushes back.
 struct Yielding {
   double relaxation_time = 0;  ///< tau, s, > 0.
@@ -44,13 +57,27 @@ struct Press {
 /// file of engine/contact/tools, which tells how it meets a row (engine/docs/tools.md).
 struct ToolShape {
   std::string_view name;  ///< As in a scene's TOML: "sphere".
-  ToolSize usual;         ///< Its size where a ToolSize has 0.
-  double softness = 1.0;  ///< Its stiffness against the clay's, 0..1: a sponge gives way itself.
+  ToolSize usual;         ///< Its size where a ToolSize has 0. A tool without a length has 0 here.
+  ToolSize least, most;   ///< How small and how large it may be made; at least 0.0001 where it has
+                          ///< that size at all.
+  Hold hold{};            ///< As a potter holds it.
+  bool round = false;     ///< A ball: how it is held is all one.
+  double softness =
+      1.0;  ///< Share of a press that the clay takes up, 0..1; a sponge takes the rest.
+  double relaxation =
+      1.0;            ///< Its clay's relaxation time, as a share: an edge cuts at once. 0.1..1
+  bool cuts = false;  ///< What it takes away is gone, not pushed aside.
+  bool wets = false;  ///< It brings water to the clay it touches.
   double (*reach)(const ToolSize& size);  ///< Nothing of it is farther from `at`, m.
+  double (*grain)(const ToolSize& size);  ///< Its finest part, m, > 0: in one step it goes at most
+                                          ///< a quarter of that.
+  /// Its farthest point `towards` (unit) is this ball's: above the rim and the floor, where it
+  /// touches the wheel head, and where clay rubs on it.
+  ToolBall (*ball)(const ToolPlace& place, const ToolSize& size, Vec3 towards);
 
   /// Presses the tool on the `side` face for one step of `seconds` (> 0) and lets the clay give
   /// way: Lee, Han & Choi 2008, eqs. 3-9, corrected (engine/docs/contact.md). `place` is the tool's
-  /// in the middle of the step; it moves at most about a quarter of its radius in one. Marks dirty
+  /// in the middle of the step; it moves at most about a quarter of its grain in one. Marks dirty
   /// rows. No allocation. Equal bits on every machine.
   Press (*press)(Clay& clay, WallSide side, const ToolPlace& place, const ToolSize& size,
                  double seconds, const Yielding& yielding);
@@ -61,9 +88,25 @@ struct ToolShape {
                   std::int64_t& visited);
 };
 
+/// shape.ball(), without the call where the tool is a ball.
+inline ToolBall ball_towards(const ToolShape& shape, const ToolPlace& place, const ToolSize& size,
+                             Vec3 towards) {
+  if (shape.round) return {place.at, size.radius};
+  return shape.ball(place, size, towards);
+}
+
 /// Every shape there is, by name.
 std::span<const ToolShape* const> tool_shapes();
 /// Null where there is none of that name.
 const ToolShape* find_tool_shape(std::string_view name);
+
+/// `size` with the shape's usual figures where it has 0.
+ToolSize sized(const ToolShape& shape, const ToolSize& size) noexcept;
+
+/// A tool at `at` (studio frame) with its handle towards `handle`, turned about it by `roll` (rad);
+/// without a handle (0, 0, 0) as the shape is usually held, by the angle of `at` about the axis.
+/// `inside`: it works the inner face.
+ToolPlace hold_tool(const ToolShape& shape, Vec3 at, Vec3 handle, double roll,
+                    bool inside) noexcept;
 
 }  // namespace onggi

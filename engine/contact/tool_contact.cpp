@@ -40,14 +40,35 @@ Beyond beyond(const Clay& clay, Vec3 at) {
   return {at.y - clay.rim_height(), d - wall.outer, wall.inner - d};
 }
 
+constexpr Vec3 kDown{0.0, -1.0, 0.0};
+
+// Where the tool is at `share` (0..1) of the sweep, in a frame turned by the angle whose cosine and
+// sine are given.
+ToolPlace place_at(const ToolSweep& sweep, double share, double c, double s) {
+  ToolPlace place{turned(sweep.from + share * (sweep.to - sweep.from), c, -s)};
+  if (!sweep.shape->round) {
+    place.along = turned(sweep.along, c, -s);
+    place.across = turned(sweep.across, c, -s);
+  }
+  return place;
+}
+
 // The ball that stands for the tool above the rim and the floor, in step `n` of `of`.
 BallStep ball_step(const ToolSweep& sweep, int n, int of) {
-  const auto place = [&](double share) {
+  const auto lowest = [&](double share) {
     const double angle = sweep.angle_from + share * (sweep.angle_to - sweep.angle_from);
-    const Vec3 at = sweep.from + share * (sweep.to - sweep.from);
-    return turned(at, portable::cos(angle), -portable::sin(angle));
+    const ToolPlace place = place_at(sweep, share, portable::cos(angle), portable::sin(angle));
+    return ball_towards(*sweep.shape, place, sweep.size, kDown);
   };
-  return {place(1.0 * n / of), place((n + 1.0) / of), sweep.size.radius, sweep.seconds / of};
+  const ToolBall from = lowest(1.0 * n / of);
+  return {from.middle, lowest((n + 1.0) / of).middle, from.radius, sweep.seconds / of};
+}
+
+// What the tool makes of the clay's own. A soft tool is a spring before the clay: of the press, the
+// clay has `softness`, so that much less is felt, and that much longer it takes to give way.
+Yielding yielding_under(const ToolShape& shape, const Yielding& clay) {
+  return {clay.relaxation_time * shape.relaxation / shape.softness,
+          clay.stiffness * shape.softness};
 }
 
 // Over the top, and steeper than the bisector of the rim's corners.
@@ -59,16 +80,16 @@ int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept {
   const Vec3 way = sweep.to - sweep.from;
   const double out = std::max(axis_distance(sweep.from), axis_distance(sweep.to));
   const double arc = std::fabs(sweep.angle_to - sweep.angle_from) * out;
-  const double by_way = (2.0 * arc + length(way)) / (0.25 * sweep.size.radius);
-  const double by_time = sweep.seconds / (0.25 * relaxation_time);
+  const double by_way = (2.0 * arc + length(way)) / (0.25 * sweep.shape->grain(sweep.size));
+  const double by_time = sweep.seconds / (0.25 * relaxation_time * sweep.shape->relaxation);
   return static_cast<int>(
       std::clamp(std::ceil(std::max(by_way, by_time)), 1.0, double{kMostSteps}));
 }
 
-bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place,
+bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place, const ToolBall& lowest,
                                const ToolSweep& sweep) noexcept {
-  const Vec3 at = place.at;
-  const double radius = sweep.size.radius;
+  const Vec3 at = lowest.middle;
+  const double radius = lowest.radius;
   on_rim_ = on_floor_ = false;
   const WallThere wall = wall_at(clay, at);
   const double d = axis_distance(at);
@@ -99,10 +120,12 @@ bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place,
   return there > 0.0 || floor_there;
 }
 
-void ToolContact::change_place(const Clay& clay, Vec3 at, double radius) noexcept {
+void ToolContact::change_place(const Clay& clay, const ToolBall& lowest) noexcept {
+  const Vec3 at = lowest.middle;
   if (!on_rim_ && at.y <= clay.rim_height()) return;
   const Beyond b = beyond(clay, at);
-  const double band = 0.1 * radius;  // so that a tool that trembles at a corner does not flutter
+  const double band =
+      0.1 * lowest.radius;  // so that a tool that trembles at a corner does not flutter
   if (on_rim_) {
     if (b.outer > std::max(0.0, b.crown + band)) {
       on_rim_ = false;
@@ -122,18 +145,19 @@ void ToolContact::change_place(const Clay& clay, Vec3 at, double radius) noexcep
 }
 
 void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
-                       const Yielding& yielding) noexcept {
+                       const Yielding& clays) noexcept {
+  const Yielding yielding = yielding_under(*sweep.shape, clays);
   const double middle = (n + 0.5) / of;
   const double angle = sweep.angle_from + middle * (sweep.angle_to - sweep.angle_from);
   const double c = portable::cos(angle);
   const double s = portable::sin(angle);
-  const ToolPlace place{turned(sweep.from + middle * (sweep.to - sweep.from), c, -s),
-                        turned(sweep.along, c, -s), turned(sweep.across, c, -s)};
+  const ToolPlace place = place_at(sweep, middle, c, s);
+  const ToolBall lowest = ball_towards(*sweep.shape, place, sweep.size, kDown);
 
   if (!touching_) {
-    if (!choose_place(clay, place, sweep)) return;
+    if (!choose_place(clay, place, lowest, sweep)) return;
   } else {
-    change_place(clay, place.at, sweep.size.radius);
+    change_place(clay, lowest);
   }
 
   Press press;

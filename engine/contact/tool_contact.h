@@ -18,10 +18,11 @@ struct ToolSweep {
   SideWish wish = SideWish::by_position;
 };
 
-/// How many equal steps a sweep needs: the tool moves at most a quarter of its radius in one, and
+/// How many equal steps a sweep needs: the tool moves at most a quarter of its grain in one, and
 /// the clay under it an eighth (a light touch is only a quarter radius wide), and it lasts at most
-/// a quarter of `relaxation_time` (s): the target is held where it is in a step's middle, which is
-/// wrong by (dt/tau)^2 / 12 of the press. 1..kMostSteps.
+/// a quarter of the clay's relaxation time under it, `relaxation_time` (s) times the tool's share:
+/// the target is held where it is in a step's middle, which is wrong by (dt/tau)^2 / 12 of the
+/// press. 1..kMostSteps.
 int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept;
 inline constexpr int kMostSteps = 64;
 
@@ -45,9 +46,10 @@ class ToolContact {
 
  private:
   /// Where a tool that was clear stands; false where it is clear at `at` too.
-  bool choose_place(const Clay& clay, const ToolPlace& place, const ToolSweep& sweep) noexcept;
+  bool choose_place(const Clay& clay, const ToolPlace& place, const ToolBall& lowest,
+                    const ToolSweep& sweep) noexcept;
   /// The same of one that touches the clay.
-  void change_place(const Clay& clay, Vec3 at, double radius) noexcept;
+  void change_place(const Clay& clay, const ToolBall& lowest) noexcept;
 
   WallSide side_ = WallSide::outside;
   bool touching_ = false;

@@ -12,9 +12,14 @@ namespace onggi {
 /// One tool, as a device reports it. The frame is the studio's: y up along the wheel's axis from
 /// the wheel head, x to the visitor's right, z towards the visitor. Metres.
 struct HandInput {
-  Vec3 position;        ///< Centre of the tool's sphere.
+  Vec3 position;        ///< Middle of the tool's working part (engine/docs/tools.md).
   bool active = false;  ///< false: lifted away; no contact and no force.
   SideWish side = SideWish::by_position;
+  std::uint8_t tool = 0;  ///< 0: the ball of SceneDef::tool; n: SceneDef::tools[n - 1]. A hand that
+                          ///< takes another tool is lifted for it.
+  Vec3 handle{};  ///< Direction of the tool's length, of any length itself. (0, 0, 0): as a potter
+                  ///< would hold it there, by the hand's angle about the axis.
+  double roll = 0.0;  ///< Turned about that direction, rad.
   friend bool operator==(const HandInput&, const HandInput&) = default;
 };
 
@@ -33,7 +38,8 @@ struct Hands {
 
 /// Bits of Feedback::faults. Each is latched by the guard until Scene::clear_faults().
 enum FaultBit : std::uint32_t {
-  kFaultInput = 1u << 0,  ///< A hand was NaN, infinite or beyond 10 m: the sample was held.
+  kFaultInput = 1u << 0,  ///< A hand was NaN, infinite or beyond 10 m, or held no tool there is:
+                          ///< the sample was held.
   kFaultTime = 1u << 1,   ///< dt was not in (0, 5 ms]: it was clamped (to 1 us where not above 0).
   kFaultForce = 1u << 2,  ///< A force came out non-finite and was set to zero.
 };

@@ -48,6 +48,15 @@ bool vec(Io& io, Vec3& v) {
   return io(v.x) && io(v.y) && io(v.z);
 }
 
+bool same_hold(const HandInput& a, const HandInput& b) {
+  return a.tool == b.tool && same(a.handle, b.handle) && same(a.roll, b.roll);
+}
+
+template <class Io>
+bool hold(Io& io, HandInput& hand) {
+  return io(hand.tool) && vec(io, hand.handle) && io(hand.roll);
+}
+
 // The fields that `fields` names, for writing and for reading alike.
 template <class Io>
 bool tick_fields(Io& io, std::uint8_t fields, TickRecord& r) {
@@ -58,6 +67,8 @@ bool tick_fields(Io& io, std::uint8_t fields, TickRecord& r) {
   if ((fields & kSwitches) != 0) good = good && io(switches) && put_switches(r.hands, switches);
   if ((fields & kWheel) != 0) good = good && io(r.hands.wheel_speed);
   if ((fields & kTime) != 0) good = good && io(r.dt);
+  if ((fields & kHold0) != 0) good = good && hold(io, r.hands.hand[0]);
+  if ((fields & kHold1) != 0) good = good && hold(io, r.hands.hand[1]);
   return good;
 }
 
@@ -68,14 +79,11 @@ ReplayWriter::ReplayWriter(const SceneDef& def, const std::string& vessel_id, st
   std::uint64_t magic = kMagic;
   std::uint32_t version = kVersion;
   SceneDef copy = def;
-  const std::size_t size = std::min(vessel_id.size(), kLongestId);
-  auto id_size = static_cast<std::uint32_t>(size);
   io(magic);
   io(version);
   scene_def(io, copy);
   io(seed);
-  io(id_size);
-  for (std::size_t n = 0; n < size; ++n) bytes_.push_back(static_cast<std::byte>(vessel_id[n]));
+  io.text(vessel_id, kLongestId);
 }
 
 void ReplayWriter::tick(const TickRecord& record) {
@@ -87,6 +95,8 @@ void ReplayWriter::tick(const TickRecord& record) {
   if (switches_of(now) != switches_of(then)) fields |= kSwitches;
   if (!same(now.wheel_speed, then.wheel_speed)) fields |= kWheel;
   if (!same(record.dt, last_.dt)) fields |= kTime;
+  if (!same_hold(now.hand[0], then.hand[0])) fields |= kHold0;
+  if (!same_hold(now.hand[1], then.hand[1])) fields |= kHold1;
   last_ = record;
   Writer io(bytes_);
   auto tag = static_cast<std::uint8_t>(fields);

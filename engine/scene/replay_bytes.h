@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 5;
+inline constexpr std::uint32_t kVersion = 6;
 
 /// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
 enum Tag : std::uint8_t {
@@ -21,7 +22,9 @@ enum Tag : std::uint8_t {
   kSwitches = 1u << 2,  // two bytes: see switches_of()
   kWheel = 1u << 3,     // a double
   kTime = 1u << 4,      // a double
-  kAllFields = kHand0 | kHand1 | kSwitches | kWheel | kTime,
+  kHold0 = 1u << 5,     // a byte and four doubles: tool, handle and roll
+  kHold1 = 1u << 6,     // likewise
+  kAllFields = kHand0 | kHand1 | kSwitches | kWheel | kTime | kHold0 | kHold1,
   kNote = 0x80,  // a hash of the state here
   kEnd = 0x81,   // the last hash, and nothing after it
 };
@@ -37,6 +40,12 @@ class Writer {
   bool operator()(int& v) { return whole(static_cast<std::uint32_t>(v), 4); }
   bool operator()(bool& v) { return whole(v ? 1 : 0, 1); }
   bool operator()(double& v) { return whole(std::bit_cast<std::uint64_t>(v), 8); }
+  bool text(const std::string& v, std::size_t most) {
+    const std::size_t size = std::min(v.size(), most);
+    whole(size, 4);
+    for (std::size_t n = 0; n < size; ++n) out_.push_back(static_cast<std::byte>(v[n]));
+    return true;
+  }
 
  private:
   bool whole(std::uint64_t v, int bytes) {
@@ -106,6 +115,19 @@ bool optional_part(Io& io, std::optional<Part>& part) {
   return true;
 }
 
+/// The tools to hand.
+template <class Io>
+bool tool_list(Io& io, std::vector<ToolToHand>& tools) {
+  auto count = static_cast<std::uint8_t>(tools.size());
+  if (!io(count)) return false;
+  tools.resize(count);
+  for (ToolToHand& tool : tools)
+    if (!io.text(tool.name, 64) || !io(tool.size.radius) || !io(tool.size.length) ||
+        !io(tool.size.thickness))
+      return false;
+  return true;
+}
+
 /// Every field of a SceneDef, for writing and for reading alike. A field added to SceneDef is added
 /// here, an effect's to its own list; kVersion is raised either way.
 template <class Io>
@@ -117,6 +139,7 @@ bool scene_def(Io& io, SceneDef& d) {
               io(d.contact.relaxation_time) && io(d.contact.stiffness) && io(d.wheel.max_speed) &&
               io(d.wheel.acceleration) && io(d.guard.max_force) && io(d.guard.max_slew) &&
               io(d.guard.engage_time);
+  good = good && tool_list(io, d.tools);
   each_effect(d, [&]<class Def>(std::optional<Def>& effect) {
     good = good && optional_part(io, effect);
     if (!effect) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "engine/clay/history.h"
 #include "engine/contact/paper_model.h"
@@ -20,15 +21,36 @@ constexpr double kShortestTick = 1e-6;
 constexpr double kFarthestHand = 10.0;  // metres, each axis: no device reaches beyond
 constexpr int kLumpBudget = 8192;       // elements a tick while a lump is put on or taken back
 
+constexpr double kSmallestReach = 0.004;  // m: what a hand may go four of in a tick, with any tool
+
+constexpr Vec3 kDown{0.0, -1.0, 0.0};
+
 bool plausible(Vec3 p) {
   return is_finite(p) && std::fabs(p.x) <= kFarthestHand && std::fabs(p.y) <= kFarthestHand &&
          std::fabs(p.z) <= kFarthestHand;
 }
 
+// A tool that lies to hand.
+struct Tool {
+  const ToolShape* shape = nullptr;
+  ToolSize size;  // nothing at 0
+};
+
+std::vector<Tool> tools_of(const SceneDef& def) {
+  std::vector<Tool> tools{{find_tool_shape("sphere"), {def.tool.radius, 0.0, 0.0}}};
+  for (const ToolToHand& tool : def.tools) {
+    const ToolShape* shape = find_tool_shape(tool.name);
+    tools.push_back({shape, sized(*shape, tool.size)});
+  }
+  return tools;
+}
+
 // One hand between ticks.
 struct HandState {
-  Vec3 at;               // last accepted place
-  bool present = false;  // active, and its place known
+  Vec3 at;                // last accepted place,
+  Vec3 along, across;     // way of holding
+  std::uint8_t tool = 0;  // and tool
+  bool present = false;   // active, and its place known
   ToolContact contact;
   Guard guard;
 
@@ -53,6 +75,7 @@ enum class LumpWork : std::uint8_t { none, keeping, renewing, restoring };
 
 struct Scene::State {
   SceneDef def;
+  std::vector<Tool> tools;
   Clay clay;
   std::optional<History> history;
   std::array<HandState, kMaxHands> hand{};
@@ -81,7 +104,7 @@ struct Scene::State {
     std::array<Place, kMaxHands> place{};
   };
 
-  State(const SceneDef& d, Clay&& c) : def(d), clay(std::move(c)) {
+  State(const SceneDef& d, Clay&& c) : def(d), tools(tools_of(d)), clay(std::move(c)) {
     if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
     if (def.clay.keep_undo) history.emplace(clay);
     if (!def.paper) return;
@@ -125,23 +148,40 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
     h.leave();
     return;
   }
-  tick.held[n] = !plausible(in.position);
+  tick.held[n] = !plausible(in.position) || !plausible(in.handle) || !std::isfinite(in.roll) ||
+                 in.tool >= tools.size();
   if (tick.held[n]) {
     faults |= kFaultInput;
     ++counters.held_samples;
     h.guard.release();
   }
-  const Vec3 to = tick.held[n] ? h.at : in.position;
   if (tick.held[n] && !h.present) return;
+  const Vec3 to = tick.held[n] ? h.at : in.position;
+  if (!tick.held[n] && in.tool != h.tool) {
+    h.leave();
+    h.tool = in.tool;
+  }
+  const Tool& tool = tools[h.tool];
   // Nobody's hand goes four tool radii in a tick: it was put down elsewhere.
-  if (h.present && length(to - h.at) > 4.0 * def.tool.radius) h.leave();
+  if (h.present && length(to - h.at) > 4.0 * std::max(tool.shape->grain(tool.size), kSmallestReach))
+    h.leave();
   if (!h.present) h.guard.release();
   const Vec3 from = h.present ? h.at : to;
+  if (!tick.held[n] && !tool.shape->round) {
+    const bool wished = in.side == SideWish::inside ||
+                        (in.side == SideWish::by_position && h.contact.side() == WallSide::inside);
+    const bool inside = h.contact.touching() ? h.contact.side() == WallSide::inside : wished;
+    const ToolPlace place = hold_tool(*tool.shape, to, in.handle, in.roll, inside);
+    h.along = place.along;
+    h.across = place.across;
+  }
   ToolSweep& sweep = tick.sweep[n];
-  sweep.shape = find_tool_shape("sphere");
-  sweep.size = {def.tool.radius, 0.0, 0.0};
+  sweep.shape = tool.shape;
+  sweep.size = tool.size;
   sweep.from = from;
   sweep.to = to;
+  sweep.along = h.along;
+  sweep.across = h.across;
   sweep.seconds = tick.dt;
   sweep.wish = in.side;
   h.at = to;
@@ -166,6 +206,8 @@ void Scene::State::turn_wheel(Tick& tick) noexcept {
 // Stage 3. The sponge is where the hands are.
 void Scene::State::soak_or_dry(const Tick& tick, bool sponge) noexcept {
   if (!moisture) return;
+  for (const HandState& h : hand)
+    if (h.present && h.contact.touching()) sponge |= tools[h.tool].shape->wets;
   std::array<double, kMaxHands> heights{};
   std::size_t held = 0;
   for (const HandState& h : hand)
@@ -238,22 +280,26 @@ void Scene::State::press_clay(Tick& tick) noexcept {
 
 // Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
 void Scene::State::feel(Tick& tick) noexcept {
-  const double radius = def.tool.radius;
   for (std::size_t n = 0; n < hand.size(); ++n) {
     const HandState& h = hand[n];
     if (!h.present || tick.held[n]) continue;
+    const ToolShape& shape = *tools[h.tool].shape;
+    const ToolSize& size = tools[h.tool].size;
+    const ToolPlace place{h.at, h.along, h.across};
     const Press& press = h.contact.reaction();
     Vec3 force = press.force;
     const double strength = length(press.force);
     if (def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
       const double mu = friction_coefficient(friction, wetness_at(h.at.y));
-      const Vec3 touch = h.at - (radius / strength) * press.force;
+      const ToolBall ball = ball_towards(shape, place, size, (-1.0 / strength) * press.force);
+      const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
       const Vec3 slip =
           (1.0 / tick.dt) * (h.at - tick.sweep[n].from) - clay_velocity(touch, tick.turn / tick.dt);
       force += friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
-    force.y += stop_force(radius - h.at.y, radius, def.contact.stiffness);
+    const ToolBall lowest = ball_towards(shape, place, size, kDown);
+    force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
     tick.wanted[n] = force;
   }
 }
@@ -362,7 +408,10 @@ std::uint64_t Scene::state_hash() const {
     hash.add(std::uint64_t{h.present} | std::uint64_t{h.contact.touching()} << 1 |
              std::uint64_t{h.guard.armed()} << 2 |
              static_cast<std::uint64_t>(h.contact.side()) << 3 |
-             static_cast<std::uint64_t>(h.contact.place()) << 4);
+             static_cast<std::uint64_t>(h.contact.place()) << 4 | std::uint64_t{h.tool} << 8);
+    if (s.tools[h.tool].shape->round) continue;  // held in no particular way
+    add(h.along);
+    add(h.across);
   }
   hash.add(std::uint64_t{s.renew_held} | std::uint64_t{s.restore_held} << 1 |
            static_cast<std::uint64_t>(s.lump_work) << 2 | std::uint64_t{s.faults} << 8);

@@ -7,10 +7,43 @@
 namespace onggi {
 namespace {
 
+constexpr std::size_t kMostTools = 63;
+
 Result<void> check_tool(const SceneDef& def) {
   FieldCheck check("tool");
   check.range("radius", def.tool.radius, 0.001, 0.05, "m");
   return check.result();
+}
+
+Result<void> check_size(const ToolToHand& tool, const ToolShape& shape) {
+  FieldCheck check(tool.name);
+  const auto part = [&](const char* field, double ToolSize::*of) {
+    const double value = tool.size.*of;
+    if (shape.usual.*of > 0.0) {
+      if (value != 0.0) check.range(field, value, shape.least.*of, shape.most.*of, "m");
+    } else {
+      check.require(value == 0.0, field,
+                    "is given, and this tool has no " + std::string(field) + ".", "Leave it out.");
+    }
+  };
+  part("radius", &ToolSize::radius);
+  part("length", &ToolSize::length);
+  part("thickness", &ToolSize::thickness);
+  return check.result();
+}
+
+Result<void> check_tools(const SceneDef& def) {
+  if (def.tools.size() > kMostTools)
+    return problem("tools", "There are more than " + std::to_string(kMostTools) + " tools to hand.",
+                   "Leave some out.");
+  for (const ToolToHand& tool : def.tools) {
+    const ToolShape* shape = find_tool_shape(tool.name);
+    if (shape == nullptr)
+      return problem("tools", "There is no tool \"" + tool.name + "\".",
+                     "Choose one of engine/docs/tools.md.");
+    if (auto good = check_size(tool, *shape); !good) return good;
+  }
+  return {};
 }
 
 Result<void> check_contact(const SceneDef& def) {
@@ -63,10 +96,17 @@ Result<void> check_paper(const SceneDef& def) {
 
 }  // namespace
 
+std::vector<ToolToHand> usual_tools() {
+  std::vector<ToolToHand> tools;
+  for (const ToolShape* shape : tool_shapes())
+    if (shape->name != "sphere") tools.push_back({std::string(shape->name), {}});
+  return tools;
+}
+
 Result<void> validate(const SceneDef& def) {
   Result<void> good = validate(def.clay, "clay");
-  for (auto check :
-       {check_tool, check_contact, check_wheel, check_guard, check_effects, check_paper})
+  for (auto check : {check_tool, check_tools, check_contact, check_wheel, check_guard,
+                     check_effects, check_paper})
     if (good) good = check(def);
   return good;
 }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/clay/clay.h"
+#include "engine/contact/tool.h"
 #include "engine/effects/friction.h"
 #include "engine/effects/kiln.h"
 #include "engine/effects/moisture.h"
@@ -14,6 +17,14 @@ namespace onggi {
 struct ToolDef {
   double radius = 0.008;  ///< Sphere, metres, 0.001..0.05. A fingertip is about 0.008.
 };
+
+/// A tool that lies to hand beside the ball (engine/docs/tools.md).
+struct ToolToHand {
+  std::string name;  ///< Of a ToolShape: "flat_rib".
+  ToolSize size;     ///< Metres; 0 stands for the tool's usual size. Each tool has its own ranges.
+};
+/// Every shape but the ball, by name. Allocates.
+std::vector<ToolToHand> usual_tools();
 
 struct ContactDef {
   double relaxation_time = 0.00949;  ///< tau, s, 0.001..1: how soon pressed clay gives way (paper
@@ -46,7 +57,8 @@ struct PaperDef {
 
 struct SceneDef {
   ClayDef clay;
-  ToolDef tool;
+  ToolDef tool;                                   ///< HandInput::tool 0.
+  std::vector<ToolToHand> tools = usual_tools();  ///< HandInput::tool 1 and on; 63 at most.
   ContactDef contact;
   WheelDef wheel;
   GuardDef guard;

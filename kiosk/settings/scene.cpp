@@ -23,6 +23,7 @@ class SceneReader {
   void read() {
     read_clay(def_.clay);
     read_table("tool", [&] { number("radius", def_.tool.radius); });
+    for (ToolToHand& tool : def_.tools) read_tool(tool);
     read_table("contact", [&] {
       number("relaxation_time", def_.contact.relaxation_time);
       number("stiffness", def_.contact.stiffness);
@@ -108,6 +109,13 @@ class SceneReader {
     table_.complain("body", "\"" + name + "\" is no clay body.",
                     nearest.empty() ? "Write one of " + listed + "."
                                     : "Write " + nearest + ", if that is meant.");
+  }
+  void read_tool(ToolToHand& tool) {
+    read_table(tool.name, [&] {
+      number("radius", tool.size.radius);
+      number("length", tool.size.length);
+      number("thickness", tool.size.thickness);
+    });
   }
   void read_table(const std::string& name, const std::function<void()>& fields) {
     name_ = name;

@@ -37,6 +37,9 @@ TickRecord random_tick(Random& random, TickRecord r) {
     if (random.uniform() < 0.02) hand.position.y = odd_number(random);
     if (random.uniform() < 0.1) hand.active = !hand.active;
     if (random.uniform() < 0.1) hand.side = static_cast<SideWish>(random.bits() % 3);
+    if (random.uniform() < 0.05) hand.tool = static_cast<std::uint8_t>(random.bits() % 9);
+    if (random.uniform() < 0.05) hand.handle = {random.uniform(-1, 1), random.uniform(-1, 1), 0.0};
+    if (random.uniform() < 0.02) hand.roll = odd_number(random);
   }
   if (random.uniform() < 0.1) r.hands.wheel_speed = random.uniform(-30, 30);
   if (random.uniform() < 0.1) r.hands.water = !r.hands.water;

@@ -1,0 +1,129 @@
+#include "engine/contact/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+constexpr double kLevel = 0.1;  // |axis.y| below which a rod's cut is longer than any tool
+
+double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
+
+}  // namespace
+
+Circle Outline::circle() const noexcept {
+  if (round < 0.0f) return {};
+  const double sum = length(Vec2{double{ux} + double{vx}, double{uz} + double{vz}});
+  const double difference = length(Vec2{double{ux} - double{vx}, double{uz} - double{vz}});
+  const Circle block{double{x}, double{z}, std::max(sum, difference) + double{round}};
+  if (!(oval > 0.0f)) return block;
+  const double longest = std::sqrt(double{oval} * double{oval} + double{oval_ax} * double{oval_ax} +
+                                   double{oval_az} * double{oval_az});
+  return longest < block.radius ? Circle{double{oval_x}, double{oval_z}, longest} : block;
+}
+
+Heights Block::heights() const noexcept {
+  double up = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) up += half[k] * std::fabs(axis[k].y);
+  return {middle.y - up, middle.y + up};
+}
+
+Hull Block::hull() const noexcept {
+  Hull hull;
+  hull.count = 8;
+  for (std::size_t n = 0; n < 8; ++n)
+    hull.middle[n] = middle + ((n & 1) != 0 ? half[0] : -half[0]) * axis[0] +
+                     ((n & 2) != 0 ? half[1] : -half[1]) * axis[1] +
+                     ((n & 4) != 0 ? half[2] : -half[2]) * axis[2];
+  return hull;
+}
+
+Outline Block::outline(double y) const noexcept {
+  // The steepest direction is solved for; the plane then leaves the other two free, each as far as
+  // the rest of the block still comes up or down to the plane.
+  std::size_t steep = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::fabs(axis[k].y) > std::fabs(axis[steep].y)) steep = k;
+  const double up = y - middle.y;
+  double most[3];
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) sum += most[k] = half[k] * std::fabs(axis[k].y);
+  Outline out;
+  if (std::fabs(up) > sum) {
+    out.round = -1.0f;
+    return out;
+  }
+  const Vec3 steepest = axis[steep];
+  Vec3 centre = middle + (up / steepest.y) * steepest;
+  Vec3 side[2];
+  int n = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == steep) continue;
+    double low = -half[k];
+    double high = half[k];
+    const double rise = axis[k].y;
+    if (std::fabs(rise) > 1e-9) {
+      const double a = (up - (sum - most[k])) / rise;
+      const double b = (up + (sum - most[k])) / rise;
+      low = std::max(low, std::min(a, b));
+      high = std::min(high, std::max(a, b));
+    }
+    const Vec3 level = axis[k] - (rise / steepest.y) * steepest;
+    centre += 0.5 * (low + high) * level;
+    side[n++] = std::max(0.5 * (high - low), 0.0) * level;
+  }
+  out.x = static_cast<float>(centre.x);
+  out.z = static_cast<float>(centre.z);
+  out.ux = static_cast<float>(side[0].x);
+  out.uz = static_cast<float>(side[0].z);
+  out.vx = static_cast<float>(side[1].x);
+  out.vz = static_cast<float>(side[1].z);
+  return out;
+}
+
+Turn turn_of(const Hull& hull, Vec3 at) noexcept {
+  constexpr double kAllRound = portable::kPi;
+  const double base = portable::atan2(at.z, at.x);
+  const double c = portable::cos(base);
+  const double s = portable::sin(base);
+  double low = 0.0;
+  double high = 0.0;
+  for (int n = 0; n < hull.count; ++n) {
+    const Vec3 p = hull.middle[static_cast<std::size_t>(n)];
+    const double away = axis_distance(p);
+    if (away <= hull.radius) return {base, kAllRound};
+    const double angle = portable::atan2(c * p.z - s * p.x, c * p.x + s * p.z);
+    const double half = hull.radius > 0.0 ? portable::asin(hull.radius / away) : 0.0;
+    low = std::min(low, angle - half);
+    high = std::max(high, angle + half);
+  }
+  // Balls that lie within half a turn have the axis outside of their hull.
+  if (high - low >= portable::kPi) return {base, kAllRound};
+  return {base + 0.5 * (low + high), 0.5 * (high - low)};
+}
+
+Turn overlap(const Turn& a, const Turn& b) noexcept {
+  constexpr double kFull = 2.0 * portable::kPi;
+  const double apart = a.middle - b.middle;
+  const double near = apart - kFull * std::floor(apart / kFull + 0.5);
+  const Turn& smaller = a.half < b.half ? a : b;
+  if (a.half + b.half > kFull - std::fabs(near)) return smaller;
+  const double low = std::max(near - a.half, -b.half);
+  const double high = std::min(near + a.half, b.half);
+  return {b.middle + 0.5 * (low + high), 0.5 * (high - low)};
+}
+
+void add_oval(Outline& outline, Vec3 through, Vec3 axis, double radius, double y) noexcept {
+  if (std::fabs(axis.y) < kLevel) return;
+  const Vec3 at = through + ((y - through.y) / axis.y) * axis;
+  outline.oval = static_cast<float>(radius);
+  outline.oval_x = static_cast<float>(at.x);
+  outline.oval_z = static_cast<float>(at.z);
+  outline.oval_ax = static_cast<float>(radius * axis.x / axis.y);
+  outline.oval_az = static_cast<float>(radius * axis.z / axis.y);
+}
+
+}  // namespace onggi
