@@ -105,6 +105,60 @@ Turn turn_of(const Hull& hull, Vec3 at) noexcept {
   return {base + 0.5 * (low + high), 0.5 * (high - low)};
 }
 
+Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse) noexcept {
+  constexpr double kSlack = 1e-6;  // m: outlines are floats
+  const double away = length(Vec2{double{o.x}, double{o.z}});
+  const double u = length(Vec2{double{o.ux}, double{o.uz}});
+  const double v = length(Vec2{double{o.vx}, double{o.vz}});
+  const double round = double{o.round};
+  if (away < 1e-6 || std::max(u, v) <= 2.0 * round) return coarse;
+  // The parallelogram with its rounded corners made square, in a frame whose x goes through its
+  // middle. Its thin way may be nothing but rounding.
+  const double rx = double{o.x} / away;
+  const double rz = double{o.z} / away;
+  const auto turned = [&](double x, double z) { return Vec2{x * rx + z * rz, z * rx - x * rz}; };
+  const Vec2 first = turned(double{o.ux}, double{o.uz});
+  const Vec2 second = turned(double{o.vx}, double{o.vz});
+  const Vec2 a = u > 1e-9 ? (1.0 + round / u) * first : (round / v) * Vec2{-second.y, second.x};
+  const Vec2 b = v > 1e-9 ? (1.0 + round / v) * second : (round / u) * Vec2{-first.y, first.x};
+  const Vec2 middle{away, 0.0};
+  const Vec2 corner[4] = {middle + a + b, middle + a - b, middle - a - b, middle - a + b};
+
+  // What it spans there ends at corners, or where its sides cross the extent's circle.
+  const bool outside = side == WallSide::outside;
+  const double limit = outside ? extent + kSlack : std::max(extent - kSlack, 0.0);
+  double low = 1e9;
+  double high = -1e9;
+  bool behind = false;
+  const auto take = [&](Vec2 p) {
+    behind = behind || p.x < 1e-6;
+    const double slope = p.y / p.x;
+    low = std::min(low, slope);
+    high = std::max(high, slope);
+  };
+  for (int n = 0; n < 4; ++n) {
+    const Vec2 p = corner[n];
+    const Vec2 way = corner[(n + 1) % 4] - p;
+    const double beyond = dot(p, p) - limit * limit;
+    if (p.x < 1e-6) return coarse;  // it may hold the axis
+    if (outside ? beyond <= 0.0 : beyond >= 0.0) take(p);
+    const double square = dot(way, way);
+    const double along = dot(p, way);
+    const double root = along * along - square * beyond;
+    if (root < 0.0 || square < 1e-18) continue;
+    for (const double sign : {-1.0, 1.0}) {
+      const double t = (-along + sign * std::sqrt(root)) / square;
+      if (t >= 0.0 && t <= 1.0) take(p + t * way);
+    }
+  }
+  if (behind) return coarse;
+  if (low > high) return {coarse.middle, -1.0};
+  const double from = portable::atan2(low, 1.0);
+  const double to = portable::atan2(high, 1.0);
+  const double base = portable::atan2(rz, rx);
+  return overlap({base + 0.5 * (from + to), 0.5 * (to - from)}, coarse);
+}
+
 Turn overlap(const Turn& a, const Turn& b) noexcept {
   constexpr double kFull = 2.0 * portable::kPi;
   const double apart = a.middle - b.middle;

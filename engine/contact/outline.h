@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "engine/contact/wall_side.h"
 #include "engine/math/vec.h"
 
 namespace onggi {
@@ -59,6 +60,10 @@ struct Block {
 
 /// The angles that a hull spans, seen from the axis; `at` is a point in it.
 Turn turn_of(const Hull& hull, Vec3 at) noexcept;
+/// The angles between which the section, seen from the axis, lies nearer than `extent` (m; pressing
+/// from outside) or farther (from inside): `coarse`, or narrower where the outline is long and
+/// thin. half < 0: nowhere.
+Turn turn_of(const Outline& outline, WallSide side, double extent, const Turn& coarse) noexcept;
 /// Angles that are in both, or one of the two where that would be two pieces.
 Turn overlap(const Turn& a, const Turn& b) noexcept;
 

@@ -8,8 +8,8 @@
 //     void collect(const RowSum&, float area, Reaction&) const;  // rows of one thickness together
 //   };
 //   struct Row {
-//     template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin) const;
-//     void react(RowSum&, Float8 weight, const Meeting&, Float8 cos, Float8 sin) const;
+//     template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin, Float8 face)
+//     const; void react(RowSum&, Float8 weight, const Meeting&, Float8 cos, Float8 sin) const;
 //   };
 //
 // A row may have a Meeting of its own with more in it, for its react(). A tool that is no ball is a
@@ -89,15 +89,6 @@ struct Pressed {
   int touched;
 };
 
-// A row that asks where the faces are is told.
-template <WallSide side, bool careful, class Row>
-HWY_INLINE auto meeting_of(const Row& row, Float8 c, Float8 s, Float8 face) {
-  if constexpr (requires { row.template meet<side, careful>(c, s, face); })
-    return row.template meet<side, careful>(c, s, face);
-  else
-    return row.template meet<side, careful>(c, s);
-}
-
 // One block of eight elements, with the target held where it is in the middle of the step: exact
 // exponential relaxation, second order in the step for a target that moves.
 template <WallSide side, bool careful, bool hollow, class Row>
@@ -106,7 +97,7 @@ HWY_INLINE void press_block(const Row& row, const StepFigures& figures, const fl
   const Float8 c = load(ray_cos);
   const Float8 s = load(ray_sin);
   const Float8 radius = load(face);
-  const auto m = meeting_of<side, careful>(row, c, s, radius);
+  const auto m = row.template meet<side, careful>(c, s, radius);
   const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, figures));
   const Mask8 touch = m.hit & (press > all(kSnap));
   if (none(touch)) return;
@@ -316,7 +307,7 @@ double depth_in_rows(const Clay& clay, const ToolPlace& place, const ToolSize& s
     for (int n = 0; n < reach.used; ++n) {
       for (int i = reach.ranges[n].begin * kLanes; i < reach.ranges[n].end * kLanes; i += kLanes) {
         const Float8 radius = load(face + i);
-        const auto m = meeting_of<side, true>(row, load(ray_cos + i), load(ray_sin + i), radius);
+        const auto m = row.template meet<side, true>(load(ray_cos + i), load(ray_sin + i), radius);
         const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, figures));
         deepest = larger(deepest, only(m.hit & (press > snap), press));
       }

@@ -181,7 +181,8 @@ struct Solid {
     store(half_window<side>(load(distance), load(radius), load(tangent), load(extent)), half);
     for (int k = 0; k < count; ++k) {
       if (radius[k] <= 0.0f || half[k] < 0.0f) continue;
-      const Turn both = overlap({angle[k], double{half[k]}}, window.turn);
+      const Turn both = turn_of(rows[k].outline, side, double{extent[k]},
+                                overlap({angle[k], double{half[k]}}, window.turn));
       if (both.half < 0.0) continue;
       const double per_radian = clay.sectors() / (2.0 * portable::kPi);
       const double middle = both.middle * per_radian - 0.5;

@@ -65,9 +65,10 @@ struct ToolShape {
   double softness =
       1.0;  ///< Share of a press that the clay takes up, 0..1; a sponge takes the rest.
   double relaxation =
-      1.0;            ///< Its clay's relaxation time, as a share: an edge cuts at once. 0.1..1
-  bool cuts = false;  ///< What it takes away is gone, not pushed aside.
-  bool wets = false;  ///< It brings water to the clay it touches.
+      1.0;              ///< Its clay's relaxation time, as a share: an edge cuts at once. 0.1..1
+  bool cuts = false;    ///< What it takes away is gone, not pushed aside.
+  bool wets = false;    ///< It brings water to the clay it touches.
+  bool severs = false;  ///< It presses nothing, and cuts the pot from the wheel (wire.h).
   double (*reach)(const ToolSize& size);  ///< Nothing of it is farther from `at`, m.
   double (*grain)(const ToolSize& size);  ///< Its finest part, m, > 0: in one step it goes at most
                                           ///< a quarter of that.

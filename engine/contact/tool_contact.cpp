@@ -167,7 +167,8 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
     press = press_rim(clay, ball_step(sweep, n, of), yielding);
   } else {
     press = sweep.shape->press(clay, side_, place, sweep.size, seconds, yielding);
-    const double bottom = std::min(sweep.from.y, sweep.to.y) - sweep.size.radius;
+    const double hangs = place.at.y - (lowest.middle.y - lowest.radius);  // below `at`
+    const double bottom = std::min(sweep.from.y, sweep.to.y) - hangs;
     if (side_ == WallSide::inside && bottom < clay.floor_top()) {
       const Press floor = press_floor(clay, ball_step(sweep, n, of), yielding);
       on_floor_ = floor.touched > 0;

@@ -58,7 +58,11 @@ struct Feedback {
   std::array<HandFeedback, kMaxHands> hand;
   double wheel_angle = 0.0;  ///< Radians, 0..2 pi.
   double wheel_speed = 0.0;  ///< rad/s.
-  double wetness = 0.0;      ///< 0 dry .. 1 dripping.
+  double clay_angle = 0.0;   ///< The wheel's, until the pot is cut free: then it stays.
+  double cut_free = 0.0;  ///< Share of the section that a wire has cut. At 1 the pot is free: it no
+                          ///< longer turns, and no tool shapes it until there is a new lump, or
+                          ///< a step is taken back.
+  double wetness = 0.0;   ///< 0 dry .. 1 dripping.
   std::uint32_t faults = 0;  ///< FaultBit.
 };
 

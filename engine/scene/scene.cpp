@@ -8,59 +8,18 @@
 #include "engine/clay/history.h"
 #include "engine/contact/paper_model.h"
 #include "engine/contact/stops.h"
-#include "engine/contact/tool_contact.h"
-#include "engine/force/guard.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
+#include "engine/scene/hand_state.h"
 
 namespace onggi {
 namespace {
 
 constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
-constexpr double kFarthestHand = 10.0;  // metres, each axis: no device reaches beyond
-constexpr int kLumpBudget = 8192;       // elements a tick while a lump is put on or taken back
-
-constexpr double kSmallestReach = 0.004;  // m: what a hand may go four of in a tick, with any tool
+constexpr int kLumpBudget = 8192;  // elements a tick while a lump is put on or taken back
 
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
-
-bool plausible(Vec3 p) {
-  return is_finite(p) && std::fabs(p.x) <= kFarthestHand && std::fabs(p.y) <= kFarthestHand &&
-         std::fabs(p.z) <= kFarthestHand;
-}
-
-// A tool that lies to hand.
-struct Tool {
-  const ToolShape* shape = nullptr;
-  ToolSize size;  // nothing at 0
-};
-
-std::vector<Tool> tools_of(const SceneDef& def) {
-  std::vector<Tool> tools{{find_tool_shape("sphere"), {def.tool.radius, 0.0, 0.0}}};
-  for (const ToolToHand& tool : def.tools) {
-    const ToolShape* shape = find_tool_shape(tool.name);
-    tools.push_back({shape, sized(*shape, tool.size)});
-  }
-  return tools;
-}
-
-// One hand between ticks.
-struct HandState {
-  Vec3 at;                // last accepted place,
-  Vec3 along, across;     // way of holding
-  std::uint8_t tool = 0;  // and tool
-  bool present = false;   // active, and its place known
-  ToolContact contact;
-  Guard guard;
-
-  // The next good sample counts as an arrival: no sweep from where the hand was, no force yet.
-  void leave() {
-    present = false;
-    contact.release();
-    guard.release();
-  }
-};
 
 // What the paper's scene has besides.
 struct Printed {
@@ -78,10 +37,12 @@ struct Scene::State {
   std::vector<Tool> tools;
   Clay clay;
   std::optional<History> history;
+  WireCut slit;
   std::array<HandState, kMaxHands> hand{};
   std::optional<Printed> printed;
   double time = 0.0;
   double wheel_angle = 0.0;
+  double clay_angle = 0.0;
   double wheel_speed = 0.0;
   double wheel_asked = 0.0;
   std::optional<Moisture> moisture;
@@ -104,7 +65,8 @@ struct Scene::State {
     std::array<Place, kMaxHands> place{};
   };
 
-  State(const SceneDef& d, Clay&& c) : def(d), tools(tools_of(d)), clay(std::move(c)) {
+  State(const SceneDef& d, Clay&& c)
+      : def(d), tools(tools_of(d)), clay(std::move(c)), slit(d.clay.sectors) {
     if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
     if (def.clay.keep_undo) history.emplace(clay);
     if (!def.paper) return;
@@ -120,6 +82,8 @@ struct Scene::State {
   double wetness_at(double height) const;
   Yielding yielding_at(double height) const;
   void keep_history(const Tick& tick) noexcept;
+  bool presses(const HandState& h) const { return h.present && !tools[h.tool].shape->severs; }
+  void draw_wire(Tick& tick, std::size_t n) noexcept;
   void press_clay(Tick& tick) noexcept;
   void feel(Tick& tick) noexcept;
   void press_as_printed(Tick& tick) noexcept;
@@ -148,44 +112,11 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
     h.leave();
     return;
   }
-  tick.held[n] = !plausible(in.position) || !plausible(in.handle) || !std::isfinite(in.roll) ||
-                 in.tool >= tools.size();
-  if (tick.held[n]) {
-    faults |= kFaultInput;
-    ++counters.held_samples;
-    h.guard.release();
-  }
-  if (tick.held[n] && !h.present) return;
-  const Vec3 to = tick.held[n] ? h.at : in.position;
-  if (!tick.held[n] && in.tool != h.tool) {
-    h.leave();
-    h.tool = in.tool;
-  }
-  const Tool& tool = tools[h.tool];
-  // Nobody's hand goes four tool radii in a tick: it was put down elsewhere.
-  if (h.present && length(to - h.at) > 4.0 * std::max(tool.shape->grain(tool.size), kSmallestReach))
-    h.leave();
-  if (!h.present) h.guard.release();
-  const Vec3 from = h.present ? h.at : to;
-  if (!tick.held[n] && !tool.shape->round) {
-    const bool wished = in.side == SideWish::inside ||
-                        (in.side == SideWish::by_position && h.contact.side() == WallSide::inside);
-    const bool inside = h.contact.touching() ? h.contact.side() == WallSide::inside : wished;
-    const ToolPlace place = hold_tool(*tool.shape, to, in.handle, in.roll, inside);
-    h.along = place.along;
-    h.across = place.across;
-  }
-  ToolSweep& sweep = tick.sweep[n];
-  sweep.shape = tool.shape;
-  sweep.size = tool.size;
-  sweep.from = from;
-  sweep.to = to;
-  sweep.along = h.along;
-  sweep.across = h.across;
-  sweep.seconds = tick.dt;
-  sweep.wish = in.side;
-  h.at = to;
-  h.present = true;
+  tick.sweep[n].seconds = tick.dt;
+  tick.held[n] = !h.take(in, tools, tick.sweep[n]);
+  if (!tick.held[n]) return;
+  faults |= kFaultInput;
+  ++counters.held_samples;
 }
 
 // Stage 2. The motor follows the asked speed at its own pace.
@@ -236,6 +167,7 @@ void Scene::State::work_on_lump(const Hands& hands) noexcept {
   restore_held = hands.restore;
   if (lump_work == LumpWork::none) return;
   for (HandState& h : hand) h.leave();
+  slit.forget();
   if (lump_work == LumpWork::keeping) {
     if (history->begin_step(clay, kLumpBudget)) lump_work = LumpWork::renewing;
     return;
@@ -253,13 +185,27 @@ void Scene::State::keep_history(const Tick& tick) noexcept {
   history->follow(clay, touching || lump_work == LumpWork::renewing, tick.dt);
 }
 
+// Stage 5, for a wire.
+void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
+  const ToolSweep& way = tick.sweep[n];
+  const WireSweep sweep{way.from, way.to, way.along, way.size.length, tick.angle_from + tick.turn,
+                        tick.dt};
+  tick.press[n] = slit.draw(clay, sweep, hand[n].wire, def.contact.stiffness);
+}
+
 // Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
 void Scene::State::press_clay(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n)
+    if (hand[n].present && tools[hand[n].tool].shape->severs) draw_wire(tick, n);
+  if (slit.free()) {
+    for (HandState& h : hand) h.contact = {};
+    return;
+  }
   std::array<Yielding, kMaxHands> yielding;
   int steps = 1;
   for (std::size_t n = 0; n < hand.size(); ++n) {
     hand[n].contact.begin_tick();
-    if (!hand[n].present) continue;
+    if (!presses(hand[n])) continue;
     tick.sweep[n].angle_from = tick.angle_from;
     tick.sweep[n].angle_to = tick.angle_from + tick.turn;
     yielding[n] = yielding_at(hand[n].at.y);
@@ -269,9 +215,10 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     // What a wall between two hands comes to must not depend on which hand is called the first.
     const bool swapped = hand[0].contact.side() > hand[1].contact.side();
     for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
-      if (hand[n].present) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
+      if (presses(hand[n])) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
   }
   for (std::size_t n = 0; n < hand.size(); ++n) {
+    if (hand[n].present && !presses(hand[n])) continue;
     tick.press[n] = hand[n].contact.reaction();
     tick.side[n] = hand[n].contact.side();
     tick.place[n] = hand[n].contact.place();
@@ -286,7 +233,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     const ToolShape& shape = *tools[h.tool].shape;
     const ToolSize& size = tools[h.tool].size;
     const ToolPlace place{h.at, h.along, h.across};
-    const Press& press = h.contact.reaction();
+    const Press& press = tick.press[n];
     Vec3 force = press.force;
     const double strength = length(press.force);
     if (def.friction && press.normal > 0.0 && strength > 0.0) {
@@ -343,7 +290,10 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
   }
   ++counters.ticks;
   time += tick.dt;
+  if (!slit.free()) clay_angle = wheel_angle;
   out.wheel_angle = wheel_angle;
+  out.clay_angle = clay_angle;
+  out.cut_free = slit.share();
   out.wheel_speed = wheel_speed;
   out.wetness = moisture ? moisture->mean() : 0.0;
   out.faults = faults;
@@ -393,26 +343,12 @@ double Scene::time() const { return state_->time; }
 std::uint64_t Scene::state_hash() const {
   const State& s = *state_;
   StateHash hash;
-  const auto add = [&hash](Vec3 v) {
-    hash.add(v.x);
-    hash.add(v.y);
-    hash.add(v.z);
-  };
   for (double v :
        {s.time, s.wheel_angle, s.wheel_speed, s.wheel_asked, s.moisture ? s.moisture->mean() : 0.0})
     hash.add(v);
-  for (const HandState& h : s.hand) {
-    add(h.at);
-    add(h.guard.force());
-    hash.add(h.guard.ramp());
-    hash.add(std::uint64_t{h.present} | std::uint64_t{h.contact.touching()} << 1 |
-             std::uint64_t{h.guard.armed()} << 2 |
-             static_cast<std::uint64_t>(h.contact.side()) << 3 |
-             static_cast<std::uint64_t>(h.contact.place()) << 4 | std::uint64_t{h.tool} << 8);
-    if (s.tools[h.tool].shape->round) continue;  // held in no particular way
-    add(h.along);
-    add(h.across);
-  }
+  for (const HandState& h : s.hand) h.add_to(hash, s.tools);
+  s.slit.add_to(hash);
+  if (s.slit.free()) hash.add(s.clay_angle);
   hash.add(std::uint64_t{s.renew_held} | std::uint64_t{s.restore_held} << 1 |
            static_cast<std::uint64_t>(s.lump_work) << 2 | std::uint64_t{s.faults} << 8);
   if (s.printed)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "engine/script/carving.h"
 #include "engine/script/choreography.h"
 #include "engine/script/former.h"
 #include "engine/script/upright.h"
@@ -22,9 +23,9 @@ constexpr double kFinish = 0.008;
 constexpr double kWheelRough = 18.0;  // rad/s: 172 rpm
 constexpr double kWheelFine = 22.0;   // 210 rpm
 
-constexpr std::array<std::string_view, 10> kNames{"true",      "collar", "belly", "bowl",
-                                                  "groove",    "follow", "open",  "press_rim",
-                                                  "flare_rim", "squeeze"};
+constexpr std::array<std::string_view, 15> kNames{
+    "true",      "collar",  "belly", "bowl",  "groove", "follow",    "open",   "press_rim",
+    "flare_rim", "squeeze", "facet", "flute", "incise", "trim_foot", "cut_off"};
 
 // Plays keys back.
 class PlannedScript final : public Script {
@@ -197,12 +198,18 @@ Result<void> check(std::string_view name, const ScriptContext& context) {
   if ((name == "flare_rim" || name == "squeeze") && clay.floor_thickness > 0.5 * clay.height)
     return problem(where, "It works a wall, and this lump is solid for more than half its height.",
                    "Open it first: script \"open\".");
+  if (const std::string_view tool = carving_tool(name); !tool.empty()) {
+    const auto& tools = context.scene.tools;
+    if (context.scene.paper || std::ranges::find(tools, tool, &ToolToHand::name) == tools.end())
+      return problem(where, "It needs the " + std::string(tool) + ", which is not to hand here.",
+                     "Choose a scene that has it among its tools.");
+  }
   if (name != "follow") return {};
   if (context.target == nullptr)
     return problem(where, "It follows a vessel's outline, and none is given.",
                    "Choose a vessel, or a script that needs none: true, collar, belly, bowl, "
-                   "groove, "
-                   "open, press_rim, flare_rim, squeeze.");
+                   "groove, open, press_rim, flare_rim, squeeze, facet, flute, incise, trim_foot, "
+                   "cut_off.");
   return validate(*context.target, where + ", target");
 }
 
@@ -214,6 +221,7 @@ Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptC
   if (auto good = check(name, context); !good) return tl::unexpected<Problem>(good.error());
   if (name == "follow")
     return std::make_unique<PlannedScript>(follow_in_time(context), context.scene.tool.radius);
+  if (!carving_tool(name).empty()) return make_carving(name, context);
   const ClayDef& clay = context.scene.clay;
   Choreography hand(context.pace, context.scene.wheel.max_speed, context.seed);
   Former former(context.scene, hand);

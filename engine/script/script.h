@@ -36,7 +36,7 @@ struct ScriptContext {
 };
 
 /// "true", "collar", "belly", "bowl", "groove", "follow"; "open", "press_rim", "flare_rim",
-/// "squeeze".
+/// "squeeze"; "facet", "flute", "incise", "trim_foot", "cut_off" (carving.h).
 std::span<const std::string_view> script_names();
 
 /// Problem names the script, the nearest right name, and what is missing (follow without target).

@@ -12,6 +12,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace onggi::HWY_NAMESPACE {
+namespace {  // each tool has the kernel to itself, and the compiler can see all of it
 
 // A ray of a row stands at t (cos, 0, sin) + beside (-sin, 0, cos), at the row's height.
 
@@ -276,6 +277,7 @@ struct Disc {
   }
 };
 
+}  // namespace
 }  // namespace onggi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -11,6 +11,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace onggi::HWY_NAMESPACE {
+namespace {  // each tool has the kernel to itself, and the compiler can see all of it
 
 // Every end E lies on the sphere, so H - E is radius long: no normal needs a length. The sums are
 // those of weight, and of weight times E; H comes in once.
@@ -22,7 +23,7 @@ struct SphereRow {
   Float8 above;  // H above the row, over the sphere's radius
 
   template <WallSide side, bool careful>
-  HWY_INLINE Meeting meet(Float8 c, Float8 s) const {
+  HWY_INLINE Meeting meet(Float8 c, Float8 s, Float8) const {
     const Float8 along = at_x * c + at_z * s;
     const Float8 off = at_z * c - at_x * s;
     // Instead of r^2 - s^2: at a tangent ray the squares would cancel.
@@ -77,6 +78,7 @@ struct Sphere {
   }
 };
 
+}  // namespace
 }  // namespace onggi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/clay/clay.h"
+#include "engine/contact/tool.h"
+#include "engine/math/hash.h"
+
+namespace onggi {
+
+/// A taut wire's way through one tick, studio frame.
+struct WireSweep {
+  Vec3 from, to;       ///< Its middle, m.
+  Vec3 along;          ///< Its direction; what of it is level counts.
+  double length = 0;   ///< m
+  double angle = 0;    ///< Of the clay as the tick ends, rad.
+  double seconds = 0;  ///< > 0.
+};
+
+/// How one hand draws it.
+struct WireHand {
+  bool drawing = false;  ///< It began outside of the clay.
+  Vec3 way;              ///< From the axis to where it began, level and across the wire; unit.
+};
+
+/// The slit that a wire leaves under a pot. A wire is drawn level through the clay at the height at
+/// which it first meets it; each ray of that row is cut from outside inwards and from the axis
+/// outwards. When nothing of the section is left, what is above is free. Not safe across threads.
+class WireCut {
+ public:
+  explicit WireCut(int sectors);  ///< Allocates all it will use.
+
+  /// The force is against the hand's way, in proportion to the width of clay before the wire, as
+  /// if a strip 2 mm wide were pressed by 2 mm at `stiffness` (N/m^3). A hand that begins within
+  /// the clay cuts nothing until it has been outside. No allocation; O(sectors).
+  Press draw(const Clay& clay, const WireSweep& sweep, WireHand& hand, double stiffness) noexcept;
+  /// A new lump is whole.
+  void forget() noexcept;
+
+  bool begun() const { return begun_; }
+  bool free() const { return share_ >= 1.0; }
+  double share() const { return share_; }    ///< Of the section that is cut, 0..1.
+  double height() const { return height_; }  ///< Of the slit, m; once begun.
+  void add_to(StateHash& hash) const;
+
+ private:
+  void cut(const Clay& clay, int row, const WireSweep& sweep, Vec3 way) noexcept;
+  int looks_in_clay(const Clay& clay, int row, const WireSweep& sweep, Vec3 way,
+                    double& step) const noexcept;
+
+  std::vector<float> from_outside_, from_axis_;  // of each ray: cut down to, and up to, m
+  bool begun_ = false;
+  double height_ = 0.0;
+  double share_ = 0.0;
+};
+
+}  // namespace onggi

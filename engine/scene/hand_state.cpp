@@ -1,0 +1,91 @@
+#include "engine/scene/hand_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi {
+namespace {
+
+constexpr double kFarthestHand = 10.0;    // metres, each axis: no device reaches beyond
+constexpr double kSmallestReach = 0.004;  // m: what a hand may go four of in a tick, with any tool
+
+bool plausible(Vec3 p) {
+  return is_finite(p) && std::fabs(p.x) <= kFarthestHand && std::fabs(p.y) <= kFarthestHand &&
+         std::fabs(p.z) <= kFarthestHand;
+}
+
+}  // namespace
+
+std::vector<Tool> tools_of(const SceneDef& def) {
+  std::vector<Tool> tools{{find_tool_shape("sphere"), {def.tool.radius, 0.0, 0.0}}};
+  for (const ToolToHand& tool : def.tools) {
+    const ToolShape* shape = find_tool_shape(tool.name);
+    tools.push_back({shape, sized(*shape, tool.size)});
+  }
+  return tools;
+}
+
+void HandState::leave() noexcept {
+  present = false;
+  contact.release();
+  wire = {};
+  guard.release();
+}
+
+bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept {
+  const bool good = plausible(in.position) && plausible(in.handle) && std::isfinite(in.roll) &&
+                    in.tool < tools.size();
+  if (!good) guard.release();
+  if (!good && !present) return false;
+  if (good && in.tool != tool) {
+    leave();
+    tool = in.tool;
+  }
+  const Tool& mine = tools[tool];
+  const Vec3 to = good ? in.position : at;
+  // Nobody's hand goes four tool radii in a tick: it was put down elsewhere.
+  if (present && length(to - at) > 4.0 * std::max(mine.shape->grain(mine.size), kSmallestReach))
+    leave();
+  if (!present) guard.release();
+  if (good && !mine.shape->round) hold_as(in, mine, to);
+  sweep.shape = mine.shape;
+  sweep.size = mine.size;
+  sweep.from = present ? at : to;
+  sweep.to = to;
+  sweep.along = along;
+  sweep.across = across;
+  sweep.wish = in.side;
+  at = to;
+  present = true;
+  return good;
+}
+
+void HandState::hold_as(const HandInput& in, const Tool& mine, Vec3 to) noexcept {
+  const bool inner = contact.side() == WallSide::inside;
+  const bool wished = in.side == SideWish::inside || (in.side == SideWish::by_position && inner);
+  const ToolPlace place =
+      hold_tool(*mine.shape, to, in.handle, in.roll, contact.touching() ? inner : wished);
+  along = place.along;
+  across = place.across;
+}
+
+void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
+  const auto add = [&hash](Vec3 v) {
+    hash.add(v.x);
+    hash.add(v.y);
+    hash.add(v.z);
+  };
+  add(at);
+  add(guard.force());
+  hash.add(guard.ramp());
+  hash.add(std::uint64_t{present} | std::uint64_t{contact.touching()} << 1 |
+           std::uint64_t{guard.armed()} << 2 | static_cast<std::uint64_t>(contact.side()) << 3 |
+           static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
+           std::uint64_t{wire.drawing} << 16);
+  if (tools[tool].shape->round) return;  // held in no particular way
+  add(along);
+  add(across);
+  if (wire.drawing) add(wire.way);
+}
+
+}  // namespace onggi

@@ -1,0 +1,230 @@
+#include "engine/script/carving.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+using namespace carving;
+
+constexpr double kHandAngle = 0.35;  // rad, as of every scripted hand
+constexpr double kClear = 0.012;     // m: how far from the clay a hand is lifted
+constexpr double kApproach = 0.05;   // m/s
+constexpr double kQuarterTurn = 0.5 * portable::kPi;
+
+struct Carving {
+  std::string_view name, tool;
+};
+constexpr std::array<Carving, 5> kCarvings{{{"facet", "flat_rib"},
+                                            {"flute", "loop_trimmer"},
+                                            {"incise", "needle"},
+                                            {"trim_foot", "loop_trimmer"},
+                                            {"cut_off", "wire"}}};
+
+// One hand with one tool, in cylinder coordinates; straight in them between two keys.
+struct CarvingKey {
+  double time = 0.0;
+  double out = 0.0, angle = 0.0, height = 0.0;
+  double wheel_speed = 0.0;
+  double roll = 0.0;
+  bool active = false;
+  std::string_view phase = "carry";
+};
+
+class CarvingScript final : public Script {
+ public:
+  CarvingScript(std::vector<CarvingKey> keys, std::uint8_t tool)
+      : keys_(std::move(keys)), tool_(tool) {}
+
+  Hands at(double t, const Clay&) noexcept override {
+    while (next_ + 1 < keys_.size() && keys_[next_].time <= t) ++next_;
+    const CarvingKey& a = keys_[next_ - 1];
+    const CarvingKey& b = keys_[next_];
+    const double span = b.time - a.time;
+    const double share = span > 0.0 ? std::clamp((t - a.time) / span, 0.0, 1.0) : 1.0;
+    const auto between = [share](double from, double to) { return from + share * (to - from); };
+    const double out = between(a.out, b.out);
+    const double angle = between(a.angle, b.angle);
+    Hands hands;
+    hands.hand[0].position = {out * portable::cos(angle), between(a.height, b.height),
+                              out * portable::sin(angle)};
+    hands.hand[0].active = a.active && t < duration();
+    hands.hand[0].side = SideWish::outside;
+    hands.hand[0].tool = tool_;
+    hands.hand[0].roll = a.roll;
+    hands.wheel_speed = t < duration() ? a.wheel_speed : b.wheel_speed;
+    return hands;
+  }
+  double duration() const override { return keys_.back().time; }
+  std::string_view phase(double t) const override {
+    const auto after =
+        std::upper_bound(keys_.begin(), keys_.end(), t,
+                         [](double time, const CarvingKey& k) { return time < k.time; });
+    return after == keys_.begin() ? keys_.front().phase : (after - 1)->phase;
+  }
+
+ private:
+  std::vector<CarvingKey> keys_;
+  std::size_t next_ = 1;
+  std::uint8_t tool_;
+};
+
+// Writes the keys down.
+class Carver {
+ public:
+  Carver(const ScriptContext& context, std::string_view name)
+      : clay(context.scene.clay), pace_(context.pace) {
+    now_.phase = name;
+    now_.angle = kHandAngle;
+    now_.out = clay.outer_radius + 5.0 * kClear;
+  }
+
+  void wheel(double speed) { now_.wheel_speed = speed * std::min(pace_, 1.5); }
+  void roll(double angle) { now_.roll = angle; }
+  void put(bool active) {
+    now_.active = active;
+    keys_.push_back(now_);
+  }
+  // A lifted hand is there at once: nothing is drawn of its way.
+  void set_down(double out, double angle, double height) {
+    put(false);
+    now_.time += 0.3 / pace_;
+    now_.out = out;
+    now_.angle = angle;
+    now_.height = height;
+    put(true);
+  }
+  void move(double out, double angle, double height, double speed) {
+    const double round = (angle - now_.angle) * out;
+    const double way = length(Vec3{out - now_.out, height - now_.height, round});
+    now_.time += way / (speed * pace_);
+    now_.out = out;
+    now_.angle = angle;
+    now_.height = height;
+    put(true);
+  }
+  void wait(double seconds) {
+    put(now_.active);
+    now_.time += seconds;
+    put(now_.active);
+  }
+  std::vector<CarvingKey> finish() {
+    put(false);
+    now_.time += 0.2;
+    put(false);
+    return std::move(keys_);
+  }
+
+  const ClayDef& clay;
+
+ private:
+  double pace_;
+  CarvingKey now_;
+  std::vector<CarvingKey> keys_;
+};
+
+// Flats all round the belly, one after the other, the wheel still.
+void facet(Carver& hand, const ToolSize& rib) {
+  const double touch = hand.clay.outer_radius + 0.5 * rib.thickness;
+  for (int n = 0; n < kFacets; ++n) {
+    const double angle = kHandAngle + 2.0 * portable::kPi * n / kFacets;
+    hand.set_down(touch + kClear, angle, 0.55 * hand.clay.height);
+    hand.move(touch, angle, 0.55 * hand.clay.height, kApproach);
+    hand.move(touch - kFacetDeep, angle, 0.55 * hand.clay.height, 0.4 * kApproach);
+    hand.wait(0.15);
+    hand.move(touch + kClear, angle, 0.55 * hand.clay.height, kApproach);
+  }
+}
+
+// Grooves drawn upwards at even angles, the loop held level.
+void flute(Carver& hand, const ToolSize& loop) {
+  const double touch = hand.clay.outer_radius + loop.radius;
+  const double low = 0.15 * hand.clay.height;
+  const double high = 0.85 * hand.clay.height;
+  hand.roll(kQuarterTurn);
+  for (int n = 0; n < kFlutes; ++n) {
+    const double angle = kHandAngle + 2.0 * portable::kPi * n / kFlutes;
+    hand.set_down(touch + kClear, angle, low);
+    hand.move(touch - kFluteDeep, angle, low, kApproach);
+    hand.move(touch - kFluteDeep, angle, high, 0.06);
+    hand.move(touch + kClear, angle, high, kApproach);
+  }
+}
+
+// A line that winds up the wall, the wheel slow.
+void incise(Carver& hand, const ToolSize& needle) {
+  constexpr double kWheel = 1.5;  // rad/s
+  const double touch = hand.clay.outer_radius + needle.radius;
+  const double low = 0.3 * hand.clay.height;
+  const double turns = 3.0;
+  hand.wheel(kWheel);
+  hand.wait(0.5);
+  hand.set_down(touch + kClear, kHandAngle, low);
+  hand.move(touch - kLineDeep, kHandAngle, low, kApproach);
+  hand.wait(2.0 * portable::kPi / kWheel);
+  hand.move(touch - kLineDeep, kHandAngle, low + turns * kLineRise,
+            kLineRise * kWheel / (2.0 * portable::kPi));
+  hand.move(touch + kClear, kHandAngle, low + turns * kLineRise, kApproach);
+  hand.wheel(0.0);
+}
+
+// Clay turned off the foot.
+void trim_foot(Carver& hand, const ToolSize& loop) {
+  constexpr double kWheel = 12.0;  // rad/s
+  const double touch = hand.clay.outer_radius + loop.radius;
+  hand.wheel(kWheel);
+  hand.wait(1.0);
+  hand.set_down(touch + kClear, kHandAngle, 2.5 * loop.radius);
+  hand.move(touch, kHandAngle, 2.5 * loop.radius, kApproach);
+  hand.move(touch - kFootDeep, kHandAngle, 1.5 * loop.radius, 0.01);
+  hand.move(touch - kFootDeep, kHandAngle, loop.radius, 0.01);
+  hand.wait(3.0 * 2.0 * portable::kPi / kWheel);
+  hand.move(touch + kClear, kHandAngle, loop.radius, kApproach);
+  hand.wheel(0.0);
+}
+
+// The wire, drawn under the pot from one side to the other.
+void cut_off(Carver& hand) {
+  const double beyond = hand.clay.outer_radius + 2.0 * kClear;
+  hand.wait(0.5);
+  hand.set_down(beyond, kHandAngle, kSlit);
+  hand.wait(0.1);
+  hand.move(-beyond, kHandAngle, kSlit, 0.08);
+}
+
+constexpr auto kNames = [] {
+  std::array<std::string_view, kCarvings.size()> names;
+  for (std::size_t n = 0; n < names.size(); ++n) names[n] = kCarvings[n].name;
+  return names;
+}();
+
+}  // namespace
+
+std::span<const std::string_view> carving_names() { return kNames; }
+
+std::string_view carving_tool(std::string_view name) {
+  for (const Carving& carving : kCarvings)
+    if (carving.name == name) return carving.tool;
+  return {};
+}
+
+std::unique_ptr<Script> make_carving(std::string_view name, const ScriptContext& context) {
+  const std::string_view wanted = carving_tool(name);
+  const auto& tools = context.scene.tools;
+  const auto tool = std::ranges::find(tools, wanted, &ToolToHand::name);
+  if (wanted.empty() || tool == tools.end()) return nullptr;
+  const ToolSize size = sized(*find_tool_shape(wanted), tool->size);
+  Carver hand(context, name);
+  if (name == "facet") facet(hand, size);
+  if (name == "flute") flute(hand, size);
+  if (name == "incise") incise(hand, size);
+  if (name == "trim_foot") trim_foot(hand, size);
+  if (name == "cut_off") cut_off(hand);
+  const auto index = static_cast<std::uint8_t>(tool - tools.begin() + 1);
+  return std::make_unique<CarvingScript>(hand.finish(), index);
+}
+
+}  // namespace onggi

@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include "tests/engine/contact/tools/checks.h"
+#include "tests/support/sphere.h"
+
+namespace onggi {
+namespace {
+
+using namespace tool_checks;
+
+TEST(Sponge, GivesTheSameBitsOnAllVectors) { same_bits_on_all_vectors("sponge"); }
+TEST(Sponge, StaysFiniteAndWithinTheClaysLimitsInAnyPose) {
+  random_poses_stay_within_limits("sponge");
+}
+
+TEST(Sponge, IsABallToTheClay) {
+  const ToolShape& sponge = *find_tool_shape("sponge");
+  Clay one = std::move(*Clay::create({}));
+  Clay other = one;
+  const Press a = sponge.press(one, WallSide::outside, {{0.08, 0.1, 0.01}}, {0.03, 0, 0}, 0.001,
+                               {0.00949, 5e6});
+  const Press b =
+      press_sphere(other, WallSide::outside, {0.08, 0.1, 0.01}, 0.03, 0.001, {0.00949, 5e6});
+  EXPECT_EQ(a.force, b.force);
+  EXPECT_EQ(one.hash(), other.hash());
+}
+
+// Two springs in a row: pressed as far as a firm ball, it is felt for its softness, and the clay
+// gives way that much more slowly.
+TEST(Sponge, IsFeltSofterAndDentsTheClayMoreSlowlyThanAFirmBall) {
+  const auto pressed = [](const char* name, Clay& clay) {
+    ToolSweep sweep = sweep_sphere({0.0845, 0.1, 0.0}, {0.0845, 0.1, 0.0}, 0.03);
+    sweep.shape = find_tool_shape(name);
+    ToolContact contact;
+    contact.begin_tick();
+    contact.step(clay, sweep, 0, 1, {0.00949, 5e6});
+    return contact.reaction().force.x;
+  };
+  Clay soft = std::move(*Clay::create({}));
+  Clay firm = soft;
+  const double share = find_tool_shape("sponge")->softness;
+  EXPECT_NEAR(pressed("sponge", soft) / pressed("sphere", firm), share, 0.06 * share);
+  const auto dent = [](const Clay& clay) {
+    return 0.055 - double{clay.outer(clay.first_row_above(0.1))[0]};
+  };
+  EXPECT_NEAR(dent(soft) / dent(firm), share, 0.06 * share);
+}
+
+}  // namespace
+}  // namespace onggi
