@@ -105,6 +105,10 @@ class Clay {
   /// Rows changed since they were last taken, for those that draw them. One bit a row; cost of a
   /// look is rows/64 words.
   void mark_dirty(int j) { put(dirty_, j), put(changed_, j); }
+  /// Row `first` + k for each bit k of `which`.
+  void mark_dirty(int first, std::uint64_t which) {
+    put(dirty_, first, which), put(changed_, first, which);
+  }
   /// All are to be drawn; none is changed.
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
@@ -136,6 +140,13 @@ class Clay {
 
   using Bits = std::vector<std::uint64_t>;
   static void put(Bits& bits, int j) { bits[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63); }
+  static void put(Bits& bits, int first, std::uint64_t which) {
+    const auto word = static_cast<std::size_t>(first >> 6);
+    const int shift = first & 63;
+    bits[word] |= which << shift;
+    const std::uint64_t beyond = shift == 0 ? 0 : which >> (64 - shift);
+    if (beyond != 0) bits[word + 1] |= beyond;
+  }
   static int take(Bits& bits, int from);
   void forget_extent(int j) { widen_extent(j, 1e9f, 0.0f); }
 

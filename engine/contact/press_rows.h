@@ -232,42 +232,48 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
   typename Plan::Reach planned[kPlannedRows];
   const int end_row = window.end_row;
   const int first_row = first_pressed_row<side>(clay, window);
-  for (int j = first_row, k = kPlannedRows; j < end_row; ++j, ++k) {
-    if (k == kPlannedRows) {
-      k = 0;
-      Plan::template plan_some<side>(clay, shape, window, j, std::min(kPlannedRows, end_row - j),
-                                     planned);
+  for (int first = first_row; first < end_row; first += kPlannedRows) {
+    const int count = std::min(kPlannedRows, end_row - first);
+    Plan::template plan_some<side>(clay, shape, window, first, count, planned);
+    std::uint64_t changed = 0;
+    for (int k = 0; k < count; ++k) {
+      const auto& reach = planned[k];
+      if (reach.used == 0) continue;
+      const int j = first + k;
+      const auto row = shape.row(clay.row_height(j), reach);
+      if (clay.row_thickness(j) != thickness) {
+        shape.collect(pressed.sum, static_cast<float>(weight * thickness), reaction);
+        pressed.sum = {zero, zero, zero, zero};
+        thickness = clay.row_thickness(j);
+      }
+      float* outer = clay.pressable_outer(j).data();
+      float* inner = clay.pressable_inner(j).data();
+      float* face = side == WallSide::outside ? outer : inner;
+      float* behind = side == WallSide::outside ? inner : outer;
+      const Float8 start =
+          all(side == WallSide::outside ? clay.inner_least(j) : clay.outer_most(j));
+      pressed.behind = start;
+      pressed.touched = 0;
+      if (j < clay.floor_rows())
+        press_ranges<side, true, false>(row, figures, ray_cos, ray_sin, face, behind, reach,
+                                        pressed);
+      else if (Plan::template careful<side>(figures.limit, window, reach))
+        press_ranges<side, true, true>(row, figures, ray_cos, ray_sin, face, behind, reach,
+                                       pressed);
+      else
+        press_ranges<side, false, true>(row, figures, ray_cos, ray_sin, face, behind, reach,
+                                        pressed);
+      out.visited += reach.elements();
+      if (pressed.touched == 0) continue;
+      out.touched += pressed.touched;
+      if constexpr (side == WallSide::outside) {
+        if (!none(pressed.behind < start)) clay.widen_extent(j, 0.0f, smallest(pressed.behind));
+      } else {
+        if (!none(pressed.behind > start)) clay.widen_extent(j, largest(pressed.behind), 1e9f);
+      }
+      changed |= std::uint64_t{1} << k;
     }
-    const auto& reach = planned[k];
-    if (reach.used == 0) continue;
-    const auto row = shape.row(clay.row_height(j), reach);
-    if (clay.row_thickness(j) != thickness) {
-      shape.collect(pressed.sum, static_cast<float>(weight * thickness), reaction);
-      pressed.sum = {zero, zero, zero, zero};
-      thickness = clay.row_thickness(j);
-    }
-    float* outer = clay.pressable_outer(j).data();
-    float* inner = clay.pressable_inner(j).data();
-    float* face = side == WallSide::outside ? outer : inner;
-    float* behind = side == WallSide::outside ? inner : outer;
-    const Float8 start = all(side == WallSide::outside ? clay.inner_least(j) : clay.outer_most(j));
-    pressed.behind = start;
-    pressed.touched = 0;
-    if (j < clay.floor_rows())
-      press_ranges<side, true, false>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
-    else if (Plan::template careful<side>(figures.limit, window, reach))
-      press_ranges<side, true, true>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
-    else
-      press_ranges<side, false, true>(row, figures, ray_cos, ray_sin, face, behind, reach, pressed);
-    out.visited += reach.elements();
-    if (pressed.touched == 0) continue;
-    out.touched += pressed.touched;
-    if constexpr (side == WallSide::outside) {
-      if (!none(pressed.behind < start)) clay.widen_extent(j, 0.0f, smallest(pressed.behind));
-    } else {
-      if (!none(pressed.behind > start)) clay.widen_extent(j, largest(pressed.behind), 1e9f);
-    }
-    clay.mark_dirty(j);
+    clay.mark_dirty(first, changed);
   }
   shape.collect(pressed.sum, static_cast<float>(weight * thickness), reaction);
   if (out.touched > 0) measure_extent(clay, first_row + clay.next_measured(end_row - first_row));
@@ -294,25 +300,27 @@ double depth_in_rows(const Clay& clay, const ToolPlace& place, const ToolSize& s
   typename Plan::Reach planned[kPlannedRows];
   const int end_row = window.end_row;
   const int first_row = first_pressed_row<side>(clay, window);
-  for (int j = first_row, k = kPlannedRows; j < end_row; ++j, ++k) {
-    if (k == kPlannedRows) {
-      k = 0;
-      Plan::template plan_some<side>(clay, shape, window, j, std::min(kPlannedRows, end_row - j),
-                                     planned);
-    }
-    const auto& reach = planned[k];
-    if (reach.used == 0) continue;
-    const auto row = shape.row(clay.row_height(j), reach);
-    const float* face = side == WallSide::outside ? clay.outer(j).data() : clay.inner(j).data();
-    for (int n = 0; n < reach.used; ++n) {
-      for (int i = reach.ranges[n].begin * kLanes; i < reach.ranges[n].end * kLanes; i += kLanes) {
-        const Float8 radius = load(face + i);
-        const auto m = row.template meet<side, true>(load(ray_cos + i), load(ray_sin + i), radius);
-        const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, figures));
-        deepest = larger(deepest, only(m.hit & (press > snap), press));
+  for (int first = first_row; first < end_row; first += kPlannedRows) {
+    const int count = std::min(kPlannedRows, end_row - first);
+    Plan::template plan_some<side>(clay, shape, window, first, count, planned);
+    for (int k = 0; k < count; ++k) {
+      const auto& reach = planned[k];
+      const int j = first + k;
+      if (reach.used == 0) continue;
+      const auto row = shape.row(clay.row_height(j), reach);
+      const float* face = side == WallSide::outside ? clay.outer(j).data() : clay.inner(j).data();
+      for (int n = 0; n < reach.used; ++n) {
+        for (int i = reach.ranges[n].begin * kLanes; i < reach.ranges[n].end * kLanes;
+             i += kLanes) {
+          const Float8 radius = load(face + i);
+          const auto m =
+              row.template meet<side, true>(load(ray_cos + i), load(ray_sin + i), radius);
+          const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, figures));
+          deepest = larger(deepest, only(m.hit & (press > snap), press));
+        }
       }
+      visited += reach.elements();
     }
-    visited += reach.elements();
   }
   return double{largest(deepest)};
 }
