@@ -37,7 +37,8 @@ def wandering(values):
 
 class Drawn(unittest.TestCase):
     def test_every_figure_is_there_and_carries_curves_and_words(self):
-        for name, words in (("push", ["force, N", "mean depth, mm", "elements in collision"]),
+        for name, words in (("marks", ["eight facets, flat rib", "a trimmed foot"]),
+                            ("push", ["force, N", "mean depth, mm", "elements in collision"]),
                             ("times", ["1 ms", "800 × 360", "the corrected model"])):
             tree = xml.etree.ElementTree.parse(os.path.join(out, name + ".svg"))
             text = " ".join("".join(e.itertext()).strip() for e in tree.iter(SVG + "text"))
@@ -83,6 +84,28 @@ class Times(unittest.TestCase):
     def test_the_machine_is_named(self):
         with open(os.path.join(out, "times.csv"), encoding="utf-8") as file:
             self.assertRegex(file.readline(), r"^# machine: \S+.* cores; .*\d{4}-\d\d-\d\d$")
+
+
+class Marks(unittest.TestCase):
+    def setUp(self):
+        self.mark = {}
+        for row in table("marks.csv"):
+            self.mark.setdefault(row["mark"], []).append((float(row["a_mm"]), float(row["b_mm"])))
+
+    def test_flutes_leave_the_wall_between_them_and_facets_leave_their_corners(self):
+        for name, count in (("facet", 8), ("flute", 12)):
+            radius = [math.hypot(a, b) for a, b in self.mark[name]]
+            self.assertAlmostEqual(max(radius), 55.0, delta=0.01)
+            self.assertAlmostEqual(min(radius), 53.0, delta=0.06)
+            deep = [r < 54.0 for r in radius]
+            self.assertEqual(sum(b and not a for a, b in zip(deep, deep[1:])), count)
+
+    def test_the_line_crosses_one_ray_three_times_and_the_foot_is_turned_off_below(self):
+        deep = [a < 54.5 for a, _ in self.mark["incise"]]
+        self.assertIn(sum(b and not a for a, b in zip(deep, deep[1:])), (3, 4))
+        for radius, height in self.mark["trim_foot"]:
+            self.assertAlmostEqual(radius, 52.0 if 7 < height < 9 else radius, delta=0.1)
+            self.assertTrue(height < 30 or radius == 55.0, (radius, height))
 
 
 class Push(unittest.TestCase):
