@@ -1,7 +1,10 @@
 #include "engine/profile/measures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "engine/math/portable.h"
 
 namespace onggi {
 
@@ -10,6 +13,9 @@ namespace {
 /// Heights at which outlines are compared: midpoints of equal slices. 512 slices of a 0.3 m vessel
 /// are 0.6 mm each, finer than a clay row.
 constexpr int kSlices = 512;
+/// Places that a wall may stand higher or lower by without being another wall: 0.6 % of the height.
+constexpr std::size_t kShift = 3;
+constexpr double kGivenBack = 1.25;
 /// Rims and foot rings are rounded; callipers rest on their widest part, this near the end.
 constexpr double kEnd = 0.015;
 /// The wall is measured above the corner with the floor and below the rounding of the rim.
@@ -57,13 +63,77 @@ struct Scaled {
   double height() const { return profile.height() * factor; }
   /// 0 above the rim: there is no wall to compare with.
   double outer(double h) const {
-    return h > height() ? 0.0 : factor * profile.outer_at(h / factor);
+    // The rim itself is wall, also where a scale has rounded its height down.
+    return h > height() * (1.0 + 1e-9) ? 0.0 : factor * profile.outer_at(h / factor);
   }
 };
 
+/// Outer radii at the ends and at the middles of the slices between.
+using Radii = std::array<double, kSlices + 2>;
+
+/// How far `value` lies outside of what `radii` are within kShift places of `at`.
+double outside(double value, const Radii& radii, std::size_t at) {
+  const std::size_t first = at > kShift ? at - kShift : 0;
+  const std::size_t last = std::min(at + kShift, radii.size() - 1);
+  double low = radii[first], high = radii[first];
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    low = std::min(low, radii[i]);
+    high = std::max(high, radii[i]);
+  }
+  return std::max({0.0, value - high, low - value});
+}
+
+/// Largest distance of two outlines that is no matter of a hair up or down. On a slope the window
+/// takes a little off every distance; at most the distance itself gives it back.
+double firm_worst(const Radii& a, const Radii& b) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double firm = std::max(outside(a[i], b, i), outside(b[i], a, i));
+    worst = std::max(worst, std::min(std::abs(a[i] - b[i]), kGivenBack * firm));
+  }
+  return worst;
+}
+
+/// An outline walked at even steps of its own length, and how it turns on the way.
+constexpr int kSteps = 96, kChord = kSteps / 12;
+using Turning = std::array<double, kSteps + 1>;
+
+Turning turning_of(const Scaled& p) {
+  constexpr int kFine = 512;
+  std::array<Vec2, kFine + 1> line;
+  std::array<double, kFine + 1> way{};
+  for (std::size_t i = 0; i <= kFine; ++i) {
+    const double h = p.height() * static_cast<double>(i) / kFine;
+    line[i] = {p.factor * p.profile.outer_at(h / p.factor), h};
+    if (i > 0) way[i] = way[i - 1] + length(line[i] - line[i - 1]);
+  }
+  std::array<Vec2, kSteps + 1> even;
+  std::size_t at = 1;
+  for (std::size_t k = 0; k <= kSteps; ++k) {
+    const double wanted = way[kFine] * static_cast<double>(k) / kSteps;
+    while (at < kFine && way[at] < wanted) ++at;
+    const double t = (wanted - way[at - 1]) / (way[at] - way[at - 1]);
+    even[k] = line[at - 1] + (line[at] - line[at - 1]) * std::clamp(t, 0.0, 1.0);
+  }
+  Turning out{};
+  for (std::size_t k = kChord; k + kChord <= kSteps; ++k) {
+    const Vec2 a = even[k] - even[k - kChord], b = even[k + kChord] - even[k];
+    out[k] = portable::atan2(a.x * b.y - a.y * b.x, dot(a, b));
+  }
+  return out;
+}
+
+double turning_apart(const Scaled& a, const Scaled& b) {
+  const Turning ta = turning_of(a), tb = turning_of(b);
+  double squares = 0.0;
+  for (std::size_t k = kChord; k + kChord <= kSteps; ++k)
+    squares += (ta[k] - tb[k]) * (ta[k] - tb[k]);
+  return std::sqrt(squares / (kSteps - 2 * kChord + 1));
+}
+
 Dimensions scaled(Dimensions d, double factor) {
-  for (double* length :
-       {&d.height, &d.belly, &d.belly_height, &d.mouth, &d.neck, &d.foot, &d.wall_mean})
+  for (double* length : {&d.height, &d.belly, &d.belly_height, &d.mouth, &d.neck, &d.neck_height,
+                         &d.foot, &d.wall_mean})
     *length *= factor;
   return d;
 }
@@ -85,9 +155,13 @@ Dimensions dimensions(const Profile& p) {
 
   // The neck lies between belly and lip; where nothing narrows, it is the mouth itself.
   double neck = d.mouth / 2.0;
+  d.neck_height = d.height;
   for (const ProfilePoint& point : p.points)
-    if (point.height > d.belly_height && point.height < d.height * (1.0 - kEnd))
-      neck = std::min(neck, point.outer);
+    if (point.height > d.belly_height && point.height < d.height * (1.0 - kEnd) &&
+        point.outer < neck) {
+      neck = point.outer;
+      d.neck_height = point.height;
+    }
   d.neck = 2.0 * neck;
 
   measure_wall(p, d);
@@ -102,23 +176,48 @@ Measures compare(const Profile& target, const Profile& made, bool scale_free) {
   const double top = std::max(goal.height(), pot.height());
   const double dh = top / kSlices;
 
-  double common = 0.0, either = 0.0, squares = 0.0, worst = 0.0;
+  double common = 0.0, either = 0.0, squares = 0.0;
+  double common_volume = 0.0, either_volume = 0.0;
+  const double shared = std::min(goal.height(), pot.height());
+  const auto look = [&](double h, double a, double b) {
+    const double apart = std::abs(b - a), sign = b > a ? 1.0 : -1.0;
+    if (apart > m.outline_worst) {
+      m.outline_worst = apart;
+      m.outline_worst_at = h / goal.height();
+      m.outline_worst_sign = sign;
+    }
+    if (h <= shared && apart > m.common_worst) {
+      m.common_worst = apart;
+      m.common_worst_at = h / goal.height();
+      m.common_worst_sign = sign;
+    }
+  };
+  Radii goal_radii{}, pot_radii{};
   for (int i = 0; i < kSlices; ++i) {
     const double h = (i + 0.5) * dh;
     const double a = goal.outer(h);
     const double b = pot.outer(h);
+    goal_radii[static_cast<std::size_t>(i) + 1] = a;
+    pot_radii[static_cast<std::size_t>(i) + 1] = b;
     common += std::min(a, b);
     either += std::max(a, b);
+    common_volume += std::min(a, b) * std::min(a, b);
+    either_volume += std::max(a, b) * std::max(a, b);
     squares += (a - b) * (a - b);
-    if (std::abs(b - a) > worst) {
-      worst = std::abs(b - a);
-      m.outline_worst_at = h / goal.height();
-      m.outline_worst_sign = b > a ? 1.0 : -1.0;
-    }
+    look(h, a, b);
   }
+  for (const double h : {0.0, shared}) look(h, goal.outer(h), pot.outer(h));
+  goal_radii.front() = goal.outer(0.0);
+  pot_radii.front() = pot.outer(0.0);
+  goal_radii.back() = goal.outer(top);
+  pot_radii.back() = pot.outer(top);
+  m.outline_worst_firm = firm_worst(goal_radii, pot_radii) / goal.height();
   m.outline_overlap = either > 0.0 ? common / either : 1.0;
   m.outline_rms = std::sqrt(squares / kSlices) / goal.height();
-  m.outline_worst = worst / goal.height();
+  m.outline_worst /= goal.height();
+  m.common_worst /= goal.height();
+  m.volume_overlap = either_volume > 0.0 ? common_volume / either_volume : 1.0;
+  m.turning_rms = turning_apart(goal, pot);
   m.target = dimensions(target);
   m.made = scaled(dimensions(made), m.scale);
   return m;

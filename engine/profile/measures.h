@@ -11,6 +11,7 @@ struct Dimensions {
   double belly_height = 0.0;  ///< Where it is.
   double mouth = 0.0;         ///< Outer diameter at the rim.
   double neck = 0.0;          ///< Smallest outer diameter above the belly.
+  double neck_height = 0.0;   ///< Where it is.
   double foot = 0.0;          ///< Outer diameter at the standing surface.
   double wall_mean = 0.0;     ///< Mean wall thickness above the floor.
   double wall_evenness =
@@ -28,12 +29,23 @@ struct Measures {
   double outline_worst = 0.0;       ///< Largest such distance / target height.
   double outline_worst_at = 0.0;    ///< Height of it / target height, 0..1.
   double outline_worst_sign = 0.0;  ///< +1 made is too wide there, -1 too narrow, 0 equal.
-  Dimensions target;                ///< Of the target, its own size.
-  Dimensions made;                  ///< Of the pot, after `scale`.
+  /// The same among the heights that both reach; other than above only where sizes count.
+  double common_worst = 0.0, common_worst_at = 0.0, common_worst_sign = 0.0;
+  /// The largest distance that a shift of 0.6 % of the height up or down does not explain: where a
+  /// shelf or a flange begins a hair higher, the radial distance is a leap and this is none.
+  double outline_worst_firm = 0.0;
+  double volume_overlap = 0.0;  ///< Volume inside both outlines turned / inside either. 0..1.
+  /// RMS difference of how far the outlines turn from one twelfth of their length to the next,
+  /// radians: 0 where they bend alike, whatever their width.
+  double turning_rms = 0.0;
+  Dimensions target;  ///< Of the target, its own size.
+  Dimensions made;    ///< Of the pot, after `scale`.
 };
 
-/// Compares `made` with `target`. With `scale_free`, `made` is first scaled about the axis' foot by
-/// the factor that equals the two heights. Allocates nothing. Both must be valid.
+/// Compares `made` with `target`. Overlaps, distances and turning are the same with the two
+/// exchanged where sizes do not count, since both then have one height. With `scale_free`, `made`
+/// is first scaled about the axis' foot by the factor that equals the two heights. Allocates
+/// nothing. Both must be valid.
 Measures compare(const Profile& target, const Profile& made, bool scale_free);
 
 }  // namespace onggi

@@ -79,6 +79,9 @@ void check_toml(CheckReport& report, const fs::path& file) {
     add(report, drawing.keys_checked, std::move(drawing.problems));
   } else if (has("text") && has("code")) {
     check_language(report, file);
+  } else if (has("outline") || has("stars") || has("size_counts")) {
+    auto rubric = settings::read_rubric(file);
+    add(report, rubric.keys_checked, std::move(rubric.problems));
   } else if (has("clay") || has("tool") || has("contact") || has("wheel") || has("guard")) {
     check_scene(report, file);
   } else {

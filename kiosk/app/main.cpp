@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   onggi::app::add_replay(app, exit_code);
   onggi::app::add_check(app, exit_code);
   onggi::app::add_vessel(app, exit_code);
+  onggi::app::add_score(app, exit_code);
   onggi::app::add_soak(app, exit_code);
   try {
     app.parse(argc, argv);

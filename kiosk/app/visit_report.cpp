@@ -10,14 +10,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Dimensions& d) {
-  return {{"height", d.height},
-          {"belly", d.belly},
-          {"belly_height", d.belly_height},
-          {"mouth", d.mouth},
-          {"neck", d.neck},
-          {"foot", d.foot},
-          {"wall_mean", d.wall_mean},
-          {"wall_evenness", d.wall_evenness}};
+  return {{"height", d.height}, {"belly", d.belly},         {"belly_height", d.belly_height},
+          {"mouth", d.mouth},   {"neck", d.neck},           {"neck_height", d.neck_height},
+          {"foot", d.foot},     {"wall_mean", d.wall_mean}, {"wall_evenness", d.wall_evenness}};
 }
 
 Json json_of(const Measures& m) {
@@ -27,6 +22,9 @@ Json json_of(const Measures& m) {
           {"outline_worst", m.outline_worst},
           {"outline_worst_at", m.outline_worst_at},
           {"outline_worst_sign", m.outline_worst_sign},
+          {"outline_worst_firm", m.outline_worst_firm},
+          {"volume_overlap", m.volume_overlap},
+          {"turning_rms_degrees", m.turning_rms * 57.29577951308232},
           {"target", json_of(m.target)},
           {"made", json_of(m.made)}};
 }
@@ -47,6 +45,8 @@ std::string hash_text(std::uint64_t hash) {
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;
 }
+
+std::string measures_json(const Measures& m) { return json_of(m).dump(); }
 
 std::string visit_report(const KeptVisit& kept, const std::vector<std::filesystem::path>& screens) {
   Json report;

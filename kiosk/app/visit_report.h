@@ -15,6 +15,10 @@ std::string visit_report(const KeptVisit& kept, const std::vector<std::filesyste
 /// The same for a person: what it scored and where the postcard lies.
 std::string visit_summary(const KeptVisit& kept);
 
+/// A JSON object of all measures: lengths in metres, distances of the outlines as shares of the
+/// target's height, angles in degrees.
+std::string measures_json(const Measures& m);
+
 /// 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 

@@ -13,6 +13,10 @@ constexpr double kOutlineAlike = 0.95;
 constexpr double kWallAlike = 0.85;
 constexpr double kWallUneven = 0.75;
 constexpr std::size_t kMost = 3;
+/// A named part is the largest difference where it is as much as this share of the worst place's.
+constexpr double kAsMuch = 0.9;
+/// A place this near to a part is that part, of the height.
+constexpr double kAtEnd = 0.06, kAtPart = 0.08;
 /// A neck is a neck where it is this much narrower than the lip over it.
 constexpr double kNeck = 0.97;
 /// A belly this near to the rim is the mouth.
@@ -88,6 +92,48 @@ std::vector<Remark> alike(const Measures& m, bool scale_free) {
   return best(std::move(found));
 }
 
+std::optional<Remark> largest_difference(const Measures& m, bool scale_free, double true_scale) {
+  const double worst = 2.0 * m.common_worst * m.target.height;  // as a diameter
+  const auto mm = [&](double apart) { return std::lround(1000.0 * true_scale * std::abs(apart)); };
+  const auto told = [&](const std::string& ending, double apart) -> std::optional<Remark> {
+    if (mm(apart) == 0) return std::nullopt;
+    return Remark{"difference." + ending, {{"mm", std::to_string(mm(apart))}}};
+  };
+  const double taller = m.made.height - m.target.height;
+  if (!scale_free && std::abs(taller) > worst) return told(taller > 0.0 ? "tall" : "short", taller);
+
+  const std::vector<Feature> parts = features(m);
+  const Feature* largest = nullptr;
+  for (const Feature& f : parts) {
+    // How high the belly sits counts where there is one to speak of, and it is out by more.
+    const bool height = std::string(f.more) == "high";
+    if (std::abs(f.difference) < (height ? 1.0 : kAsMuch) * worst || f.weight < 0.2) continue;
+    if (largest == nullptr || std::abs(f.difference) > std::abs(largest->difference)) largest = &f;
+  }
+  if (largest != nullptr)
+    return told(std::string(largest->name) + "_" +
+                    (largest->difference > 0.0 ? largest->more : largest->less),
+                largest->difference);
+
+  const std::string ending = m.common_worst_sign > 0.0 ? "wide" : "narrow";
+  const double at = m.common_worst_at;
+  const auto near = [&](double height, double reach) {
+    return std::abs(at - height / m.target.height) <= reach;
+  };
+  if (at <= kAtEnd) return told("foot_" + ending, worst);
+  if (at >= 1.0 - kAtEnd) return told("mouth_" + ending, worst);
+  for (const Feature& f : parts) {
+    if (std::string(f.more) != "wide") continue;
+    if (f.name == std::string("neck") && near(m.target.neck_height, kAtPart))
+      return told("neck_" + ending, worst);
+    if (f.name == std::string("belly") && near(m.target.belly_height, kAtPart))
+      return told("belly_" + ending, worst);
+  }
+  auto remark = told(ending, worst);
+  if (remark) remark->places["percent"] = whole(100.0 * at);
+  return remark;
+}
+
 std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_scale) {
   const double size = size_of(m.target);
   const auto mm = [&](double difference) {
@@ -126,12 +172,15 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
 }
 
 std::vector<std::string> remark_keys() {
-  return {"alike.outline",     "alike.belly",         "alike.mouth",       "alike.foot",
-          "alike.neck",        "alike.height",        "alike.wall",        "alike.start",
-          "remark.belly_wide", "remark.belly_narrow", "remark.belly_high", "remark.belly_low",
-          "remark.neck_wide",  "remark.neck_narrow",  "remark.mouth_wide", "remark.mouth_narrow",
-          "remark.foot_wide",  "remark.foot_narrow",  "remark.wide",       "remark.narrow",
-          "remark.tall",       "remark.short",        "remark.wall_uneven"};
+  std::vector<std::string> keys{"alike.outline", "alike.belly", "alike.mouth",
+                                "alike.foot",    "alike.neck",  "alike.height",
+                                "alike.wall",    "alike.start", "remark.wall_uneven"};
+  for (const char* family : {"remark.", "difference."})
+    for (const char* ending : {"belly_wide", "belly_narrow", "belly_high", "belly_low", "neck_wide",
+                               "neck_narrow", "mouth_wide", "mouth_narrow", "foot_wide",
+                               "foot_narrow", "wide", "narrow", "tall", "short"})
+      keys.push_back(std::string(family) + ending);
+  return keys;
 }
 
 }  // namespace onggi::score

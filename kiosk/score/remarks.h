@@ -11,6 +11,9 @@ double size_of(const Dimensions& target);
 /// What is alike, best first; one to three.
 std::vector<Remark> alike(const Measures& m, bool scale_free);
 
+/// Where the two are furthest apart, and by how much: a part by its name, or a height.
+std::optional<Remark> largest_difference(const Measures& m, bool scale_free, double true_scale);
+
 /// What to try, largest difference first; at most three.
 std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_scale);
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/profile/measures.h"
+#include "kiosk/settings/rubric.h"
 
 namespace onggi::score {
 
@@ -24,6 +26,8 @@ namespace onggi::score {
 ///                             from the foot, where no part of those above is
 ///   remark.tall {mm}          remark.short {mm}          height; never when scale-free
 ///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
+/// The largest difference, said as it is and not as advice, with the same endings and places:
+///   difference.belly_wide ... difference.narrow, difference.tall, difference.short
 struct Remark {
   std::string key;                            ///< "remark.neck_wide"
   std::map<std::string, std::string> places;  ///< {"mm", "8"}
@@ -37,15 +41,17 @@ struct Score {
   double points = 0;  ///< 0..100
   int stars = 0;      ///< 1..5
   Measures measures;
-  std::vector<Remark> alike;     ///< What is alike, best first; one to three.
+  std::vector<Remark> alike;      ///< What is alike, best first; one to three.
+  std::optional<Remark> largest;  ///< The largest difference; absent where there is none of 1 mm.
   std::vector<Remark> try_next;  ///< What to try, largest difference first; none to three, and none
                                  ///< above 97 points.
 };
 
-/// Policy: scale-free by default. Both profiles valid, metres. `true_scale` is true metres for one
-/// metre of `target` (1 / the workspace scale), so that remarks speak of the real vessel; > 0.
-/// Deterministic: the same bits on every machine. Allocates.
+/// What `rubric` makes of the measures; its size_counts is not asked, `scale_free` is. Both
+/// profiles valid, metres. `true_scale` is true metres for one metre of `target` (1 / the workspace
+/// scale), so that remarks speak of the real vessel; > 0. Deterministic: the same bits on every
+/// machine. Allocates.
 Score judge(const Profile& target, const Profile& made, bool scale_free = true,
-            double true_scale = 1.0);
+            double true_scale = 1.0, const settings::Rubric& rubric = {});
 
 }  // namespace onggi::score

@@ -227,7 +227,9 @@ class Throwing final : public Screen {
     let_go();
     set_water(false);
     desk.made = desk.world.mirror->profile();
-    desk.score = score::judge(card->target, desk.made, true, card->scale > 0 ? 1 / card->scale : 1);
+    const settings::Rubric& rubric = desk.world.exhibit->rubric;
+    desk.score = score::judge(card->target, desk.made, !rubric.size_counts,
+                              card->scale > 0 ? 1 / card->scale : 1, rubric);
     desk.kept = Desk::Kept::not_asked;
     desk.postcard = 0;
     desk.go(ScreenId::result);

@@ -144,6 +144,23 @@ void read_shelf_and_scene(Table& root, const fs::path& folder, Exhibit& exhibit)
   }
 }
 
+/// Reads the rubric too; without the key and without the file the defaults stand.
+void read_rubric_of(Table& root, const fs::path& folder, ExhibitRead& read) {
+  const bool named = root.has("rubric");
+  read_path(root, "rubric", folder, read.exhibit.rubric_file);
+  std::error_code error;
+  if (!fs::is_regular_file(read.exhibit.rubric_file, error)) {
+    if (named)
+      root.complain("rubric", "There is no rubric " + read.exhibit.rubric_file.string() + ".",
+                    "Write rubric = \"FILE\", or leave the key out for the rubric built in.");
+    return;
+  }
+  RubricRead rubric = read_rubric(read.exhibit.rubric_file);
+  read.exhibit.rubric = rubric.rubric;
+  read.keys_checked += rubric.keys_checked;
+  read.problems = std::move(rubric.problems);
+}
+
 void read_idle(Table table, Exhibit::Idle& idle) {
   table.number("warn_after", idle.warn_after, 20, 3600, "s");
   table.number("countdown", idle.countdown, 20, 300, "s");
@@ -196,14 +213,15 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_languages(root, language_folder, exhibit.languages);
   read_title(root, exhibit.languages, exhibit.title);
   read_shelf_and_scene(root, folder, exhibit);
+  read_rubric_of(root, folder, read);
   read_idle(root.child("idle"), exhibit.idle);
   read_keepsake(root.child("keepsake"), folder, exhibit.keepsake);
   read_screen(root.child("screen"), exhibit.screen);
   read_reader(root.child("reader"), exhibit.reader);
   root.finish();
 
-  read.problems = reader.problems();
-  read.keys_checked = reader.keys_checked();
+  read.problems.insert(read.problems.begin(), reader.problems().begin(), reader.problems().end());
+  read.keys_checked += reader.keys_checked();
   return read;
 }
 

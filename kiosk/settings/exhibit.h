@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/scene/scene_def.h"
 #include "kiosk/settings/reader_limits.h"
+#include "kiosk/settings/rubric.h"
 
 namespace onggi::settings {
 
@@ -27,6 +28,8 @@ struct Exhibit {
   } idle;
   std::filesystem::path shelf = "../content/vessels";       ///< Folder of vessels.
   std::filesystem::path scene = "scenes/first_touch.toml";  ///< TOML of the scene.
+  std::filesystem::path rubric_file = "rubric.toml";        ///< TOML of the rubric; may be absent.
+  Rubric rubric;                                            ///< What it says, or the defaults.
   struct Keepsake {
     std::filesystem::path folder = "../keepsakes";  ///< Where postcards go; made when first needed.
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.

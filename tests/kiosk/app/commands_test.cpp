@@ -12,7 +12,7 @@ namespace {
 
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
   for (const char* command : {"", "run", "visit", "replay", "check", "vessel", "vessel make",
-                              "vessel inspect", "vessel import", "soak"}) {
+                              "vessel inspect", "vessel import", "score", "soak"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
@@ -28,7 +28,7 @@ TEST(Commands, TheVersionIsAWordAndANumber) {
 TEST(Commands, AWrongOptionIsTheInputsFault) {
   for (const char* wrong :
        {"--windw 1x1", "bogus", "visit", "run --window 10", "replay /nowhere", "check /nowhere",
-        "vessel inspect /nowhere", "vessel make /nowhere.toml"}) {
+        "vessel inspect /nowhere", "score /nowhere /nowhere", "vessel make /nowhere.toml"}) {
     const Outcome run = onggi(wrong);
     EXPECT_EQ(run.exit_code, 2) << wrong;
     EXPECT_FALSE(run.err.empty()) << wrong;
@@ -119,6 +119,40 @@ TEST(Vessel, WhatCannotBeATargetEndsWithTwoPlaceMeaningAndRemedy) {
   EXPECT_EQ(run.out, "");
   for (const char* words : {"ewer", "no body of revolution", "Choose a vessel"})
     EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+}
+
+TEST(Score, ADrawingIsItsOwnGlbAndABowlIsNoJar) {
+  const std::string jar = "content/vessels/moon_jar/";
+  for (const std::string& pot :
+       {jar, jar + "vessel.glb", jar + "vessel.toml", jar + "profile.toml"}) {
+    const Outcome run = onggi("score " + jar + "profile.toml " + pot + " --json -");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_GT(nlohmann::json::parse(run.out)["score"].get<double>(), 99.0) << pot;
+  }
+  const Outcome run = onggi("score content/vessels/tea_bowl " + jar + " --json -");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto report = nlohmann::json::parse(run.out);
+  EXPECT_LT(report["score"].get<double>(), 50.0);
+  EXPECT_NE(report["words"].get<std::string>().find(" mm too "), std::string::npos);
+  for (const char* key : {"outline_rms", "outline_worst", "volume_overlap", "turning_rms_degrees"})
+    EXPECT_TRUE(report["measures"].contains(key)) << key;
+}
+
+TEST(Score, TheRubricIsPolicy) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "rubric.toml").string();
+  const std::string command = "score content/vessels/meiping content/vessels/maebyeong --json - ";
+  const double usual = nlohmann::json::parse(onggi(command).out)["score"].get<double>();
+  std::ofstream(file) << "[outline]\nhalf = 0.2\n";
+  const double mild =
+      nlohmann::json::parse(onggi(command + "--rubric " + file).out)["score"].get<double>();
+  EXPECT_GT(mild, usual + 10.0);
+  std::ofstream(file) << "[outline]\nhalf = 20\n[wal]\nshare = 0\n";
+  const Outcome wrong = onggi(command + "--rubric " + file);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("rubric.toml:2:"), std::string::npos) << wrong.err;
+  EXPECT_EQ(onggi("check " + file).exit_code, 2);
+  EXPECT_EQ(onggi("check config/rubric.toml").exit_code, 0);
 }
 
 TEST(Replay, AFileThatIsNoReplayIsRefusedWithAMeaning) {

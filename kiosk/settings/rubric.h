@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "engine/base/result.h"
+
+namespace onggi::settings {
+
+/// What likeness is worth: config/rubric.toml, a museum's policy. kiosk/docs/score.md explains it.
+struct Rubric {
+  /// One measure: at most `share` of the points hang on it, and half of that share is lost where
+  /// made and wanted are `half` apart.
+  struct Part {
+    double share = 0.0;  ///< 0..1
+    double half = 1.0;   ///< In the measure's own terms, below; > 0.
+    friend bool operator==(const Part&, const Part&) = default;
+  };
+  Part outline{1.0, 0.036};  ///< RMS distance of the outlines / size.
+  Part volume{0.10, 0.50};   ///< 1 - volume in both / volume in either.
+  Part belly{0.05, 0.06};    ///< Difference of radii / size, and so the next three.
+  Part mouth{0.05, 0.06};
+  Part neck{0.05, 0.06};
+  Part foot{0.05, 0.06};
+  Part curvature{0.05, 25.0};  ///< RMS difference of turning, degrees.
+  Part wall{0.05, 0.40};       ///< Evenness lacking / the vessel's own.
+  Part height{0.30, 0.10};     ///< Difference / the vessel's own, where size counts.
+  /// An outline that is `limit` of the height away anywhere has at most `points` of 100.
+  struct Worst {
+    double limit = 0.05, points = 89.9;
+    friend bool operator==(const Worst&, const Worst&) = default;
+  } worst;
+  bool size_counts = false;  ///< False: the pot is first scaled to the vessel's height.
+  std::array<double, 4> stars{40.0, 60.0, 75.0, 90.0};  ///< Points for two to five stars, rising.
+  friend bool operator==(const Rubric&, const Rubric&) = default;
+};
+
+struct RubricRead {
+  Rubric rubric;
+  std::vector<Problem> problems;  ///< With file, line and column.
+  int keys_checked = 0;
+};
+
+/// Reads a rubric. On problems `rubric` holds every value that was good, and defaults elsewhere.
+RubricRead read_rubric(const std::filesystem::path& file);
+
+}  // namespace onggi::settings
