@@ -12,6 +12,11 @@ using view::Rect;
 
 namespace {
 
+/// What the vessel measures on the wheel, of its true size.
+int percent_of_size(const ShelfCard& card) {
+  return static_cast<int>(std::lround(100.0 * card.scale));
+}
+
 /// The shelf, and over it the label of the vessel that was touched.
 class Choose final : public Screen {
  public:
@@ -209,6 +214,10 @@ class Choose final : public Screen {
       const std::string size =
           desk.say("choose.size", {{"cm", centimetres(shelf->vessel->true_height)}});
       line += (line.empty() ? "" : ". ") + size;
+      // A vessel is worked at a size that a hand can reach, and the label says which.
+      if (const int percent = percent_of_size(*shelf); percent != 100)
+        line += ". " + desk.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
+                                {{"percent", std::to_string(percent)}});
     }
     column.text(line, t.body, Face::sans, view::kFaintInk);
     column.space(t.gap);

@@ -8,6 +8,7 @@
 
 #include "kiosk/content/language.h"
 #include "kiosk/score/score.h"
+#include "tests/kiosk/screens/visitor.h"
 
 namespace onggi::screens {
 namespace {
@@ -87,6 +88,26 @@ TEST(Words, EnglishSentencesHaveAtMostTwentyFiveWords) {
       EXPECT_LE(words, 25) << key;
     }
   }
+}
+
+TEST(Words, ALabelSaysAtWhatPartOfItsSizeAVesselIsThrown) {
+  Visitor v(3);
+  v.shelf[1].scale = 1.0;
+  v.shelf[2].scale = 1.42;
+  v.touch("attract.begin");
+  v.frames(1);
+  const auto label = [&v](int card) {
+    v.touch("choose.card." + std::to_string(card));
+    v.frames(1);
+    const std::string words = words_in(v.frame);
+    v.touch("back");
+    v.frames(1);
+    return words;
+  };
+  EXPECT_NE(label(0).find("Too large for the wheel, so you throw it at 65 percent"),
+            std::string::npos);
+  EXPECT_EQ(label(1).find("percent of its size"), std::string::npos);
+  EXPECT_NE(label(2).find("Small, so you throw it at 142 percent"), std::string::npos);
 }
 
 }  // namespace
