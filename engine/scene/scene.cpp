@@ -333,6 +333,9 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
 
 const SceneDef& Scene::def() const { return state_->def; }
 const Clay& Scene::clay() const { return state_->clay; }
+double Scene::wetness_of(int row) const {
+  return state_->moisture ? state_->moisture->of_row(row) : 0.0;
+}
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
 int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }
 void Scene::mark_all_dirty() noexcept { state_->clay.mark_all_dirty(); }

@@ -34,6 +34,8 @@ class Scene {
 
   const SceneDef& def() const;
   const Clay& clay() const;
+  /// Wetness of row `row` of the clay, 0..1: where it shines.
+  double wetness_of(int row) const;
   /// Hands::restore has a stroke, or a fresh lump, to take back.
   bool can_restore() const;
   /// Takes and clears the lowest changed row at or above `from`; -1 when none. No allocation.

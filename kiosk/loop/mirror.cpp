@@ -15,6 +15,7 @@ double mean(const float* first, int n) {
 void Mirror::reset(int rows, int sectors, double height, double floor_height, double outer,
                    double inner) {
   rows_ = rows;
+  wet_.clear();
   sectors_ = sectors;
   height_ = height;
   floor_height_ = floor_height;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "engine/profile/profile.h"
@@ -15,6 +16,8 @@ class Mirror {
   void reset(int rows, int sectors, double height, double floor_height, double outer, double inner);
   /// `radii`: `sectors` outer radii, then `sectors` inner ones, metres.
   void apply(int row, const std::vector<float>& radii);
+  /// How wet the clay is at even heights, foot to rim.
+  void moisten(std::vector<float> wet) { wet_ = std::move(wet); }
   /// Where the middle of a row now is, and the rim and the floor, metres.
   void stack(int row, double middle, double rim, double floor);
 
@@ -24,6 +27,8 @@ class Mirror {
   double floor_height() const { return floor_height_; }
   const std::vector<float>& outer() const { return outer_; }  ///< rows x sectors.
   const std::vector<float>& inner() const { return inner_; }
+  /// 0 dry .. 1 dripping, at even heights from foot to rim; empty where the pot is wet all alike.
+  const std::vector<float>& wet() const { return wet_; }
   Profile profile() const;
   /// Mean radius of a face at height `h` (clamped), metres.
   double radius_at(double h, WallSide side) const;
@@ -31,7 +36,7 @@ class Mirror {
  private:
   int rows_ = 0, sectors_ = 0;
   double height_ = 0, floor_height_ = 0;
-  std::vector<float> outer_, inner_;
+  std::vector<float> outer_, inner_, wet_;
   std::vector<double> mean_outer_, mean_inner_, middle_;
 };
 

@@ -18,6 +18,8 @@ Pot::Pot(Scene made, std::uint32_t number)
       rows(scene.clay().rows(), scene.clay().sectors()),
       records(kRecordDepth) {
   scene.mark_all_dirty();
+  const auto& moisture = scene.def().moisture;
+  if (moisture && moisture->sponge_height > 0.0) wet = std::make_unique<WetRows>();
 }
 
 PotterCore::PotterCore() : commands_(kCommandDepth), returned_(kReturnDepth) {}
@@ -116,6 +118,7 @@ void PotterCore::tick(double dt) noexcept {
     for (std::size_t i = 0; i < pointers_.size(); ++i) pointers_[i].feel(status_.feedback.hand[i]);
   }
   pot_->rows.publish(pot_->scene, kRowsPerTick);
+  if (pot_->wet) pot_->wet->publish(pot_->scene);
   status_.ticks = pot_->scene.counters().ticks;
   status_.time = pot_->scene.time();
   status_.can_restore = pot_->scene.can_restore();

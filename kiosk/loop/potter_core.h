@@ -12,6 +12,7 @@
 #include "kiosk/device/pointer_hand.h"
 #include "kiosk/loop/row_channel.h"
 #include "kiosk/loop/status.h"
+#include "kiosk/loop/wet_rows.h"
 
 namespace onggi::loop {
 
@@ -23,6 +24,7 @@ struct Pot {
   Scene scene;
   std::uint32_t serial;
   RowChannel rows;
+  std::unique_ptr<WetRows> wet;                       ///< Where rows have a wetness of their own.
   moodycamel::ReaderWriterQueue<TickRecord> records;  ///< Loop to main; 16 s deep.
   std::uint64_t dropped_records = 0;                  ///< Loop's; read once the pot is back.
 };

@@ -22,12 +22,45 @@ std::unique_ptr<Scene> pot(const SceneDef& def) {
   return std::make_unique<Scene>(std::move(*Scene::create(def)));
 }
 
+/// A stepped wheel with a pot on it.
+struct Stepped {
+  explicit Stepped(const SceneDef& def) {
+    host.start(pot(def));
+    host.advance(1);
+    host.collect([](const RowChannel::Row&) {});
+  }
+  SteppedPotter host;
+};
+
 HandInput press_at(const SceneDef& def, double depth) {
   HandInput hand;
   hand.active = true;
   hand.side = SideWish::outside;
   hand.position = {def.clay.outer_radius + def.tool.radius - depth, def.clay.height / 2, 0};
   return hand;
+}
+
+TEST(Potter, RowsThatAreWetAreSeenWetAndAPotWithoutSuchRowsHasNone) {
+  SceneDef def = small_scene();
+  Stepped plain(def);
+  EXPECT_TRUE(plain.host.mirror().wet().empty());
+  def.moisture->sponge_height = 0.04;
+  Stepped rows(def);
+  HandInput hand = press_at(def, 0.001);
+  rows.host.hand(0, hand);
+  rows.host.water(true);
+  rows.host.advance(2000);
+  rows.host.collect([](const RowChannel::Row&) {});
+  const auto& wet = rows.host.mirror().wet();
+  ASSERT_EQ(wet.size(), 64u);
+  EXPECT_GT(wet[32], 0.8f) << "where the sponge was";
+  EXPECT_LT(wet[4], 0.05f);
+  EXPECT_LT(wet[60], 0.05f);
+  const float before = wet[32];
+  rows.host.water(false);
+  rows.host.advance(20000);
+  rows.host.collect([](const RowChannel::Row&) {});
+  EXPECT_LT(rows.host.mirror().wet()[32], 0.8f * before) << "it dries";
 }
 
 void expect_mirror_is_the_clay(PotterHost& host) {
