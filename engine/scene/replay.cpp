@@ -111,8 +111,13 @@ void ReplayWriter::note_hash(std::uint64_t state_hash) {
   io(state_hash);
 }
 
-std::vector<std::byte> ReplayWriter::finish(std::uint64_t state_hash) {
+std::vector<std::byte> ReplayWriter::finish(std::uint64_t state_hash, const std::string& glaze) {
   Writer io(bytes_);
+  if (!glaze.empty()) {
+    std::uint8_t glazed = kGlaze;
+    io(glazed);
+    io.text(glaze, kLongestId);
+  }
   std::uint8_t tag = kEnd;
   io(tag);
   io(state_hash);
@@ -152,6 +157,11 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
       replay.notes.push_back(note);
       continue;
     }
+    if (tag == kGlaze) {
+      if (!io.text(replay.glaze, kLongestId))
+        return malformed("The replay is cut short in a name.");
+      continue;
+    }
     if ((tag & ~unsigned{kAllFields}) != 0 || !tick_fields(io, tag, last))
       return malformed("A tick is damaged or cut short.");
     if (replay.ticks.size() == kMostTicks) return malformed("The replay is longer than an hour.");
@@ -164,6 +174,7 @@ Result<ReplayOutcome> run_replay(const Replay& replay, std::unique_ptr<Scene>* s
   if (!scene) return tl::unexpected<Problem>(scene.error());
   ReplayOutcome outcome;
   outcome.vessel_id = replay.vessel_id;
+  outcome.glaze = replay.glaze;
   outcome.seed = replay.seed;
   outcome.recorded_hash = replay.final_hash;
 

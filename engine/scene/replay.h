@@ -20,15 +20,16 @@ struct TickRecord {
 
 /// Writes a replay: header (magic, version, SceneDef, vessel id), then each tick as the fields that
 /// changed since the one before (an unchanged tick is one byte); every simulated second a state
-/// hash may be noted. Bit for bit, NaN and -0 included. Little-endian everywhere. Allocates; not
-/// for the tick.
+/// hash may be noted; at the end the glaze that was chosen and the last hash. Bit for bit, NaN and
+/// -0 included. Little-endian everywhere. Allocates; not for the tick.
 class ReplayWriter {
  public:
   ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed);
   void tick(const TickRecord& record);
   void note_hash(std::uint64_t state_hash);
-  /// Ends the replay with the final hash and gives its bytes.
-  std::vector<std::byte> finish(std::uint64_t state_hash);
+  /// Ends the replay with the final hash and gives its bytes. `glaze`: the id of the one that the
+  /// pot was fired with; empty where it was not.
+  std::vector<std::byte> finish(std::uint64_t state_hash, const std::string& glaze = {});
 
  private:
   std::vector<std::byte> bytes_;
@@ -38,6 +39,7 @@ class ReplayWriter {
 /// What replaying found.
 struct ReplayOutcome {
   std::string vessel_id;
+  std::string glaze;  ///< "": not fired.
   std::uint64_t seed = 0;
   std::uint64_t ticks = 0;
   std::uint64_t recorded_hash = 0;  ///< The hash written at the end.
@@ -59,6 +61,7 @@ struct Replay {
   std::vector<TickRecord> ticks;
   std::vector<Note> notes;
   std::uint64_t final_hash = 0;
+  std::string glaze;  ///< "": not fired.
   static Result<Replay> read(std::span<const std::byte> bytes, const std::string& name);
 };
 

@@ -13,7 +13,7 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 6;
+inline constexpr std::uint32_t kVersion = 7;
 
 /// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
 enum Tag : std::uint8_t {
@@ -25,8 +25,9 @@ enum Tag : std::uint8_t {
   kHold0 = 1u << 5,     // a byte and four doubles: tool, handle and roll
   kHold1 = 1u << 6,     // likewise
   kAllFields = kHand0 | kHand1 | kSwitches | kWheel | kTime | kHold0 | kHold1,
-  kNote = 0x80,  // a hash of the state here
-  kEnd = 0x81,   // the last hash, and nothing after it
+  kNote = 0x80,   // a hash of the state here
+  kGlaze = 0x82,  // the glaze's id: its size and its letters
+  kEnd = 0x81,    // the last hash, and nothing after it
 };
 
 /// Appends little-endian values.

@@ -6,6 +6,7 @@
 
 #include "kiosk/app/paths.h"
 #include "kiosk/content/drawing.h"
+#include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/settings/exhibit.h"
@@ -38,6 +39,12 @@ void check_language(CheckReport& report, const fs::path& file) {
   add(report, language.keys_checked, std::move(language.problems));
 }
 
+void check_glazes(CheckReport& report, const fs::path& file,
+                  const std::vector<std::string>& languages = {}) {
+  auto glazes = content::read_glazes(file, languages);
+  add(report, glazes.keys_checked, std::move(glazes.problems));
+}
+
 void check_vessels(CheckReport& report, const fs::path& path,
                    const settings::ReaderLimits& limits = {}) {
   auto shelf = content::check_shelf(path, limits);
@@ -58,6 +65,8 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file) {
   std::error_code ignored;
   // What is missing has been named by read_exhibit; here goes what is there.
   if (fs::is_regular_file(exhibit.scene, ignored)) check_scene(report, exhibit.scene);
+  if (fs::is_regular_file(exhibit.glazes, ignored))
+    check_glazes(report, exhibit.glazes, exhibit.languages);
   for (const std::string& code : exhibit.languages)
     if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
       check_language(report, words);
@@ -77,6 +86,8 @@ void check_toml(CheckReport& report, const fs::path& file) {
   else if (has("outer") || has("inner")) {
     auto drawing = content::check_drawing(file);
     add(report, drawing.keys_checked, std::move(drawing.problems));
+  } else if (has("glaze")) {
+    check_glazes(report, file);
   } else if (has("text") && has("code")) {
     check_language(report, file);
   } else if (has("outline") || has("stars") || has("size_counts")) {
@@ -125,7 +136,7 @@ Result<CheckReport> check_path(const std::string& path) {
   }
   if (!fs::exists(path, ignored))
     return problem(path, "There is nothing of this name.",
-                   "Name an exhibit, a scene, a language, a drawing, a vessel or a shelf.");
+                   "Name an exhibit, a scene, a language, glazes, a drawing, a vessel or a shelf.");
   if (fs::path(path).extension() == ".toml")
     check_toml(report, path);
   else

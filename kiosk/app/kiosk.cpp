@@ -1,10 +1,12 @@
 #include "kiosk/app/kiosk.h"
 
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <utility>
 
 #include "engine/clay/clay_mesh.h"
+#include "engine/effects/kiln.h"
 #include "engine/profile/mesh.h"
 #include "engine/script/script.h"
 #include "kiosk/app/log.h"
@@ -23,7 +25,14 @@ namespace {
 // Attract mode shows a pot in about half a minute, the time a passer-by gives it.
 constexpr double kAttractPace = 3.0;
 
+constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture.
+
 constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
+
+void shrink(TriangleMesh& mesh, double size) {
+  for (auto& at : mesh.positions)
+    for (float& x : at) x *= static_cast<float>(size);
+}
 
 std::string local_time(const char* format) {
   const std::time_t now = std::time(nullptr);
@@ -84,7 +93,19 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   auto languages = read_languages(exhibit_, options.language);
   if (!languages) return tl::unexpected(languages.error());
   languages_ = std::move(*languages);
+  if (scene_def_.kiln) {
+    auto glazes = content::read_glazes(exhibit_.glazes, exhibit_.languages);
+    log_problems(glazes.problems);
+    glazes_ = std::move(glazes.glazes);
+  }
   return {};
+}
+
+std::optional<screens::Kiln> Kiosk::kiln() const {
+  if (!scene_def_.kiln || glazes_.empty()) return std::nullopt;
+  const KilnDef& def = *scene_def_.kiln;
+  return screens::Kiln{size_after(def, {1.0, 0.0}), size_after(def, {1.0, 1.0}),
+                       def.glaze_thickness / kUsualCoat, &glazes_};
 }
 
 void Kiosk::begin_visit(double now) {
@@ -97,6 +118,7 @@ void Kiosk::begin_visit(double now) {
   world.potter = potter_.get();
   world.max_wheel_speed = scene_def_.wheel.max_speed;
   world.tool_radius = scene_def_.tool.radius;
+  world.kiln = kiln();
   visit_ = std::make_unique<screens::Visit>(world);
   if (shelf_->cards().empty())
     visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
@@ -197,9 +219,16 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   const screens::ShelfCard& card = shelf_->cards()[static_cast<std::size_t>(request.card)];
   const content::Language& language = language_of(languages_, visit_->language());
   const content::Label label = card.vessel->label(language.code());
+  const auto fired_in = request.glaze >= 0 ? kiln() : std::nullopt;
+  const content::Glaze* glaze =
+      fired_in ? &glazes_[static_cast<std::size_t>(request.glaze)] : nullptr;
+  const double size = fired_in ? fired_in->fired_size : 1.0;
   KeptVisit kept;
   kept.vessel_id = card.vessel->id;
   kept.score = request.score;
+  kept.thrown_height = request.made.height();
+  kept.height = size * kept.thrown_height;
+  if (glaze != nullptr) kept.glaze = glaze->id;
 
   souvenir::Keepsake keepsake;
   const bool lent = potter_->with_scene([&](Scene& scene) {
@@ -212,12 +241,23 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
                              "If this returns, look for a stuck 1 kHz loop in the log.", 1});
     return;
   }
-  if (potter_->dropped_records() == 0) keepsake.replay = potter_->replay(kept.state_hash);
+  shrink(keepsake.pot, size);
+  if (potter_->dropped_records() == 0)
+    keepsake.replay = potter_->replay(kept.state_hash, kept.glaze);
 
-  const souvenir::PostcardWords words =
-      postcard_words(language, label, request.score.stars, exhibit_);
+  souvenir::PostcardWords words = postcard_words(language, label, request.score.stars, exhibit_);
+  std::optional<view::Glazing> glazing;
+  content::GlbMaterial material;
+  if (glaze != nullptr) {
+    words.glaze =
+        language.say("postcard.glaze", {{"glaze", glaze->name_in(language.code())},
+                                        {"mm", std::to_string(std::lround(1000 * kept.height))}});
+    glazing = view::Glazing{glaze->look, fired_in->coat};
+    material = {glaze->id, content::swatch(glaze->look), 0.7f - 0.6f * glaze->look.gloss};
+  }
+  // The picture is drawn from the rows on the wheel, and a picture has no size.
   const view::Image image = renderer_->draw_offscreen(
-      souvenir::compose_postcard(words, request.made, card.target, renderer_->measure()));
+      souvenir::compose_postcard(words, request.made, card.target, renderer_->measure(), glazing));
   if (postcard_ != 0) renderer_->drop_picture(postcard_);
   postcard_ = renderer_->make_picture(image);
   visit_->show_postcard(postcard_);
@@ -225,7 +265,7 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   keepsake.name = local_time("%Y-%m-%d_%H%M%S_") + card.vessel->id;
   keepsake.postcard = image;
   keepsake.caption = {words.title, exhibit_.credit, words.vessel};
-  keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit_.credit);
+  keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit_.credit, material);
   saving_ticket_ = keepsakes_->save(std::move(keepsake));
   kept_ = std::move(kept);
 }

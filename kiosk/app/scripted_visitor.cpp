@@ -9,8 +9,9 @@ namespace onggi::app {
 using screens::ScreenId;
 
 namespace {
+constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one.
 constexpr double kKeepTimeout = 60.0;  // s of visit for a slow disk; a save itself gives up sooner.
-}
+}  // namespace
 
 ScriptedVisitor::ScriptedVisitor(Kiosk& kiosk, Plan plan,
                                  std::function<void(const std::string&)> passed)
@@ -77,6 +78,8 @@ Result<void> ScriptedVisitor::step(double now) {
       touched_ = true;
       pass("result");
       return touch("result.keep");
+    case ScreenId::kiln:
+      return on_kiln();
     case ScreenId::keepsake:
       return on_keepsake();
     case ScreenId::fault:
@@ -128,6 +131,26 @@ Result<void> ScriptedVisitor::on_throw(double now) {
   touched_ = true;
   pass("throw_done");
   return touch("throw.done");
+}
+
+/// Chooses, looks on while it is in the fire, and again when it is out.
+Result<void> ScriptedVisitor::on_kiln() {
+  if (touched_) return {};
+  if (!half_shown_) {
+    half_shown_ = true;
+    pass("kiln");
+    entered_ = now_ - plan_.linger + kInTheFire;
+    return touch("kiln.glaze." + std::to_string(plan_.glaze));
+  }
+  if (!label_open_) {
+    label_open_ = true;
+    pass("kiln_fire");
+    entered_ = now_ - plan_.linger + kOutOfIt;
+    return {};
+  }
+  touched_ = true;
+  pass("kiln_fired");
+  return touch("kiln.keep");
 }
 
 Result<void> ScriptedVisitor::on_keepsake() {

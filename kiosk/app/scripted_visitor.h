@@ -13,7 +13,8 @@ class ScriptedVisitor {
  public:
   struct Plan {
     std::string script = "follow";
-    int card = 0;  ///< Of the shelf.
+    int card = 0;   ///< Of the shelf.
+    int glaze = 0;  ///< Of the exhibit's, where the scene has a kiln.
     std::uint64_t seed = 1;
     double pace = 1.0;    ///< Of the script.
     double linger = 2.0;  ///< Seconds spent looking at each screen.
@@ -33,6 +34,7 @@ class ScriptedVisitor {
   void enter(screens::ScreenId screen, double now);
   Result<void> on_choose();
   Result<void> on_throw(double now);
+  Result<void> on_kiln();
   Result<void> on_keepsake();
   Result<void> touch(const std::string& control);
   void touch_at(float x, float y);

@@ -53,6 +53,9 @@ std::string visit_report(const KeptVisit& kept, const std::vector<std::filesyste
   report["vessel"] = kept.vessel_id;
   report["score"] = kept.score.points;
   report["stars"] = kept.score.stars;
+  report["glaze"] = kept.glaze;
+  report["thrown_height"] = kept.thrown_height;
+  report["height"] = kept.height;
   report["measures"] = json_of(kept.score.measures);
   report["state_hash"] = hash_text(kept.state_hash);
   report["ticks"] = kept.ticks;

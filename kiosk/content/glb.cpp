@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ class Bytes {
 }  // namespace
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
-                                 const std::string& copyright) {
+                                 const std::string& copyright, const GlbMaterial& material) {
   using nlohmann::ordered_json;
   const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
 
@@ -98,12 +99,15 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
 
   ordered_json asset = {{"version", "2.0"}, {"generator", "Onggi"}};
   if (!copyright.empty()) asset["copyright"] = copyright;
-  // A red stoneware clay, unglazed: linear base colour.
-  const ordered_json clay = {{"name", "clay"},
-                             {"pbrMetallicRoughness",
-                              {{"baseColorFactor", {0.342, 0.162, 0.078, 1.0}},
-                               {"metallicFactor", 0.0},
-                               {"roughnessFactor", 0.9}}}};
+  // Four digits are more than an eye tells apart, and the same on every machine.
+  const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
+  const ordered_json surface = {
+      {"name", material.name},
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor",
+         {digits(material.color[0]), digits(material.color[1]), digits(material.color[2]), 1.0}},
+        {"metallicFactor", 0.0},
+        {"roughnessFactor", digits(material.roughness)}}}};
   const ordered_json primitive = {
       {"attributes", attributes}, {"indices", normals ? 2 : 1}, {"material", 0}};
   const ordered_json document = {
@@ -113,7 +117,7 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
       {"nodes", ordered_json::array({{{"name", title}, {"mesh", 0}}})},
       {"meshes",
        ordered_json::array({{{"name", title}, {"primitives", ordered_json::array({primitive})}}})},
-      {"materials", ordered_json::array({clay})},
+      {"materials", ordered_json::array({surface})},
       {"accessors", accessors},
       {"bufferViews", views},
       {"buffers", ordered_json::array({{{"byteLength", bin.size()}}})}};

@@ -49,9 +49,16 @@ const GltfPart* find_part(const GltfModel& model, const std::string& name);
 /// two groups of them stand apart from each other. Empty where all of it is one.
 std::vector<const GltfPart*> separate_objects(const GltfModel& model);
 
-/// A GLB of one mesh with a clay material; `title`, `copyright` go into the asset. Deterministic
+/// What a written GLB's surface is. The default: a red stoneware clay, unglazed.
+struct GlbMaterial {
+  std::string name = "clay";
+  std::array<float, 3> color{0.342f, 0.162f, 0.078f};  ///< Linear, 0..1.
+  float roughness = 0.9f;                              ///< 0..1
+};
+
+/// A GLB of one mesh with one material; `title`, `copyright` go into the asset. Deterministic
 /// bytes.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
-                                 const std::string& copyright);
+                                 const std::string& copyright, const GlbMaterial& material = {});
 
 }  // namespace onggi::content

@@ -105,6 +105,12 @@ int PotterHost::collect(const std::function<void(const RowChannel::Row&)>& chang
   if (lent_) put_back();  // It came back after with_scene() had given up waiting.
   if (current_ == nullptr) return 0;
   note_records(*current_);
+  if (current_->wet) {
+    std::vector<float> wet(WetRows::kHeights);
+    for (int i = 0; i < WetRows::kHeights; ++i)
+      wet[static_cast<std::size_t>(i)] = current_->wet->at(i);
+    mirror_.moisten(std::move(wet));
+  }
   int count = 0;
   while (RowChannel::Row* row = current_->rows.take()) {
     mirror_.apply(row->row, row->radii);
@@ -138,10 +144,11 @@ bool PotterHost::with_scene(const std::function<void(Scene&)>& look) {
   return put_back();
 }
 
-std::vector<std::byte> PotterHost::replay(std::uint64_t state_hash) const {
+std::vector<std::byte> PotterHost::replay(std::uint64_t state_hash,
+                                          const std::string& glaze) const {
   if (!recording_) return {};
   ReplayWriter copy = *recording_;
-  return copy.finish(state_hash);
+  return copy.finish(state_hash, glaze);
 }
 
 }  // namespace onggi::loop

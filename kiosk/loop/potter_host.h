@@ -45,8 +45,9 @@ class PotterHost : public PotterCommands {
   /// Lends the scene to `look` on this thread; the wheel waits meanwhile and then goes on. False
   /// when there is no pot or the loop did not answer within a second.
   bool with_scene(const std::function<void(Scene&)>& look);
-  /// The replay so far, ended with the scene's present hash; empty when nothing was recorded.
-  std::vector<std::byte> replay(std::uint64_t state_hash) const;
+  /// The replay so far, ended with the scene's present hash and the glaze that was chosen, if any;
+  /// empty when nothing was recorded.
+  std::vector<std::byte> replay(std::uint64_t state_hash, const std::string& glaze = {}) const;
 
  protected:
   /// `patience`: seconds that with_scene() and full queues wait for the loop.

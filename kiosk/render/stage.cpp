@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <string>
 
 #include "kiosk/render/shaders.h"
@@ -24,11 +25,9 @@ constexpr std::array<Wall, 3> kWalls{{{72, 112, 280.0f}, {96, 192, 900.0f}, {192
 
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
-              kRowAt = 6;
+              kRowAt = 6, kWetRows = 7;
 
-// Display colours of LOOK.md, as linear light.
-const glm::vec3 kDry(0.405f, 0.240f, 0.137f), kWet(0.1559f, 0.0704f, 0.0423f);
-const glm::vec3 kCeladonGlaze(0.3372f, 0.4621f, 0.3515f), kStoneware(0.40f, 0.215f, 0.118f);
+// As linear light.
 const glm::vec3 kSlip(0.30f, 0.185f, 0.125f);
 
 glm::vec3 vec(Vec3 v) {
@@ -77,10 +76,10 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   std::unique_ptr<Stage> stage(new Stage);
   Result<void> fine;
   const auto make = [&fine](Program& into, const char* name, const char* text, bool lit, int part,
-                            int fired) {
+                            std::size_t skin) {
     if (!fine) return;
     const std::string which =
-        "#define PART " + std::to_string(part) + "\n#define FIRED " + std::to_string(fired) + "\n";
+        "#define PART " + std::to_string(part) + "\n#define SKIN " + std::to_string(skin) + "\n";
     auto made =
         Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text});
     if (made) {
@@ -91,8 +90,8 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   };
   for (int part = 0; part < 6; ++part) {
     const auto p = static_cast<std::size_t>(part);
-    make(stage->clay_programs_[0][p], "clay", k_clay_glsl, true, part, 0);
-    make(stage->clay_programs_[1][p], "clay", k_clay_glsl, true, part, 1);
+    for (std::size_t skin = 0; skin < stage->clay_programs_.size(); ++skin)
+      make(stage->clay_programs_[skin][p], "clay", k_clay_glsl, true, part, skin);
   }
   for (const int part : {0, 1}) {
     const auto p = static_cast<std::size_t>(part);
@@ -125,7 +124,8 @@ void Stage::draw_plaster(int width, int height) {
   quad_.draw();
 }
 
-void Stage::cast_shadow(double height, float wheel_radius, const Texture& levels, GLint back_to) {
+void Stage::cast_shadow(double height, float wheel_radius, const Texture& levels, GLint back_to,
+                        float size) {
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
   shadow_.bind();
@@ -136,10 +136,11 @@ void Stage::cast_shadow(double height, float wheel_radius, const Texture& levels
   studio_.light(shadow_program_, kSky);
   levels.bind(kLevelsUnit);
   shadow_program_.set("levels", kLevelsUnit);
-  shadow_program_.set("reach", kShadowReach);
+  // A smaller pot in the studio is the pot in a larger studio: light from afar knows no size.
+  shadow_program_.set("reach", kShadowReach / size);
   shadow_program_.set("height", static_cast<float>(height));
-  shadow_program_.set("table_y", kTable);
-  shadow_program_.set("wheel_radius", wheel_radius);
+  shadow_program_.set("table_y", kTable / size);
+  shadow_program_.set("wheel_radius", wheel_radius / size);
   quad_.draw();
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(back_to));
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
@@ -177,11 +178,15 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   const float wheel_radius = pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f;
-  if (clay_.refresh(clay_levels_) || !shadow_of_clay_ || shadow_wheel_ != wheel_radius) {
-    cast_shadow(clay_.shape().height, wheel_radius, clay_levels_, target);
+  const auto size = static_cast<float>(std::clamp(pot.size, 0.5, 1.0));
+  if (clay_.refresh(clay_levels_) || !shadow_of_clay_ || shadow_wheel_ != wheel_radius ||
+      shadow_size_ != size) {
+    cast_shadow(clay_.shape().height, wheel_radius, clay_levels_, target, size);
     shadow_of_clay_ = true;
     shadow_wheel_ = wheel_radius;
+    shadow_size_ = size;
   }
+  skin_.prepare(pot);
   glClearColor(0, 0, 0, 0);
   glClearStencil(0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -193,7 +198,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  draw_ground(clip, pot.wheel, pot.wheel ? wheel_radius : clay_.levels().outer[0],
+  draw_ground(clip, pot.wheel, pot.wheel ? wheel_radius : size * clay_.levels().outer[0],
               pot.wheel ? 0.9f : 1.0f);
 
   // 2. The wheel head, and the pot mirrored in it.
@@ -241,11 +246,13 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
 const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::mat4& clip,
                                float pixel) {
   const view::GridShape& shape = clay_.shape();
-  const bool fired = pot.finish == view::Finish::fired;
   const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
-  const Program& program = clay_programs_[fired ? 1 : 0][static_cast<std::size_t>(part)];
+  const Program& program = clay_programs_[ClaySkin::of(pot)][static_cast<std::size_t>(part)];
   program.use();
   set_light(program, pot.camera, clay_levels_);
+  // All is computed at the thrown size; a pot that has shrunk is seen from as much farther away.
+  const auto size = static_cast<float>(std::clamp(pot.size, 0.5, 1.0));
+  program.set("eye", vec(pot.camera.eye()) / size);
   clay_.outer().bind(kOuter);
   clay_.inner().bind(kInner);
   program.set("outer_radius", kOuter);
@@ -255,7 +262,7 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   program.set("first_wall_row", clay_.first_wall_row());
   program.set("lip_radius", static_cast<float>(shape.lip_radius));
   program.set("mean_lip", clay_.lip());
-  program.set("clip_from_studio", clip);
+  program.set("clip_from_studio", glm::scale(clip, glm::vec3(size)));
   program.set("grid", glm::vec2(clay_.sectors(), clay_.rows()));
   program.set("height", static_cast<float>(shape.height));
   program.set("floor_height", static_cast<float>(shape.floor_height));
@@ -265,13 +272,9 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   program.set("open_angle", 0.5f * kPi * open);
   program.set("opened", open);
   program.set("mirrored", 0.0f);
-  program.set("pixel", pixel);
+  program.set("pixel", pixel / size);
   program.set("wetness", static_cast<float>(pot.wetness));
-  program.set("fired", fired ? 1.0f : 0.0f);
-  program.set("dry_color", kDry);
-  program.set("wet_color", kWet);
-  program.set("glaze_color", kCeladonGlaze);
-  program.set("body_color", kStoneware);
+  skin_.set(program, pot, kWetRows);
   return program;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/render/clay_skin.h"
 #include "kiosk/render/clay_surface.h"
 #include "kiosk/render/gl.h"
 #include "kiosk/render/studio.h"
@@ -37,7 +38,9 @@ class Stage {
  private:
   Stage() = default;
   /// `wheel_radius` 0: no wheel head.
-  void cast_shadow(double height, float wheel_radius, const Texture& levels, GLint back_to);
+  /// `size` of the vessel, 1 where it has not shrunk.
+  void cast_shadow(double height, float wheel_radius, const Texture& levels, GLint back_to,
+                   float size = 1.0f);
   void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
   void draw_ground(const glm::mat4& clip, bool wheel, float foot, float strength,
                    glm::vec2 faded_size = glm::vec2(0.0f));
@@ -49,7 +52,9 @@ class Stage {
 
   Studio studio_;
   ClaySurface clay_;
-  std::array<std::array<Program, 6>, 2> clay_programs_;  // by finish and part of clay.glsl
+  ClaySkin skin_;
+  std::array<std::array<Program, 6>, ClaySkin::kSkins>
+      clay_programs_;  // by skin and part of clay.glsl
   std::array<Program, 2> wheel_programs_, solid_programs_;
   Program shadow_program_, ground_program_, plaster_program_;
   std::array<Mesh, 3> walls_;
@@ -57,7 +62,7 @@ class Stage {
   Texture clay_levels_, mesh_levels_;
   Target shadow_;
   bool shadow_of_clay_ = false;  // and still true
-  float shadow_wheel_ = 0;
+  float shadow_wheel_ = 0, shadow_size_ = 1;
 };
 
 }  // namespace onggi::render

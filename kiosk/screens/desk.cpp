@@ -7,6 +7,7 @@ void Desk::forget() {
   card = -1;
   made = {};
   score = {};
+  glaze = -1;
   kept = Kept::not_asked;
   kept_as.clear();
   postcard = 0;
@@ -28,6 +29,15 @@ content::Label Desk::label(int index) const {
   const ShelfCard* shelf = shelf_card(index);
   return shelf != nullptr && shelf->vessel != nullptr ? shelf->vessel->label(words().code())
                                                       : content::Label{};
+}
+
+void Desk::keep_pot() {
+  if (kept != Kept::not_asked && kept_glaze_ == glaze) return;
+  requests.emplace_back(MakeKeepsake{card, score, made, glaze});
+  kept = Kept::asked;
+  kept_glaze_ = glaze;
+  kept_as.clear();
+  postcard = 0;
 }
 
 void Desk::start_pot(int index, bool scripted) {

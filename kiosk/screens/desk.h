@@ -27,6 +27,7 @@ class Desk {
   int card = -1;
   Profile made;
   score::Score score;
+  int glaze = -1;  ///< Chosen of world.kiln's; -1: none yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
   std::string kept_as;
   view::PictureId postcard = 0;
@@ -50,6 +51,8 @@ class Desk {
   const ShelfCard* shelf_card(int index) const;
   content::Label label(int index) const;
 
+  /// Asks for the keepsake, once for a pot and its glaze.
+  void keep_pot();
   /// Asks for a fresh lump; until it is on the wheel, pot_ready() is false.
   void start_pot(int index, bool scripted);
   bool pot_ready() const { return !awaited_; }
@@ -57,6 +60,7 @@ class Desk {
   void look_at(const loop::LoopStatus& newest);
 
  private:
+  int kept_glaze_ = -1;                   ///< As it was last asked for.
   std::optional<std::uint32_t> awaited_;  ///< Serial of the pot that is to be replaced.
   double pot_since_ = 0;
 };

@@ -26,7 +26,10 @@ class Keepsake final : public Screen {
                          {"keepsake.again", desk.say("keepsake.again"), Look::outline}});
     column.foot_space(t.gap);
     const bool failed = desk.kept == Desk::Kept::failed;
-    column.text(desk.say(desk.postcard == 0 && !failed ? "keepsake.firing" : "keepsake.title"),
+    const bool making = desk.postcard == 0 && !failed;
+    column.text(making            ? desk.say("keepsake.making")
+                : desk.glaze >= 0 ? desk.say("keepsake.title")
+                                  : desk.say("keepsake.unfired"),
                 t.title, Face::serif);
     column.space(t.gap);
     switch (desk.kept) {
@@ -49,7 +52,7 @@ class Keepsake final : public Screen {
     if (control == "keepsake.done") desk.go(ScreenId::attract);
     if (control == "keepsake.again") desk.go(ScreenId::choose);
   }
-  void back() override { desk.go(ScreenId::result); }
+  void back() override { desk.go(desk.world.kiln ? ScreenId::kiln : ScreenId::result); }
 
  private:
   /// A card of 5:7 lying on the plaster: a soft shadow laid in films, no frame.

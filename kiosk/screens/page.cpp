@@ -44,6 +44,7 @@ Padding padding(Look look, const TypeScale& t) {
   return look == Look::quiet || look == Look::plain ? Padding{0, t.body * 0.2f}
                                                     : Padding{t.body * 0.7f, t.body * 0.32f};
 }
+float swatch_width(const TypeScale& t) { return t.body * 1.2f; }
 view::TextStyle button_style(const Page& page) {
   view::TextStyle s = page.style(Face::sans, page.type().body, Align::centre);
   s.line_height = kButtonLine;
@@ -54,11 +55,12 @@ view::TextStyle button_style(const Page& page) {
 view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
   const Padding pad = padding(button.look, type());
   const auto style = button_style(*this);
+  const float aside = button.swatch ? swatch_width(type()) : 0;
   const auto room = [&](const std::string& words, float width) {
     auto text = size(words, style, -1);
-    if (text.width + kSlack + 2 * pad.x > width)
-      text = size(words, style, width - 2 * pad.x - kSlack);
-    return view::TextMeasure::Size{std::max(text.width + kSlack + 2 * pad.x, type().target),
+    if (text.width + kSlack + 2 * pad.x + aside > width)
+      text = size(words, style, width - 2 * pad.x - kSlack - aside);
+    return view::TextMeasure::Size{std::max(text.width + kSlack + 2 * pad.x + aside, type().target),
                                    std::max(text.height + 2 * pad.y, type().target)};
   };
   if (button.other.empty()) return room(button.room.empty() ? button.words : button.room, at_most);
@@ -73,9 +75,10 @@ void Page::button(const Button& button, const Rect& rect) {
   } else {
     const Padding pad = padding(button.look, type());
     const auto style = button_style(*this);
-    const float inner = rect.w - 2 * pad.x;
+    const float aside = button.swatch ? swatch_width(type()) : 0;
+    const float inner = rect.w - 2 * pad.x - aside;
     const auto text = size(button.words, style, inner);
-    const Rect box{rect.x + pad.x, rect.y + (rect.h - text.height) / 2, inner, text.height};
+    const Rect box{rect.x + pad.x + aside, rect.y + (rect.h - text.height) / 2, inner, text.height};
     const bool held = sheet_.attention.pressed == button.id && !button.id.empty();
     const float radius = type().body * 0.14f;
     Color ink = view::kCobalt;
@@ -98,6 +101,14 @@ void Page::button(const Button& button, const Rect& rect) {
         draw(view::Box{{x, y, text.width, type().hairline}, 0, view::kCobalt, 0, {}});
         break;
       }
+    }
+    if (button.swatch) {
+      const float d = type().body * 0.9f;
+      draw(view::Box{{rect.x + pad.x * 0.8f, rect.y + (rect.h - d) / 2, d, d},
+                     d / 2,
+                     *button.swatch,
+                     std::max(1.0f, d * 0.05f),
+                     view::with_alpha(ink, 0.6f)});
     }
     words(box, button.words, style, ink);
   }

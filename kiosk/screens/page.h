@@ -36,6 +36,7 @@ struct Button {
   std::string room = {};   ///< The longest words that will stand here, if these change.
   std::string other = {};  ///< A switch: `words` | `other`, one of them on.
   bool other_on = false;
+  std::optional<view::Color> swatch = {};  ///< A disc of this colour before the words.
 };
 
 /// What a page is set on.

@@ -45,6 +45,7 @@ std::unique_ptr<Screen> make_attract(Desk& desk);
 std::unique_ptr<Screen> make_choose(Desk& desk);
 std::unique_ptr<Screen> make_throwing(Desk& desk);
 std::unique_ptr<Screen> make_result(Desk& desk);
+std::unique_ptr<Screen> make_kiln(Desk& desk);
 std::unique_ptr<Screen> make_keepsake(Desk& desk);
 std::unique_ptr<Screen> make_fault(Desk& desk);
 

@@ -68,6 +68,7 @@ view::PotView Stage::view(const Desk& desk, const Page& page) const {
   pot.wheel_angle = desk.status.feedback.wheel_angle;
   pot.wheel_radius = wheel_radius_;
   pot.wetness = desk.status.feedback.wetness;
+  pot.wet_rows = desk.world.mirror->wet();
   pot.cut_away = cut_ < 0.004 ? 0.0 : cut_;
   pot.opacity = desk.pot_ready() ? shown_ : 0.0;
   for (std::size_t i = 0; i < pot.tools.size(); ++i) {

@@ -231,6 +231,7 @@ class Throwing final : public Screen {
     desk.score = score::judge(card->target, desk.made, !rubric.size_counts,
                               card->scale > 0 ? 1 / card->scale : 1, rubric);
     desk.kept = Desk::Kept::not_asked;
+    desk.glaze = -1;
     desk.postcard = 0;
     desk.go(ScreenId::result);
   }

@@ -23,6 +23,8 @@ std::string_view name_of(ScreenId id) {
       return "throw";
     case ScreenId::result:
       return "result";
+    case ScreenId::kiln:
+      return "kiln";
     case ScreenId::keepsake:
       return "keepsake";
     case ScreenId::fault:
@@ -70,7 +72,7 @@ void Visit::update(double now, const loop::LoopStatus& status) {
     if (s.over == Over::help && now - s.changed_at > 60.0) s.cover(Over::nothing);
   } else {
     const auto& wait = s.desk.world.exhibit->idle;
-    const bool reading = id == ScreenId::result || id == ScreenId::keepsake;
+    const bool reading = id == ScreenId::result || id == ScreenId::kiln || id == ScreenId::keepsake;
     switch (s.idle.look(now, reading ? wait.result_after : wait.warn_after, wait.countdown)) {
       case IdleWatch::Word::none:
         break;

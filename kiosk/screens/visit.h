@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/loop/mirror.h"
@@ -19,9 +20,9 @@
 
 namespace onggi::screens {
 
-enum class ScreenId { attract, choose, throwing, result, keepsake, fault };
+enum class ScreenId { attract, choose, throwing, result, kiln, keepsake, fault };
 std::string_view name_of(
-    ScreenId id);  ///< "attract", "choose", "throw", "result", "keepsake", "fault"
+    ScreenId id);  ///< "attract", "choose", "throw", "result", "kiln", "keepsake", "fault"
 
 /// A vessel as the screens know it.
 struct ShelfCard {
@@ -39,10 +40,19 @@ struct StartPot {
 struct MakeKeepsake {
   int card = 0;
   score::Score score;
-  Profile made;
+  Profile made;    ///< As thrown.
+  int glaze = -1;  ///< Of Kiln::glazes; -1: not fired.
 };
 struct ForgetVisitor {};  ///< Idle or done: drop postcard, replay, everything of the visitor.
 using Request = std::variant<StartPot, MakeKeepsake, ForgetVisitor>;
+
+/// What happens to a pot at the end, where the scene has a kiln.
+struct Kiln {
+  double dried_size = 1.0;  ///< What drying leaves of every length, 0..1.
+  double fired_size = 1.0;  ///< And the kiln, of the thrown length.
+  double coat = 1.0;        ///< The glass, as a share of 0.5 mm.
+  const std::vector<content::Glaze>* glazes = nullptr;  ///< To choose from; at least one.
+};
 
 /// What the visit may look at. All outlive it.
 struct VisitWorld {
@@ -55,9 +65,11 @@ struct VisitWorld {
   loop::PotterCommands* potter = nullptr;
   double max_wheel_speed = 31.4;  ///< rad/s, of the scene in use.
   double tool_radius = 0.008;
+  std::optional<Kiln> kiln;
 };
 
-/// The visit as a state machine: attract -> choose -> throw -> result -> keepsake -> attract, with
+/// The visit as a state machine: attract -> choose -> throw -> result -> kiln (where there is one)
+/// -> keepsake -> attract, with
 /// the idle warning over any of them but attract. Knows no clock, window or file: time and input
 /// come in, frames, commands and requests go out. Main thread.
 class Visit {
@@ -92,6 +104,7 @@ class Visit {
   ///             "throw.renew", "throw.restore" (while there is a stroke to take back),
   ///             "throw.done"
   ///   result    "result.keep", "result.again", "result.other"
+  ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
   ///   keepsake  "keepsake.done"        fault  "fault.on"
   ///   over any  "help", "help.close", "idle.stay", "language", "back"
   /// Nothing when it is not on the screen. A control acts when the pointer is lifted on it.

@@ -18,6 +18,8 @@ std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk) {
       return make_throwing(desk);
     case ScreenId::result:
       return make_result(desk);
+    case ScreenId::kiln:
+      return make_kiln(desk);
     case ScreenId::keepsake:
       return make_keepsake(desk);
     case ScreenId::fault:

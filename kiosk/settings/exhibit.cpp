@@ -142,6 +142,11 @@ void read_shelf_and_scene(Table& root, const fs::path& folder, Exhibit& exhibit)
     root.complain("scene", "There is no scene " + exhibit.scene.string() + ".",
                   "Write scene = \"FILE\" with one of the files in scenes/.");
   }
+  read_path(root, "glazes", folder, exhibit.glazes);
+  if (!fs::is_regular_file(exhibit.glazes, error)) {
+    root.complain("glazes", "There is no file of glazes " + exhibit.glazes.string() + ".",
+                  "Write glazes = \"FILE\" with a file such as content/glazes.toml.");
+  }
 }
 
 /// Reads the rubric too; without the key and without the file the defaults stand.

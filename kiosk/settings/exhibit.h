@@ -30,6 +30,8 @@ struct Exhibit {
   std::filesystem::path scene = "scenes/first_touch.toml";  ///< TOML of the scene.
   std::filesystem::path rubric_file = "rubric.toml";        ///< TOML of the rubric; may be absent.
   Rubric rubric;                                            ///< What it says, or the defaults.
+  std::filesystem::path glazes =
+      "../content/glazes.toml";  ///< The glazes to choose from; used where the scene has a kiln.
   struct Keepsake {
     std::filesystem::path folder = "../keepsakes";  ///< Where postcards go; made when first needed.
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.

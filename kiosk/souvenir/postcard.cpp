@@ -122,7 +122,8 @@ class SectionDrawing {
 }  // namespace
 
 view::Frame compose_postcard(const PostcardWords& words, const Profile& made, const Profile& target,
-                             const view::TextMeasure& measure) {
+                             const view::TextMeasure& measure,
+                             const std::optional<view::Glazing>& glazing) {
   view::Frame card;
   card.width = kPostcardWidth;
   card.height = kPostcardHeight;
@@ -130,7 +131,10 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   view::PotView pot;
   pot.camera =
       view::frame_pot(kPostcardWidth, kPostcardHeight, kPot, made.height(), made.max_radius());
-  pot.finish = view::Finish::fired;
+  if (glazing) {
+    pot.finish = view::Finish::fired;
+    pot.glazing = *glazing;
+  }
   pot.wheel = false;
   card.pot = pot;
 
@@ -152,9 +156,9 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   // Small print at the foot, left of the drawing.
   const float print_width = width - kSectionWidth - 60;
   const auto print = type(Face::sans, 28, words.language);
-  const std::string small = words.credit.empty() ? words.date
-                            : words.date.empty() ? words.credit
-                                                 : words.credit + "\n" + words.date;
+  std::string small;
+  for (const std::string& line : {words.glaze, words.credit, words.date})
+    if (!line.empty()) small += (small.empty() ? "" : "\n") + line;
   if (!small.empty()) {
     const auto size = measure.measure(small, print, print_width);
     card.items.push_back(Text{

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,17 @@ struct PostcardWords {
   int stars = 0;       ///< 0..5, as small filled circles.
   std::string credit;  ///< The museum's.
   std::string date;    ///< Already formatted.
+  std::string glaze;   ///< And the size: "Celadon, 175 mm high". May be empty.
   std::string language = "en";
 };
 
 inline constexpr int kPostcardWidth = 1500, kPostcardHeight = 2100;
 
-/// The postcard of the design, composed once for screen and file: the fired pot alone on plaster,
-/// title, vessel, stars, credit, and a hairline section of `made` (dark) over `target` (pale) in
-/// the corner.
+/// The postcard of the design, composed once for screen and file: the pot alone on plaster, with
+/// its glaze (none: as dry clay), title, vessel, stars, credit, and a hairline section of `made`
+/// (dark) over `target` (pale) in the corner.
 view::Frame compose_postcard(const PostcardWords& words, const Profile& made, const Profile& target,
-                             const view::TextMeasure& measure);
+                             const view::TextMeasure& measure,
+                             const std::optional<view::Glazing>& glazing = view::Glazing{});
 
 }  // namespace onggi::souvenir

@@ -11,6 +11,7 @@
 
 #include "engine/math/vec.h"
 #include "engine/profile/profile.h"
+#include "kiosk/content/glaze.h"
 #include "kiosk/view/camera.h"
 #include "kiosk/view/rect.h"
 
@@ -76,8 +77,21 @@ struct Picture {
 
 using Item = std::variant<Text, Box, Line, Picture>;
 
-/// How the clay's surface is finished.
-enum class Finish : std::uint8_t { clay, fired };
+/// How the clay's surface is finished; `firing` is on its way from clay, or from another glaze.
+enum class Finish : std::uint8_t { clay, firing, fired };
+
+/// The glass on a fired pot. As it comes: a coat of celadon.
+struct Glazing {
+  content::GlazeLook look;
+  double coat = 1.0;  ///< Its thickness as a share of 0.5 mm, 0 (bare) .. 4.
+};
+
+/// A pot on its way to its glaze.
+struct FiringView {
+  std::optional<Glazing> from;  ///< What it wore before; none: dry clay.
+  double done = 0;              ///< 0 none .. 1 all of the new glaze.
+  double glow = 0;              ///< 0 cold .. 1 white heat's red.
+};
 
 struct ToolView {
   bool visible = false;
@@ -89,8 +103,13 @@ struct ToolView {
 struct PotView {
   Camera camera;
   double wheel_angle = 0;
-  double wetness = 0;
+  double wetness = 0;  ///< Mean, 0..1.
+  /// Wetness at even heights, foot to rim, 0..1, at most 256; empty: `wetness` all over.
+  std::vector<float> wet_rows;
   Finish finish = Finish::clay;
+  Glazing glazing;    ///< Of `firing` and `fired`.
+  FiringView firing;  ///< Of `firing`.
+  double size = 1;    ///< What is left of every length since the clay was thrown, 0.5..1.
   double cut_away =
       0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
   bool wheel = true;            ///< Draw the wheel head.

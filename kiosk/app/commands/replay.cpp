@@ -48,6 +48,7 @@ Result<int> replay(const std::string& name, const std::string& json_file) {
   nlohmann::ordered_json report;
   report["file"] = name;
   report["vessel"] = outcome->vessel_id;
+  report["glaze"] = outcome->glaze;
   report["seed"] = outcome->seed;
   report["ticks"] = outcome->ticks;
   report["state_hash"] = hash_text(outcome->replayed_hash);
@@ -64,6 +65,7 @@ Result<int> replay(const std::string& name, const std::string& json_file) {
       if (auto good = souvenir::write_durably(json_file, std::as_bytes(std::span(text))); !good)
         return tl::unexpected(good.error());
     std::cout << name << ": " << outcome->ticks << " ticks of " << outcome->vessel_id << ", "
+              << (outcome->glaze.empty() ? "" : "glaze " + outcome->glaze + ", ")
               << (same ? "the same pot, bit for bit (" : "another pot than was recorded (")
               << hash_text(outcome->replayed_hash) << ")\n";
   }

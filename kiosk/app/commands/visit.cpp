@@ -32,7 +32,8 @@ constexpr double kFrameSeconds = 0.04;  // 25 frames a second of visit, each 40 
 constexpr int kFrameTicks = 40;
 
 struct VisitArguments {
-  std::string config, script = "follow", vessel, out, json, window = "1280x720", language, shelf;
+  std::string config, script = "follow", vessel, out, json, window = "1280x720", language, shelf,
+                      glaze;
   std::uint64_t seed = 1;
   bool realtime = false;
 };
@@ -76,6 +77,19 @@ Result<int> find_card(const Kiosk& kiosk, Shelf& shelf, const Choice& choice) {
       "--vessel " + choice.id,
       "No such file, and no such vessel on the shelf " + searched.string() + ".",
       (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + ("There are: " + all + "."));
+}
+
+Result<int> find_glaze(const Kiosk& kiosk, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const content::Glaze& glaze : kiosk.glazes()) ids.push_back(glaze.id);
+  if (id.empty()) return 0;
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found != ids.end()) return static_cast<int>(found - ids.begin());
+  std::string all;
+  for (const std::string& each : ids) all += (all.empty() ? "" : ", ") + each;
+  return problem("--glaze " + id, "The exhibit has no such glaze.",
+                 ids.empty() ? "Its scene has no kiln, or its glazes could not be read."
+                             : "There are: " + all + ".");
 }
 
 /// Keeps the pictures of the screens passed, encoded once the visit is over.
@@ -180,6 +194,9 @@ Result<void> visit(const VisitArguments& arguments) {
   plan.script = arguments.script;
   plan.card = *card;
   plan.seed = arguments.seed;
+  const auto glaze = find_glaze(kiosk, arguments.glaze);
+  if (!glaze) return tl::unexpected(glaze.error());
+  plan.glaze = *glaze;
   ScriptedVisitor visitor(kiosk, plan, [&album](const std::string& name) { album.take(name); });
   const auto walked = walk(kiosk, visitor, arguments.realtime);
   // The pictures are wanted most of all when something went wrong.
@@ -220,6 +237,7 @@ void add_visit(CLI::App& app, int& exit_code) {
       "Write what it came to as JSON here too (- for standard output); OUT/visit.json always");
   command->add_flag("--realtime", arguments->realtime, "At a visitor's speed, in a visible window");
   command->add_option("--window", arguments->window, "WIDTHxHEIGHT of the screens [1280x720]");
+  command->add_option("--glaze", arguments->glaze, "A glaze of the exhibit [its first]");
   command->add_option("--language", arguments->language, "A language of the exhibit [its first]");
   command->add_option("--config", arguments->config, "The exhibit's TOML [config/exhibit.toml]");
   command->add_option("--shelf", arguments->shelf, "A folder of vessels instead of the exhibit's");

@@ -1,7 +1,8 @@
 // The clay: a mesh whose density is its own, displaced by the radius textures. Its columns stand
 // still in the studio while the texture turns past them, so the cut-away needs no discarded pixel.
-// PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of the floor, 5 of the wall. FIRED: 0
-// or 1. Both are known when the program is made: software rasterizers run every branch of a shader.
+// PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of the floor, 5 of the wall. SKIN: 0
+// dry clay, 1 wet clay, 2 glazed, 3 on its way to a glaze. Both are known when the program is made:
+// software rasterizers run every branch of a shader, and a scene without water has none of it.
 
 uniform mat4 clip_from_studio;
 uniform sampler2D outer_radius, inner_radius, grain;
@@ -10,8 +11,26 @@ uniform vec2 grid;  // sectors, rows
 uniform float first_wall_row, lip_radius, mean_lip;
 uniform float height, floor_height, wheel_angle, open_from, open_angle, face_angle, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
-uniform float wetness, fired, opened;
-uniform vec3 dry_color, wet_color, glaze_color, body_color;
+uniform float wetness, opened;
+uniform vec3 dry_color, wet_color;
+#if SKIN == 1
+uniform sampler2D wet_rows;  // over the share of the height
+float wet_at(float t) { return textureLod(wet_rows, vec2(t, 0.5), 0.0).r; }
+#else
+float wet_at(float t) { return 0.0; }
+#endif
+#if SKIN >= 2
+struct Glaze {
+  vec3 body, glass, slip, band;
+  vec4 lie;     // how the slip covers, how it was brushed, how the glass pools, gloss
+  vec3 band_at; // height and width of the painted band, shares of the height; thickness of the coat
+};
+uniform Glaze glaze;
+#endif
+#if SKIN == 3
+uniform Glaze glaze_before;
+uniform float from_clay, fired, glow;
+#endif
 
 float turn_of(float angle) { return (angle - wheel_angle) / (2.0 * kPi); }
 vec2 rows_at(float t) {
@@ -114,6 +133,54 @@ vec3 normal_of(sampler2D radius, float u, float t, float low, float side, out fl
   return side * normalize(vec3(level.x, -slope_y, level.y));
 }
 
+struct Surface {
+  vec3 albedo;
+  float roughness, coat;
+};
+
+// Clay as it dries: ridges and fine grain first, so that the last of the water goes in patches. Wet,
+// it is darker, and under a film of water.
+Surface of_clay(float wet, float groove, float fleck) {
+  wet = clamp(wet + (0.9 * fleck + 0.35 * groove) * 4.0 * wet * (1.0 - wet), 0.0, 1.0);
+  Surface s;
+  s.albedo = mix(dry_color, wet_color, wet) * (1.0 + 0.16 * fleck) * (1.0 - 0.16 * groove);
+  s.roughness = mix(0.78, 0.27 + 0.12 * fleck, wet);
+  s.coat = mix(0.012, 0.045, wet);
+  return s;
+}
+
+#if SKIN >= 2
+// A glaze is a coloured glass that runs (Beer-Lambert): deep in grooves and towards the foot, thin
+// on ridges and the lip, where slip and body show through; the foot ring was wiped clean.
+Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip, float wiped) {
+  float coat = g.band_at.z, pooling = g.lie.z;
+  float thick = 0.62 + pooling * groove + 0.3 * pooling * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
+  if (PART >= 2) thick += 0.33 * pooling * (1.0 - t);
+  thick = coat * clamp(thick, 0.05, 1.8);
+  // A coarse brush on the turning pot leaves level streaks.
+  float streak = textureLod(grain, vec2(u, position.y * 34.0 + u), 0.0).r;
+  float stroke = textureLod(grain, vec2(u, position.y * 7.0 + 2.0 * u), 0.0).r;
+  float brushed = mix(1.0, smoothstep(0.20, 0.56, 0.75 * streak + 0.35 * stroke), g.lie.y);
+  float cover = g.lie.x * brushed * clamp((thick + 0.02) * 1.9, 0.0, 1.0);
+  vec3 under = mix(g.body * (1.0 + 0.07 * fleck), g.slip, cover);
+  if (PART == 0) {
+    // Painted by hand: its edges waver, and the brush ran dry here and there.
+    float edge = 0.5 * g.band_at.y + 0.0018 * fleck;
+    float off = abs(t - g.band_at.x);
+    float line = 1.0 - smoothstep(edge - 0.0012, edge + 0.0012, off);
+    float fine = 1.0 - smoothstep(0.0018, 0.0032, abs(off - 1.35 * g.band_at.y));
+    under = mix(under, g.band, step(1e-4, g.band_at.y) * max(line, 0.85 * fine) * (0.86 + 0.3 * fleck));
+  }
+  Surface s;
+  s.albedo = under * exp(thick * 1.15 * log(max(g.glass, vec3(1e-4)))) * 0.86;
+  float glass = min(coat * 4.0, 1.0) * (1.0 - wiped);
+  s.albedo = mix(s.albedo, g.body * (1.0 + 0.3 * fleck), 1.0 - glass);
+  s.roughness = mix(0.7, mix(0.62, 0.07, g.lie.w) + 0.12 * lip, glass);
+  s.coat = mix(0.009, 0.045, glass);
+  return s;
+}
+#endif
+
 vec3 section_color(float u) {
   float rho = length(position.xz), t = position.y / height;
   float outer = outer_at(u, t), inner = inner_at(u, t);
@@ -122,7 +189,12 @@ vec3 section_color(float u) {
   float top = height - depth + lip_rise(depth, inner, outer, rho);
   edge = min(edge, position.y > floor_height ? min(rho - inner, top - position.y)
                                              : (rho < inner_at(u, 0.0) ? floor_height - position.y : 1.0));
-  vec3 clay = mix(mix(dry_color, wet_color, 0.45 * wetness), body_color, fired);
+  vec3 clay = mix(dry_color, wet_color, 0.45 * wet_at(t));
+#if SKIN == 2
+  clay = glaze.body;
+#elif SKIN == 3
+  clay = mix(mix(glaze_before.body, clay, from_clay), glaze.body, fired);
+#endif
   vec3 flat_ = mix(clay, vec3(0.93, 0.80, 0.66), 0.55);
   float fleck = textureLod(grain, vec2(rho, position.y) * 24.0, 0.0).r;
   flat_ *= 0.94 + 0.1 * fleck;
@@ -161,31 +233,30 @@ void main() {
   // The material under this point.
   float fleck = textureLod(grain, vec2(u * 6.0, position.y * 22.0 + rho * 9.0), 0.0).r - 0.5;
   float groove = clamp(bend / 900.0, -1.0, 1.0);
-  float wet = wetness;
-  vec3 albedo = mix(dry_color, wet_color, wet) * (1.0 + 0.16 * fleck) * (1.0 - 0.16 * groove);
-  float roughness = mix(0.78, 0.27 + 0.12 * fleck, wet), coat = mix(0.012, 0.045, wet);
-#if FIRED
-  // Celadon: a coloured glass that runs. Deep in grooves and towards the foot, thin on ridges and
-  // the lip, where the body shows through; the foot ring was wiped clean.
+#if SKIN < 2
+  Surface skin = of_clay(wet_at(t), groove, fleck);
+#else
   float lip = PART == 1 ? 1.0 - 0.75 * across * across
                         : 0.25 * smoothstep(-mean_lip - 0.0016, -mean_lip, position.y - height);
-  float thick = 0.62 + 0.75 * groove + 0.22 * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
-  if (PART >= 2) thick += 0.25 * (1.0 - t);
-  thick = clamp(thick, 0.05, 1.8);
-  vec3 glass = exp(-thick * (-log(glaze_color) * 1.15));
-  vec3 under = mix(body_color * vec3(1.0, 0.86, 0.72), vec3(0.80, 0.78, 0.72), clamp(thick * 1.9, 0.0, 1.0));
-  albedo = under * glass * 0.86;
-  roughness = 0.13 + 0.12 * lip;
-  coat = 0.045;
   float wiped = PART == 0 ? 1.0 - smoothstep(0.0042, 0.0056, position.y + 0.0012 * fleck) : 0.0;
-  vec3 bare = body_color * vec3(1.0, 0.82, 0.66) * (1.0 + 0.3 * fleck);
-  albedo = mix(albedo, bare, wiped);
-  coat *= 1.0 - 0.8 * wiped;
-  roughness = mix(roughness, 0.7, wiped);
+  Surface skin = of_glaze(glaze, u, t, groove, fleck, lip, wiped);
+#endif
+#if SKIN == 3
+  // The new glaze comes in patches, from the foot up as the kiln's heat does.
+  Surface before = of_glaze(glaze_before, u, t, groove, fleck, lip, wiped);
+  Surface clay = of_clay(0.0, groove, fleck);
+  float patch_ = textureLod(grain, vec2(u * 2.0, position.y * 3.0), 0.0).r;
+  float here = smoothstep(-0.16, 0.16, 1.32 * fired - 0.16 - (0.45 * t + 0.55 * patch_));
+  before.albedo = mix(before.albedo, clay.albedo, from_clay);
+  before.roughness = mix(before.roughness, clay.roughness, from_clay);
+  before.coat = mix(before.coat, clay.coat, from_clay);
+  skin.albedo = mix(before.albedo, skin.albedo, here);
+  skin.roughness = mix(before.roughness, skin.roughness, here);
+  skin.coat = mix(before.coat, skin.coat, here);
 #endif
 
 #if PART >= 2
-  Seen s = seen_inside(position, n, t, albedo, opened);
+  Seen s = seen_inside(position, n, t, skin.albedo, opened);
 #else
   Seen s = seen_outside(position, n, t);
   // Near the foot the pot shades its own wheel head, which then has little to hand back.
@@ -193,8 +264,14 @@ void main() {
   if (PART == 1) s.sky = 1.0;
 #endif
   vec3 v = normalize(eye - position);
-  vec3 lit = albedo * diffuse_light(n, s);
-  lit += specular(n, v, roughness, coat, s.sky * (PART >= 2 ? s.sky : 1.0), s.window);
+  vec3 lit = skin.albedo * diffuse_light(n, s);
+  lit += specular(n, v, skin.roughness, skin.coat, s.sky * (PART >= 2 ? s.sky : 1.0), s.window);
+#if SKIN == 3
+  // At 1200 degrees a pot is its own light; hollows glow brightest, as they see most of it.
+  float hollow = PART >= 2 ? 1.3 : 1.0 - 0.35 * clamp(dot(n, v), 0.0, 1.0);
+  lit = lit * (1.0 - 0.6 * glow) +
+        vec3(0.74, 0.150, 0.020) * glow * glow * hollow * (1.0 + 0.35 * groove);
+#endif
   color = vec4(dithered(to_display(tone(lit)), gl_FragCoord.xy), 1.0);
   // The wheel head mirrors what stands near it, the more the wetter it is.
   color *= mirrored > 0.5 ? exp(-position.y / 0.035) * (0.07 + 0.23 * wetness) : 1.0;

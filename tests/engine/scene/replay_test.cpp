@@ -134,6 +134,21 @@ RC_GTEST_PROP(ReplayProperty, ADamagedFileIsRefusedOrReadAndNeverCrashes, (std::
   }
 }
 
+TEST(Replay, CarriesTheGlazeThatWasChosenAndNoneWhereThereWasNone) {
+  const SceneDef def = small();
+  for (const std::string glaze : {"", "white_porcelain"}) {
+    ReplayWriter writer(def, "moon_jar", 1);
+    writer.tick({});
+    const auto bytes = writer.finish(7, glaze);
+    const auto read = Replay::read(bytes, "visit.onggi");
+    ASSERT_TRUE(read) << to_text(read.error());
+    EXPECT_EQ(read->glaze, glaze);
+    EXPECT_EQ(read->final_hash, 7u);
+    for (std::size_t n = 0; n < bytes.size(); ++n)
+      EXPECT_FALSE(Replay::read(std::span(bytes).first(n), "cut"));
+  }
+}
+
 TEST(Replay, EveryShorterFileIsRefused) {
   const auto bytes = recorded(9, 40, small());
   for (std::size_t n = 0; n < bytes.size(); ++n)

@@ -19,7 +19,10 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   for (int i = 0; i < 2; ++i) {
     const std::string out = (folder / std::to_string(i)).string();
     const Outcome run = onggi(
-        "visit --script follow --vessel moon_jar --seed 3 --window 1024x600 --json - --out " + out);
+        "visit --script follow --vessel moon_jar --glaze tenmoku --seed 3 --window 1024x600 --json "
+        "- "
+        "--out " +
+        out);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     reports[i] = Json::parse(run.out);
   }
@@ -28,6 +31,10 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   EXPECT_EQ(reports[0]["ticks"], reports[1]["ticks"]);
   EXPECT_GT(reports[0]["score"].get<double>(), 90.0);
   EXPECT_EQ(reports[0]["vessel"], "moon_jar");
+  EXPECT_EQ(reports[0]["glaze"], "tenmoku");
+  // Stoneware shrinks by an eighth.
+  EXPECT_NEAR(reports[0]["height"].get<double>(), 0.875 * reports[0]["thrown_height"].get<double>(),
+              1e-4);
 
   EXPECT_GE(reports[0]["screens"].size(), 6u);
   ASSERT_EQ(reports[0]["files"].size(), 5u);
@@ -39,6 +46,7 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   const Outcome replay = onggi("replay --json - " + reports[0]["files"][4].get<std::string>());
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
   EXPECT_EQ(Json::parse(replay.out)["state_hash"], reports[0]["state_hash"]);
+  EXPECT_EQ(Json::parse(replay.out)["glaze"], "tenmoku");
 }
 
 TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
@@ -59,7 +67,7 @@ TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysW
                             "ulimit -f 800");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("postcard"), std::string::npos) << run.err;
-  EXPECT_TRUE(fs::exists(out + "/screens/08_keepsake.png"));
+  EXPECT_TRUE(fs::exists(out + "/screens/11_keepsake.png"));
   for (const auto& entry : fs::recursive_directory_iterator(out))
     EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
 }
@@ -69,6 +77,14 @@ TEST(Visit, AnUnknownVesselIsRefusedWithTheNearestRightName) {
   const Outcome run = onggi("visit --vessel moon_jra --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("Did you mean moon_jar?"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnUnknownGlazeIsRefusedWithThoseThereAre) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      onggi("visit --vessel moon_jar --glaze jade --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("celadon, white_porcelain"), std::string::npos) << run.err;
 }
 
 TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {

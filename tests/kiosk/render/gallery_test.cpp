@@ -51,6 +51,35 @@ TEST_F(Gallery, AVaseDryAndWetAndFiredAndOpened) {
   keep_for_looking(r.draw_offscreen(card), "postcard");
 }
 
+TEST_F(Gallery, EveryGlazeOfTheExhibitOnAVase) {
+  const content::GlazesRead read = content::read_glazes("content/glazes.toml", {"en", "ko"});
+  ASSERT_TRUE(read.problems.empty()) << to_text(read.problems.front());
+  ASSERT_GE(read.glazes.size(), 3u);
+  Renderer& r = renderer();
+  r.set_grid(kVase);
+  r.update_rows(thrown_rows(kVase, vase, 0.006, 0.00022));
+  view::Frame frame = frame_with_pot(kWidth, kHeight, 0.20, 0.066);
+  frame.pot->wheel = false;
+  frame.pot->wheel_angle = 1.2;
+  frame.pot->size = 0.875;
+  frame.pot->finish = view::Finish::fired;
+  for (const content::Glaze& glaze : read.glazes) {
+    frame.pot->glazing.look = glaze.look;
+    r.draw(frame);
+    keep_for_looking(r.read_pixels(), "glaze_" + glaze.id);
+  }
+  frame.pot->glazing.coat = 0.0;
+  r.draw(frame);
+  keep_for_looking(r.read_pixels(), "glaze_none");
+  frame.pot->finish = view::Finish::firing;
+  frame.pot->glazing = {};
+  for (const double done : {0.0, 0.3, 0.5, 0.8}) {
+    frame.pot->firing = {std::nullopt, done, std::sin(3.14159 * (0.15 + 0.85 * done))};
+    r.draw(frame);
+    keep_for_looking(r.read_pixels(), "firing_" + std::to_string(static_cast<int>(100 * done)));
+  }
+}
+
 TEST_F(Gallery, ABowlAndADeepJar) {
   Renderer& r = renderer();
   const view::GridShape shape{300, 360, 0.08, 0.008};

@@ -51,6 +51,17 @@ Profile unsteady(Profile p, double by, double phase) {
   return p;
 }
 
+// Points are counted on the wheel. As the kiln shrinks alike in every direction and a pot is
+// compared at the vessel's height, they would be the same afterwards.
+TEST(Score, the_kiln_changes_no_points) {
+  for (const Target& t : targets()) {
+    const Profile made = unsteady(t.profile, 0.02, 0.7);
+    const Score before = judge(t.profile, made), after = judge(t.profile, scaled(made, 0.875));
+    EXPECT_NEAR(before.points, after.points, 1e-6) << t.name;
+    EXPECT_EQ(before.stars, after.stars) << t.name;
+  }
+}
+
 TEST(Score, the_vessel_itself_has_all_points_and_nothing_left_to_try) {
   for (const Target& t : targets()) {
     const Score s = judge(t.profile, t.profile);

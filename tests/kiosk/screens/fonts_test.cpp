@@ -13,7 +13,7 @@ void check_all(int width, int height) {
   const content::Catalogue shelf = content::open_shelf("content/vessels");
   ASSERT_GE(shelf.vessels.size(), 8u);
   for (const bool korean : {false, true}) {
-    Visitor v(0, &fonts);
+    Visitor v(0, &fonts, true);
     v.vessels = shelf.vessels;
     for (content::Vessel& vessel : v.vessels) {
       const double scale = 0.2 / vessel.extracted.profile.height();

@@ -12,7 +12,7 @@ constexpr std::pair<int, int> kSizes[] = {{1280, 720}, {1920, 1080}, {1080, 1920
 void check_all(bool left_handed) {
   for (const auto& [width, height] : kSizes) {
     for (const bool korean : {false, true}) {
-      Visitor v(9);
+      Visitor v(9, nullptr, true);
       v.width = width;
       v.height = height;
       v.exhibit.screen.left_handed = left_handed;

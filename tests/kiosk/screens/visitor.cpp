@@ -48,7 +48,7 @@ Profile jar(double belly, double mouth, double foot) {
   return p;
 }
 
-Visitor::Visitor(int count, const view::TextMeasure* measure) {
+Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln) {
   for (const char* file : {"content/languages/en.toml", "content/languages/ko.toml"}) {
     auto language = content::Language::read(file);
     EXPECT_TRUE(language) << (language ? "" : to_text(language.error()));
@@ -86,6 +86,12 @@ Visitor::Visitor(int count, const view::TextMeasure* measure) {
   world.measure = measure ? measure : &plain;
   world.mirror = &mirror;
   world.potter = &potter;
+  if (kiln) {
+    const auto read = content::read_glazes("content/glazes.toml", {"en", "ko"});
+    EXPECT_TRUE(read.problems.empty());
+    glazes = read.glazes;
+    world.kiln = Kiln{0.9375, 0.875, 1.0, &glazes};
+  }
   visit = std::make_unique<Visit>(world);
   show();
 }
@@ -174,6 +180,12 @@ void Visitor::make_result() {
   touch("throw.done");
 }
 
+void Visitor::glaze_and_fire() {
+  touch("result.keep");
+  touch("kiln.glaze.1");
+  frames(10);
+}
+
 void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   const auto settled = [&](const std::string& name) {
     v.frames(1.0);
@@ -211,7 +223,19 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   settled("throw inside");
   v.touch("throw.done");
   with_help("result");
+  const bool kiln = !v.glazes.empty();
   v.touch("result.keep");
+  if (kiln) {
+    with_help("kiln");
+    v.touch("kiln.glaze.1");
+    settled("kiln firing");
+    for (std::size_t i = 0; i < v.glazes.size(); ++i) {
+      v.touch("kiln.glaze." + std::to_string(i));
+      v.frames(i == 0 ? 8 : 3);
+      settled("kiln fired " + std::to_string(i));
+    }
+    v.touch("kiln.keep");
+  }
   settled("keepsake waiting");
   v.visit->show_postcard(9);
   v.visit->keepsake_kept("2026-05-04_141503_panathenaic_amphora");
@@ -222,8 +246,11 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.show();
   v.touch("back");
   v.touch("back");
+  if (kiln) v.touch("back");
   v.touch("throw.done");
   v.touch("result.keep");
+  if (kiln) v.touch("kiln.glaze.0");
+  if (kiln) v.touch("kiln.keep");
   v.visit->keepsake_failed({"disk", "full", "make room"});
   settled("keepsake failed");
   v.visit->fail({"a", "b", "c"});

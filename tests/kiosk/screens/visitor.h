@@ -40,7 +40,8 @@ Profile jar(double belly, double mouth = 0.04, double foot = 0.04);
 /// A whole exhibit without window, loop or files, and someone who visits it.
 class Visitor {
  public:
-  explicit Visitor(int vessels = 9, const view::TextMeasure* measure = nullptr);
+  /// `kiln`: with the exhibit's glazes, and stoneware's shrinkage.
+  explicit Visitor(int vessels = 9, const view::TextMeasure* measure = nullptr, bool kiln = false);
 
   void frames(double seconds);  ///< Time passes, thirty frames a second.
   void show() { frames(1.0 / 30); }
@@ -53,12 +54,14 @@ class Visitor {
   bool key_to(const std::string& control);
   void throw_a_pot();  ///< From attract to the throw screen, by touch.
   void make_result();
+  void glaze_and_fire();  ///< From the result to the fired pot, by touch.
   std::vector<Request> requests();
 
   std::vector<content::Language> languages;
   settings::Exhibit exhibit;
   std::vector<content::Vessel> vessels;
   std::vector<ShelfCard> shelf;
+  std::vector<content::Glaze> glazes;
   PlainMeasure plain;
   loop::Mirror mirror;
   RecordingPotter potter;

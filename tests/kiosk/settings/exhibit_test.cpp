@@ -32,6 +32,7 @@ class ExhibitTest : public ::testing::Test {
     fs::create_directories(museum_ / "content/vessels");
     fs::create_directories(museum_ / "content/languages");
     std::ofstream(museum_ / "exhibit/scenes/first_touch.toml") << "";
+    std::ofstream(museum_ / "content/glazes.toml") << "";
     for (const char* code : {"en", "ko"}) {
       std::ofstream(museum_ / "content/languages" / (std::string(code) + ".toml")) << "";
     }
@@ -172,6 +173,13 @@ TEST_F(ExhibitTest, paths_that_cannot_be_meant_are_refused) {
   EXPECT_THAT(r.problems[0].what, HasSubstr("is a file, and a folder is wanted"));
 }
 
+TEST_F(ExhibitTest, glazes_that_are_not_there_are_told) {
+  const ExhibitRead r = read("glazes = \"jars.toml\"\n");
+  ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":1:10"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("no file of glazes"));
+}
+
 TEST_F(ExhibitTest, a_file_that_is_not_there_leaves_an_exhibit_of_defaults) {
   const ExhibitRead r = read_exhibit(museum_ / "exhibit/other.toml");
   ASSERT_THAT(r.problems, SizeIs(1));
@@ -226,6 +234,7 @@ TEST(exhibit, what_ships_is_what_holds_where_nothing_is_written) {
   EXPECT_EQ(shipped.languages, none.languages);
   EXPECT_EQ(shipped.shelf, none.shelf);
   EXPECT_EQ(shipped.scene, none.scene);
+  EXPECT_EQ(shipped.glazes, none.glazes);
   EXPECT_EQ(shipped.idle.warn_after, none.idle.warn_after);
   EXPECT_EQ(shipped.idle.countdown, none.idle.countdown);
   EXPECT_EQ(shipped.idle.result_after, none.idle.result_after);

@@ -64,6 +64,21 @@ TEST(Postcard, IsAPortraitOfTheFiredPotAloneOnPlaster) {
   EXPECT_FALSE(card.pot->tools[0].visible);
 }
 
+TEST(Postcard, ShowsTheGlazeThatWasChosenAndDryClayWhereNoneWas) {
+  view::Glazing glazing;
+  glazing.look.glass = {0.1f, 0.2f, 0.3f};
+  auto w = words();
+  w.glaze = "Tenmoku, 175 mm high";
+  const auto card = compose_postcard(w, vase(0.05), vase(0.06), WideMeasure(), glazing);
+  EXPECT_EQ(card.pot->glazing.look.glass, glazing.look.glass);
+  bool said = false;
+  for (const auto& text : all<view::Text>(card))
+    said = said || text.text.find("Tenmoku, 175 mm high") != std::string::npos;
+  EXPECT_TRUE(said);
+  const auto raw = compose_postcard(words(), vase(0.05), vase(0.06), WideMeasure(), std::nullopt);
+  EXPECT_EQ(raw.pot->finish, view::Finish::clay);
+}
+
 TEST(Postcard, SaysTitleVesselCreditAndDateWithoutOverlap) {
   const auto w = words();
   const auto texts = all<view::Text>(compose_postcard(w, vase(0.05), vase(0.06), WideMeasure()));
