@@ -54,6 +54,11 @@ void Clay::lay_rows() {
 
 void Clay::restack(int from) {
   const bool solid = floor_rows_ == def_.rows;
+  // The floor's top lies between two middles, of which one or both will move.
+  const bool carries = !solid && from <= floor_rows_;
+  const auto middle_below = [&] { return floor_rows_ > 0 ? row_height(floor_rows_ - 1) : 0.0; };
+  double share = 0.0;
+  if (carries) share = (floor_top_ - middle_below()) / (row_height(floor_rows_) - middle_below());
   double edge = from > 0 ? row_height(from - 1) + 0.5 * row_thickness(from - 1) : 0.0;
   for (int j = from; j < def_.rows; ++j) {
     const double thickness = row_thickness(j);
@@ -62,6 +67,39 @@ void Clay::restack(int from) {
     put(dirty_, j);  // to be drawn elsewhere, and else as it was
   }
   if (solid) floor_top_ = rim_height();
+  if (carries)
+    floor_top_ = std::min(middle_below() + share * (row_height(floor_rows_) - middle_below()),
+                          row_height(floor_rows_));
+}
+
+void Clay::keep_areas() {
+  areas_.emplace(def_.rows, stride_);
+  for (int j = 0; j < def_.rows; ++j) areas_->set(j, measured_area(j));
+}
+
+void Clay::keep_shifts() {
+  if (!shifts_.empty()) return;
+  shifts_.reserve(2);
+  for (int n = 0; n < 2; ++n) shifts_.emplace_back(def_.rows, stride_);
+}
+
+double Clay::measured_area(int j) const {
+  const float* out = outer(j).data();
+  const float* in = inner(j).data();
+  // Eight sums, so that they can be worked on together; and always the same eight.
+  double sums[8] = {};
+  for (std::size_t i = 0; i + 8 <= width(); i += 8)
+    for (std::size_t k = 0; k < 8; ++k) {
+      const double o = double{out[i + k]};
+      const double n = double{in[i + k]};
+      sums[k] += (o - n) * (o + n);
+    }
+  double rest = 0.0;
+  for (std::size_t i = width() / 8 * 8; i < width(); ++i)
+    rest += (double{out[i]} - double{in[i]}) * (double{out[i]} + double{in[i]});
+  const double all = ((sums[0] + sums[4]) + (sums[2] + sums[6])) +
+                     ((sums[1] + sums[5]) + (sums[3] + sums[7])) + rest;
+  return portable::kPi / def_.sectors * all;
 }
 
 void Clay::open_floor_row(double radius) {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/clay/row_areas.h"
+#include "engine/clay/shifts.h"
 #include "engine/profile/profile.h"
 
 namespace onggi {
@@ -72,10 +75,11 @@ class Clay {
   void set_row_thickness(int j, double thickness) {
     row_thickness_[static_cast<std::size_t>(j)] = thickness;
     put(changed_, j);
+    if (areas_) areas_->mark(j);
   }
   /// Stacks row `from` and those above it anew on the row below, and marks them dirty. A lump that
-  /// is solid to the top stays so; else the caller keeps floor_top() between the middles that it
-  /// belongs between. O(rows() - from).
+  /// is solid to the top stays so; else the floor's top keeps its share of the way between the
+  /// middles that it lies between. O(rows() - from).
   void restack(int from);
   /// The topmost solid row becomes open, with a hole of `radius` (clipped to what the wall needs).
   /// O(sectors). The caller then says where the floor is: lower_floor().
@@ -101,6 +105,17 @@ class Clay {
   int next_measured(int rows) {
     return static_cast<int>(measured_++ % static_cast<unsigned>(rows));
   }
+
+  /// From now on the area of every row is kept (row_areas.h). Allocates, and measures every row:
+  /// not for the tick. Null where nobody asked.
+  void keep_areas();
+  RowAreas* areas() { return areas_ ? &*areas_ : nullptr; }
+  /// From now on it is kept how far contact moves each element in a tick (shifts.h); whoever runs
+  /// the tick clears them. Allocates. Null where nobody asked.
+  void keep_shifts();
+  Shifts* shifts(bool inside) { return shifts_.empty() ? nullptr : &shifts_[inside ? 1 : 0]; }
+  /// Area of row `j`'s cross-section, m^2. O(sectors).
+  double measured_area(int j) const;
 
   /// Rows changed since they were last taken, for those that draw them. One bit a row; cost of a
   /// look is rows/64 words.
@@ -148,7 +163,10 @@ class Clay {
     if (beyond != 0) bits[word + 1] |= beyond;
   }
   static int take(Bits& bits, int from);
-  void forget_extent(int j) { widen_extent(j, 1e9f, 0.0f); }
+  void forget_extent(int j) {
+    widen_extent(j, 1e9f, 0.0f);
+    if (areas_) areas_->forget(j);
+  }
 
   ClayDef def_;
   int stride_ = 0;
@@ -159,6 +177,8 @@ class Clay {
   std::vector<float> outer_most_, inner_least_;  // a row's extent; no part of the clay's state
   unsigned measured_ = 0;
   Bits dirty_, changed_;
+  std::optional<RowAreas> areas_;
+  std::vector<Shifts> shifts_;  // of the outside and the inside, or none
   int sweep_row_ = 0;
 };
 

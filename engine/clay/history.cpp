@@ -103,6 +103,7 @@ void History::end_step(const Clay& clay) noexcept {
   }
   if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
   steps_.push_back({next_, clay.floor_top(), clay.floor_rows()});
+  ++depth_;
 }
 
 bool History::begin_step(Clay& clay, int element_budget) noexcept {
@@ -136,15 +137,19 @@ bool History::step_back_some(Clay& clay, int element_budget) noexcept {
   if (!going_back_) {
     if (!keep_up(clay, rows)) return false;
     if (!can_step_back()) return true;
-    if (steps_.back().first == next_) steps_.pop_back();
+    if (steps_.back().first == next_) {
+      steps_.pop_back();
+      --depth_;
+    }
     lowest_ = clay.rows();
     going_back_ = true;
     return false;
   }
   for (; rows > 0 && next_ > steps_.back().first; --rows) put_back(clay, --next_);
   if (next_ > steps_.back().first) return false;
-  clay.set_floor(steps_.back().floor_rows, steps_.back().floor_top);
+  // Restacking would carry the floor along: it is put where it was afterwards.
   if (lowest_ < clay.rows()) clay.restack(lowest_);
+  clay.set_floor(steps_.back().floor_rows, steps_.back().floor_top);
   while (clay.take_change(0) >= 0) {
   }
   std::ranges::fill(in_step_, 0);

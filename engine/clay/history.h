@@ -36,6 +36,8 @@ class History {
   bool begin_step(Clay& clay, int element_budget) noexcept;
 
   bool can_step_back() const;
+  /// Number of the step under way: one more with each that ends, one less with each taken back.
+  std::uint64_t depth() const { return depth_; }
   /// Takes the last step back, at most about `element_budget` elements a call. True once it is
   /// done, or where there is nothing to take back; until then nobody else may change the clay.
   bool step_back_some(Clay& clay, int element_budget) noexcept;
@@ -74,6 +76,7 @@ class History {
   Bits in_step_;             // rows that the present step has in the ring
   Bits unsettled_;           // rows of the step before whose shadow is not up to date
   std::uint64_t next_ = 0;
+  std::uint64_t depth_ = 0;
   double clear_ = 0.0;
   double lasted_ = 0.0;
   int lowest_ = 0;  // row put back whose thickness changed

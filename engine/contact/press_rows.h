@@ -27,112 +27,13 @@
 #include <type_traits>
 
 #include "engine/contact/plan_rows.h"
+#include "engine/contact/press_block.h"
 #include "engine/contact/tool.h"
 #include "engine/math/lanes.h"
 #include "engine/math/portable.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace onggi::HWY_NAMESPACE {
-
-// A press below 80 nm is none: a float's step at 12 cm is 7 nm, a tenth of it is what 1 ms of the
-// stiffest clay takes away, and rest must be rest.
-inline constexpr float kSnap = 8e-8f;
-
-/// How eight rays meet a tool's section: where the tool's near end (pressing from outside) or far
-/// end (from inside) lies along each, in metres from the axis, negative beyond it. `covered`, 0..1,
-/// is how much of each element the section covers; it counts only where the meeting is `careful`.
-struct Meeting {
-  Float8 end;
-  Float8 covered;
-  Mask8 hit;
-};
-
-/// Sums over rows of one thickness, of weight = press times radius. What x, y and z are is the
-/// tool's to say.
-struct RowSum {
-  Float8 weight, x, y, z;
-};
-
-/// Sums over all rows: force on the tool and its normal part, N.
-struct Reaction {
-  Float8 normal, x, y, z;
-};
-
-// Positive is a press: S - E1 from outside, E2 - S from inside.
-template <WallSide side>
-HWY_INLINE Float8 press_of(Float8 face, Float8 target) {
-  return side == WallSide::outside ? face - target : target - face;
-}
-
-/// What holds for all elements of a step.
-struct StepFigures {
-  float limit;  // how far the face may be pressed: the clay keeps radius_min, wall_min, radius_max
-  float wall_min;
-  float gone;  // 1 - e^(-dt/tau): how much of a press the clay gives way by in the step
-};
-
-// Most rows are plain. Some need care: near the axis, and near the clay's limits, a tool may ask
-// for more than the clay allows; a tool outside works the half of the clay that it stands over, not
-// what lies beyond the axis; and where the press is deep at the section's very edges, an element
-// counts for the share that is covered, or the force would step as elements come and go.
-template <WallSide side, bool careful>
-HWY_INLINE Float8 target_of(Float8 end, const StepFigures& figures) {
-  if constexpr (!careful) return end;
-  return side == WallSide::outside ? larger(end, all(figures.limit))
-                                   : smaller(end, all(figures.limit));
-}
-
-struct Pressed {
-  RowSum sum;
-  Float8 depth;   // deepest of each lane
-  Float8 behind;  // the farthest that the other face was carried
-  int touched;
-};
-
-// One block of eight elements, with the target held where it is in the middle of the step: exact
-// exponential relaxation, second order in the step for a target that moves.
-template <WallSide side, bool careful, bool hollow, class Row>
-HWY_INLINE void press_block(const Row& row, const StepFigures& figures, const float* ray_cos,
-                            const float* ray_sin, float* face, float* behind, Pressed& pressed) {
-  const Float8 c = load(ray_cos);
-  const Float8 s = load(ray_sin);
-  const Float8 radius = load(face);
-  const auto m = row.template meet<side, careful>(c, s, radius);
-  const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, figures));
-  const Mask8 touch = m.hit & (press > all(kSnap));
-  if (none(touch)) return;
-
-  const Float8 felt = only(touch, careful ? press * m.covered : press);
-  const Float8 given = felt * all(figures.gone);
-  const Float8 now = side == WallSide::outside ? radius - given : radius + given;
-  store(now, face);
-  if constexpr (hollow) {
-    // The other face is carried along where the wall would be too thin.
-    const Float8 back = load(behind);
-    const Float8 thin = all(figures.wall_min);
-    const Float8 least = side == WallSide::outside ? now - thin : now + thin;
-    const Mask8 pushed = touch & (side == WallSide::outside ? least < back : least > back);
-    if (!none(pushed)) {
-      const Float8 carried = select(pushed, least, back);
-      store(carried, behind);
-      pressed.behind = side == WallSide::outside ? smaller(pressed.behind, carried)
-                                                 : larger(pressed.behind, carried);
-    }
-  }
-  row.react(pressed.sum, felt * radius, m, c, s);
-  pressed.depth = larger(pressed.depth, felt);
-  pressed.touched += count(touch);
-}
-
-template <WallSide side, bool careful, bool hollow, class Row>
-HWY_INLINE void press_ranges(const Row& row, const StepFigures& figures, const float* ray_cos,
-                             const float* ray_sin, float* face, float* behind,
-                             const RowReach& reach, Pressed& pressed) {
-  for (int n = 0; n < reach.used; ++n)
-    for (int i = reach.ranges[n].begin * kLanes; i < reach.ranges[n].end * kLanes; i += kLanes)
-      press_block<side, careful, hollow>(row, figures, ray_cos + i, ray_sin + i, face + i,
-                                         behind + i, pressed);
-}
 
 // Rows that a tool can press. Inside, the solid floor rows are a stop instead (stops.h).
 template <WallSide side, class AnyWindow>
@@ -208,14 +109,20 @@ inline void measure_extent(Clay& clay, int j) {
   clay.set_extent(j, largest(most), smallest(least));
 }
 
-template <WallSide side, class Shape>
-Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, double seconds,
-                 const Yielding& yielding) {
+template <WallSide side, class Shape, class Sum>
+Press press_rows_into(Clay& clay, const ToolPlace& place, const ToolSize& size, double seconds,
+                      const Yielding& yielding) {
+  constexpr bool kept = std::is_same_v<Sum, PressedAndKept>;
   const ClayDef& def = clay.def();
   const double rate = yielding.relaxation_time / seconds;
   const double gone = -portable::expm1(-1.0 / rate);
-  const StepFigures figures{limit_of<side>(def), static_cast<float>(def.wall_min),
-                            static_cast<float>(gone)};
+  StepFigures figures{limit_of<side>(def), static_cast<float>(def.wall_min),
+                      static_cast<float>(gone)};
+  if constexpr (kept) {
+    figures.along = static_cast<float>(yielding.along);
+    figures.farthest =
+        static_cast<float>(side == WallSide::outside ? def.radius_min : def.radius_max);
+  }
   // The mean press over the step is (tau/dt)(1 - e^(-dt/tau)) of the first.
   const double weight = yielding.stiffness * 2.0 * portable::kPi / def.sectors * rate * gone;
   const Shape shape(place, size);
@@ -227,7 +134,9 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
   Press out;
   const Float8 zero = all(0.0f);
   Reaction reaction{zero, zero, zero, zero};
-  Pressed pressed{{zero, zero, zero, zero}, zero, zero, 0};
+  Sum pressed{};
+  pressed.sum = {zero, zero, zero, zero};
+  pressed.depth = zero;
   double thickness = 0.0;  // of the rows in pressed.sum
   typename Plan::Reach planned[kPlannedRows];
   const int end_row = window.end_row;
@@ -254,6 +163,13 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
           all(side == WallSide::outside ? clay.inner_least(j) : clay.outer_most(j));
       pressed.behind = start;
       pressed.touched = 0;
+      [[maybe_unused]] Shifts* shifts = nullptr;
+      if constexpr (kept) {
+        // What is cut off drags nothing along, and never comes back.
+        shifts = yielding.cut ? nullptr : clay.shifts(side == WallSide::inside);
+        pressed.shift = shifts != nullptr ? shifts->row(j) : clay.areas()->spare_row();
+        pressed.lost = zero;
+      }
       if (j < clay.floor_rows())
         press_ranges<side, true, false>(row, figures, ray_cos, ray_sin, face, behind, reach,
                                         pressed);
@@ -271,6 +187,13 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
       } else {
         if (!none(pressed.behind > start)) clay.widen_extent(j, largest(pressed.behind), 1e9f);
       }
+      if constexpr (kept) {
+        clay.areas()->lose(j, portable::kPi / def.sectors * double{sum(pressed.lost)},
+                           yielding.cut);
+        if (shifts != nullptr)
+          for (int n = 0; n < reach.used; ++n)
+            shifts->mark(j, {reach.ranges[n].begin, reach.ranges[n].end});
+      }
       changed |= std::uint64_t{1} << k;
     }
     clay.mark_dirty(first, changed);
@@ -284,6 +207,14 @@ Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, doubl
   if (strength > out.normal) out.force = (out.normal / strength) * out.force;
   out.depth = double{largest(pressed.depth)};
   return out;
+}
+
+template <WallSide side, class Shape>
+Press press_rows(Clay& clay, const ToolPlace& place, const ToolSize& size, double seconds,
+                 const Yielding& yielding) {
+  return clay.areas() == nullptr
+             ? press_rows_into<side, Shape, Pressed>(clay, place, size, seconds, yielding)
+             : press_rows_into<side, Shape, PressedAndKept>(clay, place, size, seconds, yielding);
 }
 
 template <WallSide side, class Shape>

@@ -42,6 +42,10 @@ struct ToolBall {
 struct Yielding {
   double relaxation_time = 0;  ///< tau, s, > 0.
   double stiffness = 0;        ///< k_A, N per metre of press and m^2 of wall.
+  double along = 0;  ///< Share of the area that a pressed face loses with which the other face goes
+                     ///< along, 0..1: 1 moves the wall, 0 thins it. Only where the clay keeps its
+                     ///< rows' areas (Clay::keep_areas).
+  bool cut = false;  ///< What is pressed away is gone, not displaced; only there, too.
 };
 
 /// What one step of pressing came to.
@@ -65,10 +69,11 @@ struct ToolShape {
   double softness =
       1.0;  ///< Share of a press that the clay takes up, 0..1; a sponge takes the rest.
   double relaxation =
-      1.0;              ///< Its clay's relaxation time, as a share: an edge cuts at once. 0.1..1
-  bool cuts = false;    ///< What it takes away is gone, not pushed aside.
-  bool wets = false;    ///< It brings water to the clay it touches.
-  bool severs = false;  ///< It presses nothing, and cuts the pot from the wheel (wire.h).
+      1.0;               ///< Its clay's relaxation time, as a share: an edge cuts at once. 0.1..1
+  bool cuts = false;     ///< What it takes away is gone, not pushed aside.
+  bool wets = false;     ///< It brings water to the clay it touches.
+  bool smooths = false;  ///< It evens the wall that it goes along, where there is the effect.
+  bool severs = false;   ///< It presses nothing, and cuts the pot from the wheel (wire.h).
   double (*reach)(const ToolSize& size);  ///< Nothing of it is farther from `at`, m.
   double (*grain)(const ToolSize& size);  ///< Its finest part, m, > 0: in one step it goes at most
                                           ///< a quarter of that.

@@ -67,8 +67,8 @@ BallStep ball_step(const ToolSweep& sweep, int n, int of) {
 // What the tool makes of the clay's own. A soft tool is a spring before the clay: of the press, the
 // clay has `softness`, so that much less is felt, and that much longer it takes to give way.
 Yielding yielding_under(const ToolShape& shape, const Yielding& clay) {
-  return {clay.relaxation_time * shape.relaxation / shape.softness,
-          clay.stiffness * shape.softness};
+  return {clay.relaxation_time * shape.relaxation / shape.softness, clay.stiffness * shape.softness,
+          shape.cuts ? 0.0 : clay.along, shape.cuts};
 }
 
 // Over the top, and steeper than the bisector of the rim's corners.

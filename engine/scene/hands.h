@@ -63,6 +63,8 @@ struct Feedback {
                           ///< longer turns, and no tool shapes it until there is a new lump, or
                           ///< a step is taken back.
   double wetness = 0.0;   ///< 0 dry .. 1 dripping.
+  double sinking = 0.0;   ///< How fast the rim sinks by itself, m/s: the pot sags (slump).
+  bool fallen = false;    ///< The pot fell: see Scene::fallen().
   std::uint32_t faults = 0;  ///< FaultBit.
 };
 

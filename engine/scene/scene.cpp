@@ -1,16 +1,11 @@
 #include "engine/scene/scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
 
-#include "engine/clay/history.h"
-#include "engine/contact/paper_model.h"
-#include "engine/contact/stops.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
-#include "engine/scene/hand_state.h"
+#include "engine/scene/scene_state.h"
 
 namespace onggi {
 namespace {
@@ -19,76 +14,7 @@ constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
 constexpr int kLumpBudget = 8192;  // elements a tick while a lump is put on or taken back
 
-constexpr Vec3 kDown{0.0, -1.0, 0.0};
-
-// What the paper's scene has besides.
-struct Printed {
-  PaperModel model;
-  PaperCoefficients coefficients;
-  std::array<PaperFilter, kMaxHands> filter{};
-};
-
-enum class LumpWork : std::uint8_t { none, keeping, renewing, restoring };
-
 }  // namespace
-
-struct Scene::State {
-  SceneDef def;
-  std::vector<Tool> tools;
-  Clay clay;
-  std::optional<History> history;
-  WireCut slit;
-  std::array<HandState, kMaxHands> hand{};
-  std::optional<Printed> printed;
-  double time = 0.0;
-  double wheel_angle = 0.0;
-  double clay_angle = 0.0;
-  double wheel_speed = 0.0;
-  double wheel_asked = 0.0;
-  std::optional<Moisture> moisture;
-  bool renew_held = false;
-  bool restore_held = false;
-  LumpWork lump_work = LumpWork::none;
-  std::uint32_t faults = 0;
-  SceneCounters counters;
-
-  // What the stages of one tick hand to each other.
-  struct Tick {
-    double dt = 0.0;
-    double angle_from = 0.0;
-    double turn = 0.0;
-    std::array<ToolSweep, kMaxHands> sweep{};
-    std::array<bool, kMaxHands> held{};
-    std::array<Vec3, kMaxHands> wanted{};
-    std::array<Press, kMaxHands> press{};
-    std::array<WallSide, kMaxHands> side{};
-    std::array<Place, kMaxHands> place{};
-  };
-
-  State(const SceneDef& d, Clay&& c)
-      : def(d), tools(tools_of(d)), clay(std::move(c)), slit(d.clay.sectors) {
-    if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
-    if (def.clay.keep_undo) history.emplace(clay);
-    if (!def.paper) return;
-    const PaperDef& paper = *def.paper;
-    printed = Printed{PaperModel(clay), {paper.c_eta, paper.c_v, paper.c_r}};
-  }
-
-  void take_input(Tick& tick, const Hands& hands, double dt) noexcept;
-  void take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept;
-  void turn_wheel(Tick& tick) noexcept;
-  void soak_or_dry(const Tick& tick, bool sponge) noexcept;
-  void work_on_lump(const Hands& hands) noexcept;
-  double wetness_at(double height) const;
-  Yielding yielding_at(double height) const;
-  void keep_history(const Tick& tick) noexcept;
-  bool presses(const HandState& h) const { return h.present && !tools[h.tool].shape->severs; }
-  void draw_wire(Tick& tick, std::size_t n) noexcept;
-  void press_clay(Tick& tick) noexcept;
-  void feel(Tick& tick) noexcept;
-  void press_as_printed(Tick& tick) noexcept;
-  Feedback guard_and_report(const Tick& tick) noexcept;
-};
 
 // Stage 1. Nothing implausible goes any further.
 void Scene::State::take_input(Tick& tick, const Hands& hands, double dt) noexcept {
@@ -172,102 +98,28 @@ void Scene::State::work_on_lump(const Hands& hands) noexcept {
     if (history->begin_step(clay, kLumpBudget)) lump_work = LumpWork::renewing;
     return;
   }
-  const bool done = lump_work == LumpWork::renewing ? clay.renew_some(kLumpBudget)
-                                                    : history->step_back_some(clay, kLumpBudget);
-  if (done) lump_work = LumpWork::none;
+  if (lump_work == LumpWork::settling || lump_work == LumpWork::laying) {
+    const bool fresh = lump_work == LumpWork::laying;
+    if (row_effects->settle_some(def, clay, fresh, kLumpBudget)) lump_work = LumpWork::none;
+    return;
+  }
+  const bool fresh = lump_work == LumpWork::renewing;
+  if (!(fresh ? clay.renew_some(kLumpBudget) : history->step_back_some(clay, kLumpBudget))) return;
+  // A pot that fell is wanted as it stood, not as it was halfway down.
+  if (!fresh && fallen() && history->depth() > stood_at && history->can_step_back()) return;
+  lump_work = !row_effects ? LumpWork::none : fresh ? LumpWork::laying : LumpWork::settling;
 }
 
 // Stage 4, at the tick's end: what a visitor may want back.
 void Scene::State::keep_history(const Tick& tick) noexcept {
   if (!history || lump_work == LumpWork::keeping || lump_work == LumpWork::restoring) return;
-  const bool touching = std::ranges::any_of(
-      hand, [](const HandState& h) { return h.present && h.contact.touching(); });
-  history->follow(clay, touching || lump_work == LumpWork::renewing, tick.dt);
-}
-
-// Stage 5, for a wire.
-void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
-  const ToolSweep& way = tick.sweep[n];
-  const WireSweep sweep{way.from, way.to, way.along, way.size.length, tick.angle_from + tick.turn,
-                        tick.dt};
-  tick.press[n] = slit.draw(clay, sweep, hand[n].wire, def.contact.stiffness);
-}
-
-// Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
-void Scene::State::press_clay(Tick& tick) noexcept {
-  for (std::size_t n = 0; n < hand.size(); ++n)
-    if (hand[n].present && tools[hand[n].tool].shape->severs) draw_wire(tick, n);
-  if (slit.free()) {
-    for (HandState& h : hand) h.contact = {};
-    return;
+  bool busy = lump_work == LumpWork::renewing || lump_work == LumpWork::laying;
+  for (const HandState& h : hand) busy = busy || (h.present && h.contact.touching());
+  if (row_effects) {
+    busy = busy || row_effects->moving();
+    if (row_effects->stands()) stood_at = history->depth();
   }
-  std::array<Yielding, kMaxHands> yielding;
-  int steps = 1;
-  for (std::size_t n = 0; n < hand.size(); ++n) {
-    hand[n].contact.begin_tick();
-    if (!presses(hand[n])) continue;
-    tick.sweep[n].angle_from = tick.angle_from;
-    tick.sweep[n].angle_to = tick.angle_from + tick.turn;
-    yielding[n] = yielding_at(hand[n].at.y);
-    steps = std::max(steps, steps_for(tick.sweep[n], yielding[n].relaxation_time));
-  }
-  for (int step = 0; step < steps; ++step) {
-    // What a wall between two hands comes to must not depend on which hand is called the first.
-    const bool swapped = hand[0].contact.side() > hand[1].contact.side();
-    for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
-      if (presses(hand[n])) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
-  }
-  for (std::size_t n = 0; n < hand.size(); ++n) {
-    if (hand[n].present && !presses(hand[n])) continue;
-    tick.press[n] = hand[n].contact.reaction();
-    tick.side[n] = hand[n].contact.side();
-    tick.place[n] = hand[n].contact.place();
-  }
-}
-
-// Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
-void Scene::State::feel(Tick& tick) noexcept {
-  for (std::size_t n = 0; n < hand.size(); ++n) {
-    const HandState& h = hand[n];
-    if (!h.present || tick.held[n]) continue;
-    const ToolShape& shape = *tools[h.tool].shape;
-    const ToolSize& size = tools[h.tool].size;
-    const ToolPlace place{h.at, h.along, h.across};
-    const Press& press = tick.press[n];
-    Vec3 force = press.force;
-    const double strength = length(press.force);
-    if (def.friction && press.normal > 0.0 && strength > 0.0) {
-      const FrictionDef& friction = *def.friction;
-      const double mu = friction_coefficient(friction, wetness_at(h.at.y));
-      const ToolBall ball = ball_towards(shape, place, size, (-1.0 / strength) * press.force);
-      const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
-      const Vec3 slip =
-          (1.0 / tick.dt) * (h.at - tick.sweep[n].from) - clay_velocity(touch, tick.turn / tick.dt);
-      force += friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
-    }
-    const ToolBall lowest = ball_towards(shape, place, size, kDown);
-    force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
-    tick.wanted[n] = force;
-  }
-}
-
-// Stages 5 and 7 as the paper has them: no steps within the tick, no stops, and a filter.
-void Scene::State::press_as_printed(Tick& tick) noexcept {
-  for (std::size_t n = 0; n < hand.size(); ++n) {
-    PaperFilter& filter = printed->filter[n];
-    if (!hand[n].present) {
-      filter.settle();
-      continue;
-    }
-    const double angle = tick.angle_from + tick.turn;
-    tick.side[n] = PaperModel::mode(clay, hand[n].at, angle, tick.sweep[n].wish);
-    tick.place[n] = beside(tick.side[n]);
-    const PaperTouch touch = printed->model.tick(clay, tick.side[n], hand[n].at, def.tool.radius,
-                                                 angle, tick.turn, printed->coefficients);
-    tick.press[n] = {touch.force, 0.0, touch.depth, touch.visited, touch.touched};
-    const Vec3 filtered = filter.filter(touch.force);
-    if (!tick.held[n]) tick.wanted[n] = filtered;
-  }
+  history->follow(clay, busy, tick.dt);
 }
 
 // Stages 8 and 9. The guard is always last.
@@ -295,6 +147,10 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
   out.clay_angle = clay_angle;
   out.cut_free = slit.share();
   out.wheel_speed = wheel_speed;
+  if (row_effects) {
+    out.sinking = row_effects->sinking();
+    out.fallen = row_effects->fallen();
+  }
   out.wetness = moisture ? moisture->mean() : 0.0;
   out.faults = faults;
   return out;
@@ -323,9 +179,9 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
   if (s.printed) {
     s.press_as_printed(tick);  // 5, 7
   } else {
-    s.press_clay(tick);  // 5
-                         // 6: effects, where the scene has them
-    s.feel(tick);        // 7
+    s.press_clay(tick);                       // 5
+    if (s.row_effects) s.work_on_rows(tick);  // 6
+    s.feel(tick);                             // 7
   }
   s.keep_history(tick);
   return s.guard_and_report(tick);  // 8, 9
@@ -333,6 +189,7 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
 
 const SceneDef& Scene::def() const { return state_->def; }
 const Clay& Scene::clay() const { return state_->clay; }
+bool Scene::fallen() const { return state_->fallen(); }
 double Scene::wetness_of(int row) const {
   return state_->moisture ? state_->moisture->of_row(row) : 0.0;
 }
@@ -358,6 +215,10 @@ std::uint64_t Scene::state_hash() const {
     for (const PaperFilter& filter : s.printed->filter)
       for (double v : filter.memory()) hash.add(v);
   if (s.moisture) s.moisture->add_to(hash);
+  if (s.row_effects) {
+    s.row_effects->add_to(hash, state_->clay);
+    hash.add(s.stood_at);
+  }
   hash.add(s.clay.hash());
   if (s.history) s.history->add_to(hash);
   return hash.value();

@@ -34,6 +34,9 @@ class Scene {
 
   const SceneDef& def() const;
   const Clay& clay() const;
+  /// The pot fell, by more than SlumpDef::fall, since it was last laid. Hands::restore then takes
+  /// back all that came since it last stood.
+  bool fallen() const;
   /// Wetness of row `row` of the clay, 0..1: where it shines.
   double wetness_of(int row) const;
   /// Hands::restore has a stroke, or a fresh lump, to take back.

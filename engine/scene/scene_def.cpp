@@ -76,6 +76,17 @@ Result<void> check_effects(const SceneDef& def) {
   return good;
 }
 
+// An effect that cannot be had without another.
+Result<void> check_needs(const SceneDef& def) {
+  const auto needs = [](const char* name, bool there, const char* other) -> Result<void> {
+    if (there) return {};
+    return problem(name, std::string(name) + " needs " + other + ".",
+                   std::string("Add a [") + other + "] table or remove [" + name + "].");
+  };
+  if (def.slump) return needs(SlumpDef::kName, def.volume.has_value(), VolumeDef::kName);
+  return {};
+}
+
 Result<void> check_paper(const SceneDef& def) {
   if (!def.paper) return {};
   FieldCheck check("paper");
@@ -106,7 +117,7 @@ std::vector<ToolToHand> usual_tools() {
 Result<void> validate(const SceneDef& def) {
   Result<void> good = validate(def.clay, "clay");
   for (auto check : {check_tool, check_tools, check_contact, check_wheel, check_guard,
-                     check_effects, check_paper})
+                     check_effects, check_needs, check_paper})
     if (good) good = check(def);
   return good;
 }

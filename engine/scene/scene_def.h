@@ -9,6 +9,13 @@
 #include "engine/effects/friction.h"
 #include "engine/effects/kiln.h"
 #include "engine/effects/moisture.h"
+#include "engine/effects/propagation.h"
+#include "engine/effects/slump.h"
+#include "engine/effects/smoothing.h"
+#include "engine/effects/springback.h"
+#include "engine/effects/volume.h"
+#include "engine/effects/walls.h"
+#include "engine/effects/wobble.h"
 
 namespace onggi {
 
@@ -65,6 +72,13 @@ struct SceneDef {
   // Effects (engine/docs/effects.md): one that is present is simulated; one that is absent costs no
   // byte and no instruction.
   std::optional<MoistureDef> moisture = MoistureDef{};
+  std::optional<WallsDef> walls;
+  std::optional<PropagationDef> propagation;
+  std::optional<SpringbackDef> springback;
+  std::optional<SmoothingDef> smoothing;
+  std::optional<WobbleDef> wobble;
+  std::optional<SlumpDef> slump;  ///< Needs volume.
+  std::optional<VolumeDef> volume;
   std::optional<FrictionDef> friction = FrictionDef{};
   std::optional<KilnDef> kiln;    ///< Of the visit's end: no stage of the tick.
   std::optional<PaperDef> paper;  ///< There: no effect must be.
@@ -75,6 +89,13 @@ struct SceneDef {
 template <class AnySceneDef, class Visit>
 void each_effect(AnySceneDef& def, Visit&& visit) {
   visit(def.moisture);
+  visit(def.walls);
+  visit(def.propagation);
+  visit(def.springback);
+  visit(def.smoothing);
+  visit(def.wobble);
+  visit(def.slump);
+  visit(def.volume);
   visit(def.friction);
   visit(def.kiln);
 }

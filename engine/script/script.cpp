@@ -8,6 +8,7 @@
 #include "engine/script/carving.h"
 #include "engine/script/choreography.h"
 #include "engine/script/former.h"
+#include "engine/script/throwing.h"
 #include "engine/script/upright.h"
 
 namespace onggi {
@@ -23,9 +24,10 @@ constexpr double kFinish = 0.008;
 constexpr double kWheelRough = 18.0;  // rad/s: 172 rpm
 constexpr double kWheelFine = 22.0;   // 210 rpm
 
-constexpr std::array<std::string_view, 15> kNames{
-    "true",      "collar",  "belly", "bowl",  "groove", "follow",    "open",   "press_rim",
-    "flare_rim", "squeeze", "facet", "flute", "incise", "trim_foot", "cut_off"};
+constexpr std::array<std::string_view, 21> kNames{
+    "true",      "collar",    "belly",    "bowl",    "groove", "follow", "open",
+    "press_rim", "flare_rim", "squeeze",  "facet",   "flute",  "incise", "trim_foot",
+    "cut_off",   "pull_tall", "collapse", "dry_out", "re_wet", "centre", "rib_smooth"};
 
 // Plays keys back.
 class PlannedScript final : public Script {
@@ -198,7 +200,9 @@ Result<void> check(std::string_view name, const ScriptContext& context) {
   if ((name == "flare_rim" || name == "squeeze") && clay.floor_thickness > 0.5 * clay.height)
     return problem(where, "It works a wall, and this lump is solid for more than half its height.",
                    "Open it first: script \"open\".");
-  if (const std::string_view tool = carving_tool(name); !tool.empty()) {
+  std::string_view tool = carving_tool(name);
+  if (tool.empty()) tool = throwing_tool(name);
+  if (!tool.empty()) {
     const auto& tools = context.scene.tools;
     if (context.scene.paper || std::ranges::find(tools, tool, &ToolToHand::name) == tools.end())
       return problem(where, "It needs the " + std::string(tool) + ", which is not to hand here.",
@@ -209,7 +213,7 @@ Result<void> check(std::string_view name, const ScriptContext& context) {
     return problem(where, "It follows a vessel's outline, and none is given.",
                    "Choose a vessel, or a script that needs none: true, collar, belly, bowl, "
                    "groove, open, press_rim, flare_rim, squeeze, facet, flute, incise, trim_foot, "
-                   "cut_off.");
+                   "cut_off, pull_tall, collapse, dry_out, re_wet, centre, rib_smooth.");
   return validate(*context.target, where + ", target");
 }
 
@@ -222,6 +226,8 @@ Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptC
   if (name == "follow")
     return std::make_unique<PlannedScript>(follow_in_time(context), context.scene.tool.radius);
   if (!carving_tool(name).empty()) return make_carving(name, context);
+  if (std::ranges::find(throwing_names(), name) != throwing_names().end())
+    return make_throwing(name, context);
   const ClayDef& clay = context.scene.clay;
   Choreography hand(context.pace, context.scene.wheel.max_speed, context.seed);
   Former former(context.scene, hand);

@@ -36,7 +36,8 @@ struct ScriptContext {
 };
 
 /// "true", "collar", "belly", "bowl", "groove", "follow"; "open", "press_rim", "flare_rim",
-/// "squeeze"; "facet", "flute", "incise", "trim_foot", "cut_off" (carving.h).
+/// "squeeze"; "facet", "flute", "incise", "trim_foot", "cut_off" (carving.h);
+/// "pull_tall", "collapse", "dry_out", "re_wet", "centre", "rib_smooth" (throwing.h).
 std::span<const std::string_view> script_names();
 
 /// Problem names the script, the nearest right name, and what is missing (follow without target).

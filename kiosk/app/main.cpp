@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   onggi::app::add_vessel(app, exit_code);
   onggi::app::add_score(app, exit_code);
   onggi::app::add_soak(app, exit_code);
+  onggi::app::add_lab(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

@@ -1,16 +1,35 @@
 // Ticks to be counted, not timed: instructions.py runs this under callgrind, which counts only
 // within onggi_counted_ticks().
-//   tick_count SCRIPT ROWS SECTORS [KIND]     KIND: of vectors, as engine_trace --kinds lists them
+//   tick_count SCRIPT ROWS SECTORS [KIND [EFFECTS]]
+//                                             KIND: of vectors, as engine_trace --kinds lists them
+//                                             EFFECTS: bare, the scene without any; NAME, that one
+//                                             alone (and what it needs); -NAME, none, with a Def
+//                                             full of NaN where it would be
+//   tick_count --effects                      what NAME may be, a line each
 //   tick_count --list                         the scripts' names, a line each
 //   tick_count --kinds                        what KIND may be here, a line each
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
+#include "tests/support/effect_scenes.h"
 #include "tests/support/tick_scripts.h"
 #include "tests/support/vector_kinds.h"
 
 namespace {
+
+// The scene with those effects alone; false where there is none of that name.
+bool choose_effects(onggi::SceneDef& def, std::string_view words) {
+  def = onggi::bare(def);
+  if (words == "bare") return true;
+  const bool absent = words.starts_with('-');
+  for (const onggi::EffectTrial& effect : onggi::effect_trials()) {
+    if (effect.name != words.substr(absent ? 1 : 0)) continue;
+    (absent ? effect.leave_out_full_of_nan : effect.add)(def);
+    return true;
+  }
+  return false;
+}
 
 constexpr int kBefore = 100;  // ticks in which the tool settles, not counted
 constexpr int kCounted = 100;
@@ -32,12 +51,22 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (word == "--kinds") return print_vector_kinds();
+  if (word == "--effects") {
+    for (const EffectTrial& effect : effect_trials()) std::printf("%s\n", effect.name.c_str());
+    return 0;
+  }
   if (argc < 4 || (argc > 4 && !choose_vectors(argv[4]))) {
-    std::fprintf(stderr, "tick_count SCRIPT ROWS SECTORS [KIND], or --list, or --kinds\n");
+    std::fprintf(
+        stderr, "tick_count SCRIPT ROWS SECTORS [KIND [EFFECTS]], or --list, --kinds, --effects\n");
     return 1;
   }
   const TickScript& script = tick_script(word);
-  auto scene = Scene::create(script.scene(std::atoi(argv[2]), std::atoi(argv[3])));
+  SceneDef def = script.scene(std::atoi(argv[2]), std::atoi(argv[3]));
+  if (argc > 5 && !choose_effects(def, argv[5])) {
+    std::fprintf(stderr, "There is no effect \"%s\".\n", argv[5]);
+    return 1;
+  }
+  auto scene = Scene::create(def);
   if (!scene) {
     std::fprintf(stderr, "%s: %s\n", scene.error().where.c_str(), scene.error().what.c_str());
     return 1;

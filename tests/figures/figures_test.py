@@ -37,7 +37,8 @@ def wandering(values):
 
 class Drawn(unittest.TestCase):
     def test_every_figure_is_there_and_carries_curves_and_words(self):
-        for name, words in (("marks", ["eight facets, flat rib", "a trimmed foot"]),
+        for name, words in (("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
+                            ("marks", ["eight facets, flat rib", "a trimmed foot"]),
                             ("push", ["force, N", "mean depth, mm", "elements in collision"]),
                             ("times", ["1 ms", "800 × 360", "the corrected model"])):
             tree = xml.etree.ElementTree.parse(os.path.join(out, name + ".svg"))
@@ -106,6 +107,26 @@ class Marks(unittest.TestCase):
         for radius, height in self.mark["trim_foot"]:
             self.assertAlmostEqual(radius, 52.0 if 7 < height < 9 else radius, delta=0.1)
             self.assertTrue(height < 30 or radius == 55.0, (radius, height))
+
+
+class Effects(unittest.TestCase):
+    def setUp(self):
+        self.of = {}
+        for row in table("effects.csv"):
+            self.of.setdefault((row["effect"], row["series"]), []).append(
+                (float(row["x"]), float(row["y"])))
+
+    def test_each_does_what_the_page_says(self):
+        def last(*key):
+            return self.of[key][-1][1]
+        height = {s: max(y for _, y in self.of["volume", s]) for s in ("with", "without")}
+        self.assertGreater(height["with"], 1.2 * height["without"])
+        self.assertLess(last("wobble", "pressed"), 0.3 * last("wobble", "left alone"))
+        self.assertAlmostEqual(last("slump", "45 cm"), 45.0, delta=0.01)
+        self.assertLess(last("slump", "60 cm"), 59.5)
+        self.assertLess(last("slump", "25 cm"), 22.0)
+        self.assertLess(last("springback", "40 %"), last("springback", "15 %"))
+        self.assertLess(last("springback", "15 %"), last("springback", "0 %"))
 
 
 class Push(unittest.TestCase):

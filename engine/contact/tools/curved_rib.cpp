@@ -28,6 +28,7 @@ extern const ToolShape kTool_curved_rib{
     .least = {.radius = 0.01, .thickness = 0.001},
     .most = {.radius = 0.1, .thickness = 0.02},
     .hold = {.along = {0.0, 1.0, 0.0}, .across = {0.0, 0.0, 1.0}},
+    .smooths = true,
     .reach =
         [](const ToolSize& size) {
           return length(Vec2{size.radius, 0.5 * size.thickness});

@@ -29,6 +29,7 @@ extern const ToolShape kTool_flat_rib{
     .least = {.radius = 0.005, .length = 0.02, .thickness = 0.001},
     .most = {.radius = 0.06, .length = 0.25, .thickness = 0.02},
     .hold = {.along = {0.0, 1.0, 0.0}, .across = {1.0, 0.0, 0.0}},
+    .smooths = true,
     .reach =
         [](const ToolSize& size) {
           return length(Vec3{0.5 * size.length, size.radius, 0.5 * size.thickness});

@@ -29,6 +29,7 @@ extern const ToolShape kTool_sponge{
     .round = true,
     .softness = 0.15,
     .wets = true,
+    .smooths = true,
     .reach = [](const ToolSize& size) { return size.radius; },
     .grain = [](const ToolSize& size) { return size.radius; },
     .ball =

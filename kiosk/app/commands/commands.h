@@ -13,6 +13,7 @@ void add_check(CLI::App& app, int& exit_code);
 void add_vessel(CLI::App& app, int& exit_code);
 void add_score(CLI::App& app, int& exit_code);
 void add_soak(CLI::App& app, int& exit_code);
+void add_lab(CLI::App& app, int& exit_code);
 
 /// Of `onggi vessel`.
 void add_inspect(CLI::App& vessel, int& exit_code);

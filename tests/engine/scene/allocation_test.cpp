@@ -8,6 +8,7 @@
 #include <new>
 
 #include "engine/scene/scene.h"
+#include "tests/support/effect_scenes.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define ONGGI_COUNTS_NEW 0
@@ -99,6 +100,56 @@ TEST(Scene, AStepOfThePapersSceneAllocatesNothing) {
   const long before = allocations;
   for (int n = 0; n < 500; ++n) {
     hands.hand[0].position = {0.065 - n * 2e-5, 0.036, 0.001 * (n % 7)};
+    scene->step(hands, 0.001);
+  }
+  EXPECT_EQ(allocations, before);
+}
+
+TEST(Scene, AnEffectThatIsAbsentAllocatesNotAByteAndOneThatIsPresentAFewARow) {
+  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  const auto bytes_of = [](const SceneDef& def) {
+    const long before = allocated_bytes;
+    EXPECT_TRUE(Scene::create(def));
+    return allocated_bytes - before;
+  };
+  const auto grid_of = [](const ClayDef& def) {
+    const long before = allocated_bytes;
+    EXPECT_TRUE(Clay::create(def));
+    return allocated_bytes - before;
+  };
+  SceneDef small;
+  small.clay.keep_undo = false;
+  const long base = bytes_of(bare(small));
+  EXPECT_LT(base - grid_of({}), 16384);  // the clay, the scene's own figures, the tools, the slit
+  for (const EffectTrial& effect : effect_trials()) {
+    SceneDef def = bare(small);
+    effect.leave_out_full_of_nan(def);
+    EXPECT_EQ(bytes_of(def), base) << effect.name;
+    effect.add(def);
+    const long elements = def.clay.rows * def.clay.sectors;
+    const bool by_elements = def.propagation || def.springback || def.smoothing;
+    EXPECT_LT(bytes_of(def) - base, (by_elements ? 17 * elements : 0) + 200 * def.clay.rows)
+        << effect.name;
+  }
+}
+
+TEST(Scene, AStepWithEveryEffectAllocatesNothing) {
+  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  SceneDef def;
+  for (const EffectTrial& effect : effect_trials()) effect.add(def);
+  def.moisture->sponge_height = 0.05;
+  auto scene = Scene::create(def);
+  ASSERT_TRUE(scene);
+  Hands hands;
+  hands.wheel_speed = 20.0;
+  hands.hand[0].active = hands.hand[1].active = true;
+  const long before = allocations;
+  for (int n = 0; n < 2000; ++n) {
+    hands.hand[0].position = {0.07 - n * 1e-5, 0.1, 0.001 * (n % 7)};
+    hands.hand[1].position = {0.03, 0.25 - n * 1e-4, 0};
+    hands.water = n % 3 == 0;
+    hands.renew = n % 900 == 600;
+    hands.restore = n % 900 == 800;
     scene->step(hands, 0.001);
   }
   EXPECT_EQ(allocations, before);

@@ -226,7 +226,7 @@ TEST(Script, AnUnknownNameAMissingTargetOrAWrongPaceIsRefusedWithARemedy) {
   ScriptContext bad;
   bad.scene.clay.rows = 1;
   EXPECT_FALSE(make_script("true", bad));
-  EXPECT_EQ(script_names().size(), 15u);
+  EXPECT_EQ(script_names().size(), 21u);
   ScriptContext solid;
   solid.scene.clay.floor_thickness = solid.scene.clay.height;
   EXPECT_FALSE(make_script("squeeze", solid));

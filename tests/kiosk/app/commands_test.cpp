@@ -11,8 +11,9 @@ namespace onggi::app {
 namespace {
 
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
-  for (const char* command : {"", "run", "visit", "replay", "check", "vessel", "vessel make",
-                              "vessel inspect", "vessel import", "score", "soak"}) {
+  for (const char* command :
+       {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect",
+        "vessel import", "score", "soak", "lab", "lab effects"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
@@ -40,6 +41,29 @@ TEST(Commands, WithoutADisplayTheKioskSaysWhatItLacks) {
   const Outcome run = onggi("run");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("isplay"), std::string::npos) << run.err;
+}
+
+TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
+  const TemporaryFolder folder;
+  const std::string json = (folder / "prices.json").string();
+  const Outcome run = onggi("lab effects --quick --grid 60x48 --json " + json);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto list = nlohmann::json::parse(std::ifstream(json)).at("prices");
+  std::string names;
+  for (const auto& price : list) {
+    names += price.at("scene").get<std::string>() + "; ";
+    EXPECT_GT(price.at("median_ns").get<double>(), 0.0);
+    EXPECT_GE(price.at("p999_ns").get<double>(), price.at("median_ns").get<double>());
+  }
+  EXPECT_EQ(names,
+            "base; + moisture; + walls; + propagation; + springback; + smoothing; + wobble; "
+            "+ slump (and volume); + volume; + friction; + kiln; first_touch.toml; master.toml; "
+            "studio.toml; all; ");
+}
+
+TEST(Lab, AGridThatIsNoneIsTheInputsFault) {
+  EXPECT_EQ(onggi("lab effects --grid 60").exit_code, 2);
+  EXPECT_EQ(onggi("lab effects --grid 2x2 --quick").exit_code, 2);
 }
 
 TEST(Check, TheExhibitThatComesWithTheProgramIsGood) {

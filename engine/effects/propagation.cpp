@@ -1,0 +1,85 @@
+#include "engine/effects/propagation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/effects/row_kernels.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+constexpr double kEnd = 3.0;                    // reaches
+constexpr double kLeft = 0.049787068367863944;  // e^-3: taken off, so that it ends without a step
+
+}  // namespace
+
+std::span<const EffectField<PropagationDef>> PropagationDef::fields() {
+  static constexpr EffectField<PropagationDef> kFields[] = {
+      {"reach", &PropagationDef::reach, 0.0005, 0.05, "m"},
+  };
+  return kFields;
+}
+
+double dragged_share(const PropagationDef& def, double distance) noexcept {
+  const double far = std::fabs(distance) / def.reach;
+  return far < kEnd ? (portable::exp(-far) - kLeft) / (1.0 - kLeft) : 0.0;
+}
+
+Propagation::Propagation(int stride)
+    : pull_{std::vector<float>(static_cast<std::size_t>(stride)),
+            std::vector<float>(static_cast<std::size_t>(stride))},
+      more_(static_cast<std::size_t>(stride)) {}
+
+// False where nothing was dragged.
+bool Propagation::drag_row(Clay& clay, WallSide side, int j, BlockRun run, float faded,
+                           double along) noexcept {
+  float* own = clay.shifts(side == WallSide::inside)->row(j);
+  if (row_kernels::pull(run, faded, own, pull_.source.data(), pull_.carried.data(), more_.data()) <=
+      0.0f)
+    return false;
+  move_face(clay, side, j, run, more_.data(), along);
+  return true;
+}
+
+void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
+                       double along) noexcept {
+  Shifts& shifts = *clay.shifts(side == WallSide::inside);
+  if (!shifts.any()) return;
+  const int first = shifts.first_row();
+  const int end = shifts.end_row();
+  // Inside, the floor holds: its rows have no inner face.
+  const int bottom = side == WallSide::inside ? clay.floor_rows() : 0;
+  // Rows of one height have one fading: most of a lump's.
+  double last = -1.0;
+  float last_fading = 1.0f;
+  const auto fading = [&](int from, int to) {
+    const double apart = 0.5 * (clay.row_thickness(to) + clay.row_thickness(from));
+    if (apart != last) last_fading = static_cast<float>(portable::exp(-apart / def.reach));
+    last = apart;
+    return last_fading;
+  };
+  for (BlockRun run = shifts.run_from(0); run.any(); run = shifts.run_from(run.end)) {
+    const auto forget_pull = [&] {
+      for (std::vector<float>* part : {&pull_.source, &pull_.carried})
+        std::fill(part->begin() + run.begin * Shifts::kBlock,
+                  part->begin() + run.end * Shifts::kBlock, 0.0f);
+    };
+    forget_pull();
+    for (int j = first; j < clay.rows(); ++j) {
+      const float faded = j > first ? fading(j - 1, j) : 0.0f;
+      const bool dragged = drag_row(clay, side, j, run, faded, along);
+      if (j >= end && !dragged) break;
+      if (dragged) shifts.mark(j, run);
+    }
+    forget_pull();
+    for (int j = end - 1; j >= bottom; --j) {
+      const float faded = j < end - 1 ? fading(j + 1, j) : 0.0f;
+      const bool dragged = drag_row(clay, side, j, run, faded, along);
+      if (j < first && !dragged) break;
+      if (dragged) shifts.mark(j, run);
+    }
+  }
+}
+
+}  // namespace onggi

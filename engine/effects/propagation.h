@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/wall_side.h"
+#include "engine/effects/effect_field.h"
+#include "engine/effects/move_face.h"
+
+namespace onggi {
+
+/// Clay hangs together: what is pressed drags the wall above and below it along, less with distance
+/// (Lee & Choi 2009). Without it a tool's edge leaves an edge.
+struct PropagationDef {
+  double reach = 0.004;  ///< m, 0.0005..0.05: at this distance about a third follows, at three
+                         ///< times this nothing. Higher: softer lines.
+
+  static constexpr const char* kName = "propagation";
+  static std::span<const EffectField<PropagationDef>> fields();
+};
+
+/// Share of a move that a row `distance` m away follows: 1 at 0, falling, 0 from three reaches on.
+double dragged_share(const PropagationDef& def, double distance) noexcept;
+
+/// Drags the rows about those that moved. Allocates only when made; one thread.
+class Propagation {
+ public:
+  explicit Propagation(int stride);
+
+  /// Stage 6.1: no row is moved by more than the strongest of those about it, times its share; one
+  /// that moved that far by itself is left alone. `along`: see move_face(). The shifts grow by what
+  /// was dragged. O(elements moved, and three reaches beyond).
+  void drag(const PropagationDef& def, Clay& clay, WallSide side, double along) noexcept;
+
+ private:
+  // The strongest pull from the rows behind, each element's for itself.
+  struct Pull {
+    std::vector<float> source, carried;  // as it was there; faded by e to the distance over reach
+  };
+  bool drag_row(Clay& clay, WallSide side, int j, BlockRun run, float faded, double along) noexcept;
+
+  Pull pull_;
+  std::vector<float> more_;
+};
+
+}  // namespace onggi

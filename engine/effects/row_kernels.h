@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/clay/shifts.h"
+
+namespace onggi {
+
+/// What effects do to the elements of one row, eight at a time on whatever vectors there are, with
+/// the same bits on each. Padding (clay.h) is left as it is. Any thread, no allocation.
+namespace row_kernels {
+
+/// How a face may move: see move_face(). Metres.
+struct FaceMove {
+  bool outside = true;
+  bool hollow = true;  ///< There is another face.
+  float near = 0.0f, far = 0.0f;
+  float wall_min = 0.0f;
+  float along = 0.0f;
+  float back_near = 0.0f, back_far = 0.0f;
+};
+struct FaceMoved {
+  float lost = 0.0f;  ///< Sum of squares of radii that the row lost.
+  float outermost = 0.0f, innermost = 0.0f;
+};
+FaceMoved move(const FaceMove& how, BlockRun run, const float* by, float* face,
+               float* behind) noexcept;
+
+/// One row of Propagation::drag(): `own` becomes what follows, `more` what that is more. The
+/// largest of `more`.
+float pull(BlockRun run, float faded, float* own, float* source, float* carried,
+           float* more) noexcept;
+
+/// Sums of radius times cosine and times sine.
+struct Harmonic {
+  float x = 0.0f, z = 0.0f;
+};
+Harmonic harmonic(int stride, const float* radius, const float* ray_cos,
+                  const float* ray_sin) noexcept;
+
+/// Both faces by x times cosine and z times sine, the inner one held to `least` and `most` - wall,
+/// the outer one to a wall's thickness and `most`.
+struct RowPush {
+  bool hollow = true;
+  float x = 0.0f, z = 0.0f;
+  float least = 0.0f, most = 0.0f, wall_min = 0.0f;
+};
+/// FaceMoved::lost is 0.
+FaceMoved push(const RowPush& how, int stride, const float* ray_cos, const float* ray_sin,
+               float* outer, float* inner) noexcept;
+
+}  // namespace row_kernels
+}  // namespace onggi

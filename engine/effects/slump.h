@@ -1,0 +1,75 @@
+#pragma once
+
+#include "engine/effects/moisture.h"
+#include "engine/effects/volume.h"
+
+namespace onggi {
+
+/// A pot that cannot carry its own weight sags, and one that is spun too fast spreads: clay flows
+/// where stress is above its yield strength (Bingham). Needs volume.
+struct SlumpDef {
+  double yield_stress = 6000.0;  ///< tau_y of plastic clay in shear, Pa, 100..1e6 (5 to 10 kPa; an
+                                 ///< estimate from soils). Lower: pots must stay low. A straight
+                                 ///< wall stands up to sqrt(3) tau_y / (density g): 0.54 m.
+  double viscosity = 1e4;   ///< Pa s above the yield stress, 10..1e8. Lower: a fall is quicker.
+  double density = 1950.0;  ///< kg/m^3, 500..4000.
+  double fall =
+      0.1;  ///< Share of its height that a pot sags by within a few seconds when it counts
+            ///< as fallen, 0.01..0.9. Higher: the kiosk waits longer with kind words.
+
+  static constexpr const char* kName = "slump";
+  static std::span<const EffectField<SlumpDef>> fields();
+};
+
+/// Sinks the rows that yield, from the top down, some every tick: all of them 40 times a second, or
+/// as often as the grid's size allows. Asleep while nothing yields and nothing changes. No
+/// allocation.
+class Slump {
+ public:
+  /// What the clay stands in.
+  struct Around {
+    const Moisture* moisture = nullptr;  ///< Null: dry.
+    const MoistureDef* moisture_def = nullptr;
+    double wheel_speed = 0.0;  ///< rad/s
+    double seconds = 0.0;      ///< Of this tick.
+    bool touched = false;      ///< A hand pressed clay in this tick, or a lump was put on.
+  };
+  /// Stage 6 of the pipeline, before Volume::keep(), which lowers the rows that this widens.
+  void sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& around) noexcept;
+
+  bool asleep() const { return asleep_; }
+  /// How fast the rim sinks, m/s; 0 while the pot stands.
+  double speed() const { return speed_; }
+  /// It sagged by SlumpDef::fall within about kFallTime.
+  bool fallen() const { return fallen_; }
+  /// It has sagged by less than a tenth of that.
+  bool stands() const { return stands_; }
+  /// The pot is another one.
+  void forget_fall() noexcept;
+  static constexpr double kFallTime = 3.0;  ///< s
+  void add_to(StateHash& hash) const;
+
+ private:
+  bool sink_row(const SlumpDef& def, Clay& clay, Volume& volume, const Around& around, int j,
+                double above) noexcept;
+
+  int next_ = -1;          // row of this sweep; below 0: a new one begins
+  double above_ = 0.0;     // m^3 over that row
+  double seconds_ = 0.0;   // that this sweep makes up for
+  double gathered_ = 0.0;  // since it began
+  double sunk_ = 0.0;      // m in this sweep
+  double speed_ = 0.0;
+  double sagged_ = 0.0;  // m, of late
+  bool fallen_ = false;
+  bool stands_ = true;
+  bool yielded_ = false;  // in this sweep
+  bool stirred_ = false;  // something changed in this sweep
+  bool asleep_ = false;
+  double calm_speed_ = 0.0;    // the wheel's as it was when nothing yielded
+  double calm_wetness_ = 0.0;  // likewise
+};
+
+/// Height, m, up to which a straight wall stands: sqrt(3) tau_y / (density g).
+double standing_height(const SlumpDef& def) noexcept;
+
+}  // namespace onggi

@@ -1,0 +1,115 @@
+#include "engine/effects/springback.h"
+
+#include <algorithm>
+
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+constexpr int kElementBudget = 8192;  // a tick
+constexpr double kTurns = 16.0;  // of every row in Springback::time: steps well above a float's
+
+}  // namespace
+
+std::span<const EffectField<SpringbackDef>> SpringbackDef::fields() {
+  static constexpr EffectField<SpringbackDef> kFields[] = {
+      {"share", &SpringbackDef::share, 0.0, 0.5, ""},
+      {"time", &SpringbackDef::time, 0.01, 10.0, "s"},
+  };
+  return kFields;
+}
+
+Springback::Springback(const Clay& clay)
+    : back_(static_cast<std::size_t>(clay.stride())),
+      stride_(static_cast<std::size_t>(clay.stride())),
+      rows_(clay.rows()) {
+  const auto rows = static_cast<std::size_t>(rows_);
+  for (Face& face : face_) {
+    face.left.resize(rows * stride_);
+    face.seen.resize(rows);
+    face.rows.resize(rows);
+  }
+}
+
+void Springback::load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept {
+  Shifts& shifts = *clay.shifts(side == WallSide::inside);
+  if (!shifts.any()) return;
+  Face& f = face(side);
+  const auto share = static_cast<float>(def.share);
+  for (int j = shifts.first_row(); j < shifts.end_row(); ++j) {
+    const auto n = static_cast<std::size_t>(j);
+    const float* moved = shifts.row(j);
+    float* left = f.left.data() + n * stride_;
+    for (BlockRun run = shifts.run_from(0); run.any(); run = shifts.run_from(run.end))
+      for (int i = run.begin * Shifts::kBlock; i < run.end * Shifts::kBlock; ++i)
+        left[i] += share * moved[i];
+    if (f.rows[n] != 0) continue;
+    f.rows[n] = 1;
+    f.seen[n] = now_;
+    ++loaded_rows_;
+  }
+}
+
+void Springback::row_back(Clay& clay, WallSide side, int j, double time, double along) noexcept {
+  Face& f = face(side);
+  const auto n = static_cast<std::size_t>(j);
+  const auto gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
+  f.seen[n] = now_;
+  float* left = f.left.data() + n * stride_;
+  float most = 0.0f;
+  for (std::size_t i = 0; i < stride_; ++i) {
+    // The last of it at once: rest must be rest.
+    const float back = left[i] < kLeastMove ? left[i] : left[i] * gone;
+    left[i] -= back;
+    back_[i] = -back;
+    most = std::max(most, left[i]);
+  }
+  move_face(clay, side, j, {0, static_cast<int>(stride_) / Shifts::kBlock}, back_.data(), along);
+  if (most > 0.0f) return;
+  f.rows[n] = 0;
+  --loaded_rows_;
+}
+
+void Springback::come_back(const SpringbackDef& def, Clay& clay, double seconds,
+                           double along) noexcept {
+  if (asleep()) return;
+  now_ += seconds;
+  const int budget = std::max(1, kElementBudget / static_cast<int>(stride_));
+  const int look =
+      std::min(2 * rows_, 1 + static_cast<int>(2 * rows_ * seconds * kTurns / def.time));
+  int done = 0;
+  for (int looked = 0; looked < look && done < budget; ++looked) {
+    const int j = next_ % rows_;
+    const WallSide side = next_ < rows_ ? WallSide::outside : WallSide::inside;
+    next_ = (next_ + 1) % (2 * rows_);
+    if (face(side).rows[static_cast<std::size_t>(j)] == 0) continue;
+    row_back(clay, side, j, def.time, along);
+    ++done;
+  }
+}
+
+void Springback::forget() noexcept {
+  for (Face& f : face_)
+    for (std::size_t n = 0; n < f.rows.size(); ++n) {
+      if (f.rows[n] == 0) continue;
+      std::fill_n(f.left.begin() + static_cast<std::ptrdiff_t>(n * stride_), stride_, 0.0f);
+      f.rows[n] = 0;
+    }
+  loaded_rows_ = 0;
+}
+
+void Springback::add_to(StateHash& hash) const {
+  for (const Face& f : face_) {
+    for (std::size_t n = 0; n < f.rows.size(); ++n) {
+      if (f.rows[n] == 0) continue;
+      hash.add(static_cast<std::uint64_t>(n));
+      hash.add(f.seen[n]);
+      hash.add(std::span(f.left).subspan(n * stride_, stride_));
+    }
+  }
+  hash.add(static_cast<std::uint64_t>(next_));
+  hash.add(now_);
+}
+
+}  // namespace onggi

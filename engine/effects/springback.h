@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/contact/wall_side.h"
+#include "engine/effects/effect_field.h"
+#include "engine/effects/move_face.h"
+#include "engine/math/hash.h"
+
+namespace onggi {
+
+/// Clay is a little elastic: part of a press comes back when the tool goes on (standard linear
+/// solid: the contact's relaxation in series with this spring and its own damper).
+struct SpringbackDef {
+  double share = 0.15;  ///< Of a press that comes back, 0..0.5. Higher: leathery; a line has to be
+                        ///< pressed deeper than it is to be.
+  double time = 0.2;    ///< s, 0.01..10: how soon two thirds of it are back.
+
+  static constexpr const char* kName = "springback";
+  static std::span<const EffectField<SpringbackDef>> fields();
+};
+
+/// What every element still has to come back by. Allocates only when made; one thread.
+class Springback {
+ public:
+  explicit Springback(const Clay& clay);
+
+  /// Stage 6.2: of what moved in this tick the share is to come back. O(elements moved).
+  void load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept;
+  /// And lets what is loaded come back: some rows a tick, each by an exact exponential of the time
+  /// since its last turn. No row ever goes beyond where it was pressed from. `along`: see
+  /// move_face(). Asleep when nothing is loaded.
+  void come_back(const SpringbackDef& def, Clay& clay, double seconds, double along) noexcept;
+  /// The clay was laid anew: nothing is loaded. O(rows that were).
+  void forget() noexcept;
+
+  bool asleep() const { return loaded_rows_ == 0; }
+  void add_to(StateHash& hash) const;
+
+ private:
+  struct Face {
+    std::vector<float> left;         // m, >= 0
+    std::vector<double> seen;        // when each row last came back
+    std::vector<std::uint8_t> rows;  // 1: something is left
+  };
+  Face& face(WallSide side) { return face_[side == WallSide::inside ? 1 : 0]; }
+  void row_back(Clay& clay, WallSide side, int j, double time, double along) noexcept;
+
+  std::array<Face, 2> face_;
+  std::vector<float> back_;
+  std::size_t stride_;
+  int rows_;
+  int next_ = 0;  // row whose turn it is, of the outside and then of the inside
+  int loaded_rows_ = 0;
+  double now_ = 0.0;
+};
+
+}  // namespace onggi

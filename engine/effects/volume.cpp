@@ -1,0 +1,122 @@
+#include "engine/effects/volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace onggi {
+
+Volume::Volume(Clay& clay) {
+  clay.keep_areas();
+  for (int j = 0; j < clay.rows(); ++j) {
+    volume_.push_back(clay.areas()->of(j) * clay.row_thickness(j));
+    thickness_.push_back(clay.row_thickness(j));
+  }
+}
+
+double Volume::area_of(Clay& clay, int j) noexcept {
+  if (!clay.areas()->known(j)) clay.areas()->set(j, clay.measured_area(j));
+  return clay.areas()->of(j);
+}
+
+void Volume::keep(Clay& clay) noexcept {
+  RowAreas& areas = *clay.areas();
+  int lowest = -1;
+  int changed = 0;
+  for (int j = areas.take_changed(0); j >= 0; j = areas.take_changed(j + 1)) {
+    const auto n = static_cast<std::size_t>(j);
+    // Sums of floats drift: whose turn it is of 64 rows is measured.
+    if ((static_cast<unsigned>(changed++) + turn_) % 64 == 0) areas.set(j, clay.measured_area(j));
+    double area = area_of(clay, j);
+    const double now = clay.row_thickness(j);
+    volume_[n] -= areas.take_cut(j) * now;
+    if (now < thickness_[n]) {
+      // Pressed together, a ring becomes wider and its wall thicker, alike.
+      const double wider = std::sqrt(volume_[n] / (area * now));
+      area *= reshape_row(clay, j, wider, wider);
+    }
+    thickness_[n] = volume_[n] / area;
+    clay.set_row_thickness(j, thickness_[n]);
+    if (lowest < 0) lowest = j;
+  }
+  if (lowest < 0) return;
+  ++turn_;
+  // Setting the heights marked them again.
+  for (int j = areas.take_changed(lowest); j >= 0; j = areas.take_changed(j + 1)) {
+  }
+  clay.restack(lowest);
+}
+
+bool Volume::measure_some(Clay& clay, int element_budget) noexcept {
+  const int end = std::min(clay.rows(), measured_to_ + std::max(1, element_budget / clay.stride()));
+  for (; measured_to_ < end; ++measured_to_) {
+    const auto n = static_cast<std::size_t>(measured_to_);
+    clay.areas()->set(measured_to_, clay.measured_area(measured_to_));
+    thickness_[n] = clay.row_thickness(measured_to_);
+    volume_[n] = clay.areas()->of(measured_to_) * thickness_[n];
+  }
+  if (measured_to_ < clay.rows()) return false;
+  measured_to_ = 0;
+  for (int j = clay.areas()->take_changed(0); j >= 0; j = clay.areas()->take_changed(j + 1)) {
+  }
+  return true;
+}
+
+double Volume::total() const { return std::accumulate(volume_.begin(), volume_.end(), 0.0); }
+
+void Volume::give(Clay& clay, int j, int to, double volume) noexcept {
+  volume_[static_cast<std::size_t>(j)] -= volume;
+  volume_[static_cast<std::size_t>(to)] += volume;
+  clay.areas()->mark(j);
+  clay.areas()->mark(to);
+}
+
+void Volume::add_to(StateHash& hash, Clay& clay) const {
+  for (std::size_t j = 0; j < volume_.size(); ++j) {
+    hash.add(volume_[j]);
+    hash.add(clay.areas()->of(static_cast<int>(j)));
+  }
+  hash.add(std::uint64_t{turn_} << 32 | static_cast<std::uint64_t>(measured_to_));
+}
+
+double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
+  const ClayDef& def = clay.def();
+  const double more = girth * thickness;
+  if (j < clay.floor_rows()) girth = thickness = std::sqrt(more);
+  double farthest = 0.0;
+  double thinnest = def.radius_max;
+  for (std::size_t i = 0; i < clay.outer(j).size(); ++i) {
+    farthest = std::max(farthest, double{clay.outer(j)[i]});
+    thinnest = std::min(thinnest, double{clay.outer(j)[i] - clay.inner(j)[i]});
+  }
+  if (thickness < 1.0 && thickness * thinnest < def.wall_min) {
+    thickness = std::min(def.wall_min / thinnest, 1.0);
+    girth = more / thickness;
+  }
+  if (farthest * std::max(girth, thickness) > def.radius_max)
+    girth = thickness = std::clamp(def.radius_max / farthest, 1.0, std::sqrt(more));
+  // outer = middle + half, inner = middle - half.
+  const double same = 0.5 * (girth + thickness);
+  const double cross = 0.5 * (girth - thickness);
+  const auto a = static_cast<float>(same);
+  const auto b = static_cast<float>(cross);
+  const std::span<float> outer = clay.outer_mut(j);
+  const std::span<float> inner = clay.inner_mut(j);
+  const double before = clay.areas()->of(j);
+  float out_most = 0.0f;
+  float in_least = 1e9f;
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    const float o = outer[i];
+    const float n = inner[i];
+    outer[i] = o * a + n * b;
+    inner[i] = n * a + o * b;
+    out_most = std::max(out_most, outer[i]);
+    in_least = std::min(in_least, inner[i]);
+  }
+  clay.set_extent(j, out_most, in_least);
+  clay.areas()->set(j, clay.measured_area(j));
+  clay.mark_dirty(j);
+  return clay.areas()->of(j) / before;
+}
+
+}  // namespace onggi

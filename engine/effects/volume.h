@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/clay/clay.h"
+#include "engine/effects/effect_field.h"
+#include "engine/math/hash.h"
+
+namespace onggi {
+
+/// Clay is incompressible: what leaves a row's cross-section raises the row, what presses a row
+/// down widens it. Pulling up the wall makes the pot taller and thinner. It has no numbers to set.
+struct VolumeDef {
+  static constexpr const char* kName = "volume";
+  static std::span<const EffectField<VolumeDef>> fields() { return {}; }
+};
+
+/// How much clay every row holds, and the heights that follow from it: h = V / A. Allocates only
+/// when made; one thread.
+class Volume {
+ public:
+  /// Measures `clay`, which keeps its areas from now on.
+  explicit Volume(Clay& clay);
+
+  /// Stage 6 of the pipeline: rows that lost area since the last call gain height; rows that were
+  /// pressed down gain girth; what a tool cut off is gone. O(rows changed, rows above them);
+  /// O(sectors) for each row pressed down, and for one of the others, which is measured anew.
+  void keep(Clay& clay) noexcept;
+  /// `clay` was laid anew: measures it again, `element_budget` elements a call (at least a row);
+  /// true once all is done.
+  bool measure_some(Clay& clay, int element_budget) noexcept;
+
+  double of_row(int j) const { return volume_[static_cast<std::size_t>(j)]; }  ///< m^3
+  double total() const;                                                        ///< m^3, O(rows)
+  /// Row `j` gives `volume` m^3 to row `to`, or takes it where negative; keep() then raises and
+  /// lowers them.
+  void give(Clay& clay, int j, int to, double volume) noexcept;
+  void add_to(StateHash& hash, Clay& clay) const;
+
+ private:
+  double area_of(Clay& clay, int j) noexcept;
+
+  std::vector<double> volume_;
+  std::vector<double> thickness_;  // as keep() left them: what differs was pressed down since
+  unsigned turn_ = 0;              // whose turn it is to be measured
+  int measured_to_ = 0;            // of measure_some()
+};
+
+/// Row `j` with the middle of its wall `girth` times as far out, and the wall `thickness` times as
+/// thick, >= 1 together: its area is girth * thickness times what it was, to a float's rounding. A
+/// solid row takes the root of that product. Held to radius_max and wall_min; gives the factor of
+/// the area that was possible. The clay keeps areas, and knows this row's. Marks dirty. O(sectors),
+/// no allocation.
+double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept;
+
+}  // namespace onggi

@@ -1,0 +1,138 @@
+#include "engine/scene/row_effects.h"
+
+#include <algorithm>
+
+namespace onggi {
+namespace {
+
+constexpr std::array kSides{WallSide::outside, WallSide::inside};
+
+// Moved by no press of its own, a face moves the wall as the hand on it does, and as one that
+// nobody holds where there is no hand.
+double along_of(const SceneDef& def, const RowEffects::Tick& tick, WallSide side) {
+  double along = def.walls ? 1.0 : 0.0;
+  for (const RowEffects::HandThere& hand : tick.hand)
+    if (hand.on_wall && hand.side == side) along = std::min(along, hand.along);
+  return along;
+}
+
+}  // namespace
+
+std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
+  if (!def.walls && !def.propagation && !def.springback && !def.smoothing && !def.wobble &&
+      !def.slump && !def.volume)
+    return nullptr;
+  auto effects = std::make_unique<RowEffects>();
+  RowEffects& e = *effects;
+  if (def.wobble)
+    for (int j = 0; j < clay.rows(); ++j) lay_off_centre(clay, j, {def.wobble->off_centre, 0.0});
+  const bool about_contact = def.propagation || def.springback || def.smoothing;
+  if (def.walls || about_contact) clay.keep_areas();
+  if (about_contact) clay.keep_shifts();
+  // 6.1
+  if (def.propagation) {
+    e.propagation_.emplace(clay.stride());
+    e.stages_.push_back(&RowEffects::drag_neighbours);
+  }
+  // 6.2
+  if (def.springback) {
+    e.springback_.emplace(clay);
+    e.stages_.push_back(&RowEffects::spring_back);
+  }
+  // 6.3
+  if (def.smoothing) {
+    e.smoothing_.emplace(clay.rows());
+    e.stages_.push_back(&RowEffects::smooth);
+  }
+  // 6.4
+  if (def.wobble) {
+    e.wobble_.emplace();
+    e.stages_.push_back(&RowEffects::centre);
+  }
+  // 6.5
+  if (def.slump) {
+    e.slump_.emplace();
+    e.stages_.push_back(&RowEffects::sink);
+  }
+  // 6.6
+  if (def.volume) {
+    e.volume_.emplace(clay);
+    e.stages_.push_back(&RowEffects::keep_volume);
+  }
+  if (about_contact) e.stages_.push_back(&RowEffects::clear_shifts);
+  return effects;
+}
+
+double RowEffects::along(const SceneDef& def, Vec3 pressing, const Vec3* holding) const noexcept {
+  if (!def.walls) return 0.0;
+  return holding == nullptr ? 1.0 : 1.0 - wall_support(*def.walls, pressing, *holding);
+}
+
+void RowEffects::run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  for (const Stage stage : stages_) (this->*stage)(def, clay, tick);
+  settled_ = false;
+}
+
+void RowEffects::drag_neighbours(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  for (const WallSide side : kSides)
+    propagation_->drag(*def.propagation, clay, side, along_of(def, tick, side));
+}
+
+void RowEffects::spring_back(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  for (const WallSide side : kSides) springback_->load(*def.springback, clay, side);
+  springback_->come_back(*def.springback, clay, tick.seconds, def.walls ? 1.0 : 0.0);
+}
+
+void RowEffects::smooth(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  for (const HandThere& hand : tick.hand)
+    if (hand.on_wall && hand.smooths > 0.0)
+      smoothing_->even(*def.smoothing, clay, hand.side, hand.at.y - hand.smooths,
+                       hand.at.y + hand.smooths, tick.seconds);
+}
+
+void RowEffects::centre(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  for (const HandThere& hand : tick.hand)
+    if (hand.on_wall)
+      wobble_->centre(*def.wobble, clay, {hand.at, hand.normal, hand.side}, tick.seconds);
+}
+
+void RowEffects::sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  const MoistureDef* moisture = def.moisture ? &*def.moisture : nullptr;
+  slump_->sink(*def.slump, clay, *volume_,
+               {tick.moisture, moisture, tick.wheel_speed, tick.seconds, tick.touched || settled_});
+}
+
+void RowEffects::keep_volume(const SceneDef&, Clay& clay, const Tick&) noexcept {
+  volume_->keep(clay);
+}
+
+void RowEffects::clear_shifts(const SceneDef&, Clay& clay, const Tick&) noexcept {
+  for (const bool inside : {false, true})
+    if (Shifts& shifts = *clay.shifts(inside); shifts.any()) shifts.clear(clay.rows());
+}
+
+bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh,
+                             int element_budget) noexcept {
+  if (def.wobble && fresh && laid_to_ < clay.rows()) {
+    const int some = std::max(1, element_budget / clay.stride());
+    for (const int end = std::min(clay.rows(), laid_to_ + some); laid_to_ < end; ++laid_to_)
+      lay_off_centre(clay, laid_to_, {def.wobble->off_centre, 0.0});
+    return false;
+  }
+  if (volume_ && !volume_->measure_some(clay, element_budget)) return false;
+  if (springback_) springback_->forget();
+  if (slump_) slump_->forget_fall();
+  laid_to_ = 0;
+  settled_ = true;
+  return true;
+}
+
+void RowEffects::add_to(StateHash& hash, Clay& clay) const {
+  if (volume_) volume_->add_to(hash, clay);
+  if (slump_) slump_->add_to(hash);
+  if (springback_) springback_->add_to(hash);
+  if (wobble_) wobble_->add_to(hash);
+  hash.add(static_cast<std::uint64_t>(laid_to_));
+}
+
+}  // namespace onggi

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/effects/propagation.h"
+#include "engine/effects/slump.h"
+#include "engine/effects/smoothing.h"
+#include "engine/effects/springback.h"
+#include "engine/effects/volume.h"
+#include "engine/effects/wobble.h"
+#include "engine/scene/hands.h"
+#include "engine/scene/scene_def.h"
+
+namespace onggi {
+
+/// The effects that ask contact what it did to the clay's rows, and those of stage 6, which work on
+/// the rows after it. A scene without any has none of this.
+class RowEffects {
+ public:
+  /// A hand as contact left it.
+  struct HandThere {
+    Vec3 at;               ///< Clay frame, m.
+    double normal = 0.0;   ///< N; 0 where it presses nothing.
+    bool on_wall = false;  ///< Not clear, nor on the rim or the floor.
+    WallSide side = WallSide::outside;
+    double along = 0.0;    ///< As along() said.
+    double smooths = 0.0;  ///< How far up and down it evens the wall, m; 0 where it does not.
+  };
+  /// What a tick brings them.
+  struct Tick {
+    const Moisture* moisture = nullptr;  ///< Null where it is absent.
+    double wheel_speed = 0.0;            ///< Of the clay, rad/s.
+    double seconds = 0.0;
+    bool touched = false;  ///< A hand pressed clay.
+    std::array<HandThere, kMaxHands> hand{};
+  };
+
+  /// Null where `def` has none. Lays the lump as they have it. Allocates.
+  static std::unique_ptr<RowEffects> make(const SceneDef& def, Clay& clay);
+
+  /// Stage 5: share of a press at `pressing` with which the wall gives way as a whole
+  /// (Yielding::along). `holding` is the hand on the other face, null where none is.
+  double along(const SceneDef& def, Vec3 pressing, const Vec3* holding) const noexcept;
+  /// Stage 6: those that are present, in order. No allocation.
+  void run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  /// The clay was laid anew, as a `fresh` lump or as it once was: takes it as it is,
+  /// `element_budget` elements a call; true when done.
+  bool settle_some(const SceneDef& def, Clay& clay, bool fresh, int element_budget) noexcept;
+
+  /// How fast the rim sinks by itself, m/s.
+  double sinking() const { return slump_ ? slump_->speed() : 0.0; }
+  /// The pot fell, since the clay was last laid.
+  bool fallen() const { return slump_ && slump_->fallen(); }
+  /// It stands, or sags so little that nobody would call it the beginning of a fall.
+  bool stands() const { return !slump_ || slump_->stands(); }
+  /// The clay still moves though no hand touches it.
+  bool moving() const { return sinking() > 0.0 || (springback_ && !springback_->asleep()); }
+  void add_to(StateHash& hash, Clay& clay) const;
+
+ private:
+  using Stage = void (RowEffects::*)(const SceneDef&, Clay&, const Tick&) noexcept;
+  void drag_neighbours(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void spring_back(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void smooth(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void centre(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void keep_volume(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void clear_shifts(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+
+  std::optional<Propagation> propagation_;
+  std::optional<Springback> springback_;
+  std::optional<Smoothing> smoothing_;
+  std::optional<Wobble> wobble_;
+  std::optional<Slump> slump_;
+  std::optional<Volume> volume_;
+  std::vector<Stage> stages_;  // of what is present, in the pipeline's order
+  bool settled_ = false;       // a lump was put on since the last tick
+  int laid_to_ = 0;            // of settle_some()
+};
+
+}  // namespace onggi

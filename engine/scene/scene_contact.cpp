@@ -1,0 +1,135 @@
+// Stages 5 to 7 of the tick: contact, what follows from it in the rows, and the force.
+#include <algorithm>
+
+#include "engine/contact/stops.h"
+#include "engine/math/portable.h"
+#include "engine/scene/scene_state.h"
+
+namespace onggi {
+namespace {
+
+constexpr Vec3 kDown{0.0, -1.0, 0.0};
+
+}  // namespace
+
+// Stage 5, for a wire.
+void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
+  const ToolSweep& way = tick.sweep[n];
+  const WireSweep sweep{way.from, way.to, way.along, way.size.length, tick.angle_from + tick.turn,
+                        tick.dt};
+  tick.press[n] = slit.draw(clay, sweep, hand[n].wire, def.contact.stiffness);
+}
+
+// Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
+void Scene::State::press_clay(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n)
+    if (hand[n].present && tools[hand[n].tool].shape->severs) draw_wire(tick, n);
+  if (slit.free()) {
+    for (HandState& h : hand) h.contact = {};
+    return;
+  }
+  std::array<Yielding, kMaxHands> yielding;
+  int steps = 1;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    hand[n].contact.begin_tick();
+    if (!presses(hand[n])) continue;
+    tick.sweep[n].angle_from = tick.angle_from;
+    tick.sweep[n].angle_to = tick.angle_from + tick.turn;
+    yielding[n] = yielding_at(hand[n].at.y);
+    steps = std::max(steps, steps_for(tick.sweep[n], yielding[n].relaxation_time));
+  }
+  if (row_effects) {
+    for (std::size_t n = 0; n < hand.size(); ++n) {
+      const HandState& other = hand[1 - n];
+      const bool held = other.present && other.contact.touching() &&
+                        other.contact.side() != hand[n].contact.side();
+      tick.along[n] = row_effects->along(def, hand[n].at, held ? &other.at : nullptr);
+      yielding[n].along = tick.along[n];
+    }
+  }
+  for (int step = 0; step < steps; ++step) {
+    // What a wall between two hands comes to must not depend on which hand is called the first.
+    const bool swapped = hand[0].contact.side() > hand[1].contact.side();
+    for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
+      if (presses(hand[n])) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
+  }
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    if (hand[n].present && !presses(hand[n])) continue;
+    tick.press[n] = hand[n].contact.reaction();
+    tick.side[n] = hand[n].contact.side();
+    tick.place[n] = hand[n].contact.place();
+  }
+}
+
+// Stage 6. What has just been laid must be measured first.
+void Scene::State::work_on_rows(const Tick& tick) noexcept {
+  if (lump_work != LumpWork::none) return;
+  const double angle = tick.angle_from + tick.turn;
+  RowEffects::Tick rows;
+  rows.moisture = moisture ? &*moisture : nullptr;
+  rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
+  rows.seconds = tick.dt;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    const HandState& h = hand[n];
+    const Press& press = tick.press[n];
+    rows.touched = rows.touched || press.touched > 0;
+    if (!presses(h) || press.touched == 0) continue;
+    const Tool& tool = tools[h.tool];
+    const double c = portable::cos(angle);
+    const double s = portable::sin(angle);
+    rows.hand[n] = {{c * h.at.x + s * h.at.z, h.at.y, c * h.at.z - s * h.at.x},
+                    press.normal,
+                    h.contact.place() == beside(h.contact.side()),
+                    h.contact.side(),
+                    tick.along[n],
+                    tool.shape->smooths ? tool.shape->reach(tool.size) : 0.0};
+  }
+  row_effects->run(def, clay, rows);
+}
+
+// Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
+void Scene::State::feel(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    const HandState& h = hand[n];
+    if (!h.present || tick.held[n]) continue;
+    const ToolShape& shape = *tools[h.tool].shape;
+    const ToolSize& size = tools[h.tool].size;
+    const ToolPlace place{h.at, h.along, h.across};
+    const Press& press = tick.press[n];
+    Vec3 force = press.force;
+    const double strength = length(press.force);
+    if (def.friction && press.normal > 0.0 && strength > 0.0) {
+      const FrictionDef& friction = *def.friction;
+      const double mu = friction_coefficient(friction, wetness_at(h.at.y));
+      const ToolBall ball = ball_towards(shape, place, size, (-1.0 / strength) * press.force);
+      const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
+      const Vec3 slip =
+          (1.0 / tick.dt) * (h.at - tick.sweep[n].from) - clay_velocity(touch, tick.turn / tick.dt);
+      force += friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
+    }
+    const ToolBall lowest = ball_towards(shape, place, size, kDown);
+    force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
+    tick.wanted[n] = force;
+  }
+}
+
+// Stages 5 and 7 as the paper has them: no steps within the tick, no stops, and a filter.
+void Scene::State::press_as_printed(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    PaperFilter& filter = printed->filter[n];
+    if (!hand[n].present) {
+      filter.settle();
+      continue;
+    }
+    const double angle = tick.angle_from + tick.turn;
+    tick.side[n] = PaperModel::mode(clay, hand[n].at, angle, tick.sweep[n].wish);
+    tick.place[n] = beside(tick.side[n]);
+    const PaperTouch touch = printed->model.tick(clay, tick.side[n], hand[n].at, def.tool.radius,
+                                                 angle, tick.turn, printed->coefficients);
+    tick.press[n] = {touch.force, 0.0, touch.depth, touch.visited, touch.touched};
+    const Vec3 filtered = filter.filter(touch.force);
+    if (!tick.held[n]) tick.wanted[n] = filtered;
+  }
+}
+
+}  // namespace onggi

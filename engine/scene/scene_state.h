@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/clay/history.h"
+#include "engine/contact/paper_model.h"
+#include "engine/scene/hand_state.h"
+#include "engine/scene/row_effects.h"
+#include "engine/scene/scene.h"
+
+namespace onggi {
+
+// What the paper's scene has besides.
+struct Printed {
+  PaperModel model;
+  PaperCoefficients coefficients;
+  std::array<PaperFilter, kMaxHands> filter{};
+};
+
+enum class LumpWork : std::uint8_t { none, keeping, renewing, laying, restoring, settling };
+
+struct Scene::State {
+  SceneDef def;
+  std::vector<Tool> tools;
+  Clay clay;
+  std::optional<History> history;
+  WireCut slit;
+  std::array<HandState, kMaxHands> hand{};
+  std::optional<Printed> printed;
+  double time = 0.0;
+  double wheel_angle = 0.0;
+  double clay_angle = 0.0;
+  double wheel_speed = 0.0;
+  double wheel_asked = 0.0;
+  std::optional<Moisture> moisture;
+  std::unique_ptr<RowEffects> row_effects;  // null where the scene has none
+  bool renew_held = false;
+  bool restore_held = false;
+  LumpWork lump_work = LumpWork::none;
+  std::uint64_t stood_at = 0;  // the history's depth when the pot last stood
+  std::uint32_t faults = 0;
+  SceneCounters counters;
+
+  // What the stages of one tick hand to each other.
+  struct Tick {
+    double dt = 0.0;
+    double angle_from = 0.0;
+    double turn = 0.0;
+    std::array<ToolSweep, kMaxHands> sweep{};
+    std::array<bool, kMaxHands> held{};
+    std::array<Vec3, kMaxHands> wanted{};
+    std::array<Press, kMaxHands> press{};
+    std::array<WallSide, kMaxHands> side{};
+    std::array<Place, kMaxHands> place{};
+    std::array<double, kMaxHands> along{};
+  };
+
+  State(const SceneDef& d, Clay&& c)
+      : def(d), tools(tools_of(d)), clay(std::move(c)), slit(d.clay.sectors) {
+    if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
+    row_effects = RowEffects::make(def, clay);
+    if (def.clay.keep_undo) history.emplace(clay);
+    if (!def.paper) return;
+    const PaperDef& paper = *def.paper;
+    printed = Printed{PaperModel(clay), {paper.c_eta, paper.c_v, paper.c_r}};
+  }
+
+  void take_input(Tick& tick, const Hands& hands, double dt) noexcept;
+  void take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept;
+  void turn_wheel(Tick& tick) noexcept;
+  void soak_or_dry(const Tick& tick, bool sponge) noexcept;
+  void work_on_lump(const Hands& hands) noexcept;
+  double wetness_at(double height) const;
+  Yielding yielding_at(double height) const;
+  void keep_history(const Tick& tick) noexcept;
+  bool presses(const HandState& h) const { return h.present && !tools[h.tool].shape->severs; }
+  bool fallen() const { return row_effects && row_effects->fallen(); }
+  void draw_wire(Tick& tick, std::size_t n) noexcept;
+  void press_clay(Tick& tick) noexcept;
+  void work_on_rows(const Tick& tick) noexcept;
+  void feel(Tick& tick) noexcept;
+  void press_as_printed(Tick& tick) noexcept;
+  Feedback guard_and_report(const Tick& tick) noexcept;
+};
+
+}  // namespace onggi

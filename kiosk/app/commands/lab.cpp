@@ -1,0 +1,205 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kiosk/app/commands/commands.h"
+#include "kiosk/app/effect_prices.h"
+#include "kiosk/app/log.h"
+#include "kiosk/app/paths.h"
+#include "kiosk/settings/exhibit.h"
+#include "kiosk/souvenir/durable_file.h"
+
+namespace onggi::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  std::string json, plot, count;
+  int rows = 400, sectors = 360;
+  bool quick = false;
+};
+
+// The list of priced_scenes(), and before its last the presets that lie in config/scenes. The
+// printed model has no effects, and is left out.
+Result<std::vector<PricedScene>> all_scenes(const Arguments& arguments) {
+  std::vector<PricedScene> scenes = priced_scenes(arguments.rows, arguments.sectors);
+  const auto root = program_root();
+  if (!root) return tl::unexpected(root.error());
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(*root / "config/scenes"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  const PricedScene all = std::move(scenes.back());
+  scenes.pop_back();
+  for (const auto& file : files) {
+    settings::SceneRead read = settings::read_scene(file);
+    if (!read.problems.empty()) return tl::unexpected(read.problems.front());
+    if (read.def.paper) continue;
+    read.def.clay.rows = arguments.rows;
+    read.def.clay.sectors = arguments.sectors;
+    scenes.push_back({file.filename().string(), std::move(read.def)});
+  }
+  scenes.push_back(all);
+  return scenes;
+}
+
+std::string quoted(const std::string& word) {
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+bool is_there(const char* program) {
+  const char* path = std::getenv("PATH");
+  std::string rest = path != nullptr ? path : "";
+  while (!rest.empty()) {
+    const std::size_t end = rest.find(':');
+    if (access((rest.substr(0, end) + "/" + program).c_str(), X_OK) == 0) return true;
+    rest = end == std::string::npos ? "" : rest.substr(end + 1);
+  }
+  return false;
+}
+
+// Instructions of a tick, by this program run again under callgrind; 0 where it counted none.
+std::int64_t counted(const Arguments& arguments, const std::string& scene) {
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command =
+      "valgrind --tool=callgrind --callgrind-out-file=/dev/null "
+      "--toggle-collect=onggi_priced_ticks " +
+      quoted(self) + " lab effects --grid " + std::to_string(arguments.rows) + "x" +
+      std::to_string(arguments.sectors) + " --count " + quoted(scene) + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return 0;
+  std::array<char, 512> line{};
+  long long instructions = 0;
+  while (std::fgets(line.data(), static_cast<int>(line.size()), pipe) != nullptr)
+    if (const char* at = std::strstr(line.data(), "Collected : "))
+      instructions = std::atoll(at + 12);
+  pclose(pipe);
+  return instructions / kPricedTicks;
+}
+
+Result<void> plot(const std::vector<EffectPrice>& prices, const Arguments& arguments) {
+  if (!is_there("gnuplot"))
+    return problem("gnuplot", "It draws the plot, and is not here.",
+                   "Install the package gnuplot-nox, or leave --plot out.", 1);
+  FILE* pipe = popen("gnuplot", "w");
+  if (pipe == nullptr) return problem("gnuplot", "It could not be started.", "Try again.", 1);
+  const bool svg = arguments.plot.ends_with(".svg");
+  std::fprintf(pipe,
+               "set terminal %s size 960,560 noenhanced font 'sans-serif,13'\n"
+               "set output %s\n"
+               "set title 'What a tick costs, %d x %d, both hands pulling up a wall'\n"
+               "set ylabel 'microseconds'\nset yrange [0:*]\nset grid ytics\n"
+               "set style data histogram\nset style histogram clustered gap 1\n"
+               "set style fill solid 0.9\nset key top left\nset xtics rotate by -35\n"
+               "plot '-' using 2:xtic(1) title 'median' linecolor rgb '#0072B2', "
+               "'-' using 2:xtic(1) title '99.9 of 100' linecolor rgb '#D55E00'\n",
+               svg ? "svg" : "pngcairo", quoted(arguments.plot).c_str(), arguments.rows,
+               arguments.sectors);
+  for (const auto figure : {&EffectPrice::median_ns, &EffectPrice::p999_ns}) {
+    for (const EffectPrice& p : prices)
+      std::fprintf(pipe, "\"%s\" %.3f\n", p.name.c_str(), p.*figure / 1000.0);
+    std::fprintf(pipe, "e\n");
+  }
+  if (pclose(pipe) != 0)
+    return problem(arguments.plot, "gnuplot could not draw it.",
+                   "Choose a file that ends in .png or .svg, in a folder that can be written.");
+  return {};
+}
+
+Json json_of(const std::vector<EffectPrice>& prices, const Arguments& arguments) {
+  Json list = Json::array();
+  for (const EffectPrice& p : prices) {
+    Json one{{"scene", p.name},
+             {"median_ns", p.median_ns},
+             {"p999_ns", p.p999_ns},
+             {"asleep_ns", p.asleep_ns},
+             {"bytes", p.bytes}};
+    one["instructions"] = p.instructions > 0 ? Json(p.instructions) : Json(nullptr);
+    list.push_back(std::move(one));
+  }
+  return {{"rows", arguments.rows}, {"sectors", arguments.sectors}, {"prices", std::move(list)}};
+}
+
+Result<void> effects(const Arguments& arguments) {
+  const auto scenes = all_scenes(arguments);
+  if (!scenes) return tl::unexpected(scenes.error());
+  if (!arguments.count.empty()) {
+    for (const PricedScene& scene : *scenes)
+      if (scene.name == arguments.count) return play_priced_ticks(scene);
+    return problem("--count", "There is no scene of that name.",
+                   "Choose one that onggi lab effects lists.");
+  }
+  const bool count = !arguments.quick && is_there("valgrind");
+  std::vector<EffectPrice> prices;
+  std::printf("A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n",
+              arguments.rows, arguments.sectors);
+  std::printf("%-22s %10s %10s %10s %12s %12s\n", "", "median", "p99.9", "asleep", "bytes",
+              count ? "instructions" : "");
+  for (const PricedScene& scene : *scenes) {
+    auto price = price_of(scene);
+    if (!price) return tl::unexpected(price.error());
+    if (count) price->instructions = counted(arguments, scene.name);
+    if (!prices.empty()) price->bytes -= prices.front().bytes;
+    std::printf("%-22s %7.0f ns %7.0f ns %7.0f ns %12lld", price->name.c_str(), price->median_ns,
+                price->p999_ns, price->asleep_ns, static_cast<long long>(price->bytes));
+    if (price->instructions > 0)
+      std::printf(" %12lld", static_cast<long long>(price->instructions));
+    std::printf("\n");
+    std::fflush(stdout);
+    prices.push_back(std::move(*price));
+  }
+  if (!count)
+    std::printf("Instructions are not counted: %s.\n",
+                arguments.quick ? "--quick" : "valgrind is not here");
+  if (!arguments.json.empty()) {
+    const std::string text = json_of(prices, arguments).dump(2) + "\n";
+    if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
+      return good;
+  }
+  return arguments.plot.empty() ? Result<void>() : plot(prices, arguments);
+}
+
+}  // namespace
+
+void add_lab(CLI::App& app, int& exit_code) {
+  CLI::App* lab = app.add_subcommand("lab", "Measure the engine on this machine");
+  lab->require_subcommand(1);
+  lab->footer("Example: onggi lab effects");
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      lab->add_subcommand("effects", "The price list: what each effect and each scene costs");
+  command->footer(
+      "Example: onggi lab effects --json prices.json --plot prices.png\n"
+      "Bytes are those beyond the base scene's. Instructions are of a tick, under valgrind.");
+  command->add_option("--json", arguments->json, "Write the list as JSON");
+  command->add_option("--plot", arguments->plot, "Draw it into this PNG or SVG, with gnuplot");
+  auto grid = std::make_shared<std::string>("400x360");
+  command->add_option("--grid", *grid, "ROWSxSECTORS")->capture_default_str();
+  command->add_flag("--quick", arguments->quick, "Count no instructions");
+  command->add_option("--count", arguments->count, "")->group("");
+  command->callback([arguments, grid, &exit_code] {
+    char rest = 0;
+    if (std::sscanf(grid->c_str(), "%dx%d%c", &arguments->rows, &arguments->sectors, &rest) != 2) {
+      exit_code = exit_with({"--grid", "It is not ROWSxSECTORS.", "Write 400x360.", 2});
+      return;
+    }
+    if (auto good = effects(*arguments); !good) exit_code = exit_with(good.error());
+  });
+}
+
+}  // namespace onggi::app

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""What each effect costs, in instructions of 100 ticks, counted under valgrind's callgrind; and that an
+absent one costs nothing: within 0.1 % of a scene that has none.
+
+  tests/bench/effects.py --count build/ci/bin/tick_count [--config Release] [--script light_touch]
+
+exit 0: absent effects are free, 1: one is not, 77: cannot be counted here (says why)
+"""
+
+import argparse
+import shutil
+import subprocess
+import sys
+
+from instructions import ONE_KIND, count, under_valgrind
+
+MOST_DIFFERENCE = 0.001
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", required=True)
+    parser.add_argument("--config", default="Release")
+    parser.add_argument("--sanitize", default="")
+    parser.add_argument("--script", default="light_touch")
+    arguments = parser.parse_args()
+    if not shutil.which("valgrind"):
+        print("Not counted: valgrind is not here (tests/packages.txt names it).")
+        return 77
+    if arguments.sanitize or arguments.config != "Release":
+        print("Not counted: only a Release build without sanitizers says what a tick costs.")
+        return 77
+    kinds = under_valgrind(["--tool=none", "-q"], arguments.count, "--kinds").stdout.split()
+    words = [arguments.script, "400", "360", kinds[0] if kinds else ""]
+    names = subprocess.run([arguments.count, "--effects"], capture_output=True, text=True,
+                           check=True).stdout.split()
+    base = count(arguments.count, *words, "bare")
+    print(f"{arguments.script} 400x360 on {kinds[0] if kinds else ONE_KIND} vectors, 100 ticks")
+    print(f"{'none':14} {base:10}")
+    wrong = 0
+    for name in names:
+        absent = count(arguments.count, *words, "-" + name)
+        present = count(arguments.count, *words, name)
+        free = abs(absent / base - 1) <= MOST_DIFFERENCE
+        wrong += not free
+        print(f"{name:14} {present:10}  {100 * (present / base - 1):+6.1f} %   absent: "
+              f"{100 * (absent / base - 1):+.3f} %{'' if free else '  NOT FREE'}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,134 @@
+#include "engine/effects/propagation.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/effects/potter.h"
+
+namespace onggi {
+namespace {
+
+using namespace effects_test;
+
+SceneDef small() {
+  SceneDef def;
+  def.clay.rows = 200;
+  def.clay.sectors = 64;
+  def.clay.inner_radius = 0.040;
+  def.propagation.emplace();
+  return def;
+}
+
+// A clay of which rows alone were moved inwards, by hand.
+struct Moved {
+  Clay clay;
+  explicit Moved(const SceneDef& def) : clay(std::move(*Clay::create(def.clay))) {
+    clay.keep_areas();
+    clay.keep_shifts();
+  }
+  void press(int j, float by) {
+    for (std::size_t i = 0; i < clay.outer(j).size(); ++i) {
+      clay.outer_mut(j)[i] -= by;
+      clay.shifts(false)->row(j)[i] = by;
+    }
+    clay.areas()->set(j, clay.measured_area(j));
+    clay.shifts(false)->mark(j, {0, clay.stride() / Shifts::kBlock});
+  }
+  double moved(int j) const { return 0.055 - double{clay.outer(j)[5]}; }
+};
+
+RC_GTEST_PROP(PropagationProperty, TheShareFallsFromOneToNothingAtThreeReaches, ()) {
+  const PropagationDef def{*rc::gen::inRange(5, 500) * 1e-4};
+  RC_ASSERT(dragged_share(def, 0.0) == 1.0);
+  double last = 1.0;
+  for (int n = 1; n <= 40; ++n) {
+    const double share = dragged_share(def, 0.1 * n * def.reach);
+    RC_ASSERT(share >= 0.0 && share <= last);
+    RC_ASSERT(last - share < 0.11);  // no step anywhere
+    last = share;
+  }
+  RC_ASSERT(last == 0.0);
+  RC_ASSERT(dragged_share(def, -def.reach) == dragged_share(def, def.reach));
+}
+
+TEST(Propagation, ARowDragsThoseAboveAndBelowByTheShareOfItsMove) {
+  const SceneDef def = small();
+  Moved m(def);
+  m.press(100, 5e-4f);
+  Propagation propagation(m.clay.stride());
+  propagation.drag(*def.propagation, m.clay, WallSide::outside, 0.0);
+  for (int j = 80; j <= 120; ++j) {
+    const double share = dragged_share(*def.propagation, 0.001 * (j - 100));
+    EXPECT_NEAR(m.moved(j), 5e-4 * share, 2e-8) << j;
+  }
+  EXPECT_EQ(m.clay.outer(113)[5], 0.055f);  // beyond three reaches
+}
+
+TEST(Propagation, NoRowMovesFartherThanTheFarthestThatWasPressed) {
+  const SceneDef def = small();
+  Moved m(def);
+  Random random(9);
+  for (int n = 0; n < 30; ++n) m.press(60 + n, static_cast<float>(random.uniform(0.0, 4e-4)));
+  double most = 0.0;
+  for (int j = 0; j < 200; ++j) most = std::max(most, m.moved(j));
+  std::array<double, 200> before;
+  for (int j = 0; j < 200; ++j) before[static_cast<std::size_t>(j)] = m.moved(j);
+  Propagation propagation(m.clay.stride());
+  propagation.drag(*def.propagation, m.clay, WallSide::outside, 0.0);
+  for (int j = 0; j < 200; ++j) {
+    EXPECT_GE(m.moved(j), before[static_cast<std::size_t>(j)]) << j;
+    EXPECT_LE(m.moved(j), most) << j;
+  }
+}
+
+// The steepest step from row to row, m/m, after a rib's end was pressed into the wall.
+double steepest(SceneDef def, bool with) {
+  if (!with) def.propagation.reset();
+  Scene scene = made(def);
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  for (std::uint8_t n = 0; n < scene.def().tools.size(); ++n)
+    if (scene.def().tools[n].name == "flat_rib") hands.hand[0].tool = n + 1;
+  hands.hand[0].active = true;
+  hands.hand[0].side = SideWish::outside;
+  for (int n = 0; n < 3000; ++n) {
+    hands.hand[0].position = {0.0575 - 1e-6 * std::min(n, 3000), 0.06, 0};
+    scene.step(hands, 0.001);
+  }
+  double most = 0.0;
+  const Clay& clay = scene.clay();
+  for (int j = clay.floor_rows(); j + 1 < clay.rows(); ++j)
+    for (std::size_t i = 0; i < clay.outer(j).size(); ++i)
+      most = std::max(most, std::fabs(double{clay.outer(j + 1)[i] - clay.outer(j)[i]}) /
+                                (clay.row_height(j + 1) - clay.row_height(j)));
+  return most;
+}
+
+TEST(Propagation, ARibsEndLeavesNoRazorEdge) {
+  const double sharp = steepest(small(), false);
+  const double soft = steepest(small(), true);
+  EXPECT_GT(sharp, 0.5);
+  EXPECT_LT(soft, 0.5 * sharp);
+}
+
+TEST(Propagation, WithVolumeNoClayIsLostWhateverHandsDo) {
+  SceneDef def = small();
+  def.volume.emplace();
+  for (const bool walls : {false, true}) {
+    if (walls) def.walls.emplace();
+    Scene scene = made(def);
+    const double clay = scene.clay().volume();
+    RandomHands hands(31);
+    for (int n = 0; n < 10000; ++n) {
+      scene.step(hands.next(), hands.seconds());
+      if (n % 500 != 0) continue;
+      ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6) << n;
+      ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace onggi

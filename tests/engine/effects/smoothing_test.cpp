@@ -1,0 +1,165 @@
+#include "engine/effects/smoothing.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/effects/potter.h"
+
+namespace onggi {
+namespace {
+
+using namespace effects_test;
+
+// A wall with lines of 10 mm, a millimetre deep or so, that a rib lies against all round.
+struct Lined {
+  Clay clay;
+  explicit Lined(double depth = 0.001, double inner = 0.022) : clay(lump(inner)) {
+    clay.keep_areas();
+    clay.keep_shifts();
+    for (int j = 0; j < clay.rows(); ++j) {
+      const double line = portable::sin(2.0 * portable::kPi * clay.row_height(j) / 0.01);
+      for (float& r : clay.outer_mut(j)) r = static_cast<float>(0.055 - depth * (1.0 + line));
+      clay.areas()->set(j, clay.measured_area(j));
+    }
+  }
+  static Clay lump(double inner) {
+    ClayDef def;
+    def.rows = 200;
+    def.sectors = 24;
+    def.inner_radius = inner;
+    def.floor_thickness = 0.0;
+    return std::move(*Clay::create(def));
+  }
+  void rib(const SmoothingDef& def, double seconds) {
+    for (int j = 0; j < clay.rows(); ++j) clay.shifts(false)->mark(j, {0, 3});
+    Smoothing smoothing(clay.rows());
+    smoothing.even(def, clay, WallSide::outside, 0.05, 0.15, seconds);
+    clay.shifts(false)->clear(clay.rows());
+  }
+  double largest(double from = 0.05, double to = 0.15) const {
+    double r = 0.0;
+    for (int j = clay.first_row_above(from); j < clay.first_row_above(to); ++j)
+      r = std::max(r, double{clay.outer(j)[3]});
+    return r;
+  }
+  double least() const {
+    double r = 1.0;
+    for (int j = clay.first_row_above(0.05); j < clay.first_row_above(0.15); ++j)
+      r = std::min(r, double{clay.outer(j)[3]});
+    return r;
+  }
+};
+
+TEST(Smoothing, LinesFadeAtTheRateOfDiffusion) {
+  Lined wall(0.0001);
+  const SmoothingDef def;
+  const double before = wall.largest(0.08, 0.12) - 0.0549;
+  for (int n = 0; n < 200; ++n) wall.rib(def, 1e-4);
+  const double rate = std::pow(2.0 * portable::kPi / 0.01, 2) * def.pace;  // a second
+  const double after = wall.largest(0.08, 0.12) - 0.0549;
+  EXPECT_NEAR(after / before, std::exp(-rate * 0.02), 0.02);
+}
+
+RC_GTEST_PROP(SmoothingProperty, AnyTickIsStableAndNothingGetsLargerOrSmallerThanItWas, ()) {
+  Lined wall(*rc::gen::inRange(1, 100) * 1e-5);
+  SmoothingDef def;
+  def.pace = std::pow(10.0, *rc::gen::inRange(-60, -19) * 0.1);
+  const double most = wall.largest();
+  const double least = wall.least();
+  const double clay = wall.clay.volume();
+  for (const double seconds : {1e-6, 0.005, 10.0, 0.001}) {
+    wall.rib(def, seconds);
+    RC_ASSERT(wall.largest() <= most);
+    RC_ASSERT(wall.least() >= least);
+  }
+  RC_ASSERT(std::fabs(wall.clay.volume() / clay - 1.0) < 1e-7);
+}
+
+TEST(Smoothing, TheWallNeverGetsThinnerThanItMay) {
+  Lined wall(0.001, 0.0488);  // the grooves are at wall_min
+  const SmoothingDef def{1e-2};
+  for (int n = 0; n < 20; ++n) wall.rib(def, 0.005);
+  for (int j = 0; j < wall.clay.rows(); ++j)
+    for (std::size_t i = 0; i < 24; ++i)
+      ASSERT_GE(wall.clay.outer(j)[i] - wall.clay.inner(j)[i], 0.004f - 1e-7f);
+}
+
+// How uneven the wall is between two heights: the largest outer radius less the least, m.
+double unevenness(const Clay& clay) {
+  const Profile p = clay.profile();
+  double least = 1.0;
+  double most = 0.0;
+  for (double h = 0.085; h < 0.115; h += 0.0005) {
+    least = std::min(least, p.outer_at(h));
+    most = std::max(most, p.outer_at(h));
+  }
+  return most - least;
+}
+
+SceneDef thrown() {
+  SceneDef def;
+  def.clay.rows = 200;
+  def.clay.sectors = 64;
+  def.volume.emplace();
+  def.smoothing.emplace();
+  return def;
+}
+
+// Lines drawn with a fingertip, and then a tool held against the wall for three turns.
+double after_tool(const char* tool) {
+  SceneDef def = thrown();
+  def.tool.radius = 0.003;
+  Scene scene = made(def);
+  const double clay = scene.clay().volume();
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  hands.hand[0] = {{}, true, SideWish::outside};
+  for (int n = 0; n < 9000; ++n) {
+    const double height = 0.08 + 0.04 * n / 9000.0;
+    const double line = portable::sin(2.0 * portable::kPi * height / 0.01);
+    hands.hand[0].position = {0.0572 + 0.0004 * line, height, 0};
+    scene.step(hands, 0.001);
+  }
+  hands.hand[0].active = false;
+  scene.step(hands, 0.001);
+  for (std::uint8_t n = 0; n < scene.def().tools.size(); ++n)
+    if (scene.def().tools[n].name == tool) hands.hand[0].tool = n + 1;
+  hands.hand[0].active = true;
+  const ToolShape& shape = *find_tool_shape(tool);
+  const double off = shape.round ? shape.usual.radius : 0.5 * shape.usual.thickness;
+  for (int n = 0; n < 3000; ++n) {
+    hands.hand[0].position = {0.0549 + off + 1e-3 * std::max(0.0, 1.0 - n / 500.0), 0.1, 0};
+    scene.step(hands, 0.001);
+  }
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  EXPECT_NO_FATAL_FAILURE(expect_whole(scene.clay()));
+  return unevenness(scene.clay());
+}
+
+TEST(Smoothing, ARibEvensTheLinesThatAFingerLeft) {
+  SceneDef without = thrown();
+  const double lines = after_tool("fingertip");  // which smooths nothing
+  EXPECT_LT(after_tool("flat_rib"), 0.6 * lines);
+}
+
+TEST(Smoothing, WithVolumeNoClayIsLostWhateverARibDoes) {
+  SceneDef def = thrown();
+  def.walls.emplace();
+  Scene scene = made(def);
+  const double clay = scene.clay().volume();
+  RandomHands random(51);
+  for (int n = 0; n < 20000; ++n) {
+    Hands hands = random.next();
+    for (std::uint8_t k = 0; k < scene.def().tools.size(); ++k)
+      if (scene.def().tools[k].name == "sponge") hands.hand[0].tool = k + 1;
+    scene.step(hands, random.seconds());
+    if (n % 500 != 0) continue;
+    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6) << n;
+    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
+  }
+}
+
+}  // namespace
+}  // namespace onggi

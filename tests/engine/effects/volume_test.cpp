@@ -1,0 +1,167 @@
+#include "engine/effects/volume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/effects/potter.h"
+
+namespace onggi {
+namespace {
+
+using namespace effects_test;
+
+SceneDef small() {
+  SceneDef def;
+  def.clay.rows = 80;
+  def.clay.sectors = 64;
+  def.clay.inner_radius = 0.030;
+  def.volume.emplace();
+  return def;
+}
+
+// Two fingers that pull a wall up between them: `gap` is left of it.
+void pull(Scene& scene, double gap, double seconds = 4.0) {
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  const double middle = 0.0425;
+  const double off = scene.def().tool.radius + 0.5 * gap;
+  const int ticks = static_cast<int>(seconds * 1000);
+  for (int n = 0; n < ticks; ++n) {
+    const double height = 0.02 + (scene.clay().rim_height() + 0.01 - 0.02) * n / ticks;
+    hands.hand[0] = {{middle + off, height, 0}, true, SideWish::outside};
+    hands.hand[1] = {{middle - off, height, 0}, true, SideWish::inside};
+    scene.step(hands, 0.001);
+  }
+}
+
+double wall_at(const Scene& scene, double share) {
+  const Profile p = scene.clay().profile();
+  const double h = share * p.height();
+  return p.outer_at(h) - p.inner_at(h);
+}
+
+TEST(Volume, PullingUpTheWallMakesThePotTallerAndThinner) {
+  Scene scene = made(small());
+  const double clay = scene.clay().volume();
+  for (const double gap : {0.021, 0.018, 0.015, 0.012}) pull(scene, gap);
+  EXPECT_GT(scene.clay().rim_height(), 1.3 * 0.2);
+  EXPECT_LT(wall_at(scene, 0.5), 0.018);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  SceneDef without = small();
+  without.volume.reset();
+  Scene lost = made(without);
+  pull(lost, 0.018);
+  EXPECT_NEAR(lost.clay().rim_height(), 0.2, 1e-3);  // the clay vanishes instead
+  EXPECT_LT(lost.clay().volume(), 0.95 * clay);
+}
+
+TEST(Volume, AHeldFingerRaisesTheRowsThatItPressesAndLiftsThoseAbove) {
+  Scene scene = made(small());
+  const Clay& clay = scene.clay();
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  hands.hand[0] = {{0.060, 0.1, 0}, true, SideWish::outside};
+  for (int n = 0; n < 1000; ++n) scene.step(hands, 0.001);
+  const double first = 0.2 / clay.rows();
+  EXPECT_EQ(clay.row_thickness(5), first);
+  EXPECT_EQ(clay.row_thickness(75), first);
+  const int pressed = clay.first_row_above(0.1);
+  EXPECT_GT(clay.row_thickness(pressed), 1.01 * first);
+  EXPECT_GT(clay.rim_height(), 0.2);
+}
+
+TEST(Volume, ARimThatIsPressedDownGetsThicker) {
+  Scene scene = made(small());
+  const double clay = scene.clay().volume();
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  for (int n = 0; n < 2000; ++n) {
+    hands.hand[0] = {{0.0425, 0.212 - 1e-5 * std::min(n, 1000), 0}, true, SideWish::by_position};
+    scene.step(hands, 0.001);
+  }
+  EXPECT_LT(scene.clay().rim_height(), 0.199);
+  EXPECT_GT(wall_at(scene, 0.995), 0.0255);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+}
+
+TEST(Volume, OpeningALumpRaisesIt) {
+  SceneDef def = small();
+  def.clay.height = def.clay.floor_thickness = 0.08;
+  def.clay.outer_radius = 0.05;
+  Scene scene = made(def);
+  const double clay = scene.clay().volume();
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  hands.hand[0] = {{0.002, 0.1, 0}, true, SideWish::by_position};
+  for (int n = 0; n < 4000; ++n) {
+    hands.hand[0].position.y = 0.1 - 2e-5 * n;
+    scene.step(hands, 0.001);
+  }
+  EXPECT_LT(scene.clay().floor_top(), 0.06);
+  EXPECT_GT(scene.clay().rim_height(), 0.0805);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  expect_whole(scene.clay());
+}
+
+TEST(Volume, AFreshLumpHoldsTheLumpsClayAgainAndTheOldOneItsOwn) {
+  Scene scene = made(small());
+  const double clay = scene.clay().volume();
+  pull(scene, 0.020, 1.0);
+  const double pulled = scene.clay().rim_height();
+  EXPECT_GT(pulled, 0.2001);
+  Hands hands;
+  const auto wait = [&] {
+    for (int n = 0; n < 50; ++n, hands.renew = hands.restore = false) scene.step(hands, 0.001);
+  };
+  hands.renew = true;
+  wait();
+  EXPECT_NEAR(scene.clay().rim_height(), 0.2, 1e-12);
+  hands.restore = true;
+  wait();
+  EXPECT_NEAR(scene.clay().rim_height(), pulled, 1e-12);  // stacked anew, from another row
+  pull(scene, 0.018, 1.0);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+}
+
+TEST(Volume, WhatALoopTrimmerCutsOffIsGoneAndThePotNoTaller) {
+  Scene scene = made(small());
+  const double clay = scene.clay().volume();
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  for (std::uint8_t n = 0; n < scene.def().tools.size(); ++n)
+    if (scene.def().tools[n].name == "loop_trimmer") hands.hand[0].tool = n + 1;
+  ASSERT_GT(hands.hand[0].tool, 0);
+  hands.hand[0].active = true;
+  hands.hand[0].side = SideWish::outside;
+  for (int n = 0; n < 4000; ++n) {
+    hands.hand[0].position = {0.065 - 3e-6 * n, 0.1, 0};
+    scene.step(hands, 0.001);
+  }
+  EXPECT_LT(scene.clay().volume(), 0.995 * clay);
+  EXPECT_NEAR(scene.clay().rim_height(), 0.2, 1e-6);
+  expect_whole(scene.clay());
+}
+
+void knead(std::uint64_t seed, int ticks) {
+  Scene scene = made(small());
+  const double clay = scene.clay().volume();
+  RandomHands hands(seed);
+  for (int n = 0; n < ticks; ++n) {
+    scene.step(hands.next(), hands.seconds());
+    if (n % 500 != 0) continue;
+    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6) << n;
+    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
+  }
+  EXPECT_NE(scene.clay().rim_height(), 0.2);
+}
+
+TEST(Volume, IsTheSameToAMillionthWhateverHandsDoToIt) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) knead(seed, 20000);
+}
+
+// onggi_test_engine_effects --gtest_also_run_disabled_tests --gtest_filter='*AMillionTicks*'
+TEST(Volume, DISABLED_IsTheSameToAMillionthOverAMillionTicks) { knead(4, 1'000'000); }
+
+}  // namespace
+}  // namespace onggi

@@ -1,0 +1,137 @@
+#include "engine/effects/walls.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "engine/math/portable.h"
+#include "tests/engine/effects/potter.h"
+
+namespace onggi {
+namespace {
+
+using namespace effects_test;
+
+SceneDef small() {
+  SceneDef def;
+  def.clay.rows = 80;
+  def.clay.sectors = 64;
+  def.clay.inner_radius = 0.045;
+  def.clay.floor_thickness = 0.0;
+  def.volume.emplace();
+  def.walls.emplace();
+  return def;
+}
+
+// One finger held to the middle of the wall that comes in, or goes out, by `way` in two seconds.
+void press(Scene& scene, WallSide side, double way) {
+  const double radius = scene.def().tool.radius;
+  const bool outside = side == WallSide::outside;
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  hands.hand[0] = {{}, true, outside ? SideWish::outside : SideWish::inside};
+  for (int n = 0; n < 3000; ++n) {
+    const double gone = way * std::min(n / 2000.0, 1.0);
+    hands.hand[0].position = {outside ? 0.055 + radius - gone : 0.045 - radius + gone, 0.1, 0};
+    scene.step(hands, 0.001);
+  }
+}
+
+struct Wall {
+  double middle, thickness, area;
+};
+Wall wall_of(const Scene& scene, double height) {
+  const Clay& clay = scene.clay();
+  const int j = clay.first_row_above(height);
+  const Profile p = clay.profile();
+  const ProfilePoint& at = p.points[static_cast<std::size_t>(j) + 1];
+  return {0.5 * (at.outer + at.inner), at.outer - at.inner, clay.measured_area(j)};
+}
+
+TEST(Walls, CollaringMakesTheWallThickerAndOpeningMakesItThinner) {
+  Scene collared = made(small());
+  const Wall first = wall_of(collared, 0.1);
+  press(collared, WallSide::outside, 0.010);
+  const Wall neck = wall_of(collared, 0.1);
+  EXPECT_LT(neck.middle, first.middle - 0.008);
+  EXPECT_GT(neck.thickness, 1.1 * first.thickness);
+  EXPECT_NEAR(collared.clay().rim_height(), 0.2, 1e-4);  // it moved, it did not flow upwards
+  Scene opened = made(small());
+  press(opened, WallSide::inside, 0.010);
+  const Wall belly = wall_of(opened, 0.1);
+  EXPECT_GT(belly.middle, first.middle + 0.008);
+  EXPECT_LT(belly.thickness, 0.9 * first.thickness);
+}
+
+TEST(Walls, AnUnsupportedPressKeepsTheAreaOfEveryRowItMoves) {
+  Scene scene = made(small());
+  const double area = wall_of(scene, 0.1).area;
+  press(scene, WallSide::outside, 0.010);
+  for (const double height : {0.093, 0.097, 0.1, 0.104})
+    EXPECT_NEAR(wall_of(scene, height).area / area, 1.0, 1e-4) << height;
+}
+
+TEST(Walls, PressedBetweenTwoHandsTheWallThinsAndThePotRises) {
+  Scene scene = made(small());
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  for (int n = 0; n < 3000; ++n) {
+    const double off = 0.008 + 0.005 - 1e-6 * std::min(n, 2000);
+    hands.hand[0] = {{0.050 + off, 0.1, 0}, true, SideWish::outside};
+    hands.hand[1] = {{0.050 - off, 0.1, 0}, true, SideWish::inside};
+    scene.step(hands, 0.001);
+  }
+  EXPECT_LT(wall_of(scene, 0.1).thickness, 0.0075);
+  EXPECT_GT(scene.clay().rim_height(), 0.201);
+}
+
+TEST(Walls, WithoutThemAPressFromOneSideThins) {
+  SceneDef def = small();
+  def.walls.reset();
+  Scene scene = made(def);
+  press(scene, WallSide::outside, 0.004);
+  EXPECT_LT(wall_of(scene, 0.1).thickness, 0.0075);
+}
+
+TEST(Walls, StandWithoutVolumeToo) {
+  SceneDef def = small();
+  def.volume.reset();
+  Scene scene = made(def);
+  const Wall first = wall_of(scene, 0.1);
+  press(scene, WallSide::outside, 0.010);
+  EXPECT_GT(wall_of(scene, 0.1).thickness, 1.1 * first.thickness);
+}
+
+RC_GTEST_PROP(WallsProperty, SupportFadesWithDistanceAlongTheWallAndNeverLeavesZeroToOne, ()) {
+  const WallsDef def{*rc::gen::inRange(1, 200) * 1e-3};
+  const double angle = *rc::gen::inRange(-314, 315) * 0.01;
+  const double up = *rc::gen::inRange(-100, 101) * 1e-3;
+  const Vec3 pressing{0.06, 0.1, 0.0};
+  const auto holding = [&](double share) {
+    const double turn = share * angle;
+    return Vec3{0.04 * portable::cos(turn), 0.1 + share * up, 0.04 * portable::sin(turn)};
+  };
+  RC_ASSERT(wall_support(def, pressing, holding(0.0)) == 1.0);
+  double last = 1.0;
+  for (double share = 0.0; share <= 1.0; share += 0.05) {
+    const double support = wall_support(def, pressing, holding(share));
+    RC_ASSERT(support >= 0.0 && support <= last + 1e-9);
+    last = support;
+  }
+}
+
+TEST(Walls, WhateverHandsDoNoFaceCrossesTheOther) {
+  SceneDef def = small();
+  def.clay.wall_min = 0.002;
+  Scene scene = made(def);
+  RandomHands hands(21);
+  for (int n = 0; n < 30000; ++n) {
+    scene.step(hands.next(), hands.seconds());
+    if (n % 500 != 0) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
+  }
+}
+
+}  // namespace
+}  // namespace onggi

@@ -1,0 +1,123 @@
+#include "engine/effects/wobble.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/effects/potter.h"
+
+namespace onggi {
+namespace {
+
+using namespace effects_test;
+
+SceneDef small() {
+  SceneDef def;
+  def.clay.rows = 100;
+  def.clay.sectors = 96;
+  def.clay.height = 0.1;
+  def.wobble.emplace();
+  return def;
+}
+
+double off(const Clay& clay, double height) {
+  const OffCentre at = off_centre_of(clay, clay.first_row_above(height));
+  return std::sqrt(at.x * at.x + at.z * at.z);
+}
+
+Hands beside(double distance, double height = 0.05) {
+  Hands hands;
+  hands.wheel_speed = 25.0;
+  hands.hand[0] = {{distance, height, 0}, true, SideWish::outside};
+  return hands;
+}
+
+TEST(Wobble, AFreshLumpLiesOffTheMiddleAndHoldsItsClay) {
+  Scene scene = made(small());
+  EXPECT_NEAR(off(scene.clay(), 0.05), 0.004, 1e-5);
+  SceneDef centred = small();
+  centred.wobble.reset();
+  EXPECT_NEAR(scene.clay().volume() / made(centred).clay().volume(), 1.0, 1e-6);
+  expect_whole(scene.clay());
+}
+
+TEST(Wobble, IsFeltAsABeatOnceATurn) {
+  Scene scene = made(small());
+  // Where only the high side reaches.
+  const Hands hands = beside(0.055 + 0.008 + 0.003);
+  int beats = 0;
+  int last = -1000;
+  for (int n = 0; n < 1000; ++n) {
+    if (!scene.step(hands, 0.001).hand[0].contact) continue;
+    beats += n > last + 50;
+    last = n;
+  }
+  EXPECT_GE(beats, 1);
+  EXPECT_LE(beats, 5);  // four turns, until what reaches is pressed away
+}
+
+TEST(Wobble, SteadyPressingCentresTheLump) {
+  Scene scene = made(small());
+  const double clay = scene.clay().volume();
+  double last = off(scene.clay(), 0.05);
+  for (int n = 0; n < 8000; ++n) {
+    const double in = 0.004 - 0.005 * std::min(n / 6000.0, 1.0);
+    scene.step(beside(0.063 + in), 0.001);
+    if (n % 240 != 0) continue;
+    const double now = off(scene.clay(), 0.05);
+    EXPECT_LT(now, last + 2e-5) << n;
+    last = now;
+  }
+  EXPECT_LT(last, 4e-4);
+  // Most of it by moving, not by cutting: the lump as a whole is centred, where nobody pressed too.
+  EXPECT_LT(off(scene.clay(), 0.066), 0.0035);
+  EXPECT_GT(scene.clay().volume(), 0.93 * clay);
+}
+
+TEST(Wobble, NeverGrowsWithoutAHand) {
+  Scene scene = made(small());
+  Hands hands;
+  hands.wheel_speed = 31.0;
+  const std::uint64_t clay = scene.clay().hash();
+  for (int n = 0; n < 5000; ++n) scene.step(hands, 0.001);
+  EXPECT_EQ(scene.clay().hash(), clay);
+}
+
+TEST(Wobble, APushTowardsTheMiddleNeverTakesARingFartherOff) {
+  SceneDef def = small();
+  Result<Clay> clay = Clay::create(def.clay);
+  for (int j = 0; j < clay->rows(); ++j) lay_off_centre(*clay, j, {0.004, 0.0});
+  Wobble wobble;
+  Random random(5);
+  double last = 0.004;
+  for (int n = 0; n < 3000; ++n) {
+    const double angle = random.uniform(0.0, 6.28);
+    const CentringHand hand{{0.07 * portable::cos(angle), 0.05, 0.07 * portable::sin(angle)},
+                            random.uniform(0.0, 3.0),
+                            random.uniform() < 0.5 ? WallSide::inside : WallSide::outside};
+    wobble.centre(*def.wobble, *clay, hand, random.uniform(1e-6, 0.005));
+    ASSERT_LE(off(*clay, 0.05), last + 1e-8) << n;
+    last = off(*clay, 0.05);
+  }
+  EXPECT_LT(last, 1e-4);
+  EXPECT_NEAR(off(*clay, 0.095), 0.004, 1e-5);  // out of reach
+}
+
+TEST(Wobble, AFreshLumpIsOffTheMiddleAgainAndTheOldOneComesBackAsItWas) {
+  Scene scene = made(small());
+  for (int n = 0; n < 6000; ++n) scene.step(beside(0.067 - 8e-7 * n), 0.001);
+  Hands hands;
+  hands.wheel_speed = 25.0;
+  for (int n = 0; n < 600; ++n) scene.step(hands, 0.001);
+  const double centred = off(scene.clay(), 0.05);
+  EXPECT_LT(centred, 0.002);
+  hands.renew = true;
+  for (int n = 0; n < 60; ++n, hands.renew = false) scene.step(hands, 0.001);
+  EXPECT_NEAR(off(scene.clay(), 0.05), 0.004, 1e-5);
+  hands.restore = true;
+  for (int n = 0; n < 60; ++n, hands.restore = false) scene.step(hands, 0.001);
+  EXPECT_EQ(off(scene.clay(), 0.05), centred);
+}
+
+}  // namespace
+}  // namespace onggi
