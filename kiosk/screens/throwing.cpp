@@ -28,7 +28,9 @@ class Throwing final : public Screen {
         hand_(d.world.tool_radius),
         speed_(std::min(kFirstSpeed, d.world.max_wheel_speed)) {}
   ScreenId id() const override { return ScreenId::throwing; }
-  std::string first_focus() const override { return menu_ ? "throw.done" : ""; }
+  std::string first_focus() const override {
+    return !menu_ ? "" : fallen_ ? "throw.restore" : "throw.done";
+  }
 
   void update(double dt) override {
     if (serial_ != desk.status.scene_serial && desk.pot_ready()) {
@@ -37,6 +39,7 @@ class Throwing final : public Screen {
       send_wheel();
       desk.world.potter->water(water_);
     }
+    look_whether_it_stands();
     const ShelfCard* card = desk.shelf_card(desk.card);
     const Profile* target = card != nullptr ? &card->target : nullptr;
     stage_.update(desk, dt, target, cut_, hand_.grabbed());
@@ -71,6 +74,7 @@ class Throwing final : public Screen {
 
     column.text(desk.label(desk.card).title, t.body, Face::serif, view::kFaintInk);
     column.space(t.gap * 0.5f);
+    if (fallen_) return lay_out_fall(column, t);
     // The longest hint's room is kept, so that the controls never move under a finger.
     const auto style = page.style(Face::sans, t.lead);
     const view::Rect room = column.rest();
@@ -236,6 +240,24 @@ class Throwing final : public Screen {
     desk.go(ScreenId::result);
   }
 
+  /// A pot that has just fallen is let go of, and the way back is where the eyes and keys are.
+  void look_whether_it_stands() {
+    const bool fallen = desk.pot_ready() && desk.status.feedback.fallen;
+    if (fallen == fallen_) return;
+    fallen_ = fallen;
+    desk.turned = true;
+    if (!fallen) return;
+    let_go();
+    set_water(false);
+  }
+
+  void lay_out_fall(Column& column, const TypeScale& t) const {
+    column.text(desk.say("throw.fallen"), t.lead);
+    column.space(t.gap);
+    if (desk.status.can_restore)
+      column.buttons({{"throw.restore", desk.say("throw.before_fall"), Look::solid}});
+  }
+
   void lay_out_tools(Page& page, Column& column) const;
 
   Stage stage_;
@@ -245,7 +267,7 @@ class Throwing final : public Screen {
   double speed_;
   WallSide face_ = WallSide::outside;
   bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
-       menu_ = false;
+       menu_ = false, fallen_ = false;
   double soaked_at_ = -1, dry_ = 0;
   std::uint32_t serial_ = 0;
 };
@@ -276,7 +298,7 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
                        {"throw.faster", desk.say("throw.faster"), Look::outline}},
                       wheel, captions);
   column.foot_space(t.gap);
-  const bool back = desk.status.can_restore;
+  const bool back = desk.status.can_restore && !fallen_;  // Fallen, it stands above.
   column.foot_buttons({{"throw.side",
                         desk.say("throw.outside"),
                         Look::outline,

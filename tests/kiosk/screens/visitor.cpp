@@ -221,6 +221,10 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.touch("throw.renew");
   v.status.can_restore = true;
   settled("throw inside");
+  v.status.feedback.fallen = true;
+  settled("throw fallen");
+  v.status.feedback.fallen = false;
+  v.frames(1);
   v.touch("throw.done");
   with_help("result");
   const bool kiln = !v.glazes.empty();
