@@ -9,17 +9,7 @@
 
 #include "engine/scene/scene.h"
 #include "tests/support/effect_scenes.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define ONGGI_COUNTS_NEW 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define ONGGI_COUNTS_NEW 0
-#endif
-#endif
-#ifndef ONGGI_COUNTS_NEW
-#define ONGGI_COUNTS_NEW 1
-#endif
+#include "tests/support/sanitized.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -27,7 +17,7 @@ std::atomic<std::size_t> resident{0};  // bytes, with what the allocator rounds 
 std::atomic<long> allocated_bytes{0};
 }  // namespace
 
-#if ONGGI_COUNTS_NEW
+#if !ONGGI_SANITIZED
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   allocated_bytes += static_cast<long>(size);
@@ -47,7 +37,7 @@ namespace onggi {
 namespace {
 
 TEST(Scene, AStepAllocatesNothingWhateverHappensInIt) {
-  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns operator new";
   auto scene = Scene::create({});
   ASSERT_TRUE(scene);
   Hands hands;
@@ -81,7 +71,7 @@ SceneDef papers_scene() {
 }
 
 TEST(Scene, ThePapersSceneKeepsAtMostTwelveBytesForEachElement) {
-  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns operator new";
   const std::size_t before = resident;
   auto scene = Scene::create(papers_scene());
   ASSERT_TRUE(scene);
@@ -91,7 +81,7 @@ TEST(Scene, ThePapersSceneKeepsAtMostTwelveBytesForEachElement) {
 }
 
 TEST(Scene, AStepOfThePapersSceneAllocatesNothing) {
-  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns operator new";
   auto scene = Scene::create(papers_scene());
   ASSERT_TRUE(scene);
   Hands hands;
@@ -106,7 +96,7 @@ TEST(Scene, AStepOfThePapersSceneAllocatesNothing) {
 }
 
 TEST(Scene, AnEffectThatIsAbsentAllocatesNotAByteAndOneThatIsPresentAFewARow) {
-  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns operator new";
   const auto bytes_of = [](const SceneDef& def) {
     const long before = allocated_bytes;
     EXPECT_TRUE(Scene::create(def));
@@ -134,7 +124,7 @@ TEST(Scene, AnEffectThatIsAbsentAllocatesNotAByteAndOneThatIsPresentAFewARow) {
 }
 
 TEST(Scene, AStepWithEveryEffectAllocatesNothing) {
-  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns operator new";
   SceneDef def;
   for (const EffectTrial& effect : effect_trials()) effect.add(def);
   def.moisture->sponge_height = 0.05;
@@ -156,7 +146,7 @@ TEST(Scene, AStepWithEveryEffectAllocatesNothing) {
 }
 
 TEST(Scene, ADefThatIsRefusedAllocatesNoGrid) {
-  if (!ONGGI_COUNTS_NEW) GTEST_SKIP() << "a sanitizer owns operator new";
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns operator new";
   SceneDef def;
   def.clay.rows = 20000;
   def.clay.sectors = 1024;  // 160 MB, were it made
