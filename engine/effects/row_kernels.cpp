@@ -122,6 +122,34 @@ FaceMoved push_elements(const RowPush& how, int stride, const float* ray_cos, co
   return {0.0f, largest(outermost), smallest(innermost)};
 }
 
+WallBounds bounds_of(int stride, const float* outer, const float* inner) {
+  Float8 farthest = all(0.0f);
+  Float8 thinnest = all(kBeyondClay);
+  for (int i = 0; i < stride; i += kLanes) {
+    const Float8 out = load(outer + i);
+    farthest = larger(out, farthest);  // padding is far below
+    thinnest = smaller(select(real(out), out - load(inner + i), thinnest), thinnest);
+  }
+  return {largest(farthest), smallest(thinnest)};
+}
+
+FaceMoved mix_faces(int stride, float same, float cross, float* outer, float* inner) {
+  Float8 outermost = all(0.0f);
+  Float8 innermost = all(1e9f);
+  for (int i = 0; i < stride; i += kLanes) {
+    const Float8 out = load(outer + i);
+    const Float8 in = load(inner + i);
+    const Mask8 there = real(out);
+    const Float8 out_now = select(there, out * all(same) + in * all(cross), out);
+    const Float8 in_now = select(there, in * all(same) + out * all(cross), in);
+    store(out_now, outer + i);
+    store(in_now, inner + i);
+    outermost = larger(out_now, outermost);
+    innermost = smaller(in_now, innermost);
+  }
+  return {0.0f, largest(outermost), smallest(innermost)};
+}
+
 }  // namespace
 }  // namespace onggi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -133,6 +161,8 @@ HWY_EXPORT(move_elements);
 HWY_EXPORT(pull_elements);
 HWY_EXPORT(sum_harmonic);
 HWY_EXPORT(push_elements);
+HWY_EXPORT(bounds_of);
+HWY_EXPORT(mix_faces);
 
 namespace row_kernels {
 
@@ -154,6 +184,14 @@ Harmonic harmonic(int stride, const float* radius, const float* ray_cos,
 FaceMoved push(const RowPush& how, int stride, const float* ray_cos, const float* ray_sin,
                float* outer, float* inner) noexcept {
   return HWY_DYNAMIC_DISPATCH(push_elements)(how, stride, ray_cos, ray_sin, outer, inner);
+}
+
+WallBounds bounds(int stride, const float* outer, const float* inner) noexcept {
+  return HWY_DYNAMIC_DISPATCH(bounds_of)(stride, outer, inner);
+}
+
+FaceMoved mix(int stride, float same, float cross, float* outer, float* inner) noexcept {
+  return HWY_DYNAMIC_DISPATCH(mix_faces)(stride, same, cross, outer, inner);
 }
 
 }  // namespace row_kernels

@@ -47,5 +47,14 @@ struct RowPush {
 FaceMoved push(const RowPush& how, int stride, const float* ray_cos, const float* ray_sin,
                float* outer, float* inner) noexcept;
 
+/// The largest outer radius and the thinnest wall.
+struct WallBounds {
+  float farthest = 0.0f, thinnest = 0.0f;
+};
+WallBounds bounds(int stride, const float* outer, const float* inner) noexcept;
+
+/// outer' = same outer + cross inner, inner' = same inner + cross outer. FaceMoved::lost is 0.
+FaceMoved mix(int stride, float same, float cross, float* outer, float* inner) noexcept;
+
 }  // namespace row_kernels
 }  // namespace onggi

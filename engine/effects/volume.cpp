@@ -4,7 +4,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/effects/row_kernels.h"
+
 namespace onggi {
+namespace {
+
+constexpr int kElementBudget = 16384;  // a tick; a pressed rim carries a tenth of all rows down
+
+}  // namespace
 
 Volume::Volume(Clay& clay) {
   clay.keep_areas();
@@ -19,30 +26,50 @@ double Volume::area_of(Clay& clay, int j) noexcept {
   return clay.areas()->of(j);
 }
 
+bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
+  return clay.row_thickness(j) < thickness_[static_cast<std::size_t>(j)];
+}
+
 void Volume::keep(Clay& clay) noexcept {
   RowAreas& areas = *clay.areas();
+  const int most_widened = std::max(1, kElementBudget / clay.stride());
   int lowest = -1;
   int changed = 0;
+  int widened = 0;
+  int waiting = 0;
+  int stopped = 0;
   for (int j = areas.take_changed(0); j >= 0; j = areas.take_changed(j + 1)) {
     const auto n = static_cast<std::size_t>(j);
     // Sums of floats drift: whose turn it is of 64 rows is measured.
     if ((static_cast<unsigned>(changed++) + turn_) % 64 == 0) areas.set(j, clay.measured_area(j));
+    if (lowest < 0) lowest = j;
     double area = area_of(clay, j);
     const double now = clay.row_thickness(j);
     volume_[n] -= areas.take_cut(j) * now;
-    if (now < thickness_[n]) {
+    if (pressed_down(clay, j)) {
+      if (j < widen_from_ || widened == most_widened) {
+        if (widened == most_widened && stopped == 0) stopped = j;
+        ++waiting;
+        continue;
+      }
       // Pressed together, a ring becomes wider and its wall thicker, alike.
       const double wider = std::sqrt(volume_[n] / (area * now));
       area *= reshape_row(clay, j, wider, wider);
+      ++widened;
     }
     thickness_[n] = volume_[n] / area;
     clay.set_row_thickness(j, thickness_[n]);
-    if (lowest < 0) lowest = j;
   }
   if (lowest < 0) return;
   ++turn_;
+  widen_from_ = stopped;
   // Setting the heights marked them again.
   for (int j = areas.take_changed(lowest); j >= 0; j = areas.take_changed(j + 1)) {
+  }
+  for (int j = lowest; waiting > 0 && j < clay.rows(); ++j) {
+    if (!pressed_down(clay, j)) continue;
+    areas.mark(j);
+    --waiting;
   }
   clay.restack(lowest);
 }
@@ -56,7 +83,7 @@ bool Volume::measure_some(Clay& clay, int element_budget) noexcept {
     volume_[n] = clay.areas()->of(measured_to_) * thickness_[n];
   }
   if (measured_to_ < clay.rows()) return false;
-  measured_to_ = 0;
+  measured_to_ = widen_from_ = 0;
   for (int j = clay.areas()->take_changed(0); j >= 0; j = clay.areas()->take_changed(j + 1)) {
   }
   return true;
@@ -77,18 +104,18 @@ void Volume::add_to(StateHash& hash, Clay& clay) const {
     hash.add(clay.areas()->of(static_cast<int>(j)));
   }
   hash.add(std::uint64_t{turn_} << 32 | static_cast<std::uint64_t>(measured_to_));
+  hash.add(static_cast<std::uint64_t>(widen_from_));
 }
 
 double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   const ClayDef& def = clay.def();
   const double more = girth * thickness;
   if (j < clay.floor_rows()) girth = thickness = std::sqrt(more);
-  double farthest = 0.0;
-  double thinnest = def.radius_max;
-  for (std::size_t i = 0; i < clay.outer(j).size(); ++i) {
-    farthest = std::max(farthest, double{clay.outer(j)[i]});
-    thinnest = std::min(thinnest, double{clay.outer(j)[i] - clay.inner(j)[i]});
-  }
+  float* outer = clay.pressable_outer(j).data();
+  float* inner = clay.pressable_inner(j).data();
+  const row_kernels::WallBounds now = row_kernels::bounds(clay.stride(), outer, inner);
+  const double farthest = double{now.farthest};
+  const double thinnest = double{now.thinnest};
   if (thickness < 1.0 && thickness * thinnest < def.wall_min) {
     thickness = std::min(def.wall_min / thinnest, 1.0);
     girth = more / thickness;
@@ -96,24 +123,12 @@ double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   if (farthest * std::max(girth, thickness) > def.radius_max)
     girth = thickness = std::clamp(def.radius_max / farthest, 1.0, std::sqrt(more));
   // outer = middle + half, inner = middle - half.
-  const double same = 0.5 * (girth + thickness);
-  const double cross = 0.5 * (girth - thickness);
-  const auto a = static_cast<float>(same);
-  const auto b = static_cast<float>(cross);
-  const std::span<float> outer = clay.outer_mut(j);
-  const std::span<float> inner = clay.inner_mut(j);
+  const auto same = static_cast<float>(0.5 * (girth + thickness));
+  const auto cross = static_cast<float>(0.5 * (girth - thickness));
   const double before = clay.areas()->of(j);
-  float out_most = 0.0f;
-  float in_least = 1e9f;
-  for (std::size_t i = 0; i < outer.size(); ++i) {
-    const float o = outer[i];
-    const float n = inner[i];
-    outer[i] = o * a + n * b;
-    inner[i] = n * a + o * b;
-    out_most = std::max(out_most, outer[i]);
-    in_least = std::min(in_least, inner[i]);
-  }
-  clay.set_extent(j, out_most, in_least);
+  const row_kernels::FaceMoved extent = row_kernels::mix(clay.stride(), same, cross, outer, inner);
+  clay.set_extent(j, extent.outermost, extent.innermost);
+  clay.areas()->mark(j);
   clay.areas()->set(j, clay.measured_area(j));
   clay.mark_dirty(j);
   return clay.areas()->of(j) / before;

@@ -23,8 +23,9 @@ class Volume {
   explicit Volume(Clay& clay);
 
   /// Stage 6 of the pipeline: rows that lost area since the last call gain height; rows that were
-  /// pressed down gain girth; what a tool cut off is gone. O(rows changed, rows above them);
-  /// O(sectors) for each row pressed down, and for one of the others, which is measured anew.
+  /// pressed down gain girth, at most 16384 elements a call, the rest in the next; what a tool cut
+  /// off is gone. O(rows changed, rows above them); O(sectors) for each row pressed down, and for
+  /// one in 64 of the others, which is measured anew.
   void keep(Clay& clay) noexcept;
   /// `clay` was laid anew: measures it again, `element_budget` elements a call (at least a row);
   /// true once all is done.
@@ -39,10 +40,12 @@ class Volume {
 
  private:
   double area_of(Clay& clay, int j) noexcept;
+  bool pressed_down(const Clay& clay, int j) const noexcept;
 
   std::vector<double> volume_;
   std::vector<double> thickness_;  // as keep() left them: what differs was pressed down since
   unsigned turn_ = 0;              // whose turn it is to be measured
+  int widen_from_ = 0;             // rows pressed down below this wait for the next call
   int measured_to_ = 0;            // of measure_some()
 };
 

@@ -61,7 +61,13 @@ class RowEffects {
   void add_to(StateHash& hash, Clay& clay) const;
 
  private:
+  /// What a tick's work about the contact is for: one face, and the time since it had its turn.
+  struct Turn {
+    WallSide side = WallSide::outside;
+    double seconds = 0.0;
+  };
   using Stage = void (RowEffects::*)(const SceneDef&, Clay&, const Tick&) noexcept;
+  void take_turn(Clay& clay, double seconds) noexcept;
   void drag_neighbours(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void spring_back(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void smooth(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
@@ -77,8 +83,9 @@ class RowEffects {
   std::optional<Slump> slump_;
   std::optional<Volume> volume_;
   std::vector<Stage> stages_;  // of what is present, in the pipeline's order
-  bool settled_ = false;       // a lump was put on since the last tick
-  int laid_to_ = 0;            // of settle_some()
+  Turn turn_;
+  bool settled_ = false;  // a lump was put on since the last tick
+  int laid_to_ = 0;       // of settle_some()
 };
 
 }  // namespace onggi
