@@ -89,6 +89,20 @@ float pull_elements(BlockRun run, float faded, float* own, float* source, float*
   return largest(most);
 }
 
+float spring_elements(int stride, float gone, float least, float* left, float* move) {
+  const Float8 zero = all(0.0f);
+  Float8 most = zero;
+  for (int i = 0; i < stride; i += kLanes) {
+    const Float8 was = load(left + i);
+    const Float8 back = select(was < all(least), was, was * all(gone));
+    const Float8 now = was - back;
+    store(now, left + i);
+    store(zero - back, move + i);
+    most = larger(now, most);
+  }
+  return largest(most);
+}
+
 Harmonic sum_harmonic(int stride, const float* radius, const float* ray_cos, const float* ray_sin) {
   Float8 x = all(0.0f);
   Float8 z = all(0.0f);
@@ -159,6 +173,7 @@ namespace onggi {
 
 HWY_EXPORT(move_elements);
 HWY_EXPORT(pull_elements);
+HWY_EXPORT(spring_elements);
 HWY_EXPORT(sum_harmonic);
 HWY_EXPORT(push_elements);
 HWY_EXPORT(bounds_of);
@@ -174,6 +189,10 @@ FaceMoved move(const FaceMove& how, BlockRun run, const float* by, float* face,
 float pull(BlockRun run, float faded, float* own, float* source, float* carried,
            float* more) noexcept {
   return HWY_DYNAMIC_DISPATCH(pull_elements)(run, faded, own, source, carried, more);
+}
+
+float spring(int stride, float gone, float least, float* left, float* move) noexcept {
+  return HWY_DYNAMIC_DISPATCH(spring_elements)(stride, gone, least, left, move);
 }
 
 Harmonic harmonic(int stride, const float* radius, const float* ray_cos,

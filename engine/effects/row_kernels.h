@@ -29,6 +29,10 @@ FaceMoved move(const FaceMove& how, BlockRun run, const float* by, float* face,
 float pull(BlockRun run, float faded, float* own, float* source, float* carried,
            float* more) noexcept;
 
+/// One row of Springback: `left` less the share `gone` of it, all of it where it is less than
+/// `least`; `move` becomes what went, negative. The largest that is left.
+float spring(int stride, float gone, float least, float* left, float* move) noexcept;
+
 /// Sums of radius times cosine and times sine.
 struct Harmonic {
   float x = 0.0f, z = 0.0f;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -56,15 +57,9 @@ void Springback::row_back(Clay& clay, WallSide side, int j, double time, double 
   const auto n = static_cast<std::size_t>(j);
   const auto gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
   f.seen[n] = now_;
-  float* left = f.left.data() + n * stride_;
-  float most = 0.0f;
-  for (std::size_t i = 0; i < stride_; ++i) {
-    // The last of it at once: rest must be rest.
-    const float back = left[i] < kLeastMove ? left[i] : left[i] * gone;
-    left[i] -= back;
-    back_[i] = -back;
-    most = std::max(most, left[i]);
-  }
+  // The last of it at once: rest must be rest.
+  const float most = row_kernels::spring(static_cast<int>(stride_), gone, kLeastMove,
+                                         f.left.data() + n * stride_, back_.data());
   move_face(clay, side, j, {0, static_cast<int>(stride_) / Shifts::kBlock}, back_.data(), along);
   if (most > 0.0f) return;
   f.rows[n] = 0;
