@@ -42,7 +42,7 @@ eval panel(3, 0, "propagation, a groove")
 set xlabel "mm"
 set xrange [52:56.5]
 set xtics 1
-set yrange [80:130]
+set yrange [80:136]
 plot data using (of("propagation", "without", column("x"))):"y" with lines title "without" linecolor rgb published linewidth 2, \
      data using (of("propagation", "with", column("x"))):"y" with lines title "with" linecolor rgb clay linewidth 2
 

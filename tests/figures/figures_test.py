@@ -37,7 +37,8 @@ def wandering(values):
 
 class Drawn(unittest.TestCase):
     def test_every_figure_is_there_and_carries_curves_and_words(self):
-        for name, words in (("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
+        for name, words in (("edges", ["sharpest turn of the outline in 0.5 mm, degrees", "with"]),
+                            ("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
                             ("marks", ["eight facets, flat rib", "a trimmed foot"]),
                             ("push", ["force, N", "mean depth, mm", "elements in collision"]),
                             ("times", ["1 ms", "800 × 360", "the corrected model"])):
@@ -85,6 +86,21 @@ class Times(unittest.TestCase):
     def test_the_machine_is_named(self):
         with open(os.path.join(out, "times.csv"), encoding="utf-8") as file:
             self.assertRegex(file.readline(), r"^# machine: \S+.* cores; .*\d{4}-\d\d-\d\d$")
+
+
+class Edges(unittest.TestCase):
+    def test_the_groove_is_as_deep_and_its_edge_is_never_as_sharp(self):
+        of = {}
+        for row in table("edges.csv"):
+            key = row["what"], row["propagation"]
+            of.setdefault(key, []).append((float(row["x"]), float(row["y"])))
+        without, with_it = of["edge", "without"], of["edge", "with"]
+        self.assertEqual([d for d, _ in without], [d for d, _ in with_it])
+        for (depth, sharp), (_, soft) in zip(without, with_it):
+            if depth >= 1.0:
+                self.assertLess(soft, 0.75 * sharp, depth)
+        deepest = [min(r for r, _ in of["outline", w]) for w in ("without", "with")]
+        self.assertAlmostEqual(*deepest, delta=0.05)
 
 
 class Marks(unittest.TestCase):
