@@ -187,6 +187,27 @@ void knead(std::uint64_t seed, int ticks) {
   EXPECT_NE(scene.clay().rim_height(), 0.2);
 }
 
+// Row 20 of engine/docs/paper.md.
+TEST(Volume, TheClayThatThePrintedModelLosesAtATouchIsKept) {
+  const auto lost = [](bool as_printed) {
+    SceneDef def = small();
+    if (as_printed) {
+      each_effect(def, [](auto& effect) { effect.reset(); });
+      def.paper.emplace();
+    }
+    Scene scene = made(def);
+    const double whole = scene.clay().volume();
+    Hands hands;
+    hands.wheel_speed = 12.0;
+    hands.hand[0] = {{0.060, 0.1, 0}, true, SideWish::outside};
+    for (int n = 0; n < 1000; ++n) scene.step(hands, 0.001);
+    EXPECT_LT(scene.clay().profile().outer_at(0.1), 0.0535);
+    return 1.0 - scene.clay().volume() / whole;
+  };
+  EXPECT_GT(lost(true), 1e-3);
+  EXPECT_NEAR(lost(false), 0.0, 1e-6);
+}
+
 TEST(Volume, IsTheSameToAMillionthWhateverHandsDoToIt) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) knead(seed, 20000);
 }
