@@ -73,6 +73,7 @@ void Clay::restack(int from) {
 }
 
 void Clay::keep_areas() {
+  if (areas_) return;
   areas_.emplace(def_.rows, stride_);
   for (int j = 0; j < def_.rows; ++j) areas_->set(j, measured_area(j));
 }

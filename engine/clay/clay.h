@@ -124,6 +124,8 @@ class Clay {
   void mark_dirty(int first, std::uint64_t which) {
     put(dirty_, first, which), put(changed_, first, which);
   }
+  /// It is to be drawn, and has not changed.
+  void mark_to_draw(int j) { put(dirty_, j); }
   /// All are to be drawn; none is changed.
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.

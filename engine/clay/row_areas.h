@@ -1,17 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace onggi {
 
 /// The area of every row's cross-section (m^2), kept up to date by those who press, for effects
-/// that need to know what a press took away; and which rows have changed since they were last
-/// taken. A Clay has one only where an effect asked for it: Clay::keep_areas(). Not safe across
-/// threads.
+/// that need to know what a press took away; which rows have changed since they were last taken;
+/// and which are torn. A Clay has one only where an effect asked for it: Clay::keep_areas(). Not
+/// safe across threads.
 class RowAreas {
  public:
   RowAreas(int rows, int stride)
@@ -55,6 +57,27 @@ class RowAreas {
     changed_[word(j)] |= bit(j);
     unknown_[word(j)] |= bit(j);
   }
+  /// Rows marked since they were last taken, added to `bits` (one bit a row). `taken`: and none is
+  /// any more.
+  void add_changed(std::span<std::uint64_t> bits, bool taken) {
+    for (std::size_t w = 0; w < changed_.size(); ++w) {
+      bits[w] |= changed_[w];
+      if (taken) changed_[w] = 0;
+    }
+  }
+  /// From now on rows may tear. Allocates.
+  void keep_torn() { torn_.resize(changed_.size()); }
+  /// Row `j` is torn: whoever presses it, passes through. O(1), and mend() O(rows / 64).
+  void tear(int j) {
+    torn_[word(j)] |= bit(j);
+    any_torn_ = true;
+  }
+  void mend() {
+    std::ranges::fill(torn_, 0);
+    any_torn_ = false;
+  }
+  bool any_torn() const { return any_torn_; }
+  bool torn(int j) const { return any_torn_ && (torn_[word(j)] & bit(j)) != 0; }
   /// A row that nobody reads, for those who write what nobody asked for.
   float* spare_row() { return spare_.data(); }
   /// Takes and clears the lowest changed row at or above `from`; -1 when none is left.
@@ -76,6 +99,8 @@ class RowAreas {
 
   std::vector<double> area_, cut_;
   std::vector<std::uint64_t> changed_, unknown_;
+  std::vector<std::uint64_t> torn_;  // none where no row can tear
+  bool any_torn_ = false;
   std::vector<float> spare_;
 };
 

@@ -109,6 +109,15 @@ inline void measure_extent(Clay& clay, int j) {
   clay.set_extent(j, largest(most), smallest(least));
 }
 
+// What is torn is not pressed. Called, not inlined: the kernel of a clay without areas is to the
+// instruction as it was, and the other one's registers are disturbed least.
+template <class Reach>
+HWY_NOINLINE void leave_torn(const RowAreas& areas, int first, int count, Reach* rows) {
+  if (!areas.any_torn()) return;
+  for (int k = 0; k < count; ++k)
+    if (areas.torn(first + k)) rows[k].used = 0;
+}
+
 template <WallSide side, class Shape, class Sum>
 Press press_rows_into(Clay& clay, const ToolPlace& place, const ToolSize& size, double seconds,
                       const Yielding& yielding) {
@@ -144,6 +153,7 @@ Press press_rows_into(Clay& clay, const ToolPlace& place, const ToolSize& size, 
   for (int first = first_row; first < end_row; first += kPlannedRows) {
     const int count = std::min(kPlannedRows, end_row - first);
     Plan::template plan_some<side>(clay, shape, window, first, count, planned);
+    if constexpr (kept) leave_torn(*clay.areas(), first, count, planned);
     std::uint64_t changed = 0;
     for (int k = 0; k < count; ++k) {
       const auto& reach = planned[k];

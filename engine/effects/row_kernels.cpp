@@ -164,6 +164,19 @@ FaceMoved mix_faces(int stride, float same, float cross, float* outer, float* in
   return {0.0f, largest(outermost), smallest(innermost)};
 }
 
+Ring measure_elements(int stride, const float* outer, const float* inner) {
+  Float8 squares = all(0.0f);
+  Float8 thinnest = all(kBeyondClay);
+  for (int i = 0; i < stride; i += kLanes) {
+    const Float8 out = load(outer + i);
+    const Float8 in = load(inner + i);
+    const Mask8 there = real(out);
+    squares = squares + only(there, out * out + in * in);
+    thinnest = smaller(select(there, out - in, thinnest), thinnest);
+  }
+  return {sum(squares), smallest(thinnest)};
+}
+
 }  // namespace
 }  // namespace onggi::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -178,6 +191,7 @@ HWY_EXPORT(sum_harmonic);
 HWY_EXPORT(push_elements);
 HWY_EXPORT(bounds_of);
 HWY_EXPORT(mix_faces);
+HWY_EXPORT(measure_elements);
 
 namespace row_kernels {
 
@@ -211,6 +225,10 @@ WallBounds bounds(int stride, const float* outer, const float* inner) noexcept {
 
 FaceMoved mix(int stride, float same, float cross, float* outer, float* inner) noexcept {
   return HWY_DYNAMIC_DISPATCH(mix_faces)(stride, same, cross, outer, inner);
+}
+
+Ring measure(int stride, const float* outer, const float* inner) noexcept {
+  return HWY_DYNAMIC_DISPATCH(measure_elements)(stride, outer, inner);
 }
 
 }  // namespace row_kernels

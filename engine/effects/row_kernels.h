@@ -60,5 +60,12 @@ WallBounds bounds(int stride, const float* outer, const float* inner) noexcept;
 /// outer' = same outer + cross inner, inner' = same inner + cross outer. FaceMoved::lost is 0.
 FaceMoved mix(int stride, float same, float cross, float* outer, float* inner) noexcept;
 
+/// What a ring is like all round.
+struct Ring {
+  float squares = 0.0f;   ///< Sum of outer^2 + inner^2, m^2.
+  float thinnest = 0.0f;  ///< Least of outer - inner, m.
+};
+Ring measure(int stride, const float* outer, const float* inner) noexcept;
+
 }  // namespace row_kernels
 }  // namespace onggi

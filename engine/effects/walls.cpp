@@ -8,6 +8,8 @@ namespace onggi {
 std::span<const EffectField<WallsDef>> WallsDef::fields() {
   static constexpr EffectField<WallsDef> kFields[] = {
       {"support", &WallsDef::support, 0.001, 0.2, "m"},
+      {"tear_thickness", &WallsDef::tear_thickness, 0.0, 0.02, "m"},
+      {"tear_strain", &WallsDef::tear_strain, 0.0, 10.0, ""},
   };
   return kFields;
 }

@@ -11,10 +11,17 @@ namespace onggi {
 struct WallsDef {
   double support = 0.03;  ///< m, 0.001..0.2: how far along the wall a hand still holds it against
                           ///< another, fading to nothing. Higher: hands need not face each other.
+  double tear_thickness = 0.0;  ///< m, 0..0.02: a wall that gets thinner tears (tearing.h). 0: none
+                                ///< does. Otherwise more than the clay's wall_min.
+  double tear_strain = 0.0;  ///< 0..10: share by which a ring may get wider than the lump was; more
+                             ///< tears it. 0: none does. Lower: bowls must be opened with care.
 
   static constexpr const char* kName = "walls";
   static std::span<const EffectField<WallsDef>> fields();
 };
+
+/// Walls of `def` can tear.
+inline bool tears(const WallsDef& def) { return def.tear_thickness > 0.0 || def.tear_strain > 0.0; }
 
 /// How much a hand at `holding` holds the wall against one that presses it at `pressing`, on the
 /// other face: 1 face to face, 0 beyond `def.support` along the wall. m, any one frame about the

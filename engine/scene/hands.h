@@ -65,6 +65,7 @@ struct Feedback {
   double wetness = 0.0;   ///< 0 dry .. 1 dripping.
   double sinking = 0.0;   ///< How fast the rim sinks by itself, m/s: the pot sags (slump).
   bool fallen = false;    ///< The pot fell: see Scene::fallen().
+  bool torn = false;      ///< Some of the wall is torn: see Scene::torn().
   std::uint32_t faults = 0;  ///< FaultBit.
 };
 

@@ -53,6 +53,11 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
     e.stages_.push_back(&RowEffects::sink);
   }
   // 6.6
+  if (def.walls && tears(*def.walls)) {
+    e.tearing_.emplace(clay);
+    e.stages_.push_back(&RowEffects::tear);
+  }
+  // 6.7
   if (def.volume) {
     e.volume_.emplace(clay);
     e.stages_.push_back(&RowEffects::keep_volume);
@@ -111,6 +116,10 @@ void RowEffects::sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcep
                {tick.moisture, moisture, tick.wheel_speed, tick.seconds, tick.touched || settled_});
 }
 
+void RowEffects::tear(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  tearing_->look(*def.walls, clay, tick.step, !volume_);
+}
+
 void RowEffects::keep_volume(const SceneDef&, Clay& clay, const Tick&) noexcept {
   volume_->keep(clay);
 }
@@ -120,7 +129,7 @@ void RowEffects::clear_shifts(const SceneDef&, Clay& clay, const Tick&) noexcept
     shifts.clear(clay.rows());
 }
 
-bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh,
+bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::uint64_t step,
                              int element_budget) noexcept {
   if (def.wobble && fresh && laid_to_ < clay.rows()) {
     const int some = std::max(1, element_budget / clay.stride());
@@ -133,6 +142,8 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh,
   for (const bool inside : {false, true})
     if (Shifts* shifts = clay.shifts(inside)) shifts->clear(clay.rows());
   if (slump_) slump_->forget_fall();
+  if (tearing_ && fresh) tearing_->lay(clay, step);
+  if (tearing_ && !fresh) tearing_->go_back(clay, step);
   laid_to_ = 0;
   settled_ = true;
   return true;
@@ -143,6 +154,7 @@ void RowEffects::add_to(StateHash& hash, Clay& clay) const {
   if (slump_) slump_->add_to(hash);
   if (springback_) springback_->add_to(hash);
   if (wobble_) wobble_->add_to(hash);
+  if (tearing_) tearing_->add_to(hash, clay);
   hash.add(static_cast<std::uint64_t>(laid_to_) << 1 | (turn_.side == WallSide::inside ? 1 : 0));
 }
 

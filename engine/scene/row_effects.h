@@ -9,6 +9,7 @@
 #include "engine/effects/slump.h"
 #include "engine/effects/smoothing.h"
 #include "engine/effects/springback.h"
+#include "engine/effects/tearing.h"
 #include "engine/effects/volume.h"
 #include "engine/effects/wobble.h"
 #include "engine/scene/hands.h"
@@ -34,7 +35,8 @@ class RowEffects {
     const Moisture* moisture = nullptr;  ///< Null where it is absent.
     double wheel_speed = 0.0;            ///< Of the clay, rad/s.
     double seconds = 0.0;
-    bool touched = false;  ///< A hand pressed clay.
+    bool touched = false;    ///< A hand pressed clay.
+    std::uint64_t step = 0;  ///< History::depth(); 0 where nothing can be taken back.
     std::array<HandThere, kMaxHands> hand{};
   };
 
@@ -47,8 +49,10 @@ class RowEffects {
   /// Stage 6: those that are present, in order. No allocation.
   void run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   /// The clay was laid anew, as a `fresh` lump or as it once was: takes it as it is,
-  /// `element_budget` elements a call; true when done.
-  bool settle_some(const SceneDef& def, Clay& clay, bool fresh, int element_budget) noexcept;
+  /// `element_budget` elements a call; true when done. `step`: History::depth(), of the step in
+  /// which it was laid, or that was taken back with all after it.
+  bool settle_some(const SceneDef& def, Clay& clay, bool fresh, std::uint64_t step,
+                   int element_budget) noexcept;
 
   /// How fast the rim sinks by itself, m/s.
   double sinking() const { return slump_ ? slump_->speed() : 0.0; }
@@ -56,6 +60,8 @@ class RowEffects {
   bool fallen() const { return slump_ && slump_->fallen(); }
   /// It stands, or sags so little that nobody would call it the beginning of a fall.
   bool stands() const { return !slump_ || slump_->stands(); }
+  /// Some row is torn (RowAreas::torn).
+  bool torn() const { return tearing_ && tearing_->any(); }
   /// The clay still moves though no hand touches it.
   bool moving() const { return sinking() > 0.0 || (springback_ && !springback_->asleep()); }
   void add_to(StateHash& hash, Clay& clay) const;
@@ -73,6 +79,7 @@ class RowEffects {
   void smooth(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void centre(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void tear(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void keep_volume(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void clear_shifts(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
 
@@ -81,6 +88,7 @@ class RowEffects {
   std::optional<Smoothing> smoothing_;
   std::optional<Wobble> wobble_;
   std::optional<Slump> slump_;
+  std::optional<Tearing> tearing_;
   std::optional<Volume> volume_;
   std::vector<Stage> stages_;  // of what is present, in the pipeline's order
   Turn turn_;

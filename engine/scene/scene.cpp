@@ -100,7 +100,8 @@ void Scene::State::work_on_lump(const Hands& hands) noexcept {
   }
   if (lump_work == LumpWork::settling || lump_work == LumpWork::laying) {
     const bool fresh = lump_work == LumpWork::laying;
-    if (row_effects->settle_some(def, clay, fresh, kLumpBudget)) lump_work = LumpWork::none;
+    if (row_effects->settle_some(def, clay, fresh, steps_taken(), kLumpBudget))
+      lump_work = LumpWork::none;
     return;
   }
   const bool fresh = lump_work == LumpWork::renewing;
@@ -150,6 +151,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
   if (row_effects) {
     out.sinking = row_effects->sinking();
     out.fallen = row_effects->fallen();
+    out.torn = row_effects->torn();
   }
   out.wetness = moisture ? moisture->mean() : 0.0;
   out.faults = faults;
@@ -190,6 +192,9 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
 const SceneDef& Scene::def() const { return state_->def; }
 const Clay& Scene::clay() const { return state_->clay; }
 bool Scene::fallen() const { return state_->fallen(); }
+bool Scene::torn(int row) const {
+  return state_->clay.areas() != nullptr && state_->clay.areas()->torn(row);
+}
 double Scene::wetness_of(int row) const {
   return state_->moisture ? state_->moisture->of_row(row) : 0.0;
 }

@@ -69,6 +69,7 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   rows.moisture = moisture ? &*moisture : nullptr;
   rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
   rows.seconds = tick.dt;
+  rows.step = steps_taken();
   for (std::size_t n = 0; n < hand.size(); ++n) {
     const HandState& h = hand[n];
     const Press& press = tick.press[n];

@@ -87,6 +87,16 @@ Result<void> check_needs(const SceneDef& def) {
   return {};
 }
 
+// A wall that could never get so thin.
+Result<void> check_tearing(const SceneDef& def) {
+  if (!def.walls || def.walls->tear_thickness == 0.0) return {};
+  FieldCheck check(WallsDef::kName);
+  check.require(def.walls->tear_thickness > def.clay.wall_min, "tear_thickness",
+                "is not more than clay.wall_min, and no wall gets thinner than that.",
+                "Make it larger than clay.wall_min, or 0 for walls that never tear.");
+  return check.result();
+}
+
 Result<void> check_paper(const SceneDef& def) {
   if (!def.paper) return {};
   FieldCheck check("paper");
@@ -117,7 +127,7 @@ std::vector<ToolToHand> usual_tools() {
 Result<void> validate(const SceneDef& def) {
   Result<void> good = validate(def.clay, "clay");
   for (auto check : {check_tool, check_tools, check_contact, check_wheel, check_guard,
-                     check_effects, check_needs, check_paper})
+                     check_effects, check_needs, check_tearing, check_paper})
     if (good) good = check(def);
   return good;
 }

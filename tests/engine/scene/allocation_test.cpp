@@ -128,21 +128,25 @@ TEST(Scene, AStepWithEveryEffectAllocatesNothing) {
   SceneDef def;
   for (const EffectTrial& effect : effect_trials()) effect.add(def);
   def.moisture->sponge_height = 0.05;
+  def.clay.inner_radius = 0.036;
+  def.walls->tear_thickness = 0.02;  // where it is touched
   auto scene = Scene::create(def);
   ASSERT_TRUE(scene);
   Hands hands;
   hands.wheel_speed = 20.0;
   hands.hand[0].active = hands.hand[1].active = true;
   const long before = allocations;
+  bool torn = false;
   for (int n = 0; n < 2000; ++n) {
     hands.hand[0].position = {0.07 - n * 1e-5, 0.1, 0.001 * (n % 7)};
     hands.hand[1].position = {0.03, 0.25 - n * 1e-4, 0};
     hands.water = n % 3 == 0;
     hands.renew = n % 900 == 600;
     hands.restore = n % 900 == 800;
-    scene->step(hands, 0.001);
+    torn = scene->step(hands, 0.001).torn || torn;
   }
   EXPECT_EQ(allocations, before);
+  EXPECT_TRUE(torn);
 }
 
 TEST(Scene, ADefThatIsRefusedAllocatesNoGrid) {

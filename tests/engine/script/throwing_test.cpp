@@ -28,18 +28,19 @@ SceneDef everything() {
 
 struct Thrown {
   Scene scene;
-  bool fell = false;
+  bool fell = false, tore = false;
   std::map<std::string_view, double> wet, deep;  // at each phase's end; deepest press in it
 };
 
 Thrown play(std::string_view name, SceneDef def) {
-  Thrown out{std::move(*Scene::create(def)), false, {}, {}};
+  Thrown out{std::move(*Scene::create(def)), false, false, {}, {}};
   auto script = make_throwing(name, {.scene = def});
   EXPECT_NE(script, nullptr) << name;
   for (int n = 0; n * 0.001 <= script->duration(); ++n) {
     const Feedback felt = out.scene.step(script->at(n * 0.001, out.scene.clay()), 0.001);
     EXPECT_EQ(felt.faults, 0u);
     out.fell = out.fell || felt.fallen;
+    out.tore = out.tore || felt.torn;
     out.wet[script->phase(n * 0.001)] = felt.wetness;
     double& deep = out.deep[script->phase(n * 0.001)];
     deep = std::max(deep, felt.hand[0].depth);
@@ -60,6 +61,18 @@ TEST(Throwing, CollapseFallsWhereTheSceneHasItAndStandsWhereItHasNot) {
   const Thrown stands = play("collapse", firm);
   EXPECT_FALSE(stands.fell);
   EXPECT_GT(stands.scene.clay().rim_height(), 0.22);
+}
+
+TEST(Throwing, AWallThatCanTearTearsWhereThePotFallsAndNowhereElse) {
+  SceneDef def = everything();
+  def.wobble.emplace();
+  def.clay.wall_min = 0.002;
+  def.walls->tear_thickness = 0.0025;
+  def.walls->tear_strain = 2.0;
+  for (const std::string_view name : throwing_names()) {
+    const Thrown pot = play(name, def);
+    EXPECT_EQ(pot.tore, pot.fell) << name;
+  }
 }
 
 TEST(Throwing, DryOutDriesAndReWetWets) {

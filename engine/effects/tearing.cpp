@@ -1,0 +1,107 @@
+#include "engine/effects/tearing.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "engine/effects/row_kernels.h"
+
+namespace onggi {
+namespace {
+
+constexpr int kElementBudget = 2048;  // a tick
+constexpr int kLeastRows = 4;         // on the finest grids
+constexpr std::size_t kLumps = 4;     // whose tears are kept for going back, at the least
+
+}  // namespace
+
+Tearing::Tearing(Clay& clay)
+    : unseen_((static_cast<std::size_t>(clay.rows()) + 63) / 64),
+      hollow_square_(clay.def().outer_radius * clay.def().outer_radius +
+                     clay.def().inner_radius * clay.def().inner_radius),
+      solid_square_(clay.def().outer_radius * clay.def().outer_radius),
+      solid_rows_(clay.floor_rows()),
+      lump_(static_cast<std::size_t>(clay.rows()) + 1) {
+  events_.reserve(kLumps * lump_);
+  clay.areas()->keep_torn();
+}
+
+// A ring's girth is that of the circle which halves its clay, of radius^2 (outer^2 + inner^2) / 2:
+// clay that only gets thicker or thinner stays on its side of it, and a ring off the axis has the
+// same as one about it.
+bool Tearing::tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept {
+  if (j < clay.floor_rows()) return false;
+  const row_kernels::Ring ring =
+      row_kernels::measure(clay.stride(), clay.outer(j).data(), clay.inner(j).data());
+  if (double{ring.thinnest} < def.tear_thickness) return true;
+  const double laid = j < solid_rows_ ? solid_square_ : hollow_square_;
+  const double wider = 1.0 + def.tear_strain;
+  return def.tear_strain > 0.0 && double{ring.squares} > wider * wider * laid * clay.sectors();
+}
+
+void Tearing::note(Event event) noexcept {
+  // Of lumps long gone the tears are forgotten; where one comes back it is looked at anew.
+  if (events_.size() == kLumps * lump_)
+    events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(lump_));
+  events_.push_back(event);
+}
+
+// Takes the row whose turn it is; -1 where none waits.
+int Tearing::next_unseen() noexcept {
+  const auto words = unseen_.size();
+  auto word = static_cast<std::size_t>(next_) >> 6;
+  std::uint64_t keep = ~0ULL << (next_ & 63);
+  for (std::size_t n = 0; n <= words; ++n, word = (word + 1) % words, keep = ~0ULL) {
+    const std::uint64_t waiting = unseen_[word] & keep;
+    if (waiting == 0) continue;
+    unseen_[word] &= ~(waiting & (~waiting + 1));
+    const int j = static_cast<int>(word * 64) + std::countr_zero(waiting);
+    next_ = (j + 1) % static_cast<int>(words * 64);
+    return j;
+  }
+  return -1;
+}
+
+void Tearing::look(const WallsDef& def, Clay& clay, std::uint64_t step, bool last) noexcept {
+  RowAreas& areas = *clay.areas();
+  areas.add_changed(unseen_, last);
+  for (int n = std::max(kLeastRows, kElementBudget / clay.stride()); n > 0; --n) {
+    const int j = next_unseen();
+    if (j < 0) return;
+    if (areas.torn(j) || !tears_now(def, clay, j)) continue;
+    areas.tear(j);
+    ++torn_rows_;
+    note({step, j});
+    clay.mark_to_draw(j);
+  }
+}
+
+void Tearing::lay(Clay& clay, std::uint64_t step) noexcept {
+  note({step, kFreshLump});
+  clay.areas()->mend();
+  torn_rows_ = 0;
+  std::ranges::fill(unseen_, 0);
+}
+
+void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {
+  RowAreas& areas = *clay.areas();
+  while (!events_.empty() && events_.back().step >= step) events_.pop_back();
+  for (int j = 0; j < clay.rows(); ++j)
+    if (areas.torn(j)) clay.mark_to_draw(j);
+  areas.mend();
+  torn_rows_ = 0;
+  for (auto event = events_.rbegin(); event != events_.rend() && event->row != kFreshLump;
+       ++event, ++torn_rows_)
+    areas.tear(event->row);
+  for (int j = 0; j < clay.rows(); ++j)
+    unseen_[static_cast<std::size_t>(j >> 6)] |= std::uint64_t{1} << (j & 63);
+}
+
+void Tearing::add_to(StateHash& hash, Clay& clay) const {
+  for (const std::uint64_t word : unseen_) hash.add(word);
+  for (int j = 0; j < clay.rows(); ++j)
+    if (clay.areas()->torn(j)) hash.add(static_cast<std::uint64_t>(j));
+  hash.add(static_cast<std::uint64_t>(next_));
+  hash.add(static_cast<std::uint64_t>(events_.size()));
+}
+
+}  // namespace onggi

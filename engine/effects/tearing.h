@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/clay/clay.h"
+#include "engine/effects/walls.h"
+#include "engine/math/hash.h"
+
+namespace onggi {
+
+/// Walls that were pulled too thin or opened too far are torn, ring by ring: contact passes through
+/// a torn ring (RowAreas::torn), and nothing that is done to it mends it. Only a fresh lump does,
+/// or going back to before it tore. Allocates only when made. Not safe across threads.
+class Tearing {
+ public:
+  /// `def` says that walls can tear: see tears().
+  explicit Tearing(Clay& clay);
+
+  /// Stage 6.6: rings that changed since they were last looked at take turns; one whose wall is
+  /// somewhere thinner than `def.tear_thickness`, or is wider than the lump's by more than
+  /// `def.tear_strain`, tears. `step`: History::depth(). `last`: nobody after it asks which rows
+  /// changed. O(sectors) a row, at most 2048 elements or four rows a tick.
+  void look(const WallsDef& def, Clay& clay, std::uint64_t step, bool last) noexcept;
+  /// A fresh lump was laid in `step`.
+  void lay(Clay& clay, std::uint64_t step) noexcept;
+  /// `step` was taken back, and all after it: what tore in them is whole.
+  void go_back(Clay& clay, std::uint64_t step) noexcept;
+
+  bool any() const { return torn_rows_ > 0; }
+  void add_to(StateHash& hash, Clay& clay) const;
+
+ private:
+  static constexpr int kFreshLump = -1;
+  struct Event {
+    std::uint64_t step = 0;
+    int row = kFreshLump;  // that tore
+  };
+  bool tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept;
+  void note(Event event) noexcept;
+  int next_unseen() noexcept;
+
+  std::vector<std::uint64_t> unseen_;    // rows to be looked at, a bit each
+  std::vector<Event> events_;            // the steps never fall; never grows
+  double hollow_square_, solid_square_;  // of what the lump's rings were like: see tears_now()
+  int solid_rows_;                       // of the lump
+  std::size_t lump_;                     // events that one has at the most
+  int torn_rows_ = 0;
+  int next_ = 0;
+};
+
+}  // namespace onggi
