@@ -25,8 +25,6 @@ Given give_way(double l, double deeper, double x) {
   return {l * (1.0 - x * decay) + deeper * decay, l * decay + deeper * mean_lag(x)};
 }
 
-double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
-
 // The share of the floor, from the axis to the tool's far edge, that a ball `depth` deep and `off`
 // the axis covers: what that share gives way, the turning wheel spreads over all of it.
 double covered(double radius, double depth, double off) {

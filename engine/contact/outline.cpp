@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kLevel = 0.1;  // |axis.y| below which a rod's cut is longer than any tool
 
-double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
-
 }  // namespace
 
 Circle Outline::circle() const noexcept {

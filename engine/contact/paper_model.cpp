@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * portable::kPi;
 
-double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
-
 // Elements whose angle, in the studio's frame, lies in eq. 2's interval: `count` from `first` on.
 struct Interval {
   int first = 0;

@@ -20,8 +20,6 @@ constexpr std::array<double, 6> kNode{-0.932469514203152, -0.661209386466265, -0
 constexpr std::array<double, 6> kWeight{0.171324492379170, 0.360761573048139, 0.467913934572691,
                                         0.467913934572691, 0.360761573048139, 0.171324492379170};
 
-double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
-
 // The sectors whose rays a ball can meet: `count` from `first` on, round the axis.
 struct Sectors {
   int first, count;

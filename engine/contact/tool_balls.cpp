@@ -40,6 +40,18 @@ Block disc_block(const ToolPlace& place, const ToolSize& size) noexcept {
   return {place.at, {first, up, place.across}, {size.radius, size.radius, 0.5 * size.thickness}};
 }
 
+double ball_reach(const ToolSize& size) noexcept { return size.radius; }
+double capsule_reach(const ToolSize& size) noexcept { return size.length + size.radius; }
+double disc_reach(const ToolSize& size) noexcept {
+  return length(Vec2{size.radius, 0.5 * size.thickness});
+}
+double radius_grain(const ToolSize& size) noexcept { return size.radius; }
+double thickness_grain(const ToolSize& size) noexcept { return size.thickness; }
+
+ToolBall own_ball(const ToolPlace& place, const ToolSize& size, Vec3) {
+  return {place.at, size.radius};
+}
+
 ToolBall capsule_ball(const ToolPlace& place, const ToolSize& size, Vec3 towards) {
   const double part = 0.5 + 0.5 * end_of(place.along, towards);
   const double farthest =
@@ -77,7 +89,7 @@ ToolSize sized(const ToolShape& shape, const ToolSize& size) noexcept {
 
 ToolPlace hold_tool(const ToolShape& shape, Vec3 at, Vec3 handle, double roll,
                     bool inside) noexcept {
-  const double away = std::sqrt(at.x * at.x + at.z * at.z);
+  const double away = axis_distance(at);
   const Vec3 out = away > 1e-9 ? Vec3{at.x / away, 0.0, at.z / away} : Vec3{1.0, 0.0, 0.0};
   const Vec3 turn{-out.z, 0.0, out.x};
   const auto to_studio = [&](Vec3 v) {

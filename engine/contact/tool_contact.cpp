@@ -10,8 +10,6 @@
 namespace onggi {
 namespace {
 
-double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
-
 // Turned about the axis by the angle whose cosine and sine are given, from x towards z.
 Vec3 turned(Vec3 p, double c, double s) { return {c * p.x - s * p.z, p.y, s * p.x + c * p.z}; }
 

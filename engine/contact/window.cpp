@@ -37,7 +37,7 @@ double cross_section(double radius, double dy) noexcept {
 Window::Window(const Clay& clay, Vec3 at, double reach) noexcept
     : height(at.y),
       radius(reach),
-      distance(std::sqrt(at.x * at.x + at.z * at.z)),
+      distance(axis_distance(at)),
       middle(portable::atan2(at.z, at.x) * (clay.sectors() / (2.0 * portable::kPi)) - 0.5),
       first_row(clay.first_row_above(at.y - reach)),
       end_row(clay.first_row_above(at.y + reach)) {}

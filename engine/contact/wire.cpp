@@ -15,8 +15,6 @@ constexpr double kWhole = 0.9999;  // a section cut so far hangs by nothing
 constexpr int kLooks = 256;        // places along the wire that are looked at
 constexpr float kUncut = 1e9f;
 
-double axis_distance(Vec3 p) { return std::sqrt(p.x * p.x + p.z * p.z); }
-
 // Into the clay's frame, which is turned by `angle`.
 Vec3 in_clay(Vec3 p, double angle) {
   const double c = portable::cos(angle);

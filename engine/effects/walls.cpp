@@ -16,8 +16,8 @@ std::span<const EffectField<WallsDef>> WallsDef::fields() {
 
 double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept {
   // Apart along the wall: up, and round it where the pressing hand is.
-  const double radius = std::sqrt(pressing.x * pressing.x + pressing.z * pressing.z);
-  const double inward = std::sqrt(holding.x * holding.x + holding.z * holding.z);
+  const double radius = axis_distance(pressing);
+  const double inward = axis_distance(holding);
   const double both = std::max(radius * inward, 1e-12);
   const double cosine = (pressing.x * holding.x + pressing.z * holding.z) / both;
   // The chord of the angle between: no arc cosine, and the far side is far.

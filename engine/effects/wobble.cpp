@@ -75,7 +75,7 @@ void lay_off_centre(Clay& clay, int j, OffCentre off) noexcept {
 
 void Wobble::centre(const WobbleDef& def, Clay& clay, const CentringHand& hand,
                     double seconds) noexcept {
-  const double far = std::sqrt(hand.at.x * hand.at.x + hand.at.z * hand.at.z);
+  const double far = axis_distance(hand.at);
   const int first = clay.first_row_above(hand.at.y - def.reach);
   const int rows = clay.first_row_above(hand.at.y + def.reach) - first;
   if (hand.normal <= 0.0 || far <= 0.0 || rows <= 0) return;

@@ -4,15 +4,15 @@
 #include <array>
 
 #include "engine/math/portable.h"
+#include "engine/script/keyed.h"
 
 namespace onggi {
 namespace {
 
 using namespace carving;
 
-constexpr double kHandAngle = 0.35;  // rad, as of every scripted hand
-constexpr double kClear = 0.012;     // m: how far from the clay a hand is lifted
-constexpr double kApproach = 0.05;   // m/s
+constexpr double kClear = 0.012;    // m: how far from the clay a hand is lifted
+constexpr double kApproach = 0.05;  // m/s
 constexpr double kQuarterTurn = 0.5 * portable::kPi;
 
 struct Carving {
@@ -40,12 +40,9 @@ class CarvingScript final : public Script {
       : keys_(std::move(keys)), tool_(tool) {}
 
   Hands at(double t, const Clay&) noexcept override {
-    while (next_ + 1 < keys_.size() && keys_[next_].time <= t) ++next_;
-    const CarvingKey& a = keys_[next_ - 1];
-    const CarvingKey& b = keys_[next_];
-    const double span = b.time - a.time;
-    const double share = span > 0.0 ? std::clamp((t - a.time) / span, 0.0, 1.0) : 1.0;
-    const auto between = [share](double from, double to) { return from + share * (to - from); };
+    const auto between = keys_.at(t);
+    const CarvingKey& a = between.from;
+    const CarvingKey& b = between.to;
     const double out = between(a.out, b.out);
     const double angle = between(a.angle, b.angle);
     Hands hands;
@@ -58,17 +55,11 @@ class CarvingScript final : public Script {
     hands.wheel_speed = t < duration() ? a.wheel_speed : b.wheel_speed;
     return hands;
   }
-  double duration() const override { return keys_.back().time; }
-  std::string_view phase(double t) const override {
-    const auto after =
-        std::upper_bound(keys_.begin(), keys_.end(), t,
-                         [](double time, const CarvingKey& k) { return time < k.time; });
-    return after == keys_.begin() ? keys_.front().phase : (after - 1)->phase;
-  }
+  double duration() const override { return keys_.duration(); }
+  std::string_view phase(double t) const override { return keys_.phase(t); }
 
  private:
-  std::vector<CarvingKey> keys_;
-  std::size_t next_ = 1;
+  Keyed<CarvingKey> keys_;
   std::uint8_t tool_;
 };
 

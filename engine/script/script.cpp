@@ -8,14 +8,13 @@
 #include "engine/script/carving.h"
 #include "engine/script/choreography.h"
 #include "engine/script/former.h"
+#include "engine/script/keyed.h"
 #include "engine/script/throwing.h"
 #include "engine/script/upright.h"
 
 namespace onggi {
 namespace {
 
-constexpr double kHandAngle =
-    0.35;                         // rad from x towards z: at the visitor's right, a little in front
 constexpr double kRough = 0.036;  // m/s along the wall
 constexpr double kFine = 0.015;
 // A sphere of 8 mm that rises 2 mm a turn leaves ridges of 2^2 / (8 * 8) = 0.06 mm: throwing lines
@@ -36,11 +35,10 @@ class PlannedScript final : public Script {
       : keys_(std::move(keys)), radius_(tool_radius) {}
 
   Hands at(double t, const Clay&) noexcept override {
-    while (next_ + 1 < keys_.size() && keys_[next_].time <= t) ++next_;
-    const Key& a = keys_[next_ - 1];
-    const Key& b = keys_[next_];
-    const double span = b.time - a.time;
-    const double share = span > 0.0 ? std::clamp((t - a.time) / span, 0.0, 1.0) : 1.0;
+    const auto between = keys_.at(t);
+    const Key& a = between.from;
+    const Key& b = between.to;
+    const double share = between.share;
     const Vec2 place = a.place + share * (b.place - a.place);
     const bool over = t >= duration();
     Hands hands;
@@ -58,17 +56,12 @@ class PlannedScript final : public Script {
     return hands;
   }
 
-  double duration() const override { return keys_.back().time; }
+  double duration() const override { return keys_.duration(); }
 
-  std::string_view phase(double t) const override {
-    const auto after = std::upper_bound(keys_.begin(), keys_.end(), t,
-                                        [](double time, const Key& k) { return time < k.time; });
-    return after == keys_.begin() ? keys_.front().phase : (after - 1)->phase;
-  }
+  std::string_view phase(double t) const override { return keys_.phase(t); }
 
  private:
-  std::vector<Key> keys_;
-  std::size_t next_ = 1;
+  Keyed<Key> keys_;
   double radius_;
   double cos_ = portable::cos(kHandAngle);
   double sin_ = portable::sin(kHandAngle);

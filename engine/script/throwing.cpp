@@ -6,13 +6,13 @@
 
 #include "engine/clay/clay.h"
 #include "engine/math/portable.h"
+#include "engine/script/keyed.h"
 
 namespace onggi {
 namespace {
 
-constexpr double kHandAngle = 0.35;  // rad, as of every scripted hand
-constexpr double kClear = 0.012;     // m: how far from the clay a hand is lifted
-constexpr double kSlow = 10.0;       // rad/s: pulling; centring is twice as fast
+constexpr double kClear = 0.012;  // m: how far from the clay a hand is lifted
+constexpr double kSlow = 10.0;    // rad/s: pulling; centring is twice as fast
 constexpr double kFast = 25.0;
 
 constexpr std::array<std::string_view, 6> kNames{"pull_tall", "collapse", "dry_out",
@@ -35,12 +35,9 @@ class ThrowingScript final : public Script {
   explicit ThrowingScript(std::vector<ThrowingKey> keys) : keys_(std::move(keys)) {}
 
   Hands at(double t, const Clay& clay) noexcept override {
-    while (next_ + 1 < keys_.size() && keys_[next_].time <= t) ++next_;
-    const ThrowingKey& a = keys_[next_ - 1];
-    const ThrowingKey& b = keys_[next_];
-    const double span = b.time - a.time;
-    const double share = span > 0.0 ? std::clamp((t - a.time) / span, 0.0, 1.0) : 1.0;
-    const auto between = [share](double from, double to) { return from + share * (to - from); };
+    const auto between = keys_.at(t);
+    const ThrowingKey& a = between.from;
+    const ThrowingKey& b = between.to;
     const double height =
         between(a.height, b.height) + between(a.rising, b.rising) * clay.rim_height();
     const auto put = [&](HandInput& hand, double from, double to, SideWish side) {
@@ -57,17 +54,11 @@ class ThrowingScript final : public Script {
     hands.water = a.water && t < duration();
     return hands;
   }
-  double duration() const override { return keys_.back().time; }
-  std::string_view phase(double t) const override {
-    const auto after =
-        std::upper_bound(keys_.begin(), keys_.end(), t,
-                         [](double time, const ThrowingKey& k) { return time < k.time; });
-    return after == keys_.begin() ? keys_.front().phase : (after - 1)->phase;
-  }
+  double duration() const override { return keys_.duration(); }
+  std::string_view phase(double t) const override { return keys_.phase(t); }
 
  private:
-  std::vector<ThrowingKey> keys_;
-  std::size_t next_ = 1;
+  Keyed<ThrowingKey> keys_;
 };
 
 // Writes the keys down.

@@ -29,11 +29,8 @@ extern const ToolShape kTool_curved_rib{
     .most = {.radius = 0.1, .thickness = 0.02},
     .hold = {.along = {0.0, 1.0, 0.0}, .across = {0.0, 0.0, 1.0}},
     .smooths = true,
-    .reach =
-        [](const ToolSize& size) {
-          return length(Vec2{size.radius, 0.5 * size.thickness});
-        },
-    .grain = [](const ToolSize& size) { return size.thickness; },
+    .reach = disc_reach,
+    .grain = thickness_grain,
     .ball = disc_ball,
     .press = press,
     .depth = depth,

@@ -34,7 +34,7 @@ extern const ToolShape kTool_flat_rib{
         [](const ToolSize& size) {
           return length(Vec3{0.5 * size.length, size.radius, 0.5 * size.thickness});
         },
-    .grain = [](const ToolSize& size) { return size.thickness; },
+    .grain = thickness_grain,
     .ball = plate_ball,
     .press = press,
     .depth = depth,

@@ -32,11 +32,8 @@ extern const ToolShape kTool_loop_trimmer{
     .hold = {.along = {1.0, 0.0, 0.0}, .across = {0.0, 0.0, 1.0}},
     .relaxation = 0.2,
     .cuts = true,
-    .reach =
-        [](const ToolSize& size) {
-          return length(Vec2{size.radius, 0.5 * size.thickness});
-        },
-    .grain = [](const ToolSize& size) { return size.thickness; },
+    .reach = disc_reach,
+    .grain = thickness_grain,
     .ball = disc_ball,
     .press = press,
     .depth = depth,

@@ -26,12 +26,9 @@ extern const ToolShape kTool_sphere{
     .least = {.radius = 0.001},
     .most = {.radius = 0.05},
     .round = true,
-    .reach = [](const ToolSize& size) { return size.radius; },
-    .grain = [](const ToolSize& size) { return size.radius; },
-    .ball =
-        [](const ToolPlace& place, const ToolSize& size, Vec3) {
-          return ToolBall{place.at, size.radius};
-        },
+    .reach = ball_reach,
+    .grain = radius_grain,
+    .ball = own_ball,
     .press = press,
     .depth = depth,
 };

@@ -8,6 +8,7 @@
 #endif
 
 #include "engine/contact/press_rows.h"
+#include "engine/contact/tool_balls.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace onggi::HWY_NAMESPACE {

@@ -30,12 +30,9 @@ extern const ToolShape kTool_sponge{
     .softness = 0.15,
     .wets = true,
     .smooths = true,
-    .reach = [](const ToolSize& size) { return size.radius; },
-    .grain = [](const ToolSize& size) { return size.radius; },
-    .ball =
-        [](const ToolPlace& place, const ToolSize& size, Vec3) {
-          return ToolBall{place.at, size.radius};
-        },
+    .reach = ball_reach,
+    .grain = radius_grain,
+    .ball = own_ball,
     .press = press,
     .depth = depth,
 };

@@ -1,6 +1,6 @@
 // A cutting wire: taut between two hands, it cuts the pot from the wheel. Sizes: radius and length.
 // `at` is its middle. It presses nothing; what it cuts is engine/contact/wire.h's to say.
-#include "engine/contact/tool.h"
+#include "engine/contact/tool_balls.h"
 
 namespace onggi {
 
@@ -13,11 +13,8 @@ extern const ToolShape kTool_wire{
     .cuts = true,
     .severs = true,
     .reach = [](const ToolSize& size) { return 0.5 * size.length + size.radius; },
-    .grain = [](const ToolSize& size) { return size.radius; },
-    .ball =
-        [](const ToolPlace& place, const ToolSize& size, Vec3) {
-          return ToolBall{place.at, size.radius};
-        },
+    .grain = radius_grain,
+    .ball = own_ball,
     .press = [](Clay&, WallSide, const ToolPlace&, const ToolSize&, double,
                 const Yielding&) { return Press{}; },
     .depth = [](const Clay&, WallSide, const ToolPlace&, const ToolSize&,
