@@ -110,6 +110,7 @@ class Clay {
   /// not for the tick. Null where nobody asked.
   void keep_areas();
   RowAreas* areas() { return areas_ ? &*areas_ : nullptr; }
+  const RowAreas* areas() const { return areas_ ? &*areas_ : nullptr; }
   /// From now on it is kept how far contact moves each element in a tick (shifts.h); whoever runs
   /// the tick clears them. Allocates. Null where nobody asked.
   void keep_shifts();

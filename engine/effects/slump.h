@@ -21,11 +21,14 @@ struct SlumpDef {
   static std::span<const EffectField<SlumpDef>> fields();
 };
 
-/// Sinks the rows that yield, from the top down, some every tick: all of them 40 times a second, or
-/// as often as the grid's size allows. Asleep while nothing yields and nothing changes. No
-/// allocation.
+/// Sinks the rows that yield and those that hang on them: a sweep from the rim down finds what
+/// yields, one back up shares that among neighbours and moves the clay; some rows every tick, 20
+/// times a second both, or as often as the grid's size allows. Asleep while nothing yields and
+/// nothing changes. Allocates only when made.
 class Slump {
  public:
+  explicit Slump(int rows) : flow_(static_cast<std::size_t>(rows)) {}
+
   /// What the clay stands in.
   struct Around {
     const Moisture* moisture = nullptr;  ///< Null: dry.
@@ -50,20 +53,34 @@ class Slump {
   void add_to(StateHash& hash) const;
 
  private:
-  bool sink_row(const SlumpDef& def, Clay& clay, Volume& volume, const Around& around, int j,
-                double above) noexcept;
+  // What a row does, as logarithms of its growth.
+  struct Flow {
+    double girth = 0.0, thickness = 0.0;
+    double shorter() const { return girth + thickness; }
+  };
+  enum class Sweep : std::uint8_t { ended, down, up };
 
-  int next_ = -1;          // row of this sweep; below 0: a new one begins
+  Flow wanted(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
+              int j) const noexcept;
+  void begin(const Clay& clay) noexcept;
+  void end(const SlumpDef& def, const Clay& clay) noexcept;
+  // Takes `next` into what the rows before it share.
+  const Flow& share(const Clay& clay, int j, const Flow& next) noexcept;
+
+  std::vector<Flow> flow_;  // of every row, as the sweep down left it
+  Flow shared_;             // by the rows that the sweep has passed
+  Sweep sweep_ = Sweep::ended;
+  int next_ = 0;           // row of this sweep
   double above_ = 0.0;     // m^3 over that row
-  double seconds_ = 0.0;   // that this sweep makes up for
-  double gathered_ = 0.0;  // since it began
-  double sunk_ = 0.0;      // m in this sweep
+  double seconds_ = 0.0;   // that both sweeps make up for
+  double gathered_ = 0.0;  // since they began
+  double sunk_ = 0.0;      // m in them
   double speed_ = 0.0;
   double sagged_ = 0.0;  // m, of late
   bool fallen_ = false;
   bool stands_ = true;
-  bool yielded_ = false;  // in this sweep
-  bool stirred_ = false;  // something changed in this sweep
+  bool yielded_ = false;  // in these sweeps
+  bool stirred_ = false;  // something changed in them
   bool asleep_ = false;
   double calm_speed_ = 0.0;    // the wheel's as it was when nothing yielded
   double calm_wetness_ = 0.0;  // likewise

@@ -49,7 +49,7 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
   }
   // 6.5
   if (def.slump) {
-    e.slump_.emplace();
+    e.slump_.emplace(clay.rows());
     e.stages_.push_back(&RowEffects::sink);
   }
   // 6.6

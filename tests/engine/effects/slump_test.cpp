@@ -46,6 +46,33 @@ TEST(Slump, AWallBelowTheCriticalHeightStandsAndOneAboveItSags) {
   EXPECT_LT(high.clay().row_thickness(2), 0.0095);
 }
 
+TEST(Slump, RowsHangOnEachOtherSoThatABandThatYieldsBulgesAndNoRowStandsOutAsADisc) {
+  SceneDef def = tube(0.3);
+  def.clay.rows = 300;
+  def.clay.sectors = 16;
+  def.moisture->sponge_height = 0.02;
+  def.slump->yield_stress = 4000.0;
+  Scene scene = made(def);
+  Hands sponge;
+  sponge.water = true;
+  sponge.hand[0] = {{0.09, 0.1, 0}, true, SideWish::outside};
+  run(scene, 3.0, sponge);
+  run(scene, 3.0);
+  const Clay& clay = scene.clay();
+  ASSERT_TRUE(scene.fallen());
+  int widest = 0;
+  double jump = 0.0;
+  const auto outer = [&](int j) { return double{clay.outer(j)[0]}; };
+  for (int j = 1; j < clay.rows(); ++j) {
+    if (outer(j) > outer(widest)) widest = j;
+    jump = std::max(jump, std::fabs(outer(j) - outer(j - 1)));
+  }
+  EXPECT_GT(outer(widest), 0.07);
+  EXPECT_LT(jump, 0.1 * (outer(widest) - 0.055));
+  for (int j = 1; j <= widest; ++j) EXPECT_GE(outer(j), outer(j - 1)) << j;
+  for (int j = widest + 1; j < clay.rows(); ++j) EXPECT_LE(outer(j), outer(j - 1)) << j;
+}
+
 TEST(Slump, WhatSinksGoesIntoGirthAndNoClayIsLost) {
   Scene scene = made(tube(0.6));
   const double clay = scene.clay().volume();
@@ -77,8 +104,8 @@ TEST(Slump, SinksWithoutEverRisingAndComesToRestWhereTheClayCarriesItAtAnyTick) 
       const double stress =
           def.density * 9.81 * (above + 0.5 * own) / scene.clay().measured_area(j);
       EXPECT_LE(stress, std::sqrt(3.0) * def.yield_stress * 1.002) << j;
-      if (j < 8) {
-        EXPECT_GE(stress, std::sqrt(3.0) * def.yield_stress * 0.999) << j;
+      if (j < 8) {  // a row that a neighbour drags along gets a little wider than it has to
+        EXPECT_GE(stress, std::sqrt(3.0) * def.yield_stress * 0.99) << j;
       }
       above += own;
     }
@@ -98,7 +125,7 @@ TEST(Slump, APotThatStoodDryFallsWhenItIsSoaked) {
   EXPECT_GT(run(scene, 3.0, sponge), 0.005);
   run(scene, 10.0);
   EXPECT_LT(scene.clay().rim_height(), 0.22);
-  EXPECT_EQ(scene.clay().row_thickness(55), def.clay.height / def.clay.rows);  // dry up there
+  EXPECT_GT(scene.clay().row_thickness(55), 0.95 * def.clay.height / def.clay.rows);  // dry there
 }
 
 TEST(Slump, APotThatIsSpunTooFastSpreads) {
@@ -142,7 +169,7 @@ TEST(Slump, SleepsWhileNothingYieldsAndWakesWhenSomethingChanges) {
   SceneDef def = tube(0.3);
   Result<Clay> clay = Clay::create(def.clay);
   Volume volume(*clay);
-  Slump slump;
+  Slump slump(clay->rows());
   Slump::Around around;
   around.seconds = 0.001;
   const auto ticks = [&](int count) {
