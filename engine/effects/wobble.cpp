@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
@@ -17,6 +18,20 @@ constexpr double kRest = 1e-6;        // m: centred
 double circle_along(double radius, double off, double cosine, double sine) {
   const double beside = off * sine;
   return off * cosine + std::sqrt(std::max((radius - beside) * (radius + beside), 0.0));
+}
+
+// Of kDirections round the compass, the nearest to a unit vector.
+std::size_t direction_of(double x, double z) {
+  constexpr double kTan[] = {0.198912367379658, 0.668178637919299};  // of 11.25 and 33.75 degrees
+  const double ax = std::fabs(x);
+  const double az = std::fabs(z);
+  const double low = std::min(ax, az);
+  const double high = std::max(ax, az);
+  std::size_t octant = low > kTan[1] * high ? 2 : low > kTan[0] * high ? 1 : 0;  // from the axis
+  if (az > ax) octant = 4 - octant;
+  if (x < 0.0) octant = 8 - octant;
+  if (z < 0.0) octant = 16 - octant;
+  return octant % 16;
 }
 
 // Both faces of row `j` by what `face` says of a ray and a radius; held to what the clay may be.
@@ -73,42 +88,79 @@ void lay_off_centre(Clay& clay, int j, OffCentre off) noexcept {
   });
 }
 
-void Wobble::centre(const WobbleDef& def, Clay& clay, const CentringHand& hand,
-                    double seconds) noexcept {
+void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noexcept {
   const double far = axis_distance(hand.at);
-  const int first = clay.first_row_above(hand.at.y - def.reach);
-  const int rows = clay.first_row_above(hand.at.y + def.reach) - first;
-  if (hand.normal <= 0.0 || far <= 0.0 || rows <= 0) return;
-  const double ux = hand.at.x / far;
-  const double uz = hand.at.z / far;
-  const int budget = std::min(rows, std::max(kLeastRows, kElementBudget / clay.stride()));
-  // A row's turn comes every rows / budget ticks, and counts for all of them.
-  const double pressed = hand.normal * seconds * rows / budget / def.centring_time;
-  for (int n = 0; n < budget; ++n) {
-    const int j = first + static_cast<int>(turn_++ % static_cast<unsigned>(rows));
-    const OffCentre off = off_centre_of(clay, j);
-    const double towards = off.x * ux + off.z * uz;
-    const double beyond = hand.side == WallSide::outside ? towards : -towards;
+  if (hand.normal <= 0.0 || far <= 0.0) return;
+  const double to = hand.side == WallSide::outside ? 1.0 / far : -1.0 / far;
+  const double x = to * hand.at.x;
+  const double z = to * hand.at.z;
+  const double impulse = hand.normal * seconds;
+  Gathered& gathered = sweeps_[n].next;
+  // A ring that is pushed the whole way round is off to one side of each push and not the other.
+  Push& push = gathered.push[direction_of(x, z)];
+  push.x += x * impulse;
+  push.z += z * impulse;
+  push.impulse += impulse;
+  gathered.impulse += impulse;
+  gathered.raised += impulse * hand.at.y;
+}
+
+void Wobble::begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept {
+  sweep.now = std::exchange(sweep.next, {});
+  sweep.height = sweep.now.raised / sweep.now.impulse;
+  sweep.row = clay.first_row_above(sweep.height - def.reach);
+  sweep.end = clay.first_row_above(sweep.height + def.reach);
+}
+
+void Wobble::centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep) noexcept {
+  const int j = sweep.row;
+  const double apart = (clay.row_height(j) - sweep.height) / def.reach;
+  const double fade = std::max(1.0 - apart * apart, 0.0);
+  const OffCentre before = off_centre_of(clay, j);
+  OffCentre off = before;
+  for (const Push& push : sweep.now.push) {
+    const double length = std::sqrt(push.x * push.x + push.z * push.z);
+    if (length == 0.0) continue;
+    const double beyond = (off.x * push.x + off.z * push.z) / length;
     if (beyond <= kRest) continue;
-    const double apart = std::fabs(clay.row_height(j) - hand.at.y) / def.reach;
-    const double fade = std::max(1.0 - apart * apart, 0.0);
-    const double share = -portable::expm1(-pressed * fade);
-    const double back = -towards * share;
-    const row_kernels::RowPush how{j >= clay.floor_rows(),
-                                   static_cast<float>(back * ux),
-                                   static_cast<float>(back * uz),
-                                   static_cast<float>(clay.def().radius_min),
-                                   static_cast<float>(clay.def().radius_max),
-                                   static_cast<float>(clay.def().wall_min)};
-    const row_kernels::FaceMoved moved =
-        row_kernels::push(how, clay.stride(), clay.ray_cos().data(), clay.ray_sin().data(),
-                          clay.pressable_outer(j).data(), clay.pressable_inner(j).data());
-    clay.set_extent(j, moved.outermost, moved.innermost);
-    if (clay.areas() != nullptr) clay.areas()->forget(j);
-    clay.mark_dirty(j);
+    const double share = -portable::expm1(-fade * push.impulse / def.centring_time);
+    off.x -= beyond * share * push.x / length;
+    off.z -= beyond * share * push.z / length;
+  }
+  if (off.x == before.x && off.z == before.z) return;
+  const row_kernels::RowPush how{j >= clay.floor_rows(),
+                                 static_cast<float>(off.x - before.x),
+                                 static_cast<float>(off.z - before.z),
+                                 static_cast<float>(clay.def().radius_min),
+                                 static_cast<float>(clay.def().radius_max),
+                                 static_cast<float>(clay.def().wall_min)};
+  const row_kernels::FaceMoved moved =
+      row_kernels::push(how, clay.stride(), clay.ray_cos().data(), clay.ray_sin().data(),
+                        clay.pressable_outer(j).data(), clay.pressable_inner(j).data());
+  clay.set_extent(j, moved.outermost, moved.innermost);
+  if (clay.areas() != nullptr) clay.areas()->forget(j);
+  clay.mark_dirty(j);
+}
+
+void Wobble::centre(const WobbleDef& def, Clay& clay) noexcept {
+  for (Sweep& sweep : sweeps_) {
+    if (sweep.row >= sweep.end && sweep.next.impulse > 0.0) begin(def, clay, sweep);
+    int rows = std::max(kLeastRows, kElementBudget / clay.stride());
+    for (; rows > 0 && sweep.row < sweep.end; --rows, ++sweep.row) centre_row(def, clay, sweep);
   }
 }
 
-void Wobble::add_to(StateHash& hash) const { hash.add(std::uint64_t{turn_}); }
+void Wobble::add_to(StateHash& hash) const {
+  for (const Sweep& sweep : sweeps_) {
+    for (const Gathered* gathered : {&sweep.next, &sweep.now}) {
+      for (const Push& push : gathered->push)
+        for (const double v : {push.x, push.z, push.impulse}) hash.add(v);
+      hash.add(gathered->impulse);
+      hash.add(gathered->raised);
+    }
+    hash.add(sweep.height);
+    hash.add(static_cast<std::uint64_t>(sweep.row) << 32 | static_cast<std::uint64_t>(sweep.end));
+  }
+}
 
 }  // namespace onggi

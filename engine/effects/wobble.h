@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "engine/clay/clay.h"
 #include "engine/contact/wall_side.h"
 #include "engine/effects/effect_field.h"
@@ -37,17 +39,42 @@ struct CentringHand {
   WallSide side = WallSide::outside;
 };
 
-/// Centres rows under the hands. No allocation; one thread.
+/// Centres rows under the hands. A press is gathered while the rows near the hand take turns, and
+/// then given to each of them alike: a row that got another share than its neighbour would stand
+/// out as a disc. No allocation; one thread.
 class Wobble {
  public:
-  /// Stage 6.4: the rings near the hand are pushed towards the middle, away from a hand outside and
+  /// Stage 6.4: what hand `n` of kMostHands does in a tick of `seconds`. O(1).
+  void press(std::size_t n, const CentringHand& hand, double seconds) noexcept;
+  /// Then: the rings near a hand are pushed towards the middle, away from a hand outside and
   /// towards one inside, by a share of what they are off on its side: they come nearer to it or
-  /// stay. The rows take turns. O(sectors) a row, at most 2048 elements or four rows a tick.
-  void centre(const WobbleDef& def, Clay& clay, const CentringHand& hand, double seconds) noexcept;
+  /// stay. O(sectors) a row, at most 2048 elements or four rows a hand.
+  void centre(const WobbleDef& def, Clay& clay) noexcept;
+  /// The clay is another.
+  void forget() noexcept { sweeps_ = {}; }
   void add_to(StateHash& hash) const;
 
+  static constexpr std::size_t kMostHands = 2;
+
  private:
-  unsigned turn_ = 0;
+  static constexpr std::size_t kDirections = 16;
+  struct Push {
+    double x = 0.0, z = 0.0, impulse = 0.0;  // sums over ticks, N s: of it times where to, and it
+  };
+  struct Gathered {
+    std::array<Push, kDirections> push;
+    double impulse = 0.0;  // N s
+    double raised = 0.0;   // N s m: that times the hand's height
+  };
+  struct Sweep {
+    Gathered next, now;
+    double height = 0.0;  // m, of the hand
+    int row = 0, end = 0;
+  };
+  void begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept;
+  void centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep) noexcept;
+
+  std::array<Sweep, kMostHands> sweeps_;
 };
 
 }  // namespace onggi

@@ -105,9 +105,10 @@ void RowEffects::smooth(const SceneDef& def, Clay& clay, const Tick& tick) noexc
 }
 
 void RowEffects::centre(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
-  for (const HandThere& hand : tick.hand)
-    if (hand.on_wall)
-      wobble_->centre(*def.wobble, clay, {hand.at, hand.normal, hand.side}, tick.seconds);
+  for (std::size_t n = 0; n < tick.hand.size(); ++n)
+    if (const HandThere& hand = tick.hand[n]; hand.on_wall)
+      wobble_->press(n, {hand.at, hand.normal, hand.side}, tick.seconds);
+  wobble_->centre(*def.wobble, clay);
 }
 
 void RowEffects::sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
@@ -139,6 +140,7 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::u
   }
   if (volume_ && !volume_->measure_some(clay, element_budget)) return false;
   if (springback_) springback_->forget();
+  if (wobble_) wobble_->forget();
   for (const bool inside : {false, true})
     if (Shifts* shifts = clay.shifts(inside)) shifts->clear(clay.rows());
   if (slump_) slump_->forget_fall();

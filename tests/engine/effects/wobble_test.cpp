@@ -90,17 +90,37 @@ TEST(Wobble, APushTowardsTheMiddleNeverTakesARingFartherOff) {
   Wobble wobble;
   Random random(5);
   double last = 0.004;
-  for (int n = 0; n < 3000; ++n) {
+  for (std::size_t n = 0; n < 3000; ++n) {
     const double angle = random.uniform(0.0, 6.28);
     const CentringHand hand{{0.07 * portable::cos(angle), 0.05, 0.07 * portable::sin(angle)},
                             random.uniform(0.0, 3.0),
                             random.uniform() < 0.5 ? WallSide::inside : WallSide::outside};
-    wobble.centre(*def.wobble, *clay, hand, random.uniform(1e-6, 0.005));
+    wobble.press(n % 2, hand, random.uniform(1e-6, 0.005));
+    wobble.centre(*def.wobble, *clay);
     ASSERT_LE(off(*clay, 0.05), last + 1e-8) << n;
     last = off(*clay, 0.05);
   }
   EXPECT_LT(last, 1e-4);
   EXPECT_NEAR(off(*clay, 0.095), 0.004, 1e-5);  // out of reach
+}
+
+TEST(Wobble, AHandThatGoesUpQuicklyLeavesNoRowFartherOffThanItsNeighbours) {
+  SceneDef def = small();
+  def.clay.rows = 400;
+  def.clay.height = 0.2;
+  def.clay.sectors = 512;  // four rows a tick
+  Scene scene = made(def);
+  for (int n = 0; n < 3000; ++n) scene.step(beside(0.0625, 0.03 + 0.04e-3 * n), 0.001);
+  const Clay& clay = scene.clay();
+  double rough = 0.0;
+  for (int j = clay.first_row_above(0.05); j < clay.first_row_above(0.13); ++j) {
+    const OffCentre a = off_centre_of(clay, j - 1);
+    const OffCentre b = off_centre_of(clay, j);
+    const OffCentre c = off_centre_of(clay, j + 1);
+    rough = std::max({rough, std::fabs(a.x - 2 * b.x + c.x), std::fabs(a.z - 2 * b.z + c.z)});
+  }
+  EXPECT_LT(rough, 2e-5);
+  EXPECT_LT(off(clay, 0.09), 0.003);
 }
 
 TEST(Wobble, AFreshLumpIsOffTheMiddleAgainAndTheOldOneComesBackAsItWas) {
