@@ -7,6 +7,7 @@ namespace onggi {
 namespace {
 
 constexpr double kFingertip = 0.008;  // room for a tool of this radius inside
+constexpr double kKeptWall = 0.014;   // m: thick enough to stand, and nothing thins it by chance
 constexpr double kUnlike = 0.06;      // RMS distance from the target's outline, of its height
 
 // RMS distance of the target's outline from a cylinder of `radius`, m.
@@ -28,13 +29,63 @@ double widest_below(const Profile& target, double height) {
   return widest;
 }
 
+// Over pi, m^2.
+double area_of(const WallRing& ring) {
+  return (ring.outer - ring.inner) * (ring.outer + ring.inner);
+}
+
+// The height at which `lump` holds the clay of the target, and no more: clay that is kept gets
+// higher where its ring loses area.
+void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
+  constexpr int kSlices = 400;
+  const WallRing ring{lump.outer_radius, lump.inner_radius};
+  const double slice = target.height() / kSlices;
+  const double floor = lump.floor_thickness;
+  lump.height = lump.floor_thickness = 0.0;
+  for (int n = 0; n < kSlices; ++n) {
+    const double at = (n + 0.5) * slice;
+    const double outer = std::max(target.outer_at(at), lump.radius_min + lump.wall_min);
+    const bool solid = at < floor;
+    const double share = solid ? outer * outer / (ring.outer * ring.outer)
+                               : area_of(worked(scene, ring, outer)) / area_of(ring);
+    lump.height += slice * share;
+    if (solid) lump.floor_thickness += slice * share;
+  }
+  lump.height = std::clamp(lump.height, 0.01, 1.0);
+  lump.floor_thickness = std::max(lump.floor_thickness, lump.floor_min);
+}
+
 }  // namespace
+
+WallRing narrowed(const SceneDef& scene, const WallRing& ring, double outer) {
+  const ClayDef& clay = scene.clay;
+  const double most = outer - clay.wall_min;
+  // Walls keep a ring's area; without them the inner face stays until the wall is thin.
+  const double inner =
+      scene.walls ? std::sqrt(std::max(outer * outer - area_of(ring), 0.0)) : ring.inner;
+  return {outer, std::max(std::min(inner, most), std::min(clay.radius_min, ring.inner))};
+}
+
+WallRing widened(const SceneDef& scene, const WallRing& ring, double inner) {
+  const double least = inner + scene.clay.wall_min;
+  const double outer = scene.walls ? std::sqrt(inner * inner + area_of(ring)) : ring.outer;
+  return {std::max(outer, least), inner};
+}
+
+WallRing worked(const SceneDef& scene, const WallRing& ring, double outer) {
+  if (outer <= ring.outer) return narrowed(scene, ring, outer);
+  const double thin = outer - scene.clay.wall_min;
+  const double inner =
+      scene.walls ? std::min(std::sqrt(outer * outer - area_of(ring)), thin) : thin;
+  return {outer, inner};
+}
 
 double workspace_scale(const Profile& target, double max_height, double max_diameter) {
   return std::min(max_height / target.height(), max_diameter / (2.0 * target.max_radius()));
 }
 
-ClayDef lump_for(const Profile& target, const ClayDef& base) {
+ClayDef lump_for(const Profile& target, const SceneDef& scene) {
+  const ClayDef& base = scene.clay;
   ClayDef def = base;
   def.height = std::clamp(target.height(), 0.01, 1.0);
   def.floor_thickness = std::min(base.floor_thickness, 0.1 * def.height);
@@ -44,7 +95,7 @@ ClayDef lump_for(const Profile& target, const ClayDef& base) {
   const double belly = target.max_radius();
   const double foot = 1.02 * widest_below(target, def.floor_thickness + 0.4 * kFingertip);
   const double room = kFingertip + 0.002;  // inner radius at the least
-  const double roomy = room + def.wall_min + 0.006;
+  const double roomy = room + (scene.volume ? kKeptWall : def.wall_min + 0.006);
   const double most_outer = 0.95 * base.radius_max;
   double best = std::max({0.58 * belly, foot, roomy});
   // Where that is near the outline itself (a cylinder, a wide foot), a broad lump is cut down
@@ -54,7 +105,9 @@ ClayDef lump_for(const Profile& target, const ClayDef& base) {
   best = std::min(best, most_outer);
   def.outer_radius = best;
   const double most = best - def.wall_min - 0.001;
-  def.inner_radius = std::max(std::min(std::max(0.45 * best, room), most), def.radius_min);
+  const double inner = scene.volume ? best - kKeptWall : 0.45 * best;
+  def.inner_radius = std::max(std::min(std::max(inner, room), most), def.radius_min);
+  if (scene.volume) weigh(target, scene, def);
   return def;
 }
 

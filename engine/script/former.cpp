@@ -20,21 +20,60 @@ Former::Former(const SceneDef& scene, Choreography& hand, double haste)
   const ClayDef& clay = scene.clay;
   const auto count = static_cast<std::size_t>(std::clamp(clay.height / 0.0005, 64.0, 1000.0));
   spacing_ = clay.height / static_cast<double>(count);
+  floor_ = clay.floor_thickness;
   outer_.assign(count, clay.outer_radius);
   inner_.assign(count, clay.inner_radius);
   for (std::size_t n = 0; n < count && height_of(n) < clay.floor_thickness; ++n) inner_[n] = 0.0;
 }
 
-void Former::set_goal(const std::function<double(double)>& outer_at) {
+void Former::set_goal(std::function<double(double)> outer_at) {
+  goal_ = std::move(outer_at);
+  aim();
+}
+
+void Former::aim() {
   const ClayDef& clay = scene_.clay;
   goal_outer_.resize(outer_.size());
   goal_inner_.resize(outer_.size());
   for (std::size_t n = 0; n < outer_.size(); ++n) {
-    goal_outer_[n] = std::clamp(outer_at(height_of(n)), clay.radius_min + clay.wall_min,
-                                clay.radius_max - kOver);
-    // Where the wall is pushed out it ends wall_min thick, a little wide.
+    goal_outer_[n] =
+        std::clamp(goal_(height_of(n)), clay.radius_min + clay.wall_min, clay.radius_max - kOver);
+    // Where the wall is pushed out it ends a little wide.
     const double over = goal_outer_[n] > outer_[n] ? kOver : -kOver;
-    goal_inner_[n] = goal_outer_[n] - clay.wall_min + over;
+    const WallRing ring{outer_[n], inner_[n]};
+    goal_inner_[n] = over + (scene_.volume ? worked(scene_, ring, goal_outer_[n]).inner
+                                           : goal_outer_[n] - clay.wall_min);
+  }
+}
+
+double Former::area(double outer, double inner, double height) const {
+  const double in = height < floor_ ? 0.0 : inner;
+  return (outer - in) * (outer + in);
+}
+
+// Clay that is kept gets higher where its ring lost area, and lower where it gained.
+void Former::restack(const std::vector<double>& outer_before,
+                     const std::vector<double>& inner_before) {
+  const std::size_t count = outer_.size();
+  std::vector<double> top(count);
+  double height = 0.0;
+  double floor = 0.0;
+  for (std::size_t n = 0; n < count; ++n) {
+    const double at = height_of(n);
+    height +=
+        spacing_ * area(outer_before[n], inner_before[n], at) / area(outer_[n], inner_[n], at);
+    top[n] = height;
+    if (at < floor_) floor = height;
+  }
+  const std::vector<double> outer = outer_;
+  const std::vector<double> inner = inner_;
+  spacing_ = height / static_cast<double>(count);
+  floor_ = floor;
+  std::size_t from = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    while (from + 1 < count && top[from] < height_of(n)) ++from;
+    outer_[n] = outer[from];
+    inner_[n] = inner[from];
   }
 }
 
@@ -61,15 +100,14 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   const ClayDef& clay = scene_.clay;
   // The floor stops a tool inside; outside, a fingertip half sunk to the wheel head reaches the
   // foot.
-  const double lowest =
-      side == WallSide::inside ? clay.floor_thickness + 1.02 * radius_ : 0.1 * radius_;
+  const double lowest = side == WallSide::inside ? floor_ + 1.02 * radius_ : 0.1 * radius_;
   std::vector<double> wall = face;
   if (side == WallSide::inside)
-    for (std::size_t n = 0; n < wall.size() && height_of(n) < clay.floor_thickness; ++n)
+    for (std::size_t n = 0; n < wall.size() && height_of(n) < floor_; ++n)
       wall[n] = 1.0;  // the floor's rows are no wall to keep clear of
   const std::vector<double> centre = centre_path(side, wall);
   const double from = std::max(lowest, height_of(first) - radius_);
-  const double to = std::max(from, std::min(clay.height, height_of(last) + radius_));
+  const double to = std::max(from, std::min(height(), height_of(last) + radius_));
   std::vector<Vec2> path;
   for (std::size_t n = 0; n < centre.size(); ++n)
     if (height_of(n) >= from && height_of(n) <= to) path.push_back({centre[n], height_of(n)});
@@ -89,8 +127,7 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
       }
     clear = std::max(clear, 0.0);
   }
-  hand_.carry(side, {clear, path.front().y}, clay.height, *std::ranges::max_element(outer_),
-              radius_);
+  hand_.carry(side, {clear, path.front().y}, height(), *std::ranges::max_element(outer_), radius_);
   hand_.phase(phase);
   hand_.glide(std::vector<Vec2>{path.front()}, kTouchSpeed);
   hand_.wait_turns(1.0);
@@ -99,6 +136,12 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   hand_.lift();
 
   // What the sphere leaves behind.
+  const std::vector<double> outer_before = outer_;
+  const std::vector<double> inner_before = inner_;
+  const auto put = [&](std::size_t m, const WallRing& ring) {
+    outer_[m] = ring.outer;
+    inner_[m] = ring.inner;
+  };
   const int reach = static_cast<int>(radius_ / spacing_);
   for (std::size_t n = 0; n < centre.size(); ++n) {
     if (height_of(n) < from || height_of(n) > to) continue;
@@ -108,15 +151,16 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
       const double dy = step * spacing_;
       const double bulge = std::sqrt(std::max(0.0, (radius_ - dy) * (radius_ + dy)));
       if (side == WallSide::outside) {
-        outer_[m] =
-            std::min(outer_[m], std::max(centre[n] - bulge, clay.radius_min + clay.wall_min));
-        inner_[m] = std::max(0.0, std::min(inner_[m], outer_[m] - clay.wall_min));
-      } else if (height_of(m) > clay.floor_thickness) {
-        inner_[m] = std::max(inner_[m], centre[n] + bulge);
-        outer_[m] = std::max(outer_[m], inner_[m] + clay.wall_min);
+        const double cut = std::max(centre[n] - bulge, clay.radius_min + clay.wall_min);
+        if (cut < outer_[m]) put(m, narrowed(scene_, {outer_[m], inner_[m]}, cut));
+      } else if (const double cut = centre[n] + bulge; height_of(m) > floor_ && cut > inner_[m]) {
+        put(m, widened(scene_, {outer_[m], inner_[m]}, cut));
       }
     }
   }
+  if (!scene_.volume) return;
+  restack(outer_before, inner_before);
+  aim();
 }
 
 void Former::wet_every_third_pass() {
@@ -129,10 +173,9 @@ void Former::wet_every_third_pass() {
 }
 
 void Former::open(std::string_view phase, double speed) {
-  const ClayDef& clay = scene_.clay;
   double most = 0.0;
   for (std::size_t n = 0; n < inner_.size(); ++n)
-    if (height_of(n) > clay.floor_thickness) most = std::max(most, goal_inner_[n] - inner_[n]);
+    if (height_of(n) > floor_) most = std::max(most, goal_inner_[n] - inner_[n]);
   const double step = std::max(kDeepest, most / kMostPasses);
   for (int k = 0; k < kMostPasses; ++k) {
     std::vector<double> face(inner_.size());
@@ -140,7 +183,7 @@ void Former::open(std::string_view phase, double speed) {
     std::size_t last = 0;
     for (std::size_t n = 0; n < inner_.size(); ++n) {
       face[n] = std::min(goal_inner_[n], inner_[n] + step);
-      if (height_of(n) <= clay.floor_thickness || face[n] - inner_[n] < kGoodEnough) continue;
+      if (height_of(n) <= floor_ || face[n] - inner_[n] < kGoodEnough) continue;
       first = std::min(first, n);
       last = n;
     }
@@ -181,8 +224,8 @@ void Former::rest() {
   hand_.lift();
   hand_.phase("lift");
   const double widest = *std::ranges::max_element(outer_);
-  hand_.carry(WallSide::outside, {widest + 6.0 * radius_, 0.8 * scene_.clay.height},
-              scene_.clay.height, widest, radius_);
+  hand_.carry(WallSide::outside, {widest + 6.0 * radius_, 0.8 * height()}, height(), widest,
+              radius_);
   hand_.wheel(3.0);
   hand_.wait(1.5);
 }

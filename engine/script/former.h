@@ -11,14 +11,17 @@ namespace onggi {
 
 /// Plans how one fingertip brings a lump to an outline: passes from the foot upwards, each as deep
 /// as clay takes in one go, inside where the wall must be wider, outside where it must be narrower.
-/// It keeps account of the shape that the passes should leave. Allocates; not for the tick.
+/// It keeps account of the shape that the passes should leave, and where the scene keeps volume, of
+/// how much higher or lower that gets. Allocates; not for the tick.
 class Former {
  public:
   /// `haste` multiplies the speed of every pass.
   Former(const SceneDef& scene, Choreography& hand, double haste = 1.0);
 
   /// The outline wanted: outer radius at a height, m. Clipped to what the clay allows.
-  void set_goal(const std::function<double(double)>& outer_at);
+  void set_goal(std::function<double(double)> outer_at);
+  /// The rim's height after the passes so far, m.
+  double height() const { return spacing_ * static_cast<double>(outer_.size()); }
 
   /// Widens from inside until the outer face can be cut to the goal, the wall thinned on the way.
   void open(std::string_view phase, double speed);
@@ -38,10 +41,15 @@ class Former {
   void pass(WallSide side, const std::vector<double>& face, std::size_t first, std::size_t last,
             std::string_view phase, double speed);
   void wet_every_third_pass();
+  void aim();
+  void restack(const std::vector<double>& outer_before, const std::vector<double>& inner_before);
+  double area(double outer, double inner, double height) const;
 
   const SceneDef& scene_;
   Choreography& hand_;
   double haste_, radius_, spacing_;
+  double floor_;  // m
+  std::function<double(double)> goal_;
   std::vector<double> goal_outer_, goal_inner_;  // wanted, by height
   std::vector<double> outer_, inner_;            // expected so far
   int passes_ = 0;

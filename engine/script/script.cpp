@@ -123,13 +123,27 @@ void groove(Former& former, const SceneDef& scene) {
   former.narrow("groove", 0.2 * kRough);
 }
 
+// A soft, wide pot spreads when it is spun fast. At this share of what holds it, half wet, there is
+// room for its weight.
+double steady_wheel(const SceneDef& scene, const Profile& target) {
+  if (!scene.slump) return scene.wheel.max_speed;
+  constexpr double kShare = 0.5;
+  constexpr double kRoot3 = 1.7320508075688772;
+  const double weak = scene.moisture ? strength(*scene.moisture, 0.5) : 1.0;
+  const double hoop = kShare * kRoot3 * scene.slump->yield_stress * weak;
+  const double speed = std::sqrt(hoop / scene.slump->density) / target.max_radius();
+  return std::min(scene.wheel.max_speed, speed);
+}
+
 // The target's own outline: widen and narrow quickly, and after each go over it slowly.
 // Gives the seconds that the slow passes take, which no haste shortens.
-double follow(Former& former, Choreography& hand, const Profile& target) {
+double follow(Former& former, Choreography& hand, const SceneDef& scene, const Profile& target) {
+  // As many turns on the way up, however slowly the wheel has to turn.
+  const double slower = std::min(1.0, steady_wheel(scene, target) / kWheelFine);
   double slow = 0.0;
   const auto finish = [&](WallSide side, std::string_view phase) {
     const double before = hand.time_on_clay();
-    former.finish(side, phase, kFinish);
+    former.finish(side, phase, kFinish * slower);
     slow += hand.time_on_clay() - before;
   };
   former.set_goal([&](double h) { return target.outer_at(h); });
@@ -147,10 +161,10 @@ std::vector<Key> follow_in_time(const ScriptContext& context) {
   constexpr double kWanted = 112.0;  // s at pace 1
   double haste = 1.0;
   for (int round = 0;; ++round) {
-    Choreography hand(context.pace, context.scene.wheel.max_speed, context.seed);
+    Choreography hand(context.pace, steady_wheel(context.scene, *context.target), context.seed);
     Former former(context.scene, hand, haste);
     begin(hand);
-    const double slow = follow(former, hand, *context.target);
+    const double slow = follow(former, hand, context.scene, *context.target);
     former.rest();
     if (round == 1) return hand.finish();
     const double quick = hand.time_on_clay() - slow;

@@ -150,17 +150,18 @@ void pull_tall(Thrower& hand) {
 void collapse(Thrower& hand) {
   hand.now.wheel_speed = kSlow;
   hand.wait(1.0);
-  for (const double share : {0.75, 0.55}) {
+  for (const double share : {0.75, 0.55, 0.4}) {
     soak(hand, 2.0);
     pull(hand, std::max(share * hand.wall(), 1.2 * hand.clay.wall_min));
   }
   hand.now.phase = "drown";
+  hand.now.wheel_speed = kFast;
   for (const double height : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     hand.now.outside = hand.clay.outer_radius + hand.finger + 2.0 * kClear;
     hand.now.height = 0.0;
     hand.now.rising = height;
     hand.now.water = true;
-    hand.wait(2.0);
+    hand.wait(3.0);
   }
   hand.now.water = false;
   hand.lift();
@@ -227,6 +228,17 @@ void rib_smooth(Thrower& hand, std::uint8_t tool, const ToolSize& rib) {
 }  // namespace
 
 std::span<const std::string_view> throwing_names() { return kNames; }
+
+bool throwing_shows(std::string_view name, const SceneDef& scene) {
+  if (scene.paper) return false;
+  if (name == "pull_tall") return scene.volume.has_value();
+  if (name == "collapse") return scene.slump.has_value();
+  if (name == "dry_out" || name == "re_wet") return scene.moisture.has_value();
+  if (name == "centre") return scene.wobble.has_value();
+  return name == "rib_smooth" && scene.smoothing &&
+         std::ranges::find(scene.tools, throwing_tool(name), &ToolToHand::name) !=
+             scene.tools.end();
+}
 
 std::string_view throwing_tool(std::string_view name) {
   return name == "rib_smooth" ? "flat_rib" : std::string_view();

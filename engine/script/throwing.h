@@ -13,6 +13,10 @@ namespace onggi {
 /// finger left. On a scene without the effect they do the same moves.
 std::span<const std::string_view> throwing_names();
 
+/// Has `scene` what throwing `name` is there to show: pulling keeps volume, a fall is a slump, and
+/// so on? False for a name that is none.
+bool throwing_shows(std::string_view name, const SceneDef& scene);
+
 /// The tool besides fingers that throwing `name` is done with. Empty where it takes none.
 std::string_view throwing_tool(std::string_view name);
 

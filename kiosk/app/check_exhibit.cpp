@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "kiosk/app/paths.h"
+#include "kiosk/app/scenes.h"
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
@@ -45,15 +47,16 @@ void check_glazes(CheckReport& report, const fs::path& file,
   add(report, glazes.keys_checked, std::move(glazes.problems));
 }
 
-void check_vessels(CheckReport& report, const fs::path& path,
-                   const settings::ReaderLimits& limits = {}) {
+std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
+                                       const settings::ReaderLimits& limits = {}) {
   auto shelf = content::check_shelf(path, limits);
-  report.vessels += shelf.vessels;
+  report.vessels += static_cast<int>(shelf.ids.size());
   report.files += shelf.files;
-  if (shelf.vessels == 0 && shelf.problems.empty())
+  if (shelf.ids.empty() && shelf.problems.empty())
     shelf.problems.push_back({path.string(), "There is no vessel here.",
                               "Name a shelf, a vessel, an exhibit or one of their files."});
   note(report, shelf.keys_checked, std::move(shelf.problems));
+  return std::move(shelf.ids);
 }
 
 void check_whole_exhibit(CheckReport& report, const fs::path& file) {
@@ -64,14 +67,28 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file) {
   add(report, read.keys_checked, std::move(read.problems));
   std::error_code ignored;
   // What is missing has been named by read_exhibit; here goes what is there.
-  if (fs::is_regular_file(exhibit.scene, ignored)) check_scene(report, exhibit.scene);
+  std::set<fs::path> scenes{exhibit.scene};
+  for (const auto& [vessel, scene] : exhibit.vessel_scenes) scenes.insert(scene);
+  for (const fs::path& scene : scenes)
+    if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
   if (fs::is_regular_file(exhibit.glazes, ignored))
     check_glazes(report, exhibit.glazes, exhibit.languages);
   for (const std::string& code : exhibit.languages)
     if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
       check_language(report, words);
   if (fs::is_directory(exhibit.shelf, ignored))
-    check_vessels(report, exhibit.shelf, exhibit.reader);
+    note(report, 0,
+         names_of_nothing(exhibit, check_vessels(report, exhibit.shelf, exhibit.reader)));
+}
+
+bool is_scene_table(const std::string& key) {
+  bool found = key == "clay" || key == "tool" || key == "contact" || key == "wheel" ||
+               key == "guard" || key == "paper";
+  SceneDef every;
+  each_effect(every, [&](auto& effect) {
+    found = found || key == std::remove_reference_t<decltype(*effect)>::kName;
+  });
+  return found;
 }
 
 // Tells by what only one kind of file has; an exhibit where nothing tells.
@@ -93,7 +110,7 @@ void check_toml(CheckReport& report, const fs::path& file) {
   } else if (has("outline") || has("stars") || has("size_counts")) {
     auto rubric = settings::read_rubric(file);
     add(report, rubric.keys_checked, std::move(rubric.problems));
-  } else if (has("clay") || has("tool") || has("contact") || has("wheel") || has("guard")) {
+  } else if (std::ranges::any_of(keys, is_scene_table)) {
     check_scene(report, file);
   } else {
     check_whole_exhibit(report, file);

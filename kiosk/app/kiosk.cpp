@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/clay/clay_mesh.h"
-#include "engine/effects/kiln.h"
 #include "engine/profile/mesh.h"
 #include "engine/script/script.h"
 #include "kiosk/app/log.h"
@@ -24,8 +23,6 @@ namespace {
 
 // Attract mode shows a pot in about half a minute, the time a passer-by gives it.
 constexpr double kAttractPace = 3.0;
-
-constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture.
 
 constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
 
@@ -49,7 +46,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   kiosk->seed_ = options.seed;
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
   kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
-                                          kiosk->exhibit_.reader);
+                                          *kiosk->scenes_, kiosk->exhibit_.reader);
   kiosk->keepsakes_ =
       std::make_unique<Keepsakes>(options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder),
                                   kiosk->exhibit_.keepsake.quota_mb);
@@ -83,29 +80,12 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   auto exhibit = settings::read_exhibit(options.config);
   log_problems(exhibit.problems);
   exhibit_ = std::move(exhibit.exhibit);
-  auto scene = settings::read_scene(exhibit_.scene);
-  log_problems(scene.problems);
-  scene_def_ = scene.def;
-  scene_def_.guard.max_force *= exhibit_.screen.force;
-  pot_def_ = scene_def_;
-  if (auto good = validate(scene_def_); !good) return good;
+  scenes_ = std::make_unique<Scenes>(exhibit_);
 
   auto languages = read_languages(exhibit_, options.language);
   if (!languages) return tl::unexpected(languages.error());
   languages_ = std::move(*languages);
-  if (scene_def_.kiln) {
-    auto glazes = content::read_glazes(exhibit_.glazes, exhibit_.languages);
-    log_problems(glazes.problems);
-    glazes_ = std::move(glazes.glazes);
-  }
   return {};
-}
-
-std::optional<screens::Kiln> Kiosk::kiln() const {
-  if (!scene_def_.kiln || glazes_.empty()) return std::nullopt;
-  const KilnDef& def = *scene_def_.kiln;
-  return screens::Kiln{size_after(def, {1.0, 0.0}), size_after(def, {1.0, 1.0}),
-                       def.glaze_thickness / kUsualCoat, &glazes_};
 }
 
 void Kiosk::begin_visit(double now) {
@@ -116,9 +96,9 @@ void Kiosk::begin_visit(double now) {
   world.measure = &renderer_->measure();
   world.mirror = &potter_->mirror();
   world.potter = potter_.get();
-  world.max_wheel_speed = scene_def_.wheel.max_speed;
-  world.tool_radius = scene_def_.tool.radius;
-  world.kiln = kiln();
+  std::vector<std::string> ids;
+  for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
+  log_problems(names_of_nothing(exhibit_, ids));
   visit_ = std::make_unique<screens::Visit>(world);
   if (shelf_->cards().empty())
     visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
@@ -191,8 +171,8 @@ void Kiosk::carry_out(const screens::StartPot& request) {
   const auto& cards = shelf_->cards();
   if (request.card < 0 || request.card >= static_cast<int>(cards.size())) return;
   const screens::ShelfCard& card = cards[static_cast<std::size_t>(request.card)];
-  SceneDef def = scene_def_;
-  def.clay = lump_for(card.target, scene_def_.clay);
+  SceneDef def = scenes_->of(card.vessel->id);
+  def.clay = lump_for(card.target, def);
   auto scene = Scene::create(def);
   if (!scene) {
     log_problem(scene.error());
@@ -208,7 +188,7 @@ void Kiosk::carry_out(const screens::StartPot& request) {
     potter_->record(card.vessel->id, seed_);
     return;
   }
-  auto script = make_script("follow", {def, &card.target, seed_ + pots_, kAttractPace});
+  auto script = make_script(request.script, {def, &card.target, seed_ + pots_, kAttractPace});
   if (script)
     potter_->play(std::move(*script));
   else
@@ -219,9 +199,9 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   const screens::ShelfCard& card = shelf_->cards()[static_cast<std::size_t>(request.card)];
   const content::Language& language = language_of(languages_, visit_->language());
   const content::Label label = card.vessel->label(language.code());
-  const auto fired_in = request.glaze >= 0 ? kiln() : std::nullopt;
+  const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
   const content::Glaze* glaze =
-      fired_in ? &glazes_[static_cast<std::size_t>(request.glaze)] : nullptr;
+      fired_in ? &glazes()[static_cast<std::size_t>(request.glaze)] : nullptr;
   const double size = fired_in ? fired_in->fired_size : 1.0;
   KeptVisit kept;
   kept.vessel_id = card.vessel->id;

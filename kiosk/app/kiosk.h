@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "kiosk/app/keepsakes.h"
+#include "kiosk/app/scenes.h"
 #include "kiosk/app/shelf.h"
-#include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
 #include "kiosk/loop/potter_host.h"
 #include "kiosk/loop/stepped_potter.h"
@@ -68,7 +68,7 @@ class Kiosk {
   /// The scene of the pot on the wheel, and its card on the shelf (-1 before the first pot).
   const SceneDef& pot_def() const { return pot_def_; }
   int pot_card() const { return pot_card_; }
-  const std::vector<content::Glaze>& glazes() const { return glazes_; }
+  const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
   const std::optional<KeptVisit>& kept() const { return kept_; }
   bool saving() const { return keepsakes_->busy(); }
   /// The shelf is read and attract has begun.
@@ -78,8 +78,6 @@ class Kiosk {
   Kiosk() = default;
   Result<void> read_settings(const KioskOptions& options);
   void begin_visit(double now);
-  /// The scene's kiln, where it has one and there is a glaze for it.
-  std::optional<screens::Kiln> kiln() const;
   void carry_out(const screens::StartPot& request);
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::ForgetVisitor& request);
@@ -87,9 +85,9 @@ class Kiosk {
   view::Frame opening_frame() const;
 
   settings::Exhibit exhibit_;
-  SceneDef scene_def_, pot_def_;
+  std::unique_ptr<Scenes> scenes_;
+  SceneDef pot_def_;
   std::vector<content::Language> languages_;
-  std::vector<content::Glaze> glazes_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::PotterHost> potter_;
   loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.

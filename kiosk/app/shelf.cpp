@@ -44,8 +44,9 @@ content::Catalogue read_shelf(const fs::path& path, Counters counters,
 
 }  // namespace
 
-Shelf::Shelf(const fs::path& path, const settings::ReaderLimits& limits)
-    : reading_(
+Shelf::Shelf(const fs::path& path, const Scenes& scenes, const settings::ReaderLimits& limits)
+    : scenes_(scenes),
+      reading_(
           std::async(std::launch::async, read_shelf, path, Counters{&done_, &total_}, limits)) {}
 
 Shelf::~Shelf() = default;
@@ -73,6 +74,7 @@ void Shelf::fill_cards() {
     const Profile& own = vessel.extracted.profile;
     card.scale = workspace_scale(own);
     card.target = scaled(own, card.scale);
+    card.wheel = scenes_.wheel_of(vessel.id);
     cards_.push_back(std::move(card));
   }
 }

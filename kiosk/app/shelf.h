@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/app/scenes.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/render/renderer.h"
 #include "kiosk/screens/visit.h"
@@ -17,7 +18,9 @@ namespace onggi::app {
 class Shelf {
  public:
   /// Starts reading `path` (a shelf folder, a pack, or a single GLB/glTF) on a worker.
-  explicit Shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {});
+  /// `scenes` outlives it.
+  Shelf(const std::filesystem::path& path, const Scenes& scenes,
+        const settings::ReaderLimits& limits = {});
   ~Shelf();
 
   struct Progress {
@@ -38,6 +41,7 @@ class Shelf {
  private:
   void fill_cards();
 
+  const Scenes& scenes_;
   std::atomic<int> done_{0}, total_{0};
   std::future<content::Catalogue> reading_;
   content::Catalogue catalogue_;

@@ -160,14 +160,20 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
   if (error) check.problems.push_back(no_shelf(path, error));
   for (const Entry& entry : entries) {
     if (fs::is_directory(entry.path, ignored)) {
-      ++check.vessels;
+      check.ids.push_back(entry.id);
       check_pack(entry.path, options, check);
       continue;
     }
     ++check.files;
-    const auto vessels = load_vessels(entry.path, options);
-    check.vessels += vessels ? static_cast<int>(vessels->size()) : 1;
-    if (!vessels) check.problems.push_back(vessels.error());
+    LoadOptions own = options;
+    own.id = entry.id;
+    const auto vessels = load_vessels(entry.path, own);
+    if (!vessels) {
+      check.ids.push_back(entry.id);
+      check.problems.push_back(vessels.error());
+      continue;
+    }
+    for (const Vessel& vessel : *vessels) check.ids.push_back(vessel.id);
   }
   return check;
 }

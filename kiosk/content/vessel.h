@@ -85,7 +85,7 @@ Result<std::vector<Vessel>> load_vessels(const std::filesystem::path& path,
 /// the same, such as a label of more than 100 words or a size that contradicts the drawing.
 struct ShelfCheck {
   std::vector<Problem> problems;
-  int vessels = 0;
+  std::vector<std::string> ids;  ///< Of the vessels, good or not.
   int files = 0;
   int keys_checked = 0;
 };

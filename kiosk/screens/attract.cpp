@@ -12,7 +12,8 @@ namespace {
 constexpr double kRest = 7.0;      // s that a finished pot is shown, with its name.
 constexpr double kNameFade = 1.2;  // s
 
-/// A pot throws itself by script; its name fades in at the end; then the next vessel.
+/// A pot throws itself by script; its name fades in at the end; then the next vessel. Between them
+/// now and then what clay does, with a line that says it.
 class Attract final : public Screen {
  public:
   using Screen::Screen;
@@ -51,6 +52,11 @@ class Attract final : public Screen {
 
     // Room for the name is kept whether or not it shows, so that nothing moves when it does.
     if (!asked_) return;
+    if (!follows()) {
+      column.space(t.gap * (page.where().portrait ? 1.5f : 3.0f));
+      column.text(desk.say("attract." + script_), t.body, Face::sans, view::kFaintInk);
+      return;
+    }
     const content::Label label = desk.label(desk.attract_card);
     const float alpha = name_alpha();
     Page unseen = page;
@@ -69,7 +75,9 @@ class Attract final : public Screen {
   void next_pot() {
     if (desk.cards() == 0) return;
     desk.attract_card = (desk.attract_card + 1) % desk.cards();
-    desk.start_pot(desk.attract_card, true);
+    const auto& shown = desk.shelf_card(desk.attract_card)->wheel.shown;
+    script_ = shown[desk.attract_turn++ % shown.size()];
+    desk.start_pot(desk.attract_card, true, script_);
     asked_ = true;
     done_at_ = -1;
   }
@@ -81,7 +89,10 @@ class Attract final : public Screen {
     return static_cast<float>(std::clamp(std::min(in, out), 0.0, 1.0));
   }
 
+  bool follows() const { return script_ == "follow"; }
+
   Stage stage_;
+  std::string script_ = "follow";
   bool asked_ = false;
   double done_at_ = -1;
 };

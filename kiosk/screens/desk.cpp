@@ -31,6 +31,12 @@ content::Label Desk::label(int index) const {
                                                       : content::Label{};
 }
 
+const Wheel& Desk::wheel() const {
+  static const Wheel kNone;
+  const ShelfCard* shelf = shelf_card(card >= 0 ? card : attract_card);
+  return shelf != nullptr ? shelf->wheel : kNone;
+}
+
 void Desk::keep_pot() {
   if (kept != Kept::not_asked && kept_glaze_ == glaze) return;
   requests.emplace_back(MakeKeepsake{card, score, made, glaze});
@@ -40,8 +46,8 @@ void Desk::keep_pot() {
   postcard = 0;
 }
 
-void Desk::start_pot(int index, bool scripted) {
-  requests.emplace_back(StartPot{index, scripted});
+void Desk::start_pot(int index, bool scripted, const std::string& script) {
+  requests.emplace_back(StartPot{index, scripted, script});
   awaited_ = status.scene_serial;
 }
 

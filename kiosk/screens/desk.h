@@ -27,12 +27,13 @@ class Desk {
   int card = -1;
   Profile made;
   score::Score score;
-  int glaze = -1;  ///< Chosen of world.kiln's; -1: none yet.
+  int glaze = -1;  ///< Chosen of its kiln's; -1: none yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
   std::string kept_as;
   view::PictureId postcard = 0;
 
-  int attract_card = -1;  ///< Of the exhibit: goes round the shelf, visitors or not.
+  int attract_card = -1;         ///< Of the exhibit: goes round the shelf, visitors or not.
+  std::size_t attract_turn = 0;  ///< Likewise, round what is shown.
 
   void go(ScreenId id) { next = id; }
   void forget();
@@ -50,11 +51,13 @@ class Desk {
   int cards() const { return static_cast<int>(world.shelf->size()); }
   const ShelfCard* shelf_card(int index) const;
   content::Label label(int index) const;
+  /// Of the visitor's vessel, or of attract's.
+  const Wheel& wheel() const;
 
   /// Asks for the keepsake, once for a pot and its glaze.
   void keep_pot();
   /// Asks for a fresh lump; until it is on the wheel, pot_ready() is false.
-  void start_pot(int index, bool scripted);
+  void start_pot(int index, bool scripted, const std::string& script = "follow");
   bool pot_ready() const { return !awaited_; }
   double pot_since() const { return pot_since_; }
   void look_at(const loop::LoopStatus& newest);

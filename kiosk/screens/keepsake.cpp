@@ -52,7 +52,7 @@ class Keepsake final : public Screen {
     if (control == "keepsake.done") desk.go(ScreenId::attract);
     if (control == "keepsake.again") desk.go(ScreenId::choose);
   }
-  void back() override { desk.go(desk.world.kiln ? ScreenId::kiln : ScreenId::result); }
+  void back() override { desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::result); }
 
  private:
   /// A card of 5:7 lying on the plaster: a soft shadow laid in films, no frame.

@@ -35,7 +35,7 @@ view::Color display(const content::LinearColor& c) {
 /// glazes it anew. Nothing here has to be waited for.
 class KilnScreen final : public Screen {
  public:
-  explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.world.kiln), shown_(desk.glaze) {
+  explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.wheel().kiln), shown_(desk.glaze) {
     desk.world.potter->wheel(desk.still()                ? 0
                              : desk.screen().left_handed ? -kShowSpeed
                                                          : kShowSpeed);

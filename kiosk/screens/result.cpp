@@ -34,7 +34,7 @@ class Result final : public Screen {
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
-    const std::string on = desk.world.kiln ? desk.say("result.fire") : desk.say("result.keep");
+    const std::string on = desk.wheel().kiln ? desk.say("result.fire") : desk.say("result.keep");
     column.foot_buttons({{"result.keep", on, Look::solid},
                          {"result.again", desk.say("result.again"), Look::outline},
                          {"result.other", desk.say("result.other"), Look::outline}});
@@ -55,8 +55,8 @@ class Result final : public Screen {
 
   void press(const std::string& control) override {
     if (control == "result.keep") {
-      if (!desk.world.kiln) desk.keep_pot();
-      desk.go(desk.world.kiln ? ScreenId::kiln : ScreenId::keepsake);
+      if (!desk.wheel().kiln) desk.keep_pot();
+      desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::keepsake);
     } else if (control == "result.again") {
       desk.start_pot(desk.card, false);
       desk.go(ScreenId::throwing);

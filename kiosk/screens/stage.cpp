@@ -73,7 +73,7 @@ view::PotView Stage::view(const Desk& desk, const Page& page) const {
   pot.opacity = desk.pot_ready() ? shown_ : 0.0;
   for (std::size_t i = 0; i < pot.tools.size(); ++i) {
     const HandInput& hand = desk.status.hands.hand[i];
-    pot.tools[i] = {hand.active && desk.pot_ready(), hand.position, desk.world.tool_radius};
+    pot.tools[i] = {hand.active && desk.pot_ready(), hand.position, desk.wheel().tool_radius};
   }
   return pot;
 }

@@ -25,8 +25,8 @@ class Throwing final : public Screen {
  public:
   explicit Throwing(Desk& d)
       : Screen(d),
-        hand_(d.world.tool_radius),
-        speed_(std::min(kFirstSpeed, d.world.max_wheel_speed)) {}
+        hand_(d.wheel().tool_radius),
+        speed_(std::min(kFirstSpeed, d.wheel().max_speed)) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     return !menu_ ? "" : fallen_ ? "throw.restore" : "throw.done";
@@ -53,7 +53,7 @@ class Throwing final : public Screen {
     if (water_) dry_ = 0;
     hint_.update(desk.now,
                  {target, &stage_.made(), std::abs(speed_) > 0.5, face_ == WallSide::inside,
-                  touched_, dry_ > 20.0, desk.world.tool_radius});
+                  touched_, dry_ > 20.0, desk.wheel().tool_radius});
   }
 
   std::optional<view::PotView> pot(const Page& page) override { return stage_.view(desk, page); }
@@ -91,7 +91,7 @@ class Throwing final : public Screen {
       let_go();
     } else if (control == "throw.faster" || control == "throw.slower") {
       speed_ = std::clamp(speed_ + (control == "throw.faster" ? kSpeedStep : -kSpeedStep), 0.0,
-                          desk.world.max_wheel_speed);
+                          desk.wheel().max_speed);
       if (speed_ < kSpeedStep * 0.5) speed_ = 0;
       send_wheel();
     } else if (control == "throw.water") {
@@ -294,7 +294,7 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
       clay, captions);
   column.foot_space(t.gap);
   column.foot_buttons({{"throw.slower", desk.say("throw.slower"), Look::outline},
-                       {"", rpm(speed_), Look::plain, rpm(desk.world.max_wheel_speed)},
+                       {"", rpm(speed_), Look::plain, rpm(desk.wheel().max_speed)},
                        {"throw.faster", desk.say("throw.faster"), Look::outline}},
                       wheel, captions);
   column.foot_space(t.gap);

@@ -24,19 +24,37 @@ enum class ScreenId { attract, choose, throwing, result, kiln, keepsake, fault }
 std::string_view name_of(
     ScreenId id);  ///< "attract", "choose", "throw", "result", "kiln", "keepsake", "fault"
 
+/// What happens to a pot at the end, where its scene has a kiln.
+struct Kiln {
+  double dried_size = 1.0;  ///< What drying leaves of every length, 0..1.
+  double fired_size = 1.0;  ///< And the kiln, of the thrown length.
+  double coat = 1.0;        ///< The glass, as a share of 0.5 mm.
+  const std::vector<content::Glaze>* glazes = nullptr;  ///< To choose from; at least one.
+};
+
+/// What a visitor meets of the scene in which a vessel is thrown.
+struct Wheel {
+  double max_speed = 31.4;  ///< rad/s
+  double tool_radius = 0.008;
+  std::optional<Kiln> kiln;
+  std::vector<std::string> shown{"follow"};  ///< Scripts of attract mode, pot by pot; at least one.
+};
+
 /// A vessel as the screens know it.
 struct ShelfCard {
   const content::Vessel* vessel = nullptr;
   view::PictureId picture = 0;  ///< 0 until the app has had it rendered.
   Profile target;               ///< At workspace scale, foot at 0.
   double scale = 1.0;           ///< Workspace size / true size.
+  Wheel wheel;
 };
 
 /// What the visit asks of the program, carried out by app between frames.
 struct StartPot {
   int card = 0;
   bool scripted = false;
-};  ///< A fresh lump for this vessel; scripted: follow it (attract).
+  std::string script = "follow";
+};  ///< A fresh lump for this vessel; scripted: thrown so (attract).
 struct MakeKeepsake {
   int card = 0;
   score::Score score;
@@ -45,14 +63,6 @@ struct MakeKeepsake {
 };
 struct ForgetVisitor {};  ///< Idle or done: drop postcard, replay, everything of the visitor.
 using Request = std::variant<StartPot, MakeKeepsake, ForgetVisitor>;
-
-/// What happens to a pot at the end, where the scene has a kiln.
-struct Kiln {
-  double dried_size = 1.0;  ///< What drying leaves of every length, 0..1.
-  double fired_size = 1.0;  ///< And the kiln, of the thrown length.
-  double coat = 1.0;        ///< The glass, as a share of 0.5 mm.
-  const std::vector<content::Glaze>* glazes = nullptr;  ///< To choose from; at least one.
-};
 
 /// What the visit may look at. All outlive it.
 struct VisitWorld {
@@ -63,9 +73,6 @@ struct VisitWorld {
   const view::TextMeasure* measure = nullptr;
   const loop::Mirror* mirror = nullptr;
   loop::PotterCommands* potter = nullptr;
-  double max_wheel_speed = 31.4;  ///< rad/s, of the scene in use.
-  double tool_radius = 0.008;
-  std::optional<Kiln> kiln;
 };
 
 /// The visit as a state machine: attract -> choose -> throw -> result -> kiln (where there is one)

@@ -112,9 +112,10 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   for (const std::string& code : languages) out.try_emplace(code, out.begin()->second);
 }
 
-/// Reads a path and takes it from `folder`; what is not good leaves the default.
-void read_path(Table& table, const std::string& key, const fs::path& folder, fs::path& out) {
+/// Reads a path and takes it from `folder`; what is not good leaves the default. True if good.
+bool read_path(Table& table, const std::string& key, const fs::path& folder, fs::path& out) {
   std::string text;
+  bool good = false;
   if (table.text(key, text)) {
     if (text.empty() || has_control_character(text)) {
       table.complain(key, key + " is not a path.",
@@ -124,10 +125,26 @@ void read_path(Table& table, const std::string& key, const fs::path& folder, fs:
                      "Write the whole path, from / on.");
     } else {
       out = text;
+      good = true;
     }
   }
   out = (folder / out).lexically_normal();
   if (!out.has_filename()) out = out.parent_path();  // "a/b/" and "a/b" are one folder
+  return good;
+}
+
+void read_vessel_scenes(Table table, const fs::path& folder, Exhibit& exhibit) {
+  std::error_code error;
+  for (const std::string& vessel : table.keys()) {
+    fs::path scene = "scenes/master.toml";
+    if (!read_path(table, vessel, folder, scene)) continue;
+    if (fs::is_regular_file(scene, error))
+      exhibit.vessel_scenes[vessel] = scene;
+    else
+      table.complain(vessel, "There is no scene " + scene.string() + ".",
+                     "Write " + vessel + " = \"FILE\" with one of the files in scenes/.");
+  }
+  table.finish();
 }
 
 void read_shelf_and_scene(Table& root, const fs::path& folder, Exhibit& exhibit) {
@@ -164,6 +181,19 @@ void read_rubric_of(Table& root, const fs::path& folder, ExhibitRead& read) {
   read.exhibit.rubric = rubric.rubric;
   read.keys_checked += rubric.keys_checked;
   read.problems = std::move(rubric.problems);
+}
+
+void read_attract(Table table, std::vector<std::string>& scripts) {
+  constexpr std::size_t kMostScripts = 32;
+  std::vector<std::string> names;
+  if (table.texts("scripts", names)) {
+    if (names.empty() || names.size() > kMostScripts)
+      table.complain("scripts", "scripts has no element, or more than 32.",
+                     "Write what attract mode shows, pot by pot: scripts = [\"follow\"].");
+    else
+      scripts = names;
+  }
+  table.finish();
 }
 
 void read_idle(Table table, Exhibit::Idle& idle) {
@@ -218,7 +248,9 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_languages(root, language_folder, exhibit.languages);
   read_title(root, exhibit.languages, exhibit.title);
   read_shelf_and_scene(root, folder, exhibit);
+  read_vessel_scenes(root.child("vessel_scenes"), folder, exhibit);
   read_rubric_of(root, folder, read);
+  read_attract(root.child("attract"), exhibit.attract_scripts);
   read_idle(root.child("idle"), exhibit.idle);
   read_keepsake(root.child("keepsake"), folder, exhibit.keepsake);
   read_screen(root.child("screen"), exhibit.screen);

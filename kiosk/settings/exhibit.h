@@ -21,6 +21,10 @@ struct Exhibit {
                                            {"ko", "도자기 빚기"}};  ///< By language.
   std::string credit = "Onggi";                    ///< Printed on the keepsake; 1..120 letters.
   std::vector<std::string> languages{"en", "ko"};  ///< First is the default; 1..12 of them.
+  /// What attract mode shows, pot by pot: "follow" a vessel, or a script for an effect
+  /// (throwing_names()), which is left out where a vessel's scene has not that effect. 1..32.
+  std::vector<std::string> attract_scripts{"follow",    "centre", "follow",
+                                           "pull_tall", "follow", "collapse"};
   struct Idle {
     double warn_after = 60.0;     ///< s without input before "are you still there?", 20..3600.
     double countdown = 25.0;      ///< s shown counting down, 20..300.
@@ -28,8 +32,10 @@ struct Exhibit {
   } idle;
   std::filesystem::path shelf = "../content/vessels";       ///< Folder of vessels.
   std::filesystem::path scene = "scenes/first_touch.toml";  ///< TOML of the scene.
-  std::filesystem::path rubric_file = "rubric.toml";        ///< TOML of the rubric; may be absent.
-  Rubric rubric;                                            ///< What it says, or the defaults.
+  /// By a vessel's name on the shelf: the scene in which it is thrown instead.
+  std::map<std::string, std::filesystem::path> vessel_scenes;
+  std::filesystem::path rubric_file = "rubric.toml";  ///< TOML of the rubric; may be absent.
+  Rubric rubric;                                      ///< What it says, or the defaults.
   std::filesystem::path glazes =
       "../content/glazes.toml";  ///< The glazes to choose from; used where the scene has a kiln.
   struct Keepsake {

@@ -10,7 +10,7 @@ int main() {
   const onggi::Profile cylinder{
       {{0.0, 0.040, 0.0}, {0.010, 0.040, 0.0}, {0.0101, 0.040, 0.035}, {0.150, 0.040, 0.035}}};
   onggi::SceneDef def;  // every field has a default
-  def.clay = onggi::lump_for(cylinder, def.clay);
+  def.clay = onggi::lump_for(cylinder, def);
   auto scene = onggi::Scene::create(def);
   auto potter = onggi::make_script("follow", {.scene = def, .target = &cylinder});
   if (!scene || !potter) {

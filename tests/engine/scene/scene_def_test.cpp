@@ -115,7 +115,7 @@ TEST(Lump, IsAsTallAsTheTargetHasRoomForAFingerAndIsClearlyAnotherShape) {
   for (const auto& [name, drawn] : vessels::all()) {
     const Profile target = scaled(drawn, workspace_scale(drawn));
     SceneDef def;
-    def.clay = lump_for(target, def.clay);
+    def.clay = lump_for(target, def);
     EXPECT_TRUE(validate(def)) << name;
     EXPECT_DOUBLE_EQ(def.clay.height, target.height());
     EXPECT_GT(def.clay.inner_radius, def.tool.radius) << name;

@@ -162,7 +162,7 @@ class Follow : public testing::TestWithParam<std::pair<std::string, Profile>> {}
 
 ScriptContext follow(const Profile& target, double pace = 1.0) {
   ScriptContext context;
-  context.scene.clay = lump_for(target, context.scene.clay);
+  context.scene.clay = lump_for(target, context.scene);
   context.target = &target;
   context.pace = pace;
   return context;
@@ -186,6 +186,43 @@ INSTANTIATE_TEST_SUITE_P(Vessels, Follow, testing::ValuesIn(vessels::all()),
                            std::replace(name.begin(), name.end(), ' ', '_');
                            return name;
                          });
+
+// The clay of config/scenes/master.toml on a coarser grid: all that clay does.
+SceneDef masters() {
+  SceneDef def;
+  def.clay.sectors = 180;
+  def.clay.wall_min = 0.002;
+  def.contact = {0.015, 1e7};
+  each_effect(def, [](auto& effect) { effect.emplace(); });
+  def.moisture->wetting_time = 5.0;
+  def.moisture->weakening = 0.15;
+  def.moisture->sponge_height = 0.06;
+  def.slump->yield_stress = 9000.0;
+  def.wobble->off_centre = 0.003;
+  return def;
+}
+
+TEST(Script, WhereClayIsKeptItFollowsFromALumpThatHoldsTheVesselsClayAndThePotStands) {
+  for (const auto& [drawn, most] : {std::pair{vessels::moon_jar(), 0.015},
+                                    {vessels::bottle(), 0.015},
+                                    {vessels::cylinder(), 0.015},
+                                    {vessels::tea_bowl(), 0.04},
+                                    {vessels::amphora(), 0.03}}) {
+    const Profile target = scaled(drawn, workspace_scale(drawn));
+    ScriptContext context;
+    context.scene = masters();
+    context.scene.clay = lump_for(target, context.scene);
+    context.target = &target;
+    Scene scene = std::move(*Scene::create(context.scene));
+    const double lump = scene.clay().volume();
+    const Thrown thrown = play("follow", context, &scene);
+    EXPECT_NEAR(thrown.profile.height() / target.height(), 1.0, 0.05);
+    EXPECT_LT(compare(target, thrown.profile, true).outline_rms, most);
+    EXPECT_NEAR(scene.clay().volume() / lump, 1.0, 1e-6);
+    EXPECT_FALSE(scene.fallen());
+    EXPECT_FALSE(thrown.jumped);
+  }
+}
 
 TEST(Script, AtTwiceThePaceAJarIsStillThatJar) {
   const Profile drawn = vessels::maebyeong();

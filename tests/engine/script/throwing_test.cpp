@@ -130,6 +130,18 @@ TEST(Throwing, EffectsComeToTheSameBitsOnEveryKindOfVectors) {
   }
 }
 
+TEST(Throwing, EveryScriptIsShownWhereItsEffectIsAndNowhereElse) {
+  SceneDef all = everything();
+  all.wobble.emplace();
+  SceneDef bare;
+  each_effect(bare, [](auto& effect) { effect.reset(); });
+  for (const std::string_view name : throwing_names()) {
+    EXPECT_TRUE(throwing_shows(name, all)) << name;
+    EXPECT_FALSE(throwing_shows(name, bare)) << name;
+  }
+  EXPECT_FALSE(throwing_shows("follow", all));
+}
+
 TEST(Throwing, AScriptWhoseToolIsNotToHandIsRefused) {
   SceneDef def = everything();
   def.tools.clear();

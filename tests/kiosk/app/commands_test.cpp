@@ -72,6 +72,33 @@ TEST(Check, TheExhibitThatComesWithTheProgramIsGood) {
   EXPECT_EQ(run.out.rfind("All good: checked ", 0), 0u) << run.out;
 }
 
+TEST(Check, AScriptThatAttractModeDoesNotShowIsNamedWithThoseThatItDoes) {
+  const TemporaryFolder folder;
+  const std::string here = std::filesystem::current_path().string();
+  const std::string file = (folder / "exhibit.toml").string();
+  std::ofstream(file) << "shelf = \"" << here << "/content/vessels\"\nscene = \"" << here
+                      << "/config/scenes/studio.toml\"\nglazes = \"" << here
+                      << "/content/glazes.toml\"\n[attract]\nscripts = [\"follow\", \"colapse\"]\n";
+  const Outcome run = onggi("check " + file);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("exhibit.toml:5:22"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("collapse"), std::string::npos) << run.err;
+}
+
+TEST(Check, ASceneForAVesselThatIsNotOnTheShelfIsNamedWithTheNearestThatIs) {
+  const TemporaryFolder folder;
+  const std::string here = std::filesystem::current_path().string();
+  const std::string file = (folder / "exhibit.toml").string();
+  std::ofstream(file) << "shelf = \"" << here << "/content/vessels\"\nscene = \"" << here
+                      << "/config/scenes/studio.toml\"\nglazes = \"" << here
+                      << "/content/glazes.toml\"\n[vessel_scenes]\nmoonjar = \"" << here
+                      << "/config/scenes/master.toml\"\n";
+  const Outcome run = onggi("check " + file);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("exhibit.toml:5:"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("Did you mean moon_jar?"), std::string::npos) << run.err;
+}
+
 TEST(Check, EverySlipOfAnExhibitIsNamedAtOnceWithLineColumnAndRemedy) {
   const TemporaryFolder folder;
   const std::string file = (folder / "exhibit.toml").string();

@@ -21,7 +21,7 @@ Thrown thrown(const content::Vessel& vessel, bool follow) {
   const Profile target =
       scaled(vessel.extracted.profile, workspace_scale(vessel.extracted.profile));
   SceneDef def;
-  def.clay = lump_for(target, def.clay);
+  def.clay = lump_for(target, def);
   auto scene = Scene::create(def);
   EXPECT_TRUE(scene.has_value());
   if (follow) {

@@ -49,6 +49,26 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   EXPECT_EQ(Json::parse(replay.out)["glaze"], "tenmoku");
 }
 
+TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
+  const TemporaryFolder folder;
+  const std::string here = fs::current_path().string();
+  const std::string file = (folder / "exhibit.toml").string();
+  std::ofstream(file) << "shelf = \"" << here << "/content/vessels\"\nscene = \"" << here
+                      << "/config/scenes/first_touch.toml\"\nglazes = \"" << here
+                      << "/content/glazes.toml\"\n[vessel_scenes]\ntea_bowl = \"unfired.toml\"\n";
+  std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
+  for (const auto& [vessel, fired] : {std::pair{"tea_bowl", false}, {"moon_jar", true}}) {
+    const Outcome run =
+        onggi("visit --script groove --window 640x480 --config " + file + " --vessel " + vessel +
+              " --json - --out " + (folder / vessel).string());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json report = Json::parse(run.out);
+    const double shrunk = report["height"].get<double>() / report["thrown_height"].get<double>();
+    EXPECT_NEAR(shrunk, fired ? 0.875 : 1.0, 1e-4) << vessel;
+    EXPECT_EQ(report["glaze"].get<std::string>().empty(), !fired) << vessel;
+  }
+}
+
 TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "in the way";

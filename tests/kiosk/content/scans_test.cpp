@@ -96,7 +96,7 @@ TEST_F(Scans, every_vessel_of_a_set_stands_on_the_shelf_and_what_is_none_does_no
   ASSERT_NE(bowl, nullptr);
   EXPECT_NEAR(bowl->extracted.profile.height(), 0.075, 1e-3);
   for (const auto& p : bowl->mesh.positions) EXPECT_LT(std::abs(p[2]), 0.1f);
-  EXPECT_EQ(check_shelf(folder_ / "shelf").vessels, 3);
+  EXPECT_EQ(check_shelf(folder_ / "shelf").ids.size(), 3u);
 }
 
 TEST_F(Scans, of_a_set_one_is_named_or_all_are_listed) {

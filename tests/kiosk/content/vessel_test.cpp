@@ -105,7 +105,7 @@ TEST_F(VesselTest, check_counts_what_it_saw_and_says_more_than_opening_does) {
   write("shelf/jar/vessel.toml", kToml);
   ShelfCheck good = check_shelf(folder_ / "shelf");
   EXPECT_TRUE(good.problems.empty()) << to_text(good.problems[0]);
-  EXPECT_EQ(good.vessels, 1);
+  EXPECT_EQ(good.ids.size(), 1u);
   EXPECT_EQ(good.files, 2);
   EXPECT_GE(good.keys_checked, 9);
 

@@ -17,7 +17,7 @@ void check_all(int width, int height) {
     v.vessels = shelf.vessels;
     for (content::Vessel& vessel : v.vessels) {
       const double scale = 0.2 / vessel.extracted.profile.height();
-      v.shelf.push_back({&vessel, 7, scaled(vessel.extracted.profile, scale), scale});
+      v.shelf.push_back({&vessel, 7, scaled(vessel.extracted.profile, scale), scale, v.wheel});
     }
     v.width = width;
     v.height = height;
@@ -38,7 +38,8 @@ TEST(Fonts, EveryVesselsLabelIsReadToItsEndInBothLanguages) {
   for (const bool korean : {false, true}) {
     Visitor v(0, &fonts);
     v.vessels = shelf.vessels;
-    for (content::Vessel& vessel : v.vessels) v.shelf.push_back({&vessel, 7, jar(0.08), 0.65});
+    for (content::Vessel& vessel : v.vessels)
+      v.shelf.push_back({&vessel, 7, jar(0.08), 0.65, v.wheel});
     v.width = 1024;
     v.height = 600;
     v.show();

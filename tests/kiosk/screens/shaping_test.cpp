@@ -17,7 +17,7 @@ class Studio {
     auto language = content::Language::read("content/languages/en.toml");
     if (language) languages_.push_back(*language);
     vessel_.labels["en"] = {"Jar", "", "", "", "A jar.", ""};
-    shelf_.push_back({&vessel_, 0, jar(0.08), 1.0});
+    shelf_.push_back({&vessel_, 0, jar(0.08), 1.0, {}});
     VisitWorld world;
     world.exhibit = &exhibit_;
     world.languages = &languages_;
@@ -86,7 +86,7 @@ class Studio {
  private:
   void begin(const StartPot& start) {
     SceneDef def;
-    def.clay = lump_for(shelf_[0].target, def.clay);
+    def.clay = lump_for(shelf_[0].target, def);
     def.clay.rows = 120;
     def.clay.sectors = 96;
     auto scene = Scene::create(def);

@@ -31,6 +31,22 @@ TEST(Visit, AttractThrowsAPotByScriptAndNamesItAtTheEnd) {
   EXPECT_EQ(std::get<StartPot>(next.front()).card, 1);
 }
 
+TEST(Visit, AttractShowsWhatTheClayOfAVesselDoesWithALineOfWordsAndNoName) {
+  Visitor v;
+  for (ShelfCard& card : v.shelf) card.wheel.shown = {"follow", "collapse"};
+  v.frames(1);
+  EXPECT_EQ(std::get<StartPot>(v.requests().front()).script, "follow");
+  v.status.script_done = true;
+  v.frames(8);
+  const auto next = v.requests();
+  ASSERT_EQ(count<StartPot>(next), 1);
+  EXPECT_EQ(std::get<StartPot>(next.front()).script, "collapse");
+  EXPECT_NE(words_in(v.frame).find("a pot falls"), std::string::npos) << words_in(v.frame);
+  v.status.script_done = true;
+  v.frames(2);
+  EXPECT_EQ(words_in(v.frame).find("Just thrown"), std::string::npos);
+}
+
 TEST(Visit, TheFirstTouchCountsWhereverItLands) {
   for (const auto& [x, y] :
        {std::pair(1200.f, 10.f), std::pair(640.f, 360.f), std::pair(5.f, 5.f)}) {

@@ -77,7 +77,13 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln) {
                       korean,
                       ""};
   }
-  for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65});
+  if (kiln) {
+    const auto read = content::read_glazes("content/glazes.toml", {"en", "ko"});
+    EXPECT_TRUE(read.problems.empty());
+    glazes = read.glazes;
+    wheel.kiln = Kiln{0.9375, 0.875, 1.0, &glazes};
+  }
+  for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65, wheel});
   mirror.reset(100, 16, 0.2, 0.01, 0.055, 0.022);
   VisitWorld world;
   world.exhibit = &exhibit;
@@ -86,12 +92,6 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln) {
   world.measure = measure ? measure : &plain;
   world.mirror = &mirror;
   world.potter = &potter;
-  if (kiln) {
-    const auto read = content::read_glazes("content/glazes.toml", {"en", "ko"});
-    EXPECT_TRUE(read.problems.empty());
-    glazes = read.glazes;
-    world.kiln = Kiln{0.9375, 0.875, 1.0, &glazes};
-  }
   visit = std::make_unique<Visit>(world);
   show();
 }

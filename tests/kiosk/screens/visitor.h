@@ -62,6 +62,7 @@ class Visitor {
   std::vector<content::Vessel> vessels;
   std::vector<ShelfCard> shelf;
   std::vector<content::Glaze> glazes;
+  Wheel wheel;  // of every card
   PlainMeasure plain;
   loop::Mirror mirror;
   RecordingPotter potter;

@@ -66,6 +66,8 @@ shelf = "../jars/"
 scene = "scenes/first_touch.toml"
 [title]
 ko = "항아리"
+[attract]
+scripts = ["follow", "collapse"]
 [idle]
 warn_after = 30
 countdown = 20.5
@@ -84,7 +86,8 @@ file_mb = 32
 vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 17);
+  EXPECT_EQ(r.keys_checked, 18);
+  EXPECT_THAT(r.exhibit.attract_scripts, ElementsAre("follow", "collapse"));
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
   EXPECT_EQ(r.exhibit.title, (std::map<std::string, std::string>{{"ko", "항아리"}}));
@@ -102,6 +105,22 @@ vertices = 200000
   EXPECT_EQ(r.exhibit.reader.file_mb, 32);
   EXPECT_EQ(r.exhibit.reader.vertices, 200000);
   EXPECT_EQ(r.exhibit.reader.triangles, ReaderLimits{}.triangles);
+}
+
+TEST_F(ExhibitTest, a_vessel_may_have_a_scene_of_its_own) {
+  std::ofstream(museum_ / "exhibit/scenes/master.toml") << "";
+  const ExhibitRead r = read(R"([vessel_scenes]
+moon_jar = "scenes/master.toml"
+tea_bowl = "scenes/mastre.toml"
+amphora = 3
+)");
+  EXPECT_EQ(
+      r.exhibit.vessel_scenes,
+      (std::map<std::string, fs::path>{{"moon_jar", museum_ / "exhibit/scenes/master.toml"}}));
+  ASSERT_THAT(r.problems, SizeIs(2)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith("exhibit.toml:3:12"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("mastre.toml"));
+  EXPECT_THAT(r.problems[1].where, EndsWith("exhibit.toml:4:11"));
 }
 
 TEST_F(ExhibitTest, all_problems_are_told_at_once_and_good_values_are_kept) {
