@@ -103,6 +103,20 @@ Turn turn_of(const Hull& hull, Vec3 at) noexcept {
   return {base + 0.5 * (low + high), 0.5 * (high - low)};
 }
 
+AxisReach reach_of(const Hull& hull, Vec3 at) noexcept {
+  constexpr double kSlack = 1e-6;  // m: rows and their faces are floats
+  const double away = axis_distance(at);
+  AxisReach reach{1e9, 0.0};
+  for (int n = 0; n < hull.count; ++n) {
+    const Vec3 p = hull.middle[static_cast<std::size_t>(n)];
+    // A point is at least as far from the axis as it is in any one direction.
+    const double along = away > 0.0 ? (p.x * at.x + p.z * at.z) / away : 0.0;
+    reach.nearest = std::min(reach.nearest, along);
+    reach.farthest = std::max(reach.farthest, axis_distance(p));
+  }
+  return {reach.nearest - hull.radius - kSlack, reach.farthest + hull.radius + kSlack};
+}
+
 Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse) noexcept {
   constexpr double kSlack = 1e-6;  // m: outlines are floats
   const double away = length(Vec2{double{o.x}, double{o.z}});
@@ -122,9 +136,11 @@ Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse)
   const Vec2 middle{away, 0.0};
   const Vec2 corner[4] = {middle + a + b, middle + a - b, middle - a - b, middle - a + b};
 
-  // What it spans there ends at corners, or where its sides cross the extent's circle.
   const bool outside = side == WallSide::outside;
   const double limit = outside ? extent + kSlack : std::max(extent - kSlack, 0.0);
+  // Most rows of a tool that is held before the wall end here.
+  if (outside && away - std::fabs(a.x) - std::fabs(b.x) > limit) return {coarse.middle, -1.0};
+  // What it spans there ends at corners, or where its sides cross the extent's circle.
   double low = 1e9;
   double high = -1e9;
   bool behind = false;

@@ -42,6 +42,7 @@ struct Outline {
   float oval_ax = 0, oval_az = 0;  ///< Its half length is the root of this squared and its half
                                    ///< width squared, in this direction.
 
+  bool operator==(const Outline&) const = default;
   /// That holds the section; radius <= 0 where there is none.
   Circle circle() const noexcept;
 };
@@ -60,6 +61,11 @@ struct Block {
 
 /// The angles that a hull spans, seen from the axis; `at` is a point in it.
 Turn turn_of(const Hull& hull, Vec3 at) noexcept;
+/// Bounds of how near the axis a hull comes and how far from it, m; `at` is a point in it.
+struct AxisReach {
+  double nearest = 0.0, farthest = 0.0;
+};
+AxisReach reach_of(const Hull& hull, Vec3 at) noexcept;
 /// The angles between which the section, seen from the axis, lies nearer than `extent` (m; pressing
 /// from outside) or farther (from inside): `coarse`, or narrower where the outline is long and
 /// thin. half < 0: nowhere.

@@ -112,6 +112,7 @@ struct SolidRow {
 struct SolidWindow {
   int first_row = 0, end_row = 0;
   Turn turn;
+  double nearest = 0.0, farthest = 0.0;  // m: nothing of the tool is nearer to the axis, or farther
 };
 
 /// A Shape (press_rows.h) made of a Body.
@@ -126,10 +127,14 @@ struct Solid {
       : body(place, size), heights(body.heights()) {}
 
   SolidWindow window(const Clay& clay, Vec3 at) const {
+    const Hull hull = body.hull();
+    const auto [nearest, farthest] = reach_of(hull, at);
+    // Along the ray of an element that the tool meets at its edge, it is a little nearer.
+    const double half_sector = portable::kPi / clay.sectors();
     // Rows whose middles it misses may still be covered in part.
     return {std::max(clay.first_row_above(heights.low) - 1, 0),
-            std::min(clay.first_row_above(heights.high) + 1, clay.rows()),
-            turn_of(body.hull(), at)};
+            std::min(clay.first_row_above(heights.high) + 1, clay.rows()), turn_of(hull, at),
+            nearest * (1.0 - 0.5 * half_sector * half_sector), farthest};
   }
 
   template <WallSide side>
@@ -160,6 +165,10 @@ struct Solid {
       row.share = static_cast<float>((high - low) / (2.0 * half));
       radius[k] = -1.0f;
       if (high <= low) continue;
+      extent[k] = side == WallSide::outside ? clay.outer_most(j) : clay.inner_least(j);
+      if (side == WallSide::outside ? window.nearest > double{extent[k]}
+                                    : window.farthest < double{extent[k]})
+        continue;
       row.y = 0.5 * (low + high);
       row.outline = body.outline(row.y);
       const Circle circle = row.outline.circle();
@@ -175,14 +184,28 @@ struct Solid {
       radius[k] = static_cast<float>(circle.radius);
       tangent[k] = static_cast<float>(cross_section(away, circle.radius));
       tangent[k] = tangent[k] > 0.0f ? tangent[k] : 0.0f;
-      extent[k] = side == WallSide::outside ? clay.outer_most(j) : clay.inner_least(j);
     }
     float half[kLanes];
     store(half_window<side>(load(distance), load(radius), load(tangent), load(extent)), half);
+    // Rows where an upright tool is cut alike are given the angles of the one that it reaches
+    // farthest, and worked out once: an element more there costs less than its own arc tangents.
+    int like = -1;
+    Turn both;
     for (int k = 0; k < count; ++k) {
       if (radius[k] <= 0.0f || half[k] < 0.0f) continue;
-      const Turn both = turn_of(rows[k].outline, side, double{extent[k]},
-                                overlap({angle[k], double{half[k]}}, window.turn));
+      if (like < 0 || !(rows[k].outline == rows[like].outline)) {
+        like = k;
+        double most = double{extent[k]};
+        double widest = double{half[k]};
+        for (int n = k + 1; n < count; ++n) {
+          if (radius[n] <= 0.0f || half[n] < 0.0f || !(rows[n].outline == rows[k].outline))
+            continue;
+          most = side == WallSide::outside ? std::max(most, double{extent[n]})
+                                           : std::min(most, double{extent[n]});
+          widest = std::max(widest, double{half[n]});
+        }
+        both = turn_of(rows[k].outline, side, most, overlap({angle[k], widest}, window.turn));
+      }
       if (both.half < 0.0) continue;
       const double per_radian = clay.sectors() / (2.0 * portable::kPi);
       const double middle = both.middle * per_radian - 0.5;

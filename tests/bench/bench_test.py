@@ -11,7 +11,8 @@ import subprocess
 import sys
 
 GOALS = ["ratio_paper_400x360", "ratio_paper_6400x2880", "ratio_floor", "p999_us_6400x2880",
-         "ratio_untouched_rows", "bytes_per_element_paper_scene"]
+         "p999_us_400x360_first_touch", "p999_us_400x360_studio", "p999_us_400x360_master",
+         "p999_us_6400x2880_studio", "asleep_ns_none", "ratio_untouched_rows", "bytes_per_element_paper_scene"]
 OF_EACH_SCRIPT = ["median_ns", "p99_ns", "p999_ns", "worst_ns"]
 GRIDS = ["400x360", "1600x720", "6400x2880"]
 

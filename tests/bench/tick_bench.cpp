@@ -10,6 +10,7 @@
 
 #include "tests/bench/goals.h"
 #include "tests/bench/measuring.h"
+#include "tests/bench/throwing.h"
 
 namespace onggi::bench {
 namespace {
@@ -98,6 +99,9 @@ void declare(Effort effort) {
            benchmark::kMicrosecond);
     }
   goal("goal/p999", [=] { return tail_on_the_finest_grid(effort); });
+  goal("goal/presets", [=] { return preset_tails(effort); });
+  goal("goal/finest_studio", [=] { return finest_studio(effort); });
+  goal("goal/asleep", [=] { return asleep(effort); });
   goal("goal/paper_400x360", [=] { return paper_ratio(400, 360, effort); });
   goal("goal/paper_6400x2880", [=] { return paper_ratio(6400, 2880, effort); });
   goal("goal/floor", [=] { return floor_ratio(effort); });

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "engine/effects/kiln.h"
 #include "engine/effects/wobble.h"
 #include "engine/math/portable.h"
 #include "engine/scene/scene.h"
@@ -167,6 +168,45 @@ void wobble() {
   }
 }
 
+// A cylinder opened with one finger, until a ring is wider than the scene lets it be. Seen as what
+// the finger feels.
+void tearing() {
+  for (const bool with : {false, true}) {
+    SceneDef def = bare();
+    def.clay.rows = 200;
+    def.clay.sectors = 180;
+    def.clay.inner_radius = 0.045;
+    def.clay.wall_min = 0.002;
+    def.volume.emplace();
+    def.walls = WallsDef{.tear_strain = with ? 0.3 : 0.0};
+    Scene scene = made(def);
+    const auto opened = [](double t) { return 0.035 + 0.001 * std::clamp(t - 1.0, 0.0, 30.0); };
+    double sum = 0.0;
+    double radius = 0.0;
+    int ticks = 0;
+    for (int n = 0; n < 26000; ++n) {
+      const double t = 0.001 * n;
+      Hands hands = nothing(18.0);
+      hands.hand[0] = {{opened(t), 0.1, 0}, true, SideWish::inside};
+      sum += length(scene.step(hands, 0.001).hand[0].force);
+      radius += opened(t) + def.tool.radius;
+      if (++ticks < 250) continue;
+      point("tearing", with ? "with" : "without", 1e3 * radius / ticks, sum / ticks);
+      sum = radius = 0.0;
+      ticks = 0;
+    }
+  }
+}
+
+void kiln() {
+  for (const ClayBody& body : clay_bodies()) {
+    const KilnDef def{body.drying_shrinkage, body.firing_shrinkage};
+    for (double step = 0.0; step <= 2.001; step += 0.05)
+      point("kiln", std::string(body.name), step,
+            100.0 * size_after(def, {std::min(step, 1.0), std::max(step - 1.0, 0.0)}));
+  }
+}
+
 void slump() {
   for (const double height : {0.25, 0.45, 0.5, 0.6}) {
     SceneDef def = bare();
@@ -212,5 +252,7 @@ int main(int argc, char** argv) {
   smoothing();
   wobble();
   slump();
+  tearing();
+  kiln();
   return std::fclose(out) == 0 ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 # What each effect does: gnuplot -c effects.gp STYLE effects.csv OUT.svg
 load ARG1
 data = ARG2
-eval svg(960, 620)
+eval svg(1150, 620)
 set output ARG3
 of(effect, series, value) = strcol("effect") eq effect && strcol("series") eq series ? value : NaN
 clay = "#A8643C"
@@ -12,8 +12,8 @@ set xlabel offset 0,0.5 font "sans-serif,12" textcolor rgb ink
 set tics font "sans-serif,11"
 
 set multiplot
-left(n) = 0.06 + 0.245 * n
-place = "set lmargin at screen left(%d); set rmargin at screen left(%d) + 0.175; set tmargin at screen %.3f; set bmargin at screen %.3f"
+left(n) = 0.045 + 0.197 * n
+place = "set lmargin at screen left(%d); set rmargin at screen left(%d) + 0.145; set tmargin at screen %.3f; set bmargin at screen %.3f"
 panel(n, low, words) = sprintf(place, n, n, low ? 0.40 : 0.90, low ? 0.10 : 0.60) . sprintf("; set title '%s' font 'sans-serif,13' textcolor rgb ink offset 0,-0.5", words)
 
 eval panel(0, 0, "friction, N")
@@ -80,4 +80,21 @@ plot data using (of("slump", "60 cm", column("x"))):"y" with lines title "60 cm"
      data using (of("slump", "50 cm", column("x"))):"y" with lines title "50 cm" linecolor rgb clay linewidth 1.5 dashtype 2, \
      data using (of("slump", "45 cm", column("x"))):"y" with lines title "45 cm" linecolor rgb published linewidth 2, \
      data using (of("slump", "25 cm", column("x"))):"y" with lines title "25 cm" linecolor rgb water linewidth 2
+
+eval panel(4, 0, "walls that tear, N felt")
+set xlabel "mm, opened to"
+set xrange [43:70]
+set xtics 10
+set yrange [0:0.34]
+plot data using (of("tearing", "without", column("x"))):"y" with lines title "never" linecolor rgb published linewidth 2, \
+     data using (of("tearing", "with", column("x"))):"y" with lines title "strain 0.3" linecolor rgb clay linewidth 2
+
+eval panel(4, 1, "kiln, % of the size")
+set xlabel "dried, then fired"
+set xrange [0:2]
+set xtics ("thrown" 0, "dry" 1, "fired" 2)
+set yrange [80:104]
+plot data using (of("kiln", "earthenware", column("x"))):"y" with lines title "earthenware" linecolor rgb clay linewidth 2, \
+     data using (of("kiln", "stoneware", column("x"))):"y" with lines title "stoneware" linecolor rgb published linewidth 2, \
+     data using (of("kiln", "porcelain", column("x"))):"y" with lines title "porcelain" linecolor rgb water linewidth 2
 unset multiplot
