@@ -146,29 +146,35 @@ Result<void> effects(const Arguments& arguments) {
   }
   const bool count = !arguments.quick && is_there("valgrind");
   std::vector<EffectPrice> prices;
-  std::printf("A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n",
-              arguments.rows, arguments.sectors);
-  std::printf("%-22s %10s %10s %10s %12s %12s\n", "", "median", "p99.9", "asleep", "bytes",
-              count ? "instructions" : "");
+  const bool to_output = arguments.json == "-";
+  FILE* table = to_output ? stderr : stdout;
+  std::fprintf(table, "A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n",
+               arguments.rows, arguments.sectors);
+  std::fprintf(table, "%-22s %10s %10s %10s %12s %12s\n", "", "median", "p99.9", "asleep", "bytes",
+               count ? "instructions" : "");
   for (const PricedScene& scene : *scenes) {
     auto price = price_of(scene);
     if (!price) return tl::unexpected(price.error());
     if (count) price->instructions = counted(arguments, scene.name);
     if (!prices.empty()) price->bytes -= prices.front().bytes;
-    std::printf("%-22s %7.0f ns %7.0f ns %7.0f ns %12lld", price->name.c_str(), price->median_ns,
-                price->p999_ns, price->asleep_ns, static_cast<long long>(price->bytes));
+    std::fprintf(table, "%-22s %7.0f ns %7.0f ns %7.0f ns %12lld", price->name.c_str(),
+                 price->median_ns, price->p999_ns, price->asleep_ns,
+                 static_cast<long long>(price->bytes));
     if (price->instructions > 0)
-      std::printf(" %12lld", static_cast<long long>(price->instructions));
-    std::printf("\n");
-    std::fflush(stdout);
+      std::fprintf(table, " %12lld", static_cast<long long>(price->instructions));
+    std::fprintf(table, "\n");
+    std::fflush(table);
     prices.push_back(std::move(*price));
   }
   if (!count)
-    std::printf("Instructions are not counted: %s.\n",
-                arguments.quick ? "--quick" : "valgrind is not here");
+    std::fprintf(table, "Instructions are not counted: %s.\n",
+                 arguments.quick ? "--quick" : "valgrind is not here");
   if (!arguments.json.empty()) {
     const std::string text = json_of(prices, arguments).dump(2) + "\n";
-    if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
+    if (to_output)
+      std::fputs(text.c_str(), stdout);
+    else if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text)));
+             !good)
       return good;
   }
   return arguments.plot.empty() ? Result<void>() : plot(prices, arguments);
@@ -186,7 +192,7 @@ void add_lab(CLI::App& app, int& exit_code) {
   command->footer(
       "Example: onggi lab effects --json prices.json --plot prices.png\n"
       "Bytes are those beyond the base scene's. Instructions are of a tick, under valgrind.");
-  command->add_option("--json", arguments->json, "Write the list as JSON");
+  command->add_option("--json", arguments->json, "Write the list as JSON (- for standard output)");
   command->add_option("--plot", arguments->plot, "Draw it into this PNG or SVG, with gnuplot");
   auto grid = std::make_shared<std::string>("400x360");
   command->add_option("--grid", *grid, "ROWSxSECTORS")->capture_default_str();

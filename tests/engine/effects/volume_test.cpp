@@ -93,9 +93,6 @@ TEST(Volume, AHundredRowsPressedDownAtOnceGetTheirGirthTickByTickAndAllOfIt) {
     EXPECT_LE(now - widened, 8) << tick;
     EXPECT_GT(now, widened) << tick;
     widened = now;
-    // While they wait, more is pressed together above than below: nobody waits for ever.
-    if (tick == 3)
-      for (int j = 100; j < 110; ++j) clay.areas()->mark(j);
   }
   EXPECT_EQ(widened, 100);
   EXPECT_NEAR(clay.volume() / total, 1.0, 1e-6);

@@ -61,6 +61,14 @@ TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
             "studio.toml; all; ");
 }
 
+TEST(Lab, ThePriceListGoesToStandardOutputWhereThatIsAskedFor) {
+  const Outcome run = onggi("lab effects --quick --grid 60x48 --json -");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out).at("prices").size(), 15u);
+  EXPECT_NE(run.err.find("p99.9"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
 TEST(Lab, AGridThatIsNoneIsTheInputsFault) {
   EXPECT_EQ(onggi("lab effects --grid 60").exit_code, 2);
   EXPECT_EQ(onggi("lab effects --grid 2x2 --quick").exit_code, 2);
