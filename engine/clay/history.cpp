@@ -6,7 +6,8 @@
 namespace onggi {
 namespace {
 
-constexpr int kElementsATick = 8192;
+constexpr int kElementsATick = 2048;  // a fifth of what a tick may cost
+constexpr int kLeastRowsATick = 2;
 constexpr std::size_t kMostSteps = 256;
 
 bool has(const std::vector<std::uint64_t>& bits, int j) {
@@ -87,7 +88,7 @@ bool History::keep_up(Clay& clay, int rows) noexcept {
 }
 
 void History::follow(Clay& clay, bool touching, double seconds) noexcept {
-  keep_up(clay, rows_of(kElementsATick));
+  keep_up(clay, std::max(kLeastRowsATick, rows_of(kElementsATick)));
   clear_ = touching ? 0.0 : clear_ + seconds;
   const bool empty = steps_.back().first == next_;
   lasted_ = empty ? 0.0 : lasted_ + seconds;

@@ -14,7 +14,9 @@ struct PricedScene {
   SceneDef def;
 };
 
-/// What a tick of it costs, over one run of the script "pull_tall".
+/// What a tick of it costs, over the script "pull_tall". It is played several times, every time the
+/// same to the bit, and of each tick the least of its times counts: what the machine did besides is
+/// not in it, and a slow tick is.
 struct EffectPrice {
   std::string name;
   double median_ns = 0.0, p999_ns = 0.0;  ///< Of ticks in which a hand pressed clay; the
@@ -28,9 +30,9 @@ struct EffectPrice {
 /// the default lump on `rows` x `sectors`. base is the first.
 std::vector<PricedScene> priced_scenes(int rows, int sectors);
 
-/// Plays the script on it. Not for the 1 kHz thread. Problem where the scene is none, or too little
-/// was touched to say.
-Result<EffectPrice> price_of(const PricedScene& priced);
+/// Plays the script on it, `passes` times (at least one). Not for the 1 kHz thread. Problem where
+/// the scene is none, or too little was touched to say.
+Result<EffectPrice> price_of(const PricedScene& priced, int passes);
 
 /// Plays as far as the script's contact and then 200 ticks within a function that callgrind can
 /// find: onggi_priced_ticks.

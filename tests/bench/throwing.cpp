@@ -48,7 +48,6 @@ std::vector<Preset> presets(int rows, int sectors) {
     }
     read.def.clay.rows = rows;
     read.def.clay.sectors = sectors;
-    read.def.clay.keep_undo = false;
     out.push_back({name, std::move(read.def)});
   }
   return out;

@@ -12,7 +12,7 @@ namespace onggi::bench {
 /// A scene of config/scenes that visitors throw in.
 struct Preset {
   std::string name;  ///< "studio"
-  SceneDef def;      ///< On the grid asked for, without undo.
+  SceneDef def;      ///< On the grid asked for.
 };
 /// first_touch, studio and master of config/scenes below the working directory. Ends the program
 /// where one cannot be read.

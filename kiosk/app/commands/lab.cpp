@@ -26,14 +26,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kPasses = 3;
+
 struct Arguments {
   std::string json, plot, count;
   int rows = 400, sectors = 360;
   bool quick = false;
 };
 
-// The list of priced_scenes(), and before its last the presets that lie in config/scenes. The
-// printed model has no effects, and is left out.
+// The list of priced_scenes(), and before its last the presets that lie in config/scenes.
 Result<std::vector<PricedScene>> all_scenes(const Arguments& arguments) {
   std::vector<PricedScene> scenes = priced_scenes(arguments.rows, arguments.sectors);
   const auto root = program_root();
@@ -47,7 +48,6 @@ Result<std::vector<PricedScene>> all_scenes(const Arguments& arguments) {
   for (const auto& file : files) {
     settings::SceneRead read = settings::read_scene(file);
     if (!read.problems.empty()) return tl::unexpected(read.problems.front());
-    if (read.def.paper) continue;
     read.def.clay.rows = arguments.rows;
     read.def.clay.sectors = arguments.sectors;
     scenes.push_back({file.filename().string(), std::move(read.def)});
@@ -153,7 +153,7 @@ Result<void> effects(const Arguments& arguments) {
   std::fprintf(table, "%-22s %10s %10s %10s %12s %12s\n", "", "median", "p99.9", "asleep", "bytes",
                count ? "instructions" : "");
   for (const PricedScene& scene : *scenes) {
-    auto price = price_of(scene);
+    auto price = price_of(scene, arguments.quick ? 1 : kPasses);
     if (!price) return tl::unexpected(price.error());
     if (count) price->instructions = counted(arguments, scene.name);
     if (!prices.empty()) price->bytes -= prices.front().bytes;
