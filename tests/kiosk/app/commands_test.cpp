@@ -82,11 +82,8 @@ TEST(Check, TheExhibitThatComesWithTheProgramIsGood) {
 
 TEST(Check, AScriptThatAttractModeDoesNotShowIsNamedWithThoseThatItDoes) {
   const TemporaryFolder folder;
-  const std::string here = std::filesystem::current_path().string();
-  const std::string file = (folder / "exhibit.toml").string();
-  std::ofstream(file) << "shelf = \"" << here << "/content/vessels\"\nscene = \"" << here
-                      << "/config/scenes/studio.toml\"\nglazes = \"" << here
-                      << "/content/glazes.toml\"\n[attract]\nscripts = [\"follow\", \"colapse\"]\n";
+  const std::string file =
+      write_exhibit(folder, "studio", "[attract]\nscripts = [\"follow\", \"colapse\"]\n");
   const Outcome run = onggi("check " + file);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("exhibit.toml:5:22"), std::string::npos) << run.err;
@@ -95,12 +92,10 @@ TEST(Check, AScriptThatAttractModeDoesNotShowIsNamedWithThoseThatItDoes) {
 
 TEST(Check, ASceneForAVesselThatIsNotOnTheShelfIsNamedWithTheNearestThatIs) {
   const TemporaryFolder folder;
-  const std::string here = std::filesystem::current_path().string();
-  const std::string file = (folder / "exhibit.toml").string();
-  std::ofstream(file) << "shelf = \"" << here << "/content/vessels\"\nscene = \"" << here
-                      << "/config/scenes/studio.toml\"\nglazes = \"" << here
-                      << "/content/glazes.toml\"\n[vessel_scenes]\nmoonjar = \"" << here
-                      << "/config/scenes/master.toml\"\n";
+  const std::string file =
+      write_exhibit(folder, "studio",
+                    "[vessel_scenes]\nmoonjar = \"" + std::filesystem::current_path().string() +
+                        "/config/scenes/master.toml\"\n");
   const Outcome run = onggi("check " + file);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("exhibit.toml:5:"), std::string::npos) << run.err;

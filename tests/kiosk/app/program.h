@@ -42,6 +42,19 @@ inline std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Writes `folder`/exhibit.toml: the project's shelf, glazes and the scene `scene`, on one line
+/// each, and then `more`, from line 4 on. Gives the file's name.
+inline std::string write_exhibit(const TemporaryFolder& folder, const std::string& scene,
+                                 const std::string& more) {
+  const std::string here = std::filesystem::current_path().string();
+  const std::string file = (folder / "exhibit.toml").string();
+  std::ofstream(file) << "shelf = \"" << here << "/content/vessels\"\nglazes = \"" << here
+                      << "/content/glazes.toml\"\nscene = \"" << here << "/config/scenes/" << scene
+                      << ".toml\"\n"
+                      << more;
+  return file;
+}
+
 /// Runs `onggi ARGUMENTS` through the shell, with no display of anyone's, after the shell's
 /// `first`.
 inline Outcome onggi(const std::string& arguments, const std::string& first = "true") {

@@ -51,11 +51,8 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
 
 TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
   const TemporaryFolder folder;
-  const std::string here = fs::current_path().string();
-  const std::string file = (folder / "exhibit.toml").string();
-  std::ofstream(file) << "shelf = \"" << here << "/content/vessels\"\nscene = \"" << here
-                      << "/config/scenes/first_touch.toml\"\nglazes = \"" << here
-                      << "/content/glazes.toml\"\n[vessel_scenes]\ntea_bowl = \"unfired.toml\"\n";
+  const std::string file =
+      write_exhibit(folder, "first_touch", "[vessel_scenes]\ntea_bowl = \"unfired.toml\"\n");
   std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
   for (const auto& [vessel, fired] : {std::pair{"tea_bowl", false}, {"moon_jar", true}}) {
     const Outcome run =
