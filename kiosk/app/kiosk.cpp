@@ -136,7 +136,7 @@ bool Kiosk::frame(double now, bool draw) {
 
   std::vector<view::RowUpdate> rows;
   potter_->collect([&rows](const loop::RowChannel::Row& row) {
-    rows.push_back({row.row, row.radii, view::RowPlace{row.middle, row.rim, row.floor}});
+    rows.push_back({row.row, row.radii, view::RowPlace{row.middle, row.rim, row.floor}, row.torn});
   });
   if (!rows.empty()) renderer_->update_rows(rows);
   note_saved();

@@ -42,7 +42,11 @@ const SceneDef& Scenes::of(const std::string& id) const {
 
 screens::Wheel Scenes::wheel_of(const std::string& id) const {
   const SceneDef& def = of(id);
-  screens::Wheel wheel{def.wheel.max_speed, def.tool.radius, std::nullopt, {}};
+  screens::Wheel wheel{def.wheel.max_speed,
+                       def.tool.radius,
+                       std::nullopt,
+                       {},
+                       def.walls ? def.walls->tear_thickness : 0.0};
   for (const std::string& script : attract_scripts_)
     if (script == "follow" || throwing_shows(script, def)) wheel.shown.push_back(script);
   if (wheel.shown.empty()) wheel.shown.push_back("follow");

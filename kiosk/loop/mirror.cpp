@@ -16,6 +16,7 @@ void Mirror::reset(int rows, int sectors, double height, double floor_height, do
                    double inner) {
   rows_ = rows;
   wet_.clear();
+  torn_.assign(static_cast<std::size_t>(rows), false);
   sectors_ = sectors;
   height_ = height;
   floor_height_ = floor_height;
@@ -49,6 +50,23 @@ void Mirror::stack(int row, double middle, double rim, double floor) {
   middle_[static_cast<std::size_t>(row)] = middle;
   height_ = rim;
   floor_height_ = floor;
+}
+
+void Mirror::tear(int row, bool torn) {
+  if (row >= 0 && row < rows_) torn_[static_cast<std::size_t>(row)] = torn;
+}
+
+std::optional<double> Mirror::torn_wall() const {
+  std::optional<double> thinnest;
+  const auto sectors = static_cast<std::size_t>(sectors_);
+  for (std::size_t r = 0; r < torn_.size(); ++r) {
+    if (!torn_[r]) continue;
+    for (std::size_t at = r * sectors; at < (r + 1) * sectors; ++at) {
+      const double wall = double{outer_[at]} - double{inner_[at]};
+      if (!thinnest || wall < *thinnest) thinnest = wall;
+    }
+  }
+  return thinnest;
 }
 
 Profile Mirror::profile() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,8 @@ class Mirror {
   void moisten(std::vector<float> wet) { wet_ = std::move(wet); }
   /// Where the middle of a row now is, and the rim and the floor, metres.
   void stack(int row, double middle, double rim, double floor);
+  /// The row is torn, or whole.
+  void tear(int row, bool torn);
 
   int rows() const { return rows_; }
   int sectors() const { return sectors_; }
@@ -29,6 +33,10 @@ class Mirror {
   const std::vector<float>& inner() const { return inner_; }
   /// 0 dry .. 1 dripping, at even heights from foot to rim; empty where the pot is wet all alike.
   const std::vector<float>& wet() const { return wet_; }
+  bool torn(int row) const { return torn_[static_cast<std::size_t>(row)]; }
+  /// How thin the wall is where the torn rows are thinnest, metres; nothing where none is torn.
+  /// O(torn rows x sectors).
+  std::optional<double> torn_wall() const;
   Profile profile() const;
   /// Mean radius of a face at height `h` (clamped), metres.
   double radius_at(double h, WallSide side) const;
@@ -38,6 +46,7 @@ class Mirror {
   double height_ = 0, floor_height_ = 0;
   std::vector<float> outer_, inner_, wet_;
   std::vector<double> mean_outer_, mean_inner_, middle_;
+  std::vector<bool> torn_;
 };
 
 }  // namespace onggi::loop

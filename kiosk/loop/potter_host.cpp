@@ -115,6 +115,7 @@ int PotterHost::collect(const std::function<void(const RowChannel::Row&)>& chang
   while (RowChannel::Row* row = current_->rows.take()) {
     mirror_.apply(row->row, row->radii);
     mirror_.stack(row->row, row->middle, row->rim, row->floor);
+    mirror_.tear(row->row, row->torn);
     if (changed) changed(*row);
     current_->rows.give_back(row);
     ++count;

@@ -41,6 +41,7 @@ void RowChannel::publish(Scene& scene, int most) noexcept {
     buffer->middle = scene.clay().row_height(j);
     buffer->rim = scene.clay().rim_height();
     buffer->floor = scene.clay().floor_top();
+    buffer->torn = scene.torn(j);
     const std::size_t bytes = static_cast<std::size_t>(sectors_) * sizeof(float);
     std::memcpy(buffer->radii.data(), scene.clay().outer(j).data(), bytes);
     std::memcpy(buffer->radii.data() + sectors_, scene.clay().inner(j).data(), bytes);

@@ -19,6 +19,7 @@ class RowChannel {
     int row = 0;
     double middle = 0;          ///< Height of the row's middle, metres.
     double rim = 0, floor = 0;  ///< Of the clay as the row was copied: its height, and its floor's.
+    bool torn = false;          ///< Scene::torn().
     std::vector<float> radii;   ///< `sectors` outer, then `sectors` inner, metres.
   };
 

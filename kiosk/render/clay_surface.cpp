@@ -31,6 +31,7 @@ void ClaySurface::set_grid(const view::GridShape& shape) {
                                            static_cast<float>(shape.height) /
                                            static_cast<float>(rows_);
   stacked_ = false;
+  tears_.reset(rows_, row_step_);
   fill(shape.lump_outer, shape.lump_inner);
 }
 
@@ -58,6 +59,7 @@ void ClaySurface::update(std::span<const view::RowUpdate> rows) {
   const auto whole = static_cast<std::size_t>(shape_.sectors);
   for (const view::RowUpdate& row : rows) {
     if (row.row < 0 || row.row >= shape_.rows || row.radii.size() != 2 * whole) continue;
+    tears_.note(row.row, row.torn);
     if (row.row % row_step_ != 0 || row.row / row_step_ >= rows_) continue;
     const int j = row.row / row_step_;
     const float* outer = row.radii.data();
@@ -132,7 +134,9 @@ float ClaySurface::lip() const {
 
 bool ClaySurface::refresh(Texture& levels_texture) {
   if (!changed_ || rows_ < 2) return false;
-  if (!stacked_) stack();
+  const bool moved = !stacked_;
+  if (moved) stack();
+  tears_.refresh(middle_, static_cast<float>(shape_.height), moved);
   int solid = 0;
   while (solid < rows_ && mean_inner_[static_cast<std::size_t>(solid)] == 0.0f) ++solid;
   first_wall_row_ = (static_cast<float>(solid) + 0.5f) / static_cast<float>(rows_);

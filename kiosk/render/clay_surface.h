@@ -5,6 +5,7 @@
 
 #include "kiosk/render/gl.h"
 #include "kiosk/render/levels.h"
+#include "kiosk/render/tears.h"
 #include "kiosk/view/rows.h"
 
 namespace onggi::render {
@@ -32,6 +33,8 @@ class ClaySurface {
   const Texture& row_at() const { return row_at_; }
   /// The lowest row that is no floor, as a share of the radius textures.
   float first_wall_row() const { return first_wall_row_; }
+  /// Which rings are torn.
+  const Tears& tears() const { return tears_; }
   /// Radius of the rim's edges, from its mean thickness, m.
   float lip() const;
   const Levels& levels() const { return levels_; }
@@ -50,6 +53,7 @@ class ClaySurface {
   std::vector<float> mean_outer_, mean_inner_, scratch_, middle_, heights_;
   float first_wall_row_ = 0;
   Levels levels_;
+  Tears tears_;
   bool changed_ = false, stacked_ = false, seen_ = false;
 };
 

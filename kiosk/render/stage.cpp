@@ -25,7 +25,10 @@ constexpr std::array<Wall, 3> kWalls{{{72, 112, 280.0f}, {96, 192, 900.0f}, {192
 
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
-              kRowAt = 6, kWetRows = 7;
+              kRowAt = 6, kWetRows = 7, kTornAt = 8;
+
+// Parts of clay.glsl that tear: outer wall, lip, inner wall, section of the wall.
+constexpr bool kTears[] = {true, true, true, false, false, true};
 
 // As linear light.
 const glm::vec3 kSlip(0.30f, 0.185f, 0.125f);
@@ -76,12 +79,12 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   std::unique_ptr<Stage> stage(new Stage);
   Result<void> fine;
   const auto make = [&fine](Program& into, const char* name, const char* text, bool lit, int part,
-                            std::size_t skin) {
+                            std::size_t skin, bool torn = false) {
     if (!fine) return;
-    const std::string which =
-        "#define PART " + std::to_string(part) + "\n#define SKIN " + std::to_string(skin) + "\n";
-    auto made =
-        Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text});
+    const std::string which = "#define PART " + std::to_string(part) + "\n#define SKIN " +
+                              std::to_string(skin) + (torn ? "\n#define TORN\n" : "\n");
+    auto made = Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text,
+                                       torn ? k_torn_glsl : ""});
     if (made) {
       into = std::move(*made);
     } else {
@@ -90,8 +93,11 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   };
   for (int part = 0; part < 6; ++part) {
     const auto p = static_cast<std::size_t>(part);
-    for (std::size_t skin = 0; skin < stage->clay_programs_.size(); ++skin)
+    for (std::size_t skin = 0; skin < stage->clay_programs_.size(); ++skin) {
       make(stage->clay_programs_[skin][p], "clay", k_clay_glsl, true, part, skin);
+      if (kTears[part])
+        make(stage->torn_programs_[skin][p], "torn clay", k_clay_glsl, true, part, skin, true);
+    }
   }
   for (const int part : {0, 1}) {
     const auto p = static_cast<std::size_t>(part);
@@ -219,7 +225,15 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
   // 3. The clay, then the tools, which fade into the air.
   glEnable(GL_DEPTH_TEST);
-  if (shown) draw_clay(pot, clip, pixel);
+  if (shown) {
+    // The edges of a tear are in the middle of triangles, where only alpha can smooth them.
+    const bool soft = clay_.tears().any() && quality.samples > 0;
+    for (const GLenum smooth : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
+      if (soft) glEnable(smooth);
+    draw_clay(pot, clip, pixel, soft);
+    for (const GLenum smooth : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
+      if (soft) glDisable(smooth);
+  }
   draw_tools(pot, clip);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
@@ -247,8 +261,15 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
                                float pixel) {
   const view::GridShape& shape = clay_.shape();
   const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
-  const Program& program = clay_programs_[ClaySkin::of(pot)][static_cast<std::size_t>(part)];
+  const bool torn = clay_.tears().any() && kTears[part];
+  const Program& program =
+      (torn ? torn_programs_ : clay_programs_)[ClaySkin::of(pot)][static_cast<std::size_t>(part)];
   program.use();
+  if (torn) {
+    clay_.tears().texture().bind(kTornAt);
+    program.set("torn_at", kTornAt);
+    program.set("soft_edges", 0.0f);
+  }
   set_light(program, pot.camera, clay_levels_);
   // All is computed at the thrown size; a pot that has shrunk is seen from as much farther away.
   const auto size = static_cast<float>(std::clamp(pot.size, 0.5, 1.0));
@@ -278,14 +299,14 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   return program;
 }
 
-void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel) {
+void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft) {
   const auto tall = static_cast<float>(clay_.shape().height) / pixel;
   std::size_t size = 0;
   while (tall > kWalls[size].most_pixels) ++size;
   // Less is seen of the inside: the next coarser mesh does.
   const Mesh* parts[] = {&walls_[size], &lip_, &walls_[size > 0 ? size - 1 : 0], &floor_};
   for (int part = 0; part < 4; ++part) {
-    use_clay(part, pot, clip, pixel);
+    use_clay(part, pot, clip, pixel).set("soft_edges", soft ? 1.0f : 0.0f);
     parts[part]->draw();
   }
   if (pot.cut_away <= 0.001) return;
@@ -294,6 +315,7 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   const float front = front_of(pot.camera);
   for (const int part : {4, 5}) {
     const Program& program = use_clay(part, pot, clip, pixel);
+    program.set("soft_edges", soft ? 1.0f : 0.0f);
     for (const float face : {front, front - 0.5f * kPi * open}) {
       program.set("face_angle", face);
       section_.draw();

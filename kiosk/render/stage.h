@@ -45,7 +45,7 @@ class Stage {
   void draw_ground(const glm::mat4& clip, bool wheel, float foot, float strength,
                    glm::vec2 faded_size = glm::vec2(0.0f));
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
-  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel);
+  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_tools(const view::PotView& pot, const glm::mat4& clip);
   const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
@@ -53,8 +53,8 @@ class Stage {
   Studio studio_;
   ClaySurface clay_;
   ClaySkin skin_;
-  std::array<std::array<Program, 6>, ClaySkin::kSkins>
-      clay_programs_;  // by skin and part of clay.glsl
+  std::array<std::array<Program, 6>, ClaySkin::kSkins> clay_programs_,
+      torn_programs_;  // by skin and part of clay.glsl; only walls and lips tear
   std::array<Program, 2> wheel_programs_, solid_programs_;
   Program shadow_program_, ground_program_, plaster_program_;
   std::array<Mesh, 3> walls_;

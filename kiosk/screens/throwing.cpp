@@ -3,6 +3,7 @@
 
 #include "kiosk/screens/hand.h"
 #include "kiosk/screens/hint.h"
+#include "kiosk/screens/mishap.h"
 #include "kiosk/screens/screen.h"
 #include "kiosk/screens/stage.h"
 
@@ -29,7 +30,7 @@ class Throwing final : public Screen {
         speed_(std::min(kFirstSpeed, d.wheel().max_speed)) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
-    return !menu_ ? "" : fallen_ ? "throw.restore" : "throw.done";
+    return !menu_ ? "" : mishap_ ? "throw.restore" : "throw.done";
   }
 
   void update(double dt) override {
@@ -39,7 +40,7 @@ class Throwing final : public Screen {
       send_wheel();
       desk.world.potter->water(water_);
     }
-    look_whether_it_stands();
+    look_for_mishaps();
     const ShelfCard* card = desk.shelf_card(desk.card);
     const Profile* target = card != nullptr ? &card->target : nullptr;
     stage_.update(desk, dt, target, cut_, hand_.grabbed());
@@ -62,7 +63,7 @@ class Throwing final : public Screen {
     camera_ = stage_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
       draw_ghost(page, camera_, card->target, stage_.made());
-      if (const auto& press = hint_.shown().press; press && !hand_.grabbed())
+      if (const auto& press = hint_.shown().press; press && !hand_.grabbed() && !mishap_)
         draw_press(page, camera_, card->target, press->height, press->inward);
     }
     const TypeScale& t = page.type();
@@ -74,7 +75,7 @@ class Throwing final : public Screen {
 
     column.text(desk.label(desk.card).title, t.body, Face::serif, view::kFaintInk);
     column.space(t.gap * 0.5f);
-    if (fallen_) return lay_out_fall(column, t);
+    if (mishap_) return lay_out_mishap(column, t);
     // The longest hint's room is kept, so that the controls never move under a finger.
     const auto style = page.style(Face::sans, t.lead);
     const view::Rect room = column.rest();
@@ -106,7 +107,7 @@ class Throwing final : public Screen {
       desk.world.potter->renew();
     } else if (control == "throw.restore") {
       let_go();
-      desk.world.potter->restore();
+      mishap_.go_back(desk);
     } else if (control == "throw.done") {
       finish();
     }
@@ -136,6 +137,7 @@ class Throwing final : public Screen {
     switch (e.kind) {
       case InputEvent::Kind::pointer_down:
         if (page.where().words.contains(e.x, e.y)) return;
+        mishap_.stay();
         hand_.grab(at, *desk.world.mirror, face_);
         break;
       case InputEvent::Kind::pointer_move:
@@ -218,6 +220,7 @@ class Throwing final : public Screen {
   void move_by_keys(double outward, double up) {
     if (!desk.pot_ready() || desk.world.mirror->rows() == 0) return;
     menu_ = false;
+    mishap_.stay();
     if (hand_.active())
       hand_.move(outward, up);
     else
@@ -240,34 +243,40 @@ class Throwing final : public Screen {
     desk.go(ScreenId::result);
   }
 
-  /// A pot that has just fallen is let go of, and the way back is where the eyes and keys are.
-  void look_whether_it_stands() {
-    const bool fallen = desk.pot_ready() && desk.status.feedback.fallen;
-    if (fallen == fallen_) return;
-    fallen_ = fallen;
+  /// A pot that has just fallen or torn is let go of, and the way back is where the eyes and keys
+  /// are.
+  void look_for_mishaps() {
+    if (!mishap_.update(desk)) return;
     desk.turned = true;
-    if (!fallen) return;
+    if (!mishap_) return;
     let_go();
     set_water(false);
   }
 
-  void lay_out_fall(Column& column, const TypeScale& t) const {
-    column.text(desk.say("throw.fallen"), t.lead);
+  void lay_out_mishap(Column& column, const TypeScale& t) const {
+    const bool fell = mishap_.now() == Mishap::fell;
+    column.text(desk.say(fell ? "throw.fallen" : "throw.torn"), t.lead);
     column.space(t.gap);
-    if (desk.status.can_restore)
-      column.buttons({{"throw.restore", desk.say("throw.before_fall"), Look::solid}});
+    if (!fell) {
+      const bool thin = mishap_.now() == Mishap::tore_thin;
+      column.text(desk.say(thin ? "throw.torn_thin" : "throw.torn_wide"), t.body);
+      column.space(t.gap);
+    }
+    const std::string back = desk.say(fell ? "throw.before_fall" : "throw.before_tear");
+    if (desk.status.can_restore) column.buttons({{"throw.restore", back, Look::solid}});
   }
 
   void lay_out_tools(Page& page, Column& column) const;
 
   Stage stage_;
   HintLine hint_;
+  MishapWatch mishap_;
   PotHand hand_;
   view::Camera camera_;
   double speed_;
   WallSide face_ = WallSide::outside;
   bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
-       menu_ = false, fallen_ = false;
+       menu_ = false;
   double soaked_at_ = -1, dry_ = 0;
   std::uint32_t serial_ = 0;
 };
@@ -298,7 +307,7 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
                        {"throw.faster", desk.say("throw.faster"), Look::outline}},
                       wheel, captions);
   column.foot_space(t.gap);
-  const bool back = desk.status.can_restore && !fallen_;  // Fallen, it stands above.
+  const bool back = desk.status.can_restore && !mishap_;  // After a mishap it stands above.
   column.foot_buttons({{"throw.side",
                         desk.say("throw.outside"),
                         Look::outline,

@@ -38,6 +38,7 @@ struct Wheel {
   double tool_radius = 0.008;
   std::optional<Kiln> kiln;
   std::vector<std::string> shown{"follow"};  ///< Scripts of attract mode, pot by pot; at least one.
+  double tear_thickness = 0;  ///< Metres: a wall that gets thinner tears; 0 where none does.
 };
 
 /// A vessel as the screens know it.

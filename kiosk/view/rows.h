@@ -32,6 +32,7 @@ struct RowUpdate {
   int row = 0;
   std::vector<float> radii;
   std::optional<RowPlace> place = {};  ///< None: where it was.
+  bool torn = false;                   ///< The ring is seen broken open.
 };
 
 /// The rows of a Profile turned about its axis, for pictures of vessels. Allocates.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -222,8 +223,10 @@ void add_visit(CLI::App& app, int& exit_code) {
       app.add_subcommand("visit", "Make a whole visit without a person, and keep its picture");
   command->footer(
       "Example: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -");
-  command->add_option("--script", arguments->script,
-                      "What the hands do: true, collar, belly, bowl, groove, follow [follow]");
+  std::string scripts;
+  for (const std::string_view name : script_names())
+    scripts += (scripts.empty() ? "" : ", ") + std::string(name);
+  command->add_option("--script", arguments->script, "What the hands do: " + scripts + " [follow]");
   command
       ->add_option("--vessel", arguments->vessel,
                    "A vessel of the shelf, a pack, or a GLB/glTF file")

@@ -138,6 +138,16 @@ struct Surface {
   float roughness, coat;
 };
 
+#ifdef TORN
+struct Tear {
+  float gap;    // metres into an opening; below 0 away from it
+  vec3 normal;  // of the broken clay there
+  float depth;  // of it in the wall: 0 outer face .. 1 inner face
+  float cover;  // share of the pixel in which clay is seen
+};
+Tear tear_at(float u, float low, float high, float slope);  // torn.glsl
+#endif
+
 // Clay as it dries: ridges and fine grain first, so that the last of the water goes in patches. Wet,
 // it is darker, and under a film of water.
 Surface of_clay(float wet, float groove, float fleck) {
@@ -181,6 +191,22 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
 }
 #endif
 
+#ifdef TORN
+// Broken clay is rough, and was not wetted with the faces.
+Surface of_break(Surface face, float wet, float u) {
+  float crumb = textureLod(grain, vec2(u * 9.0, position.y * 40.0), 0.0).r - 0.5;
+  Surface s = of_clay(0.4 * wet, 0.0, 1.5 * crumb);
+#if SKIN == 2
+  s.albedo = mix(glaze.body * (1.0 + 0.3 * crumb), face.albedo, 0.4);
+#elif SKIN == 3
+  s.albedo = mix(s.albedo, mix(glaze.body, face.albedo, 0.4), fired);
+#endif
+  s.roughness = 0.85;
+  s.coat = 0.009;
+  return s;
+}
+#endif
+
 vec3 section_color(float u) {
   float rho = length(position.xz), t = position.y / height;
   float outer = outer_at(u, t), inner = inner_at(u, t);
@@ -205,7 +231,24 @@ vec3 section_color(float u) {
 void main() {
   float u = turn_of(surface.x), t = clamp(surface.y, 0.0, 1.0);
 #if PART >= 4
-  color = vec4(dithered(to_display(tone(section_color(u))), gl_FragCoord.xy), 1.0);
+  vec3 drawn = section_color(u);
+#if PART == 5 && defined(TORN)
+  Tear tear = tear_at(u, inner_at(u, t), outer_at(u, t), 0.0);
+  if (tear.gap > 0.0) {
+    Surface clay;
+    clay.albedo = drawn;
+    clay = of_break(clay, wet_at(t), u);
+    Seen seen = seen_inside(position, tear.normal, t, clay.albedo, opened);
+    drawn = clay.albedo * diffuse_light(tear.normal, seen) * 0.7;
+  } else {
+    drawn = mix(vec3(0.017, 0.014, 0.012), drawn,
+                0.1 + 0.9 * smoothstep(0.8 * pixel, 2.0 * pixel, -tear.gap));
+  }
+#endif
+  color = vec4(dithered(to_display(tone(drawn)), gl_FragCoord.xy), 1.0);
+#if PART == 5 && defined(TORN)
+  color.a = tear.cover;
+#endif
 #else
   float bend = 0.0, across = 0.0;
   vec3 n = vec3(0.0, 1.0, 0.0);
@@ -228,6 +271,20 @@ void main() {
 #else
   float rise = smoothstep(0.72, 1.0, rho / max(inner_at(u, 0.0), 1e-4));
   n = normalize(vec3(0.0, 1.0, 0.0) - outward * 0.5 * rise);
+#endif
+
+#ifdef TORN
+#if PART == 1
+  Tear tear = tear_at(u, inner, outer, 0.0);
+#else
+  float wall = max(outer_at(u, t) - inner_at(u, t), 0.0005);
+  float slope = (PART == 0 ? -1.0 : 1.0) * n.y / max(length(n.xz), 0.05);
+  Tear tear = PART == 0 ? tear_at(u, rho - wall, rho, slope) : tear_at(u, rho, rho + wall, slope);
+#endif
+  float broken = smoothstep(-0.4 * pixel, 0.4 * pixel, tear.gap);
+  // The faces are drawn in towards where they tore.
+  float drawn_in = 0.7 * smoothstep(-0.0022, 0.0, tear.gap);
+  n = normalize(mix(n + drawn_in * tear.normal, tear.normal, broken));
 #endif
 
   // The material under this point.
@@ -255,6 +312,17 @@ void main() {
   skin.coat = mix(before.coat, skin.coat, here);
 #endif
 
+#ifdef TORN
+  // Round a tear the clay was stretched until it cracked.
+  float crack = abs(textureLod(grain, vec2(u + 0.5, position.y * 4.5), 0.0).r - 0.5);
+  crack = (1.0 - smoothstep(0.01, 0.08, crack)) * smoothstep(-0.0040, -0.0005, tear.gap);
+  skin.albedo *= 1.0 - 0.42 * crack;
+  Surface raw = of_break(skin, wet_at(t), u);
+  skin.albedo = mix(skin.albedo, raw.albedo, broken);
+  skin.roughness = mix(skin.roughness, raw.roughness, max(broken, 0.6 * drawn_in));
+  skin.coat = mix(skin.coat, raw.coat, broken);
+#endif
+
 #if PART >= 2
   Seen s = seen_inside(position, n, t, skin.albedo, opened);
 #else
@@ -262,6 +330,12 @@ void main() {
   // Near the foot the pot shades its own wheel head, which then has little to hand back.
   s.sky *= 1.0 - 0.55 * exp(-max(position.y, 0.0) / 0.011) * (0.6 - 0.4 * n.y);
   if (PART == 1) s.sky = 1.0;
+#endif
+#ifdef TORN
+  // Little light comes into a crack, least half-way through.
+  float hidden = 1.0 - broken * (0.12 + 1.3 * tear.depth * (1.0 - tear.depth)) * (1.0 - 0.6 * n.y);
+  s.sky *= hidden;
+  s.window *= hidden;
 #endif
   vec3 v = normalize(eye - position);
   vec3 lit = skin.albedo * diffuse_light(n, s);
@@ -273,6 +347,9 @@ void main() {
         vec3(0.74, 0.150, 0.020) * glow * glow * hollow * (1.0 + 0.35 * groove);
 #endif
   color = vec4(dithered(to_display(tone(lit)), gl_FragCoord.xy), 1.0);
+#ifdef TORN
+  color.a = tear.cover;
+#endif
   // The wheel head mirrors what stands near it, the more the wetter it is.
   color *= mirrored > 0.5 ? exp(-position.y / 0.035) * (0.07 + 0.23 * wetness) : 1.0;
 #endif

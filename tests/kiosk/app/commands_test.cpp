@@ -4,7 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
+#include "engine/script/script.h"
 #include "tests/kiosk/app/program.h"
 
 namespace onggi::app {
@@ -18,6 +20,13 @@ TEST(Commands, EveryCommandHasHelpWithAnExample) {
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
   }
+}
+
+TEST(Commands, TheHelpOfAVisitNamesEveryScript) {
+  const Outcome run = onggi("visit --help");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const std::string_view name : script_names())
+    EXPECT_NE(run.out.find(name), std::string::npos) << name;
 }
 
 TEST(Commands, TheVersionIsAWordAndANumber) {

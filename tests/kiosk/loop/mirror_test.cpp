@@ -53,6 +53,24 @@ TEST(Mirror, HeightsRiseWhileRowsAreOnTheirWay) {
   EXPECT_DOUBLE_EQ(mirror.profile().height(), 0.15);
 }
 
+TEST(Mirror, TheTornWallIsTheThinnestOfTheTornRows) {
+  Mirror mirror;
+  mirror.reset(100, 16, 0.2, 0.01, 0.05, 0.02);
+  std::vector<float> row(32, 0.04f);
+  for (std::size_t i = 16; i < 32; ++i) row[i] = 0.038f;
+  mirror.apply(50, row);
+  EXPECT_FALSE(mirror.torn_wall());
+  mirror.tear(70, true);
+  EXPECT_NEAR(mirror.torn_wall().value(), 0.03, 1e-6);
+  mirror.tear(50, true);
+  EXPECT_NEAR(mirror.torn_wall().value(), 0.002, 1e-6);
+  mirror.tear(50, false);
+  EXPECT_NEAR(mirror.torn_wall().value(), 0.03, 1e-6);
+  mirror.tear(100, true);  // of another grid
+  mirror.reset(100, 16, 0.2, 0.01, 0.05, 0.02);
+  EXPECT_FALSE(mirror.torn_wall());
+}
+
 TEST(Mirror, ARowOfAnotherGridIsRefused) {
   Mirror mirror;
   mirror.reset(10, 16, 0.2, 0.01, 0.05, 0.02);

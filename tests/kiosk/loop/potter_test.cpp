@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <thread>
@@ -122,6 +123,52 @@ TEST(Potter, ARimThatIsPressedDownReachesTheMirror) {
       EXPECT_NEAR(shown.points[n].outer, real.points[n].outer, 1e-12);
     }
   }));
+}
+
+TEST(Potter, ARowThatToreIsSeenTornAndHealsByGoingBack) {
+  SceneDef def = small_scene();
+  def.clay.inner_radius = 0.045;
+  def.clay.wall_min = 0.002;
+  def.walls.emplace();
+  def.walls->tear_thickness = 0.0025;
+  Stepped wheel(def);
+  SteppedPotter& host = wheel.host;
+  host.wheel(15);
+  const auto pass = [&host](int ticks) {
+    for (int n = 0; n < ticks; n += 20) {
+      host.advance(20);
+      host.collect(nullptr);
+    }
+  };
+  const auto torn = [&host] {
+    int rows = 0;
+    for (int j = 0; j < host.mirror().rows(); ++j) rows += host.mirror().torn(j) ? 1 : 0;
+    return rows;
+  };
+  // Between two hands, until 1.5 mm are left of the wall, and stay.
+  for (int n = 0; n < 170; ++n) {
+    const double room = std::max(0.010 - 0.0001 * n, 0.0015);
+    const double way = 0.5 * room + def.tool.radius, middle = 0.05;
+    host.hand(0, {{middle + way, def.clay.height / 2, 0}, true, SideWish::outside});
+    host.hand(1, {{middle - way, def.clay.height / 2, 0}, true, SideWish::inside});
+    pass(20);
+  }
+  EXPECT_FALSE(host.mirror().torn(5));
+  host.hand(0, HandInput{});
+  host.hand(1, HandInput{});
+  pass(600);
+  EXPECT_TRUE(host.status().feedback.torn);
+  EXPECT_GT(torn(), 0);
+  EXPECT_LT(torn(), 20);
+  EXPECT_TRUE(host.mirror().torn(def.clay.rows / 2) || host.mirror().torn(def.clay.rows / 2 - 1));
+  EXPECT_LT(host.mirror().torn_wall().value(), 0.0026);
+  for (int n = 0; n < 4 && host.status().feedback.torn; ++n) {
+    host.restore();
+    pass(400);
+  }
+  EXPECT_FALSE(host.status().feedback.torn);
+  EXPECT_EQ(torn(), 0);
+  EXPECT_FALSE(host.mirror().torn_wall());
 }
 
 TEST(Potter, OnceTheMirrorIsLevelAnUntouchedPotSendsNoRows) {

@@ -162,38 +162,6 @@ TEST(Visit, AStrokeOrARenewedLumpCanBeTakenBackWhileThereIsOne) {
   EXPECT_EQ(v.potter.renewed, 1);
 }
 
-TEST(Visit, APotThatFellIsSaidKindlyAndOneTouchGoesBackToBeforeTheFall) {
-  Visitor v;
-  v.throw_a_pot();
-  v.status.can_restore = true;
-  v.frames(1);
-  EXPECT_EQ(words_in(v.frame).find("It fell"), std::string::npos);
-  v.down(900, 300);
-  v.show();
-  v.status.feedback.fallen = true;
-  v.frames(1);
-  EXPECT_NE(words_in(v.frame).find("It fell"), std::string::npos);
-  EXPECT_FALSE(v.potter.hands.back().active) << "the hand is off the clay";
-  v.up(900, 300);
-  v.touch("throw.restore");
-  EXPECT_EQ(v.potter.restored, 1);
-  v.status.feedback.fallen = false;
-  v.frames(1);
-  EXPECT_EQ(words_in(v.frame).find("It fell"), std::string::npos);
-}
-
-TEST(Visit, AfterAFallTheKeysLeadStraightToTheWayBack) {
-  Visitor v;
-  v.throw_a_pot();
-  v.status.can_restore = true;
-  v.status.feedback.fallen = true;
-  v.frames(1);
-  v.key(Key::enter);
-  EXPECT_EQ(v.visit->focus(), "throw.restore");
-  v.key(Key::enter);
-  EXPECT_EQ(v.potter.restored, 1);
-}
-
 TEST(Visit, TheWheelTurnsByItselfAndCanBeMadeSlowerUntilItStands) {
   Visitor v;
   v.throw_a_pot();

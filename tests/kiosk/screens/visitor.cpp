@@ -180,6 +180,17 @@ void Visitor::make_result() {
   touch("throw.done");
 }
 
+void Visitor::tear(double limit) {
+  for (ShelfCard& card : shelf) card.wheel.tear_thickness = limit;
+  status.feedback.torn = true;
+  mirror.tear(50, true);
+}
+
+void Visitor::mend() {
+  status.feedback.torn = false;
+  mirror.tear(50, false);
+}
+
 void Visitor::glaze_and_fire() {
   touch("result.keep");
   touch("kiln.glaze.1");
@@ -224,7 +235,12 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.status.feedback.fallen = true;
   settled("throw fallen");
   v.status.feedback.fallen = false;
-  v.frames(1);
+  for (const double limit : {0.0, 0.1}) {
+    v.tear(limit);
+    settled(limit > 0 ? "throw torn thin" : "throw torn wide");
+    v.mend();
+    v.show();
+  }
   v.touch("throw.done");
   with_help("result");
   const bool kiln = !v.glazes.empty();

@@ -54,6 +54,10 @@ class Visitor {
   bool key_to(const std::string& control);
   void throw_a_pot();  ///< From attract to the throw screen, by touch.
   void make_result();
+  /// A ring of the lump tears, whose wall is 33 mm, in a scene where walls tear below `limit` (0:
+  /// only where they are opened too far).
+  void tear(double limit);
+  void mend();
   void glaze_and_fire();  ///< From the result to the fired pot, by touch.
   std::vector<Request> requests();
 
