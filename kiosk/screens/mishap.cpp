@@ -13,7 +13,7 @@ constexpr double kSprungBack = 1.25;
 // How long the wheel may take to lay a step back, seconds: 8192 elements a tick for each face,
 // twice over (engine/scene/scene.cpp), and what the clay's own settling takes.
 double patience(const loop::Mirror& mirror) {
-  return 0.3 + 4e-3 * mirror.rows() * mirror.sectors() / 8192.0;
+  return 0.1 + 4e-3 * mirror.rows() * mirror.sectors() / 8192.0;
 }
 
 }  // namespace
