@@ -38,6 +38,8 @@ class History {
   bool can_step_back() const;
   /// Number of the step under way: one more with each that ends, one less with each taken back.
   std::uint64_t depth() const { return depth_; }
+  /// How long the step under way has lasted since the clay first changed in it, s.
+  double lasted() const { return lasted_; }
   /// Takes the last step back, at most about `element_budget` elements a call. True once it is
   /// done, or where there is nothing to take back; until then nobody else may change the clay.
   bool step_back_some(Clay& clay, int element_budget) noexcept;

@@ -42,6 +42,7 @@ void Tearing::note(Event event) noexcept {
   // Of lumps long gone the tears are forgotten; where one comes back it is looked at anew.
   if (events_.size() == kLumps * lump_)
     events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(lump_));
+  if (!events_.empty()) event.step = std::max(event.step, events_.back().step);
   events_.push_back(event);
 }
 

@@ -20,8 +20,8 @@ class Tearing {
 
   /// Stage 6.6: rings that changed since they were last looked at take turns; one whose wall is
   /// somewhere thinner than `def.tear_thickness`, or is wider than the lump's by more than
-  /// `def.tear_strain`, tears. `step`: History::depth(). `last`: nobody after it asks which rows
-  /// changed. O(sectors) a row, at most 2048 elements or four rows a tick.
+  /// `def.tear_strain`, tears. `step`: History::depth() of what tears them. `last`: nobody after it
+  /// asks which rows changed. O(sectors) a row, at most 2048 elements or four rows a tick.
   void look(const WallsDef& def, Clay& clay, std::uint64_t step, bool last) noexcept;
   /// A fresh lump was laid in `step`.
   void lay(Clay& clay, std::uint64_t step) noexcept;
@@ -29,6 +29,8 @@ class Tearing {
   void go_back(Clay& clay, std::uint64_t step) noexcept;
 
   bool any() const { return torn_rows_ > 0; }
+  /// Some row is torn, and the last of them tore before `step`.
+  bool torn_before(std::uint64_t step) const { return any() && events_.back().step < step; }
   void add_to(StateHash& hash, Clay& clay) const;
 
  private:

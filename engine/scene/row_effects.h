@@ -62,6 +62,8 @@ class RowEffects {
   bool stands() const { return !slump_ || slump_->stands(); }
   /// Some row is torn (RowAreas::torn).
   bool torn() const { return tearing_ && tearing_->any(); }
+  /// And the last that tore did so before `step`.
+  bool torn_before(std::uint64_t step) const { return tearing_ && tearing_->torn_before(step); }
   /// The clay still moves though no hand touches it.
   bool moving() const { return sinking() > 0.0 || (springback_ && !springback_->asleep()); }
   void add_to(StateHash& hash, Clay& clay) const;

@@ -106,8 +106,12 @@ void Scene::State::work_on_lump(const Hands& hands) noexcept {
   }
   const bool fresh = lump_work == LumpWork::renewing;
   if (!(fresh ? clay.renew_some(kLumpBudget) : history->step_back_some(clay, kLumpBudget))) return;
-  // A pot that fell is wanted as it stood, not as it was halfway down.
-  if (!fresh && fallen() && history->depth() > stood_at && history->can_step_back()) return;
+  // A pot that fell is wanted as it stood, not as it was halfway down; one that tore, as it was
+  // before, though it has sagged since.
+  if (!fresh && history->can_step_back() &&
+      ((fallen() && history->depth() > stood_at) ||
+       (row_effects && row_effects->torn_before(history->depth()))))
+    return;
   lump_work = !row_effects ? LumpWork::none : fresh ? LumpWork::laying : LumpWork::settling;
 }
 

@@ -38,7 +38,7 @@ class Scene {
   /// back all that came since it last stood.
   bool fallen() const;
   /// Row `row` of the clay is torn (WallsDef): hands pass through it, until a fresh lump is laid or
-  /// what tore it is taken back. It is dirty when it tears or is whole again.
+  /// Hands::restore has taken back all since rows last tore. Dirty when it tears or is whole again.
   bool torn(int row) const;
   /// Wetness of row `row` of the clay, 0..1: where it shines.
   double wetness_of(int row) const;

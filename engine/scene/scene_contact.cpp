@@ -69,7 +69,11 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   rows.moisture = moisture ? &*moisture : nullptr;
   rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
   rows.seconds = tick.dt;
-  rows.step = steps_taken();
+  // Rows take turns to be looked at: one that is found torn in a step that has just begun was torn
+  // by the one before.
+  constexpr double kLooking = 0.25;  // s
+  const bool begun = history && history->depth() > 0 && history->lasted() < kLooking;
+  rows.step = begun ? steps_taken() - 1 : steps_taken();
   for (std::size_t n = 0; n < hand.size(); ++n) {
     const HandState& h = hand[n];
     const Press& press = tick.press[n];

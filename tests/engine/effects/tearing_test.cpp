@@ -204,6 +204,34 @@ TEST(Tearing, TakingTheStepBackMendsWhatItToreAndNothingElse) {
   EXPECT_EQ(scene.clay().outer(row_at(scene, 0.06))[0], 0.055f);
 }
 
+TEST(Tearing, WhatWasDoneAfterATearGoesWithItInOneStepBack) {
+  Scene scene = made(tube());
+  pinch(scene, 0.06, 0.0015);
+  ASSERT_FALSE(torn_rows(scene).empty());
+  for (const double height : {0.12, 0.16}) pinch(scene, height, 0.006);
+  ASSERT_NE(scene.clay().outer(row_at(scene, 0.16))[0], 0.055f);
+  once(scene, &Hands::restore);
+  EXPECT_EQ(scene.clay().outer(row_at(scene, 0.12))[0], 0.055f);
+  EXPECT_EQ(scene.clay().outer(row_at(scene, 0.16))[0], 0.055f);
+  EXPECT_TRUE(torn_rows(scene).empty());
+}
+
+TEST(Tearing, ATornPotThatSagsForAWhileIsWholeAfterOneStepBack) {
+  SceneDef def = tube();
+  def.slump.emplace();
+  def.slump->yield_stress = 1500.0;
+  def.slump->viscosity = 2e5;
+  Scene scene = made(def);
+  pinch(scene, 0.1, 0.0015);
+  ASSERT_FALSE(torn_rows(scene).empty());
+  Hands hands;
+  for (int n = 0; n < 12000; ++n) scene.step(hands, 0.001);
+  ASSERT_GT(scene.step(hands, 0.001).sinking, 0.0);
+  ASSERT_FALSE(scene.fallen());
+  once(scene, &Hands::restore);
+  EXPECT_TRUE(torn_rows(scene).empty());
+}
+
 TEST(Tearing, AFreshLumpIsWholeAndTheOneBeforeItComesBackTorn) {
   Scene scene = made(tube());
   pinch(scene, 0.1, 0.0015);
