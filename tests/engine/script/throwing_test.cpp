@@ -119,6 +119,8 @@ TEST(Throwing, ComesToTheGoldenHashes) {
 
 TEST(Throwing, EffectsComeToTheSameBitsOnEveryKindOfVectors) {
   SceneDef def = everything();
+  def.clay.rows = 40;  // a tool's kernel is not optimised under sanitizers
+  def.clay.sectors = 72;
   def.wobble.emplace();
   for (const std::string_view name : {"centre", "rib_smooth"}) {
     const std::uint64_t best = play(name, def).scene.state_hash();
