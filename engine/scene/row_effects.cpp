@@ -105,6 +105,7 @@ void RowEffects::smooth(const SceneDef& def, Clay& clay, const Tick& tick) noexc
 }
 
 void RowEffects::centre(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  static_assert(Wobble::kMostHands == kMaxHands);
   for (std::size_t n = 0; n < tick.hand.size(); ++n)
     if (const HandThere& hand = tick.hand[n]; hand.on_wall)
       wobble_->press(n, {hand.at, hand.normal, hand.side}, tick.seconds);

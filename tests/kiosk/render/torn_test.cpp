@@ -116,7 +116,7 @@ TEST_F(Torn, WhatIsBehindIsSeenThroughTheTear) {
   EXPECT_GT(seen_through(), 300);
 }
 
-TEST_F(Torn, ARingThatHealsIsDrawnAsIfItHadNeverTorn) {
+TEST_F(Torn, ARingThatHealsAndAFreshPotAreDrawnAsIfNothingHadEverTorn) {
   Renderer& r = renderer();
   const view::Frame frame = jar_frame();
   put_jar(r);
@@ -125,13 +125,6 @@ TEST_F(Torn, ARingThatHealsIsDrawnAsIfItHadNeverTorn) {
   EXPECT_NE(r.draw_offscreen(frame).rgba, whole.rgba);
   r.update_rows(jar_rows());
   EXPECT_EQ(r.draw_offscreen(frame).rgba, whole.rgba);
-}
-
-TEST_F(Torn, AFreshPotHasNoneOfTheTearsOfTheLast) {
-  Renderer& r = renderer();
-  const view::Frame frame = jar_frame();
-  put_jar(r);
-  const view::Image whole = r.draw_offscreen(frame);
   put_jar(r, kFrom, kTo);
   put_jar(r);
   EXPECT_EQ(r.draw_offscreen(frame).rgba, whole.rgba);

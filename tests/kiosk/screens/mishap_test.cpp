@@ -11,14 +11,20 @@ namespace {
 
 using view::Key;
 
-TEST(Mishap, APotThatFellIsSaidKindlyAndOneTouchGoesBackToBeforeTheFall) {
-  Visitor v;
+// A hand on the clay of a pot that stands and is whole.
+void hold_a_whole_pot(Visitor& v) {
   v.throw_a_pot();
   v.status.can_restore = true;
   v.frames(1);
-  EXPECT_EQ(words_in(v.frame).find("It fell"), std::string::npos);
+  for (const char* words : {"It fell", "The wall tore"})
+    EXPECT_EQ(words_in(v.frame).find(words), std::string::npos);
   v.down(900, 300);
   v.show();
+}
+
+TEST(Mishap, APotThatFellIsSaidKindlyAndOneTouchGoesBackToBeforeTheFall) {
+  Visitor v;
+  hold_a_whole_pot(v);
   v.status.feedback.fallen = true;
   v.frames(1);
   EXPECT_NE(words_in(v.frame).find("It fell"), std::string::npos);
@@ -45,12 +51,7 @@ TEST(Mishap, AfterAFallTheKeysLeadStraightToTheWayBack) {
 
 TEST(Mishap, AWallThatToreIsSaidKindlyWithTheReasonAndOneTouchGoesBack) {
   Visitor v;
-  v.throw_a_pot();
-  v.status.can_restore = true;
-  v.frames(1);
-  EXPECT_EQ(words_in(v.frame).find("The wall tore"), std::string::npos);
-  v.down(900, 300);
-  v.show();
+  hold_a_whole_pot(v);
   v.tear(0.04);
   v.frames(1);
   EXPECT_NE(words_in(v.frame).find("The wall tore"), std::string::npos);
@@ -91,13 +92,18 @@ TEST(Mishap, ATearIsToldOnceItsRowsAreThereToSayWhy) {
   EXPECT_NE(words_in(v.frame).find("The wall tore"), std::string::npos);
 }
 
-TEST(Mishap, BeforeTheTearIsAsManyStepsBackAsItTakes) {
-  Visitor v;
+// The way back from a tear has just been asked for.
+void go_back_from_a_tear(Visitor& v) {
   v.throw_a_pot();
   v.status.can_restore = true;
   v.tear(0.04);
   v.frames(1);
   v.touch("throw.restore");
+}
+
+TEST(Mishap, BeforeTheTearIsAsManyStepsBackAsItTakes) {
+  Visitor v;
+  go_back_from_a_tear(v);
   for (int n = 0; n < 90; ++n) {
     v.status.time += 1.0 / 30;
     v.show();
@@ -108,11 +114,7 @@ TEST(Mishap, BeforeTheTearIsAsManyStepsBackAsItTakes) {
 
 TEST(Mishap, AVisitorWhoThrowsOnAfterATearIsNotTakenBackAnyFurther) {
   Visitor v;
-  v.throw_a_pot();
-  v.status.can_restore = true;
-  v.tear(0.04);
-  v.frames(1);
-  v.touch("throw.restore");
+  go_back_from_a_tear(v);
   v.down(900, 300);
   for (int n = 0; n < 60; ++n) {
     v.status.time += 1.0 / 30;
