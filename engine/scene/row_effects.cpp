@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/effects/built.h"
+
 namespace onggi {
 namespace {
 
@@ -17,6 +19,7 @@ double along_of(const SceneDef& def, const RowEffects::Tick& tick, WallSide side
 }  // namespace
 
 std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
+  if (!kEffectsBuilt) return nullptr;
   if (!def.walls && !def.propagation && !def.springback && !def.smoothing && !def.wobble &&
       !def.slump && !def.volume)
     return nullptr;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/effects/built.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
 #include "engine/scene/scene_state.h"
@@ -178,10 +179,10 @@ Scene::~Scene() = default;
 Feedback Scene::step(const Hands& hands, double dt) noexcept {
   State& s = *state_;
   State::Tick tick;
-  s.take_input(tick, hands, dt);     // 1
-  s.turn_wheel(tick);                // 2
-  s.soak_or_dry(tick, hands.water);  // 3
-  s.work_on_lump(hands);             // 4
+  s.take_input(tick, hands, dt);                                  // 1
+  s.turn_wheel(tick);                                             // 2
+  if constexpr (kEffectsBuilt) s.soak_or_dry(tick, hands.water);  // 3
+  s.work_on_lump(hands);                                          // 4
   if (s.printed) {
     s.press_as_printed(tick);  // 5, 7
   } else {

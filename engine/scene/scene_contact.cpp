@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "engine/contact/stops.h"
+#include "engine/effects/built.h"
 #include "engine/math/portable.h"
 #include "engine/scene/scene_state.h"
 
@@ -103,7 +104,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     const Press& press = tick.press[n];
     Vec3 force = press.force;
     const double strength = length(press.force);
-    if (def.friction && press.normal > 0.0 && strength > 0.0) {
+    if (kEffectsBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
       const double mu = friction_coefficient(friction, wetness_at(h.at.y));
       const ToolBall ball = ball_towards(shape, place, size, (-1.0 / strength) * press.force);

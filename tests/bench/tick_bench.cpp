@@ -99,9 +99,13 @@ void declare(Effort effort) {
            benchmark::kMicrosecond);
     }
   goal("goal/p999", [=] { return tail_on_the_finest_grid(effort); });
+#ifdef ONGGI_WITH_SCENES
   goal("goal/presets", [=] { return preset_tails(effort); });
   goal("goal/finest_studio", [=] { return finest_studio(effort); });
   goal("goal/asleep", [=] { return asleep(effort); });
+#else
+  std::fprintf(stderr, "goal/presets, finest_studio, asleep: skipped, built without the kiosk.\n");
+#endif
   goal("goal/paper_400x360", [=] { return paper_ratio(400, 360, effort); });
   goal("goal/paper_6400x2880", [=] { return paper_ratio(6400, 2880, effort); });
   goal("goal/floor", [=] { return floor_ratio(effort); });

@@ -24,7 +24,7 @@ WANTED = [(("SCALAR", "EMU128"), None), (("SSE4",), "sse4_2"), (("AVX2",), "avx2
 HIDE_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA4"}
 
 
-def build(compiler, level, folder):
+def build(compiler, level, folder, target="engine_trace"):
     """Path of the program; empty, with what was said, where it cannot be built.
 
     The trace is a ball's. The other tools take g++ five minutes a level; that they give the same bits is
@@ -34,12 +34,12 @@ def build(compiler, level, folder):
     for words in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
                    "-DCMAKE_BUILD_TYPE=", f"-DCMAKE_CXX_FLAGS={level}", "-DONGGI_KIOSK=OFF",
                    "-DONGGI_TOOLS=sphere"],
-                  ["cmake", "--build", folder, "--target", "engine_trace"]):
+                  ["cmake", "--build", folder, "--target", target]):
         run = subprocess.run(words, **quiet)
         if run.returncode:
             print(run.stdout)
             return ""
-    return os.path.join(folder, "bin/engine_trace")
+    return os.path.join(folder, "bin", target)
 
 
 def run(program, *words, environment=None):
