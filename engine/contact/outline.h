@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/math/vec.h"
 
 namespace onggi {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 
 namespace onggi {
 
@@ -13,5 +13,9 @@ enum class Place : std::uint8_t { outside, inside, rim, floor };
 constexpr Place beside(WallSide side) {
   return side == WallSide::outside ? Place::outside : Place::inside;
 }
+
+/// Where a tool that is clear of the clay is to be taken to stand. By position: inside when nearer
+/// the axis than the middle of the wall at its height.
+enum class SideWish : std::uint8_t { by_position, outside, inside };
 
 }  // namespace onggi

@@ -10,7 +10,7 @@
 
 #include <type_traits>
 
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/contact/window.h"
 #include "engine/math/lanes.h"
 

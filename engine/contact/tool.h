@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "engine/clay/clay.h"
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/math/vec.h"
 
 namespace onggi {

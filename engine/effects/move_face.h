@@ -2,7 +2,7 @@
 
 #include "engine/clay/clay.h"
 #include "engine/clay/shifts.h"
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 
 namespace onggi {
 

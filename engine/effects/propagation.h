@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
 #include "engine/math/hash.h"

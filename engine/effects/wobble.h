@@ -3,7 +3,7 @@
 #include <array>
 
 #include "engine/clay/clay.h"
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/effects/effect_field.h"
 #include "engine/math/hash.h"
 #include "engine/math/vec.h"

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/clay/wall_side.h"
 #include "engine/contact/place.h"
-#include "engine/contact/wall_side.h"
 #include "engine/math/vec.h"
 
 namespace onggi {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/math/random.h"
 #include "engine/math/vec.h"
 #include "engine/scene/hands.h"

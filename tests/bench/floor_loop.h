@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "engine/clay/clay.h"
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/math/vec.h"
 
 namespace onggi::bench {

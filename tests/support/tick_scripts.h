@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "engine/contact/wall_side.h"
+#include "engine/clay/wall_side.h"
 #include "engine/scene/scene.h"
 
 namespace onggi {
