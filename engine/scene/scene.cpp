@@ -163,9 +163,9 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
   return out;
 }
 
-Result<Scene> Scene::create(const SceneDef& def) {
+Result<Scene> Scene::create(const SceneDef& def, Vectors vectors) {
   if (auto good = validate(def); !good) return tl::unexpected<Problem>(good.error());
-  Result<Clay> clay = Clay::create(def.clay);
+  Result<Clay> clay = Clay::create(def.clay, vectors);
   if (!clay) return tl::unexpected<Problem>(clay.error());
   return Scene(std::make_unique<State>(def, std::move(*clay)));
 }

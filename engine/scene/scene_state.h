@@ -76,7 +76,7 @@ struct Scene::State {
   double wetness_at(double height) const;
   Yielding yielding_at(double height) const;
   void keep_history(const Tick& tick) noexcept;
-  bool presses(const HandState& h) const { return h.present && !tools[h.tool].shape->severs; }
+  bool presses(const HandState& h) const { return h.present && !tools[h.tool].shape->severs(); }
   std::uint64_t steps_taken() const { return history ? history->depth() : 0; }
   bool fallen() const { return row_effects && row_effects->fallen(); }
   void draw_wire(Tick& tick, std::size_t n) noexcept;
