@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/profile/axis_candidates.h"
+
 namespace onggi {
 
 namespace {

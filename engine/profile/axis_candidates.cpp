@@ -1,8 +1,8 @@
+#include "engine/profile/axis_candidates.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "engine/profile/axis.h"
 
 namespace onggi {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/profile/walls.h"
+#include "engine/profile/wall_slice.h"
 
 namespace onggi {
 

@@ -7,7 +7,7 @@
 #include "engine/profile/axis.h"
 #include "engine/profile/ends.h"
 #include "engine/profile/opening.h"
-#include "engine/profile/walls.h"
+#include "engine/profile/wall_slice.h"
 
 namespace onggi {
 

@@ -1,7 +1,7 @@
+#include "engine/scene/lump.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "engine/scene/scene_def.h"
 
 namespace onggi {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/lump.h"
+
 namespace onggi {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/profile/measures.h"
+#include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "tests/engine/script/vessels.h"
 

@@ -1,4 +1,4 @@
-#include "engine/profile/walls.h"
+#include "engine/profile/wall_slice.h"
 
 #include <algorithm>
 #include <cmath>
