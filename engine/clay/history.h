@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/clay/clay.h"
+#include "engine/clay/row_set.h"
 #include "engine/math/hash.h"
 
 namespace onggi {
@@ -57,7 +58,6 @@ class History {
     int row = 0;
     double thickness = 0.0;
   };
-  using Bits = std::vector<std::uint64_t>;
 
   int rows_of(int elements) const { return elements > stride_ ? elements / stride_ : 1; }
   bool keep_up(Clay& clay, int rows) noexcept;
@@ -75,8 +75,8 @@ class History {
   std::unique_ptr<float[]> ring_;  // not written before it is used, so not resident either
   std::vector<Slot> slots_;
   std::vector<Step> steps_;  // the last is under way; never grows
-  Bits in_step_;             // rows that the present step has in the ring
-  Bits unsettled_;           // rows of the step before whose shadow is not up to date
+  RowSet in_step_;           // rows that the present step has in the ring
+  RowSet unsettled_;         // rows of the step before whose shadow is not up to date
   std::uint64_t next_ = 0;
   std::uint64_t depth_ = 0;
   double clear_ = 0.0;
