@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace onggi {
+namespace onggi::clay {
 namespace {
 
 constexpr int kElementsATick = 2048;  // a fifth of what a tick may cost
@@ -145,4 +145,4 @@ void History::add_to(StateHash& hash) const {
   hash.add(static_cast<std::uint64_t>(going_back_));
 }
 
-}  // namespace onggi
+}  // namespace onggi::clay

@@ -9,7 +9,7 @@
 #include "engine/clay/row_set.h"
 #include "engine/math/hash.h"
 
-namespace onggi {
+namespace onggi::clay {
 
 /// What a visitor may take back: the clay as it was before each stroke, as far as a fixed amount of
 /// memory reaches. A step is one touch from first contact until the hands have been clear for
@@ -85,4 +85,4 @@ class History {
   bool going_back_ = false;
 };
 
-}  // namespace onggi
+}  // namespace onggi::clay

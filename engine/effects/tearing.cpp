@@ -4,7 +4,7 @@
 
 #include "engine/effects/row_kernels.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 constexpr int kElementBudget = 2048;  // a tick
@@ -95,4 +95,4 @@ void Tearing::add_to(StateHash& hash, Clay& clay) const {
   hash.add(static_cast<std::uint64_t>(events_.size()));
 }
 
-}  // namespace onggi
+}  // namespace onggi::effects

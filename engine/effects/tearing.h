@@ -9,7 +9,7 @@
 #include "engine/effects/walls.h"
 #include "engine/math/hash.h"
 
-namespace onggi {
+namespace onggi::effects {
 
 /// Walls that were pulled too thin or opened too far are torn, ring by ring: contact passes through
 /// a torn ring (RowAreas::torn), and nothing that is done to it mends it. Only a fresh lump does,
@@ -53,4 +53,4 @@ class Tearing {
   int next_ = 0;
 };
 
-}  // namespace onggi
+}  // namespace onggi::effects

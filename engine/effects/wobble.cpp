@@ -71,6 +71,8 @@ std::span<const EffectField<WobbleDef>> WobbleDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 OffCentre off_centre_of(const Clay& clay, int j) noexcept {
   const row_kernels::Harmonic sum = row_kernels::harmonic(
       clay.stride(), clay.outer(j).data(), clay.ray_cos().data(), clay.ray_sin().data());
@@ -163,4 +165,5 @@ void Wobble::add_to(StateHash& hash) const {
   }
 }
 
+}  // namespace effects
 }  // namespace onggi

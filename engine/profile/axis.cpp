@@ -6,7 +6,7 @@
 
 #include "engine/profile/axis_candidates.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -267,4 +267,4 @@ FoundAxis find_axis(const TriangleMesh& mesh) {
   return best;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

@@ -2,7 +2,7 @@
 
 #include "engine/profile/slices.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 /// The line a mesh is turned about, as near as it can be told. No sense of up yet.
 struct FoundAxis {
@@ -26,4 +26,4 @@ struct FittedCircle {
 };
 FittedCircle fit_circle(std::span<const Vec2> points, double tolerance);
 
-}  // namespace onggi
+}  // namespace onggi::extraction

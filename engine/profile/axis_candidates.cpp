@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::vector<Vec3> axis_candidates(const TriangleMesh& mesh) {
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

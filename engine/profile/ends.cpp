@@ -5,7 +5,7 @@
 
 #include "engine/profile/wall_slice.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -172,4 +172,4 @@ BodyEnds find_ends(const Slicer& slicer, RayCrossings& rays) {
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

@@ -10,7 +10,7 @@
 #include "engine/profile/wall_slice.h"
 
 namespace onggi {
-
+namespace extraction {
 namespace {
 
 constexpr int kRays = 96;
@@ -294,10 +294,11 @@ Result<ExtractedProfile> Extractor::run() {
 }
 
 }  // namespace
+}  // namespace extraction
 
 Result<ExtractedProfile> extract_profile(const TriangleMesh& mesh, const ExtractionOptions& options,
                                          const std::string& name) {
-  return Extractor(mesh, options, name).run();
+  return extraction::Extractor(mesh, options, name).run();
 }
 
 }  // namespace onggi

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -103,4 +103,4 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, 
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

@@ -6,7 +6,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -216,4 +216,4 @@ TEST(Slump, WhateverHandsDoToAWeakPotItStaysWholeAndKeepsItsClay) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

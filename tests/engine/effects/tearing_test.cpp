@@ -8,7 +8,7 @@
 #include "engine/math/vectors.h"
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -325,4 +325,4 @@ TEST(Tearing, AThicknessThatNoWallGetsToIsRefusedWithARemedy) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects
