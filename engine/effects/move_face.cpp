@@ -5,7 +5,7 @@
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::effects {
 
 void move_face(Clay& clay, WallSide side, int j, BlockRun run, const float* by,
                double along) noexcept {
@@ -32,4 +32,4 @@ void move_face(Clay& clay, WallSide side, int j, BlockRun run, const float* by,
   clay.mark_dirty(j);
 }
 
-}  // namespace onggi
+}  // namespace onggi::effects

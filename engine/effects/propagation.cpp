@@ -29,6 +29,8 @@ std::span<const EffectField<PropagationDef>> PropagationDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 double dragged_share(const PropagationDef& def, double distance) noexcept {
   const double far = std::fabs(distance) / def.reach;
   return far < kEnd ? (portable::exp(-far) - kLeft) / (1.0 - kLeft) : 0.0;
@@ -90,4 +92,5 @@ void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
   }
 }
 
+}  // namespace effects
 }  // namespace onggi

@@ -18,6 +18,8 @@ struct PropagationDef {
   static std::span<const EffectField<PropagationDef>> fields();
 };
 
+namespace effects {
+
 /// Share of a move that a row `distance` m away follows: 1 at 0, falling, 0 from three reaches on.
 double dragged_share(const PropagationDef& def, double distance) noexcept;
 
@@ -42,4 +44,5 @@ class Propagation {
   std::vector<float> more_;
 };
 
+}  // namespace effects
 }  // namespace onggi

@@ -40,6 +40,8 @@ std::span<const EffectField<SlumpDef>> SlumpDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 double standing_height(const SlumpDef& def) noexcept {
   return kRoot3 * def.yield_stress / (def.density * kGravity);
 }
@@ -165,4 +167,5 @@ void Slump::add_to(StateHash& hash) const {
            std::uint64_t{yielded_} << 2 | std::uint64_t{stirred_} << 1 | std::uint64_t{asleep_});
 }
 
+}  // namespace effects
 }  // namespace onggi

@@ -21,6 +21,8 @@ std::span<const EffectField<SpringbackDef>> SpringbackDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 Springback::Springback(const Clay& clay)
     : back_(static_cast<std::size_t>(clay.stride())),
       stride_(static_cast<std::size_t>(clay.stride())),
@@ -108,4 +110,5 @@ void Springback::add_to(StateHash& hash) const {
   hash.add(now_);
 }
 
+}  // namespace effects
 }  // namespace onggi

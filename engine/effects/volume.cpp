@@ -6,7 +6,7 @@
 
 #include "engine/effects/row_kernels.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 constexpr int kElementBudget = 16384;  // a tick; a pressed rim carries a tenth of all rows down
@@ -135,4 +135,4 @@ double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   return clay.areas()->of(j) / before;
 }
 
-}  // namespace onggi
+}  // namespace onggi::effects

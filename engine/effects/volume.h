@@ -15,6 +15,8 @@ struct VolumeDef {
   static std::span<const EffectField<VolumeDef>> fields() { return {}; }
 };
 
+namespace effects {
+
 /// How much clay every row holds, and the heights that follow from it: h = V / A. Allocates only
 /// when made; one thread.
 class Volume {
@@ -56,4 +58,5 @@ class Volume {
 /// no allocation.
 double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept;
 
+}  // namespace effects
 }  // namespace onggi

@@ -71,6 +71,8 @@ std::span<const EffectField<WobbleDef>> WobbleDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 OffCentre off_centre_of(const Clay& clay, int j) noexcept {
   const row_kernels::Harmonic sum = row_kernels::of(clay.vectors())
                                         .harmonic(clay.stride(), clay.outer(j).data(),
@@ -165,4 +167,5 @@ void Wobble::add_to(StateHash& hash) const {
   }
 }
 
+}  // namespace effects
 }  // namespace onggi

@@ -7,10 +7,10 @@
 #include "engine/profile/axis.h"
 #include "engine/profile/ends.h"
 #include "engine/profile/opening.h"
-#include "engine/profile/walls.h"
+#include "engine/profile/wall_slice.h"
 
 namespace onggi {
-
+namespace extraction {
 namespace {
 
 constexpr int kRays = 96;
@@ -294,10 +294,11 @@ Result<ExtractedProfile> Extractor::run() {
 }
 
 }  // namespace
+}  // namespace extraction
 
 Result<ExtractedProfile> extract_profile(const TriangleMesh& mesh, const ExtractionOptions& options,
                                          const std::string& name) {
-  return Extractor(mesh, options, name).run();
+  return extraction::Extractor(mesh, options, name).run();
 }
 
 }  // namespace onggi

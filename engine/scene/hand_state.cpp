@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::scene {
 namespace {
 
 constexpr double kFarthestHand = 10.0;    // metres, each axis: no device reaches beyond
@@ -88,4 +88,4 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
   if (wire.drawing) add(wire.way);
 }
 
-}  // namespace onggi
+}  // namespace onggi::scene

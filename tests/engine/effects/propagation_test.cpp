@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -131,4 +131,4 @@ TEST(Propagation, WithVolumeNoClayIsLostWhateverHandsDo) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -216,4 +216,4 @@ TEST(Slump, WhateverHandsDoToAWeakPotItStaysWholeAndKeepsItsClay) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -162,4 +162,4 @@ TEST(Smoothing, WithVolumeNoClayIsLostWhateverARibDoes) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

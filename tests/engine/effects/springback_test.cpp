@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -138,4 +138,4 @@ TEST(Springback, WithVolumeAndWallsNoClayIsLost) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

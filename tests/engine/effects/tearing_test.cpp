@@ -6,9 +6,9 @@
 
 #include "engine/contact/tool.h"
 #include "engine/math/vectors.h"
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -321,4 +321,4 @@ TEST(Tearing, AThicknessThatNoWallGetsToIsRefusedWithARemedy) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -212,4 +212,4 @@ TEST(Volume, IsTheSameToAMillionthWhateverHandsDoToIt) {
 TEST(Volume, IsTheSameToAMillionthOverAMillionTicks) { knead(4, 1'000'000); }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -1,4 +1,4 @@
-#include "engine/script/throwing.h"
+#include "engine/script/demonstrations.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +26,13 @@ SceneDef everything() {
   return def;
 }
 
+std::vector<std::string_view> demonstrations() {
+  std::vector<std::string_view> names;
+  for (const ScriptInfo& script : scripts())
+    if (!script.shows.empty()) names.push_back(script.name);
+  return names;
+}
+
 struct Thrown {
   Scene scene;
   bool fell = false, tore = false;
@@ -34,8 +41,7 @@ struct Thrown {
 
 Thrown play(std::string_view name, SceneDef def, Vectors kind = best_vectors()) {
   Thrown out{std::move(*Scene::create(def, kind)), false, false, {}, {}};
-  auto script = make_throwing(name, {.scene = def});
-  EXPECT_NE(script, nullptr) << name;
+  auto script = std::move(*make_script(name, {.scene = def}));
   for (int n = 0; n * 0.001 <= script->duration(); ++n) {
     const Feedback felt = out.scene.step(script->at(n * 0.001, out.scene.clay()), 0.001);
     EXPECT_EQ(felt.faults, 0u);
@@ -48,13 +54,13 @@ Thrown play(std::string_view name, SceneDef def, Vectors kind = best_vectors()) 
   return out;
 }
 
-TEST(Throwing, PullTallMakesAPotHalfAsTallAgain) {
+TEST(Demonstrations, PullTallMakesAPotHalfAsTallAgain) {
   const Thrown pot = play("pull_tall", everything());
   EXPECT_GT(pot.scene.clay().rim_height(), 0.26);
   EXPECT_FALSE(pot.fell);
 }
 
-TEST(Throwing, CollapseFallsWhereTheSceneHasItAndStandsWhereItHasNot) {
+TEST(Demonstrations, CollapseFallsWhereTheSceneHasItAndStandsWhereItHasNot) {
   EXPECT_TRUE(play("collapse", everything()).fell);
   SceneDef firm = everything();
   firm.slump.reset();
@@ -63,33 +69,33 @@ TEST(Throwing, CollapseFallsWhereTheSceneHasItAndStandsWhereItHasNot) {
   EXPECT_GT(stands.scene.clay().rim_height(), 0.22);
 }
 
-TEST(Throwing, AWallThatCanTearTearsWhereThePotFallsAndNowhereElse) {
+TEST(Demonstrations, AWallThatCanTearTearsWhereThePotFallsAndNowhereElse) {
   SceneDef def = everything();
   def.wobble.emplace();
   def.clay.wall_min = 0.002;
   def.walls->tear_thickness = 0.0025;
   def.walls->tear_strain = 2.0;
-  for (const std::string_view name : throwing_names()) {
+  for (const std::string_view name : demonstrations()) {
     const Thrown pot = play(name, def);
     EXPECT_EQ(pot.tore, pot.fell) << name;
   }
 }
 
-TEST(Throwing, DryOutDriesAndReWetWets) {
+TEST(Demonstrations, DryOutDriesAndReWetWets) {
   const Thrown pot = play("re_wet", everything());
   EXPECT_LT(pot.wet.at("dry"), 0.8 * pot.wet.at("wet"));
   EXPECT_GT(pot.wet.at("wet again"), pot.wet.at("drier"));
 }
 
-TEST(Throwing, CentreCentres) {
+TEST(Demonstrations, CentreCentres) {
   SceneDef def = everything();
   def.wobble.emplace();
   const Thrown pot = play("centre", def);
-  const OffCentre off = off_centre_of(pot.scene.clay(), 60);
+  const effects::OffCentre off = effects::off_centre_of(pot.scene.clay(), 60);
   EXPECT_LT(off.x * off.x + off.z * off.z, 0.001 * 0.001);
 }
 
-TEST(Throwing, RibSmoothTakesTheLineAway) {
+TEST(Demonstrations, RibSmoothTakesTheLineAway) {
   const auto unevenness = [](const Scene& scene) {
     const Profile p = scene.clay().profile();
     double rough = 0.0;  // of second differences: a slow slope is none
@@ -105,11 +111,11 @@ TEST(Throwing, RibSmoothTakesTheLineAway) {
 }
 
 // The hash at each script's end is kept in tests/golden: it changes only with its reason told.
-TEST(Throwing, ComesToTheGoldenHashes) {
+TEST(Demonstrations, ComesToTheGoldenHashes) {
   std::ostringstream hashes;
   SceneDef def = everything();
   def.wobble.emplace();
-  for (const std::string_view name : throwing_names())
+  for (const std::string_view name : demonstrations())
     hashes << name << ' ' << std::hex << play(name, def).scene.state_hash() << '\n';
   std::ifstream file("tests/golden/effects_trace.txt");
   std::ostringstream golden;
@@ -117,7 +123,7 @@ TEST(Throwing, ComesToTheGoldenHashes) {
   EXPECT_EQ(hashes.str(), golden.str());
 }
 
-TEST(Throwing, EffectsComeToTheSameBitsOnEveryKindOfVectors) {
+TEST(Demonstrations, EffectsComeToTheSameBitsOnEveryKindOfVectors) {
   SceneDef def = everything();
   def.clay.rows = 40;  // a tool's kernel is not optimised under sanitizers
   def.clay.sectors = 72;
@@ -129,22 +135,22 @@ TEST(Throwing, EffectsComeToTheSameBitsOnEveryKindOfVectors) {
   }
 }
 
-TEST(Throwing, EveryScriptIsShownWhereItsEffectIsAndNowhereElse) {
+TEST(Demonstrations, EveryScriptIsShownWhereItsEffectIsAndNowhereElse) {
   SceneDef all = everything();
   all.wobble.emplace();
   SceneDef bare;
   each_effect(bare, [](auto& effect) { effect.reset(); });
-  for (const std::string_view name : throwing_names()) {
-    EXPECT_TRUE(throwing_shows(name, all)) << name;
-    EXPECT_FALSE(throwing_shows(name, bare)) << name;
+  for (const std::string_view name : demonstrations()) {
+    EXPECT_TRUE(shows_its_effect(*find_script(name), all)) << name;
+    EXPECT_FALSE(shows_its_effect(*find_script(name), bare)) << name;
   }
-  EXPECT_FALSE(throwing_shows("follow", all));
+  EXPECT_FALSE(shows_its_effect(*find_script("follow"), all));
 }
 
-TEST(Throwing, AScriptWhoseToolIsNotToHandIsRefused) {
+TEST(Demonstrations, AScriptWhoseToolIsNotToHandIsRefused) {
   SceneDef def = everything();
   def.tools.clear();
-  EXPECT_EQ(make_throwing("rib_smooth", {.scene = def}), nullptr);
+  EXPECT_FALSE(shows_its_effect(*find_script("rib_smooth"), def));
   EXPECT_FALSE(make_script("rib_smooth", {.scene = def}));
   EXPECT_TRUE(make_script("centre", {.scene = def}));
 }

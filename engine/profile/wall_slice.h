@@ -4,7 +4,7 @@
 
 #include "engine/profile/slices.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 /// What one slice of a vessel says: radii on which most of its circle agrees.
 struct WallSlice {
@@ -20,4 +20,4 @@ struct WallSlice {
 WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, double size,
                     bool facing_known);
 
-}  // namespace onggi
+}  // namespace onggi::extraction

@@ -1,17 +1,99 @@
-// Stages 5 to 7 of the tick: contact, what follows from it in the rows, and the force.
+#include "engine/scene/scene_state.h"
+
 #include <algorithm>
+#include <cmath>
 
 #include "engine/contact/stops.h"
 #include "engine/effects/built.h"
 #include "engine/math/portable.h"
-#include "engine/scene/scene_state.h"
 
 namespace onggi {
 namespace {
 
+constexpr double kLongestTick = 0.005;
+constexpr double kShortestTick = 1e-6;
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
 
 }  // namespace
+
+// Stage 1. Nothing implausible goes any further.
+void Scene::State::take_input(Tick& tick, const Hands& hands, double dt) noexcept {
+  tick.dt = dt > 0.0 ? std::min(dt, kLongestTick) : kShortestTick;
+  if (tick.dt != dt) {
+    faults |= kFaultTime;
+    ++counters.clamped_times;
+  }
+  if (std::isfinite(hands.wheel_speed)) {
+    wheel_asked = hands.wheel_speed;
+  } else {
+    faults |= kFaultInput;
+    ++counters.held_samples;
+  }
+  for (std::size_t n = 0; n < hand.size(); ++n) take_hand(tick, n, hands.hand[n]);
+}
+
+void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept {
+  scene::HandState& h = hand[n];
+  if (!in.active) {
+    h.leave();
+    return;
+  }
+  tick.sweep[n].seconds = tick.dt;
+  tick.held[n] = !h.take(in, tools, tick.sweep[n]);
+  if (!tick.held[n]) return;
+  faults |= kFaultInput;
+  ++counters.held_samples;
+}
+
+// Stage 2. The motor follows the asked speed at its own pace.
+void Scene::State::turn_wheel(Tick& tick) noexcept {
+  const double asked = std::clamp(wheel_asked, -def.wheel.max_speed, def.wheel.max_speed);
+  const double most = def.wheel.acceleration * tick.dt;
+  const double before = wheel_speed;
+  wheel_speed += std::clamp(asked - wheel_speed, -most, most);
+  tick.angle_from = wheel_angle;
+  tick.turn = 0.5 * (before + wheel_speed) * tick.dt;
+  const double full = 2.0 * portable::kPi;
+  wheel_angle += tick.turn;
+  if (wheel_angle >= full) wheel_angle -= full;
+  if (wheel_angle < 0.0) wheel_angle += full;
+  if (wheel_angle >= full) wheel_angle = 0.0;  // -tiny + 2 pi rounds to 2 pi
+}
+
+// Stage 3. The sponge is where the hands are.
+void Scene::State::soak_or_dry(const Tick& tick, bool sponge) noexcept {
+  if (!moisture) return;
+  for (const scene::HandState& h : hand)
+    if (h.present && h.contact.touching()) sponge |= tools[h.tool].shape->wets;
+  std::array<double, kMaxHands> heights{};
+  std::size_t held = 0;
+  for (const scene::HandState& h : hand)
+    if (h.present) heights[held++] = h.at.y;
+  moisture->soak_or_dry(*def.moisture, clay, tick.dt, sponge, std::span(heights).first(held));
+}
+
+double Scene::State::wetness_at(double height) const {
+  return moisture ? moisture->at(clay, height) : 0.0;
+}
+
+Yielding Scene::State::yielding_at(double height) const {
+  const double soft = moisture ? effects::softness(*def.moisture, wetness_at(height)) : 1.0;
+  return {def.contact.relaxation_time * soft, def.contact.stiffness};
+}
+
+// Stage 4. Whoever works on the lump has it alone.
+void Scene::State::work_on_lump(const Hands& hands) noexcept {
+  if (!lump.step(hands, lump_parts())) return;
+  for (scene::HandState& h : hand) h.leave();
+  slit.forget();
+}
+
+// Stage 4, at the tick's end: what a visitor may want back.
+void Scene::State::keep_history(const Tick& tick) noexcept {
+  bool touching = false;
+  for (const scene::HandState& h : hand) touching = touching || (h.present && h.contact.touching());
+  lump.follow(lump_parts(), touching, tick.dt);
+}
 
 // Stage 5, for a wire.
 void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
@@ -26,7 +108,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n)
     if (hand[n].present && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
   if (slit.free()) {
-    for (HandState& h : hand) h.contact = {};
+    for (scene::HandState& h : hand) h.contact = {};
     return;
   }
   std::array<Yielding, kMaxHands> yielding;
@@ -41,7 +123,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   }
   if (row_effects) {
     for (std::size_t n = 0; n < hand.size(); ++n) {
-      const HandState& other = hand[1 - n];
+      const scene::HandState& other = hand[1 - n];
       const bool held = other.present && other.contact.touching() &&
                         other.contact.side() != hand[n].contact.side();
       tick.along[n] = row_effects->along(def, hand[n].at, held ? &other.at : nullptr);
@@ -64,9 +146,9 @@ void Scene::State::press_clay(Tick& tick) noexcept {
 
 // Stage 6. What has just been laid must be measured first.
 void Scene::State::work_on_rows(const Tick& tick) noexcept {
-  if (lump_work != LumpWork::none) return;
+  if (!lump.playing()) return;
   const double angle = tick.angle_from + tick.turn;
-  RowEffects::Tick rows;
+  scene::RowEffects::Tick rows;
   rows.moisture = moisture ? &*moisture : nullptr;
   rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
   rows.seconds = tick.dt;
@@ -76,11 +158,11 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   const bool begun = history && history->depth() > 0 && history->lasted() < kLooking;
   rows.step = begun ? steps_taken() - 1 : steps_taken();
   for (std::size_t n = 0; n < hand.size(); ++n) {
-    const HandState& h = hand[n];
+    const scene::HandState& h = hand[n];
     const Press& press = tick.press[n];
     rows.touched = rows.touched || press.touched > 0;
     if (!presses(h) || press.touched == 0) continue;
-    const Tool& tool = tools[h.tool];
+    const scene::Tool& tool = tools[h.tool];
     const double c = portable::cos(angle);
     const double s = portable::sin(angle);
     rows.hand[n] = {{c * h.at.x + s * h.at.z, h.at.y, c * h.at.z - s * h.at.x},
@@ -96,7 +178,7 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
 // Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
 void Scene::State::feel(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
-    const HandState& h = hand[n];
+    const scene::HandState& h = hand[n];
     if (!h.present || tick.held[n]) continue;
     const ToolShape& shape = *tools[h.tool].shape;
     const ToolSize& size = tools[h.tool].size;
@@ -104,14 +186,14 @@ void Scene::State::feel(Tick& tick) noexcept {
     const Press& press = tick.press[n];
     Vec3 force = press.force;
     const double strength = length(press.force);
-    if (kEffectsBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
+    if (effects::kBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
-      const double mu = friction_coefficient(friction, wetness_at(h.at.y));
+      const double mu = effects::friction_coefficient(friction, wetness_at(h.at.y));
       const body::Ball ball = shape.ball(place, size, (-1.0 / strength) * press.force);
       const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
-      const Vec3 slip =
-          (1.0 / tick.dt) * (h.at - tick.sweep[n].from) - clay_velocity(touch, tick.turn / tick.dt);
-      force += friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
+      const Vec3 slip = (1.0 / tick.dt) * (h.at - tick.sweep[n].from) -
+                        effects::clay_velocity(touch, tick.turn / tick.dt);
+      force += effects::friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
     const body::Ball lowest = shape.ball(place, size, kDown);
     force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
@@ -136,6 +218,41 @@ void Scene::State::press_as_printed(Tick& tick) noexcept {
     const Vec3 filtered = filter.filter(touch.force);
     if (!tick.held[n]) tick.wanted[n] = filtered;
   }
+}
+
+// Stages 8 and 9. The guard is always last.
+Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
+  const force::GuardLimits limits{def.guard.max_force, def.guard.max_slew, def.guard.engage_time};
+  Feedback out;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    scene::HandState& h = hand[n];
+    HandFeedback& felt = out.hand[n];
+    bool finite = true;
+    felt.force = h.guard.step(tick.wanted[n], tick.dt, limits, finite);
+    if (!finite) faults |= kFaultForce;
+    const Press& press = tick.press[n];
+    felt.contact = h.present && press.touched > 0;
+    felt.side = tick.side[n];
+    felt.place = tick.place[n];
+    felt.depth = h.present ? press.depth : 0.0;
+    counters.visited_elements += static_cast<std::uint64_t>(press.visited);
+    counters.touched_elements += static_cast<std::uint64_t>(press.touched);
+  }
+  ++counters.ticks;
+  time += tick.dt;
+  if (!slit.free()) clay_angle = wheel_angle;
+  out.wheel_angle = wheel_angle;
+  out.clay_angle = clay_angle;
+  out.cut_free = slit.share();
+  out.wheel_speed = wheel_speed;
+  if (row_effects) {
+    out.sinking = row_effects->sinking();
+    out.fallen = row_effects->fallen();
+    out.torn = row_effects->torn();
+  }
+  out.wetness = moisture ? moisture->mean() : 0.0;
+  out.faults = faults;
+  return out;
 }
 
 }  // namespace onggi

@@ -1,9 +1,9 @@
-#include "engine/profile/walls.h"
+#include "engine/profile/wall_slice.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -103,4 +103,4 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, 
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction
