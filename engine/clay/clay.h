@@ -37,6 +37,7 @@ class Clay {
   double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
   std::span<const double> row_heights() const { return row_height_; }
   double row_thickness(int j) const { return row_thickness_[static_cast<std::size_t>(j)]; }
+  std::span<const double> row_thicknesses() const { return row_thickness_; }
   /// Upper face of the solid floor, metres: above the middle of row floor_rows() - 1, and not above
   /// the middle of row floor_rows().
   double floor_top() const { return floor_top_; }

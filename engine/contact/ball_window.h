@@ -9,16 +9,10 @@
 
 namespace onggi::contact {
 
-/// What a ball may touch of one row.
-struct RowReach {
-  float above;    ///< Middle of the ball above the row, m.
-  float section;  ///< Radius of the ball's cross-section with the row's plane, m.
-  float width;    ///< Of an element at the section's tangents, m; 1e-9 round the axis, where
-                  ///< there are none.
-  float per_width;
-  bool edged;          ///< Elements that the section's edges cross may be pressed.
-  BlockRun ranges[2];  ///< They never share a block.
-  int used;            ///< Of `ranges`: 1, or 2 where the window passes angle 0, or none.
+/// How long rows are.
+struct RowShape {
+  explicit RowShape(const Clay& clay) : sectors(clay.sectors()), blocks(clay.stride() / 8) {}
+  int sectors, blocks;
 };
 
 /// Elements of the first `used` of `ranges`.
@@ -26,6 +20,27 @@ constexpr std::int64_t elements_in(const BlockRun* ranges, int used) {
   std::int64_t blocks = 0;
   for (int n = 0; n < used; ++n) blocks += ranges[n].end - ranges[n].begin;
   return blocks * 8;
+}
+
+/// The blocks that hold the elements `low` to `high`, whole numbers from -sectors to 2 sectors - 1,
+/// wrapped round the axis. Gives how many of `ranges` (1 or 2) are used.
+inline int wrapped_blocks(RowShape row, int low, int high, BlockRun* ranges) noexcept {
+  const int sectors = row.sectors;
+  const int all = row.blocks;
+  ranges[0] = {0, all};
+  if (high - low + 1 >= sectors) return 1;
+  const int shift = low < 0 ? sectors : low >= sectors ? -sectors : 0;
+  const auto first = static_cast<unsigned>(low + shift);
+  auto last = static_cast<unsigned>(high + shift);
+  if (last < static_cast<unsigned>(sectors)) {
+    ranges[0] = {static_cast<int>(first / 8), static_cast<int>(last / 8) + 1};
+    return 1;
+  }
+  last -= static_cast<unsigned>(sectors);
+  if (last / 8 + 1 > first / 8) return 1;  // the two ends meet in one block: the full circle
+  ranges[0] = {static_cast<int>(first / 8), all};
+  ranges[1] = {0, static_cast<int>(last / 8) + 1};
+  return 2;
 }
 
 /// Which elements a ball can touch: rows by height, and in each row one or two ranges of blocks
@@ -44,10 +59,12 @@ struct BallWindow {
 /// extent (Clay::outer_most). None that the ball presses by 80 nm is ever left out. Which else are
 /// in does not change what a press comes to.
 void plan_rows(const Clay& clay, const BallWindow& window, WallSide side, int first, int count,
-               RowReach* rows) noexcept;
-
-/// The blocks that hold the elements `low` to `high`, whole numbers from -sectors to 2 sectors - 1,
-/// wrapped round the axis. Gives how many of `ranges` (1 or 2) are used.
-int wrapped_blocks(const Clay& clay, int low, int high, BlockRun* ranges) noexcept;
+               BallWindows& rows) noexcept;
+/// And the blocks of reached row `k`: how many of `ranges` (1 or 2) are used.
+inline int blocks_of(RowShape row, const BallWindows& rows, int k, BlockRun* ranges) noexcept {
+  const int turns = 2 * row.sectors;
+  // The element beyond the upper end covers the rounding.
+  return wrapped_blocks(row, rows.low[k] - turns, rows.high[k] + 1 - turns, ranges);
+}
 
 }  // namespace onggi::contact

@@ -22,18 +22,10 @@ struct BodyKernel {
                  const BodyRow<Body>* rows, int count);
 };
 
-/// What window_lanes.cpp takes of kPlannedRows rows, and gives. Metres, elements.
-struct BallWindows {
-  float above[kPlannedRows];   ///< In: middle of the ball above the row.
-  float extent[kPlannedRows];  ///< In: of the face, Clay::outer_most() or inner_least().
-  float section[kPlannedRows], width[kPlannedRows], per_width[kPlannedRows];  // RowReach
-  float end[kPlannedRows];   ///< Where the section ends on the ray half an element within its
-                             ///< edge.
-  float half[kPlannedRows];  ///< Half the window in elements; negative where nothing is reached.
-  int low[kPlannedRows], high[kPlannedRows];  ///< Elements, `turns` added.
-};
+/// What ball windows are found by, for all rows alike.
 struct WindowFigures {
   float radius, distance;     ///< Of the ball; of its middle from the axis, m.
+  float per_radius;           ///< 1 / m
   float per_radian, radians;  ///< Elements in a radian, and the other way.
   float middle;               ///< The ball's angle in elements, `turns` added: always positive.
 };
@@ -44,6 +36,7 @@ struct Kernels {
   const BodyKernel<body::Capsule>* capsule;
   const BodyKernel<body::Box>* box;
   const BodyKernel<body::Cylinder>* cylinder;
+  /// Fills all of `rows` but what it is to be given.
   void (*windows)(WallSide side, const WindowFigures& figures, int count, BallWindows& rows);
   /// Half the angle of eight sections of radius `r`, `d` from the axis, tangents `t`, with rows of
   /// `extent`; negative where nothing is reached.

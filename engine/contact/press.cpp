@@ -1,6 +1,7 @@
 #include "engine/contact/press.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "engine/contact/ball_window.h"
 #include "engine/contact/kernels.h"
@@ -15,17 +16,24 @@ using contact::BodyKernel;
 using contact::BodyRow;
 using contact::kPlannedRows;
 
-// How the rows that a body may touch are found: which there are, and what of each.
+// How the rows that a body may touch are found: which of some rows there are, and what of each.
 template <class Body>
 class Plan {
  public:
   Plan(const Clay& clay, WallSide side, const Body& body, Vec3 at)
-      : clay_(clay), side_(side), body_(body), window_(clay, body.heights(), body.hull(), at) {}
+      : clay_(clay),
+        side_(side),
+        body_(body),
+        sector_(static_cast<float>(2.0 * portable::kPi / clay.sectors())),
+        window_(clay, body.heights(), body.hull(), at) {}
 
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
-  static BodyFigures<Body> figures(const Body&) { return {}; }
-  void find(int first, int count) {
+  BodyFigures<Body> figures() const { return {}; }
+
+  // Bit k: row first + k has something to touch.
+  std::uint32_t find(int first, int count) {
+    std::uint32_t reached = 0;
     for (int n = 0; n < count; n += kFew) {
       const int few = std::min(count - n, kFew);
       bool covered[kFew];
@@ -35,16 +43,20 @@ class Plan {
         if (covered[k]) row.outline = body_.outline(row.y);
       }
       contact::plan_rows(clay_, window_, side_, first + n, few, covered, rows_ + n);
+      for (int k = 0; k < few; ++k) reached |= std::uint32_t{rows_[n + k].used > 0} << (n + k);
     }
+    return reached;
   }
-  const contact::SolidReach& found(int k) const { return rows_[k]; }
-  void drop(int k) { rows_[k].used = 0; }
-  void fill(const contact::SolidReach& found, float /*limit*/, BodyRow<Body>& row) const {
+  void fill(int k, float /*limit*/, BodyRow<Body>& row) const {
+    const contact::SolidReach& found = rows_[k];
     row.section = body_.section(found.y);
     row.outline = &found.outline;
-    row.sector = static_cast<float>(2.0 * portable::kPi / clay_.sectors());
+    row.sector = sector_;
     row.share = found.share;
     row.careful = true;
+    row.used = found.used;
+    row.ranges[0] = found.ranges[0];
+    row.ranges[1] = found.ranges[1];
   }
 
  private:
@@ -52,6 +64,7 @@ class Plan {
   const Clay& clay_;
   WallSide side_;
   const Body& body_;
+  float sector_;
   contact::SolidWindow window_;
   contact::SolidReach rows_[kPlannedRows];
 };
@@ -61,33 +74,42 @@ class Plan<Ball> {
  public:
   Plan(const Clay& clay, WallSide side, const Ball& ball, Vec3)
       : clay_(clay),
+        shape_(clay),
         side_(side),
-        per_radius_(static_cast<float>(1.0 / ball.radius)),
+        ball_(ball),
         window_(clay, ball.middle, ball.radius) {}
 
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
-  static BodyFigures<Ball> figures(const Ball& ball) { return {ball.figures()}; }
+  BodyFigures<Ball> figures() const {
+    return {static_cast<float>(ball_.middle.x),
+            static_cast<float>(ball_.middle.z),
+            static_cast<float>(1.0 / ball_.radius),
+            static_cast<float>(ball_.middle.x / ball_.radius),
+            static_cast<float>(ball_.middle.z / ball_.radius),
+            &rows_};
+  }
 
-  void find(int first, int count) { plan_rows(clay_, window_, side_, first, count, rows_); }
-  const contact::RowReach& found(int k) const { return rows_[k]; }
-  void drop(int k) { rows_[k].used = 0; }
-  void fill(const contact::RowReach& found, float limit, BodyRow<Ball>& row) const {
-    const float covered = 2.0f * found.section * found.per_width;
-    row.section = {found.section, found.section + 0.5f * found.width, found.per_width,
-                   covered < 1.0f ? covered : 1.0f, found.above * per_radius_};
-    const double section = double{found.section};
-    row.careful =
-        found.edged || (side_ == WallSide::outside ? window_.distance - section < double{limit}
-                                                   : window_.distance + section > double{limit});
+  std::uint32_t find(int first, int count) {
+    plan_rows(clay_, window_, side_, first, count, rows_);
+    return rows_.reached;
+  }
+  void fill(int k, float limit, BodyRow<Ball>& row) const {
+    row.k = k;
+    const double section = double{rows_.section[k]};
+    row.careful = (rows_.edged >> k & 1u) != 0 ||
+                  (side_ == WallSide::outside ? window_.distance - section < double{limit}
+                                              : window_.distance + section > double{limit});
+    row.used = blocks_of(shape_, rows_, k, row.ranges);
   }
 
  private:
   const Clay& clay_;
+  contact::RowShape shape_;
   WallSide side_;
-  float per_radius_;
+  const Ball& ball_;
   contact::BallWindow window_;
-  contact::RowReach rows_[kPlannedRows];
+  contact::BallWindows rows_;
 };
 
 const BodyKernel<Ball>& kernel_of(const contact::Kernels& all, const Ball&) { return *all.ball; }
@@ -116,80 +138,85 @@ contact::StepFigures figures_of(const Clay& clay, WallSide side) {
   return step;
 }
 
-// The rows that a body presses in one step: made ready for its kernel, and what came of them told
+// Some rows that a body presses in one step: made ready for its kernel, and what came of them told
 // to the clay.
 template <class Body>
 class Pressing {
  public:
   Pressing(Clay& clay, WallSide side, const Yielding& yielding, double weight)
-      : clay_(clay), side_(side), yielding_(yielding), weight_(weight) {
-    if (clay.areas() != nullptr && !yielding.cut)
+      : clay_(clay), side_(side), cut_(yielding.cut), weight_(weight) {
+    if (clay.areas() != nullptr && !cut_)
       shifts_ = clay.shifts(side == WallSide::inside);  // what is cut off drags nothing along
   }
 
-  // Gives how many of the planned rows there is work on.
-  int prepare(Plan<Body>& plan, int first, int count, float limit) {
-    if (const RowAreas* areas = clay_.areas(); areas != nullptr && areas->any_torn())
-      for (int k = 0; k < count; ++k)
-        if (areas->torn(first + k)) plan.drop(k);  // hands pass through it
+  // Those of `reached` from row `first` on. Gives how many there is work on.
+  int prepare(const Plan<Body>& plan, int first, std::uint32_t reached, float limit) {
+    RowAreas* areas = clay_.areas();
+    const bool torn = areas != nullptr && areas->any_torn();
+    const bool outside = side_ == WallSide::outside;
+    float* const face = (outside ? clay_.pressable_outer(0) : clay_.pressable_inner(0)).data();
+    float* const behind = (outside ? clay_.pressable_inner(0) : clay_.pressable_outer(0)).data();
+    const float* const bounds = (outside ? clay_.inner_least() : clay_.outer_most()).data();
+    const double* const thicknesses = clay_.row_thicknesses().data();
+    const auto stride = static_cast<std::size_t>(clay_.stride());
+    const int floor_rows = clay_.floor_rows();
+    double thickness = thickness_;
     int used = 0;
-    for (int k = 0; k < count; ++k) {
-      const auto& found = plan.found(k);
-      if (found.used == 0) continue;
-      row_[used] = first + k;
+    for (; reached != 0; reached &= reached - 1) {
+      const int k = std::countr_zero(reached);
+      const int j = first + k;
+      if (torn && areas->torn(j)) continue;  // hands pass through it
+      const auto n = static_cast<std::size_t>(j);
+      row_[used] = j;
       BodyRow<Body>& row = rows_[used++];
-      plan.fill(found, limit, row);
-      take(first + k, row);
-      row.used = found.used;
-      for (int n = 0; n < found.used; ++n) row.ranges[n] = found.ranges[n];
+      plan.fill(k, limit, row);
+      row.face = face + n * stride;
+      row.behind = behind + n * stride;
+      row.behind_start = bounds[n];
+      row.hollow = j >= floor_rows;
+      row.regroups = thicknesses[n] != thickness;
+      thickness = thicknesses[n];
+      if (row.regroups) row.area = static_cast<float>(weight_ * thickness);
+      if (areas != nullptr) row.shift = shifts_ != nullptr ? shifts_->row(j) : areas->spare_row();
     }
+    thickness_ = thickness;
     return used;
   }
   BodyRow<Body>* rows() { return rows_; }
 
   void account(int first, int used, Press& out) {
+    RowAreas* areas = clay_.areas();
     std::uint64_t changed = 0;
+    std::int64_t visited = 0;
+    std::int64_t touched = 0;
     for (int n = 0; n < used; ++n) {
       const contact::RowTask& row = rows_[n];
-      const int j = row_[n];
-      out.visited += contact::elements_in(row.ranges, row.used);
+      visited += contact::elements_in(row.ranges, row.used);
       if (row.touched == 0) continue;
-      out.touched += row.touched;
-      if (side_ == WallSide::outside) {
-        if (row.behind_most < row.behind_start) clay_.widen_extent(j, 0.0f, row.behind_most);
-      } else if (row.behind_most > row.behind_start) {
-        clay_.widen_extent(j, row.behind_most, 1e9f);
-      }
-      if (RowAreas* areas = clay_.areas()) {
-        areas->lose(j, portable::kPi / clay_.sectors() * double{row.lost}, yielding_.cut);
-        if (shifts_ != nullptr)
-          for (int r = 0; r < row.used; ++r) shifts_->mark(j, row.ranges[r]);
-      }
+      const int j = row_[n];
+      touched += row.touched;
       changed |= std::uint64_t{1} << (j - first);
+      if (row.behind_most != row.behind_start) {
+        if (side_ == WallSide::outside)
+          clay_.widen_extent(j, 0.0f, row.behind_most);
+        else
+          clay_.widen_extent(j, row.behind_most, 1e9f);
+      }
+      if (areas == nullptr) continue;
+      areas->lose(j, portable::kPi / clay_.sectors() * double{row.lost}, cut_);
+      if (shifts_ != nullptr)
+        for (int r = 0; r < row.used; ++r) shifts_->mark(j, row.ranges[r]);
     }
+    out.visited += visited;
+    out.touched += touched;
     clay_.mark_dirty(first, changed);
   }
 
  private:
-  void take(int j, contact::RowTask& row) {
-    float* outer = clay_.pressable_outer(j).data();
-    float* inner = clay_.pressable_inner(j).data();
-    const bool outside = side_ == WallSide::outside;
-    row.face = outside ? outer : inner;
-    row.behind = outside ? inner : outer;
-    row.behind_start = outside ? clay_.inner_least(j) : clay_.outer_most(j);
-    row.hollow = j >= clay_.floor_rows();
-    row.regroups = clay_.row_thickness(j) != thickness_;
-    thickness_ = clay_.row_thickness(j);
-    row.area = static_cast<float>(weight_ * thickness_);
-    if (RowAreas* areas = clay_.areas())
-      row.shift = shifts_ != nullptr ? shifts_->row(j) : areas->spare_row();
-  }
-
   Clay& clay_;
   WallSide side_;
-  const Yielding& yielding_;
-  double weight_;
+  bool cut_;
+  double weight_;  // force per press, radius and height
   Shifts* shifts_ = nullptr;
   double thickness_ = 0.0;  // of the row before
   int row_[kPlannedRows];
@@ -214,15 +241,14 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
 
   Plan<Body> plan(clay, side, body, at);
   Pressing<Body> pressing(clay, side, yielding, weight);
-  const BodyFigures<Body> figures = Plan<Body>::figures(body);
+  const BodyFigures<Body> figures = plan.figures();
   contact::PressSums sums;
   Press out;
   const int end_row = plan.end_row();
   const int first_row = first_pressed_row(clay, side, plan.first_row());
   for (int first = first_row; first < end_row; first += kPlannedRows) {
     const int count = std::min(kPlannedRows, end_row - first);
-    plan.find(first, count);
-    const int used = pressing.prepare(plan, first, count, step.limit);
+    const int used = pressing.prepare(plan, first, plan.find(first, count), step.limit);
     if (used == 0) continue;
     kernel.press(side, step, figures, pressing.rows(), used, sums);
     pressing.account(first, used, out);
@@ -252,25 +278,21 @@ double depth(const Clay& clay, WallSide side, const Body& body, Vec3 at,
   const BodyKernel<Body>& kernel = kernel_of(contact::kernels(clay.vectors()), body);
   const contact::StepFigures step = figures_of(clay, side);
   Plan<Body> plan(clay, side, body, at);
-  const BodyFigures<Body> figures = Plan<Body>::figures(body);
+  const BodyFigures<Body> figures = plan.figures();
   BodyRow<Body> rows[kPlannedRows];
   float deepest = 0.0f;
   const int end_row = plan.end_row();
   for (int first = first_pressed_row(clay, side, plan.first_row()); first < end_row;
        first += kPlannedRows) {
     const int count = std::min(kPlannedRows, end_row - first);
-    plan.find(first, count);
     int used = 0;
-    for (int k = 0; k < count; ++k) {
-      const auto& found = plan.found(k);
-      if (found.used == 0) continue;
-      const int j = first + k;
+    for (std::uint32_t reached = plan.find(first, count); reached != 0; reached &= reached - 1) {
+      const int k = std::countr_zero(reached);
       BodyRow<Body>& row = rows[used++];
-      plan.fill(found, step.limit, row);
-      const float* face = side == WallSide::outside ? clay.outer(j).data() : clay.inner(j).data();
+      plan.fill(k, step.limit, row);
+      const float* face =
+          (side == WallSide::outside ? clay.outer(first + k) : clay.inner(first + k)).data();
       row.face = const_cast<float*>(face);  // depth only reads
-      row.used = found.used;
-      for (int n = 0; n < found.used; ++n) row.ranges[n] = found.ranges[n];
       visited += contact::elements_in(row.ranges, row.used);
     }
     if (used > 0) deepest = std::max(deepest, kernel.depth(side, step, figures, rows, used));

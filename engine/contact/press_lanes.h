@@ -90,11 +90,11 @@ ONGGI_INLINE Float8 gone_along(const StepFigures& step, Float8 back, Float8 lost
 // One block of eight elements, with the target held where it is in the middle of the step: exact
 // exponential relaxation, second order in the step for a target that moves.
 template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
-ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, const RowTask& task, int i,
-                              Pressed& pressed) {
+ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* face, float* behind,
+                              int i, Pressed& pressed) {
   const Float8 c = load(step.ray_cos + i);
   const Float8 s = load(step.ray_sin + i);
-  const Float8 radius = load(task.face + i);
+  const Float8 radius = load(face + i);
   const auto m = row.template meet<side, careful>(c, s, radius);
   const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, step));
   const Mask8 touch = m.hit & (press > all(kSnap));
@@ -103,14 +103,14 @@ ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, const Row
   const Float8 felt = only(touch, careful ? press * m.covered : press);
   const Float8 given = felt * all(step.gone);
   const Float8 now = side == WallSide::outside ? radius - given : radius + given;
-  store(now, task.face + i);
+  store(now, face + i);
   [[maybe_unused]] Float8 lost = all(0.0f);
   if constexpr (keeps)
     lost = side == WallSide::outside ? (radius - now) * (radius + now)
                                      : (now - radius) * (now + radius);
   if constexpr (hollow) {
     // The other face is carried along where the wall would be too thin.
-    const Float8 back = load(task.behind + i);
+    const Float8 back = load(behind + i);
     const Float8 thin = all(step.wall_min);
     Float8 least = side == WallSide::outside ? now - thin : now + thin;
     if constexpr (keeps) {
@@ -120,7 +120,7 @@ ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, const Row
     const Mask8 pushed = touch & (side == WallSide::outside ? least < back : least > back);
     if (!none(pushed)) {
       const Float8 carried = select(pushed, least, back);
-      store(carried, task.behind + i);
+      store(carried, behind + i);
       pressed.behind = side == WallSide::outside ? smaller(pressed.behind, carried)
                                                  : larger(pressed.behind, carried);
       if constexpr (keeps)
@@ -140,9 +140,14 @@ ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, const Row
 template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
 ONGGI_INLINE void press_row(const Row& row, const StepFigures& step, const RowTask& task,
                             Pressed& pressed) {
-  for (int n = 0; n < task.used; ++n)
-    for (int i = task.ranges[n].begin * kLanes; i < task.ranges[n].end * kLanes; i += kLanes)
-      press_block<side, careful, hollow, keeps>(row, step, task, i, pressed);
+  float* const face = task.face;
+  float* const behind = task.behind;
+  const int used = task.used;
+  for (int n = 0; n < used; ++n) {
+    const int end = task.ranges[n].end * kLanes;
+    for (int i = task.ranges[n].begin * kLanes; i < end; i += kLanes)
+      press_block<side, careful, hollow, keeps>(row, step, face, behind, i, pressed);
+  }
 }
 
 template <class Law>
@@ -150,9 +155,12 @@ struct Kernel {
   using Body = typename Law::Body;
   using Row = typename Law::Row;
 
+  // What is read for every block is copied first: a vector may be stored to anything, so that
+  // compilers read what is behind a reference anew after each.
   template <WallSide side, bool keeps>
-  static void press_rows(const StepFigures& step, const BodyFigures<Body>& body,
+  static void press_rows(const StepFigures& given, const BodyFigures<Body>& body,
                          BodyRow<Body>* rows, int count, PressSums& sums) {
+    const StepFigures step = given;
     Reaction reaction{load(sums.normal), load(sums.force_x), load(sums.force_y),
                       load(sums.force_z)};
     Pressed pressed;
@@ -181,8 +189,11 @@ struct Kernel {
         press_row<side, false, true, keeps>(row, step, task, pressed);
       task.touched = pressed.touched;
       if (pressed.touched == 0) continue;
-      task.behind_most =
-          side == WallSide::outside ? smallest(pressed.behind) : largest(pressed.behind);
+      task.behind_most = task.behind_start;
+      const Float8 start = all(task.behind_start);
+      if (!none(side == WallSide::outside ? pressed.behind < start : pressed.behind > start))
+        task.behind_most =
+            side == WallSide::outside ? smallest(pressed.behind) : largest(pressed.behind);
       if constexpr (keeps) task.lost = sum(pressed.lost);
     }
     store(reaction.normal, sums.normal);

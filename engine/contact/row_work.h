@@ -54,16 +54,38 @@ struct BodyRow : RowTask {
   float sector;  ///< Angle of an element, rad.
   float share;   ///< Of the row's height that is covered.
 };
+
+/// The sections of kPlannedRows rows with a ball, circles, and which elements they can touch: an
+/// array each, since they are worked out eight at a time. Metres.
+struct BallWindows {
+  float above[kPlannedRows];         ///< Given: middle of the ball above the row.
+  float extent[kPlannedRows];        ///< Given: of the face, Clay::outer_most() or inner_least().
+  float section[kPlannedRows];       ///< Radius of the circle.
+  float edge[kPlannedRows];          ///< Farthest from its middle that the ray of an element
+                                     ///< covered in part may pass.
+  float per_width[kPlannedRows];     ///< 1 / m: of an element at the circle's tangents.
+  float most_covered[kPlannedRows];  ///< Share of an element that the circle can cover, 0..1.
+  float above_radii[kPlannedRows];   ///< Middle of the ball above the row, over its radius.
+  int low[kPlannedRows], high[kPlannedRows];  ///< Elements between which it touches, two turns on.
+  std::uint32_t reached;                      ///< Bit k: row k has something that can be touched.
+  std::uint32_t edged;  ///< Bit k: so may elements that the circle's edges cross.
+};
+
 template <>
 struct BodyRow<body::Ball> : RowTask {
-  body::Ball::Section section;
+  int k;  ///< In BodyFigures::rows.
 };
 
 /// What all rows of a body have in common.
 template <class Body>
 struct BodyFigures {};
 template <>
-struct BodyFigures<body::Ball> : body::Ball::Figures {};
+struct BodyFigures<body::Ball> {
+  float x, z;              ///< Its middle, m.
+  float per_radius;        ///< 1 / m
+  float x_radii, z_radii;  ///< Its middle from the axis, over its radius.
+  const BallWindows* rows;
+};
 
 /// A kernel's sums between two of its calls in one step: eight accumulators of each.
 struct PressSums {

@@ -88,6 +88,7 @@ void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int f
   const Circles circles = circles_of(clay, side, first, count, covered, rows);
   // Rows where an upright body is cut alike are given the angles of the one that it reaches
   // farthest, and worked out once: an element more there costs less than its own arc tangents.
+  const RowShape shape(clay);
   int like = -1;
   body::Turn both;
   for (int k = 0; k < count; ++k) {
@@ -110,7 +111,7 @@ void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int f
     const double middle = both.middle * per_radian - 0.5;
     // Elements that are covered in part lie up to half a width beyond; one more for the rounding.
     const double reach = both.half * per_radian + 0.5;
-    rows[k].used = wrapped_blocks(clay, static_cast<int>(std::floor(middle - reach)),
+    rows[k].used = wrapped_blocks(shape, static_cast<int>(std::floor(middle - reach)),
                                   static_cast<int>(std::floor(middle + reach)) + 1, rows[k].ranges);
   }
 }

@@ -65,25 +65,34 @@ ONGGI_INLINE void ball_windows_of(const contact::WindowFigures& figures, int cou
   const Float8 radius = all(figures.radius);
   const Float8 distance = all(figures.distance);
   const Float8 middle = all(figures.middle);
+  rows.reached = rows.edged = 0;
   for (int k = 0; k < count; k += kLanes) {
-    const Float8 off = abs(load(rows.above + k));
+    const Float8 above = load(rows.above + k);
+    const Float8 extent = load(rows.extent + k);
+    const Float8 off = abs(above);
     const Float8 section = sqrt(larger((radius - off) * (radius + off), zero));
     const Float8 tangent = sqrt(larger((distance - section) * (distance + section), zero));
     // Elements of which only a part is covered lie up to half a width beyond.
-    const Float8 angle = half_window<side>(distance, section, tangent, load(rows.extent + k));
+    const Float8 angle = half_window<side>(distance, section, tangent, extent);
     const Float8 half = all(0.5f) + angle * all(figures.per_radian);
     // Where the section ends on the ray that passes half an element within its edge.
     const Float8 width = larger(tangent * all(figures.radians), all(1e-9f));
     const Float8 within = section - all(0.5f) * width;
     const Float8 along = sqrt(larger((distance - within) * (distance + within), zero));
     const Float8 chord = sqrt(larger((section - within) * (section + within), zero));
+    const Float8 per_width = all(1.0f) / width;
     store(section, rows.section + k);
-    store(width, rows.width + k);
-    store(all(1.0f) / width, rows.per_width + k);
-    store(side == WallSide::outside ? along - chord : along + chord, rows.end + k);
-    store(half, rows.half + k);
+    store(section + all(0.5f) * width, rows.edge + k);
+    store(per_width, rows.per_width + k);
+    store(smaller(all(2.0f) * section * per_width, all(1.0f)), rows.most_covered + k);
+    store(above * all(figures.per_radius), rows.above_radii + k);
     store_whole(middle - half, rows.low + k);
     store_whole(middle + half, rows.high + k);
+    const Float8 end = side == WallSide::outside ? along - chord : along + chord;
+    const Float8 slack = all(1e-6f);
+    const Mask8 deep = side == WallSide::outside ? extent + slack > end : extent - slack < end;
+    rows.edged |= bits(deep | (all(2.0f) * section < width)) << k;
+    rows.reached |= bits(angle > all(-1.0f)) << k;
   }
 }
 

@@ -68,6 +68,10 @@ struct Mask8 {
 [[gnu::always_inline]] inline int count(Mask8 m) {
   return __builtin_popcount(static_cast<unsigned>(_mm256_movemask_ps(m.v)));
 }
+/// Bit k says what lane k says.
+[[gnu::always_inline]] inline unsigned bits(Mask8 m) {
+  return static_cast<unsigned>(_mm256_movemask_ps(m.v));
+}
 [[gnu::always_inline]] inline bool none(Mask8 m) { return _mm256_testz_ps(m.v, m.v) != 0; }
 
 }  // namespace onggi::avx2

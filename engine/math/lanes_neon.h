@@ -75,6 +75,12 @@ struct Mask8 {
 [[gnu::always_inline]] inline int count(Mask8 m) {
   return -vaddvq_s32(vreinterpretq_s32_u32(vaddq_u32(m.low, m.high)));
 }
+/// Bit k says what lane k says.
+[[gnu::always_inline]] inline unsigned bits(Mask8 m) {
+  const uint32x4_t low{1, 2, 4, 8};
+  const uint32x4_t high{16, 32, 64, 128};
+  return vaddvq_u32(vorrq_u32(vandq_u32(m.low, low), vandq_u32(m.high, high)));
+}
 [[gnu::always_inline]] inline bool none(Mask8 m) {
   return vmaxvq_u32(vorrq_u32(m.low, m.high)) == 0;
 }

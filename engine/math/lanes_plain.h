@@ -85,6 +85,12 @@ inline int count(const Mask8& m) {
   for (const bool one : m.v) yes += one;
   return yes;
 }
+/// Bit k says what lane k says.
+inline unsigned bits(const Mask8& m) {
+  unsigned yes = 0;
+  for (int k = 0; k < 8; ++k) yes |= static_cast<unsigned>(m.v[k]) << k;
+  return yes;
+}
 inline bool none(const Mask8& m) { return count(m) == 0; }
 
 }  // namespace onggi::plain

@@ -87,6 +87,10 @@ struct Mask8 {
   const __m128i eight = _mm_add_epi32(fours, _mm_shuffle_epi32(fours, 0xb1));
   return -_mm_cvtsi128_si32(eight);
 }
+/// Bit k says what lane k says.
+[[gnu::always_inline]] inline unsigned bits(Mask8 m) {
+  return static_cast<unsigned>(_mm_movemask_ps(m.low) | _mm_movemask_ps(m.high) << 4);
+}
 [[gnu::always_inline]] inline bool none(Mask8 m) {
   return _mm_movemask_ps(_mm_or_ps(m.low, m.high)) == 0;
 }

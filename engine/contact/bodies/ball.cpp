@@ -5,12 +5,6 @@
 
 namespace onggi::body {
 
-Ball::Figures Ball::figures() const noexcept {
-  return {static_cast<float>(middle.x), static_cast<float>(middle.z),
-          static_cast<float>(1.0 / radius), static_cast<float>(middle.x / radius),
-          static_cast<float>(middle.z / radius)};
-}
-
 double cross_section(double radius, double dy) noexcept {
   const double off = std::fabs(dy);
   return off < radius ? std::sqrt((radius - off) * (radius + off)) : -1.0;

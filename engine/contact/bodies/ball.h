@@ -10,27 +10,8 @@ struct Ball {
   Vec3 middle;
   double radius = 0;  ///< > 0.
 
-  /// What of it meets one row: see BallSection.
-  struct Section;
-  /// What all its rows have in common, for kernels.
-  struct Figures {
-    float x, z;              ///< Its middle, m.
-    float per_radius;        ///< 1 / m
-    float x_radii, z_radii;  ///< Its middle from the axis, over its radius.
-  };
-  Figures figures() const noexcept;
   /// Itself: the ball whose farthest point is its own.
   Ball support(Vec3 /*towards*/) const noexcept { return *this; }
-};
-
-/// Its section with a row's plane, a circle, and how elements at the circle's edges count.
-struct Ball::Section {
-  float radius;        ///< Of the circle, m; negative where there is none.
-  float edge;          ///< Farthest from its middle that the ray of an element covered in part may
-                       ///< pass, m.
-  float per_width;     ///< 1 / m: of an element at the circle's tangents.
-  float most_covered;  ///< Share of an element that the circle can cover, 0..1.
-  float above_radii;   ///< Middle above the row, over the ball's radius.
 };
 
 /// Radius of a sphere's cross-section `dy` from its centre; -1 where there is none. Factored, so

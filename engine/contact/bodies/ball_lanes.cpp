@@ -17,13 +17,13 @@ struct BallLaw {
     Float8 above;  // H above the row, over the ball's radius
 
     ONGGI_INLINE Row(const BodyFigures<Body>& ball, const BodyRow<Body>& row)
-        : section(all(row.section.radius)),
+        : section(all(ball.rows->section[row.k])),
           at_x(all(ball.x)),
           at_z(all(ball.z)),
-          edge(all(row.section.edge)),
-          per_width(all(row.section.per_width)),
-          most_covered(all(row.section.most_covered)),
-          above(all(row.section.above_radii)) {}
+          edge(all(ball.rows->edge[row.k])),
+          per_width(all(ball.rows->per_width[row.k])),
+          most_covered(all(ball.rows->most_covered[row.k])),
+          above(all(ball.rows->above_radii[row.k])) {}
 
     template <WallSide side, bool careful>
     ONGGI_INLINE Meeting meet(Float8 c, Float8 s, Float8) const {

@@ -34,15 +34,18 @@ struct SolidLaw {
   static constexpr bool kPlain = false;
 
   struct Row {
-    const BodyRow<Body>& row;
+    typename Body::Section section;
+    body::Outline outline;
+    float sector, share;
 
-    ONGGI_INLINE Row(const BodyFigures<Body>&, const BodyRow<Body>& r) : row(r) {}
+    ONGGI_INLINE Row(const BodyFigures<Body>&, const BodyRow<Body>& row)
+        : section(row.section), outline(*row.outline), sector(row.sector), share(row.share) {}
 
     struct Strip {
       Float8 low, high;
     };
     ONGGI_INLINE Strip covered_strip(Float8 c, Float8 s, Float8 width) const {
-      const body::Outline& o = *row.outline;
+      const body::Outline& o = outline;
       const Float8 off = all(o.z) * c - all(o.x) * s;
       const Float8 half =
           abs(all(o.uz) * c - all(o.ux) * s) + abs(all(o.vz) * c - all(o.vx) * s) + all(o.round);
@@ -59,16 +62,16 @@ struct SolidLaw {
     }
     template <WallSide side, bool careful>
     ONGGI_INLINE FacingMeeting meet(Float8 c, Float8 s, Float8 face) const {
-      const Float8 width = larger(face, all(1e-6f)) * all(row.sector);
+      const Float8 width = larger(face, all(1e-6f)) * all(sector);
       const Strip strip = covered_strip(c, s, width);
       const Float8 part = (strip.high - strip.low) / width;
       const FacingInterval in =
-          Shape::template interval<side>(row.section, c, s, all(0.5f) * (strip.low + strip.high));
+          Shape::template interval<side>(section, c, s, all(0.5f) * (strip.low + strip.high));
       Mask8 hit = (strip.high > strip.low) & (in.far > in.near);
       // A body outside works the half of the clay that it stands over.
       if constexpr (side == WallSide::outside) hit = hit & (in.near + in.far > all(0.0f));
       return {side == WallSide::outside ? in.near : in.far,
-              smaller(part, all(1.0f)) * all(row.share),
+              smaller(part, all(1.0f)) * all(share),
               hit,
               in.x,
               in.y,

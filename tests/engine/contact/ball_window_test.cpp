@@ -44,13 +44,17 @@ std::vector<std::vector<int>> looks(const Clay& clay, WallSide side, Vec3 at, do
       std::vector<int>(static_cast<std::size_t>(clay.stride() / 8), 0));
   const BallWindow window(clay, at, radius);
   for (int j = window.first_row; j < window.end_row; j += kPlannedRows) {
-    RowReach rows[kPlannedRows];
+    BallWindows rows;
     const int count = std::min(kPlannedRows, window.end_row - j);
     plan_rows(clay, window, side, j, count, rows);
-    for (int k = 0; k < count; ++k)
-      for (int n = 0; n < rows[k].used; ++n)
-        for (int b = rows[k].ranges[n].begin; b < rows[k].ranges[n].end; ++b)
+    for (int k = 0; k < count; ++k) {
+      if ((rows.reached >> k & 1u) == 0) continue;
+      BlockRun ranges[2];
+      const int used = blocks_of(RowShape(clay), rows, k, ranges);
+      for (int n = 0; n < used; ++n)
+        for (int b = ranges[n].begin; b < ranges[n].end; ++b)
           ++seen.at(static_cast<std::size_t>(j + k)).at(static_cast<std::size_t>(b));
+    }
   }
   return seen;
 }
