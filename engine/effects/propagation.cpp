@@ -1,16 +1,12 @@
 #include "engine/effects/propagation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
 namespace {
-
-constexpr double kEnd = 3.0;                    // reaches
-constexpr double kLeft = 0.049787068367863944;  // e^-3: taken off, so that it ends without a step
 
 // e^-x, x >= 0: rows are close, and 100 of them differ in height. Pade's (2, 2) is off by x^5/720,
 // 4e-5 at a half.
@@ -30,11 +26,6 @@ std::span<const EffectField<PropagationDef>> PropagationDef::fields() {
 }
 
 namespace effects {
-
-double dragged_share(const PropagationDef& def, double distance) noexcept {
-  const double far = std::fabs(distance) / def.reach;
-  return far < kEnd ? (portable::exp(-far) - kLeft) / (1.0 - kLeft) : 0.0;
-}
 
 Propagation::Propagation(int stride)
     : pull_{std::vector<float>(static_cast<std::size_t>(stride)),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "engine/effects/row_kernels.h"
 
@@ -88,8 +87,6 @@ bool Volume::measure_some(Clay& clay, int element_budget) noexcept {
   }
   return true;
 }
-
-double Volume::total() const { return std::accumulate(volume_.begin(), volume_.end(), 0.0); }
 
 void Volume::give(Clay& clay, int j, int to, double volume) noexcept {
   volume_[static_cast<std::size_t>(j)] -= volume;
