@@ -8,10 +8,11 @@
 
 namespace onggi {
 
-Result<Clay> Clay::create(const ClayDef& def) {
+Result<Clay> Clay::create(const ClayDef& def, Vectors vectors) {
   if (auto good = validate(def, "clay"); !good) return tl::unexpected<Problem>(good.error());
   Clay clay;
   clay.def_ = def;
+  clay.vectors_ = vectors;
   clay.stride_ = (def.sectors + 7) / 8 * 8;
   const auto rows = static_cast<std::size_t>(def.rows);
 

@@ -10,6 +10,7 @@
 #include "engine/clay/row_areas.h"
 #include "engine/clay/row_set.h"
 #include "engine/clay/shifts.h"
+#include "engine/math/vectors.h"
 #include "engine/profile/profile.h"
 
 namespace onggi {
@@ -23,9 +24,11 @@ namespace onggi {
 /// Not safe across threads; allocation only in create().
 class Clay {
  public:
-  static Result<Clay> create(const ClayDef& def);
+  /// `vectors`: that loops over its elements use, one of vectors_here(); no part of its state.
+  static Result<Clay> create(const ClayDef& def, Vectors vectors = best_vectors());
 
   const ClayDef& def() const { return def_; }
+  Vectors vectors() const { return vectors_; }
   int rows() const { return def_.rows; }
   int sectors() const { return def_.sectors; }
   /// Floats from one row to the next: sectors rounded up to a multiple of 8.
@@ -144,6 +147,7 @@ class Clay {
   }
 
   ClayDef def_;
+  Vectors vectors_ = Vectors::plain;
   int stride_ = 0;
   int floor_rows_ = 0;
   double floor_top_ = 0.0;

@@ -36,8 +36,8 @@ Propagation::Propagation(int stride)
 bool Propagation::drag_row(Clay& clay, WallSide side, int j, BlockRun run, float faded,
                            double along) noexcept {
   float* own = clay.shifts(side == WallSide::inside)->row(j);
-  if (row_kernels::pull(run, faded, own, pull_.source.data(), pull_.carried.data(), more_.data()) <=
-      0.0f)
+  if (row_kernels::of(clay.vectors())
+          .pull(run, faded, own, pull_.source.data(), pull_.carried.data(), more_.data()) <= 0.0f)
     return false;
   move_face(clay, side, j, run, more_.data(), along);
   return true;

@@ -30,7 +30,8 @@ Tearing::Tearing(Clay& clay)
 bool Tearing::tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept {
   if (j < clay.floor_rows()) return false;
   const row_kernels::Ring ring =
-      row_kernels::measure(clay.stride(), clay.outer(j).data(), clay.inner(j).data());
+      row_kernels::of(clay.vectors())
+          .measure(clay.stride(), clay.outer(j).data(), clay.inner(j).data());
   if (double{ring.thinnest} < def.tear_thickness) return true;
   const double laid = j < solid_rows_ ? solid_square_ : hollow_square_;
   const double wider = 1.0 + def.tear_strain;

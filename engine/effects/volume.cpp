@@ -119,7 +119,8 @@ double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   if (j < clay.floor_rows()) girth = thickness = std::sqrt(more);
   float* outer = clay.pressable_outer(j).data();
   float* inner = clay.pressable_inner(j).data();
-  const row_kernels::WallBounds now = row_kernels::bounds(clay.stride(), outer, inner);
+  const row_kernels::Table& kernels = row_kernels::of(clay.vectors());
+  const row_kernels::WallBounds now = kernels.bounds(clay.stride(), outer, inner);
   const double farthest = double{now.farthest};
   const double thinnest = double{now.thinnest};
   if (thickness < 1.0 && thickness * thinnest < def.wall_min) {
@@ -132,7 +133,7 @@ double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   const auto same = static_cast<float>(0.5 * (girth + thickness));
   const auto cross = static_cast<float>(0.5 * (girth - thickness));
   const double before = clay.areas()->of(j);
-  const row_kernels::FaceMoved extent = row_kernels::mix(clay.stride(), same, cross, outer, inner);
+  const row_kernels::FaceMoved extent = kernels.mix(clay.stride(), same, cross, outer, inner);
   clay.set_extent(j, extent.outermost, extent.innermost);
   clay.areas()->mark(j);
   clay.areas()->set(j, clay.measured_area(j));

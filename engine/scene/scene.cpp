@@ -6,9 +6,9 @@
 
 namespace onggi {
 
-Result<Scene> Scene::create(const SceneDef& def) {
+Result<Scene> Scene::create(const SceneDef& def, Vectors vectors) {
   if (auto good = validate(def); !good) return tl::unexpected<Problem>(good.error());
-  Result<Clay> clay = Clay::create(def.clay);
+  Result<Clay> clay = Clay::create(def.clay, vectors);
   if (!clay) return tl::unexpected<Problem>(clay.error());
   return Scene(std::make_unique<State>(def, std::move(*clay)));
 }

@@ -106,7 +106,7 @@ void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
 // Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
 void Scene::State::press_clay(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n)
-    if (hand[n].present && tools[hand[n].tool].shape->severs) draw_wire(tick, n);
+    if (hand[n].present && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
   if (slit.free()) {
     for (scene::HandState& h : hand) h.contact = {};
     return;
@@ -189,13 +189,13 @@ void Scene::State::feel(Tick& tick) noexcept {
     if (effects::kBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
       const double mu = effects::friction_coefficient(friction, wetness_at(h.at.y));
-      const ToolBall ball = ball_towards(shape, place, size, (-1.0 / strength) * press.force);
+      const body::Ball ball = shape.ball(place, size, (-1.0 / strength) * press.force);
       const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
       const Vec3 slip = (1.0 / tick.dt) * (h.at - tick.sweep[n].from) -
                         effects::clay_velocity(touch, tick.turn / tick.dt);
       force += effects::friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
-    const ToolBall lowest = ball_towards(shape, place, size, kDown);
+    const body::Ball lowest = shape.ball(place, size, kDown);
     force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
     tick.wanted[n] = force;
   }

@@ -81,7 +81,7 @@ struct Scene::State {
   Yielding yielding_at(double height) const;
   void keep_history(const Tick& tick) noexcept;
   bool presses(const scene::HandState& h) const {
-    return h.present && !tools[h.tool].shape->severs;
+    return h.present && !tools[h.tool].shape->severs();
   }
   std::uint64_t steps_taken() const { return history ? history->depth() : 0; }
   bool fallen() const { return row_effects && row_effects->fallen(); }

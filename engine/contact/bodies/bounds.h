@@ -5,7 +5,7 @@
 #include "engine/clay/wall_side.h"
 #include "engine/math/vec.h"
 
-namespace onggi {
+namespace onggi::body {
 
 /// The lowest and the highest point of a tool, m.
 struct Heights {
@@ -47,18 +47,6 @@ struct Outline {
   Circle circle() const noexcept;
 };
 
-/// A block of half lengths `half` along the unit directions `axis`, at right angles to each other.
-struct Block {
-  Vec3 middle;
-  std::array<Vec3, 3> axis;
-  std::array<double, 3> half{};
-
-  Heights heights() const noexcept;
-  Hull hull() const noexcept;
-  /// Exact where no corner lies in the plane's cut; else a little wide.
-  Outline outline(double y) const noexcept;
-};
-
 /// The angles that a hull spans, seen from the axis; `at` is a point in it.
 Turn turn_of(const Hull& hull, Vec3 at) noexcept;
 /// Bounds of how near the axis a hull comes and how far from it, m; `at` is a point in it.
@@ -77,4 +65,4 @@ Turn overlap(const Turn& a, const Turn& b) noexcept;
 /// through `through`, is cut at height `y`. Nothing where it lies too level for that to help.
 void add_oval(Outline& outline, Vec3 through, Vec3 axis, double radius, double y) noexcept;
 
-}  // namespace onggi
+}  // namespace onggi::body

@@ -1,4 +1,4 @@
-#include "engine/contact/window.h"
+#include "engine/contact/ball_window.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,10 +7,13 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/contact/bodies/ball.h"
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::contact {
 namespace {
+
+using body::cross_section;
 
 Clay lump(int rows, int sectors) {
   ClayDef def;
@@ -39,7 +42,7 @@ std::vector<std::vector<int>> looks(const Clay& clay, WallSide side, Vec3 at, do
   std::vector<std::vector<int>> seen(
       static_cast<std::size_t>(clay.rows()),
       std::vector<int>(static_cast<std::size_t>(clay.stride() / 8), 0));
-  const Window window(clay, at, radius);
+  const BallWindow window(clay, at, radius);
   for (int j = window.first_row; j < window.end_row; j += kPlannedRows) {
     RowReach rows[kPlannedRows];
     const int count = std::min(kPlannedRows, window.end_row - j);
@@ -118,8 +121,8 @@ TEST(Window, CostFollowsTheToolAndNotTheGridAroundIt) {
   const Clay a = std::move(*Clay::create(tall));
   const Clay b = std::move(*Clay::create(low));
   const Vec3 at{0.06, 0.25, 0.0};
-  EXPECT_EQ(Window(a, at, 0.008).end_row, Window(b, at, 0.008).end_row);
-  EXPECT_EQ(Window(a, at, 0.008).first_row, Window(b, at, 0.008).first_row);
+  EXPECT_EQ(BallWindow(a, at, 0.008).end_row, BallWindow(b, at, 0.008).end_row);
+  EXPECT_EQ(BallWindow(a, at, 0.008).first_row, BallWindow(b, at, 0.008).first_row);
 }
 
 TEST(CrossSection, KeepsItsDigitsNearThePolesWhereTheSquaresCancel) {
@@ -136,4 +139,4 @@ TEST(CrossSection, KeepsItsDigitsNearThePolesWhereTheSquaresCancel) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::contact

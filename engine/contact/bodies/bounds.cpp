@@ -1,11 +1,11 @@
-#include "engine/contact/outline.h"
+#include "engine/contact/bodies/bounds.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::body {
 namespace {
 
 constexpr double kLevel = 0.1;  // |axis.y| below which a rod's cut is longer than any tool
@@ -21,65 +21,6 @@ Circle Outline::circle() const noexcept {
   const double longest = std::sqrt(double{oval} * double{oval} + double{oval_ax} * double{oval_ax} +
                                    double{oval_az} * double{oval_az});
   return longest < block.radius ? Circle{double{oval_x}, double{oval_z}, longest} : block;
-}
-
-Heights Block::heights() const noexcept {
-  double up = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) up += half[k] * std::fabs(axis[k].y);
-  return {middle.y - up, middle.y + up};
-}
-
-Hull Block::hull() const noexcept {
-  Hull hull;
-  hull.count = 8;
-  for (std::size_t n = 0; n < 8; ++n)
-    hull.middle[n] = middle + ((n & 1) != 0 ? half[0] : -half[0]) * axis[0] +
-                     ((n & 2) != 0 ? half[1] : -half[1]) * axis[1] +
-                     ((n & 4) != 0 ? half[2] : -half[2]) * axis[2];
-  return hull;
-}
-
-Outline Block::outline(double y) const noexcept {
-  // The steepest direction is solved for; the plane then leaves the other two free, each as far as
-  // the rest of the block still comes up or down to the plane.
-  std::size_t steep = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (std::fabs(axis[k].y) > std::fabs(axis[steep].y)) steep = k;
-  const double up = y - middle.y;
-  double most[3];
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) sum += most[k] = half[k] * std::fabs(axis[k].y);
-  Outline out;
-  if (std::fabs(up) > sum) {
-    out.round = -1.0f;
-    return out;
-  }
-  const Vec3 steepest = axis[steep];
-  Vec3 centre = middle + (up / steepest.y) * steepest;
-  Vec3 side[2];
-  int n = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (k == steep) continue;
-    double low = -half[k];
-    double high = half[k];
-    const double rise = axis[k].y;
-    if (std::fabs(rise) > 1e-9) {
-      const double a = (up - (sum - most[k])) / rise;
-      const double b = (up + (sum - most[k])) / rise;
-      low = std::max(low, std::min(a, b));
-      high = std::min(high, std::max(a, b));
-    }
-    const Vec3 level = axis[k] - (rise / steepest.y) * steepest;
-    centre += 0.5 * (low + high) * level;
-    side[n++] = std::max(0.5 * (high - low), 0.0) * level;
-  }
-  out.x = static_cast<float>(centre.x);
-  out.z = static_cast<float>(centre.z);
-  out.ux = static_cast<float>(side[0].x);
-  out.uz = static_cast<float>(side[0].z);
-  out.vx = static_cast<float>(side[1].x);
-  out.vz = static_cast<float>(side[1].z);
-  return out;
 }
 
 Turn turn_of(const Hull& hull, Vec3 at) noexcept {
@@ -194,4 +135,4 @@ void add_oval(Outline& outline, Vec3 through, Vec3 axis, double radius, double y
   outline.oval_az = static_cast<float>(radius * axis.z / axis.y);
 }
 
-}  // namespace onggi
+}  // namespace onggi::body
