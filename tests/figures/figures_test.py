@@ -39,7 +39,7 @@ class Drawn(unittest.TestCase):
     def test_every_figure_is_there_and_carries_curves_and_words(self):
         for name, words in (("edges", ["sharpest turn of the outline in 0.5 mm, degrees", "with"]),
                             ("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
-                            ("glossary", ["element: one", "span: a ray's way"]),
+                            ("glossary", ["element: one", "interval, or span:"]),
                             ("marks", ["eight facets, flat rib", "a trimmed foot"]),
                             ("push", ["force, N", "mean depth, mm", "elements in collision"]),
                             ("times", ["1 ms", "800 × 360", "the corrected model"])):

@@ -58,7 +58,7 @@ near = ball * cos(a) - way
 far = ball * cos(a) + way
 set arrow 30 from near * cos(a),near * sin(a) to far * cos(a),far * sin(a) arrowstyle 2 front
 set arrow 31 from far * cos(a) + 0.5,far * sin(a) to 70,7.5 arrowstyle 1 front
-set label 8 "span: a ray's way\nthrough the tool" at 70.5,8.5 textcolor rgb ink front
+set label 8 "interval, or span:\nof a ray in it" at 70.5,8.5 textcolor rgb ink front
 plot data using (only("level", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb wall, \
      data using (only("level_looked", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb looked, \
      data using (only("level_element", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb picked, \
