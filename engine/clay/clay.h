@@ -74,7 +74,10 @@ class Clay {
   void set_floor(int rows, double top);
 
   /// No outer radius of row `j` is larger, and no inner one smaller: where nothing can touch,
-  /// nobody need look. Not always the least and the most that would be true.
+  /// nobody need look. Not always the least and the most that would be true: a press makes the
+  /// largest radius smaller, and the new one could be found only by looking at all of the row, 360
+  /// elements for the dozen that were pressed. Too wide it costs elements looked at in vain; too
+  /// narrow it would let a tool pass through clay, so whoever writes widens it first.
   float outer_most(int j) const { return outer_most_[static_cast<std::size_t>(j)]; }
   float inner_least(int j) const { return inner_least_[static_cast<std::size_t>(j)]; }
   std::span<const float> outer_most() const { return outer_most_; }

@@ -20,9 +20,6 @@ struct PropagationDef {
 
 namespace effects {
 
-/// Share of a move that a row `distance` m away follows: 1 at 0, falling, 0 from three reaches on.
-double dragged_share(const PropagationDef& def, double distance) noexcept;
-
 /// Drags the rows about those that moved. Allocates only when made; one thread.
 class Propagation {
  public:

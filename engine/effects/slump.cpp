@@ -42,10 +42,6 @@ std::span<const EffectField<SlumpDef>> SlumpDef::fields() {
 
 namespace effects {
 
-double standing_height(const SlumpDef& def) noexcept {
-  return kRoot3 * def.yield_stress / (def.density * kGravity);
-}
-
 // What the row would do if it stood alone.
 Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& volume,
                           const Around& around, int j) const noexcept {

@@ -88,8 +88,5 @@ class Slump {
   double calm_wetness_ = 0.0;  // likewise
 };
 
-/// Height, m, up to which a straight wall stands: sqrt(3) tau_y / (density g).
-double standing_height(const SlumpDef& def) noexcept;
-
 }  // namespace effects
 }  // namespace onggi

@@ -26,6 +26,8 @@ constexpr double kFarAway = 3.0;
 /// A cavity shallower than this share of the height is a modelled mouth over a solid body.
 constexpr double kDeepEnough = 0.5;
 
+/// Thickness of a wall that cannot be seen, over the body's largest radius.
+constexpr double kInferredWall = 0.04;
 /// A foot narrower than this share of the wall a hair above it is a flat one, domed.
 constexpr double kDomed = 0.8, kHair = 0.006;
 
@@ -223,7 +225,7 @@ void Extractor::square_foot() {
 void Extractor::read_inside() {
   const std::size_t n = slices_.size();
   const double height = heights_.back();
-  const double guess = std::clamp(options_.inferred_wall_ratio, 0.005, 0.5) * body_.size;
+  const double guess = kInferredWall * body_.size;
   const bool open = mouth_.openness > kOpen;
   double floor = height - mouth_.floor;
   const bool deep = open && mouth_.floor >= kDeepEnough * height;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/nearest_name.h"
 #include "engine/script/carving.h"
 #include "engine/script/demonstrations.h"
 #include "engine/script/forming.h"
@@ -81,22 +82,6 @@ constexpr auto kNames = [] {
   return names;
 }();
 
-// Letters to change, add or drop to turn one word into the other.
-std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t corner = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, corner + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-      corner = above;
-    }
-  }
-  return row[b.size()];
-}
-
 // Names of those that `wanted` says, for a person.
 template <class Wanted>
 std::string names_of(const Wanted& wanted) {
@@ -109,10 +94,9 @@ std::string names_of(const Wanted& wanted) {
 std::string where_of(std::string_view name) { return "script \"" + std::string(name) + "\""; }
 
 tl::unexpected<Problem> no_such(std::string_view name) {
-  const std::string_view nearest =
-      *std::ranges::min_element(kNames, {}, [&](std::string_view n) { return edits(name, n); });
+  const std::string nearest = nearest_name(name, kNames);
   return problem(where_of(name), "There is no script of that name.",
-                 "Did you mean \"" + std::string(nearest) + "\"? There are " +
+                 (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "There are " +
                      names_of([](const ScriptInfo&) { return true; }) + ".");
 }
 

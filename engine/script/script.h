@@ -43,9 +43,9 @@ struct ToolInHand;
 struct ScriptInfo {
   /// What make_script() refuses to do without.
   struct Needs {
-    std::string_view tool;  ///< Besides fingers, by name: "flat_rib". Empty: none.
-    bool target = false;    ///< ScriptContext::target.
-    bool wall = false;      ///< A lump that is open: solid for no more than half its height.
+    std::string_view tool = {};  ///< Besides fingers, by name: "flat_rib". Empty: none.
+    bool target = false;         ///< ScriptContext::target.
+    bool wall = false;           ///< A lump that is open: solid for no more than half its height.
   };
   std::string_view name;
   std::string_view words;  ///< What the hands do: "narrow a neck".

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house rules of engine/docs/house.md, checked. Prints where, what is wrong and what to do.
 
-  tests/house/house.py includes|links|length|layout|format [--root DIR]
+  tests/house/house.py includes|links|length|layout|names|format [--root DIR]
   exit 0: kept, 1: broken, 77: cannot be checked here (says why)
 """
 
@@ -12,6 +12,8 @@ import re
 import shutil
 import subprocess
 import sys
+
+import public_names
 
 MAX_LINES = 400
 CPP = (".h", ".cpp")
@@ -259,6 +261,11 @@ def check_layout(root, table):
     return broken, f"{len(names)} files lie where the house has a place for them"
 
 
+def check_names(root, _table):
+    """What engine headers declare in onggi:: itself is listed: a new public name is a decision."""
+    return public_names.check(files_of(root), lambda name: "\n".join(read_lines(root, name)), room_of)
+
+
 def check_format(root, _table):
     """clang-format 14, as .clang-format says."""
     tool = next((t for t in ("clang-format-14", "clang-format") if shutil.which(t)), None)
@@ -280,7 +287,7 @@ def check_format(root, _table):
 
 
 CHECKS = {"includes": check_includes, "links": check_links, "length": check_length,
-          "layout": check_layout, "format": check_format}
+          "layout": check_layout, "names": check_names, "format": check_format}
 
 
 def main():

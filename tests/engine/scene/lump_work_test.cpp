@@ -81,8 +81,12 @@ TEST(LumpWork, WhatIsAskedForMeanwhileIsNotDoneAfterwards) {
   clay::History history(pot);
   const LumpWork::Parts parts{def, pot, &history, nullptr};
   LumpWork work;
-  EXPECT_TRUE(work.step({.renew = true}, parts));
-  EXPECT_TRUE(work.step({.restore = true}, parts));
+  Hands hands;
+  hands.renew = true;
+  EXPECT_TRUE(work.step(hands, parts));
+  hands.renew = false;
+  hands.restore = true;
+  EXPECT_TRUE(work.step(hands, parts));
   int ticks = 2;
   while (!work.playing() && ticks < 100) {
     EXPECT_TRUE(work.step({}, parts));
