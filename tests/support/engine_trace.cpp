@@ -37,4 +37,43 @@ std::string engine_trace(int seconds, Vectors kind) {
   return hashes.str();
 }
 
+std::string tools_trace(Vectors kind) {
+  SceneDef def;
+  def.clay.rows = 100;
+  def.clay.sectors = 90;
+  def.clay.inner_radius = 0.035;
+  each_effect(def, [](auto& effect) { effect.emplace(); });
+  def.kiln.reset();  // comes when the wheel stands
+  def.moisture->sponge_height = 0.06;
+  auto scene = Scene::create(def, kind);
+  if (!scene) return "";
+  std::ostringstream hashes;
+  constexpr int kTicks = 400;
+  for (std::size_t tool = 0; tool <= def.tools.size(); ++tool) {
+    Hands hands;
+    hands.wheel_speed = 14.0;
+    const ToolShape& shape = *find_tool_shape(tool == 0 ? "sphere" : def.tools[tool - 1].name);
+    const double off = 0.4 * shape.reach(shape.usual);
+    for (int n = 0; n < kTicks; ++n) {
+      const double t = n / double{kTicks};
+      const bool inside = n >= kTicks / 2;
+      HandInput& hand = hands.hand[0];
+      hand.tool = static_cast<std::uint8_t>(tool);
+      hand.active = n % (kTicks / 2) > 10;
+      hand.side = inside ? SideWish::inside : SideWish::outside;
+      const double away = inside ? std::max(0.038 - off, 0.002) : 0.053 + off;
+      hand.position = {away, 0.06 + 0.1 * t, 0.004 * portable::sin(9.0 * t)};
+      hand.roll = 0.5 * t;
+      if (tool % 2 == 1) hand.handle = {0.4, 1.0, 0.3 * t};
+      hands.hand[1].active = n % 150 > 75;
+      hands.hand[1].side = SideWish::inside;
+      hands.hand[1].position = {-0.029, 0.05 + 0.08 * t, 0.0};
+      hands.water = n % 200 < 40;
+      scene->step(hands, n % 5 == 0 ? 0.0016 : 0.001);
+    }
+    hashes << shape.name << ' ' << std::hex << scene->state_hash() << '\n';
+  }
+  return hashes.str();
+}
+
 }  // namespace onggi

@@ -2,21 +2,30 @@
 
 #include <fstream>
 #include <sstream>
+#include <string>
 
 #include "tests/support/engine_trace.h"
 
 namespace onggi {
 namespace {
 
-// The hash after every second is kept in tests/golden. A changed hash means that old replays no
-// longer replay: say why where you change the file. tests/determinism runs the same trace from
-// other compilers.
+// Hashes are kept in tests/golden. A changed hash means that old replays no longer replay: say why
+// where you change the file. tests/determinism runs the same traces from other compilers.
+std::string golden(const std::string& name) {
+  std::ifstream file("tests/golden/" + name);
+  EXPECT_TRUE(file) << "tests run in the project's root";
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
 TEST(Golden, ATraceOfTheTickHasTheSameBitsOnEveryMachineAndCompiler) {
-  std::ifstream file("tests/golden/engine_trace.txt");
-  ASSERT_TRUE(file) << "tests run in the project's root";
-  std::ostringstream golden;
-  golden << file.rdbuf();
-  EXPECT_EQ(engine_trace(), golden.str());
+  EXPECT_EQ(engine_trace(), golden("engine_trace.txt"));
+}
+
+TEST(Golden, SoHasATraceOfEveryToolWithEveryEffectOnEveryKindOfVectors) {
+  for (const Vectors kind : vectors_here())
+    EXPECT_EQ(tools_trace(kind), golden("tools_trace.txt")) << name_of(kind);
 }
 
 }  // namespace
