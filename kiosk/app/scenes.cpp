@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/nearest_name.h"
 #include "engine/effects/kiln.h"
 #include "engine/script/throwing.h"
 #include "kiosk/app/log.h"
@@ -63,7 +64,7 @@ settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
   auto scenes = root.child("vessel_scenes");
   for (const auto& [id, scene] : exhibit.vessel_scenes) {
     if (std::ranges::find(ids, id) != ids.end()) continue;
-    const std::string nearest = settings::nearest_name(id, ids);
+    const std::string nearest = nearest_name(id, ids);
     scenes.complain(id, "There is no vessel \"" + id + "\" on the shelf.",
                     nearest.empty()
                         ? "Write the name of its folder on the shelf, or remove the line."

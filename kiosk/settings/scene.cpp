@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/base/nearest_name.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/settings/toml_reader.h"
 

@@ -1,3 +1,4 @@
+#include "engine/base/nearest_name.h"
 #include "kiosk/settings/toml_reader_impl.h"
 
 namespace onggi::settings {

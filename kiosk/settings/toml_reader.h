@@ -91,8 +91,4 @@ class TomlReader {
   std::shared_ptr<Impl> impl_;
 };
 
-/// The name in `names` nearest to `word` by edit distance (a swap of neighbours counts one, case
-/// and '-' for '_' nothing), if within a third of its length; else "".
-std::string nearest_name(std::string_view word, const std::vector<std::string>& names);
-
 }  // namespace onggi::settings

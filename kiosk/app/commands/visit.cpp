@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/base/nearest_name.h"
 #include "engine/script/script.h"
 #include "kiosk/app/commands/commands.h"
 #include "kiosk/app/kiosk.h"
@@ -19,7 +20,6 @@
 #include "kiosk/app/virtual_display.h"
 #include "kiosk/app/visit_report.h"
 #include "kiosk/app/window_size.h"
-#include "kiosk/settings/toml_reader.h"
 #include "kiosk/souvenir/durable_file.h"
 #include "kiosk/souvenir/encode.h"
 
@@ -71,7 +71,7 @@ Result<int> find_card(const Kiosk& kiosk, Shelf& shelf, const Choice& choice) {
     if (cards[i].vessel->id == choice.id) return static_cast<int>(i);
     ids.push_back(cards[i].vessel->id);
   }
-  const std::string nearest = settings::nearest_name(choice.id, ids);
+  const std::string nearest = nearest_name(choice.id, ids);
   std::string all;
   for (const std::string& id : ids) all += (all.empty() ? "" : ", ") + id;
   return problem(

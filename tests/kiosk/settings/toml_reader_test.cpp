@@ -363,24 +363,5 @@ TEST_F(TomlReaderTest, no_bytes_at_all_can_end_the_program) {
   });
 }
 
-TEST(nearest_name, swaps_case_and_hyphens_are_small_slips) {
-  const std::vector<std::string> names{"height", "warn_after", "rows"};
-  EXPECT_EQ(nearest_name("hieght", names), "height");
-  EXPECT_EQ(nearest_name("Warn-After", names), "warn_after");
-  EXPECT_EQ(nearest_name("row", names), "rows");
-  EXPECT_EQ(nearest_name("colour", names), "");
-  EXPECT_EQ(nearest_name("", names), "");
-  EXPECT_EQ(nearest_name("x", {}), "");
-}
-
-TEST(nearest_name, a_name_is_nearest_to_itself_and_two_slips_in_six_letters_are_too_many_for_five) {
-  rc::check([](std::string word) {
-    if (word.empty() || word.size() > 60) return;
-    RC_ASSERT(nearest_name(word, {"zzzzzzzzzzzzzzzzzzzz", word}) == word);
-  });
-  EXPECT_EQ(nearest_name("hxigxt", {"height"}), "height");
-  EXPECT_EQ(nearest_name("hxixt", {"height"}), "");
-}
-
 }  // namespace
 }  // namespace onggi::settings

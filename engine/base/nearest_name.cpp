@@ -1,10 +1,9 @@
+#include "engine/base/nearest_name.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 
-#include "kiosk/settings/toml_reader.h"
-
-namespace onggi::settings {
+namespace onggi {
 namespace {
 
 // Longer than any key; keeps a hostile file from costing length squared.
@@ -13,7 +12,8 @@ constexpr std::size_t kLongestName = 64;
 std::string plain(std::string_view word) {
   std::string out(word);
   for (char& c : out) {
-    c = c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c == '-') c = '_';
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return out;
 }
@@ -39,12 +39,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
+std::string nearest_name(std::string_view word, std::span<const std::string_view> names) {
   if (word.empty() || word.size() > kLongestName) return "";
   const std::string wanted = plain(word);
   std::string best;
   std::size_t best_distance = wanted.size() / 3 + 1;
-  for (const std::string& name : names) {
+  for (const std::string_view name : names) {
     if (name.size() > kLongestName) continue;
     const std::size_t distance = edit_distance(wanted, plain(name));
     if (distance < best_distance) {
@@ -55,4 +55,8 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   return best;
 }
 
-}  // namespace onggi::settings
+std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
+  return nearest_name(word, std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+}  // namespace onggi
