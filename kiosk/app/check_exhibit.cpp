@@ -7,11 +7,12 @@
 
 #include "kiosk/app/paths.h"
 #include "kiosk/app/scenes.h"
+#include "kiosk/content/catalogue.h"
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
-#include "kiosk/content/vessel.h"
 #include "kiosk/settings/exhibit.h"
+#include "kiosk/settings/scene_file.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace fs = std::filesystem;

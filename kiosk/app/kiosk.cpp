@@ -10,7 +10,7 @@
 #include "engine/script/script.h"
 #include "kiosk/app/log.h"
 #include "kiosk/app/words.h"
-#include "kiosk/content/gltf.h"
+#include "kiosk/content/glb.h"
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/souvenir/postcard.h"

@@ -6,6 +6,7 @@
 #include "engine/effects/kiln.h"
 #include "engine/script/throwing.h"
 #include "kiosk/app/log.h"
+#include "kiosk/settings/scene_file.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::app {

@@ -1,11 +1,9 @@
 #include "kiosk/app/score_files.h"
 
 #include <memory>
-#include <span>
 
 #include "engine/profile/extraction.h"
-#include "engine/scene/replay.h"
-#include "kiosk/content/confined_files.h"
+#include "kiosk/app/replay_file.h"
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/model.h"
 #include "kiosk/content/vessel.h"
@@ -15,8 +13,6 @@ namespace fs = std::filesystem;
 namespace onggi::app {
 
 namespace {
-
-constexpr std::size_t kLargestReplay = 1u << 30;  // Over ten hours of restless hands.
 
 Result<Shape> read_vessel(const fs::path& path, const std::string& node) {
   content::LoadOptions options;
@@ -43,9 +39,7 @@ Result<Shape> read_drawing_shape(const fs::path& path) {
 }
 
 Result<Shape> read_thrown(const fs::path& path) {
-  const auto bytes = content::read_regular_file(path, kLargestReplay);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto replay = Replay::read(std::as_bytes(std::span(*bytes)), path.string());
+  const auto replay = read_replay(path);
   if (!replay) return tl::unexpected(replay.error());
   std::unique_ptr<Scene> scene;
   const auto outcome = run_replay(*replay, &scene);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kiosk/app/scenes.h"
-#include "kiosk/content/vessel.h"
+#include "kiosk/content/catalogue.h"
 #include "kiosk/render/renderer.h"
 #include "kiosk/screens/visit.h"
 

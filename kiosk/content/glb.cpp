@@ -1,10 +1,11 @@
+#include "kiosk/content/glb.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "kiosk/content/gltf.h"
+#include "kiosk/files/byte_writer.h"
 
 namespace onggi::content {
 
@@ -14,33 +15,6 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBin = 0x004E4942;
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementBuffer = 34963;
 
-class Bytes {
- public:
-  void u32(std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8)
-      bytes_.push_back(static_cast<std::byte>((value >> shift) & 0xFFu));
-  }
-  void f32(float value) {
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    u32(bits);
-  }
-  void text(const std::string& value) {
-    for (const char c : value) bytes_.push_back(static_cast<std::byte>(c));
-  }
-  void pad(std::byte with) {
-    while (bytes_.size() % 4 != 0) bytes_.push_back(with);
-  }
-  void append(const Bytes& other) {
-    bytes_.insert(bytes_.end(), other.bytes_.begin(), other.bytes_.end());
-  }
-  std::uint32_t size() const { return static_cast<std::uint32_t>(bytes_.size()); }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
 }  // namespace
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
@@ -48,9 +22,9 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
   using nlohmann::ordered_json;
   const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
 
-  Bytes bin;
+  files::ByteWriter bin;
   ordered_json views = ordered_json::array();
-  const auto view = [&](std::uint32_t from, int target) {
+  const auto view = [&](std::size_t from, int target) {
     views.push_back({{"buffer", 0},
                      {"byteOffset", from},
                      {"byteLength", bin.size() - from},
@@ -66,10 +40,9 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
       bin.f32(p[k]);
     }
   view(0, kArrayBuffer);
-  std::uint32_t from = bin.size();
+  std::size_t from = bin.size();
   if (normals) {
-    for (const auto& n : mesh.normals)
-      for (const float v : n) bin.f32(v);
+    for (const auto& n : mesh.normals) bin.f32s(n);
     view(from, kArrayBuffer);
     from = bin.size();
   }
@@ -123,21 +96,21 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
       {"buffers", ordered_json::array({{{"byteLength", bin.size()}}})}};
 
   // Text that is not UTF-8 is mended rather than refused: the pot matters more than its name.
-  Bytes json;
+  files::ByteWriter json;
   json.text(document.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
-  json.pad(std::byte{' '});
-  bin.pad(std::byte{0});
+  json.pad(4, ' ');
+  bin.pad(4, '\0');
 
-  Bytes glb;
+  files::ByteWriter glb;
   glb.u32(kMagic);
   glb.u32(2);
-  glb.u32(12 + 8 + json.size() + 8 + bin.size());
-  glb.u32(json.size());
+  glb.u32(static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + bin.size()));
+  glb.u32(static_cast<std::uint32_t>(json.size()));
   glb.u32(kJson);
-  glb.append(json);
-  glb.u32(bin.size());
+  glb.append(json.bytes());
+  glb.u32(static_cast<std::uint32_t>(bin.size()));
   glb.u32(kBin);
-  glb.append(bin);
+  glb.append(bin.bytes());
   return glb.take();
 }
 

@@ -7,7 +7,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/script/throwing.h"
-#include "kiosk/settings/exhibit.h"
+#include "kiosk/settings/scene_file.h"
 #include "tests/support/effect_scenes.h"
 
 namespace onggi::bench {

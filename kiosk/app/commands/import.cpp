@@ -7,11 +7,11 @@
 
 #include "kiosk/app/commands/commands.h"
 #include "kiosk/app/log.h"
-#include "kiosk/content/confined_files.h"
-#include "kiosk/content/gltf.h"
-#include "kiosk/content/pack.h"
-#include "kiosk/content/vessel.h"
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/content/glb.h"
+#include "kiosk/content/gltf_parts.h"
+#include "kiosk/content/pack_writer.h"
+#include "kiosk/content/vessel_file.h"
+#include "kiosk/files/durable_file.h"
 
 namespace fs = std::filesystem;
 
@@ -38,7 +38,7 @@ Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole)
   const settings::ReaderLimits limits;
   if (whole) {
     const auto bytes =
-        content::read_regular_file(vessel.file, static_cast<std::size_t>(limits.file_mb) << 20);
+        content::read_vessel_file(vessel.file, static_cast<std::size_t>(limits.file_mb) << 20);
     if (!bytes) return tl::unexpected(bytes.error());
     const bool is_glb = bytes->size() > 4 && (*bytes)[0] == 'g' && (*bytes)[1] == 'l' &&
                         (*bytes)[2] == 'T' && (*bytes)[3] == 'F';
@@ -72,9 +72,9 @@ Result<void> import_vessel(const Arguments& arguments) {
   if (!glb) return tl::unexpected(glb.error());
 
   const std::string toml = content::pack_toml(*vessel);
-  if (auto good = souvenir::make_folder(folder); !good) return good;
-  if (auto good = souvenir::write_durably(folder / "vessel.glb", *glb); !good) return good;
-  if (auto good = souvenir::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
+  if (auto good = files::make_folder(folder); !good) return good;
+  if (auto good = files::write_durably(folder / "vessel.glb", *glb); !good) return good;
+  if (auto good = files::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
       !good)
     return good;
   std::cout << folder.string() << ": vessel.glb, " << glb->size() / 1024

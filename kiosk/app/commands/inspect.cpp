@@ -10,9 +10,9 @@
 #include "kiosk/app/log.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/render/vessel_sheet.h"
-#include "kiosk/souvenir/durable_file.h"
-#include "kiosk/souvenir/encode.h"
 #include "kiosk/view/vessel_sheet.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/souvenir/encode.h"
 
 namespace onggi::app {
 
@@ -96,7 +96,7 @@ Result<void> plot(const content::Vessel& vessel, const std::string& file) {
   caption.description = "Section and view, drawn by Onggi from " + vessel.file.filename().string();
   const auto png = souvenir::encode(render::draw_sheet(sheet), souvenir::Format::png, caption);
   if (!png) return tl::unexpected(png.error());
-  return souvenir::write_durably(file, *png);
+  return files::write_durably(file, *png);
 }
 
 Result<void> inspect(const Arguments& arguments) {
@@ -113,7 +113,7 @@ Result<void> inspect(const Arguments& arguments) {
     return {};
   }
   if (!arguments.json.empty())
-    if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
+    if (auto good = files::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
       return good;
   print_summary(*vessel);
   return {};

@@ -17,8 +17,8 @@
 #include "kiosk/app/effect_prices.h"
 #include "kiosk/app/log.h"
 #include "kiosk/app/paths.h"
-#include "kiosk/settings/exhibit.h"
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/settings/scene_file.h"
 
 namespace onggi::app {
 
@@ -173,7 +173,7 @@ Result<void> effects(const Arguments& arguments) {
     const std::string text = json_of(prices, arguments).dump(2) + "\n";
     if (to_output)
       std::fputs(text.c_str(), stdout);
-    else if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text)));
+    else if (auto good = files::write_durably(arguments.json, std::as_bytes(std::span(text)));
              !good)
       return good;
   }

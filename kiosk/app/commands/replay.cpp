@@ -1,44 +1,21 @@
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
-#include <vector>
 
-#include "engine/scene/replay.h"
 #include "kiosk/app/commands/commands.h"
 #include "kiosk/app/log.h"
+#include "kiosk/app/replay_file.h"
 #include "kiosk/app/visit_report.h"
-#include "kiosk/souvenir/durable_file.h"
-
-namespace fs = std::filesystem;
+#include "kiosk/files/durable_file.h"
 
 namespace onggi::app {
 
 namespace {
 
-constexpr std::uintmax_t kLargest = 1u << 30;  // Over ten hours of restless hands.
-
-Result<std::vector<char>> read_file(const std::string& name) {
-  std::error_code error;
-  if (!fs::is_regular_file(name, error))
-    return problem(name, "There is no such file.", "Name a visit.onggi that a visit left.");
-  if (fs::file_size(name, error) > kLargest)
-    return problem(name, "It is over 1 GiB, larger than any visit.", "Name a visit.onggi.");
-  std::ifstream file(name, std::ios::binary);
-  std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad())
-    return problem(name, "It could not be read.", "Check its permissions and disk.", 1);
-  return bytes;
-}
-
 Result<int> replay(const std::string& name, const std::string& json_file) {
-  const auto bytes = read_file(name);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto read = Replay::read(std::as_bytes(std::span(*bytes)), name);
+  const auto read = read_replay(name);
   if (!read) return tl::unexpected(read.error());
   const auto outcome = run_replay(*read);
   if (!outcome) return tl::unexpected(outcome.error());
@@ -62,7 +39,7 @@ Result<int> replay(const std::string& name, const std::string& json_file) {
     std::cout << text;
   } else {
     if (!json_file.empty())
-      if (auto good = souvenir::write_durably(json_file, std::as_bytes(std::span(text))); !good)
+      if (auto good = files::write_durably(json_file, std::as_bytes(std::span(text))); !good)
         return tl::unexpected(good.error());
     std::cout << name << ": " << outcome->ticks << " ticks of " << outcome->vessel_id << ", "
               << (outcome->glaze.empty() ? "" : "glaze " + outcome->glaze + ", ")

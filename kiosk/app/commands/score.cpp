@@ -14,8 +14,8 @@
 #include "kiosk/app/score_files.h"
 #include "kiosk/app/visit_report.h"
 #include "kiosk/content/language.h"
+#include "kiosk/files/durable_file.h"
 #include "kiosk/settings/rubric.h"
-#include "kiosk/souvenir/durable_file.h"
 
 namespace fs = std::filesystem;
 
@@ -137,7 +137,7 @@ Result<void> compare_files(const Arguments& arguments) {
     return {};
   }
   if (!arguments.json.empty())
-    if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
+    if (auto good = files::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
       return good;
   print_summary(*target, *pot, score, *words);
   return {};

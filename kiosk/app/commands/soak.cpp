@@ -9,8 +9,8 @@
 #include "kiosk/app/monotonic.h"
 #include "kiosk/app/paths.h"
 #include "kiosk/app/scripted_visitor.h"
-#include "kiosk/app/virtual_display.h"
 #include "kiosk/app/window_size.h"
+#include "kiosk/files/virtual_display.h"
 
 namespace onggi::app {
 
@@ -50,8 +50,8 @@ Result<int> soak(const SoakArguments& arguments) {
   options.keepsakes = arguments.out;
   if (auto good = read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());
-  auto display = VirtualDisplay::ensure(std::max(options.window.width, 640),
-                                        std::max(options.window.height, 480));
+  auto display = files::VirtualDisplay::ensure(std::max(options.window.width, 640),
+                                               std::max(options.window.height, 480));
   if (!display) return tl::unexpected(display.error());
   auto opened = Kiosk::open(options);
   if (!opened) return tl::unexpected(opened.error());

@@ -6,7 +6,7 @@
 #include "kiosk/app/log.h"
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/model.h"
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/files/durable_file.h"
 
 namespace onggi::app {
 
@@ -16,7 +16,7 @@ Result<void> make(const std::string& drawing_file, const std::string& out) {
   const auto drawing = content::read_drawing(drawing_file);
   if (!drawing) return tl::unexpected(drawing.error());
   const auto glb = content::make_glb(*drawing);
-  if (auto good = souvenir::write_durably(out, glb); !good) return good;
+  if (auto good = files::write_durably(out, glb); !good) return good;
   std::cout << out << ": " << drawing->title << ", " << glb.size() / 1024 << " kB\n";
   return {};
 }

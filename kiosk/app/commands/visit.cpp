@@ -17,10 +17,10 @@
 #include "kiosk/app/monotonic.h"
 #include "kiosk/app/paths.h"
 #include "kiosk/app/scripted_visitor.h"
-#include "kiosk/app/virtual_display.h"
 #include "kiosk/app/visit_report.h"
 #include "kiosk/app/window_size.h"
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/files/virtual_display.h"
 #include "kiosk/souvenir/encode.h"
 
 namespace fs = std::filesystem;
@@ -108,7 +108,7 @@ class ScreenAlbum {
       auto bytes = souvenir::encode(pages_[i].image, souvenir::Format::png,
                                     {"Onggi: " + pages_[i].name, kiosk_.exhibit().credit, ""});
       if (!bytes) return tl::unexpected(bytes.error());
-      if (auto good = souvenir::write_durably(file, *bytes); !good)
+      if (auto good = files::write_durably(file, *bytes); !good)
         return tl::unexpected(good.error());
       files.push_back(file);
     }
@@ -182,7 +182,7 @@ Result<void> visit(const VisitArguments& arguments) {
   const Choice choice = choose(arguments);
   options.shelf = choice.shelf;
 
-  auto display = VirtualDisplay::ensure(options.window.width, options.window.height);
+  auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
   if (!display) return tl::unexpected(display.error());
   auto opened = Kiosk::open(options);
   if (!opened) return tl::unexpected(opened.error());
@@ -209,7 +209,7 @@ Result<void> visit(const VisitArguments& arguments) {
   const fs::path beside = fs::path(arguments.out) / "visit.json";
   for (const fs::path& file : {beside, fs::path(arguments.json)})
     if (!file.empty() && file != "-")
-      if (auto good = souvenir::write_durably(file, std::as_bytes(std::span(report))); !good)
+      if (auto good = files::write_durably(file, std::as_bytes(std::span(report))); !good)
         return good;
   std::cout << (arguments.json == "-" ? report : visit_summary(*kiosk.kept()));
   return {};

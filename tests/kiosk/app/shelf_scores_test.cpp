@@ -4,7 +4,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
-#include "kiosk/content/vessel.h"
+#include "kiosk/content/catalogue.h"
 #include "kiosk/score/score.h"
 
 namespace onggi::app {

@@ -1,4 +1,4 @@
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/files/durable_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,29 +9,13 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <utility>
 
-namespace onggi::souvenir {
+#include "kiosk/files/descriptor.h"
+
+namespace onggi::files {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Closes on every way out.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  /// Closes and says whether the disk took everything: some only tell now.
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
- private:
-  int fd_;
-};
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -58,7 +42,7 @@ bool sync(int fd) {
 /// A new or renamed name outlasts a power cut only once its folder is synced.
 Result<void> sync_folder(const fs::path& folder) {
   const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() < 0 || !sync(fd.get())) {
+  if (!fd.open() || !sync(fd.get())) {
     return tl::unexpected(disk_problem(folder, "write", errno));
   }
   return {};
@@ -138,7 +122,7 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
                 std::to_string(count.fetch_add(1)) + ".part");
   Descriptor fd(
       ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
-  if (fd.get() < 0) return tl::unexpected(disk_problem(file, "write", errno));
+  if (!fd.open()) return tl::unexpected(disk_problem(file, "write", errno));
   if (!write_all(fd.get(), bytes) || !sync(fd.get()) || !fd.close()) {
     const int error = errno;
     ::unlink(temporary.c_str());
@@ -151,4 +135,4 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
   return {};
 }
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::files

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::souvenir::test {
+namespace onggi::files::test {
 
 namespace fs = std::filesystem;
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string path = (fs::temp_directory_path() / "onggi_souvenir_XXXXXX").string();
+    std::string path = (fs::temp_directory_path() / "onggi_files_XXXXXX").string();
     path_ = ::mkdtemp(path.data());
   }
   ~ScratchFolder() {
@@ -80,4 +80,4 @@ inline int on_a_disk(const fs::path& folder, unsigned long flags, const char* op
   });
 }
 
-}  // namespace onggi::souvenir::test
+}  // namespace onggi::files::test

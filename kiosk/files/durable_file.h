@@ -6,7 +6,7 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::souvenir {
+namespace onggi::files {
 
 /// Writes all of `bytes` or nothing: temporary file in the same folder, fsync, rename, fsync of the
 /// folder. Makes the folder if need be. After a power cut `file` holds either what it held before
@@ -23,4 +23,4 @@ Result<void> rename_durably(const std::filesystem::path& from, const std::filesy
 /// The Problem (exit 1) that errno value `error` means while `doing` ("write", "make") `path`.
 Problem disk_problem(const std::filesystem::path& path, const char* doing, int error);
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::files

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <memory>
 
 #include "engine/base/result.h"
+#include "kiosk/files/child_process.h"
 
-namespace onggi::app {
+namespace onggi::files {
 
 /// An X server without a screen (Xvfb), for scripted visits where there is no display. Sets DISPLAY
-/// while it lives; ends the server when destroyed, and the server ends by itself should this
-/// program die.
+/// while it lives; ends the server when destroyed, and the server ends by itself should the thread
+/// that started it die.
 class VirtualDisplay {
  public:
   /// Nothing to do (nullptr) when DISPLAY or WAYLAND_DISPLAY is set. Problem when Xvfb is missing
@@ -21,8 +20,8 @@ class VirtualDisplay {
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
  private:
-  explicit VirtualDisplay(pid_t pid) : pid_(pid) {}
-  pid_t pid_;
+  explicit VirtualDisplay(ChildProcess server) : server_(std::move(server)) {}
+  ChildProcess server_;
 };
 
-}  // namespace onggi::app
+}  // namespace onggi::files

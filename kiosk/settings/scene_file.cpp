@@ -1,3 +1,5 @@
+#include "kiosk/settings/scene_file.h"
+
 #include <functional>
 #include <limits>
 #include <map>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "engine/base/nearest_name.h"
-#include "kiosk/settings/exhibit.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::settings {

@@ -1,4 +1,4 @@
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/files/durable_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 
 #include <cerrno>
 
-#include "tests/kiosk/souvenir/disk.h"
+#include "tests/kiosk/files/disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::files {
 namespace {
 
 using namespace test;
@@ -136,4 +136,4 @@ TEST(durable_file, every_disk_error_has_a_meaning_and_a_remedy) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::files

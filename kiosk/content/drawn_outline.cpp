@@ -1,4 +1,4 @@
-#include "kiosk/content/outline.h"
+#include "kiosk/content/drawn_outline.h"
 
 #include <algorithm>
 #include <cmath>

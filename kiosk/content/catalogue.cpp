@@ -1,3 +1,5 @@
+#include "kiosk/content/catalogue.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include "engine/profile/measures.h"
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/pack.h"
-#include "kiosk/content/vessel.h"
 
 namespace onggi::content {
 
@@ -106,6 +107,12 @@ void check_pack(const fs::path& folder, const LoadOptions& options, ShelfCheck& 
 }
 
 }  // namespace
+
+const Vessel* Catalogue::find(const std::string& id) const {
+  for (const Vessel& vessel : vessels)
+    if (vessel.id == id) return &vessel;
+  return nullptr;
+}
 
 Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const std::string&, void*),
                      void* user, const settings::ReaderLimits& limits) {

@@ -1,7 +1,7 @@
+#include "kiosk/settings/toml_reader_impl.h"
+
 #include <charconv>
 #include <cmath>
-
-#include "kiosk/settings/toml_reader_impl.h"
 
 namespace onggi::settings {
 namespace {
@@ -20,25 +20,26 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 }
 
 /// A value in plain words: `the text "fast"`, `a list of 3`.
-std::string in_words(const toml::node& node) {
-  if (const auto* text = node.as_string()) return "the text \"" + shown(text->get(), 40) + "\"";
-  if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
-  if (const auto* number = node.as_floating_point()) return digits(number->get());
-  if (const auto* yes = node.as_boolean()) return yes->get() ? "true" : "false";
-  if (const auto* list = node.as_array()) return "a list of " + std::to_string(list->size());
-  if (node.is_table()) return "a table";
+std::string in_words(const TomlNode& node) {
+  if (const auto* text = node.as<std::string>()) return "the text \"" + shown(*text, 40) + "\"";
+  if (const auto* whole = node.as<std::int64_t>()) return std::to_string(*whole);
+  if (const auto* number = node.as<double>()) return digits(*number);
+  if (const auto* yes = node.as<bool>()) return *yes ? "true" : "false";
+  if (const auto* list = node.as<TomlNode::List>())
+    return "a list of " + std::to_string(list->size());
+  if (node.as<TomlNode::Table>()) return "a table";
   return "a date or time";
 }
 
 /// Any finite number, whole or not.
-bool finite_number(const toml::node& node, double& out) {
-  if (const auto* whole = node.as_integer()) {
-    out = static_cast<double>(whole->get());
+bool finite_number(const TomlNode& node, double& out) {
+  if (const auto* whole = node.as<std::int64_t>()) {
+    out = static_cast<double>(*whole);
     return true;
   }
-  const auto* number = node.as_floating_point();
-  if (number == nullptr || !std::isfinite(number->get())) return false;
-  out = number->get();
+  const auto* number = node.as<double>();
+  if (number == nullptr || !std::isfinite(*number)) return false;
+  out = *number;
   return true;
 }
 
@@ -54,39 +55,38 @@ std::string span_words(const std::string& kind, double low, double high, std::st
 
 }  // namespace
 
-void TomlReader::Table::Impl::wrong_type(std::string_view key, const toml::node& value,
+void TomlReader::Table::Impl::wrong_type(std::string_view key, const TomlNode& value,
                                          const std::string& wanted, std::string remedy) {
-  file->note(place_of(value.source()),
-             full(key) + " is " + in_words(value) + ", and " + wanted + " is wanted.",
+  file->note(value.place, full(key) + " is " + in_words(value) + ", and " + wanted + " is wanted.",
              std::move(remedy));
 }
 
-void TomlReader::Table::Impl::out_of_range(std::string_view key, const toml::node& value,
-                                           double low, double high, std::string_view unit,
+void TomlReader::Table::Impl::out_of_range(std::string_view key, const TomlNode& value, double low,
+                                           double high, std::string_view unit,
                                            const std::string& remedy) {
   double number = 0.0;
   finite_number(value, number);
   const bool small = number < low;
-  file->note(place_of(value.source()),
+  file->note(value.place,
              full(key) + " is " + with_unit(in_words(value), unit) + ", and the " +
                  (small ? "smallest" : "largest") + " that is allowed is " +
                  with_unit(digits(small ? low : high), unit) + ".",
              remedy);
 }
 
-const toml::array* TomlReader::Table::Impl::ask_list(std::string_view key,
-                                                     const std::string& wanted,
-                                                     const std::string& remedy) {
-  const toml::node* value = ask(key);
+const TomlNode::List* TomlReader::Table::Impl::ask_list(std::string_view key,
+                                                        const std::string& wanted,
+                                                        const std::string& remedy) {
+  const TomlNode* value = ask(key);
   if (value == nullptr) return nullptr;
-  if (const toml::array* list = value->as_array()) return list;
+  if (const TomlNode::List* list = value->as<TomlNode::List>()) return list;
   wrong_type(key, *value, wanted, remedy);
   return nullptr;
 }
 
 bool TomlReader::Table::number(std::string_view key, double& out, double low, double high,
                                std::string_view unit) {
-  const toml::node* value = impl_->ask(key);
+  const TomlNode* value = impl_->ask(key);
   if (value == nullptr) return false;
   const std::string remedy = span_words("a number", low, high, unit);
   double number = 0.0;
@@ -104,57 +104,57 @@ bool TomlReader::Table::number(std::string_view key, double& out, double low, do
 
 bool TomlReader::Table::integer(std::string_view key, int& out, int low, int high,
                                 std::string_view unit) {
-  const toml::node* value = impl_->ask(key);
+  const TomlNode* value = impl_->ask(key);
   if (value == nullptr) return false;
   const std::string remedy = span_words("a whole number", low, high, unit);
-  const auto* whole = value->as_integer();
+  const auto* whole = value->as<std::int64_t>();
   if (whole == nullptr) {
     impl_->wrong_type(key, *value, "a whole number", remedy);
     return false;
   }
-  if (whole->get() < low || whole->get() > high) {
+  if (*whole < low || *whole > high) {
     impl_->out_of_range(key, *value, low, high, unit, remedy);
     return false;
   }
-  out = static_cast<int>(whole->get());
+  out = static_cast<int>(*whole);
   return true;
 }
 
 bool TomlReader::Table::boolean(std::string_view key, bool& out) {
-  const toml::node* value = impl_->ask(key);
+  const TomlNode* value = impl_->ask(key);
   if (value == nullptr) return false;
-  const auto* yes = value->as_boolean();
+  const auto* yes = value->as<bool>();
   if (yes == nullptr) {
     impl_->wrong_type(key, *value, "true or false", "Write true or false, without quotes.");
     return false;
   }
-  out = yes->get();
+  out = *yes;
   return true;
 }
 
 bool TomlReader::Table::text(std::string_view key, std::string& out) {
-  const toml::node* value = impl_->ask(key);
+  const TomlNode* value = impl_->ask(key);
   if (value == nullptr) return false;
-  const auto* text = value->as_string();
+  const auto* text = value->as<std::string>();
   if (text == nullptr) {
     impl_->wrong_type(key, *value, "a text", "Write the text in \"quotes\".");
     return false;
   }
-  out = text->get();
+  out = *text;
   return true;
 }
 
 bool TomlReader::Table::texts(std::string_view key, std::vector<std::string>& out) {
   const std::string remedy = "Write a list of texts: [\"one\", \"two\"].";
-  const toml::array* list = impl_->ask_list(key, "a list of texts", remedy);
+  const TomlNode::List* list = impl_->ask_list(key, "a list of texts", remedy);
   if (list == nullptr) return false;
   std::vector<std::string> read;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const auto* text = (*list)[i].as_string();
+    const auto* text = (*list)[i].as<std::string>();
     if (text == nullptr) {
       impl_->wrong_type(impl_->element(key, i), (*list)[i], "a text", remedy);
     } else {
-      read.push_back(text->get());
+      read.push_back(*text);
     }
   }
   if (read.size() != list->size()) return false;
@@ -164,7 +164,7 @@ bool TomlReader::Table::texts(std::string_view key, std::vector<std::string>& ou
 
 bool TomlReader::Table::numbers(std::string_view key, std::vector<double>& out) {
   const std::string remedy = "Write a list of numbers: [1.0, 2.5].";
-  const toml::array* list = impl_->ask_list(key, "a list of numbers", remedy);
+  const TomlNode::List* list = impl_->ask_list(key, "a list of numbers", remedy);
   if (list == nullptr) return false;
   std::vector<double> read(list->size());
   bool good = true;
@@ -180,12 +180,12 @@ bool TomlReader::Table::numbers(std::string_view key, std::vector<double>& out) 
 
 bool TomlReader::Table::pairs(std::string_view key, std::vector<std::pair<double, double>>& out) {
   const std::string remedy = "Write a list of pairs: [[30.0, 0.0], [42.5, 12.0]].";
-  const toml::array* list = impl_->ask_list(key, "a list of pairs of numbers", remedy);
+  const TomlNode::List* list = impl_->ask_list(key, "a list of pairs of numbers", remedy);
   if (list == nullptr) return false;
   std::vector<std::pair<double, double>> read(list->size());
   bool good = true;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const toml::array* pair = (*list)[i].as_array();
+    const TomlNode::List* pair = (*list)[i].as<TomlNode::List>();
     if (pair == nullptr || pair->size() != 2 || !finite_number((*pair)[0], read[i].first) ||
         !finite_number((*pair)[1], read[i].second)) {
       impl_->wrong_type(impl_->element(key, i), (*list)[i], "a pair of numbers", remedy);
@@ -200,19 +200,20 @@ bool TomlReader::Table::points(std::string_view key, std::vector<OutlinePoint>& 
   const std::string remedy =
       "Write a list of points, each [radius, height], or [radius, height, \"corner\"] where the "
       "line turns sharply.";
-  const toml::array* list = impl_->ask_list(key, "a list of points", remedy);
+  const TomlNode::List* list = impl_->ask_list(key, "a list of points", remedy);
   if (list == nullptr) return false;
   std::vector<OutlinePoint> read(list->size());
   bool good = true;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const toml::array* point = (*list)[i].as_array();
+    const TomlNode::List* point = (*list)[i].as<TomlNode::List>();
     if (point == nullptr || point->size() < 2 || point->size() > 3 ||
         !finite_number((*point)[0], read[i].radius) ||
         !finite_number((*point)[1], read[i].height)) {
       impl_->wrong_type(impl_->element(key, i), (*list)[i], "a point", remedy);
       good = false;
     } else if (point->size() == 3) {
-      read[i].corner = (*point)[2].value<std::string_view>() == "corner";
+      const auto* word = (*point)[2].as<std::string>();
+      read[i].corner = word != nullptr && *word == "corner";
       if (!read[i].corner) {
         impl_->wrong_type(impl_->element(key, i) + "[2]", (*point)[2], "the word \"corner\"",
                           remedy);

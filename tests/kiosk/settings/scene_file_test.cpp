@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "engine/scene/scene.h"
-#include "kiosk/settings/exhibit.h"
+#include "kiosk/settings/scene_file.h"
 
 namespace onggi::settings {
 namespace {
