@@ -9,8 +9,7 @@
 #include "kiosk/app/commands/commands.h"
 #include "kiosk/app/log.h"
 #include "kiosk/content/vessel.h"
-#include "kiosk/render/vessel_sheet.h"
-#include "kiosk/view/vessel_sheet.h"
+#include "kiosk/drawing/sheet_painter.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/souvenir/encode.h"
 
@@ -89,12 +88,12 @@ void print_summary(const content::Vessel& vessel) {
 }
 
 Result<void> plot(const content::Vessel& vessel, const std::string& file) {
-  const view::VesselSheet sheet = view::sheet_of(vessel);
+  const drawing::VesselSheet sheet = drawing::sheet_of(vessel);
   souvenir::Caption caption;
   caption.title = sheet.title;
   caption.copyright = sheet.credit;
   caption.description = "Section and view, drawn by Onggi from " + vessel.file.filename().string();
-  const auto png = souvenir::encode(render::draw_sheet(sheet), souvenir::Format::png, caption);
+  const auto png = souvenir::encode(drawing::draw_sheet(sheet), souvenir::Format::png, caption);
   if (!png) return tl::unexpected(png.error());
   return files::write_durably(file, *png);
 }

@@ -1,23 +1,22 @@
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "kiosk/app/commands/commands.h"
 #include "kiosk/app/effect_prices.h"
 #include "kiosk/app/log.h"
 #include "kiosk/app/paths.h"
+#include "kiosk/drawing/plot.h"
 #include "kiosk/files/durable_file.h"
+#include "kiosk/files/helper_process.h"
 #include "kiosk/settings/scene_file.h"
 
 namespace onggi::app {
@@ -27,6 +26,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kPasses = 3;
+constexpr double kCountedWithin_s = 1800;  // valgrind is fifty times slower
 
 struct Arguments {
   std::string json, plot, count;
@@ -56,69 +56,40 @@ Result<std::vector<PricedScene>> all_scenes(const Arguments& arguments) {
   return scenes;
 }
 
-std::string quoted(const std::string& word) {
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
-bool is_there(const char* program) {
-  const char* path = std::getenv("PATH");
-  std::string rest = path != nullptr ? path : "";
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(':');
-    if (access((rest.substr(0, end) + "/" + program).c_str(), X_OK) == 0) return true;
-    rest = end == std::string::npos ? "" : rest.substr(end + 1);
-  }
-  return false;
-}
-
 // Instructions of a tick, by this program run again under callgrind; 0 where it counted none.
 std::int64_t counted(const Arguments& arguments, const std::string& scene) {
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command =
-      "valgrind --tool=callgrind --callgrind-out-file=/dev/null "
-      "--toggle-collect=onggi_priced_ticks " +
-      quoted(self) + " lab effects --grid " + std::to_string(arguments.rows) + "x" +
-      std::to_string(arguments.sectors) + " --count " + quoted(scene) + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return 0;
-  std::array<char, 512> line{};
-  long long instructions = 0;
-  while (std::fgets(line.data(), static_cast<int>(line.size()), pipe) != nullptr)
-    if (const char* at = std::strstr(line.data(), "Collected : "))
-      instructions = std::atoll(at + 12);
-  pclose(pipe);
-  return instructions / kPricedTicks;
+  const auto said = files::run_helper(
+      {.program = "valgrind",
+       .arguments = {"--tool=callgrind", "--callgrind-out-file=/dev/null", "--log-fd=1",
+                     "--toggle-collect=onggi_priced_ticks",
+                     std::filesystem::read_symlink("/proc/self/exe").string(), "lab", "effects",
+                     "--grid",
+                     std::to_string(arguments.rows) + "x" + std::to_string(arguments.sectors),
+                     "--count", scene},
+       .timeout_s = kCountedWithin_s});
+  if (!said) return 0;
+  const std::string words(reinterpret_cast<const char*>(said->data()), said->size());
+  const std::string_view before = "Collected : ";
+  const std::size_t at = words.find(before);
+  return at == std::string::npos ? 0
+                                 : std::atoll(words.c_str() + at + before.size()) / kPricedTicks;
 }
 
 Result<void> plot(const std::vector<EffectPrice>& prices, const Arguments& arguments) {
-  if (!is_there("gnuplot"))
-    return problem("gnuplot", "It draws the plot, and is not here.",
-                   "Install the package gnuplot-nox, or leave --plot out.", 1);
-  FILE* pipe = popen("gnuplot", "w");
-  if (pipe == nullptr) return problem("gnuplot", "It could not be started.", "Try again.", 1);
-  const bool svg = arguments.plot.ends_with(".svg");
-  std::fprintf(pipe,
-               "set terminal %s size 960,560 noenhanced font 'sans-serif,13'\n"
-               "set output %s\n"
-               "set title 'What a tick costs, %d x %d, both hands pulling up a wall'\n"
-               "set ylabel 'microseconds'\nset yrange [0:*]\nset grid ytics\n"
-               "set style data histogram\nset style histogram clustered gap 1\n"
-               "set style fill solid 0.9\nset key top left\nset xtics rotate by -35\n"
-               "plot '-' using 2:xtic(1) title 'median' linecolor rgb '#0072B2', "
-               "'-' using 2:xtic(1) title '99.9 of 100' linecolor rgb '#D55E00'\n",
-               svg ? "svg" : "pngcairo", quoted(arguments.plot).c_str(), arguments.rows,
-               arguments.sectors);
-  for (const auto figure : {&EffectPrice::median_ns, &EffectPrice::p999_ns}) {
-    for (const EffectPrice& p : prices)
-      std::fprintf(pipe, "\"%s\" %.3f\n", p.name.c_str(), p.*figure / 1000.0);
-    std::fprintf(pipe, "e\n");
+  drawing::Plot plot;
+  plot.title = "What a tick costs";
+  plot.subtitle = "on " + std::to_string(arguments.rows) + " × " +
+                  std::to_string(arguments.sectors) + ", both hands pulling up a wall";
+  plot.y.label = "microseconds";
+  using Bars = drawing::PlotSeries;
+  plot.series = {Bars{.name = "median", .kind = Bars::Kind::bars},
+                 Bars{.name = "99.9 of 100 are quicker", .kind = Bars::Kind::bars}};
+  for (const EffectPrice& price : prices) {
+    plot.x.names.push_back(price.name);
+    plot.series[0].y.push_back(price.median_ns / 1000.0);
+    plot.series[1].y.push_back(price.p999_ns / 1000.0);
   }
-  if (pclose(pipe) != 0)
-    return problem(arguments.plot, "gnuplot could not draw it.",
-                   "Choose a file that ends in .png or .svg, in a folder that can be written.");
-  return {};
+  return files::write_durably(arguments.plot, drawing::draw_plot(plot, arguments.plot));
 }
 
 Json json_of(const std::vector<EffectPrice>& prices, const Arguments& arguments) {
@@ -144,7 +115,8 @@ Result<void> effects(const Arguments& arguments) {
     return problem("--count", "There is no scene of that name.",
                    "Choose one that onggi lab effects lists.");
   }
-  const bool count = !arguments.quick && is_there("valgrind");
+  const bool count =
+      !arguments.quick && files::run_helper({.program = "valgrind", .arguments = {"--version"}});
   std::vector<EffectPrice> prices;
   const bool to_output = arguments.json == "-";
   FILE* table = to_output ? stderr : stdout;
@@ -193,7 +165,7 @@ void add_lab(CLI::App& app, int& exit_code) {
       "Example: onggi lab effects --json prices.json --plot prices.png\n"
       "Bytes are those beyond the base scene's. Instructions are of a tick, under valgrind.");
   command->add_option("--json", arguments->json, "Write the list as JSON (- for standard output)");
-  command->add_option("--plot", arguments->plot, "Draw it into this PNG or SVG, with gnuplot");
+  command->add_option("--plot", arguments->plot, "Draw it into this PNG or SVG");
   auto grid = std::make_shared<std::string>("400x360");
   command->add_option("--grid", *grid, "ROWSxSECTORS")->capture_default_str();
   command->add_flag("--quick", arguments->quick, "Count no instructions");

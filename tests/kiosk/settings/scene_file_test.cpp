@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-std::string all(const Problems& problems) {
+std::string all(const std::vector<Problem>& problems) {
   std::string out;
   for (const Problem& p : problems) out += to_text(p) + "\n";
   return out;

@@ -1,4 +1,4 @@
-#include "kiosk/view/vessel_sheet.h"
+#include "kiosk/drawing/vessel_sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "engine/profile/measures.h"
 #include "engine/profile/slices.h"
 
-namespace onggi::view {
+namespace onggi::drawing {
 
 namespace {
 
@@ -178,4 +178,4 @@ VesselSheet sheet_of(const content::Vessel& vessel) {
   return sheet;
 }
 
-}  // namespace onggi::view
+}  // namespace onggi::drawing

@@ -1,14 +1,14 @@
-#include "kiosk/render/vessel_sheet.h"
+#include "kiosk/drawing/sheet_painter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "kiosk/render/engraving.h"
-#include "kiosk/render/pen.h"
+#include "kiosk/drawing/engraving.h"
+#include "kiosk/drawing/pen.h"
 #include "kiosk/view/palette.h"
 
-namespace onggi::render {
+namespace onggi::drawing {
 
 namespace {
 
@@ -17,13 +17,12 @@ constexpr double kWidth = 2400, kMargin = 130;
 constexpr double kMostWide = 1560, kMostHigh = 1700;
 constexpr double kTitle = 68, kText = 33, kSmall = 29;
 
-constexpr view::Color kPaper = view::rgb(0xFBF8F2);
 constexpr view::Color kSeenWall = view::rgb(0x2B2622);
 constexpr view::Color kSlice = view::rgb(0xD9482B);
 
 class Sheet : private Pen {
  public:
-  explicit Sheet(const view::VesselSheet& sheet) : s_(sheet) { measure(); }
+  explicit Sheet(const VesselSheet& sheet) : s_(sheet) { measure(); }
 
   view::Image draw();
 
@@ -43,7 +42,7 @@ class Sheet : private Pen {
   double draw_key(double left, double top);
   void draw_foot();
 
-  const view::VesselSheet& s_;
+  const VesselSheet& s_;
   double scale_ = 1.0, axis_ = 0, base_ = 0, height_ = 0;
   double low_ = 0, high_ = 0, left_ = 0, right_ = 0;  // of all that is drawn, metres
 };
@@ -91,8 +90,9 @@ void Sheet::path(const std::vector<Vec2>& points, double side, bool closed) {
 
 void Sheet::draw_head() {
   const double inside = kWidth - 2 * kMargin;
-  const double used = words(s_.title, kMargin, 96, kTitle, 1, view::kInk, inside, true);
-  words(s_.subtitle, kMargin, 104 + used, kText, 1, view::kFaintInk, inside);
+  const double used = words(s_.title, kMargin, 96,
+                            {.px = kTitle, .color = view::kInk, .width = inside, .serif = true});
+  words(s_.subtitle, kMargin, 104 + used, {.px = kText, .color = view::kFaintInk, .width = inside});
 }
 
 /// The right half as it is seen, and whatever was left out wherever it stands to the right.
@@ -202,7 +202,7 @@ void Sheet::draw_diameter(double height, double diameter, const char* name, bool
   for (const double end : {x0, x1}) line(end, at - 11, end, at + 11, 2);
   const std::string figure = std::string(name) + " ⌀ " + millimetres(diameter) + " mm";
   // Beside the axis, so that its line runs free; on paper, so that no line runs through it.
-  words(figure, std::max(x1, axis_) + 24, at - 23, kSmall, 1, view::kInk);
+  words(figure, std::max(x1, axis_) + 24, at - 23, {.px = kSmall, .color = view::kInk});
 }
 
 void Sheet::draw_sizes() {
@@ -220,7 +220,8 @@ void Sheet::draw_sizes() {
     line(hx + 20, y(h), x(-(h == 0.0 ? 0.5 * s_.foot : 0.5 * s_.mouth)) - 12, y(h), 2);
     cairo_set_dash(c_, nullptr, 0, 0);
   }
-  words(millimetres(s_.height) + " mm", hx - 24, y(0.5 * s_.height) - 22, kSmall, -1, view::kInk);
+  words(millimetres(s_.height) + " mm", hx - 24, y(0.5 * s_.height) - 22,
+        {.px = kSmall, .side = -1, .color = view::kInk});
 
   if (s_.belly_height < 0.06 * s_.height || s_.belly_height > 0.94 * s_.height) return;
   const double bx = x(right_) + 40;
@@ -229,8 +230,8 @@ void Sheet::draw_sizes() {
   cairo_set_dash(c_, dots, 2, 0);
   line(x(0.5 * s_.belly) + 10, y(s_.belly_height), bx, y(s_.belly_height), 2);
   cairo_set_dash(c_, nullptr, 0, 0);
-  words("⌀ " + millimetres(s_.belly) + " mm", bx + 14, y(s_.belly_height) - 22, kSmall, 1,
-        view::kInk);
+  words("⌀ " + millimetres(s_.belly) + " mm", bx + 14, y(s_.belly_height) - 22,
+        {.px = kSmall, .color = view::kInk});
 }
 
 double Sheet::draw_scale_bar(double top) {
@@ -253,11 +254,11 @@ double Sheet::draw_scale_bar(double top) {
     std::snprintf(text, sizeof text, "%g cm", 100.0 * length);
   else
     std::snprintf(text, sizeof text, "%g mm", 1000.0 * length);
-  words("0", kMargin, top + 28, kSmall, 0, view::kInk);
-  words(text, kMargin + wide, top + 28, kSmall, 0, view::kInk);
+  words("0", kMargin, top + 28, {.px = kSmall, .side = 0, .color = view::kInk});
+  words(text, kMargin + wide, top + 28, {.px = kSmall, .side = 0, .color = view::kInk});
   if (!s_.true_size)
-    return 120 +
-           words("The vessel's true size is not given.", kMargin, top + 76, kSmall, 1, view::kIron);
+    return 120 + words("The vessel's true size is not given.", kMargin, top + 76,
+                       {.px = kSmall, .color = view::kIron});
   return 76;
 }
 
@@ -265,7 +266,7 @@ double Sheet::draw_key(double left, double top) {
   const double swatch = 62, row = 50;
   double at = top - 12;
   const auto entry = [&](const std::string& text) {
-    words(text, left + swatch + 24, at, kSmall, 1, view::kInk);
+    words(text, left + swatch + 24, at, {.px = kSmall, .color = view::kInk});
     at += row;
   };
   const auto box = [&](auto&& fill) {
@@ -314,17 +315,16 @@ void Sheet::draw_foot() {
   double at = top - 12;
   const double left = kMargin + 1270, room = kWidth - kMargin - left;
   for (const std::string& fact : s_.facts)
-    at += words(fact, left, at, kSmall, 1, view::kInk, room) + 7;
+    at += words(fact, left, at, {.px = kSmall, .color = view::kInk, .width = room}) + 7;
   at += 8;
   for (const std::string& note : s_.notes)
-    at += words(note, left, at, kSmall, 1, view::kFaintInk, room) + 7;
+    at += words(note, left, at, {.px = kSmall, .color = view::kFaintInk, .width = room}) + 7;
   if (!s_.credit.empty())
-    words(s_.credit, kMargin, height_ - 104, kSmall, 1, view::kFaintInk, kWidth - 2 * kMargin);
+    words(s_.credit, kMargin, height_ - 104,
+          {.px = kSmall, .color = view::kFaintInk, .width = kWidth - 2 * kMargin});
 }
 
 view::Image Sheet::draw() {
-  ink(kPaper);
-  cairo_paint(c_);
   draw_head();
   draw_view();
   draw_section();
@@ -336,6 +336,6 @@ view::Image Sheet::draw() {
 
 }  // namespace
 
-view::Image draw_sheet(const view::VesselSheet& sheet) { return Sheet(sheet).draw(); }
+view::Image draw_sheet(const VesselSheet& sheet) { return Sheet(sheet).draw(); }
 
-}  // namespace onggi::render
+}  // namespace onggi::drawing

@@ -8,7 +8,7 @@
 #include "engine/profile/mesh.h"
 #include "kiosk/content/vessel.h"
 
-namespace onggi::view {
+namespace onggi::drawing {
 
 /// A vessel as an archaeologist draws it, as plain values: the section to the left of the axis, the
 /// view to its right, and what goes round them. Lengths in metres; x = distance from the axis to
@@ -39,4 +39,4 @@ struct VesselSheet {
 /// The sheet of `vessel`; its words in English, since curators read them. Allocates.
 VesselSheet sheet_of(const content::Vessel& vessel);
 
-}  // namespace onggi::view
+}  // namespace onggi::drawing

@@ -1,15 +1,16 @@
+#include "kiosk/drawing/vessel_sheet.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "kiosk/render/engraving.h"
-#include "kiosk/render/vessel_sheet.h"
-#include "kiosk/view/vessel_sheet.h"
+#include "kiosk/drawing/engraving.h"
+#include "kiosk/drawing/sheet_painter.h"
 #include "tests/engine/profile/poses.h"
 
 // The archaeologist's drawing, which needs no display.
 
-namespace onggi::render {
+namespace onggi::drawing {
 namespace {
 
 content::Vessel jug() {
@@ -53,7 +54,7 @@ TEST(Engraving, a_ball_is_as_large_as_it_is_and_lit_from_the_upper_left) {
 }
 
 TEST(VesselSheet, the_handle_is_turned_to_the_right_and_tinted_as_left_out) {
-  const view::VesselSheet sheet = view::sheet_of(jug());
+  const VesselSheet sheet = sheet_of(jug());
   float right = 0, left = 0;
   for (const auto& p : sheet.mesh.positions) {
     right = std::max(right, p[0]);
@@ -75,7 +76,7 @@ TEST(VesselSheet, the_handle_is_turned_to_the_right_and_tinted_as_left_out) {
 
 TEST(VesselSheet, a_wall_that_was_not_seen_is_drawn_as_inferred_and_one_that_was_is_not) {
   content::Vessel seen = jug();
-  EXPECT_TRUE(view::sheet_of(seen).inner_inferred.empty());
+  EXPECT_TRUE(sheet_of(seen).inner_inferred.empty());
   Profile solid = shapes::jar();
   for (ProfilePoint& p : solid.points) p.inner = 0.0;
   content::Vessel bare;
@@ -83,7 +84,7 @@ TEST(VesselSheet, a_wall_that_was_not_seen_is_drawn_as_inferred_and_one_that_was
   bare.file = "jar.glb";
   bare.mesh = revolve(section_of(solid), 64);
   bare.extracted = *extract_profile(bare.mesh, {}, "jar");
-  const view::VesselSheet sheet = view::sheet_of(bare);
+  const VesselSheet sheet = sheet_of(bare);
   EXPECT_TRUE(sheet.inner_seen.empty());
   EXPECT_FALSE(sheet.inner_inferred.empty());
   EXPECT_FALSE(sheet.true_size);
@@ -101,7 +102,7 @@ TEST(VesselSheet, a_dish_and_a_bottle_both_fit_the_paper) {
     auto found = extract_profile(vessel.mesh, {}, "a");
     ASSERT_TRUE(found) << to_text(found.error());
     vessel.extracted = std::move(*found);
-    const view::Image image = draw_sheet(view::sheet_of(vessel));
+    const view::Image image = draw_sheet(sheet_of(vessel));
     EXPECT_LT(image.height, 3600);
     // A margin of paper all round.
     for (int x = 0; x < image.width; x += 7)
@@ -114,4 +115,4 @@ TEST(VesselSheet, a_dish_and_a_bottle_both_fit_the_paper) {
 }
 
 }  // namespace
-}  // namespace onggi::render
+}  // namespace onggi::drawing

@@ -1,4 +1,4 @@
-#include "kiosk/render/engraving.h"
+#include "kiosk/drawing/engraving.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "kiosk/view/palette.h"
 
-namespace onggi::render {
+namespace onggi::drawing {
 
 namespace {
 
@@ -186,4 +186,4 @@ view::Image engrave(const TriangleMesh& mesh, std::span<const Vec2> limit,
   return plate.print();
 }
 
-}  // namespace onggi::render
+}  // namespace onggi::drawing

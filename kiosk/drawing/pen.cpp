@@ -1,22 +1,54 @@
-#include "kiosk/render/pen.h"
+#include "kiosk/drawing/pen.h"
 
+#include <cairo/cairo-svg.h>
 #include <pango/pangocairo.h>
 
 #include <cstdint>
-#include <vector>
+#include <span>
+#include <utility>
 
-namespace onggi::render {
+namespace onggi::drawing {
+namespace {
+
+cairo_status_t keep(void* user, const unsigned char* data, unsigned length) {
+  const auto bytes = std::as_bytes(std::span(data, length));
+  auto* out = static_cast<std::vector<std::byte>*>(user);
+  out->insert(out->end(), bytes.begin(), bytes.end());
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// To be unreferenced.
+PangoLayout* laid_out(cairo_t* c, const std::string& words, const Lettering& how) {
+  PangoLayout* layout = pango_cairo_create_layout(c);
+  PangoFontDescription* font = pango_font_description_from_string(
+      how.serif ? "Noto Serif,Noto Serif CJK KR,serif" : "Noto Sans,Noto Sans CJK KR,sans-serif");
+  pango_font_description_set_absolute_size(font, how.px * PANGO_SCALE);
+  pango_layout_set_font_description(layout, font);
+  pango_font_description_free(font);
+  if (how.width > 0) {
+    pango_layout_set_width(layout, static_cast<int>(how.width) * PANGO_SCALE);
+    pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+  }
+  pango_layout_set_text(layout, words.c_str(), static_cast<int>(words.size()));
+  return layout;
+}
+
+}  // namespace
 
 Pen::~Pen() {
   if (c_ != nullptr) cairo_destroy(c_);
   if (surface_ != nullptr) cairo_surface_destroy(surface_);
 }
 
-void Pen::begin(int width, int height) {
-  surface_ = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+void Pen::begin(int width, int height, bool vector) {
+  vector_ = vector;
+  surface_ = vector ? cairo_svg_surface_create_for_stream(keep, &written_, width, height)
+                    : cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
   c_ = cairo_create(surface_);
   cairo_set_line_cap(c_, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(c_, CAIRO_LINE_JOIN_ROUND);
+  ink(kPaper);
+  cairo_paint(c_);
 }
 
 void Pen::ink(view::Color color, double alpha) {
@@ -31,26 +63,35 @@ void Pen::line(double x0, double y0, double x1, double y1, double width) {
   cairo_stroke(c_);
 }
 
-double Pen::words(const std::string& words, double x, double y, double px, int side,
-                  view::Color color, double width, bool serif) {
-  PangoLayout* layout = pango_cairo_create_layout(c_);
-  PangoFontDescription* font = pango_font_description_from_string(
-      serif ? "Noto Serif,Noto Serif CJK KR,serif" : "Noto Sans,Noto Sans CJK KR,sans-serif");
-  pango_font_description_set_absolute_size(font, px * PANGO_SCALE);
-  pango_layout_set_font_description(layout, font);
-  pango_font_description_free(font);
-  if (width > 0) {
-    pango_layout_set_width(layout, static_cast<int>(width) * PANGO_SCALE);
-    pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
-  }
-  pango_layout_set_text(layout, words.c_str(), static_cast<int>(words.size()));
+double Pen::words(const std::string& words, double x, double y, const Lettering& how) {
+  PangoLayout* layout = laid_out(c_, words, how);
   int w = 0, h = 0;
   pango_layout_get_pixel_size(layout, &w, &h);
-  ink(color);
-  cairo_move_to(c_, side < 0 ? x - w : side == 0 ? x - 0.5 * w : x, y);
+  cairo_save(c_);
+  cairo_translate(c_, x, y);
+  cairo_rotate(c_, how.turn);
+  const double start = how.side < 0 ? -w : how.side == 0 ? -0.5 * w : 0.0;
+  cairo_move_to(c_, start, 0.0);
+  if (how.halo > 0) {
+    ink(kPaper);
+    pango_cairo_layout_path(c_, layout);
+    cairo_set_line_width(c_, 2 * how.halo);
+    cairo_stroke(c_);
+    cairo_move_to(c_, start, 0.0);
+  }
+  ink(how.color);
   pango_cairo_show_layout(c_, layout);
+  cairo_restore(c_);
   g_object_unref(layout);
   return h;
+}
+
+double Pen::width_of(const std::string& words, const Lettering& how) {
+  PangoLayout* layout = laid_out(c_, words, how);
+  int w = 0;
+  pango_layout_get_pixel_size(layout, &w, nullptr);
+  g_object_unref(layout);
+  return w;
 }
 
 void Pen::picture(const view::Image& image, double x, double y) {
@@ -102,4 +143,12 @@ view::Image Pen::image() const {
   return out;
 }
 
-}  // namespace onggi::render
+std::vector<std::byte> Pen::bytes() {
+  if (vector_)
+    cairo_surface_finish(surface_);
+  else
+    cairo_surface_write_to_png_stream(surface_, keep, &written_);
+  return std::move(written_);
+}
+
+}  // namespace onggi::drawing

@@ -7,7 +7,7 @@
 #include "engine/profile/mesh.h"
 #include "kiosk/view/image.h"
 
-namespace onggi::render {
+namespace onggi::drawing {
 
 /// The window of an engraving: metres in the plane z = 0, x to the right and y up.
 struct EngravingWindow {
@@ -22,4 +22,4 @@ struct EngravingWindow {
 view::Image engrave(const TriangleMesh& mesh, std::span<const Vec2> limit,
                     const EngravingWindow& window);
 
-}  // namespace onggi::render
+}  // namespace onggi::drawing
