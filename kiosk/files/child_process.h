@@ -4,9 +4,9 @@
 
 #include <chrono>
 #include <string>
-#include <tl/expected.hpp>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "kiosk/files/descriptor.h"
 
 namespace onggi::files {

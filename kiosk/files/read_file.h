@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <tl/expected.hpp>
 #include <vector>
+
+#include "engine/base/result.h"
 
 namespace onggi::files {
 

@@ -1,8 +1,7 @@
 #include "kiosk/souvenir/encode.h"
 
-#include <nlohmann/json.hpp>
-
 #include "kiosk/files/helper_process.h"
+#include "kiosk/files/json.h"
 #include "kiosk/souvenir/picture_bytes.h"
 
 #ifndef ONGGI_VERSION
@@ -16,15 +15,16 @@ namespace fs = std::filesystem;
 
 /// One line of JSON that onggi-encode reads before the pixels.
 std::string header(const view::Image& image, Format format, const Caption& caption) {
-  const nlohmann::json json{{"width", image.width},
-                            {"height", image.height},
-                            {"format", format == Format::png ? "png" : "jpeg"},
-                            {"title", caption.title},
-                            {"copyright", caption.copyright},
-                            {"description", caption.description},
-                            {"software", "Onggi " ONGGI_VERSION}};
   // A caption with broken UTF-8 costs a letter, never the picture.
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return files::Json::object({{"width", image.width},
+                              {"height", image.height},
+                              {"format", format == Format::png ? "png" : "jpeg"},
+                              {"title", caption.title},
+                              {"copyright", caption.copyright},
+                              {"description", caption.description},
+                              {"software", "Onggi " ONGGI_VERSION}})
+             .text(-1) +
+         "\n";
 }
 
 }  // namespace

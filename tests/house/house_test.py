@@ -76,8 +76,8 @@ class House(unittest.TestCase):
             self.assertEqual(self.check(name), [], name)
 
     def test_the_app_knows_everyone(self):
-        self.write("kiosk/app/commands/run.cpp",
-                   '#include "kiosk/loop/potter.h"\n#include <CLI/CLI.hpp>\n')
+        self.write("kiosk/app/run.cpp",
+                   '#include "kiosk/loop/potter.h"\n#include "kiosk/commands/commands.h"\n')
         self.assertEqual(self.check("includes"), [])
 
     def test_include_lines_start_at_the_root(self):
