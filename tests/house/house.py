@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The house rules of engine/docs/house.md, checked. Prints where, what is wrong and what to do.
 
-  tests/house/house.py includes|links|length|layout|format [--root DIR]
+  tests/house/house.py includes|links|length|headers|layout|docs|format [--root DIR]
+  tests/house/house.py table    writes the table of rooms into engine/docs/house.md
   exit 0: kept, 1: broken, 77: cannot be checked here (says why)
 """
 
@@ -31,10 +32,10 @@ class Table:
 
     def __init__(self, path):
         self.rooms, self.headers, self.targets = {}, {}, {}
-        self.system, self.never = {}, {}
+        self.system, self.never, self.jobs = {}, {}, {}
         with open(path, encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
-                line = line.split("#")[0].strip()
+                line, _, job = (part.strip() for part in line.partition("#"))
                 if not line:
                     continue
                 name, colon, rest = line.partition(" :") if " :" in line else line.partition(":")
@@ -48,6 +49,7 @@ class Table:
                     self.never[name.split()[1]] = columns[0]
                 else:
                     self.rooms[name], self.headers[name], self.targets[name] = columns[:3]
+                    self.jobs[name] = job
 
     def may_include(self, room, header):
         """True where `room` may include `header`, a path from the root."""
@@ -210,18 +212,25 @@ def check_links(root, table):
     return broken, f"{count} libraries and programs keep the link table"
 
 
-def check_length(root, _table):
-    """Rule 4: a source over 400 lines fails, unless it is in the list with a reason."""
-    broken, count, excepted = [], 0, {}
-    listing = "tests/house/long_files.txt"
+def exceptions(root, listing, may):
+    """{name: line number} of a list of 'name : reason', and what is wrong with it."""
+    broken, excepted = [], {}
     for number, line in enumerate(read_lines(root, listing), 1):
         line = line.split("#")[0].strip()
         if not line:
             continue
-        path, _, reason = (part.strip() for part in line.partition(" : "))
+        name, _, reason = (part.strip() for part in line.partition(" : "))
         if not reason:
-            broken.append(f"{listing}:{number}: say why {path} may be long: 'path : reason'.")
-        excepted[path] = number
+            broken.append(f"{listing}:{number}: say why {name} may {may}: 'name : reason'.")
+        excepted[name] = number
+    return broken, excepted
+
+
+def check_length(root, _table):
+    """Rule 4: a source over 400 lines fails, unless it is in the list with a reason."""
+    count = 0
+    listing = "tests/house/long_files.txt"
+    broken, excepted = exceptions(root, listing, "be long")
     for name in files_of(root):
         if not name.endswith(SOURCES) or name.split("/")[0] not in ("engine", "kiosk", "tests"):
             continue
@@ -237,6 +246,37 @@ def check_length(root, _table):
             broken.append(f"{listing}:{number}: {path} is gone. Remove the line.")
     return broken, f"{count} sources, none over {MAX_LINES} lines" + (
         f" but {len(excepted)} by name" if excepted else "")
+
+
+def check_headers(root, _table):
+    """Rule 5: every source has a header of its own name beside it, and no two headers share one."""
+    listing = "tests/house/headers.txt"
+    broken, excepted = exceptions(root, listing, "be so")
+    names, used = files_of(root), set()
+
+    def is_excepted(name):
+        found = [pattern for pattern in excepted if fnmatch.fnmatchcase(name, pattern)]
+        used.update(found)
+        return bool(found)
+
+    sources = [n for n in names if n.endswith(".cpp") and room_of(n) not in (None, "tests")]
+    for name in sources:
+        if name[:-len("cpp")] + "h" not in names and not is_excepted(name):
+            broken.append(f"{name}: it has no header of its own. Put what others call into "
+                          f"{name[:-len('cpp')]}h, or name it in {listing} with the reason.")
+    headers = {}
+    for name in names:
+        if name.endswith(".h"):
+            headers.setdefault(os.path.basename(name), []).append(name)
+    for base, paths in sorted(headers.items()):
+        if len(paths) > 1 and not is_excepted(base):
+            broken.append(f"{' and '.join(paths)} share a name. Name each for what it alone holds.")
+    for pattern, number in excepted.items():
+        if pattern not in used:
+            broken.append(f"{listing}:{number}: {pattern} needs no exception any more. "
+                          "Remove the line.")
+    return broken, (f"{len(sources)} sources have a header of their own but by name, "
+                    f"{len(headers)} headers a name of their own")
 
 
 def check_layout(root, table):
@@ -257,6 +297,59 @@ def check_layout(root, table):
                 broken.append(f"{name}: no program runs it. Tests lie where their room lies: "
                               "tests/engine/clay/clay_test.cpp.")
     return broken, f"{len(names)} files lie where the house has a place for them"
+
+
+DOCUMENT = "engine/docs/house.md"
+BEGIN = "<!-- The table is written by tests/house/house.py table, of tests/house/rooms.txt. -->"
+END = "<!-- end of the table -->"
+
+
+def table_lines(root, table):
+    """The kiosk's rooms that are built, as a Markdown table; then those that are to come."""
+    out, later = ["| room | its job | sees, beside `engine/base` and `engine/math` | libraries |",
+                  "|---|---|---|---|"], []
+    for room, others in table.rooms.items():
+        name = room.partition("kiosk/")[2]
+        if not name:
+            continue
+        if not os.path.isdir(os.path.join(root, room)):
+            later.append(f"`{name}`")
+            continue
+        engine = [o[len("engine/"):] for o in others
+                  if o.startswith("engine/") and o not in ("engine/base", "engine/math")]
+        kiosk = [o[len("kiosk/"):] for o in others if o.startswith("kiosk/")]
+        sees = "; ".join(part for part in (", ".join(kiosk),
+                                           "engine: " + ", ".join(engine) if engine else "") if part)
+        libraries = dict.fromkeys(re.sub(r"(/\*|\.hp?p?)$", "", h) for h in table.headers[room])
+        out.append(f"| {name} | {table.jobs[room]} | {'everyone' if '*' in others else sees} | "
+                   f"{', '.join(libraries)} |")
+    return out + (["", f"Later: {' and '.join(later)} have their lines in the law already."]
+                  if later else [])
+
+
+def split_document(root):
+    """The document's lines before the table, in it, and after it."""
+    lines = read_lines(root, DOCUMENT)
+    if BEGIN not in lines or END not in lines:
+        raise SystemExit(f"{DOCUMENT}: the lines '{BEGIN}' and '{END}' are missing.")
+    begin, end = lines.index(BEGIN) + 1, lines.index(END)
+    return lines[:begin], lines[begin:end], lines[end:]
+
+
+def write_table(root, table):
+    before, _, after = split_document(root)
+    with open(os.path.join(root, DOCUMENT), "w", encoding="utf-8") as file:
+        file.write("\n".join(before + table_lines(root, table) + after) + "\n")
+
+
+def check_docs(root, table):
+    """The document's table is that of rooms.txt, and every room there says its job."""
+    broken = [f"tests/house/rooms.txt: say the job of {room} behind a # at the end of its line."
+              for room, job in table.jobs.items() if room != "tests" and not job]
+    if split_document(root)[1] != table_lines(root, table):
+        broken.append(f"{DOCUMENT}: its table is not that of tests/house/rooms.txt. "
+                      "Run tests/house/house.py table")
+    return broken, "the table of rooms is that of rooms.txt"
 
 
 def check_format(root, _table):
@@ -280,17 +373,21 @@ def check_format(root, _table):
 
 
 CHECKS = {"includes": check_includes, "links": check_links, "length": check_length,
-          "layout": check_layout, "format": check_format}
+          "headers": check_headers, "layout": check_layout, "docs": check_docs,
+          "format": check_format}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("check", choices=[*CHECKS, "all"])
+    parser.add_argument("check", choices=[*CHECKS, "all", "table"])
     parser.add_argument("--root", default=os.path.join(os.path.dirname(__file__), "..", ".."))
     arguments = parser.parse_args()
     root = os.path.realpath(arguments.root)
     table = Table(os.path.join(root, "tests/house/rooms.txt"))
+    if arguments.check == "table":
+        write_table(root, table)
+        return
     failed = False
     for check in CHECKS if arguments.check == "all" else [arguments.check]:
         broken, kept = CHECKS[check](root, table)

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
 namespace onggi {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
 namespace onggi {
 namespace {

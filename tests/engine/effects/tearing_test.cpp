@@ -6,7 +6,7 @@
 
 #include "engine/contact/tool.h"
 #include "engine/math/vectors.h"
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
 namespace onggi {
 namespace {

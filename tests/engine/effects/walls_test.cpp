@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 
 namespace onggi {
 namespace {

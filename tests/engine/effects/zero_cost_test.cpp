@@ -4,7 +4,7 @@
 // than they are.
 #include <gtest/gtest.h>
 
-#include "tests/engine/effects/potter.h"
+#include "tests/engine/effects/random_hands.h"
 #include "tests/support/effect_scenes.h"
 
 namespace onggi {

@@ -1,4 +1,4 @@
-#include "tests/bench/throwing.h"
+#include "tests/bench/presets.h"
 
 #include <algorithm>
 #include <cstdio>

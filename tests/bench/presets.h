@@ -5,7 +5,7 @@
 
 #include "engine/scene/scene_def.h"
 #include "tests/bench/goals.h"
-#include "tests/bench/measuring.h"
+#include "tests/bench/timing.h"
 
 namespace onggi::bench {
 

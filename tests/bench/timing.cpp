@@ -1,4 +1,4 @@
-#include "tests/bench/measuring.h"
+#include "tests/bench/timing.h"
 
 #include <algorithm>
 #include <cmath>
