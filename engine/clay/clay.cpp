@@ -1,7 +1,6 @@
 #include "engine/clay/clay.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 #include "engine/math/hash.h"
@@ -9,10 +8,11 @@
 
 namespace onggi {
 
-Result<Clay> Clay::create(const ClayDef& def) {
+Result<Clay> Clay::create(const ClayDef& def, Vectors vectors) {
   if (auto good = validate(def, "clay"); !good) return tl::unexpected<Problem>(good.error());
   Clay clay;
   clay.def_ = def;
+  clay.vectors_ = vectors;
   clay.stride_ = (def.sectors + 7) / 8 * 8;
   const auto rows = static_cast<std::size_t>(def.rows);
 
@@ -30,8 +30,7 @@ Result<Clay> Clay::create(const ClayDef& def) {
   clay.inner_.assign(rows * clay.padded(), 1e9f);
   clay.outer_most_.resize(rows);
   clay.inner_least_.resize(rows);
-  clay.dirty_.assign((rows + 63) / 64, 0);
-  clay.changed_ = clay.dirty_;
+  clay.dirty_ = clay.changed_ = RowSet(def.rows);
   for (int j = 0; j < def.rows; ++j) clay.lay_lump(j);
   return clay;
 }
@@ -64,7 +63,7 @@ void Clay::restack(int from) {
     const double thickness = row_thickness(j);
     row_height_[static_cast<std::size_t>(j)] = edge + 0.5 * thickness;
     edge += thickness;
-    put(dirty_, j);  // to be drawn elsewhere, and else as it was
+    dirty_.add(j);  // to be drawn elsewhere, and else as it was
   }
   if (solid) floor_top_ = rim_height();
   if (carries)
@@ -144,19 +143,7 @@ void Clay::set_extent(int j, float outer_most, float inner_least) {
 }
 
 void Clay::mark_all_dirty() {
-  for (int j = 0; j < def_.rows; ++j) put(dirty_, j);
-}
-
-int Clay::take(Bits& bits, int from) {
-  std::size_t word = static_cast<std::size_t>(std::max(from, 0)) >> 6;
-  std::uint64_t keep = ~0ULL << (std::max(from, 0) & 63);
-  for (; word < bits.size(); ++word, keep = ~0ULL) {
-    const std::uint64_t seen = bits[word] & keep;
-    if (seen == 0) continue;
-    bits[word] &= ~(seen & (~seen + 1));
-    return static_cast<int>(word * 64) + std::countr_zero(seen);
-  }
-  return -1;
+  for (int j = 0; j < def_.rows; ++j) dirty_.add(j);
 }
 
 bool Clay::renew_some(int element_budget) {

@@ -1,38 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "engine/base/result.h"
+#include "engine/clay/clay_def.h"
 #include "engine/clay/row_areas.h"
+#include "engine/clay/row_set.h"
 #include "engine/clay/shifts.h"
+#include "engine/math/vectors.h"
 #include "engine/profile/profile.h"
 
 namespace onggi {
-
-/// The lump on the wheel: a thick-walled cylinder with a floor, and the grid that carries it.
-struct ClayDef {
-  int rows = 400;                  ///< Rows over the height, 8..20000.
-  int sectors = 360;               ///< Sectors round the axis, 16..8192.
-  double height = 0.20;            ///< Metres, 0.01..1.
-  double outer_radius = 0.055;     ///< Metres, > inner_radius + wall_min, < radius_max.
-  double inner_radius = 0.022;     ///< Metres, >= radius_min.
-  double floor_thickness = 0.010;  ///< Metres; rows below it are solid. 0..height: a lump that is
-                                   ///< all solid is for a potter to open.
-  double floor_min = 0.004;  ///< Thinnest floor that pressing leaves, metres, 0.0005..0.05. A floor
-                             ///< that begins thinner is firm.
-  double wall_min = 0.004;   ///< Thinnest wall, metres, 0.0005..0.02. Pressing further carries the
-                             ///< other side along.
-  double radius_min = 0.002;  ///< Smallest inner radius above the floor, metres, > 0.
-  double radius_max = 0.16;   ///< Largest outer radius, metres, <= 1.
-  bool keep_undo = true;      ///< Strokes, and new clay, can be taken back (history.h): doubles the
-                              ///< memory, and 32 MiB more.
-};
-
-/// Checks every field; `where` prefixes the field's name in the Problem. Nothing is allocated.
-Result<void> validate(const ClayDef& def, const std::string& where);
 
 /// The circular sector elements (Lee, Han & Choi 2008, section 2), with an outer and an inner
 /// radius each. Element (row j, sector i) spans row_thickness(j) round height row_height(j) and the
@@ -43,9 +24,11 @@ Result<void> validate(const ClayDef& def, const std::string& where);
 /// Not safe across threads; allocation only in create().
 class Clay {
  public:
-  static Result<Clay> create(const ClayDef& def);
+  /// `vectors`: that loops over its elements use, one of vectors_here(); no part of its state.
+  static Result<Clay> create(const ClayDef& def, Vectors vectors = best_vectors());
 
   const ClayDef& def() const { return def_; }
+  Vectors vectors() const { return vectors_; }
   int rows() const { return def_.rows; }
   int sectors() const { return def_.sectors; }
   /// Floats from one row to the next: sectors rounded up to a multiple of 8.
@@ -54,6 +37,7 @@ class Clay {
   double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
   std::span<const double> row_heights() const { return row_height_; }
   double row_thickness(int j) const { return row_thickness_[static_cast<std::size_t>(j)]; }
+  std::span<const double> row_thicknesses() const { return row_thickness_; }
   /// Upper face of the solid floor, metres: above the middle of row floor_rows() - 1, and not above
   /// the middle of row floor_rows().
   double floor_top() const { return floor_top_; }
@@ -74,7 +58,7 @@ class Clay {
   /// Metres, > 0. The caller then calls restack() once, with the lowest row that it changed.
   void set_row_thickness(int j, double thickness) {
     row_thickness_[static_cast<std::size_t>(j)] = thickness;
-    put(changed_, j);
+    changed_.add(j);
     if (areas_) areas_->mark(j);
   }
   /// Stacks row `from` and those above it anew on the row below, and marks them dirty. A lump that
@@ -90,7 +74,10 @@ class Clay {
   void set_floor(int rows, double top);
 
   /// No outer radius of row `j` is larger, and no inner one smaller: where nothing can touch,
-  /// nobody need look. Not always the least and the most that would be true.
+  /// nobody need look. Not always the least and the most that would be true: a press makes the
+  /// largest radius smaller, and the new one could be found only by looking at all of the row, 360
+  /// elements for the dozen that were pressed. Too wide it costs elements looked at in vain; too
+  /// narrow it would let a tool pass through clay, so whoever writes widens it first.
   float outer_most(int j) const { return outer_most_[static_cast<std::size_t>(j)]; }
   float inner_least(int j) const { return inner_least_[static_cast<std::size_t>(j)]; }
   std::span<const float> outer_most() const { return outer_most_; }
@@ -118,23 +105,22 @@ class Clay {
   /// Area of row `j`'s cross-section, m^2. O(sectors).
   double measured_area(int j) const;
 
-  /// Rows changed since they were last taken, for those that draw them. One bit a row; cost of a
-  /// look is rows/64 words.
-  void mark_dirty(int j) { put(dirty_, j), put(changed_, j); }
+  /// Rows changed since they were last taken, for those that draw them.
+  void mark_dirty(int j) { dirty_.add(j), changed_.add(j); }
   /// Row `first` + k for each bit k of `which`.
   void mark_dirty(int first, std::uint64_t which) {
-    put(dirty_, first, which), put(changed_, first, which);
+    dirty_.add(first, which), changed_.add(first, which);
   }
   /// It is to be drawn, and has not changed.
-  void mark_to_draw(int j) { put(dirty_, j); }
+  void mark_to_draw(int j) { dirty_.add(j); }
   /// All are to be drawn; none is changed.
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
-  int take_dirty(int from = 0) { return take(dirty_, from); }
+  int take_dirty(int from = 0) { return dirty_.take(std::max(from, 0)); }
   /// The same rows, for those that keep what they were (history.h). A row that only moved up or
   /// down as others grew or sank is not among them.
-  int take_change(int from = 0) { return take(changed_, from); }
-  void forget_change(int j) { changed_[static_cast<std::size_t>(j >> 6)] &= ~(1ULL << (j & 63)); }
+  int take_change(int from = 0) { return changed_.take(from); }
+  void forget_change(int j) { changed_.remove(j); }
 
   /// Back to the lump. Spread over calls so that no tick pays for the whole grid: each call does at
   /// most `element_budget` elements (at least a row) and returns true once all is done.
@@ -156,22 +142,13 @@ class Clay {
   void lay_lump(int j);
   void lay_rows();
 
-  using Bits = std::vector<std::uint64_t>;
-  static void put(Bits& bits, int j) { bits[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63); }
-  static void put(Bits& bits, int first, std::uint64_t which) {
-    const auto word = static_cast<std::size_t>(first >> 6);
-    const int shift = first & 63;
-    bits[word] |= which << shift;
-    const std::uint64_t beyond = shift == 0 ? 0 : which >> (64 - shift);
-    if (beyond != 0) bits[word + 1] |= beyond;
-  }
-  static int take(Bits& bits, int from);
   void forget_extent(int j) {
     widen_extent(j, 1e9f, 0.0f);
     if (areas_) areas_->forget(j);
   }
 
   ClayDef def_;
+  Vectors vectors_ = Vectors::plain;
   int stride_ = 0;
   int floor_rows_ = 0;
   double floor_top_ = 0.0;
@@ -179,7 +156,7 @@ class Clay {
   std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
   std::vector<float> outer_most_, inner_least_;  // a row's extent; no part of the clay's state
   unsigned measured_ = 0;
-  Bits dirty_, changed_;
+  RowSet dirty_, changed_;
   std::optional<RowAreas> areas_;
   std::vector<Shifts> shifts_;  // of the outside and the inside, or none
   int sweep_row_ = 0;

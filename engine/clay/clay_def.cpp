@@ -1,5 +1,6 @@
+#include "engine/clay/clay_def.h"
+
 #include "engine/base/field_check.h"
-#include "engine/clay/clay.h"
 
 namespace onggi {
 

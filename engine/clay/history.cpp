@@ -1,31 +1,13 @@
 #include "engine/clay/history.h"
 
 #include <algorithm>
-#include <bit>
 
-namespace onggi {
+namespace onggi::clay {
 namespace {
 
 constexpr int kElementsATick = 2048;  // a fifth of what a tick may cost
 constexpr int kLeastRowsATick = 2;
 constexpr std::size_t kMostSteps = 256;
-
-bool has(const std::vector<std::uint64_t>& bits, int j) {
-  return (bits[static_cast<std::size_t>(j >> 6)] >> (j & 63) & 1u) != 0;
-}
-void put(std::vector<std::uint64_t>& bits, int j) {
-  bits[static_cast<std::size_t>(j >> 6)] |= 1ULL << (j & 63);
-}
-// Takes the lowest; -1 when there is none.
-int take(std::vector<std::uint64_t>& bits) {
-  for (std::size_t word = 0; word < bits.size(); ++word) {
-    if (bits[word] == 0) continue;
-    const int j = static_cast<int>(word * 64) + std::countr_zero(bits[word]);
-    bits[word] &= bits[word] - 1;
-    return j;
-  }
-  return -1;
-}
 
 }  // namespace
 
@@ -37,8 +19,7 @@ History::History(Clay& clay) : stride_(clay.stride()), sectors_(clay.sectors()) 
   shadow_thickness_.resize(rows);
   ring_ = std::make_unique_for_overwrite<float[]>(slots * floats);
   slots_.resize(slots);
-  in_step_.assign((rows + 63) / 64, 0);
-  unsettled_ = in_step_;
+  in_step_ = unsettled_ = RowSet(clay.rows());
   for (int j = 0; j < clay.rows(); ++j) settle(clay, j);
   while (clay.take_change() >= 0) {
   }
@@ -63,14 +44,14 @@ void History::settle(const Clay& clay, int j) noexcept {
 void History::remember(int j) noexcept {
   std::copy_n(shadow_row(j), 2 * stride_, ring_row(next_));
   slots_[next_ % slots_.size()] = {j, shadow_thickness_[static_cast<std::size_t>(j)]};
-  put(in_step_, j);
+  in_step_.add(j);
   ++next_;
 }
 
 // True once nothing is left to do.
 bool History::keep_up(Clay& clay, int rows) noexcept {
   for (; rows > 0; --rows) {
-    const int j = take(unsettled_);
+    const int j = unsettled_.take();
     if (j < 0) break;
     clay.forget_change(j);  // what came after the step's end counts with it
     settle(clay, j);
@@ -80,7 +61,7 @@ bool History::keep_up(Clay& clay, int rows) noexcept {
     const int j = clay.take_change(from);
     if (j < 0) return true;
     from = j;
-    if (has(in_step_, j)) continue;
+    if (in_step_.has(j)) continue;
     remember(j);
     --rows;
   }
@@ -98,10 +79,8 @@ void History::follow(Clay& clay, bool touching, double seconds) noexcept {
 void History::end_step(const Clay& clay) noexcept {
   lasted_ = 0.0;
   if (steps_.back().first == next_) return;
-  for (std::size_t word = 0; word < in_step_.size(); ++word) {
-    unsettled_[word] |= in_step_[word];
-    in_step_[word] = 0;
-  }
+  unsettled_.add(in_step_);
+  in_step_.clear();
   if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
   steps_.push_back({next_, clay.floor_top(), clay.floor_rows()});
   ++depth_;
@@ -153,7 +132,7 @@ bool History::step_back_some(Clay& clay, int element_budget) noexcept {
   clay.set_floor(steps_.back().floor_rows, steps_.back().floor_top);
   while (clay.take_change(0) >= 0) {
   }
-  std::ranges::fill(in_step_, 0);
+  in_step_.clear();
   going_back_ = false;
   lasted_ = 0.0;
   return true;
@@ -166,4 +145,4 @@ void History::add_to(StateHash& hash) const {
   hash.add(static_cast<std::uint64_t>(going_back_));
 }
 
-}  // namespace onggi
+}  // namespace onggi::clay

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "engine/clay/clay.h"
+#include "engine/clay/row_set.h"
 #include "engine/math/hash.h"
 
-namespace onggi {
+namespace onggi::clay {
 
 /// What a visitor may take back: the clay as it was before each stroke, as far as a fixed amount of
 /// memory reaches. A step is one touch from first contact until the hands have been clear for
@@ -57,7 +58,6 @@ class History {
     int row = 0;
     double thickness = 0.0;
   };
-  using Bits = std::vector<std::uint64_t>;
 
   int rows_of(int elements) const { return elements > stride_ ? elements / stride_ : 1; }
   bool keep_up(Clay& clay, int rows) noexcept;
@@ -75,8 +75,8 @@ class History {
   std::unique_ptr<float[]> ring_;  // not written before it is used, so not resident either
   std::vector<Slot> slots_;
   std::vector<Step> steps_;  // the last is under way; never grows
-  Bits in_step_;             // rows that the present step has in the ring
-  Bits unsettled_;           // rows of the step before whose shadow is not up to date
+  RowSet in_step_;           // rows that the present step has in the ring
+  RowSet unsettled_;         // rows of the step before whose shadow is not up to date
   std::uint64_t next_ = 0;
   std::uint64_t depth_ = 0;
   double clear_ = 0.0;
@@ -85,4 +85,4 @@ class History {
   bool going_back_ = false;
 };
 
-}  // namespace onggi
+}  // namespace onggi::clay

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
+
+#include "engine/clay/row_set.h"
 
 namespace onggi {
 
@@ -19,24 +17,24 @@ class RowAreas {
   RowAreas(int rows, int stride)
       : area_(static_cast<std::size_t>(rows)),
         cut_(area_.size()),
-        changed_((static_cast<std::size_t>(rows) + 63) / 64),
-        unknown_(changed_.size()),
+        changed_(rows),
+        unknown_(rows),
         spare_(static_cast<std::size_t>(stride)) {}
 
   /// Right to a float's digits of what was lost since it was last set(). Only where known(j).
   double of(int j) const { return area_[static_cast<std::size_t>(j)]; }
-  bool known(int j) const { return (unknown_[word(j)] & bit(j)) == 0; }
+  bool known(int j) const { return !unknown_.has(j); }
 
   /// Row `j` is this large, measured.
   void set(int j, double area) {
     area_[static_cast<std::size_t>(j)] = area;
-    unknown_[word(j)] &= ~bit(j);
+    unknown_.remove(j);
   }
   /// A press took this from row `j`; negative where it gave. `cut`: it is gone from the pot.
   void lose(int j, double area, bool cut = false) {
     area_[static_cast<std::size_t>(j)] -= area;
     if (cut) cut_[static_cast<std::size_t>(j)] += area;
-    changed_[word(j)] |= bit(j);
+    changed_.add(j);
   }
   /// Row `j` gained this from other rows, or gave it where negative: its volume goes with it.
   void trade(int j, double area) {
@@ -46,60 +44,44 @@ class RowAreas {
   /// What row `j` has to give for nothing, m^2 of its cross-section.
   void keep_for(int j, double area) {
     cut_[static_cast<std::size_t>(j)] += area;
-    changed_[word(j)] |= bit(j);
+    changed_.add(j);
   }
   /// Takes what was cut from row `j`, m^2, since it was last taken.
   double take_cut(int j) { return std::exchange(cut_[static_cast<std::size_t>(j)], 0.0); }
   /// Row `j` became thinner or thicker.
-  void mark(int j) { changed_[word(j)] |= bit(j); }
+  void mark(int j) { changed_.add(j); }
   /// Row `j` was written to: it is to be measured.
   void forget(int j) {
-    changed_[word(j)] |= bit(j);
-    unknown_[word(j)] |= bit(j);
+    changed_.add(j);
+    unknown_.add(j);
   }
-  /// Rows marked since they were last taken, added to `bits` (one bit a row). `taken`: and none is
-  /// any more.
-  void add_changed(std::span<std::uint64_t> bits, bool taken) {
-    for (std::size_t w = 0; w < changed_.size(); ++w) {
-      bits[w] |= changed_[w];
-      if (taken) changed_[w] = 0;
-    }
+  /// Rows marked since they were last taken, added to `rows`. `taken`: and none is any more.
+  void add_changed(RowSet& rows, bool taken) {
+    rows.add(changed_);
+    if (taken) changed_.clear();
   }
   /// From now on rows may tear. Allocates.
-  void keep_torn() { torn_.resize(changed_.size()); }
+  void keep_torn() { torn_ = RowSet(changed_.room()); }
   /// Row `j` is torn: whoever presses it, passes through. O(1), and mend() O(rows / 64).
   void tear(int j) {
-    torn_[word(j)] |= bit(j);
+    torn_.add(j);
     any_torn_ = true;
   }
   void mend() {
-    std::ranges::fill(torn_, 0);
+    torn_.clear();
     any_torn_ = false;
   }
   bool any_torn() const { return any_torn_; }
-  bool torn(int j) const { return any_torn_ && (torn_[word(j)] & bit(j)) != 0; }
+  bool torn(int j) const { return any_torn_ && torn_.has(j); }
   /// A row that nobody reads, for those who write what nobody asked for.
   float* spare_row() { return spare_.data(); }
   /// Takes and clears the lowest changed row at or above `from`; -1 when none is left.
-  int take_changed(int from) {
-    if (from >= static_cast<int>(area_.size())) return -1;
-    std::uint64_t keep = ~0ULL << (from & 63);
-    for (std::size_t w = word(from); w < changed_.size(); ++w, keep = ~0ULL) {
-      const std::uint64_t seen = changed_[w] & keep;
-      if (seen == 0) continue;
-      changed_[w] &= ~(seen & (~seen + 1));
-      return static_cast<int>(w * 64) + std::countr_zero(seen);
-    }
-    return -1;
-  }
+  int take_changed(int from) { return changed_.take(from); }
 
  private:
-  static std::size_t word(int j) { return static_cast<std::size_t>(j) >> 6; }
-  static std::uint64_t bit(int j) { return 1ULL << (j & 63); }
-
   std::vector<double> area_, cut_;
-  std::vector<std::uint64_t> changed_, unknown_;
-  std::vector<std::uint64_t> torn_;  // none where no row can tear
+  RowSet changed_, unknown_;
+  RowSet torn_;  // none where no row can tear
   bool any_torn_ = false;
   std::vector<float> spare_;
 };

@@ -5,13 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace onggi {
+#include "engine/clay/block_run.h"
 
-/// Eight elements side by side: [begin, end) in blocks.
-struct BlockRun {
-  int begin = 0, end = 0;
-  bool any() const { return begin < end; }
-};
+namespace onggi {
 
 /// How far one face was moved within this tick, element by element, and where to look: contact
 /// writes it, effects that work about the contact read it. A Clay has them only where an effect

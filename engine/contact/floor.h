@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/contact/ball.h"
+#include "engine/contact/ball_step.h"
 #include "engine/contact/tool.h"
 
 namespace onggi {

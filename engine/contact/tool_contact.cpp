@@ -44,7 +44,7 @@ constexpr Vec3 kDown{0.0, -1.0, 0.0};
 // sine are given.
 ToolPlace place_at(const ToolSweep& sweep, double share, double c, double s) {
   ToolPlace place{turned(sweep.from + share * (sweep.to - sweep.from), c, -s)};
-  if (!sweep.shape->round) {
+  if (!sweep.shape->round()) {
     place.along = turned(sweep.along, c, -s);
     place.across = turned(sweep.across, c, -s);
   }
@@ -56,9 +56,9 @@ BallStep ball_step(const ToolSweep& sweep, int n, int of) {
   const auto lowest = [&](double share) {
     const double angle = sweep.angle_from + share * (sweep.angle_to - sweep.angle_from);
     const ToolPlace place = place_at(sweep, share, portable::cos(angle), portable::sin(angle));
-    return ball_towards(*sweep.shape, place, sweep.size, kDown);
+    return sweep.shape->ball(place, sweep.size, kDown);
   };
-  const ToolBall from = lowest(1.0 * n / of);
+  const body::Ball from = lowest(1.0 * n / of);
   return {from.middle, lowest((n + 1.0) / of).middle, from.radius, sweep.seconds / of};
 }
 
@@ -84,7 +84,7 @@ int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept {
       std::clamp(std::ceil(std::max(by_way, by_time)), 1.0, double{kMostSteps}));
 }
 
-bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place, const ToolBall& lowest,
+bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place, const body::Ball& lowest,
                                const ToolSweep& sweep) noexcept {
   const Vec3 at = lowest.middle;
   const double radius = lowest.radius;
@@ -118,7 +118,7 @@ bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place, const T
   return there > 0.0 || floor_there;
 }
 
-void ToolContact::change_place(const Clay& clay, const ToolBall& lowest) noexcept {
+void ToolContact::change_place(const Clay& clay, const body::Ball& lowest) noexcept {
   const Vec3 at = lowest.middle;
   if (!on_rim_ && at.y <= clay.rim_height()) return;
   const Beyond b = beyond(clay, at);
@@ -150,7 +150,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   const double c = portable::cos(angle);
   const double s = portable::sin(angle);
   const ToolPlace place = place_at(sweep, middle, c, s);
-  const ToolBall lowest = ball_towards(*sweep.shape, place, sweep.size, kDown);
+  const body::Ball lowest = sweep.shape->ball(place, sweep.size, kDown);
 
   if (!touching_) {
     if (!choose_place(clay, place, lowest, sweep)) return;

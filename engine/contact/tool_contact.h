@@ -46,10 +46,10 @@ class ToolContact {
 
  private:
   /// Where a tool that was clear stands; false where it is clear at `at` too.
-  bool choose_place(const Clay& clay, const ToolPlace& place, const ToolBall& lowest,
+  bool choose_place(const Clay& clay, const ToolPlace& place, const body::Ball& lowest,
                     const ToolSweep& sweep) noexcept;
   /// The same of one that touches the clay.
-  void change_place(const Clay& clay, const ToolBall& lowest) noexcept;
+  void change_place(const Clay& clay, const body::Ball& lowest) noexcept;
 
   WallSide side_ = WallSide::outside;
   bool touching_ = false;

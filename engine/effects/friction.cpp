@@ -13,6 +13,8 @@ std::span<const EffectField<FrictionDef>> FrictionDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 double friction_coefficient(const FrictionDef& def, double wetness) noexcept {
   return def.coefficient * (1.0 + wetness * (def.wet_factor - 1.0));
 }
@@ -23,4 +25,5 @@ Vec3 friction_force(Vec3 reaction, double normal, Vec3 slip, double mu, double e
   return (-mu * normal / std::sqrt(dot(slip, slip) + eps * eps)) * slip;
 }
 
+}  // namespace effects
 }  // namespace onggi

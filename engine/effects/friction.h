@@ -15,6 +15,8 @@ struct FrictionDef {
   static std::span<const EffectField<FrictionDef>> fields();
 };
 
+namespace effects {
+
 /// Coefficient of clay of `wetness` 0..1.
 double friction_coefficient(const FrictionDef& def, double wetness) noexcept;
 
@@ -27,4 +29,5 @@ Vec3 friction_force(Vec3 reaction, double normal, Vec3 slip, double mu, double e
 /// Velocity of clay at `at` on a wheel that turns by `speed` (rad/s, from x towards z), m/s.
 inline Vec3 clay_velocity(Vec3 at, double speed) { return {-speed * at.z, 0.0, speed * at.x}; }
 
+}  // namespace effects
 }  // namespace onggi

@@ -32,10 +32,4 @@ double size_after(const KilnDef& def, const Firing& at) noexcept {
   return (1.0 - def.drying_shrinkage * at.dried) * (1.0 - def.firing_shrinkage * at.fired);
 }
 
-double shrinkage(const KilnDef& def) noexcept { return 1.0 - size_after(def, {1.0, 1.0}); }
-
-Profile fired(const KilnDef& def, const Profile& thrown) {
-  return scaled(thrown, size_after(def, {1.0, 1.0}));
-}
-
 }  // namespace onggi

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "engine/effects/effect_field.h"
-#include "engine/profile/profile.h"
 
 namespace onggi {
 
@@ -38,12 +37,8 @@ struct Firing {
   double fired = 0.0;  ///< 0 unfired .. 1 out of the kiln.
 };
 
-/// What is left of a length, 0..1: (1 - s_d dried)(1 - s_f fired). Falls with either.
+/// What is left of a length, 0..1: (1 - s_d dried)(1 - s_f fired). Falls with either. The two are
+/// multiplied, as the kiln shrinks what drying has left: 6.25 % and 6.66 % are 12.5 %.
 double size_after(const KilnDef& def, const Firing& at) noexcept;
-/// Share of every length that is lost in all: 1 - (1 - s_d)(1 - s_f). The two are multiplied, as
-/// the kiln shrinks what drying has left: 6.25 % and 6.66 % are 12.5 %.
-double shrinkage(const KilnDef& def) noexcept;
-/// The pot out of the kiln: the same shape, smaller. Allocates.
-Profile fired(const KilnDef& def, const Profile& thrown);
 
 }  // namespace onggi

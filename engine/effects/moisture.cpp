@@ -18,6 +18,8 @@ std::span<const EffectField<MoistureDef>> MoistureDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 double softness(const MoistureDef& def, double wetness) noexcept {
   return 1.0 + wetness * (def.softening - 1.0);
 }
@@ -82,4 +84,5 @@ void Moisture::add_to(StateHash& hash) const {
   for (const double wet : row_) hash.add(wet);
 }
 
+}  // namespace effects
 }  // namespace onggi

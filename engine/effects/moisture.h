@@ -30,6 +30,8 @@ struct MoistureDef {
   static std::span<const EffectField<MoistureDef>> fields();
 };
 
+namespace effects {
+
 /// Relaxation time of clay of `wetness`, as a share of the dry clay's.
 double softness(const MoistureDef& def, double wetness) noexcept;
 /// Yield strength and viscosity likewise.
@@ -67,4 +69,5 @@ class Moisture {
   double mean_ = 0.0;
 };
 
+}  // namespace effects
 }  // namespace onggi

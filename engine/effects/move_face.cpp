@@ -5,7 +5,7 @@
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::effects {
 
 void move_face(Clay& clay, WallSide side, int j, BlockRun run, const float* by,
                double along) noexcept {
@@ -25,10 +25,11 @@ void move_face(Clay& clay, WallSide side, int j, BlockRun run, const float* by,
   float* outer = clay.pressable_outer(j).data();
   float* inner = clay.pressable_inner(j).data();
   const row_kernels::FaceMoved moved =
-      row_kernels::move(how, run, by, outside ? outer : inner, outside ? inner : outer);
+      row_kernels::of(clay.vectors())
+          .move(how, run, by, outside ? outer : inner, outside ? inner : outer);
   clay.areas()->lose(j, portable::kPi / def.sectors * double{moved.lost});
   clay.widen_extent(j, moved.outermost, moved.innermost);
   clay.mark_dirty(j);
 }
 
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -4,7 +4,7 @@
 #include "engine/clay/shifts.h"
 #include "engine/clay/wall_side.h"
 
-namespace onggi {
+namespace onggi::effects {
 
 /// Moves the blocks `run` of a face of row `j` by `by` metres an element (stride() floats, read in
 /// the run only): positive as a press does, inwards outside and outwards inside; negative back. The
@@ -17,4 +17,4 @@ void move_face(Clay& clay, WallSide side, int j, BlockRun run, const float* by,
 /// Below this, metres, nothing moves: see press_rows.h.
 inline constexpr float kLeastMove = 8e-8f;
 
-}  // namespace onggi
+}  // namespace onggi::effects

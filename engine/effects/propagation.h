@@ -18,8 +18,7 @@ struct PropagationDef {
   static std::span<const EffectField<PropagationDef>> fields();
 };
 
-/// Share of a move that a row `distance` m away follows: 1 at 0, falling, 0 from three reaches on.
-double dragged_share(const PropagationDef& def, double distance) noexcept;
+namespace effects {
 
 /// Drags the rows about those that moved. Allocates only when made; one thread.
 class Propagation {
@@ -42,4 +41,5 @@ class Propagation {
   std::vector<float> more_;
 };
 
+}  // namespace effects
 }  // namespace onggi

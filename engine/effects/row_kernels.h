@@ -1,11 +1,12 @@
 #pragma once
 
-#include "engine/clay/shifts.h"
+#include "engine/clay/block_run.h"
+#include "engine/math/vectors.h"
 
 namespace onggi {
 
-/// What effects do to the elements of one row, eight at a time on whatever vectors there are, with
-/// the same bits on each. Padding (clay.h) is left as it is. Any thread, no allocation.
+/// What effects do to the elements of one row, eight at a time, with the same bits on all kinds of
+/// vectors. Padding (clay.h) is left as it is. Any thread, no allocation.
 namespace row_kernels {
 
 /// How a face may move: see move_face(). Metres.
@@ -21,24 +22,11 @@ struct FaceMoved {
   float lost = 0.0f;  ///< Sum of squares of radii that the row lost.
   float outermost = 0.0f, innermost = 0.0f;
 };
-FaceMoved move(const FaceMove& how, BlockRun run, const float* by, float* face,
-               float* behind) noexcept;
-
-/// One row of Propagation::drag(): `own` becomes what follows, `more` what that is more. The
-/// largest of `more`.
-float pull(BlockRun run, float faded, float* own, float* source, float* carried,
-           float* more) noexcept;
-
-/// One row of Springback: `left` less the share `gone` of it, all of it where it is less than
-/// `least`; `move` becomes what went, negative. The largest that is left.
-float spring(int stride, float gone, float least, float* left, float* move) noexcept;
 
 /// Sums of radius times cosine and times sine.
 struct Harmonic {
   float x = 0.0f, z = 0.0f;
 };
-Harmonic harmonic(int stride, const float* radius, const float* ray_cos,
-                  const float* ray_sin) noexcept;
 
 /// Both faces by x times cosine and z times sine, the inner one held to `least` and `most` - wall,
 /// the outer one to a wall's thickness and `most`.
@@ -47,25 +35,38 @@ struct RowPush {
   float x = 0.0f, z = 0.0f;
   float least = 0.0f, most = 0.0f, wall_min = 0.0f;
 };
-/// FaceMoved::lost is 0.
-FaceMoved push(const RowPush& how, int stride, const float* ray_cos, const float* ray_sin,
-               float* outer, float* inner) noexcept;
 
 /// The largest outer radius and the thinnest wall.
 struct WallBounds {
   float farthest = 0.0f, thinnest = 0.0f;
 };
-WallBounds bounds(int stride, const float* outer, const float* inner) noexcept;
-
-/// outer' = same outer + cross inner, inner' = same inner + cross outer. FaceMoved::lost is 0.
-FaceMoved mix(int stride, float same, float cross, float* outer, float* inner) noexcept;
 
 /// What a ring is like all round.
 struct Ring {
   float squares = 0.0f;   ///< Sum of outer^2 + inner^2, m^2.
   float thinnest = 0.0f;  ///< Least of outer - inner, m.
 };
-Ring measure(int stride, const float* outer, const float* inner) noexcept;
+
+/// On one kind of vectors.
+struct Table {
+  FaceMoved (*move)(const FaceMove& how, BlockRun run, const float* by, float* face, float* behind);
+  /// One row of Propagation::drag(): `own` becomes what follows, `more` what that is more. The
+  /// largest of `more`.
+  float (*pull)(BlockRun run, float faded, float* own, float* source, float* carried, float* more);
+  /// One row of Springback: `left` less the share `gone` of it, all of it where it is less than
+  /// `least`; `move` becomes what went, negative. The largest that is left.
+  float (*spring)(int stride, float gone, float least, float* left, float* move);
+  Harmonic (*harmonic)(int stride, const float* radius, const float* ray_cos, const float* ray_sin);
+  /// FaceMoved::lost is 0.
+  FaceMoved (*push)(const RowPush& how, int stride, const float* ray_cos, const float* ray_sin,
+                    float* outer, float* inner);
+  WallBounds (*bounds)(int stride, const float* outer, const float* inner);
+  /// outer' = same outer + cross inner, inner' = same inner + cross outer. FaceMoved::lost is 0.
+  FaceMoved (*mix)(int stride, float same, float cross, float* outer, float* inner);
+  Ring (*measure)(int stride, const float* outer, const float* inner);
+};
+/// One of vectors_here().
+const Table& of(Vectors kind) noexcept;
 
 }  // namespace row_kernels
 }  // namespace onggi

@@ -40,9 +40,7 @@ std::span<const EffectField<SlumpDef>> SlumpDef::fields() {
   return kFields;
 }
 
-double standing_height(const SlumpDef& def) noexcept {
-  return kRoot3 * def.yield_stress / (def.density * kGravity);
-}
+namespace effects {
 
 // What the row would do if it stood alone.
 Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& volume,
@@ -165,4 +163,5 @@ void Slump::add_to(StateHash& hash) const {
            std::uint64_t{yielded_} << 2 | std::uint64_t{stirred_} << 1 | std::uint64_t{asleep_});
 }
 
+}  // namespace effects
 }  // namespace onggi

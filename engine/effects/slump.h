@@ -21,6 +21,8 @@ struct SlumpDef {
   static std::span<const EffectField<SlumpDef>> fields();
 };
 
+namespace effects {
+
 /// Sinks the rows that yield and those that hang on them: a sweep from the rim down finds what
 /// yields, one back up shares that among neighbours and moves the clay; some rows every tick, 20
 /// times a second both, or as often as the grid's size allows. Asleep while nothing yields and
@@ -86,7 +88,5 @@ class Slump {
   double calm_wetness_ = 0.0;  // likewise
 };
 
-/// Height, m, up to which a straight wall stands: sqrt(3) tau_y / (density g).
-double standing_height(const SlumpDef& def) noexcept;
-
+}  // namespace effects
 }  // namespace onggi

@@ -19,6 +19,8 @@ std::span<const EffectField<SmoothingDef>> SmoothingDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 Smoothing::Smoothing(int rows) {
   const auto n = static_cast<std::size_t>(rows);
   for (std::vector<double>* part : {&weight_, &flow_, &up_, &pivot_, &gained_}) part->resize(n);
@@ -123,4 +125,5 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
   clay.areas()->keep_for(first, left / weight_[0]);
 }
 
+}  // namespace effects
 }  // namespace onggi

@@ -18,6 +18,8 @@ struct SmoothingDef {
   static std::span<const EffectField<SmoothingDef>> fields();
 };
 
+namespace effects {
+
 /// Diffusion of R^2, whose integral over height is volume, along the wall: implicit, so that any
 /// tick is stable, nothing gets larger than the largest or smaller than the least, and no clay is
 /// lost. Allocates only when made; one thread.
@@ -45,4 +47,5 @@ class Smoothing {
   std::vector<float> extent_;   // largest, or inside smallest, radius written
 };
 
+}  // namespace effects
 }  // namespace onggi

@@ -21,6 +21,8 @@ std::span<const EffectField<SpringbackDef>> SpringbackDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 Springback::Springback(const Clay& clay)
     : back_(static_cast<std::size_t>(clay.stride())),
       stride_(static_cast<std::size_t>(clay.stride())),
@@ -58,8 +60,9 @@ void Springback::row_back(Clay& clay, WallSide side, int j, double time, double 
   const auto gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
   f.seen[n] = now_;
   // The last of it at once: rest must be rest.
-  const float most = row_kernels::spring(static_cast<int>(stride_), gone, kLeastMove,
-                                         f.left.data() + n * stride_, back_.data());
+  const float most = row_kernels::of(clay.vectors())
+                         .spring(static_cast<int>(stride_), gone, kLeastMove,
+                                 f.left.data() + n * stride_, back_.data());
   move_face(clay, side, j, {0, static_cast<int>(stride_) / Shifts::kBlock}, back_.data(), along);
   if (most > 0.0f) return;
   f.rows[n] = 0;
@@ -107,4 +110,5 @@ void Springback::add_to(StateHash& hash) const {
   hash.add(now_);
 }
 
+}  // namespace effects
 }  // namespace onggi

@@ -21,6 +21,8 @@ struct SpringbackDef {
   static std::span<const EffectField<SpringbackDef>> fields();
 };
 
+namespace effects {
+
 /// What every element still has to come back by. Allocates only when made; one thread.
 class Springback {
  public:
@@ -56,4 +58,5 @@ class Springback {
   double now_ = 0.0;
 };
 
+}  // namespace effects
 }  // namespace onggi

@@ -1,11 +1,10 @@
 #include "engine/effects/tearing.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "engine/effects/row_kernels.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 constexpr int kElementBudget = 2048;  // a tick
@@ -15,7 +14,7 @@ constexpr std::size_t kLumps = 4;     // whose tears are kept for going back, at
 }  // namespace
 
 Tearing::Tearing(Clay& clay)
-    : unseen_((static_cast<std::size_t>(clay.rows()) + 63) / 64),
+    : unseen_(clay.rows()),
       hollow_square_(clay.def().outer_radius * clay.def().outer_radius +
                      clay.def().inner_radius * clay.def().inner_radius),
       solid_square_(clay.def().outer_radius * clay.def().outer_radius),
@@ -31,7 +30,8 @@ Tearing::Tearing(Clay& clay)
 bool Tearing::tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept {
   if (j < clay.floor_rows()) return false;
   const row_kernels::Ring ring =
-      row_kernels::measure(clay.stride(), clay.outer(j).data(), clay.inner(j).data());
+      row_kernels::of(clay.vectors())
+          .measure(clay.stride(), clay.outer(j).data(), clay.inner(j).data());
   if (double{ring.thinnest} < def.tear_thickness) return true;
   const double laid = j < solid_rows_ ? solid_square_ : hollow_square_;
   const double wider = 1.0 + def.tear_strain;
@@ -48,18 +48,10 @@ void Tearing::note(Event event) noexcept {
 
 // Takes the row whose turn it is; -1 where none waits.
 int Tearing::next_unseen() noexcept {
-  const auto words = unseen_.size();
-  auto word = static_cast<std::size_t>(next_) >> 6;
-  std::uint64_t keep = ~0ULL << (next_ & 63);
-  for (std::size_t n = 0; n <= words; ++n, word = (word + 1) % words, keep = ~0ULL) {
-    const std::uint64_t waiting = unseen_[word] & keep;
-    if (waiting == 0) continue;
-    unseen_[word] &= ~(waiting & (~waiting + 1));
-    const int j = static_cast<int>(word * 64) + std::countr_zero(waiting);
-    next_ = (j + 1) % static_cast<int>(words * 64);
-    return j;
-  }
-  return -1;
+  int j = unseen_.take(next_);
+  if (j < 0) j = unseen_.take();
+  if (j >= 0) next_ = (j + 1) % unseen_.room();
+  return j;
 }
 
 void Tearing::look(const WallsDef& def, Clay& clay, std::uint64_t step, bool last) noexcept {
@@ -80,7 +72,7 @@ void Tearing::lay(Clay& clay, std::uint64_t step) noexcept {
   note({step, kFreshLump});
   clay.areas()->mend();
   torn_rows_ = 0;
-  std::ranges::fill(unseen_, 0);
+  unseen_.clear();
 }
 
 void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {
@@ -93,16 +85,15 @@ void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {
   for (auto event = events_.rbegin(); event != events_.rend() && event->row != kFreshLump;
        ++event, ++torn_rows_)
     areas.tear(event->row);
-  for (int j = 0; j < clay.rows(); ++j)
-    unseen_[static_cast<std::size_t>(j >> 6)] |= std::uint64_t{1} << (j & 63);
+  for (int j = 0; j < clay.rows(); ++j) unseen_.add(j);
 }
 
 void Tearing::add_to(StateHash& hash, Clay& clay) const {
-  for (const std::uint64_t word : unseen_) hash.add(word);
+  unseen_.add_to(hash);
   for (int j = 0; j < clay.rows(); ++j)
     if (clay.areas()->torn(j)) hash.add(static_cast<std::uint64_t>(j));
   hash.add(static_cast<std::uint64_t>(next_));
   hash.add(static_cast<std::uint64_t>(events_.size()));
 }
 
-}  // namespace onggi
+}  // namespace onggi::effects

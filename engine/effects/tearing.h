@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "engine/clay/clay.h"
+#include "engine/clay/row_set.h"
 #include "engine/effects/walls.h"
 #include "engine/math/hash.h"
 
-namespace onggi {
+namespace onggi::effects {
 
 /// Walls that were pulled too thin or opened too far are torn, ring by ring: contact passes through
 /// a torn ring (RowAreas::torn), and nothing that is done to it mends it. Only a fresh lump does,
@@ -43,7 +44,7 @@ class Tearing {
   void note(Event event) noexcept;
   int next_unseen() noexcept;
 
-  std::vector<std::uint64_t> unseen_;    // rows to be looked at, a bit each
+  RowSet unseen_;                        // rows to be looked at
   std::vector<Event> events_;            // the steps never fall; never grows
   double hollow_square_, solid_square_;  // of what the lump's rings were like: see tears_now()
   int solid_rows_;                       // of the lump
@@ -52,4 +53,4 @@ class Tearing {
   int next_ = 0;
 };
 
-}  // namespace onggi
+}  // namespace onggi::effects

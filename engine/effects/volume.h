@@ -15,6 +15,8 @@ struct VolumeDef {
   static std::span<const EffectField<VolumeDef>> fields() { return {}; }
 };
 
+namespace effects {
+
 /// How much clay every row holds, and the heights that follow from it: h = V / A. Allocates only
 /// when made; one thread.
 class Volume {
@@ -32,7 +34,6 @@ class Volume {
   bool measure_some(Clay& clay, int element_budget) noexcept;
 
   double of_row(int j) const { return volume_[static_cast<std::size_t>(j)]; }  ///< m^3
-  double total() const;                                                        ///< m^3, O(rows)
   /// Row `j` gives `volume` m^3 to row `to`, or takes it where negative; keep() then raises and
   /// lowers them.
   void give(Clay& clay, int j, int to, double volume) noexcept;
@@ -56,4 +57,5 @@ class Volume {
 /// no allocation.
 double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept;
 
+}  // namespace effects
 }  // namespace onggi

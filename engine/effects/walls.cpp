@@ -14,6 +14,8 @@ std::span<const EffectField<WallsDef>> WallsDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept {
   // Apart along the wall: up, and round it where the pressing hand is.
   const double radius = axis_distance(pressing);
@@ -28,4 +30,5 @@ double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept {
   return t * t * (3.0 - 2.0 * t);
 }
 
+}  // namespace effects
 }  // namespace onggi

@@ -20,6 +20,8 @@ struct WallsDef {
   static std::span<const EffectField<WallsDef>> fields();
 };
 
+namespace effects {
+
 /// Walls of `def` can tear.
 inline bool tears(const WallsDef& def) { return def.tear_thickness > 0.0 || def.tear_strain > 0.0; }
 
@@ -28,4 +30,5 @@ inline bool tears(const WallsDef& def) { return def.tear_thickness > 0.0 || def.
 /// axis.
 double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept;
 
+}  // namespace effects
 }  // namespace onggi

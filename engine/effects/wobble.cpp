@@ -71,9 +71,12 @@ std::span<const EffectField<WobbleDef>> WobbleDef::fields() {
   return kFields;
 }
 
+namespace effects {
+
 OffCentre off_centre_of(const Clay& clay, int j) noexcept {
-  const row_kernels::Harmonic sum = row_kernels::harmonic(
-      clay.stride(), clay.outer(j).data(), clay.ray_cos().data(), clay.ray_sin().data());
+  const row_kernels::Harmonic sum = row_kernels::of(clay.vectors())
+                                        .harmonic(clay.stride(), clay.outer(j).data(),
+                                                  clay.ray_cos().data(), clay.ray_sin().data());
   const double each = 2.0 / clay.sectors();
   return {each * double{sum.x}, each * double{sum.z}};
 }
@@ -135,8 +138,9 @@ void Wobble::centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep) no
                                  static_cast<float>(clay.def().radius_max),
                                  static_cast<float>(clay.def().wall_min)};
   const row_kernels::FaceMoved moved =
-      row_kernels::push(how, clay.stride(), clay.ray_cos().data(), clay.ray_sin().data(),
-                        clay.pressable_outer(j).data(), clay.pressable_inner(j).data());
+      row_kernels::of(clay.vectors())
+          .push(how, clay.stride(), clay.ray_cos().data(), clay.ray_sin().data(),
+                clay.pressable_outer(j).data(), clay.pressable_inner(j).data());
   clay.set_extent(j, moved.outermost, moved.innermost);
   if (clay.areas() != nullptr) clay.areas()->forget(j);
   clay.mark_dirty(j);
@@ -163,4 +167,5 @@ void Wobble::add_to(StateHash& hash) const {
   }
 }
 
+}  // namespace effects
 }  // namespace onggi

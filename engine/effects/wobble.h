@@ -22,6 +22,8 @@ struct WobbleDef {
   static std::span<const EffectField<WobbleDef>> fields();
 };
 
+namespace effects {
+
 /// How far a ring's middle is from the axis, m, in the clay's frame (x and z).
 struct OffCentre {
   double x = 0.0, z = 0.0;
@@ -77,4 +79,5 @@ class Wobble {
   std::array<Sweep, kMostHands> sweeps_;
 };
 
+}  // namespace effects
 }  // namespace onggi

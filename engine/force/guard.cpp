@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace onggi {
+namespace onggi::force {
 namespace {
 
 // `v` shortened to `most`. A length that overflows is still shortened.
@@ -33,4 +33,4 @@ Vec3 Guard::step(Vec3 wanted, double seconds, const GuardLimits& limits, bool& w
   return force_;
 }
 
-}  // namespace onggi
+}  // namespace onggi::force

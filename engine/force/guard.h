@@ -2,7 +2,7 @@
 
 #include "engine/math/vec.h"
 
-namespace onggi {
+namespace onggi::force {
 
 struct GuardLimits {
   double max_force = 0;    ///< N, >= 0.
@@ -35,4 +35,4 @@ class Guard {
   bool armed_ = false;
 };
 
-}  // namespace onggi
+}  // namespace onggi::force

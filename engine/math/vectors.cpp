@@ -1,37 +1,52 @@
 #include "engine/math/vectors.h"
 
-#include <hwy/highway.h>
-
-#include <vector>
+#include <array>
+#include <cstddef>
 
 namespace onggi {
 namespace {
 
-// All that this machine has, whatever use_vectors() last said.
-const std::vector<std::int64_t>& targets() {
-  static const std::vector<std::int64_t> all = hwy::SupportedAndGeneratedTargets();
-  return all;
-}
+// CMake says which kinds were compiled: ONGGI_VECTORS_AVX2 and so on, in CMakeLists.txt.
+struct Here {
+  std::array<Vectors, 4> kinds{};
+  std::size_t count = 0;
+
+  Here() noexcept {
+#ifdef ONGGI_VECTORS_AVX2
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx2")) kinds[count++] = Vectors::avx2;
+#endif
+#ifdef ONGGI_VECTORS_SSE2
+    kinds[count++] = Vectors::sse2;
+#endif
+#ifdef ONGGI_VECTORS_NEON
+    kinds[count++] = Vectors::neon;
+#endif
+#ifdef ONGGI_VECTORS_PLAIN
+    kinds[count++] = Vectors::plain;
+#endif
+  }
+};
 
 }  // namespace
 
-std::span<const std::string_view> vector_kinds() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    for (std::int64_t target : targets()) all.push_back(hwy::TargetName(target));
-    return all;
-  }();
-  return names;
+std::span<const Vectors> vectors_here() noexcept {
+  static const Here here;
+  return {here.kinds.data(), here.count};
 }
 
-bool use_vectors(std::string_view kind) {
-  std::int64_t chosen = 0;  // Highway's word for "whatever is best"
-  for (std::int64_t target : targets())
-    if (kind == hwy::TargetName(target)) chosen = target;
-  if (chosen == 0 && !kind.empty()) return false;
-  hwy::SetSupportedTargetsForTest(chosen);
-  hwy::GetChosenTarget().DeInit();
-  return true;
+Vectors best_vectors() noexcept { return vectors_here().front(); }
+
+std::string_view name_of(Vectors kind) noexcept {
+  constexpr std::array<std::string_view, 4> kNames{"plain", "neon", "sse2", "avx2"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<Vectors> vectors_named(std::string_view name) noexcept {
+  if (name.empty()) return best_vectors();
+  for (const Vectors kind : vectors_here())
+    if (name_of(kind) == name) return kind;
+  return {};
 }
 
 }  // namespace onggi

@@ -1,17 +1,28 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 namespace onggi {
 
-/// The kinds of vectors that this machine has and the kernels were compiled for, best first:
-/// "AVX2", "SSE4", ... All give the same bits; only speed differs.
-std::span<const std::string_view> vector_kinds();
+/// The kinds of vectors that loops over eight floats (engine/math/lanes.h) are compiled for. All
+/// give the same bits; only speed differs.
+enum class Vectors : std::uint8_t {
+  plain,  ///< Arrays, for processors without any, and what the others are held to in tests.
+  neon,   ///< Of every 64-bit ARM.
+  sse2,   ///< Of every 64-bit x86.
+  avx2,
+};
 
-/// From now on the kernels use only `kind`, for tests and measurements; an empty name is the best
-/// again. False, and nothing changed, where the machine has none of that name. Not while another
-/// thread computes.
-bool use_vectors(std::string_view kind);
+/// Those that this program holds and this machine can run, best first; never empty. Any thread.
+std::span<const Vectors> vectors_here() noexcept;
+/// The first of them.
+Vectors best_vectors() noexcept;
+
+std::string_view name_of(Vectors kind) noexcept;  ///< "avx2"
+/// None where this machine, or this program, has none of that name; "" is the best.
+std::optional<Vectors> vectors_named(std::string_view name) noexcept;
 
 }  // namespace onggi

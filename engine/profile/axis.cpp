@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
-namespace onggi {
+#include "engine/profile/axis_candidates.h"
+
+namespace onggi::extraction {
 
 namespace {
 
@@ -265,4 +267,4 @@ FoundAxis find_axis(const TriangleMesh& mesh) {
   return best;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

@@ -2,7 +2,7 @@
 
 #include "engine/profile/slices.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 /// The line a mesh is turned about, as near as it can be told. No sense of up yet.
 struct FoundAxis {
@@ -17,10 +17,6 @@ struct FoundAxis {
 /// circle is free. `mesh` must have an extent and finite positions. Allocates.
 FoundAxis find_axis(const TriangleMesh& mesh);
 
-/// Axes that the shape itself suggests: where its normals meet, and its principal axes; none within
-/// 0.6 degrees of x, y or z. Unit vectors.
-std::vector<Vec3> axis_candidates(const TriangleMesh& mesh);
-
 /// The circle that most of `points` lie on: by least median of a fixed set of triples, then
 /// weighted least squares. `support` is the share of points within `tolerance` of it.
 struct FittedCircle {
@@ -30,4 +26,4 @@ struct FittedCircle {
 };
 FittedCircle fit_circle(std::span<const Vec2> points, double tolerance);
 
-}  // namespace onggi
+}  // namespace onggi::extraction

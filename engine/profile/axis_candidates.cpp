@@ -1,10 +1,10 @@
+#include "engine/profile/axis_candidates.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "engine/profile/axis.h"
-
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::vector<Vec3> axis_candidates(const TriangleMesh& mesh) {
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

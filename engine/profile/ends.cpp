@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/profile/walls.h"
+#include "engine/profile/wall_slice.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -172,4 +172,4 @@ BodyEnds find_ends(const Slicer& slicer, RayCrossings& rays) {
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

@@ -2,7 +2,7 @@
 
 #include "engine/profile/slices.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 /// How far along its axis a vessel reaches, in the heights of a Slicer's frame.
 struct BodyEnds {
@@ -17,4 +17,4 @@ struct BodyEnds {
 /// Allocates.
 BodyEnds find_ends(const Slicer& slicer, RayCrossings& rays);
 
-}  // namespace onggi
+}  // namespace onggi::extraction

@@ -7,10 +7,10 @@
 #include "engine/profile/axis.h"
 #include "engine/profile/ends.h"
 #include "engine/profile/opening.h"
-#include "engine/profile/walls.h"
+#include "engine/profile/wall_slice.h"
 
 namespace onggi {
-
+namespace extraction {
 namespace {
 
 constexpr int kRays = 96;
@@ -26,6 +26,8 @@ constexpr double kFarAway = 3.0;
 /// A cavity shallower than this share of the height is a modelled mouth over a solid body.
 constexpr double kDeepEnough = 0.5;
 
+/// Thickness of a wall that cannot be seen, over the body's largest radius.
+constexpr double kInferredWall = 0.04;
 /// A foot narrower than this share of the wall a hair above it is a flat one, domed.
 constexpr double kDomed = 0.8, kHair = 0.006;
 
@@ -223,7 +225,7 @@ void Extractor::square_foot() {
 void Extractor::read_inside() {
   const std::size_t n = slices_.size();
   const double height = heights_.back();
-  const double guess = std::clamp(options_.inferred_wall_ratio, 0.005, 0.5) * body_.size;
+  const double guess = kInferredWall * body_.size;
   const bool open = mouth_.openness > kOpen;
   double floor = height - mouth_.floor;
   const bool deep = open && mouth_.floor >= kDeepEnough * height;
@@ -294,10 +296,11 @@ Result<ExtractedProfile> Extractor::run() {
 }
 
 }  // namespace
+}  // namespace extraction
 
 Result<ExtractedProfile> extract_profile(const TriangleMesh& mesh, const ExtractionOptions& options,
                                          const std::string& name) {
-  return Extractor(mesh, options, name).run();
+  return extraction::Extractor(mesh, options, name).run();
 }
 
 }  // namespace onggi

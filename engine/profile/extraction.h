@@ -13,8 +13,6 @@ namespace onggi {
 struct ExtractionOptions {
   int slices = 200;        ///< Heights in the profile, 16..2000.
   std::optional<Vec3> up;  ///< Up in the mesh's own axes; absent = decided from the shape.
-  double inferred_wall_ratio =
-      0.04;  ///< Wall thickness over largest radius where none can be seen.
 };
 
 /// What told which end is up.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -71,4 +71,4 @@ EndView look_into(const Slicer& slicer, double bottom, double top, double radius
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

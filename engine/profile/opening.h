@@ -2,7 +2,7 @@
 
 #include "engine/profile/slices.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 /// What is seen looking along the axis into one end of a vessel.
 struct EndView {
@@ -15,4 +15,4 @@ struct EndView {
 /// the heights `bottom` and `top`. O(triangles). Allocates.
 EndView look_into(const Slicer& slicer, double bottom, double top, double radius, bool from_top);
 
-}  // namespace onggi
+}  // namespace onggi::extraction

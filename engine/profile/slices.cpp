@@ -6,7 +6,7 @@
 
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 namespace {
 
@@ -188,4 +188,4 @@ Agreement agreement(std::vector<double>& values, std::size_t all, double share) 
   return best;
 }
 
-}  // namespace onggi
+}  // namespace onggi::extraction

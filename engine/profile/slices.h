@@ -6,7 +6,7 @@
 
 #include "engine/profile/mesh.h"
 
-namespace onggi {
+namespace onggi::extraction {
 
 /// A right-handed frame on an axis: heights along `up` from `origin`, `across` and `along` in the
 /// plane. Unit vectors.
@@ -101,4 +101,4 @@ struct Agreement {
 };
 Agreement agreement(std::vector<double>& values, std::size_t all, double share);
 
-}  // namespace onggi
+}  // namespace onggi::extraction

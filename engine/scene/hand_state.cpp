@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::scene {
 namespace {
 
 constexpr double kFarthestHand = 10.0;    // metres, each axis: no device reaches beyond
@@ -47,7 +47,7 @@ bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep
   if (present && length(to - at) > 4.0 * std::max(mine.shape->grain(mine.size), kSmallestReach))
     leave();
   if (!present) guard.release();
-  if (good && !mine.shape->round) hold_as(in, mine, to);
+  if (good && !mine.shape->round()) hold_as(in, mine, to);
   sweep.shape = mine.shape;
   sweep.size = mine.size;
   sweep.from = present ? at : to;
@@ -82,10 +82,10 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
            std::uint64_t{guard.armed()} << 2 | static_cast<std::uint64_t>(contact.side()) << 3 |
            static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
            std::uint64_t{wire.drawing} << 16);
-  if (tools[tool].shape->round) return;  // held in no particular way
+  if (tools[tool].shape->round()) return;  // held in no particular way
   add(along);
   add(across);
   if (wire.drawing) add(wire.way);
 }
 
-}  // namespace onggi
+}  // namespace onggi::scene

@@ -11,7 +11,7 @@
 #include "engine/scene/hands.h"
 #include "engine/scene/scene_def.h"
 
-namespace onggi {
+namespace onggi::scene {
 
 /// A tool that lies to hand; nothing of its size at 0.
 struct Tool {
@@ -29,7 +29,7 @@ struct HandState {
   bool present = false;   // active, and its place known
   ToolContact contact;
   WireHand wire;
-  Guard guard;
+  force::Guard guard;
 
   /// Takes a sample of an active hand, or holds the last one where it makes no sense: false. Then,
   /// if it is present, `sweep` is its way through the tick; angles and seconds are the caller's.
@@ -42,4 +42,4 @@ struct HandState {
   void hold_as(const HandInput& in, const Tool& tool, Vec3 to) noexcept;
 };
 
-}  // namespace onggi
+}  // namespace onggi::scene

@@ -1,7 +1,9 @@
+#include "engine/scene/lump.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "engine/scene/scene_def.h"
+#include "engine/scene/wall_ring.h"
 
 namespace onggi {
 namespace {
@@ -29,16 +31,11 @@ double widest_below(const Profile& target, double height) {
   return widest;
 }
 
-// Over pi, m^2.
-double area_of(const WallRing& ring) {
-  return (ring.outer - ring.inner) * (ring.outer + ring.inner);
-}
-
 // The height at which `lump` holds the clay of the target, and no more: clay that is kept gets
 // higher where its ring loses area.
 void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
   constexpr int kSlices = 400;
-  const WallRing ring{lump.outer_radius, lump.inner_radius};
+  const scene::WallRing ring{lump.outer_radius, lump.inner_radius};
   const double slice = target.height() / kSlices;
   const double floor = lump.floor_thickness;
   lump.height = lump.floor_thickness = 0.0;
@@ -47,7 +44,7 @@ void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
     const double outer = std::max(target.outer_at(at), lump.radius_min + lump.wall_min);
     const bool solid = at < floor;
     const double share = solid ? outer * outer / (ring.outer * ring.outer)
-                               : area_of(worked(scene, ring, outer)) / area_of(ring);
+                               : area_of(scene::worked(scene, ring, outer)) / area_of(ring);
     lump.height += slice * share;
     if (solid) lump.floor_thickness += slice * share;
   }
@@ -56,29 +53,6 @@ void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
 }
 
 }  // namespace
-
-WallRing narrowed(const SceneDef& scene, const WallRing& ring, double outer) {
-  const ClayDef& clay = scene.clay;
-  const double most = outer - clay.wall_min;
-  // Walls keep a ring's area; without them the inner face stays until the wall is thin.
-  const double inner =
-      scene.walls ? std::sqrt(std::max(outer * outer - area_of(ring), 0.0)) : ring.inner;
-  return {outer, std::max(std::min(inner, most), std::min(clay.radius_min, ring.inner))};
-}
-
-WallRing widened(const SceneDef& scene, const WallRing& ring, double inner) {
-  const double least = inner + scene.clay.wall_min;
-  const double outer = scene.walls ? std::sqrt(inner * inner + area_of(ring)) : ring.outer;
-  return {std::max(outer, least), inner};
-}
-
-WallRing worked(const SceneDef& scene, const WallRing& ring, double outer) {
-  if (outer <= ring.outer) return narrowed(scene, ring, outer);
-  const double thin = outer - scene.clay.wall_min;
-  const double inner =
-      scene.walls ? std::min(std::sqrt(outer * outer - area_of(ring)), thin) : thin;
-  return {outer, inner};
-}
 
 double workspace_scale(const Profile& target, double max_height, double max_diameter) {
   return std::min(max_height / target.height(), max_diameter / (2.0 * target.max_radius()));

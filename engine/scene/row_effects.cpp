@@ -4,7 +4,7 @@
 
 #include "engine/effects/built.h"
 
-namespace onggi {
+namespace onggi::scene {
 namespace {
 
 // Moved by no press of its own, a face moves the wall as the hand on it does, and as one that
@@ -19,14 +19,15 @@ double along_of(const SceneDef& def, const RowEffects::Tick& tick, WallSide side
 }  // namespace
 
 std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
-  if (!kEffectsBuilt) return nullptr;
+  if (!effects::kBuilt) return nullptr;
   if (!def.walls && !def.propagation && !def.springback && !def.smoothing && !def.wobble &&
       !def.slump && !def.volume)
     return nullptr;
-  auto effects = std::make_unique<RowEffects>();
-  RowEffects& e = *effects;
+  auto present = std::make_unique<RowEffects>();
+  RowEffects& e = *present;
   if (def.wobble)
-    for (int j = 0; j < clay.rows(); ++j) lay_off_centre(clay, j, {def.wobble->off_centre, 0.0});
+    for (int j = 0; j < clay.rows(); ++j)
+      effects::lay_off_centre(clay, j, {def.wobble->off_centre, 0.0});
   const bool about_contact = def.propagation || def.springback || def.smoothing;
   if (def.walls || about_contact) clay.keep_areas();
   if (about_contact) clay.keep_shifts();
@@ -56,7 +57,7 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
     e.stages_.push_back(&RowEffects::sink);
   }
   // 6.6
-  if (def.walls && tears(*def.walls)) {
+  if (def.walls && effects::tears(*def.walls)) {
     e.tearing_.emplace(clay);
     e.stages_.push_back(&RowEffects::tear);
   }
@@ -66,12 +67,12 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
     e.stages_.push_back(&RowEffects::keep_volume);
   }
   if (about_contact) e.stages_.push_back(&RowEffects::clear_shifts);
-  return effects;
+  return present;
 }
 
 double RowEffects::along(const SceneDef& def, Vec3 pressing, const Vec3* holding) const noexcept {
   if (!def.walls) return 0.0;
-  return holding == nullptr ? 1.0 : 1.0 - wall_support(*def.walls, pressing, *holding);
+  return holding == nullptr ? 1.0 : 1.0 - effects::wall_support(*def.walls, pressing, *holding);
 }
 
 void RowEffects::run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
@@ -108,7 +109,7 @@ void RowEffects::smooth(const SceneDef& def, Clay& clay, const Tick& tick) noexc
 }
 
 void RowEffects::centre(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
-  static_assert(Wobble::kMostHands == kMaxHands);
+  static_assert(effects::Wobble::kMostHands == kMaxHands);
   for (std::size_t n = 0; n < tick.hand.size(); ++n)
     if (const HandThere& hand = tick.hand[n]; hand.on_wall)
       wobble_->press(n, {hand.at, hand.normal, hand.side}, tick.seconds);
@@ -139,7 +140,7 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::u
   if (def.wobble && fresh && laid_to_ < clay.rows()) {
     const int some = std::max(1, element_budget / clay.stride());
     for (const int end = std::min(clay.rows(), laid_to_ + some); laid_to_ < end; ++laid_to_)
-      lay_off_centre(clay, laid_to_, {def.wobble->off_centre, 0.0});
+      effects::lay_off_centre(clay, laid_to_, {def.wobble->off_centre, 0.0});
     return false;
   }
   if (volume_ && !volume_->measure_some(clay, element_budget)) return false;
@@ -164,4 +165,4 @@ void RowEffects::add_to(StateHash& hash, Clay& clay) const {
   hash.add(static_cast<std::uint64_t>(laid_to_) << 1 | (turn_.side == WallSide::inside ? 1 : 0));
 }
 
-}  // namespace onggi
+}  // namespace onggi::scene

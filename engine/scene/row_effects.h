@@ -15,7 +15,7 @@
 #include "engine/scene/hands.h"
 #include "engine/scene/scene_def.h"
 
-namespace onggi {
+namespace onggi::scene {
 
 /// The effects that ask contact what it did to the clay's rows, and those of stage 6, which work on
 /// the rows after it. A scene without any has none of this.
@@ -32,11 +32,11 @@ class RowEffects {
   };
   /// What a tick brings them.
   struct Tick {
-    const Moisture* moisture = nullptr;  ///< Null where it is absent.
-    double wheel_speed = 0.0;            ///< Of the clay, rad/s.
+    const effects::Moisture* moisture = nullptr;  ///< Null where it is absent.
+    double wheel_speed = 0.0;                     ///< Of the clay, rad/s.
     double seconds = 0.0;
     bool touched = false;    ///< A hand pressed clay.
-    std::uint64_t step = 0;  ///< History::depth(); 0 where nothing can be taken back.
+    std::uint64_t step = 0;  ///< clay::History::depth(); 0 where nothing can be taken back.
     std::array<HandThere, kMaxHands> hand{};
   };
 
@@ -49,8 +49,8 @@ class RowEffects {
   /// Stage 6: those that are present, in order. No allocation.
   void run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   /// The clay was laid anew, as a `fresh` lump or as it once was: takes it as it is,
-  /// `element_budget` elements a call; true when done. `step`: History::depth(), of the step in
-  /// which it was laid, or that was taken back with all after it.
+  /// `element_budget` elements a call; true when done. `step`: clay::History::depth(), of the step
+  /// in which it was laid, or that was taken back with all after it.
   bool settle_some(const SceneDef& def, Clay& clay, bool fresh, std::uint64_t step,
                    int element_budget) noexcept;
 
@@ -85,17 +85,17 @@ class RowEffects {
   void keep_volume(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void clear_shifts(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
 
-  std::optional<Propagation> propagation_;
-  std::optional<Springback> springback_;
-  std::optional<Smoothing> smoothing_;
-  std::optional<Wobble> wobble_;
-  std::optional<Slump> slump_;
-  std::optional<Tearing> tearing_;
-  std::optional<Volume> volume_;
+  std::optional<effects::Propagation> propagation_;
+  std::optional<effects::Springback> springback_;
+  std::optional<effects::Smoothing> smoothing_;
+  std::optional<effects::Wobble> wobble_;
+  std::optional<effects::Slump> slump_;
+  std::optional<effects::Tearing> tearing_;
+  std::optional<effects::Volume> volume_;
   std::vector<Stage> stages_;  // of what is present, in the pipeline's order
   Turn turn_;
   bool settled_ = false;  // a lump was put on since the last tick
   int laid_to_ = 0;       // of settle_some()
 };
 
-}  // namespace onggi
+}  // namespace onggi::scene

@@ -5,6 +5,7 @@
 
 #include "engine/base/result.h"
 #include "engine/clay/clay.h"
+#include "engine/math/vectors.h"
 #include "engine/scene/hands.h"
 #include "engine/scene/scene_def.h"
 
@@ -23,8 +24,9 @@ struct SceneCounters {
 /// Movable, not copyable. One thread at a time.
 class Scene {
  public:
-  static Result<Scene> create(
-      const SceneDef& def);  ///< Allocates everything the scene will ever use.
+  /// Allocates everything the scene will ever use. `vectors`, one of vectors_here(), changes its
+  /// speed and nothing else.
+  static Result<Scene> create(const SceneDef& def, Vectors vectors = best_vectors());
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
   ~Scene();

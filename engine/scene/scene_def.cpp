@@ -119,8 +119,8 @@ Result<void> check_paper(const SceneDef& def) {
 
 std::vector<ToolToHand> usual_tools() {
   std::vector<ToolToHand> tools;
-  for (const ToolShape* shape : tool_shapes())
-    if (shape->name != "sphere") tools.push_back({std::string(shape->name), {}});
+  for (const ToolShape& shape : tool_shapes())
+    if (shape.name != "sphere") tools.push_back({std::string(shape.name), {}});
   return tools;
 }
 

@@ -8,39 +8,40 @@
 #include "engine/clay/history.h"
 #include "engine/contact/paper_model.h"
 #include "engine/scene/hand_state.h"
+#include "engine/scene/lump_work.h"
 #include "engine/scene/row_effects.h"
 #include "engine/scene/scene.h"
 
 namespace onggi {
 
-// What the paper's scene has besides.
+namespace scene {
+
+/// What the paper's scene has besides.
 struct Printed {
   PaperModel model;
   PaperCoefficients coefficients;
   std::array<PaperFilter, kMaxHands> filter{};
 };
 
-enum class LumpWork : std::uint8_t { none, keeping, renewing, laying, restoring, settling };
+}  // namespace scene
 
+/// What a Scene is made of, and the stages of its tick.
 struct Scene::State {
   SceneDef def;
-  std::vector<Tool> tools;
+  std::vector<scene::Tool> tools;
   Clay clay;
-  std::optional<History> history;
+  std::optional<clay::History> history;
   WireCut slit;
-  std::array<HandState, kMaxHands> hand{};
-  std::optional<Printed> printed;
+  std::array<scene::HandState, kMaxHands> hand{};
+  std::optional<scene::Printed> printed;
   double time = 0.0;
   double wheel_angle = 0.0;
   double clay_angle = 0.0;
   double wheel_speed = 0.0;
   double wheel_asked = 0.0;
-  std::optional<Moisture> moisture;
-  std::unique_ptr<RowEffects> row_effects;  // null where the scene has none
-  bool renew_held = false;
-  bool restore_held = false;
-  LumpWork lump_work = LumpWork::none;
-  std::uint64_t stood_at = 0;  // the history's depth when the pot last stood
+  std::optional<effects::Moisture> moisture;
+  std::unique_ptr<scene::RowEffects> row_effects;  // null where the scene has none
+  scene::LumpWork lump;
   std::uint32_t faults = 0;
   SceneCounters counters;
 
@@ -59,13 +60,13 @@ struct Scene::State {
   };
 
   State(const SceneDef& d, Clay&& c)
-      : def(d), tools(tools_of(d)), clay(std::move(c)), slit(d.clay.sectors) {
+      : def(d), tools(scene::tools_of(d)), clay(std::move(c)), slit(d.clay.sectors) {
     if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
-    row_effects = RowEffects::make(def, clay);
+    row_effects = scene::RowEffects::make(def, clay);
     if (def.clay.keep_undo) history.emplace(clay);
     if (!def.paper) return;
     const PaperDef& paper = *def.paper;
-    printed = Printed{PaperModel(clay), {paper.c_eta, paper.c_v, paper.c_r}};
+    printed = scene::Printed{PaperModel(clay), {paper.c_eta, paper.c_v, paper.c_r}};
   }
 
   void take_input(Tick& tick, const Hands& hands, double dt) noexcept;
@@ -73,10 +74,15 @@ struct Scene::State {
   void turn_wheel(Tick& tick) noexcept;
   void soak_or_dry(const Tick& tick, bool sponge) noexcept;
   void work_on_lump(const Hands& hands) noexcept;
+  scene::LumpWork::Parts lump_parts() {
+    return {def, clay, history ? &*history : nullptr, row_effects.get()};
+  }
   double wetness_at(double height) const;
   Yielding yielding_at(double height) const;
   void keep_history(const Tick& tick) noexcept;
-  bool presses(const HandState& h) const { return h.present && !tools[h.tool].shape->severs; }
+  bool presses(const scene::HandState& h) const {
+    return h.present && !tools[h.tool].shape->severs();
+  }
   std::uint64_t steps_taken() const { return history ? history->depth() : 0; }
   bool fallen() const { return row_effects && row_effects->fallen(); }
   void draw_wire(Tick& tick, std::size_t n) noexcept;

@@ -1,12 +1,12 @@
 #include "engine/script/carving.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "engine/math/portable.h"
 #include "engine/script/keyed.h"
 
-namespace onggi {
+namespace onggi::script {
 namespace {
 
 using namespace carving;
@@ -14,15 +14,6 @@ using namespace carving;
 constexpr double kClear = 0.012;    // m: how far from the clay a hand is lifted
 constexpr double kApproach = 0.05;  // m/s
 constexpr double kQuarterTurn = 0.5 * portable::kPi;
-
-struct Carving {
-  std::string_view name, tool;
-};
-constexpr std::array<Carving, 5> kCarvings{{{"facet", "flat_rib"},
-                                            {"flute", "loop_trimmer"},
-                                            {"incise", "needle"},
-                                            {"trim_foot", "loop_trimmer"},
-                                            {"cut_off", "wire"}}};
 
 // One hand with one tool, in cylinder coordinates; straight in them between two keys.
 struct CarvingKey {
@@ -118,7 +109,7 @@ class Carver {
 };
 
 // Flats all round the belly, one after the other, the wheel still.
-void facet(Carver& hand, const ToolSize& rib) {
+void press_flats(Carver& hand, const ToolSize& rib) {
   const double touch = hand.clay.outer_radius + 0.5 * rib.thickness;
   for (int n = 0; n < kFacets; ++n) {
     const double angle = kHandAngle + 2.0 * portable::kPi * n / kFacets;
@@ -131,7 +122,7 @@ void facet(Carver& hand, const ToolSize& rib) {
 }
 
 // Grooves drawn upwards at even angles, the loop held level.
-void flute(Carver& hand, const ToolSize& loop) {
+void draw_grooves(Carver& hand, const ToolSize& loop) {
   const double touch = hand.clay.outer_radius + loop.radius;
   const double low = 0.15 * hand.clay.height;
   const double high = 0.85 * hand.clay.height;
@@ -146,7 +137,7 @@ void flute(Carver& hand, const ToolSize& loop) {
 }
 
 // A line that winds up the wall, the wheel slow.
-void incise(Carver& hand, const ToolSize& needle) {
+void wind_line(Carver& hand, const ToolSize& needle) {
   constexpr double kWheel = 1.5;  // rad/s
   const double touch = hand.clay.outer_radius + needle.radius;
   const double low = 0.3 * hand.clay.height;
@@ -163,7 +154,7 @@ void incise(Carver& hand, const ToolSize& needle) {
 }
 
 // Clay turned off the foot.
-void trim_foot(Carver& hand, const ToolSize& loop) {
+void turn_off_foot(Carver& hand, const ToolSize& loop) {
   constexpr double kWheel = 12.0;  // rad/s
   const double touch = hand.clay.outer_radius + loop.radius;
   hand.wheel(kWheel);
@@ -178,7 +169,7 @@ void trim_foot(Carver& hand, const ToolSize& loop) {
 }
 
 // The wire, drawn under the pot from one side to the other.
-void cut_off(Carver& hand) {
+void draw_wire(Carver& hand, const ToolSize&) {
   const double beyond = hand.clay.outer_radius + 2.0 * kClear;
   hand.wait(0.5);
   hand.set_down(beyond, kHandAngle, kSlit);
@@ -186,36 +177,33 @@ void cut_off(Carver& hand) {
   hand.move(-beyond, kHandAngle, kSlit, 0.08);
 }
 
-constexpr auto kNames = [] {
-  std::array<std::string_view, kCarvings.size()> names;
-  for (std::size_t n = 0; n < names.size(); ++n) names[n] = kCarvings[n].name;
-  return names;
-}();
+std::unique_ptr<Script> carve(std::string_view name, const ScriptContext& context,
+                              const ToolInHand& tool, void (*moves)(Carver&, const ToolSize&)) {
+  Carver hand(context, name);
+  moves(hand, tool.size);
+  return std::make_unique<CarvingScript>(hand.finish(), tool.index);
+}
 
 }  // namespace
 
-std::span<const std::string_view> carving_names() { return kNames; }
-
-std::string_view carving_tool(std::string_view name) {
-  for (const Carving& carving : kCarvings)
-    if (carving.name == name) return carving.tool;
-  return {};
+std::unique_ptr<Script> facet(const ScriptContext& context, const ToolInHand& tool) {
+  return carve("facet", context, tool, press_flats);
 }
 
-std::unique_ptr<Script> make_carving(std::string_view name, const ScriptContext& context) {
-  const std::string_view wanted = carving_tool(name);
-  const auto& tools = context.scene.tools;
-  const auto tool = std::ranges::find(tools, wanted, &ToolToHand::name);
-  if (wanted.empty() || tool == tools.end()) return nullptr;
-  const ToolSize size = sized(*find_tool_shape(wanted), tool->size);
-  Carver hand(context, name);
-  if (name == "facet") facet(hand, size);
-  if (name == "flute") flute(hand, size);
-  if (name == "incise") incise(hand, size);
-  if (name == "trim_foot") trim_foot(hand, size);
-  if (name == "cut_off") cut_off(hand);
-  const auto index = static_cast<std::uint8_t>(tool - tools.begin() + 1);
-  return std::make_unique<CarvingScript>(hand.finish(), index);
+std::unique_ptr<Script> flute(const ScriptContext& context, const ToolInHand& tool) {
+  return carve("flute", context, tool, draw_grooves);
 }
 
-}  // namespace onggi
+std::unique_ptr<Script> incise(const ScriptContext& context, const ToolInHand& tool) {
+  return carve("incise", context, tool, wind_line);
+}
+
+std::unique_ptr<Script> trim_foot(const ScriptContext& context, const ToolInHand& tool) {
+  return carve("trim_foot", context, tool, turn_off_foot);
+}
+
+std::unique_ptr<Script> cut_off(const ScriptContext& context, const ToolInHand& tool) {
+  return carve("cut_off", context, tool, draw_wire);
+}
+
+}  // namespace onggi::script

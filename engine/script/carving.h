@@ -1,23 +1,16 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string_view>
-
-#include "engine/script/script.h"
+#include "engine/script/plan.h"
 
 namespace onggi {
 
+namespace script {
+
 /// Scripts that leave marks which are not round, with the wheel still or slow, and those that
-/// finish a pot: "facet", "flute", "incise", "trim_foot", "cut_off".
-std::span<const std::string_view> carving_names();
+/// finish a pot.
+Plan facet, flute, incise, trim_foot, cut_off;
 
-/// The tool that carving `name` is done with: "flat_rib". Empty where there is no such carving.
-std::string_view carving_tool(std::string_view name);
-
-/// The script `name` on the lump of `context`'s scene. Null where the scene has not that tool to
-/// hand, or there is no such carving. Allocates.
-std::unique_ptr<Script> make_carving(std::string_view name, const ScriptContext& context);
+}  // namespace script
 
 /// What the carvings leave, for hints, tests and pictures; metres and a lump's own figures.
 namespace carving {

@@ -5,7 +5,7 @@
 
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::script {
 namespace {
 
 constexpr double kCarrySpeed = 0.45;   // m/s, a hand in the air
@@ -130,4 +130,4 @@ std::vector<Key> Choreography::finish() {
   return std::move(keys_);
 }
 
-}  // namespace onggi
+}  // namespace onggi::script

@@ -9,7 +9,7 @@
 #include "engine/math/vec.h"
 #include "engine/scene/hands.h"
 
-namespace onggi {
+namespace onggi::script {
 
 /// Where the hand is and what it does from `time` on; places between two keys are on the straight
 /// line between them.
@@ -68,4 +68,4 @@ class Choreography {
   std::vector<Key> keys_;
 };
 
-}  // namespace onggi
+}  // namespace onggi::script

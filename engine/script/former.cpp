@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi {
+#include "engine/scene/wall_ring.h"
+
+namespace onggi::script {
 namespace {
 
 constexpr double kGoodEnough = 0.0003;  // m: what a pass need not take up
@@ -40,8 +42,8 @@ void Former::aim() {
         std::clamp(goal_(height_of(n)), clay.radius_min + clay.wall_min, clay.radius_max - kOver);
     // Where the wall is pushed out it ends a little wide.
     const double over = goal_outer_[n] > outer_[n] ? kOver : -kOver;
-    const WallRing ring{outer_[n], inner_[n]};
-    goal_inner_[n] = over + (scene_.volume ? worked(scene_, ring, goal_outer_[n]).inner
+    const scene::WallRing ring{outer_[n], inner_[n]};
+    goal_inner_[n] = over + (scene_.volume ? scene::worked(scene_, ring, goal_outer_[n]).inner
                                            : goal_outer_[n] - clay.wall_min);
   }
 }
@@ -138,7 +140,7 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   // What the sphere leaves behind.
   const std::vector<double> outer_before = outer_;
   const std::vector<double> inner_before = inner_;
-  const auto put = [&](std::size_t m, const WallRing& ring) {
+  const auto put = [&](std::size_t m, const scene::WallRing& ring) {
     outer_[m] = ring.outer;
     inner_[m] = ring.inner;
   };
@@ -152,9 +154,9 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
       const double bulge = std::sqrt(std::max(0.0, (radius_ - dy) * (radius_ + dy)));
       if (side == WallSide::outside) {
         const double cut = std::max(centre[n] - bulge, clay.radius_min + clay.wall_min);
-        if (cut < outer_[m]) put(m, narrowed(scene_, {outer_[m], inner_[m]}, cut));
+        if (cut < outer_[m]) put(m, scene::narrowed(scene_, {outer_[m], inner_[m]}, cut));
       } else if (const double cut = centre[n] + bulge; height_of(m) > floor_ && cut > inner_[m]) {
-        put(m, widened(scene_, {outer_[m], inner_[m]}, cut));
+        put(m, scene::widened(scene_, {outer_[m], inner_[m]}, cut));
       }
     }
   }
@@ -230,4 +232,4 @@ void Former::rest() {
   hand_.wait(1.5);
 }
 
-}  // namespace onggi
+}  // namespace onggi::script

@@ -7,7 +7,7 @@
 #include "engine/scene/scene_def.h"
 #include "engine/script/choreography.h"
 
-namespace onggi {
+namespace onggi::script {
 
 /// Plans how one fingertip brings a lump to an outline: passes from the foot upwards, each as deep
 /// as clay takes in one go, inside where the wall must be wider, outside where it must be narrower.
@@ -55,4 +55,4 @@ class Former {
   int passes_ = 0;
 };
 
-}  // namespace onggi
+}  // namespace onggi::script

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace onggi {
+namespace onggi::script {
 
 /// Where every scripted hand stands about the wheel, rad from x towards z: at the visitor's right,
 /// a little in front.
@@ -45,4 +45,4 @@ class Keyed {
   std::size_t next_ = 1;
 };
 
-}  // namespace onggi
+}  // namespace onggi::script

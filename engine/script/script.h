@@ -35,10 +35,35 @@ struct ScriptContext {
   double pace = 1.0;                ///< 0.25..4; 2 does the same moves in half the time.
 };
 
-/// "true", "collar", "belly", "bowl", "groove", "follow"; "open", "press_rim", "flare_rim",
-/// "squeeze"; "facet", "flute", "incise", "trim_foot", "cut_off" (carving.h);
-/// "pull_tall", "collapse", "dry_out", "re_wet", "centre", "rib_smooth" (throwing.h).
+namespace script {
+struct ToolInHand;
+}
+
+/// One script: the row that help, documents and errors go by, and that plans it.
+struct ScriptInfo {
+  /// What make_script() refuses to do without.
+  struct Needs {
+    std::string_view tool = {};  ///< Besides fingers, by name: "flat_rib". Empty: none.
+    bool target = false;         ///< ScriptContext::target.
+    bool wall = false;           ///< A lump that is open: solid for no more than half its height.
+  };
+  std::string_view name;
+  std::string_view words;  ///< What the hands do: "narrow a neck".
+  Needs needs;
+  std::string_view shows;  ///< The effect that it is there to show, by its table's name: "slump".
+                           ///< Without it the moves are the same. Empty: none.
+  std::unique_ptr<Script> (*plan)(const ScriptContext&, const script::ToolInHand&);
+};
+
+/// All there are. engine/docs/scripts.md has them as a table.
+std::span<const ScriptInfo> scripts();
+/// Null where there is none of that name.
+const ScriptInfo* find_script(std::string_view name);
+/// Their names, in the same order.
 std::span<const std::string_view> script_names();
+
+/// `scene` has the effect that `script` is there to show, and its tool; false where it shows none.
+bool shows_its_effect(const ScriptInfo& script, const SceneDef& scene);
 
 /// Problem names the script, the nearest right name, and what is missing (follow without target).
 Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptContext& context);

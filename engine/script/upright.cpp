@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace onggi {
+namespace onggi::script {
 namespace {
 
 constexpr double kClear = 0.003;   // m between a tool and the clay it is not to touch yet
@@ -12,8 +12,9 @@ constexpr double kAlong = 0.010;   // m/s, along the floor and the rim
 constexpr double kUp = 0.007;      // m/s, up the wall: slow enough for the clay to follow
 constexpr double kLifting = 0.05;  // m/s, off the clay
 
-// A fingertip down the middle, out along the floor, and up the wall.
-void open(Choreography& hand, const SceneDef& scene) {
+}  // namespace
+
+void open_up(Choreography& hand, Former&, const SceneDef& scene) {
   const ClayDef& clay = scene.clay;
   const double radius = scene.tool.radius;
   const double over = clay.height + radius + kClear;
@@ -31,8 +32,7 @@ void open(Choreography& hand, const SceneDef& scene) {
   hand.wait_turns(1.0);
 }
 
-// A fingertip laid on the lip and pressed down a twentieth of the pot's height.
-void press_rim(Choreography& hand, const SceneDef& scene) {
+void press_lip(Choreography& hand, Former&, const SceneDef& scene) {
   const ClayDef& clay = scene.clay;
   const double radius = scene.tool.radius;
   const double middle = 0.5 * (clay.outer_radius + clay.inner_radius);
@@ -45,8 +45,7 @@ void press_rim(Choreography& hand, const SceneDef& scene) {
   hand.raise(0.05 * clay.height + 2.0 * kClear, kLifting);
 }
 
-// A fingertip over the lip's inner edge, drawn outwards.
-void flare_rim(Choreography& hand, const SceneDef& scene) {
+void flare_lip(Choreography& hand, Former&, const SceneDef& scene) {
   const ClayDef& clay = scene.clay;
   const double radius = scene.tool.radius;
   const double begin = std::max(clay.inner_radius - 0.4 * radius, 0.0);
@@ -59,8 +58,7 @@ void flare_rim(Choreography& hand, const SceneDef& scene) {
   hand.raise(radius, kLifting);
 }
 
-// A hand outside and one inside take a third off the wall and draw up it.
-void squeeze(Choreography& hand, const SceneDef& scene) {
+void squeeze_wall(Choreography& hand, Former&, const SceneDef& scene) {
   const ClayDef& clay = scene.clay;
   const double radius = scene.tool.radius;
   const double wall = clay.outer_radius - clay.inner_radius;
@@ -77,17 +75,4 @@ void squeeze(Choreography& hand, const SceneDef& scene) {
   hand.wait_turns(1.0);
 }
 
-}  // namespace
-
-void work_upright(std::string_view name, Choreography& hand, const SceneDef& scene) {
-  if (name == "open")
-    open(hand, scene);
-  else if (name == "press_rim")
-    press_rim(hand, scene);
-  else if (name == "flare_rim")
-    flare_rim(hand, scene);
-  else
-    squeeze(hand, scene);
-}
-
-}  // namespace onggi
+}  // namespace onggi::script

@@ -1,14 +1,22 @@
 #pragma once
 
-#include <string_view>
-
 #include "engine/scene/scene_def.h"
 #include "engine/script/choreography.h"
 
-namespace onggi {
+namespace onggi::script {
 
-/// Plans the moves that work on the top and the floor of a pot, or on both faces of its wall:
-/// "open", "press_rim", "flare_rim", "squeeze". Allocates; not for the tick.
-void work_upright(std::string_view name, Choreography& hand, const SceneDef& scene);
+class Former;
 
-}  // namespace onggi
+/// Moves that work on the top and the floor of a pot, or on both faces of its wall. They need no
+/// account of the shape. Allocate; not for the tick.
+///
+/// A fingertip down the middle, out along the floor, and up the wall.
+void open_up(Choreography& hand, Former&, const SceneDef& scene);
+/// A fingertip laid on the lip and pressed down a twentieth of the pot's height.
+void press_lip(Choreography& hand, Former&, const SceneDef& scene);
+/// A fingertip over the lip's inner edge, drawn outwards.
+void flare_lip(Choreography& hand, Former&, const SceneDef& scene);
+/// A hand outside and one inside take a third off the wall and draw up it.
+void squeeze_wall(Choreography& hand, Former&, const SceneDef& scene);
+
+}  // namespace onggi::script

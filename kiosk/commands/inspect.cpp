@@ -1,15 +1,13 @@
 #include <cstdio>
-#include <iostream>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "engine/profile/measures.h"
 #include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/drawing/sheet_painter.h"
 #include "kiosk/files/durable_file.h"
-#include "kiosk/files/json.h"
 #include "kiosk/souvenir/encode.h"
 
 namespace onggi::commands {
@@ -103,15 +101,9 @@ Result<int> inspect(const Arguments& arguments) {
   if (!vessel) return tl::unexpected(vessel.error());
   if (!arguments.plot.empty())
     if (auto good = plot(*vessel, arguments.plot); !good) return tl::unexpected(good.error());
-  const std::string text = json_of(*vessel).text() + "\n";
-  if (arguments.json == "-") {
-    std::cout << text;
-    return 0;
-  }
-  if (!arguments.json.empty())
-    if (auto good = files::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
-      return tl::unexpected(good.error());
-  print_summary(*vessel);
+  const auto free = put_report(json_of(*vessel), arguments.json);
+  if (!free) return tl::unexpected(free.error());
+  if (*free) print_summary(*vessel);
   return 0;
 }
 

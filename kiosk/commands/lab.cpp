@@ -1,9 +1,9 @@
 #include <cstdio>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/measure/price_list.h"
 
@@ -32,18 +32,12 @@ Result<int> effects(const Arguments& arguments) {
     return problem("--count", "There is no scene of that name.",
                    "Choose one that onggi lab effects lists.");
   }
-  const bool to_output = arguments.json == "-";
-  const auto list = measure::measure_prices(*scenes, rows, sectors, arguments.quick ? 1 : kPasses,
-                                            !arguments.quick, to_output ? stderr : stdout);
+  const auto list =
+      measure::measure_prices(*scenes, rows, sectors, arguments.quick ? 1 : kPasses,
+                              !arguments.quick, arguments.json == "-" ? stderr : stdout);
   if (!list) return tl::unexpected(list.error());
-  if (!arguments.json.empty()) {
-    const std::string text = measure::json_of(*list).text() + "\n";
-    if (to_output)
-      std::fputs(text.c_str(), stdout);
-    else if (auto good = files::write_durably(arguments.json, std::as_bytes(std::span(text)));
-             !good)
-      return tl::unexpected(good.error());
-  }
+  if (const auto put = put_report(measure::json_of(*list), arguments.json); !put)
+    return tl::unexpected(put.error());
   if (arguments.plot.empty()) return 0;
   return files::write_durably(arguments.plot,
                               drawing::draw_plot(measure::plot_of(*list), arguments.plot))

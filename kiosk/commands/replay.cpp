@@ -1,12 +1,10 @@
 #include <iostream>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/replay_file.h"
-#include "kiosk/files/durable_file.h"
-#include "kiosk/files/json.h"
 #include "kiosk/measure/visit_report.h"
 
 namespace onggi::commands {
@@ -21,30 +19,24 @@ Result<int> replay(const std::string& name, const std::string& json_file) {
 
   const bool same =
       outcome->first_difference_tick < 0 && outcome->recorded_hash == outcome->replayed_hash;
-  const std::string text =
-      files::Json::object({{"file", name},
-                           {"vessel", outcome->vessel_id},
-                           {"glaze", outcome->glaze},
-                           {"seed", outcome->seed},
-                           {"ticks", outcome->ticks},
-                           {"state_hash", measure::hash_text(outcome->replayed_hash)},
-                           {"recorded_hash", measure::hash_text(outcome->recorded_hash)},
-                           {"hashes_checked", outcome->hashes_checked},
-                           {"first_difference_tick", outcome->first_difference_tick},
-                           {"same", same}})
-          .text() +
-      "\n";
-  if (json_file == "-") {
-    std::cout << text;
-  } else {
-    if (!json_file.empty())
-      if (auto good = files::write_durably(json_file, std::as_bytes(std::span(text))); !good)
-        return tl::unexpected(good.error());
+  const auto free =
+      put_report(files::Json::object({{"file", name},
+                                      {"vessel", outcome->vessel_id},
+                                      {"glaze", outcome->glaze},
+                                      {"seed", outcome->seed},
+                                      {"ticks", outcome->ticks},
+                                      {"state_hash", measure::hash_text(outcome->replayed_hash)},
+                                      {"recorded_hash", measure::hash_text(outcome->recorded_hash)},
+                                      {"hashes_checked", outcome->hashes_checked},
+                                      {"first_difference_tick", outcome->first_difference_tick},
+                                      {"same", same}}),
+                 json_file);
+  if (!free) return tl::unexpected(free.error());
+  if (*free)
     std::cout << name << ": " << outcome->ticks << " ticks of " << outcome->vessel_id << ", "
               << (outcome->glaze.empty() ? "" : "glaze " + outcome->glaze + ", ")
               << (same ? "the same pot, bit for bit (" : "another pot than was recorded (")
               << measure::hash_text(outcome->replayed_hash) << ")\n";
-  }
   if (!same && outcome->first_difference_tick >= 0)
     std::cerr << name << ": first different at tick " << outcome->first_difference_tick << "\n";
   return same ? 0 : 1;

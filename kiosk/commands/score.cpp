@@ -1,16 +1,13 @@
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/score_files.h"
 #include "kiosk/content/language.h"
 #include "kiosk/exhibit/paths.h"
-#include "kiosk/files/durable_file.h"
-#include "kiosk/files/json.h"
 #include "kiosk/measure/visit_report.h"
 #include "kiosk/score/score.h"
 #include "kiosk/settings/rubric.h"
@@ -68,26 +65,24 @@ Json json_of(const Shape& shape) {
   return out;
 }
 
-std::string report_of(const Shape& target, const Shape& pot, const score::Score& score,
-                      bool size_counts, const content::Language& words) {
+Json report_of(const Shape& target, const Shape& pot, const score::Score& score, bool size_counts,
+               const content::Language& words) {
   const auto list = [&words](const std::vector<score::Remark>& remarks) {
     Json out = Json::list();
     for (const score::Remark& r : remarks) out.push_back(json_of(r, words));
     return out;
   };
   return Json::object(
-             {{"target", json_of(target)},
-              {"pot", json_of(pot)},
-              {"score", score.points},
-              {"stars", score.stars},
-              {"size_counts", size_counts},
-              {"words", score.largest ? words.say(score.largest->key, score.largest->places) : ""},
-              {"largest", score.largest ? json_of(*score.largest, words) : Json()},
-              {"measures", measure::json_of(score.measures)},
-              {"alike", list(score.alike)},
-              {"try_next", list(score.try_next)}})
-             .text() +
-         "\n";
+      {{"target", json_of(target)},
+       {"pot", json_of(pot)},
+       {"score", score.points},
+       {"stars", score.stars},
+       {"size_counts", size_counts},
+       {"words", score.largest ? words.say(score.largest->key, score.largest->places) : ""},
+       {"largest", score.largest ? json_of(*score.largest, words) : Json()},
+       {"measures", measure::json_of(score.measures)},
+       {"alike", list(score.alike)},
+       {"try_next", list(score.try_next)}});
 }
 
 void print_summary(const Shape& target, const Shape& pot, const score::Score& score,
@@ -130,15 +125,10 @@ Result<int> compare_files(const Arguments& arguments) {
   const bool size_counts = arguments.size_counts || rubric->size_counts;
   const score::Score score =
       score::judge(target->profile, pot->profile, !size_counts, 1.0, *rubric);
-  const std::string text = report_of(*target, *pot, score, size_counts, *words);
-  if (arguments.json == "-") {
-    std::cout << text;
-    return 0;
-  }
-  if (!arguments.json.empty())
-    if (auto good = files::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
-      return tl::unexpected(good.error());
-  print_summary(*target, *pot, score, *words);
+  const auto free =
+      put_report(report_of(*target, *pot, score, size_counts, *words), arguments.json);
+  if (!free) return tl::unexpected(free.error());
+  if (*free) print_summary(*target, *pot, score, *words);
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -12,6 +11,7 @@
 #include "engine/base/nearest_name.h"
 #include "engine/script/script.h"
 #include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/exhibit/paths.h"
@@ -206,13 +206,12 @@ Result<int> visit(const VisitArguments& arguments) {
   if (!walked) return tl::unexpected(walked.error());
   if (!pages) return tl::unexpected(pages.error());
 
-  const std::string report = measure::visit_report(*kiosk.kept(), *pages);
-  const fs::path beside = fs::path(arguments.out) / "visit.json";
-  for (const fs::path& file : {beside, fs::path(arguments.json)})
-    if (!file.empty() && file != "-")
-      if (auto good = files::write_durably(file, std::as_bytes(std::span(report))); !good)
-        return tl::unexpected(good.error());
-  std::cout << (arguments.json == "-" ? report : measure::visit_summary(*kiosk.kept()));
+  const files::Json report = measure::visit_report(*kiosk.kept(), *pages);
+  const auto kept = put_report(report, (fs::path(arguments.out) / "visit.json").string());
+  if (!kept) return tl::unexpected(kept.error());
+  const auto free = put_report(report, arguments.json);
+  if (!free) return tl::unexpected(free.error());
+  if (*free) std::cout << measure::visit_summary(*kiosk.kept());
   return 0;
 }
 

@@ -22,7 +22,7 @@ constexpr double kAssumedHeight = 0.3;
 
 /// The file's mesh, turned so that its axis is y and its foot stands at 0, times `scale`.
 TriangleMesh upright(const TriangleMesh& mesh, const ExtractedProfile& found, double scale) {
-  const AxisFrame f = axis_frame(found.axis_origin, found.axis_direction);
+  const extraction::AxisFrame f = extraction::axis_frame(found.axis_origin, found.axis_direction);
   TriangleMesh out;
   out.triangles = mesh.triangles;
   out.positions.reserve(mesh.positions.size());

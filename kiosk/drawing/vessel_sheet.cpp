@@ -65,13 +65,13 @@ TriangleMesh turned(const TriangleMesh& mesh, Vec2 right) {
 /// The mesh cut by the plane z = 0, where it lies left of the axis.
 std::vector<std::array<Vec2, 2>> slice_left(const TriangleMesh& mesh) {
   std::vector<std::array<Vec2, 2>> out;
-  AxisFrame frame;  // "heights" along z; across is x, along is y
+  extraction::AxisFrame frame;  // "heights" along z; across is x, along is y
   frame.up = {0, 0, 1};
   frame.across = {1, 0, 0};
   frame.along = {0, 1, 0};
   const double plane[] = {0.0};
-  for (const auto& outline : Slicer(mesh, frame).cut(plane))
-    for (const CutSegment& s : outline)
+  for (const auto& outline : extraction::Slicer(mesh, frame).cut(plane))
+    for (const extraction::CutSegment& s : outline)
       if (std::min(s.a.x, s.b.x) < 0.0) out.push_back({s.a, s.b});
   return out;
 }

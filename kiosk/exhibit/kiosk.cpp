@@ -7,6 +7,7 @@
 
 #include "engine/clay/clay_mesh.h"
 #include "engine/profile/mesh.h"
+#include "engine/scene/lump.h"
 #include "engine/script/script.h"
 #include "kiosk/content/glb.h"
 #include "kiosk/exhibit/log.h"

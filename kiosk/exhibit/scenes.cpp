@@ -4,7 +4,7 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/effects/kiln.h"
-#include "engine/script/throwing.h"
+#include "engine/script/script.h"
 #include "kiosk/exhibit/log.h"
 #include "kiosk/settings/scene_file.h"
 #include "kiosk/settings/toml_reader.h"
@@ -50,7 +50,9 @@ screens::Wheel Scenes::wheel_of(const std::string& id) const {
                        {},
                        def.walls ? def.walls->tear_thickness : 0.0};
   for (const std::string& script : attract_scripts_)
-    if (script == "follow" || throwing_shows(script, def)) wheel.shown.push_back(script);
+    if (const ScriptInfo* info = find_script(script);
+        info != nullptr && (info->needs.target || shows_its_effect(*info, def)))
+      wheel.shown.push_back(script);
   if (wheel.shown.empty()) wheel.shown.push_back("follow");
   if (def.kiln && !glazes_.empty())
     wheel.kiln = screens::Kiln{size_after(*def.kiln, {1.0, 0.0}), size_after(*def.kiln, {1.0, 1.0}),
@@ -71,14 +73,15 @@ settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
                         ? "Write the name of its folder on the shelf, or remove the line."
                         : "Did you mean " + nearest + "?");
   }
-  std::vector<std::string> scripts{"follow"};
-  scripts.insert(scripts.end(), throwing_names().begin(), throwing_names().end());
+  std::vector<std::string> shown;  // "follow", and those that show an effect
+  for (const ScriptInfo& script : scripts())
+    if (script.needs.target || !script.shows.empty()) shown.emplace_back(script.name);
   auto attract = root.child("attract");
   for (std::size_t n = 0; n < exhibit.attract_scripts.size(); ++n) {
     const std::string& script = exhibit.attract_scripts[n];
-    if (std::ranges::find(scripts, script) != scripts.end()) continue;
+    if (std::ranges::find(shown, script) != shown.end()) continue;
     std::string all;
-    for (const std::string& name : scripts) all += (all.empty() ? "" : ", ") + name;
+    for (const std::string& name : shown) all += (all.empty() ? "" : ", ") + name;
     attract.complain_at("scripts", n, "Attract mode shows no script \"" + script + "\".",
                         "Choose of " + all + ".");
   }

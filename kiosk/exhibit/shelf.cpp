@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "engine/scene/scene_def.h"
+#include "engine/scene/lump.h"
 #include "kiosk/exhibit/log.h"
 
 namespace fs = std::filesystem;

@@ -51,8 +51,8 @@ Json json_of(const Measures& m) {
                        {"made", json_of(m.made)}});
 }
 
-std::string visit_report(const exhibit::KeptVisit& kept,
-                         const std::vector<std::filesystem::path>& screens) {
+Json visit_report(const exhibit::KeptVisit& kept,
+                  const std::vector<std::filesystem::path>& screens) {
   Json pictures = Json::list();
   for (const auto& screen : screens) pictures.push_back(screen.string());
   return Json::object({{"vessel", kept.vessel_id},
@@ -65,9 +65,7 @@ std::string visit_report(const exhibit::KeptVisit& kept,
                        {"state_hash", hash_text(kept.state_hash)},
                        {"ticks", kept.ticks},
                        {"screens", pictures},
-                       {"files", Json::list_of(files_of(kept))}})
-             .text() +
-         "\n";
+                       {"files", Json::list_of(files_of(kept))}});
 }
 
 std::string visit_summary(const exhibit::KeptVisit& kept) {

@@ -10,8 +10,8 @@
 namespace onggi::measure {
 
 /// JSON of a kept visit: {vessel, score, stars, measures, state_hash, ticks, screens[], files[]}.
-/// Lengths in metres; state_hash as 16 hexadecimal digits. Ends with a line feed.
-std::string visit_report(const exhibit::KeptVisit& kept,
+/// Lengths in metres; state_hash as 16 hexadecimal digits.
+files::Json visit_report(const exhibit::KeptVisit& kept,
                          const std::vector<std::filesystem::path>& screens);
 
 /// The same for a person: what it scored and where the postcard lies.

@@ -21,7 +21,7 @@ struct Exhibit {
   std::string credit = "Onggi";                    ///< Printed on the keepsake; 1..120 letters.
   std::vector<std::string> languages{"en", "ko"};  ///< First is the default; 1..12 of them.
   /// What attract mode shows, pot by pot: "follow" a vessel, or a script for an effect
-  /// (throwing_names()), which is left out where a vessel's scene has not that effect. 1..32.
+  /// (ScriptInfo::shows), which is left out where a vessel's scene has not that effect. 1..32.
   std::vector<std::string> attract_scripts{"follow",    "centre", "follow",
                                            "pull_tall", "follow", "collapse"};
   struct Idle {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "engine/scene/scene.h"
-#include "engine/script/throwing.h"
+#include "engine/script/script.h"
 #include "kiosk/settings/scene_file.h"
 #include "tests/support/effect_scenes.h"
 
@@ -60,7 +60,7 @@ ThrowingTimes measure_throwing(const SceneDef& def, std::string_view name, int p
   const double clock = clock_ns();
   for (int pass = 0; pass < passes; ++pass) {
     Scene scene = made(def);
-    const auto script = make_throwing(name, {.scene = def});
+    const auto script = std::move(*make_script(name, {.scene = def}));
     const int whole = static_cast<int>(script->duration() / kTickSeconds);
     const int ticks = most_ticks > 0 ? std::min(whole, most_ticks) : whole;
     const int rest = most_ticks > 0 ? std::min(kResting, most_ticks) : kResting;
@@ -88,14 +88,16 @@ Figures preset_tails(Effort effort) {
   for (const Preset& preset : presets(400, 360)) {
     double fingers = 0.0;
     double fingers_cpu = 0.0;
-    for (const std::string_view script : throwing_names()) {
-      if (!make_throwing(script, {.scene = preset.def})) continue;  // its tool is not to hand
+    for (const ScriptInfo& info : scripts()) {
+      const std::string_view script = info.name;
+      if (info.shows.empty()) continue;
+      if (!make_script(script, {.scene = preset.def})) continue;  // its tool is not to hand
       const ThrowingTimes t =
           measure_throwing(preset.def, script, effort.few ? 1 : kPasses, effort.few ? 40 : 0);
       const std::string each = preset.name + "_" + std::string(script);
       figures.emplace_back("median_us_400x360_" + each, 1e-3 * t.wall.median);
       figures.emplace_back("p999_us_400x360_" + each, 1e-3 * t.wall.p999);
-      if (!throwing_tool(script).empty()) continue;
+      if (!info.needs.tool.empty()) continue;
       fingers = std::max(fingers, t.wall.p999);
       fingers_cpu = std::max(fingers_cpu, t.cpu.p999);
     }

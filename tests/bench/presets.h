@@ -18,7 +18,7 @@ struct Preset {
 /// where one cannot be read.
 std::vector<Preset> presets(int rows, int sectors);
 
-/// A script for an effect (engine/script/throwing.h), thrown in a preset.
+/// A script for an effect (engine/script/demonstrations.h), thrown in a preset.
 struct ThrowingTimes {
   Times wall, cpu;    ///< Of each tick's least time over the passes.
   double asleep = 0;  ///< Median of the last second, ns, wall clock: hands away, wheel at rest.

@@ -55,7 +55,8 @@ int main(int argc, char** argv) {
     for (const EffectTrial& effect : effect_trials()) std::printf("%s\n", effect.name.c_str());
     return 0;
   }
-  if (argc < 4 || (argc > 4 && !choose_vectors(argv[4]))) {
+  const auto kind = choose_vectors(argc > 4 ? argv[4] : "");
+  if (argc < 4 || !kind) {
     std::fprintf(
         stderr, "tick_count SCRIPT ROWS SECTORS [KIND [EFFECTS]], or --list, --kinds, --effects\n");
     return 1;
@@ -66,7 +67,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "There is no effect \"%s\".\n", argv[5]);
     return 1;
   }
-  auto scene = Scene::create(def);
+  auto scene = Scene::create(def, *kind);
   if (!scene) {
     std::fprintf(stderr, "%s: %s\n", scene.error().where.c_str(), scene.error().what.c_str());
     return 1;

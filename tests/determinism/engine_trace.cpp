@@ -32,6 +32,7 @@ int print_libm() {
 
 int main(int argc, char** argv) {
   int seconds = 6;
+  std::optional<onggi::Vectors> kind = onggi::best_vectors();
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
     const char* value = k + 1 < argc ? argv[k + 1] : nullptr;
@@ -41,14 +42,15 @@ int main(int argc, char** argv) {
       seconds = std::atoi(value);
       ++k;
     } else if (word == "--vectors" && value != nullptr) {
-      if (!onggi::choose_vectors(value)) return 1;
+      kind = onggi::choose_vectors(value);
+      if (!kind) return 1;
       ++k;
     } else {
       std::fprintf(stderr, "engine_trace does not know \"%s\".\n", argv[k]);
       return 1;
     }
   }
-  const std::string hashes = onggi::engine_trace(seconds);
+  const std::string hashes = onggi::engine_trace(seconds, *kind);
   std::fputs(hashes.c_str(), stdout);
   return hashes.empty() ? 1 : 0;
 }

@@ -10,7 +10,7 @@
 #include "engine/effects/wobble.h"
 #include "engine/math/portable.h"
 #include "engine/scene/scene.h"
-#include "engine/script/throwing.h"
+#include "engine/script/script.h"
 
 namespace {
 
@@ -64,8 +64,9 @@ void friction() {
   for (double slip = -0.05; slip <= 0.0501; slip += 0.001)
     for (const bool wet : {false, true})
       point("friction", wet ? "wet" : "dry", slip,
-            friction_force({1, 0, 0}, 1.0, {0, 0, slip}, friction_coefficient(def, wet ? 1.0 : 0.0),
-                           def.slip_speed)
+            effects::friction_force({1, 0, 0}, 1.0, {0, 0, slip},
+                                    effects::friction_coefficient(def, wet ? 1.0 : 0.0),
+                                    def.slip_speed)
                 .z);
 }
 
@@ -96,7 +97,7 @@ void walls_and_volume() {
       def.volume.emplace();
     }
     Scene scene = made(def);
-    auto script = make_throwing("pull_tall", {.scene = def});
+    auto script = std::move(*make_script("pull_tall", {.scene = def}));
     run(scene, script->duration(), [&](double t) { return script->at(t, scene.clay()); });
     const Profile p = scene.clay().profile();
     const char* series = with ? "with" : "without";
@@ -137,7 +138,7 @@ void smoothing() {
   def.smoothing.emplace();
   def.volume.emplace();
   Scene scene = made(def);
-  auto script = make_throwing("rib_smooth", {.scene = def});
+  auto script = std::move(*make_script("rib_smooth", {.scene = def}));
   bool line = true;
   run(scene, script->duration(), [&](double t) {
     if (line && script->phase(t) == "rib") {
@@ -155,13 +156,13 @@ void wobble() {
     def.wobble.emplace();
     def.volume.emplace();
     Scene scene = made(def);
-    auto script = make_throwing("centre", {.scene = def});
+    auto script = std::move(*make_script("centre", {.scene = def}));
     const int row = scene.clay().rows() / 2;
     run(
         scene, script->duration(),
         [&](double t) { return pressed ? script->at(t, scene.clay()) : nothing(25.0); }, 50,
         [&](double t) {
-          const OffCentre off = off_centre_of(scene.clay(), row);
+          const effects::OffCentre off = effects::off_centre_of(scene.clay(), row);
           point("wobble", pressed ? "pressed" : "left alone", t,
                 1e3 * std::sqrt(off.x * off.x + off.z * off.z));
         });

@@ -39,6 +39,7 @@ class Drawn(unittest.TestCase):
     def test_every_figure_is_there_and_carries_curves_and_words(self):
         for name, words in (("edges", ["sharpest turn of the outline in 0.5 mm, degrees", "with"]),
                             ("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
+                            ("glossary", ["element: one", "interval, or span:"]),
                             ("marks", ["eight facets, flat rib", "a trimmed foot"]),
                             ("push", ["force, N", "mean depth, mm", "elements in collision"]),
                             ("times", ["1 ms", "800 × 360", "the corrected model"])):
@@ -101,6 +102,21 @@ class Edges(unittest.TestCase):
                 self.assertLess(soft, 0.75 * sharp, depth)
         deepest = [min(r for r, _ in of["outline", w]) for w in ("without", "with")]
         self.assertAlmostEqual(*deepest, delta=0.05)
+
+
+class Glossary(unittest.TestCase):
+    def test_the_ball_is_in_the_clay_that_it_presses_and_no_row_is_beyond_its_extent(self):
+        of = {}
+        for row in table("glossary.csv"):
+            of.setdefault(row["part"], []).append((float(row["x_mm"]), float(row["y_mm"])))
+        face, _ = of["figure"][0]
+        self.assertTrue(48.5 + 1.0 < face < 55.0 - 1.0, face)  # some press is left to be drawn
+        extent = max(x for x, _ in of["extent"])
+        self.assertAlmostEqual(extent, 55.0, delta=0.01)
+        self.assertLessEqual(max(x for x, _ in of["upright"]), extent + 1e-3)
+        radius = [math.hypot(x, y) for x, y in of["level"]]
+        self.assertLessEqual(max(radius), extent + 1e-3)
+        self.assertGreater(min(radius), 40.0 - 1e-3)
 
 
 class Marks(unittest.TestCase):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house rules of engine/docs/house.md, checked. Prints where, what is wrong and what to do.
 
-  tests/house/house.py includes|links|length|headers|layout|docs|format [--root DIR]
+  tests/house/house.py includes|links|length|headers|layout|names|docs|format [--root DIR]
   tests/house/house.py table    writes the table of rooms into engine/docs/house.md
   exit 0: kept, 1: broken, 77: cannot be checked here (says why)
 """
@@ -13,6 +13,9 @@ import re
 import shutil
 import subprocess
 import sys
+
+import public_names
+import room_table
 
 MAX_LINES = 400
 CPP = (".h", ".cpp")
@@ -299,57 +302,19 @@ def check_layout(root, table):
     return broken, f"{len(names)} files lie where the house has a place for them"
 
 
-DOCUMENT = "engine/docs/house.md"
-BEGIN = "<!-- The table is written by tests/house/house.py table, of tests/house/rooms.txt. -->"
-END = "<!-- end of the table -->"
-
-
-def table_lines(root, table):
-    """The kiosk's rooms that are built, as a Markdown table; then those that are to come."""
-    out, later = ["| room | its job | sees, beside `engine/base` and `engine/math` | libraries |",
-                  "|---|---|---|---|"], []
-    for room, others in table.rooms.items():
-        name = room.partition("kiosk/")[2]
-        if not name:
-            continue
-        if not os.path.isdir(os.path.join(root, room)):
-            later.append(f"`{name}`")
-            continue
-        engine = [o[len("engine/"):] for o in others
-                  if o.startswith("engine/") and o not in ("engine/base", "engine/math")]
-        kiosk = [o[len("kiosk/"):] for o in others if o.startswith("kiosk/")]
-        sees = "; ".join(part for part in (", ".join(kiosk),
-                                           "engine: " + ", ".join(engine) if engine else "") if part)
-        libraries = dict.fromkeys(re.sub(r"(/\*|\.hp?p?)$", "", h) for h in table.headers[room])
-        out.append(f"| {name} | {table.jobs[room]} | {'everyone' if '*' in others else sees} | "
-                   f"{', '.join(libraries)} |")
-    return out + (["", f"Later: {' and '.join(later)} have their lines in the law already."]
-                  if later else [])
-
-
-def split_document(root):
-    """The document's lines before the table, in it, and after it."""
-    lines = read_lines(root, DOCUMENT)
-    if BEGIN not in lines or END not in lines:
-        raise SystemExit(f"{DOCUMENT}: the lines '{BEGIN}' and '{END}' are missing.")
-    begin, end = lines.index(BEGIN) + 1, lines.index(END)
-    return lines[:begin], lines[begin:end], lines[end:]
-
-
-def write_table(root, table):
-    before, _, after = split_document(root)
-    with open(os.path.join(root, DOCUMENT), "w", encoding="utf-8") as file:
-        file.write("\n".join(before + table_lines(root, table) + after) + "\n")
-
-
 def check_docs(root, table):
     """The document's table is that of rooms.txt, and every room there says its job."""
     broken = [f"tests/house/rooms.txt: say the job of {room} behind a # at the end of its line."
               for room, job in table.jobs.items() if room != "tests" and not job]
-    if split_document(root)[1] != table_lines(root, table):
-        broken.append(f"{DOCUMENT}: its table is not that of tests/house/rooms.txt. "
+    if room_table.split_document(root)[1] != room_table.table_lines(root, table):
+        broken.append(f"{room_table.DOCUMENT}: its table is not that of tests/house/rooms.txt. "
                       "Run tests/house/house.py table")
     return broken, "the table of rooms is that of rooms.txt"
+
+
+def check_names(root, _table):
+    """What engine headers declare in onggi:: itself is listed: a new public name is a decision."""
+    return public_names.check(files_of(root), lambda name: "\n".join(read_lines(root, name)), room_of)
 
 
 def check_format(root, _table):
@@ -373,8 +338,8 @@ def check_format(root, _table):
 
 
 CHECKS = {"includes": check_includes, "links": check_links, "length": check_length,
-          "headers": check_headers, "layout": check_layout, "docs": check_docs,
-          "format": check_format}
+          "headers": check_headers, "layout": check_layout, "names": check_names,
+          "docs": check_docs, "format": check_format}
 
 
 def main():
@@ -386,7 +351,7 @@ def main():
     root = os.path.realpath(arguments.root)
     table = Table(os.path.join(root, "tests/house/rooms.txt"))
     if arguments.check == "table":
-        write_table(root, table)
+        room_table.write_table(root, table)
         return
     failed = False
     for check in CHECKS if arguments.check == "all" else [arguments.check]:

@@ -22,7 +22,8 @@ class House(unittest.TestCase):
             self.write("tests/house/rooms.txt", file.read())
         self.write("tests/house/long_files.txt", "")
         self.write("tests/house/headers.txt", "")
-        self.write("engine/docs/house.md", f"Before.\n{house.BEGIN}\n{house.END}\nAfter.\n")
+        self.write("engine/docs/house.md", f"Before.\n{house.room_table.BEGIN}\n{house.room_table.END}\nAfter.\n")
+        self.write("tests/house/public_names.txt", "")
         self.write("engine/math/vec.h", "#include <cmath>\n")
         self.write("engine/clay/clay.h", '#include "engine/math/vec.h"\n')
         self.write("engine/clay/CMakeLists.txt", "onggi_room(engine/clay ROOMS engine/math)\n")
@@ -35,7 +36,7 @@ class House(unittest.TestCase):
             file.write(text)
 
     def write_table(self):
-        house.write_table(self.root, house.Table(os.path.join(self.root, "tests/house/rooms.txt")))
+        house.room_table.write_table(self.root, house.Table(os.path.join(self.root, "tests/house/rooms.txt")))
 
     def check(self, name):
         table = house.Table(os.path.join(self.root, "tests/house/rooms.txt"))
@@ -56,6 +57,20 @@ class House(unittest.TestCase):
     def test_lower_never_includes_higher(self):
         self.write("engine/math/vec.h", '#pragma once\n#include "engine/clay/clay.h"\n')
         self.assert_broken("includes", "engine/math/vec.h:2", "may not include engine/clay/clay.h")
+
+    def test_a_new_public_name_is_listed_or_lies_in_its_rooms_namespace(self):
+        self.write("engine/clay/clay.h", "namespace onggi {\nclass Bowl;\nnamespace clay {\n"
+                   "struct Block { int n; };\n}\ntemplate <class T>\nstruct Key { T at; };\n}\n")
+        self.assert_broken("names", "engine/clay/clay.h", "Key", "onggi::clay")
+        self.write("tests/house/public_names.txt", "engine/clay : Key\n")
+        self.assertEqual(self.check("names"), [])
+
+    def test_functions_and_constants_are_public_names_too_and_a_name_that_is_gone_is_struck_out(self):
+        self.write("engine/clay/clay.h", "namespace onggi {\ninline constexpr double kLip = f(3);\n"
+                   "Result<void> bake(const Clay& c, int n = 2);\n"
+                   "inline double area(double r) { return r; }\n}\n")
+        self.write("tests/house/public_names.txt", "engine/clay : bake area kLip throw\n")
+        self.assert_broken("names", "public_names.txt:1", "throw")
 
     def test_effects_and_force_do_not_meet(self):
         self.write("engine/force/guard.cpp", '  #  include "engine/effects/slump.h"\n')

@@ -8,8 +8,8 @@
 
 namespace onggi {
 
-std::string engine_trace(int seconds) {
-  auto scene = Scene::create({});
+std::string engine_trace(int seconds, Vectors kind) {
+  auto scene = Scene::create({}, kind);
   if (!scene) return "";
   std::ostringstream hashes;
   Hands hands;

@@ -2,22 +2,19 @@
 
 #include <cstdio>
 
-#include "engine/math/vectors.h"
-
 namespace onggi {
 
 int print_vector_kinds() {
-  for (const std::string_view kind : vector_kinds())
-    std::printf("%.*s\n", static_cast<int>(kind.size()), kind.data());
+  for (const Vectors kind : vectors_here()) std::printf("%s\n", name_of(kind).data());
   return 0;
 }
 
-bool choose_vectors(std::string_view kind) {
-  const bool good = use_vectors(kind);
-  if (!good)
+std::optional<Vectors> choose_vectors(std::string_view kind) {
+  const auto found = vectors_named(kind);
+  if (!found)
     std::fprintf(stderr, "There are no vectors \"%.*s\" here; --kinds lists what there is.\n",
                  static_cast<int>(kind.size()), kind.data());
-  return good;
+  return found;
 }
 
 }  // namespace onggi

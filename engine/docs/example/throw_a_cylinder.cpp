@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "engine/profile/measures.h"
+#include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
 

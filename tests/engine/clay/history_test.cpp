@@ -7,7 +7,7 @@
 
 #include "engine/math/random.h"
 
-namespace onggi {
+namespace onggi::clay {
 namespace {
 
 ClayDef small() {
@@ -183,4 +183,4 @@ RC_GTEST_PROP(HistoryProperty, ComesBackToAShapeThatWasThereWhateverIsDone, ()) 
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::clay

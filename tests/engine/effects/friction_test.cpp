@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 TEST(Friction, IsSilentWithoutSlipAndSettlesAtMuTimesN) {
@@ -42,4 +42,4 @@ TEST(Friction, WetClayDragsLessByTheWetFactor) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 Clay lump() {
@@ -107,4 +107,4 @@ TEST(Moisture, WetClayGivesWaySoonerAndCarriesThirtyTimesLess) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -11,8 +11,8 @@
 
 namespace onggi::effects_test {
 
-inline Scene made(const SceneDef& def) {
-  Result<Scene> scene = Scene::create(def);
+inline Scene made(const SceneDef& def, Vectors kind = best_vectors()) {
+  Result<Scene> scene = Scene::create(def, kind);
   EXPECT_TRUE(scene) << (scene ? "" : to_text(scene.error()));
   return std::move(*scene);
 }

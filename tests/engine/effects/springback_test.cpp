@@ -6,7 +6,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -138,4 +138,4 @@ TEST(Springback, WithVolumeAndWallsNoClayIsLost) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

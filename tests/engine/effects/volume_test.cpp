@@ -6,7 +6,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -212,4 +212,4 @@ TEST(Volume, IsTheSameToAMillionthWhateverHandsDoToIt) {
 TEST(Volume, IsTheSameToAMillionthOverAMillionTicks) { knead(4, 1'000'000); }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -8,7 +8,7 @@
 #include "engine/math/portable.h"
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -134,4 +134,4 @@ TEST(Walls, WhateverHandsDoNoFaceCrossesTheOther) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

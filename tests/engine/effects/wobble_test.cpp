@@ -6,7 +6,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi {
+namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
@@ -140,4 +140,4 @@ TEST(Wobble, AFreshLumpIsOffTheMiddleAgainAndTheOldOneComesBackAsItWas) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effects

@@ -5,7 +5,7 @@
 
 #include "engine/force/guard.h"
 
-namespace onggi {
+namespace onggi::force {
 namespace {
 
 constexpr GuardLimits kLimits{3.3, 600.0, 0.5};
@@ -68,4 +68,4 @@ TEST(Guard, ANumberThatIsNoneTakesTheForceToZeroAtTheSlewLimitAndEngagesAgain) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::force

@@ -2,20 +2,30 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace onggi {
 namespace {
 
-TEST(Vectors, PlainCodeIsAlwaysThereAndComesLast) {
-  ASSERT_FALSE(vector_kinds().empty());
-  // Highway has two ways of plain code; which one depends on the compiler.
-  const std::string_view last = vector_kinds().back();
-  EXPECT_TRUE(last == "SCALAR" || last == "EMU128") << last;
+TEST(Vectors, ArraysAreAlwaysThereAndComeLast) {
+  ASSERT_FALSE(vectors_here().empty());
+  EXPECT_EQ(vectors_here().back(), Vectors::plain);
 }
 
-TEST(Vectors, OnlyAKindThatTheMachineHasCanBeChosen) {
-  EXPECT_FALSE(use_vectors("abacus"));
-  for (std::string_view kind : vector_kinds()) EXPECT_TRUE(use_vectors(kind)) << kind;
-  EXPECT_TRUE(use_vectors(""));
+TEST(Vectors, TheBestIsWiderThanWhatEveryProcessorOfTheKindHas) {
+  EXPECT_EQ(best_vectors(), vectors_here().front());
+#if defined(__x86_64__)
+  EXPECT_NE(std::ranges::find(vectors_here(), Vectors::sse2), vectors_here().end());
+  EXPECT_EQ(best_vectors() == Vectors::avx2, __builtin_cpu_supports("avx2") != 0);
+#elif defined(__aarch64__)
+  EXPECT_EQ(best_vectors(), Vectors::neon);
+#endif
+}
+
+TEST(Vectors, OnlyAKindThatTheMachineHasHasAName) {
+  EXPECT_FALSE(vectors_named("abacus"));
+  for (const Vectors kind : vectors_here()) EXPECT_EQ(vectors_named(name_of(kind)), kind);
+  EXPECT_EQ(vectors_named(""), best_vectors());
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ TEST(Paper15, FrictionDoesNotKnowTheSpeedAndJumpsWhereTheWheelStops) {
   EXPECT_EQ(printed(0.0), 0.0);
 
   const auto corrected = [](double speed) {
-    const Vec3 slip = -clay_velocity({0.055, 0.0, 0.0}, speed);
-    return friction_force({1.0, 0.0, 0.0}, 1.0, slip, 0.35, 0.01).z;
+    const Vec3 slip = -effects::clay_velocity({0.055, 0.0, 0.0}, speed);
+    return effects::friction_force({1.0, 0.0, 0.0}, 1.0, slip, 0.35, 0.01).z;
   };
   EXPECT_LT(std::fabs(corrected(1e-6)), 1e-5);
   EXPECT_GT(corrected(1.0), 5.0 * corrected(0.02));

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "engine/profile/measures.h"
+#include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "tests/engine/script/vessels.h"
 
@@ -263,11 +265,47 @@ TEST(Script, AnUnknownNameAMissingTargetOrAWrongPaceIsRefusedWithARemedy) {
   ScriptContext bad;
   bad.scene.clay.rows = 1;
   EXPECT_FALSE(make_script("true", bad));
-  EXPECT_EQ(script_names().size(), 21u);
   ScriptContext solid;
   solid.scene.clay.floor_thickness = solid.scene.clay.height;
   EXPECT_FALSE(make_script("squeeze", solid));
   EXPECT_TRUE(make_script("open", solid));
+}
+
+// A row of the table in engine/docs/scripts.md.
+std::string row_of(const ScriptInfo& script) {
+  std::string needs;
+  const auto add = [&needs](bool there, std::string_view word) {
+    if (there) needs += (needs.empty() ? "" : ", ") + std::string(word);
+  };
+  add(script.needs.target, "a vessel");
+  add(script.needs.wall, "a wall");
+  add(!script.needs.tool.empty(), "`" + std::string(script.needs.tool) + "`");
+  const std::string shows = script.shows.empty() ? "" : "`" + std::string(script.shows) + "`";
+  return "| `" + std::string(script.name) + "` | " + std::string(script.words) + " | " + needs +
+         " | " + shows + " |";
+}
+
+TEST(Script, TheTableInTheDocumentsIsTheTableOfScripts) {
+  std::ifstream file("engine/docs/scripts.md");
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("| `")) rows.push_back(line);
+  std::vector<std::string> wanted;
+  for (const ScriptInfo& script : scripts()) wanted.push_back(row_of(script));
+  EXPECT_EQ(rows, wanted);
+}
+
+TEST(Script, EveryScriptCanBeMadeAndNamesAToolAndAnEffectThatThereAre) {
+  SceneDef scene;
+  each_effect(scene, []<class Def>(std::optional<Def>& effect) { effect.emplace(); });
+  const Profile target{{{0.0, 0.05, 0.0}, {0.1, 0.06, 0.05}, {0.2, 0.05, 0.04}}};
+  for (const ScriptInfo& script : scripts()) {
+    const auto made = make_script(script.name, {.scene = scene, .target = &target});
+    EXPECT_TRUE(made) << script.name;
+    EXPECT_TRUE(script.shows.empty() || shows_its_effect(script, scene)) << script.name;
+    EXPECT_EQ(find_script(script.name), &script) << "twice: " << script.name;
+  }
+  EXPECT_EQ(scripts().size(), script_names().size());
 }
 
 }  // namespace

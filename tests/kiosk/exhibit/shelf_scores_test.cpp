@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
 #include "kiosk/content/catalogue.h"

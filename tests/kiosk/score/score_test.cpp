@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "engine/scene/lump.h"
 #include "engine/scene/scene_def.h"
 #include "kiosk/content/catalogue.h"
 #include "kiosk/content/language.h"

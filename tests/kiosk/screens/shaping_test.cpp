@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/scene/lump.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "tests/kiosk/screens/visitor.h"
 

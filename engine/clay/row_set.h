@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/math/hash.h"
+
+namespace onggi {
+
+/// A set of rows, a bit each: which of them are to be drawn, measured, kept. Looking for the next
+/// one passes 64 at a time. Allocates only when made. Not safe across threads.
+class RowSet {
+ public:
+  /// Room for none.
+  RowSet() = default;
+  /// Room for rows 0 to rows - 1; empty.
+  explicit RowSet(int rows) : words_((static_cast<std::size_t>(rows) + 63) / 64) {}
+
+  /// Rows are counted in whole words: the least multiple of 64 that is no less than the rows.
+  int room() const { return static_cast<int>(64 * words_.size()); }
+  bool has(int j) const { return (words_[word(j)] & bit(j)) != 0; }
+
+  void add(int j) { words_[word(j)] |= bit(j); }
+  /// Row `first` + k for each bit k of `which`; all within the room.
+  void add(int first, std::uint64_t which) {
+    const std::size_t at = word(first);
+    const int shift = first & 63;
+    words_[at] |= which << shift;
+    const std::uint64_t beyond = shift == 0 ? 0 : which >> (64 - shift);
+    if (beyond != 0) words_[at + 1] |= beyond;
+  }
+  /// All of `others`, which has the same room.
+  void add(const RowSet& others) {
+    for (std::size_t w = 0; w < words_.size(); ++w) words_[w] |= others.words_[w];
+  }
+  void remove(int j) { words_[word(j)] &= ~bit(j); }
+  void clear() { std::ranges::fill(words_, 0); }
+
+  /// Takes the lowest row at or above `from` (>= 0) out; -1 where there is none.
+  int take(int from = 0) {
+    std::uint64_t keep = ~std::uint64_t{0} << (from & 63);
+    for (std::size_t w = word(from); w < words_.size(); ++w, keep = ~std::uint64_t{0}) {
+      const std::uint64_t seen = words_[w] & keep;
+      if (seen == 0) continue;
+      words_[w] &= ~(seen & (~seen + 1));
+      return static_cast<int>(64 * w) + std::countr_zero(seen);
+    }
+    return -1;
+  }
+
+  void add_to(StateHash& hash) const {
+    for (const std::uint64_t w : words_) hash.add(w);
+  }
+
+ private:
+  static std::size_t word(int j) { return static_cast<std::size_t>(j) >> 6; }
+  static std::uint64_t bit(int j) { return std::uint64_t{1} << (j & 63); }
+
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace onggi

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/clay/clay.h"
+#include "engine/clay/wall_side.h"
+#include "engine/contact/row_work.h"
+#include "engine/math/vec.h"
+
+namespace onggi::contact {
+
+/// How long rows are.
+struct RowShape {
+  explicit RowShape(const Clay& clay) : sectors(clay.sectors()), blocks(clay.stride() / 8) {}
+  int sectors, blocks;
+};
+
+/// Elements of the first `used` of `ranges`.
+constexpr std::int64_t elements_in(const BlockRun* ranges, int used) {
+  std::int64_t blocks = 0;
+  for (int n = 0; n < used; ++n) blocks += ranges[n].end - ranges[n].begin;
+  return blocks * 8;
+}
+
+/// The blocks that hold the elements `low` to `high`, whole numbers from -sectors to 2 sectors - 1,
+/// wrapped round the axis. Gives how many of `ranges` (1 or 2) are used.
+inline int wrapped_blocks(RowShape row, int low, int high, BlockRun* ranges) noexcept {
+  const int sectors = row.sectors;
+  const int all = row.blocks;
+  ranges[0] = {0, all};
+  if (high - low + 1 >= sectors) return 1;
+  const int shift = low < 0 ? sectors : low >= sectors ? -sectors : 0;
+  const auto first = static_cast<unsigned>(low + shift);
+  auto last = static_cast<unsigned>(high + shift);
+  if (last < static_cast<unsigned>(sectors)) {
+    ranges[0] = {static_cast<int>(first / 8), static_cast<int>(last / 8) + 1};
+    return 1;
+  }
+  last -= static_cast<unsigned>(sectors);
+  if (last / 8 + 1 > first / 8) return 1;  // the two ends meet in one block: the full circle
+  ranges[0] = {static_cast<int>(first / 8), all};
+  ranges[1] = {0, static_cast<int>(last / 8) + 1};
+  return 2;
+}
+
+/// Which elements a ball can touch: rows by height, and in each row one or two ranges of blocks
+/// round the ball's angle. Clay frame, metres.
+struct BallWindow {
+  BallWindow(const Clay& clay, Vec3 at, double radius) noexcept;
+
+  double height, radius;   ///< Of the ball's middle; its radius.
+  double distance;         ///< Of its middle from the axis.
+  double middle;           ///< Its angle, in elements, -sectors/2 .. sectors/2; 0 is the first ray.
+  int first_row, end_row;  ///< The rows that it reaches, [first, end).
+};
+
+/// What can be touched, on the `side` face, of the rows `first` to `first + count - 1` (1 to
+/// kPlannedRows of the window's): elements whose ray the ball meets where it passes the row's
+/// extent (Clay::outer_most). None that the ball presses by 80 nm is ever left out. Which else are
+/// in does not change what a press comes to.
+void plan_rows(const Clay& clay, const BallWindow& window, WallSide side, int first, int count,
+               BallWindows& rows) noexcept;
+/// And the blocks of reached row `k`: how many of `ranges` (1 or 2) are used.
+inline int blocks_of(RowShape row, const BallWindows& rows, int k, BlockRun* ranges) noexcept {
+  const int turns = 2 * row.sectors;
+  // The element beyond the upper end covers the rounding.
+  return wrapped_blocks(row, rows.low[k] - turns, rows.high[k] + 1 - turns, ranges);
+}
+
+}  // namespace onggi::contact

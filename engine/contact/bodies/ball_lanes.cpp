@@ -1,0 +1,67 @@
+#include "engine/contact/press_lanes.h"
+
+namespace onggi::ONGGI_LANES {
+namespace {
+
+// A ball's section with a row is a circle. Every end E lies on the ball, so H - E is radius long:
+// no normal needs a length. The sums are those of weight, and of weight times E; H comes in once.
+struct BallLaw {
+  using Body = body::Ball;
+  static constexpr bool kPlain = true;
+
+  struct Row {
+    Float8 section;     // radius of the row's circle; negative where there is none
+    Float8 at_x, at_z;  // of its middle
+    Float8 edge;        // farthest that an element's ray may pass that is covered in part
+    Float8 per_width, most_covered;
+    Float8 above;  // H above the row, over the ball's radius
+
+    ONGGI_INLINE Row(const BodyFigures<Body>& ball, const BodyRow<Body>& row)
+        : section(all(ball.rows->section[row.k])),
+          at_x(all(ball.x)),
+          at_z(all(ball.z)),
+          edge(all(ball.rows->edge[row.k])),
+          per_width(all(ball.rows->per_width[row.k])),
+          most_covered(all(ball.rows->most_covered[row.k])),
+          above(all(ball.rows->above_radii[row.k])) {}
+
+    template <WallSide side, bool careful>
+    ONGGI_INLINE Meeting meet(Float8 c, Float8 s, Float8) const {
+      const Float8 along = at_x * c + at_z * s;
+      const Float8 off = at_z * c - at_x * s;
+      // Instead of r^2 - s^2: at a tangent ray the squares would cancel.
+      const Float8 square = (section - off) * (section + off);
+      const Float8 half_chord = sqrt(larger(square, all(0.0f)));
+      const Float8 end = side == WallSide::outside ? along - half_chord : along + half_chord;
+      if constexpr (!careful) return {end, end, square > all(0.0f)};
+      const Float8 inside_edge = edge - abs(off);
+      const Mask8 hit = inside_edge > all(0.0f);
+      return {end, smaller(inside_edge * per_width, most_covered),
+              side == WallSide::outside ? hit & (along > all(0.0f)) : hit};
+    }
+    ONGGI_INLINE void react(RowSum& sum, Float8 weight, const Meeting& m, Float8 c,
+                            Float8 s) const {
+      const Float8 out = weight * m.end;
+      sum.weight = sum.weight + weight;
+      sum.x = sum.x + out * c;
+      sum.y = sum.y + weight * above;
+      sum.z = sum.z + out * s;
+    }
+  };
+
+  ONGGI_INLINE static void collect(const BodyFigures<Body>& ball, const RowSum& sum, float area,
+                                   Reaction& total) {
+    const Float8 weight = sum.weight * all(area);
+    const Float8 share = all(area * ball.per_radius);
+    total.normal = total.normal + weight;
+    total.x = total.x + (weight * all(ball.x_radii) - sum.x * share);
+    total.y = total.y + sum.y * all(area);
+    total.z = total.z + (weight * all(ball.z_radii) - sum.z * share);
+  }
+};
+
+}  // namespace
+
+extern const contact::BodyKernel<body::Ball> kBall = Kernel<BallLaw>::kAll;
+
+}  // namespace onggi::ONGGI_LANES

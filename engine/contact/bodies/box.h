@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "engine/contact/bodies/ball.h"
+#include "engine/contact/bodies/bounds.h"
+#include "engine/contact/bodies/sections.h"
+
+namespace onggi::body {
+
+/// A block round `middle`: half lengths `half` along the unit directions `axis`, which are at right
+/// angles. Clay frame, metres.
+struct Box {
+  Vec3 middle;
+  std::array<Vec3, 3> axis;
+  std::array<double, 3> half{};
+
+  Heights heights() const noexcept;
+  Hull hull() const noexcept;
+  /// Round its section with the level plane at `y`: exact where no corner lies in the plane's cut;
+  /// else a little wide.
+  Outline outline(double y) const noexcept;
+  /// Its farthest point `towards` (unit) is this ball's; where a face or an edge faces that way,
+  /// its middle. No larger than its third half length or kBluntestEdge.
+  Ball support(Vec3 towards) const noexcept;
+
+  /// The section itself: what lies in three slabs.
+  struct Section {
+    SlabSection a, b, c;
+  };
+  Section section(double y) const noexcept;
+};
+
+}  // namespace onggi::body

@@ -1,0 +1,98 @@
+#pragma once
+
+// Where eight rays of a row enter and leave what bodies are made of: slabs, rods, balls. A ray
+// stands at t (cos, 0, sin) + beside (-sin, 0, cos), at the row's height. For *_lanes.cpp only.
+
+#include "engine/clay/wall_side.h"
+#include "engine/contact/bodies/sections.h"
+#include "engine/math/lanes.h"
+
+namespace onggi::ONGGI_LANES {
+
+using body::RodSection;
+using body::SlabSection;
+
+/// Where eight rays enter and leave, t in metres from the axis.
+struct Interval {
+  Float8 near, far;
+};
+/// And the unit direction in which clay pushes the body at the end that is worked: against its
+/// surface's outer normal.
+struct FacingInterval {
+  Float8 near, far;
+  Float8 x, y, z;
+};
+
+ONGGI_INLINE Float8 off_zero(Float8 a) {
+  const Float8 tiny = all(1e-7f);
+  return select(abs(a) < tiny, tiny, a);
+}
+
+template <WallSide side>
+ONGGI_INLINE Float8 worked_end(const Interval& in) {
+  return side == WallSide::outside ? in.near : in.far;
+}
+
+template <WallSide side>
+ONGGI_INLINE FacingInterval in_slab(const SlabSection& slab, Float8 c, Float8 s, Float8 beside) {
+  const Float8 slope = off_zero(all(slab.nx) * c + all(slab.nz) * s);
+  const Float8 k = all(slab.off) + beside * (all(slab.nz) * c - all(slab.nx) * s);
+  const Float8 a = (all(0.0f) - all(slab.half) - k) / slope;
+  const Float8 b = (all(slab.half) - k) / slope;
+  // The normal that points along the ray, or against it.
+  const Float8 way = all(side == WallSide::outside ? 1.0f : -1.0f);
+  const Float8 sign = select(slope < all(0.0f), all(0.0f) - way, way);
+  return {smaller(a, b), larger(a, b), all(slab.nx) * sign, all(slab.ny) * sign,
+          all(slab.nz) * sign};
+}
+
+/// By the common perpendicular of ray and line: nothing cancels where the ray grazes the rod. Where
+/// it misses, far is before near.
+ONGGI_INLINE Interval in_rod(const RodSection& rod, Float8 c, Float8 s, Float8 beside) {
+  const Float8 along = all(rod.ax) * c + all(rod.az) * s;
+  const Float8 aside = all(rod.az) * c - all(rod.ax) * s;
+  const Float8 square = larger(all(rod.ay * rod.ay) + aside * aside, all(1e-9f));
+  const Float8 sine = sqrt(square);
+  const Float8 apart = all(rod.wx) * c + all(rod.wz) * s + beside * all(rod.ay);
+  const Float8 on_axis = all(rod.m_along) + beside * aside;
+  const Float8 middle = (all(rod.mx) * c + all(rod.mz) * s + on_axis * along) / square;
+  const Float8 edge = all(rod.radius) * sine;
+  const Float8 chord = (edge - apart) * (edge + apart);
+  const Float8 half = select(chord > all(0.0f), sqrt(larger(chord, all(0.0f))), all(-1.0f));
+  return {middle - half / square, middle + half / square};
+}
+/// How far along the rod's line the ray's point t is, from its point `middle`.
+ONGGI_INLINE Float8 along_rod(const RodSection& rod, Float8 t, Float8 c, Float8 s, Float8 beside) {
+  return all(rod.m_along) + beside * (all(rod.az) * c - all(rod.ax) * s) +
+         t * (all(rod.ax) * c + all(rod.az) * s);
+}
+/// From the ray's point t to the line's point `q` along, over the radius: where t is on the rod,
+/// unit, and against its outer normal.
+ONGGI_INLINE FacingInterval facing_rod(const RodSection& rod, const Interval& in, Float8 t,
+                                       Float8 q, Float8 c, Float8 s, Float8 beside) {
+  const Float8 over = all(1.0f / rod.radius);
+  return {in.near, in.far, (all(rod.mx) + q * all(rod.ax) - (t * c - beside * s)) * over,
+          (all(rod.my) + q * all(rod.ay)) * over,
+          (all(rod.mz) + q * all(rod.az) - (t * s + beside * c)) * over};
+}
+
+/// A ball of `radius` round (x, y, z), y from the row's height; `section` is its circle's radius
+/// there. Empty where it is missed.
+ONGGI_INLINE Interval in_ball(Float8 section, float x, float z, Float8 c, Float8 s, Float8 beside) {
+  const Float8 off = all(z) * c - all(x) * s - beside;
+  const Float8 chord = (section - off) * (section + off);
+  const Float8 along = all(x) * c + all(z) * s;
+  const Float8 half = sqrt(larger(chord, all(0.0f)));
+  const Mask8 met = chord > all(0.0f);
+  return {select(met, along - half, all(1e9f)), select(met, along + half, all(-1e9f))};
+}
+
+/// What is in both; the end that is worked is the one that lies deeper in.
+template <WallSide side>
+ONGGI_INLINE FacingInterval both(const FacingInterval& a, const FacingInterval& b) {
+  const Mask8 second = side == WallSide::outside ? b.near > a.near : b.far < a.far;
+  return {larger(a.near, b.near), smaller(a.far, b.far), select(second, b.x, a.x),
+          select(second, b.y, a.y), select(second, b.z, a.z)};
+}
+
+}  // namespace onggi::ONGGI_LANES

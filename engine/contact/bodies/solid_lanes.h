@@ -1,0 +1,99 @@
+#pragma once
+
+// How a body that is no ball meets a row: how much of each element it covers, where it ends on
+// their rays, and which way its surface faces there. Its file says where rays enter and leave its
+// section:
+//
+//   struct Section {
+//     using Body = ...;
+//     template <WallSide side> static FacingInterval interval(const Body::Section&, Float8 cos,
+//                                                             Float8 sin, Float8 beside);
+//   };
+//
+// and has the kernel Kernel<SolidLaw<Section>>. For *_lanes.cpp only.
+
+#include "engine/contact/bodies/interval_lanes.h"
+#include "engine/contact/press_lanes.h"
+
+namespace onggi::ONGGI_LANES {
+
+/// A Meeting (press_lanes.h) that says which way the body is pushed.
+struct FacingMeeting {
+  Float8 end, covered;
+  Mask8 hit;
+  Float8 x, y, z;
+};
+
+// An element is a strip as wide as its sector is at its face. The strip's part that the
+// section covers gives way and is felt, and where the body ends is asked in the middle of that
+// part: a body narrower than an element still finds the element, and no force steps as elements
+// come and go at its edges.
+template <class Shape>
+struct SolidLaw {
+  using Body = typename Shape::Body;
+  static constexpr bool kPlain = false;
+
+  struct Row {
+    typename Body::Section section;
+    body::Outline outline;
+    float sector, share;
+
+    ONGGI_INLINE Row(const BodyFigures<Body>&, const BodyRow<Body>& row)
+        : section(row.section), outline(*row.outline), sector(row.sector), share(row.share) {}
+
+    struct Strip {
+      Float8 low, high;
+    };
+    ONGGI_INLINE Strip covered_strip(Float8 c, Float8 s, Float8 width) const {
+      const body::Outline& o = outline;
+      const Float8 off = all(o.z) * c - all(o.x) * s;
+      const Float8 half =
+          abs(all(o.uz) * c - all(o.ux) * s) + abs(all(o.vz) * c - all(o.vx) * s) + all(o.round);
+      const Float8 edge = all(0.5f) * width;
+      Strip strip{larger(off - half, all(0.0f) - edge), smaller(off + half, edge)};
+      if (o.oval > 0.0f) {
+        const Float8 middle = all(o.oval_z) * c - all(o.oval_x) * s;
+        const Float8 longer = all(o.oval_az) * c - all(o.oval_ax) * s;
+        const Float8 reach = sqrt(all(o.oval * o.oval) + longer * longer);
+        strip.low = larger(strip.low, middle - reach);
+        strip.high = smaller(strip.high, middle + reach);
+      }
+      return strip;
+    }
+    template <WallSide side, bool careful>
+    ONGGI_INLINE FacingMeeting meet(Float8 c, Float8 s, Float8 face) const {
+      const Float8 width = larger(face, all(1e-6f)) * all(sector);
+      const Strip strip = covered_strip(c, s, width);
+      const Float8 part = (strip.high - strip.low) / width;
+      const FacingInterval in =
+          Shape::template interval<side>(section, c, s, all(0.5f) * (strip.low + strip.high));
+      Mask8 hit = (strip.high > strip.low) & (in.far > in.near);
+      // A body outside works the half of the clay that it stands over.
+      if constexpr (side == WallSide::outside) hit = hit & (in.near + in.far > all(0.0f));
+      return {side == WallSide::outside ? in.near : in.far,
+              smaller(part, all(1.0f)) * all(share),
+              hit,
+              in.x,
+              in.y,
+              in.z};
+    }
+    ONGGI_INLINE void react(RowSum& sum, Float8 weight, const FacingMeeting& m, Float8,
+                            Float8) const {
+      sum.weight = sum.weight + weight;
+      sum.x = sum.x + weight * m.x;
+      sum.y = sum.y + weight * m.y;
+      sum.z = sum.z + weight * m.z;
+    }
+  };
+
+  ONGGI_INLINE static void collect(const BodyFigures<Body>&, const RowSum& sum, float area,
+                                   Reaction& total) {
+    const Float8 share_of = all(area);
+    total.normal = total.normal + sum.weight * share_of;
+    total.x = total.x + sum.x * share_of;
+    total.y = total.y + sum.y * share_of;
+    total.z = total.z + sum.z * share_of;
+  }
+};
+
+}  // namespace onggi::ONGGI_LANES

@@ -1,0 +1,259 @@
+#pragma once
+
+// How any body presses the rows it reaches, eight elements at a time. A body's file in bodies/
+// gives a Law, which tells how it meets one row:
+//
+//   struct Law {
+//     using Body = ...;                          // what press.cpp plans: rows are BodyRow<Body>
+//     static constexpr bool kPlain = ...;        // it has rows that need no care
+//     struct Row {
+//       Row(const BodyFigures<Body>&, const BodyRow<Body>&);
+//       template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin, Float8 face)
+//       const; void react(RowSum&, Float8 weight, const Meeting&, Float8 cos, Float8 sin) const;
+//     };
+//     static void collect(const BodyFigures<Body>&, const RowSum&, float area, Reaction&);
+//   };
+//
+// A row may have a Meeting of its own with more in it, for its react(). For *_lanes.cpp only.
+
+#include "engine/clay/wall_side.h"
+#include "engine/contact/kernels.h"
+#include "engine/math/lanes.h"
+
+namespace onggi::ONGGI_LANES {
+
+using contact::BodyFigures;
+using contact::BodyRow;
+using contact::PressSums;
+using contact::PressTotal;
+using contact::RowTask;
+using contact::StepFigures;
+
+// A press below 80 nm is none: a float's step at 12 cm is 7 nm, a tenth of it is what 1 ms of the
+// stiffest clay takes away, and rest must be rest.
+inline constexpr float kSnap = 8e-8f;
+
+/// How eight rays meet a body's section: where the body's near end (pressing from outside) or far
+/// end (from inside) lies along each, in metres from the axis, negative beyond it. `covered`, 0..1,
+/// is how much of each element the section covers; it counts only where the meeting is `careful`.
+struct Meeting {
+  Float8 end;
+  Float8 covered;
+  Mask8 hit;
+};
+
+/// Sums over rows of one thickness, of weight = press times radius. What x, y and z are is the
+/// body's to say.
+struct RowSum {
+  Float8 weight, x, y, z;
+};
+
+/// Sums over all rows: force on the tool and its normal part, N.
+struct Reaction {
+  Float8 normal, x, y, z;
+};
+
+// Positive is a press: S - E1 from outside, E2 - S from inside.
+template <WallSide side>
+ONGGI_INLINE Float8 press_of(Float8 face, Float8 target) {
+  return side == WallSide::outside ? face - target : target - face;
+}
+
+// Most rows are plain. Some need care: near the axis, and near the clay's limits, a body may ask
+// for more than the clay allows; a body outside works the half of the clay that it stands over, not
+// what lies beyond the axis; and where the press is deep at the section's very edges, an element
+// counts for the share that is covered, or the force would step as elements come and go.
+template <WallSide side, bool careful>
+ONGGI_INLINE Float8 target_of(Float8 end, const StepFigures& step) {
+  if constexpr (!careful) return end;
+  return side == WallSide::outside ? larger(end, all(step.limit)) : smaller(end, all(step.limit));
+}
+
+struct Pressed {
+  RowSum sum;
+  Float8 depth;   // deepest of each lane
+  Float8 behind;  // the farthest that the other face was carried
+  Float8 lost;    // what the row lost, as a sum of squares of radii; only where that is kept
+  float* shift;   // of the row: grows by what each element was moved; likewise
+  int touched;
+};
+
+// The other face as it goes along: with the share `along` of the area that the pressed face lost.
+template <WallSide side>
+ONGGI_INLINE Float8 gone_along(const StepFigures& step, Float8 back, Float8 lost) {
+  const Float8 share = lost * all(step.along);
+  const Float8 most = all(step.farthest * step.farthest);
+  return side == WallSide::outside ? sqrt(larger(back * back - share, most))
+                                   : sqrt(smaller(back * back + share, most));
+}
+
+// One block of eight elements, with the target held where it is in the middle of the step: exact
+// exponential relaxation, second order in the step for a target that moves.
+template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
+ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* face, float* behind,
+                              int i, Pressed& pressed) {
+  const Float8 c = load(step.ray_cos + i);
+  const Float8 s = load(step.ray_sin + i);
+  const Float8 radius = load(face + i);
+  const auto m = row.template meet<side, careful>(c, s, radius);
+  const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, step));
+  const Mask8 touch = m.hit & (press > all(kSnap));
+  if (none(touch)) return;
+
+  const Float8 felt = only(touch, careful ? press * m.covered : press);
+  const Float8 given = felt * all(step.gone);
+  const Float8 now = side == WallSide::outside ? radius - given : radius + given;
+  store(now, face + i);
+  [[maybe_unused]] Float8 lost = all(0.0f);
+  if constexpr (keeps)
+    lost = side == WallSide::outside ? (radius - now) * (radius + now)
+                                     : (now - radius) * (now + radius);
+  if constexpr (hollow) {
+    // The other face is carried along where the wall would be too thin.
+    const Float8 back = load(behind + i);
+    const Float8 thin = all(step.wall_min);
+    Float8 least = side == WallSide::outside ? now - thin : now + thin;
+    if constexpr (keeps) {
+      const Float8 along = gone_along<side>(step, back, lost);
+      least = side == WallSide::outside ? smaller(along, least) : larger(along, least);
+    }
+    const Mask8 pushed = touch & (side == WallSide::outside ? least < back : least > back);
+    if (!none(pushed)) {
+      const Float8 carried = select(pushed, least, back);
+      store(carried, behind + i);
+      pressed.behind = side == WallSide::outside ? smaller(pressed.behind, carried)
+                                                 : larger(pressed.behind, carried);
+      if constexpr (keeps)
+        lost = lost - (side == WallSide::outside ? (back - carried) * (back + carried)
+                                                 : (carried - back) * (carried + back));
+    }
+  }
+  if constexpr (keeps) {
+    pressed.lost = pressed.lost + lost;
+    store(load(pressed.shift + i) + given, pressed.shift + i);
+  }
+  row.react(pressed.sum, felt * radius, m, c, s);
+  pressed.depth = larger(pressed.depth, felt);
+  pressed.touched += count(touch);
+}
+
+template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
+ONGGI_INLINE void press_row(const Row& row, const StepFigures& step, const RowTask& task,
+                            Pressed& pressed) {
+  float* const face = task.face;
+  float* const behind = task.behind;
+  const int used = task.used;
+  for (int n = 0; n < used; ++n) {
+    const int end = task.ranges[n].end * kLanes;
+    for (int i = task.ranges[n].begin * kLanes; i < end; i += kLanes)
+      press_block<side, careful, hollow, keeps>(row, step, face, behind, i, pressed);
+  }
+}
+
+template <class Law>
+struct Kernel {
+  using Body = typename Law::Body;
+  using Row = typename Law::Row;
+
+  // What is read for every block is copied first: a vector may be stored to anything, so that
+  // compilers read what is behind a reference anew after each.
+  template <WallSide side, bool keeps>
+  static void press_rows(const StepFigures& given, const BodyFigures<Body>& body,
+                         BodyRow<Body>* rows, int count, PressSums& sums) {
+    const StepFigures step = given;
+    Reaction reaction{load(sums.normal), load(sums.force_x), load(sums.force_y),
+                      load(sums.force_z)};
+    Pressed pressed;
+    pressed.sum = {load(sums.weight), load(sums.x), load(sums.y), load(sums.z)};
+    pressed.depth = load(sums.depth);
+    float area = sums.area;
+    for (int k = 0; k < count; ++k) {
+      BodyRow<Body>& task = rows[k];
+      if (task.regroups) {
+        Law::collect(body, pressed.sum, area, reaction);
+        pressed.sum = {all(0.0f), all(0.0f), all(0.0f), all(0.0f)};
+        area = task.area;
+      }
+      const Row row(body, task);
+      pressed.behind = all(task.behind_start);
+      pressed.touched = 0;
+      if constexpr (keeps) {
+        pressed.shift = task.shift;
+        pressed.lost = all(0.0f);
+      }
+      if (!task.hollow)
+        press_row<side, true, false, keeps>(row, step, task, pressed);
+      else if (!Law::kPlain || task.careful)
+        press_row<side, true, true, keeps>(row, step, task, pressed);
+      else if constexpr (Law::kPlain)
+        press_row<side, false, true, keeps>(row, step, task, pressed);
+      task.touched = pressed.touched;
+      if (pressed.touched == 0) continue;
+      task.behind_most = task.behind_start;
+      const Float8 start = all(task.behind_start);
+      if (!none(side == WallSide::outside ? pressed.behind < start : pressed.behind > start))
+        task.behind_most =
+            side == WallSide::outside ? smallest(pressed.behind) : largest(pressed.behind);
+      if constexpr (keeps) task.lost = sum(pressed.lost);
+    }
+    store(reaction.normal, sums.normal);
+    store(reaction.x, sums.force_x);
+    store(reaction.y, sums.force_y);
+    store(reaction.z, sums.force_z);
+    store(pressed.sum.weight, sums.weight);
+    store(pressed.sum.x, sums.x);
+    store(pressed.sum.y, sums.y);
+    store(pressed.sum.z, sums.z);
+    store(pressed.depth, sums.depth);
+    sums.area = area;
+  }
+
+  static void press(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
+                    BodyRow<Body>* rows, int count, PressSums& sums) {
+    if (side == WallSide::outside) {
+      step.keeps ? press_rows<WallSide::outside, true>(step, body, rows, count, sums)
+                 : press_rows<WallSide::outside, false>(step, body, rows, count, sums);
+    } else {
+      step.keeps ? press_rows<WallSide::inside, true>(step, body, rows, count, sums)
+                 : press_rows<WallSide::inside, false>(step, body, rows, count, sums);
+    }
+  }
+
+  static PressTotal total(const BodyFigures<Body>& body, const PressSums& sums) {
+    Reaction reaction{load(sums.normal), load(sums.force_x), load(sums.force_y),
+                      load(sums.force_z)};
+    Law::collect(body, {load(sums.weight), load(sums.x), load(sums.y), load(sums.z)}, sums.area,
+                 reaction);
+    return {sum(reaction.x), sum(reaction.y), sum(reaction.z), sum(reaction.normal),
+            largest(load(sums.depth))};
+  }
+
+  template <WallSide side>
+  static float depth_in_rows(const StepFigures& step, const BodyFigures<Body>& body,
+                             const BodyRow<Body>* rows, int count) {
+    Float8 deepest = all(0.0f);
+    for (int k = 0; k < count; ++k) {
+      const RowTask& task = rows[k];
+      const Row row(body, rows[k]);
+      for (int n = 0; n < task.used; ++n)
+        for (int i = task.ranges[n].begin * kLanes; i < task.ranges[n].end * kLanes; i += kLanes) {
+          const Float8 radius = load(task.face + i);
+          const auto m =
+              row.template meet<side, true>(load(step.ray_cos + i), load(step.ray_sin + i), radius);
+          const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, step));
+          deepest = larger(deepest, only(m.hit & (press > all(kSnap)), press));
+        }
+    }
+    return largest(deepest);
+  }
+
+  static float depth(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
+                     const BodyRow<Body>* rows, int count) {
+    return side == WallSide::outside ? depth_in_rows<WallSide::outside>(step, body, rows, count)
+                                     : depth_in_rows<WallSide::inside>(step, body, rows, count);
+  }
+
+  static constexpr contact::BodyKernel<Body> kAll{press, total, depth};
+};
+
+}  // namespace onggi::ONGGI_LANES

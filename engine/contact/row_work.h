@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/clay/block_run.h"
+#include "engine/contact/bodies/ball.h"
+#include "engine/contact/bodies/bounds.h"
+
+namespace onggi::contact {
+
+/// What goes between press.cpp, which knows the clay, and the kernels, which know only floats.
+/// Plain data: kernels are compiled for processors that the rest is not compiled for (lanes.h).
+
+/// Rows are planned and pressed so many at a time.
+inline constexpr int kPlannedRows = 32;
+
+/// What holds for all elements of a step.
+struct StepFigures {
+  const float* ray_cos = nullptr;
+  const float* ray_sin = nullptr;
+  float limit = 0;     ///< How far the face may be pressed, m: the clay keeps radius_min, wall_min
+                       ///< and radius_max.
+  float wall_min = 0;  ///< m
+  float gone = 0;      ///< 1 - e^(-dt/tau): how much of a press the clay gives way by in the step.
+  float along = 0;     ///< Yielding::along
+  float farthest = 0;  ///< That the other face may go, m: radius_min outside, radius_max inside.
+  bool keeps = false;  ///< What rows lose is summed, and the other face may go along.
+};
+
+/// One row that a body presses, and what came of it. Filled whole by whoever asks: nothing is set
+/// beforehand, since a step has many.
+struct RowTask {
+  float* face;         ///< Worked.
+  float* behind;       ///< The other.
+  float* shift;        ///< Grows by what each element was moved; only where StepFigures::keeps.
+  BlockRun ranges[2];  ///< They never share a block.
+  int used;            ///< Of `ranges`.
+  bool careful;        ///< See press_lanes.h.
+  bool hollow;         ///< There is another face.
+  bool regroups;       ///< Not as thick as the row pressed before it.
+  float area;          ///< Force per weight (press times radius) of rows of this thickness.
+  float behind_start;  ///< No element of the other face is farther that way.
+
+  int touched;        ///< Elements pressed.
+  float behind_most;  ///< The farthest that the other face was carried, if any was.
+  float lost;         ///< Sum of squares of radii.
+};
+
+/// A row, and the section that a Body of faces and rods has with it.
+template <class Body>
+struct BodyRow : RowTask {
+  typename Body::Section section;
+  const body::Outline* outline;
+  float sector;  ///< Angle of an element, rad.
+  float share;   ///< Of the row's height that is covered.
+};
+
+/// The sections of kPlannedRows rows with a ball, circles, and which elements they can touch: an
+/// array each, since they are worked out eight at a time. Metres.
+struct BallWindows {
+  float above[kPlannedRows];         ///< Given: middle of the ball above the row.
+  float extent[kPlannedRows];        ///< Given: of the face, Clay::outer_most() or inner_least().
+  float section[kPlannedRows];       ///< Radius of the circle.
+  float edge[kPlannedRows];          ///< Farthest from its middle that the ray of an element
+                                     ///< covered in part may pass.
+  float per_width[kPlannedRows];     ///< 1 / m: of an element at the circle's tangents.
+  float most_covered[kPlannedRows];  ///< Share of an element that the circle can cover, 0..1.
+  float above_radii[kPlannedRows];   ///< Middle of the ball above the row, over its radius.
+  int low[kPlannedRows], high[kPlannedRows];  ///< Elements between which it touches, two turns on.
+  std::uint32_t reached;                      ///< Bit k: row k has something that can be touched.
+  std::uint32_t edged;  ///< Bit k: so may elements that the circle's edges cross.
+};
+
+template <>
+struct BodyRow<body::Ball> : RowTask {
+  int k;  ///< In BodyFigures::rows.
+};
+
+/// What all rows of a body have in common.
+template <class Body>
+struct BodyFigures {};
+template <>
+struct BodyFigures<body::Ball> {
+  float x, z;              ///< Its middle, m.
+  float per_radius;        ///< 1 / m
+  float x_radii, z_radii;  ///< Its middle from the axis, over its radius.
+  const BallWindows* rows;
+};
+
+/// A kernel's sums between two of its calls in one step: eight accumulators of each.
+struct PressSums {
+  float weight[8] = {}, x[8] = {}, y[8] = {}, z[8] = {};  ///< Of rows equally thick.
+  float force_x[8] = {}, force_y[8] = {}, force_z[8] = {}, normal[8] = {};
+  float depth[8] = {};
+  float area = 0;  ///< RowTask::area of the rows in `weight` to `z`.
+};
+struct PressTotal {
+  float x = 0, y = 0, z = 0;  ///< Force on the tool, N.
+  float normal = 0;           ///< N
+  float depth = 0;            ///< Deepest press, m.
+};
+
+}  // namespace onggi::contact

@@ -1,0 +1,119 @@
+#include "engine/contact/solid_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/ball_window.h"
+#include "engine/contact/bodies/ball.h"
+#include "engine/contact/kernels.h"
+#include "engine/math/portable.h"
+
+namespace onggi::contact {
+namespace {
+
+constexpr int kFew = 8;
+
+// Half the angle between the outermost elements that each row's circle reaches; negative: none.
+struct Circles {
+  float half[kFew];
+  float extent[kFew];
+  double angle[kFew];
+
+  bool reaches(int k) const { return half[k] >= 0.0f; }
+};
+
+Circles circles_of(const Clay& clay, WallSide side, int first, int count, const bool* covered,
+                   const SolidReach* rows) {
+  Circles out;
+  float distance[kFew] = {};
+  float radius[kFew] = {};
+  float tangent[kFew] = {};
+  std::fill_n(out.extent, kFew, 0.0f);
+  body::Circle last;
+  double last_angle = 0.0;
+  for (int k = 0; k < count; ++k) {
+    radius[k] = -1.0f;
+    if (!covered[k]) continue;
+    const body::Circle circle = rows[k].outline.circle();
+    if (circle.radius <= 0.0) continue;
+    out.extent[k] =
+        side == WallSide::outside ? clay.outer_most(first + k) : clay.inner_least(first + k);
+    if (circle.x != last.x || circle.z != last.z) {
+      last = circle;
+      last_angle = portable::atan2(circle.z, circle.x);
+    }
+    out.angle[k] = last_angle;
+    const double away = std::sqrt(circle.x * circle.x + circle.z * circle.z);
+    distance[k] = static_cast<float>(away);
+    radius[k] = static_cast<float>(circle.radius);
+    tangent[k] = std::max(static_cast<float>(body::cross_section(away, circle.radius)), 0.0f);
+  }
+  kernels(clay.vectors()).half_windows(side, distance, radius, tangent, out.extent, out.half);
+  for (int k = 0; k < count; ++k)
+    if (!(radius[k] > 0.0f)) out.half[k] = -1.0f;
+  return out;
+}
+
+}  // namespace
+
+SolidWindow::SolidWindow(const Clay& clay, const body::Heights& between, const body::Hull& hull,
+                         Vec3 at) noexcept
+    : heights(between),
+      // Rows whose middles it misses may still be covered in part.
+      first_row(std::max(clay.first_row_above(between.low) - 1, 0)),
+      end_row(std::min(clay.first_row_above(between.high) + 1, clay.rows())),
+      turn(body::turn_of(hull, at)) {
+  const body::AxisReach reach = body::reach_of(hull, at);
+  // Along the ray of an element that the body meets at its edge, it is a little nearer.
+  const double half_sector = portable::kPi / clay.sectors();
+  nearest = reach.nearest * (1.0 - 0.5 * half_sector * half_sector);
+  farthest = reach.farthest;
+}
+
+bool cover_row(const Clay& clay, const SolidWindow& window, WallSide side, int j,
+               SolidReach& row) noexcept {
+  row.used = 0;
+  const double half = 0.5 * clay.row_thickness(j);
+  const double low = std::max(clay.row_height(j) - half, window.heights.low);
+  const double high = std::min(clay.row_height(j) + half, window.heights.high);
+  row.share = static_cast<float>((high - low) / (2.0 * half));
+  row.y = 0.5 * (low + high);
+  if (high <= low) return false;
+  return side == WallSide::outside ? window.nearest <= double{clay.outer_most(j)}
+                                   : window.farthest >= double{clay.inner_least(j)};
+}
+
+void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int first, int count,
+               const bool* covered, SolidReach* rows) noexcept {
+  const Circles circles = circles_of(clay, side, first, count, covered, rows);
+  // Rows where an upright body is cut alike are given the angles of the one that it reaches
+  // farthest, and worked out once: an element more there costs less than its own arc tangents.
+  const RowShape shape(clay);
+  int like = -1;
+  body::Turn both;
+  for (int k = 0; k < count; ++k) {
+    if (!circles.reaches(k)) continue;
+    if (like < 0 || !(rows[k].outline == rows[like].outline)) {
+      like = k;
+      double most = double{circles.extent[k]};
+      double widest = double{circles.half[k]};
+      for (int n = k + 1; n < count; ++n) {
+        if (!circles.reaches(n) || !(rows[n].outline == rows[k].outline)) continue;
+        most = side == WallSide::outside ? std::max(most, double{circles.extent[n]})
+                                         : std::min(most, double{circles.extent[n]});
+        widest = std::max(widest, double{circles.half[n]});
+      }
+      both = body::turn_of(rows[k].outline, side, most,
+                           body::overlap({circles.angle[k], widest}, window.turn));
+    }
+    if (both.half < 0.0) continue;
+    const double per_radian = clay.sectors() / (2.0 * portable::kPi);
+    const double middle = both.middle * per_radian - 0.5;
+    // Elements that are covered in part lie up to half a width beyond; one more for the rounding.
+    const double reach = both.half * per_radian + 0.5;
+    rows[k].used = wrapped_blocks(shape, static_cast<int>(std::floor(middle - reach)),
+                                  static_cast<int>(std::floor(middle + reach)) + 1, rows[k].ranges);
+  }
+}
+
+}  // namespace onggi::contact

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/clay/clay.h"
+#include "engine/clay/wall_side.h"
+#include "engine/contact/bodies/bounds.h"
+#include "engine/contact/row_work.h"
+#include "engine/math/vec.h"
+
+namespace onggi::contact {
+
+/// Which rows a body of faces and rods reaches, and between which angles. Clay frame, metres.
+struct SolidWindow {
+  /// `at` is a point of the body, `hull` holds it.
+  SolidWindow(const Clay& clay, const body::Heights& heights, const body::Hull& hull,
+              Vec3 at) noexcept;
+
+  body::Heights heights;
+  int first_row, end_row;  ///< [first, end)
+  body::Turn turn;
+  double nearest, farthest;  ///< Nothing of the body is nearer to the axis, or farther.
+};
+
+/// What of a row such a body may touch.
+struct SolidReach {
+  double y;               ///< Where in the row's height it is looked at, m.
+  float share;            ///< How much of that height it covers, 0..1.
+  body::Outline outline;  ///< Of its section there.
+  BlockRun ranges[2];
+  int used;  ///< Of `ranges`.
+};
+
+/// The middle of the part of row `j` that the body covers, and how much of the row that is; false
+/// where it cannot reach the row's `side` face.
+bool cover_row(const Clay& clay, const SolidWindow& window, WallSide side, int j,
+               SolidReach& row) noexcept;
+
+/// For up to eight rows from `first` on, whose y, share and outline are known where `covered`:
+/// which of their elements the outlines can reach. Never too few.
+void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int first, int count,
+               const bool* covered, SolidReach* rows) noexcept;
+
+}  // namespace onggi::contact

@@ -1,0 +1,111 @@
+#include "engine/scene/lump_work.h"
+
+#include <array>
+
+namespace onggi::scene {
+namespace {
+
+constexpr int kBudget = 8192;  // elements a tick
+
+std::uint64_t depth_of(const clay::History* history) { return history ? history->depth() : 0; }
+
+enum class Part : std::uint8_t { none, history, effects };
+enum class HistoryThen : std::uint8_t {
+  follows,  // as ever
+  busy,     // follows, and its step goes on: the lump is not at rest
+  waits,    // for who works on the lump
+};
+
+}  // namespace
+
+// One state: what each event makes of it, what it does a tick and with which part of the scene, and
+// what the history does meanwhile.
+struct LumpWork::Row {
+  std::array<LumpState, 3> after;                       // by LumpEvent
+  bool (LumpWork::*work)(const Parts&) const noexcept;  // true when done; null: none
+  Part with;
+  HistoryThen history;
+};
+
+const LumpWork::Row& LumpWork::row_of(LumpState state) noexcept {
+  using enum LumpState;
+  using enum HistoryThen;
+  static constexpr std::array<Row, kLumpStates> kRows{{
+      // on renew, restore, done
+      {{keeping, restoring, playing}, nullptr, Part::none, follows},                 // playing
+      {{keeping, keeping, renewing}, &LumpWork::keep, Part::history, waits},         // keeping
+      {{renewing, renewing, laying}, &LumpWork::renew, Part::none, busy},            // renewing
+      {{laying, laying, playing}, &LumpWork::lay, Part::effects, busy},              // laying
+      {{restoring, restoring, settling}, &LumpWork::restore, Part::history, waits},  // restoring
+      {{settling, settling, playing}, &LumpWork::settle, Part::effects, follows},    // settling
+  }};
+  return kRows[static_cast<std::size_t>(state)];
+}
+
+LumpState after(LumpState state, LumpEvent event) noexcept {
+  return LumpWork::row_of(state).after[static_cast<std::size_t>(event)];
+}
+
+bool LumpWork::keep(const Parts& parts) const noexcept {
+  return parts.history->begin_step(parts.clay, kBudget);
+}
+
+bool LumpWork::renew(const Parts& parts) const noexcept { return parts.clay.renew_some(kBudget); }
+
+bool LumpWork::lay(const Parts& parts) const noexcept {
+  return parts.row_effects->settle_some(parts.def, parts.clay, true, depth_of(parts.history),
+                                        kBudget);
+}
+
+bool LumpWork::restore(const Parts& parts) const noexcept {
+  clay::History& history = *parts.history;
+  if (!history.step_back_some(parts.clay, kBudget)) return false;
+  if (parts.row_effects == nullptr || !history.can_step_back()) return true;
+  // A pot that fell is wanted as it stood, not as it was halfway down; one that tore, as it was
+  // before, though it has sagged since.
+  const RowEffects& effects = *parts.row_effects;
+  const bool falling = effects.fallen() && history.depth() > stood_at_;
+  return !falling && !effects.torn_before(history.depth());
+}
+
+bool LumpWork::settle(const Parts& parts) const noexcept {
+  return parts.row_effects->settle_some(parts.def, parts.clay, false, depth_of(parts.history),
+                                        kBudget);
+}
+
+void LumpWork::go(LumpEvent event, const Parts& parts) noexcept {
+  const auto there = [&parts](Part part) {
+    return part == Part::none ||
+           (part == Part::history ? parts.history != nullptr : parts.row_effects != nullptr);
+  };
+  state_ = after(state_, event);
+  while (!there(row_of(state_).with)) state_ = after(state_, LumpEvent::done);
+}
+
+bool LumpWork::step(const Hands& hands, const Parts& parts) noexcept {
+  const bool renew = hands.renew && !renew_held_;
+  const bool restore = hands.restore && !restore_held_;
+  renew_held_ = hands.renew;
+  restore_held_ = hands.restore;
+  if (renew)
+    go(LumpEvent::renew, parts);
+  else if (restore && parts.history != nullptr && parts.history->can_step_back())
+    go(LumpEvent::restore, parts);
+  const Row& now = row_of(state_);
+  if (now.work == nullptr) return false;
+  if ((this->*now.work)(parts)) go(LumpEvent::done, parts);
+  return true;
+}
+
+void LumpWork::follow(const Parts& parts, bool touching, double seconds) noexcept {
+  const HistoryThen does = row_of(state_).history;
+  if (parts.history == nullptr || does == HistoryThen::waits) return;
+  bool busy = touching || does == HistoryThen::busy;
+  if (parts.row_effects != nullptr) {
+    busy = busy || parts.row_effects->moving();
+    if (parts.row_effects->stands()) stood_at_ = parts.history->depth();
+  }
+  parts.history->follow(parts.clay, busy, seconds);
+}
+
+}  // namespace onggi::scene

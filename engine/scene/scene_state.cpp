@@ -1,0 +1,258 @@
+#include "engine/scene/scene_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/stops.h"
+#include "engine/effects/built.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+constexpr double kLongestTick = 0.005;
+constexpr double kShortestTick = 1e-6;
+constexpr Vec3 kDown{0.0, -1.0, 0.0};
+
+}  // namespace
+
+// Stage 1. Nothing implausible goes any further.
+void Scene::State::take_input(Tick& tick, const Hands& hands, double dt) noexcept {
+  tick.dt = dt > 0.0 ? std::min(dt, kLongestTick) : kShortestTick;
+  if (tick.dt != dt) {
+    faults |= kFaultTime;
+    ++counters.clamped_times;
+  }
+  if (std::isfinite(hands.wheel_speed)) {
+    wheel_asked = hands.wheel_speed;
+  } else {
+    faults |= kFaultInput;
+    ++counters.held_samples;
+  }
+  for (std::size_t n = 0; n < hand.size(); ++n) take_hand(tick, n, hands.hand[n]);
+}
+
+void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept {
+  scene::HandState& h = hand[n];
+  if (!in.active) {
+    h.leave();
+    return;
+  }
+  tick.sweep[n].seconds = tick.dt;
+  tick.held[n] = !h.take(in, tools, tick.sweep[n]);
+  if (!tick.held[n]) return;
+  faults |= kFaultInput;
+  ++counters.held_samples;
+}
+
+// Stage 2. The motor follows the asked speed at its own pace.
+void Scene::State::turn_wheel(Tick& tick) noexcept {
+  const double asked = std::clamp(wheel_asked, -def.wheel.max_speed, def.wheel.max_speed);
+  const double most = def.wheel.acceleration * tick.dt;
+  const double before = wheel_speed;
+  wheel_speed += std::clamp(asked - wheel_speed, -most, most);
+  tick.angle_from = wheel_angle;
+  tick.turn = 0.5 * (before + wheel_speed) * tick.dt;
+  const double full = 2.0 * portable::kPi;
+  wheel_angle += tick.turn;
+  if (wheel_angle >= full) wheel_angle -= full;
+  if (wheel_angle < 0.0) wheel_angle += full;
+  if (wheel_angle >= full) wheel_angle = 0.0;  // -tiny + 2 pi rounds to 2 pi
+}
+
+// Stage 3. The sponge is where the hands are.
+void Scene::State::soak_or_dry(const Tick& tick, bool sponge) noexcept {
+  if (!moisture) return;
+  for (const scene::HandState& h : hand)
+    if (h.present && h.contact.touching()) sponge |= tools[h.tool].shape->wets;
+  std::array<double, kMaxHands> heights{};
+  std::size_t held = 0;
+  for (const scene::HandState& h : hand)
+    if (h.present) heights[held++] = h.at.y;
+  moisture->soak_or_dry(*def.moisture, clay, tick.dt, sponge, std::span(heights).first(held));
+}
+
+double Scene::State::wetness_at(double height) const {
+  return moisture ? moisture->at(clay, height) : 0.0;
+}
+
+Yielding Scene::State::yielding_at(double height) const {
+  const double soft = moisture ? effects::softness(*def.moisture, wetness_at(height)) : 1.0;
+  return {def.contact.relaxation_time * soft, def.contact.stiffness};
+}
+
+// Stage 4. Whoever works on the lump has it alone.
+void Scene::State::work_on_lump(const Hands& hands) noexcept {
+  if (!lump.step(hands, lump_parts())) return;
+  for (scene::HandState& h : hand) h.leave();
+  slit.forget();
+}
+
+// Stage 4, at the tick's end: what a visitor may want back.
+void Scene::State::keep_history(const Tick& tick) noexcept {
+  bool touching = false;
+  for (const scene::HandState& h : hand) touching = touching || (h.present && h.contact.touching());
+  lump.follow(lump_parts(), touching, tick.dt);
+}
+
+// Stage 5, for a wire.
+void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
+  const ToolSweep& way = tick.sweep[n];
+  const WireSweep sweep{way.from, way.to, way.along, way.size.length, tick.angle_from + tick.turn,
+                        tick.dt};
+  tick.press[n] = slit.draw(clay, sweep, hand[n].wire, def.contact.stiffness);
+}
+
+// Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
+void Scene::State::press_clay(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n)
+    if (hand[n].present && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
+  if (slit.free()) {
+    for (scene::HandState& h : hand) h.contact = {};
+    return;
+  }
+  std::array<Yielding, kMaxHands> yielding;
+  int steps = 1;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    hand[n].contact.begin_tick();
+    if (!presses(hand[n])) continue;
+    tick.sweep[n].angle_from = tick.angle_from;
+    tick.sweep[n].angle_to = tick.angle_from + tick.turn;
+    yielding[n] = yielding_at(hand[n].at.y);
+    steps = std::max(steps, steps_for(tick.sweep[n], yielding[n].relaxation_time));
+  }
+  if (row_effects) {
+    for (std::size_t n = 0; n < hand.size(); ++n) {
+      const scene::HandState& other = hand[1 - n];
+      const bool held = other.present && other.contact.touching() &&
+                        other.contact.side() != hand[n].contact.side();
+      tick.along[n] = row_effects->along(def, hand[n].at, held ? &other.at : nullptr);
+      yielding[n].along = tick.along[n];
+    }
+  }
+  for (int step = 0; step < steps; ++step) {
+    // What a wall between two hands comes to must not depend on which hand is called the first.
+    const bool swapped = hand[0].contact.side() > hand[1].contact.side();
+    for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
+      if (presses(hand[n])) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
+  }
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    if (hand[n].present && !presses(hand[n])) continue;
+    tick.press[n] = hand[n].contact.reaction();
+    tick.side[n] = hand[n].contact.side();
+    tick.place[n] = hand[n].contact.place();
+  }
+}
+
+// Stage 6. What has just been laid must be measured first.
+void Scene::State::work_on_rows(const Tick& tick) noexcept {
+  if (!lump.playing()) return;
+  const double angle = tick.angle_from + tick.turn;
+  scene::RowEffects::Tick rows;
+  rows.moisture = moisture ? &*moisture : nullptr;
+  rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
+  rows.seconds = tick.dt;
+  // Rows take turns to be looked at: one that is found torn in a step that has just begun was torn
+  // by the one before.
+  constexpr double kLooking = 0.25;  // s
+  const bool begun = history && history->depth() > 0 && history->lasted() < kLooking;
+  rows.step = begun ? steps_taken() - 1 : steps_taken();
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    const scene::HandState& h = hand[n];
+    const Press& press = tick.press[n];
+    rows.touched = rows.touched || press.touched > 0;
+    if (!presses(h) || press.touched == 0) continue;
+    const scene::Tool& tool = tools[h.tool];
+    const double c = portable::cos(angle);
+    const double s = portable::sin(angle);
+    rows.hand[n] = {{c * h.at.x + s * h.at.z, h.at.y, c * h.at.z - s * h.at.x},
+                    press.normal,
+                    h.contact.place() == beside(h.contact.side()),
+                    h.contact.side(),
+                    tick.along[n],
+                    tool.shape->smooths ? tool.shape->reach(tool.size) : 0.0};
+  }
+  row_effects->run(def, clay, rows);
+}
+
+// Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
+void Scene::State::feel(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    const scene::HandState& h = hand[n];
+    if (!h.present || tick.held[n]) continue;
+    const ToolShape& shape = *tools[h.tool].shape;
+    const ToolSize& size = tools[h.tool].size;
+    const ToolPlace place{h.at, h.along, h.across};
+    const Press& press = tick.press[n];
+    Vec3 force = press.force;
+    const double strength = length(press.force);
+    if (effects::kBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
+      const FrictionDef& friction = *def.friction;
+      const double mu = effects::friction_coefficient(friction, wetness_at(h.at.y));
+      const body::Ball ball = shape.ball(place, size, (-1.0 / strength) * press.force);
+      const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
+      const Vec3 slip = (1.0 / tick.dt) * (h.at - tick.sweep[n].from) -
+                        effects::clay_velocity(touch, tick.turn / tick.dt);
+      force += effects::friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
+    }
+    const body::Ball lowest = shape.ball(place, size, kDown);
+    force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
+    tick.wanted[n] = force;
+  }
+}
+
+// Stages 5 and 7 as the paper has them: no steps within the tick, no stops, and a filter.
+void Scene::State::press_as_printed(Tick& tick) noexcept {
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    PaperFilter& filter = printed->filter[n];
+    if (!hand[n].present) {
+      filter.settle();
+      continue;
+    }
+    const double angle = tick.angle_from + tick.turn;
+    tick.side[n] = PaperModel::mode(clay, hand[n].at, angle, tick.sweep[n].wish);
+    tick.place[n] = beside(tick.side[n]);
+    const PaperTouch touch = printed->model.tick(clay, tick.side[n], hand[n].at, def.tool.radius,
+                                                 angle, tick.turn, printed->coefficients);
+    tick.press[n] = {touch.force, 0.0, touch.depth, touch.visited, touch.touched};
+    const Vec3 filtered = filter.filter(touch.force);
+    if (!tick.held[n]) tick.wanted[n] = filtered;
+  }
+}
+
+// Stages 8 and 9. The guard is always last.
+Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
+  const force::GuardLimits limits{def.guard.max_force, def.guard.max_slew, def.guard.engage_time};
+  Feedback out;
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    scene::HandState& h = hand[n];
+    HandFeedback& felt = out.hand[n];
+    bool finite = true;
+    felt.force = h.guard.step(tick.wanted[n], tick.dt, limits, finite);
+    if (!finite) faults |= kFaultForce;
+    const Press& press = tick.press[n];
+    felt.contact = h.present && press.touched > 0;
+    felt.side = tick.side[n];
+    felt.place = tick.place[n];
+    felt.depth = h.present ? press.depth : 0.0;
+    counters.visited_elements += static_cast<std::uint64_t>(press.visited);
+    counters.touched_elements += static_cast<std::uint64_t>(press.touched);
+  }
+  ++counters.ticks;
+  time += tick.dt;
+  if (!slit.free()) clay_angle = wheel_angle;
+  out.wheel_angle = wheel_angle;
+  out.clay_angle = clay_angle;
+  out.cut_free = slit.share();
+  out.wheel_speed = wheel_speed;
+  if (row_effects) {
+    out.sinking = row_effects->sinking();
+    out.fallen = row_effects->fallen();
+    out.torn = row_effects->torn();
+  }
+  out.wetness = moisture ? moisture->mean() : 0.0;
+  out.faults = faults;
+  return out;
+}
+
+}  // namespace onggi

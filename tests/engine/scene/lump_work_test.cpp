@@ -1,0 +1,101 @@
+#include "engine/scene/lump_work.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+
+namespace onggi::scene {
+namespace {
+
+constexpr const char* kNames[kLumpStates] = {"playing", "keeping",   "renewing",
+                                             "laying",  "restoring", "settling"};
+
+std::string name_of(LumpState state) { return kNames[static_cast<std::size_t>(state)]; }
+
+// The cells of a row of a table in Markdown, without their backticks.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  for (std::size_t at = 1; at < line.size();) {
+    const std::size_t end = line.find('|', at);
+    if (end == std::string::npos) break;
+    std::string cell = line.substr(at, end - at);
+    std::erase_if(cell, [](char c) { return c == ' ' || c == '`'; });
+    cells.push_back(cell);
+    at = end + 1;
+  }
+  return cells;
+}
+
+TEST(LumpWork, TheDrawnTableIsTheOneThatRuns) {
+  std::ifstream file("engine/docs/pipeline.md");
+  std::map<std::string, std::vector<std::string>> drawn;
+  for (std::string line; std::getline(file, line);)
+    if (const auto cells = cells_of(line); cells.size() == 6) drawn[cells[0]] = cells;
+  for (int n = 0; n < kLumpStates; ++n) {
+    const auto state = static_cast<LumpState>(n);
+    ASSERT_TRUE(drawn.contains(name_of(state))) << name_of(state);
+    for (const LumpEvent event : {LumpEvent::renew, LumpEvent::restore, LumpEvent::done}) {
+      const LumpState next = after(state, event);
+      const std::string& cell = drawn[name_of(state)][1 + static_cast<std::size_t>(event)];
+      EXPECT_EQ(cell, next == state ? "" : name_of(next)) << name_of(state);
+    }
+  }
+}
+
+TEST(LumpWork, WhateverWasBegunIsDoneAndThenTheHandsPlayAgain) {
+  for (int n = 0; n < kLumpStates; ++n) {
+    auto state = static_cast<LumpState>(n);
+    for (int step = 0; step < 3; ++step) state = after(state, LumpEvent::done);
+    EXPECT_EQ(state, LumpState::playing) << kNames[n];
+  }
+}
+
+TEST(LumpWork, WithoutHistoryNothingIsKeptAndWithoutEffectsNothingSettles) {
+  SceneDef def;
+  def.clay.rows = 40;
+  def.clay.sectors = 16;
+  def.clay.keep_undo = false;
+  Clay pot = std::move(*Clay::create(def.clay));
+  const LumpWork::Parts parts{def, pot, nullptr, nullptr};
+  LumpWork work;
+  Hands hands;
+  EXPECT_FALSE(work.step(hands, parts));
+  hands.restore = true;  // there is nothing to take back
+  EXPECT_FALSE(work.step(hands, parts));
+  pot.outer_mut(3)[0] = 0.05f;
+  hands.renew = true;
+  EXPECT_TRUE(work.step(hands, parts));  // 640 elements: all in one tick
+  EXPECT_TRUE(work.playing());
+  EXPECT_EQ(pot.outer(3)[0], static_cast<float>(def.clay.outer_radius));
+  EXPECT_FALSE(work.step(hands, parts));  // held, it asks once
+}
+
+TEST(LumpWork, WhatIsAskedForMeanwhileIsNotDoneAfterwards) {
+  SceneDef def;  // 400 x 360 elements take 18 ticks and more
+  Clay pot = std::move(*Clay::create(def.clay));
+  clay::History history(pot);
+  const LumpWork::Parts parts{def, pot, &history, nullptr};
+  LumpWork work;
+  Hands hands;
+  hands.renew = true;
+  EXPECT_TRUE(work.step(hands, parts));
+  hands.renew = false;
+  hands.restore = true;
+  EXPECT_TRUE(work.step(hands, parts));
+  int ticks = 2;
+  while (!work.playing() && ticks < 100) {
+    EXPECT_TRUE(work.step({}, parts));
+    ++ticks;
+  }
+  EXPECT_GT(ticks, 18);
+  EXPECT_LT(ticks, 30);
+  EXPECT_FALSE(work.step({}, parts));
+}
+
+}  // namespace
+}  // namespace onggi::scene

@@ -1,0 +1,159 @@
+#include "engine/script/demonstrations.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "engine/effects/wobble.h"
+#include "engine/math/vectors.h"
+#include "engine/scene/scene.h"
+
+namespace onggi {
+namespace {
+
+// Everything that a scene can have but the kiln, which comes later.
+SceneDef everything() {
+  SceneDef def;
+  def.clay.rows = 120;
+  def.clay.sectors = 96;
+  def.clay.inner_radius = 0.035;
+  each_effect(def, []<class Def>(std::optional<Def>& effect) { effect.emplace(); });
+  def.kiln.reset();
+  def.wobble.reset();
+  def.moisture->sponge_height = 0.06;
+  return def;
+}
+
+std::vector<std::string_view> demonstrations() {
+  std::vector<std::string_view> names;
+  for (const ScriptInfo& script : scripts())
+    if (!script.shows.empty()) names.push_back(script.name);
+  return names;
+}
+
+struct Thrown {
+  Scene scene;
+  bool fell = false, tore = false;
+  std::map<std::string_view, double> wet, deep;  // at each phase's end; deepest press in it
+};
+
+Thrown play(std::string_view name, SceneDef def, Vectors kind = best_vectors()) {
+  Thrown out{std::move(*Scene::create(def, kind)), false, false, {}, {}};
+  auto script = std::move(*make_script(name, {.scene = def}));
+  for (int n = 0; n * 0.001 <= script->duration(); ++n) {
+    const Feedback felt = out.scene.step(script->at(n * 0.001, out.scene.clay()), 0.001);
+    EXPECT_EQ(felt.faults, 0u);
+    out.fell = out.fell || felt.fallen;
+    out.tore = out.tore || felt.torn;
+    out.wet[script->phase(n * 0.001)] = felt.wetness;
+    double& deep = out.deep[script->phase(n * 0.001)];
+    deep = std::max(deep, felt.hand[0].depth);
+  }
+  return out;
+}
+
+TEST(Demonstrations, PullTallMakesAPotHalfAsTallAgain) {
+  const Thrown pot = play("pull_tall", everything());
+  EXPECT_GT(pot.scene.clay().rim_height(), 0.26);
+  EXPECT_FALSE(pot.fell);
+}
+
+TEST(Demonstrations, CollapseFallsWhereTheSceneHasItAndStandsWhereItHasNot) {
+  EXPECT_TRUE(play("collapse", everything()).fell);
+  SceneDef firm = everything();
+  firm.slump.reset();
+  const Thrown stands = play("collapse", firm);
+  EXPECT_FALSE(stands.fell);
+  EXPECT_GT(stands.scene.clay().rim_height(), 0.22);
+}
+
+TEST(Demonstrations, AWallThatCanTearTearsWhereThePotFallsAndNowhereElse) {
+  SceneDef def = everything();
+  def.wobble.emplace();
+  def.clay.wall_min = 0.002;
+  def.walls->tear_thickness = 0.0025;
+  def.walls->tear_strain = 2.0;
+  for (const std::string_view name : demonstrations()) {
+    const Thrown pot = play(name, def);
+    EXPECT_EQ(pot.tore, pot.fell) << name;
+  }
+}
+
+TEST(Demonstrations, DryOutDriesAndReWetWets) {
+  const Thrown pot = play("re_wet", everything());
+  EXPECT_LT(pot.wet.at("dry"), 0.8 * pot.wet.at("wet"));
+  EXPECT_GT(pot.wet.at("wet again"), pot.wet.at("drier"));
+}
+
+TEST(Demonstrations, CentreCentres) {
+  SceneDef def = everything();
+  def.wobble.emplace();
+  const Thrown pot = play("centre", def);
+  const effects::OffCentre off = effects::off_centre_of(pot.scene.clay(), 60);
+  EXPECT_LT(off.x * off.x + off.z * off.z, 0.001 * 0.001);
+}
+
+TEST(Demonstrations, RibSmoothTakesTheLineAway) {
+  const auto unevenness = [](const Scene& scene) {
+    const Profile p = scene.clay().profile();
+    double rough = 0.0;  // of second differences: a slow slope is none
+    for (double h = 0.09; h < 0.12; h += 0.002)
+      rough = std::max(rough,
+                       std::abs(p.outer_at(h - 0.003) - 2 * p.outer_at(h) + p.outer_at(h + 0.003)));
+    return rough;
+  };
+  SceneDef def = everything();
+  const double with = unevenness(play("rib_smooth", def).scene);
+  def.smoothing.reset();
+  EXPECT_LT(with, 0.7 * unevenness(play("rib_smooth", def).scene));
+}
+
+// The hash at each script's end is kept in tests/golden: it changes only with its reason told.
+TEST(Demonstrations, ComesToTheGoldenHashes) {
+  std::ostringstream hashes;
+  SceneDef def = everything();
+  def.wobble.emplace();
+  for (const std::string_view name : demonstrations())
+    hashes << name << ' ' << std::hex << play(name, def).scene.state_hash() << '\n';
+  std::ifstream file("tests/golden/effects_trace.txt");
+  std::ostringstream golden;
+  golden << file.rdbuf();
+  EXPECT_EQ(hashes.str(), golden.str());
+}
+
+TEST(Demonstrations, EffectsComeToTheSameBitsOnEveryKindOfVectors) {
+  SceneDef def = everything();
+  def.clay.rows = 40;  // a tool's kernel is not optimised under sanitizers
+  def.clay.sectors = 72;
+  def.wobble.emplace();
+  for (const std::string_view name : {"centre", "rib_smooth"}) {
+    const std::uint64_t best = play(name, def).scene.state_hash();
+    for (const Vectors kind : vectors_here())
+      EXPECT_EQ(play(name, def, kind).scene.state_hash(), best) << name << " on " << name_of(kind);
+  }
+}
+
+TEST(Demonstrations, EveryScriptIsShownWhereItsEffectIsAndNowhereElse) {
+  SceneDef all = everything();
+  all.wobble.emplace();
+  SceneDef bare;
+  each_effect(bare, [](auto& effect) { effect.reset(); });
+  for (const std::string_view name : demonstrations()) {
+    EXPECT_TRUE(shows_its_effect(*find_script(name), all)) << name;
+    EXPECT_FALSE(shows_its_effect(*find_script(name), bare)) << name;
+  }
+  EXPECT_FALSE(shows_its_effect(*find_script("follow"), all));
+}
+
+TEST(Demonstrations, AScriptWhoseToolIsNotToHandIsRefused) {
+  SceneDef def = everything();
+  def.tools.clear();
+  EXPECT_FALSE(shows_its_effect(*find_script("rib_smooth"), def));
+  EXPECT_FALSE(make_script("rib_smooth", {.scene = def}));
+  EXPECT_TRUE(make_script("centre", {.scene = def}));
+}
+
+}  // namespace
+}  // namespace onggi
