@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "kiosk/content/outline.h"
+#include "kiosk/content/drawn_outline.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::content {

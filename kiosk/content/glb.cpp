@@ -1,10 +1,11 @@
+#include "kiosk/content/glb.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "kiosk/content/gltf.h"
+#include "kiosk/files/byte_writer.h"
+#include "kiosk/files/json.h"
 
 namespace onggi::content {
 
@@ -14,47 +15,20 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBin = 0x004E4942;
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementBuffer = 34963;
 
-class Bytes {
- public:
-  void u32(std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8)
-      bytes_.push_back(static_cast<std::byte>((value >> shift) & 0xFFu));
-  }
-  void f32(float value) {
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    u32(bits);
-  }
-  void text(const std::string& value) {
-    for (const char c : value) bytes_.push_back(static_cast<std::byte>(c));
-  }
-  void pad(std::byte with) {
-    while (bytes_.size() % 4 != 0) bytes_.push_back(with);
-  }
-  void append(const Bytes& other) {
-    bytes_.insert(bytes_.end(), other.bytes_.begin(), other.bytes_.end());
-  }
-  std::uint32_t size() const { return static_cast<std::uint32_t>(bytes_.size()); }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
 }  // namespace
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const GlbMaterial& material) {
-  using nlohmann::ordered_json;
+  using files::Json;
   const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
 
-  Bytes bin;
-  ordered_json views = ordered_json::array();
-  const auto view = [&](std::uint32_t from, int target) {
-    views.push_back({{"buffer", 0},
-                     {"byteOffset", from},
-                     {"byteLength", bin.size() - from},
-                     {"target", target}});
+  files::ByteWriter bin;
+  Json views = Json::list();
+  const auto view = [&](std::size_t from, int target) {
+    views.push_back(Json::object({{"buffer", 0},
+                                  {"byteOffset", from},
+                                  {"byteLength", bin.size() - from},
+                                  {"target", target}}));
   };
   std::array<float, 3> low, high;
   low.fill(std::numeric_limits<float>::max());
@@ -66,10 +40,9 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
       bin.f32(p[k]);
     }
   view(0, kArrayBuffer);
-  std::uint32_t from = bin.size();
+  std::size_t from = bin.size();
   if (normals) {
-    for (const auto& n : mesh.normals)
-      for (const float v : n) bin.f32(v);
+    for (const auto& n : mesh.normals) bin.f32s(n);
     view(from, kArrayBuffer);
     from = bin.size();
   }
@@ -77,67 +50,67 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     for (const std::uint32_t i : t) bin.u32(i);
   view(from, kElementBuffer);
 
-  ordered_json accessors = ordered_json::array();
-  accessors.push_back({{"bufferView", 0},
-                       {"componentType", kFloat},
-                       {"count", mesh.positions.size()},
-                       {"type", "VEC3"},
-                       {"min", low},
-                       {"max", high}});
-  ordered_json attributes = {{"POSITION", 0}};
+  Json accessors = Json::list({Json::object({{"bufferView", 0},
+                                             {"componentType", kFloat},
+                                             {"count", mesh.positions.size()},
+                                             {"type", "VEC3"},
+                                             {"min", Json::list_of(low)},
+                                             {"max", Json::list_of(high)}})});
+  Json attributes = Json::object({{"POSITION", 0}});
   if (normals) {
-    accessors.push_back({{"bufferView", 1},
-                         {"componentType", kFloat},
-                         {"count", mesh.normals.size()},
-                         {"type", "VEC3"}});
+    accessors.push_back(Json::object({{"bufferView", 1},
+                                      {"componentType", kFloat},
+                                      {"count", mesh.normals.size()},
+                                      {"type", "VEC3"}}));
     attributes["NORMAL"] = 1;
   }
-  accessors.push_back({{"bufferView", normals ? 2 : 1},
-                       {"componentType", kUnsignedInt},
-                       {"count", 3 * mesh.triangles.size()},
-                       {"type", "SCALAR"}});
+  accessors.push_back(Json::object({{"bufferView", normals ? 2 : 1},
+                                    {"componentType", kUnsignedInt},
+                                    {"count", 3 * mesh.triangles.size()},
+                                    {"type", "SCALAR"}}));
 
-  ordered_json asset = {{"version", "2.0"}, {"generator", "Onggi"}};
+  Json asset = Json::object({{"version", "2.0"}, {"generator", "Onggi"}});
   if (!copyright.empty()) asset["copyright"] = copyright;
   // Four digits are more than an eye tells apart, and the same on every machine.
   const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
-  const ordered_json surface = {
-      {"name", material.name},
-      {"pbrMetallicRoughness",
-       {{"baseColorFactor",
-         {digits(material.color[0]), digits(material.color[1]), digits(material.color[2]), 1.0}},
-        {"metallicFactor", 0.0},
-        {"roughnessFactor", digits(material.roughness)}}}};
-  const ordered_json primitive = {
-      {"attributes", attributes}, {"indices", normals ? 2 : 1}, {"material", 0}};
-  const ordered_json document = {
-      {"asset", asset},
-      {"scene", 0},
-      {"scenes", ordered_json::array({{{"name", title}, {"nodes", {0}}}})},
-      {"nodes", ordered_json::array({{{"name", title}, {"mesh", 0}}})},
-      {"meshes",
-       ordered_json::array({{{"name", title}, {"primitives", ordered_json::array({primitive})}}})},
-      {"materials", ordered_json::array({surface})},
-      {"accessors", accessors},
-      {"bufferViews", views},
-      {"buffers", ordered_json::array({{{"byteLength", bin.size()}}})}};
+  const Json surface = Json::object(
+      {{"name", material.name},
+       {"pbrMetallicRoughness",
+        Json::object(
+            {{"baseColorFactor", Json::list({digits(material.color[0]), digits(material.color[1]),
+                                             digits(material.color[2]), 1.0})},
+             {"metallicFactor", 0.0},
+             {"roughnessFactor", digits(material.roughness)}})}});
+  const Json primitive =
+      Json::object({{"attributes", attributes}, {"indices", normals ? 2 : 1}, {"material", 0}});
+  const Json document = Json::object(
+      {{"asset", asset},
+       {"scene", 0},
+       {"scenes", Json::list({Json::object({{"name", title}, {"nodes", Json::list({0})}})})},
+       {"nodes", Json::list({Json::object({{"name", title}, {"mesh", 0}})})},
+       {"meshes",
+        Json::list({Json::object({{"name", title}, {"primitives", Json::list({primitive})}})})},
+       {"materials", Json::list({surface})},
+       {"accessors", accessors},
+       {"bufferViews", views},
+       {"buffers", Json::list({Json::object({{"byteLength", bin.size()}})})}});
 
+  files::ByteWriter json;
   // Text that is not UTF-8 is mended rather than refused: the pot matters more than its name.
-  Bytes json;
-  json.text(document.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
-  json.pad(std::byte{' '});
-  bin.pad(std::byte{0});
+  json.text(document.text(-1));
+  json.pad(4, ' ');
+  bin.pad(4, '\0');
 
-  Bytes glb;
+  files::ByteWriter glb;
   glb.u32(kMagic);
   glb.u32(2);
-  glb.u32(12 + 8 + json.size() + 8 + bin.size());
-  glb.u32(json.size());
+  glb.u32(static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + bin.size()));
+  glb.u32(static_cast<std::uint32_t>(json.size()));
   glb.u32(kJson);
-  glb.append(json);
-  glb.u32(bin.size());
+  glb.append(json.bytes());
+  glb.u32(static_cast<std::uint32_t>(bin.size()));
   glb.u32(kBin);
-  glb.append(bin);
+  glb.append(bin.bytes());
   return glb.take();
 }
 

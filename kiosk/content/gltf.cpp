@@ -7,6 +7,7 @@
 
 #include "engine/math/vec.h"
 #include "kiosk/content/gltf_accessor.h"
+#include "kiosk/content/gltf_draco.h"
 
 namespace onggi::content {
 

@@ -39,26 +39,4 @@ struct GltfModel {
 Result<GltfModel> read_gltf(const std::filesystem::path& file,
                             const settings::ReaderLimits& limits = {});
 
-/// One part alone.
-TriangleMesh mesh_of(const GltfModel& model, const GltfPart& part);
-
-/// The part of this name, or of this node's number; nullptr where there is none.
-const GltfPart* find_part(const GltfModel& model, const std::string& name);
-
-/// The parts that carry a surface themselves, where the file holds several objects: where at least
-/// two groups of them stand apart from each other. Empty where all of it is one.
-std::vector<const GltfPart*> separate_objects(const GltfModel& model);
-
-/// What a written GLB's surface is. The default: a red stoneware clay, unglazed.
-struct GlbMaterial {
-  std::string name = "clay";
-  std::array<float, 3> color{0.342f, 0.162f, 0.078f};  ///< Linear, 0..1.
-  float roughness = 0.9f;                              ///< 0..1
-};
-
-/// A GLB of one mesh with one material; `title`, `copyright` go into the asset. Deterministic
-/// bytes.
-std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
-                                 const std::string& copyright, const GlbMaterial& material = {});
-
 }  // namespace onggi::content

@@ -32,24 +32,13 @@ class GltfReader {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  Result<Bytes> decode_meshopt(const MeshoptView& view, const std::string& where);
+  Result<files::Bytes> decode_meshopt(const MeshoptView& view, const std::string& where);
   const GltfDocument& document_;
   const settings::ReaderLimits limits_;
-  std::map<int, Bytes> decoded_;
+  std::map<int, files::Bytes> decoded_;
   std::size_t decoded_bytes_ = 0;
   std::set<int> out_of_bounds_;
   std::vector<std::string> warnings_;
 };
-
-/// Vertices and triangles of a primitive as its codec gave them.
-struct DecodedPrimitive {
-  std::vector<std::array<float, 3>> positions, normals;
-  std::vector<std::uint32_t> indices;  ///< Triangles.
-};
-
-/// KHR_draco_mesh_compression; a Problem with a remedy where the program was built without Draco.
-Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
-                                      const DracoPrimitive& primitive, const std::string& where,
-                                      const settings::ReaderLimits& limits);
 
 }  // namespace onggi::content

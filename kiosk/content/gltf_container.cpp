@@ -8,13 +8,13 @@ namespace {
 
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
-std::uint32_t u32_at(const Bytes& bytes, std::size_t at) {
+std::uint32_t u32_at(const files::Bytes& bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
          static_cast<std::uint32_t>(bytes[at + 2]) << 16 |
          static_cast<std::uint32_t>(bytes[at + 3]) << 24;
 }
 
-Result<GltfContainer> split(const std::string& name, const Bytes& bytes) {
+Result<GltfContainer> split(const std::string& name, const files::Bytes& bytes) {
   GltfContainer out;
   if (bytes.size() < 4 || u32_at(bytes, 0) != kMagic) {
     out.json.assign(bytes.begin(), bytes.end());
@@ -39,7 +39,7 @@ Result<GltfContainer> split(const std::string& name, const Bytes& bytes) {
     if (chunk == 0 && kind != kJsonChunk)
       return broken_gltf(name, "the first chunk of this GLB is not JSON.");
     if (chunk == 0) out.json.assign(first, last);
-    if (chunk == 1 && kind == kBinChunk) out.bin = Bytes(first, last);
+    if (chunk == 1 && kind == kBinChunk) out.bin = files::Bytes(first, last);
     at += length;
   }
   return out;
@@ -82,7 +82,7 @@ tl::unexpected<Problem> broken_gltf(const std::string& name, std::string what) {
                  "Export it again as glTF 2.0 (GLB); it may have been cut off on the way.");
 }
 
-Result<GltfContainer> split_gltf(const std::string& name, const Bytes& bytes,
+Result<GltfContainer> split_gltf(const std::string& name, const files::Bytes& bytes,
                                  const settings::ReaderLimits& limits) {
   auto container = split(name, bytes);
   if (!container) return container;

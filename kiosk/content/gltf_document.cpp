@@ -8,6 +8,7 @@
 
 #include "kiosk/content/gltf_container.h"
 #include "kiosk/content/gltf_credit_reader.h"
+#include "kiosk/content/vessel_file.h"
 
 namespace onggi::content {
 
@@ -151,7 +152,7 @@ void keep(json& doc, const char* key, std::initializer_list<const char*> wanted)
 
 /// The document cut down to what is used. Every buffer becomes a "file" of one byte: the accessor
 /// reader looks into our own copies, and tinygltf need not hold a second one.
-json cut_down(const json& doc, const std::vector<Bytes>& buffers) {
+json cut_down(const json& doc, const std::vector<files::Bytes>& buffers) {
   json out = json::object();
   for (const char* key :
        {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "materials"})
@@ -191,10 +192,11 @@ json cut_down(const json& doc, const std::vector<Bytes>& buffers) {
   return out;
 }
 
-Result<std::vector<Bytes>> load_buffers(const std::string& name,
-                                        const std::filesystem::path& folder, const json& doc,
-                                        const std::optional<Bytes>& bin, std::size_t most) {
-  std::vector<Bytes> out;
+Result<std::vector<files::Bytes>> load_buffers(const std::string& name,
+                                               const std::filesystem::path& folder, const json& doc,
+                                               const std::optional<files::Bytes>& bin,
+                                               std::size_t most) {
+  std::vector<files::Bytes> out;
   const json* list = member(doc, "buffers");
   if (list == nullptr || !list->is_array()) return out;
   std::size_t left = most;
@@ -202,13 +204,13 @@ Result<std::vector<Bytes>> load_buffers(const std::string& name,
     const json& buffer = (*list)[i];
     const std::string uri = words(buffer, "uri");
     const std::string here = name + ", buffer " + std::to_string(i);
-    Bytes bytes;
+    files::Bytes bytes;
     if (starts_with(uri, "data:")) {
       std::string mime;
       if (!tinygltf::DecodeDataURI(&bytes, mime, uri, 0, false))
         return broken_gltf(here, "its data within the file cannot be decoded.");
     } else if (!uri.empty()) {
-      auto read = read_beneath(folder, uri, left, here);
+      auto read = read_vessel_file_beneath(folder, uri, left, here);
       if (!read) return tl::unexpected<Problem>(read.error());
       bytes = std::move(*read);
     } else if (i == 0 && bin) {
@@ -232,7 +234,7 @@ std::string first_line(const std::string& text) {
   return line.size() > 160 ? line.substr(0, 160) + "..." : line;
 }
 
-bool serves(const std::string& path, const std::vector<Bytes>& buffers, std::size_t& index) {
+bool serves(const std::string& path, const std::vector<files::Bytes>& buffers, std::size_t& index) {
   index = 0;
   if (path.empty() || path.size() > 6) return false;
   for (const char c : path) {
@@ -243,17 +245,17 @@ bool serves(const std::string& path, const std::vector<Bytes>& buffers, std::siz
 }
 
 /// tinygltf's way to files: there are none but the buffers' stand-ins.
-tinygltf::FsCallbacks memory_files(std::vector<Bytes>* buffers) {
+tinygltf::FsCallbacks memory_files(std::vector<files::Bytes>* buffers) {
   tinygltf::FsCallbacks fs{};
   fs.FileExists = [](const std::string& path, void* user) {
     std::size_t index;
-    return serves(path, *static_cast<std::vector<Bytes>*>(user), index);
+    return serves(path, *static_cast<std::vector<files::Bytes>*>(user), index);
   };
   fs.ExpandFilePath = [](const std::string& path, void*) { return path; };
   fs.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& path,
                         void* user) {
     std::size_t index;
-    if (!serves(path, *static_cast<std::vector<Bytes>*>(user), index)) return false;
+    if (!serves(path, *static_cast<std::vector<files::Bytes>*>(user), index)) return false;
     out->assign(1, 0);
     return true;
   };
@@ -270,7 +272,7 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   GltfDocument out;
   out.name = file.string();
   const auto most = static_cast<std::size_t>(limits.file_mb) << 20;
-  const auto bytes = read_regular_file(file, most);
+  const auto bytes = read_vessel_file(file, most);
   if (!bytes) return tl::unexpected<Problem>(bytes.error());
   const auto container = split_gltf(out.name, *bytes, limits);
   if (!container) return tl::unexpected<Problem>(container.error());

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "kiosk/content/confined_files.h"
 #include "kiosk/content/gltf_credit.h"
+#include "kiosk/files/read_file.h"
 #include "kiosk/settings/reader_limits.h"
 
 namespace tinygltf {
@@ -37,7 +37,7 @@ struct DracoPrimitive {
 struct GltfDocument {
   std::string name;  ///< For Problems.
   std::shared_ptr<tinygltf::Model> model;
-  std::vector<Bytes> buffers;  ///< One a buffer; empty for a meshopt fallback.
+  std::vector<files::Bytes> buffers;  ///< One a buffer; empty for a meshopt fallback.
   std::map<int, MeshoptView> meshopt;
   std::map<std::pair<int, int>, DracoPrimitive> draco;  ///< By (mesh, primitive).
   std::vector<bool> textured;                           ///< By material: its colour is an image.

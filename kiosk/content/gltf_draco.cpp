@@ -1,4 +1,4 @@
-#include "kiosk/content/gltf_accessor.h"
+#include "kiosk/content/gltf_draco.h"
 
 #ifdef ONGGI_HAS_DRACO
 #include <draco/compression/decode.h>

@@ -1,7 +1,7 @@
+#include "kiosk/content/gltf_parts.h"
+
 #include <algorithm>
 #include <numeric>
-
-#include "kiosk/content/gltf.h"
 
 namespace onggi::content {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/content/gltf.h"
+#include "kiosk/content/glb.h"
 
 namespace onggi::content {
 

@@ -37,10 +37,6 @@ PackRead read_pack(const std::filesystem::path& toml);
 /// What an imported pack says where the file names no licence; `onggi check` asks for a real one.
 inline constexpr const char* kLicenceNotKnown = "not known";
 
-/// A vessel.toml for `vessel`, filled in as far as its file tells, with what is left to the curator
-/// in comments.
-std::string pack_toml(const Vessel& vessel);
-
 /// Words between spaces, as a reader counts them.
 int count_words(const std::string& text);
 

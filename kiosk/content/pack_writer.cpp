@@ -1,3 +1,5 @@
+#include "kiosk/content/pack_writer.h"
+
 #include <cmath>
 #include <cstdio>
 #include <sstream>

@@ -7,7 +7,7 @@
 
 #include "engine/profile/measures.h"
 #include "engine/profile/slices.h"
-#include "kiosk/content/gltf.h"
+#include "kiosk/content/gltf_parts.h"
 #include "kiosk/content/pack.h"
 
 namespace onggi::content {
@@ -263,12 +263,6 @@ Label Vessel::label(const std::string& language) const {
   Label made;
   made.title = title_of(!node.empty() ? node : !given.title.empty() ? given.title : id);
   return made;
-}
-
-const Vessel* Catalogue::find(const std::string& id) const {
-  for (const Vessel& vessel : vessels)
-    if (vessel.id == id) return &vessel;
-  return nullptr;
 }
 
 Result<Vessel> load_vessel(const fs::path& path, const LoadOptions& options) {

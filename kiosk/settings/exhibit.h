@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/scene/scene_def.h"
 #include "kiosk/settings/reader_limits.h"
 #include "kiosk/settings/rubric.h"
 
@@ -67,17 +66,5 @@ struct ExhibitRead {
 /// was good, and defaults elsewhere: a visitor's kiosk opens with it.
 ExhibitRead read_exhibit(const std::filesystem::path& file,
                          const std::filesystem::path& language_folder = {});
-
-struct SceneRead {
-  SceneDef def;
-  Problems problems;
-  int keys_checked = 0;
-};
-
-/// Reads a scene: tables [clay] [tool] [contact] [wheel] [guard], whose keys are SceneDef's own,
-/// and the effects (engine/docs/effects.md), which are simulated where their table is written and
-/// absent where it is not. Ranges are the engine's. `def` always passes validate(): what it refuses
-/// goes back to its default, with a Problem. A file that cannot be read gives SceneDef's defaults.
-SceneRead read_scene(const std::filesystem::path& file);
 
 }  // namespace onggi::settings

@@ -1,9 +1,11 @@
+#include "kiosk/settings/toml_reader.h"
+
 #include "engine/base/nearest_name.h"
 #include "kiosk/settings/toml_reader_impl.h"
 
 namespace onggi::settings {
 
-TomlReader::Table TomlReader::Impl::table(const std::string& path, const toml::table* node,
+TomlReader::Table TomlReader::Impl::table(const std::string& path, const TomlNode::Table* node,
                                           Place at) {
   auto& slot = tables[path];
   if (!slot) {
@@ -29,20 +31,12 @@ TomlReader::TomlReader(const std::filesystem::path& file) : impl_(std::make_shar
     impl_->problems.push_back(depth.error());
     return;
   }
-  toml::parse_result parsed = toml::parse(*text, std::string_view(impl_->name));
+  Result<TomlNode::Table> parsed = parse_toml(*text, impl_->name);
   if (!parsed) {
-    const toml::parse_error& error = parsed.error();
-    const Place at = place_of(error.source());
-    const std::string line = line_of(*text, at.line);
-    impl_->problems.push_back(
-        Problem{impl_->where(at),
-                "This cannot be read as TOML (" + shown(error.description(), 160) + ")" +
-                    (line.empty() ? "." : ", in the line: " + line),
-                "Write `key = value`: text in \"quotes\", commas between the elements of a list, "
-                "every bracket and quote closed, each key once in its [table]."});
+    impl_->problems.push_back(parsed.error());
     return;
   }
-  impl_->root = std::move(parsed).table();
+  impl_->root = std::move(*parsed);
   impl_->ok = true;
 }
 
@@ -59,20 +53,19 @@ TomlReader::Table TomlReader::root() {
 bool TomlReader::Table::present() const { return impl_->node != nullptr; }
 
 bool TomlReader::Table::has(std::string_view key) const {
-  return present() && impl_->node->contains(key);
+  return present() && find(*impl_->node, key) != nullptr;
 }
 
 bool TomlReader::Table::has_table(std::string_view key) const {
-  const toml::node* value = present() ? impl_->node->get(key) : nullptr;
-  return value != nullptr && value->is_table();
+  const TomlNode* value = present() ? find(*impl_->node, key) : nullptr;
+  return value != nullptr && value->as<TomlNode::Table>() != nullptr;
 }
 
 std::vector<std::string> TomlReader::Table::keys() const {
   std::vector<std::pair<Place, std::string>> found;
   if (present()) {
-    for (const auto& [key, value] : *impl_->node) {
-      found.emplace_back(place_of(key.source()), std::string(key.str()));
-    }
+    for (const TomlNode::Member& member : *impl_->node)
+      found.emplace_back(member.place, member.key);
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> out;
@@ -81,27 +74,26 @@ std::vector<std::string> TomlReader::Table::keys() const {
 }
 
 TomlReader::Table TomlReader::Table::child(std::string_view name) {
-  const toml::node* value = impl_->ask(name);
-  const toml::table* table = value == nullptr ? nullptr : value->as_table();
+  const TomlNode* value = impl_->ask(name);
+  const TomlNode::Table* table = value == nullptr ? nullptr : value->as<TomlNode::Table>();
   if (value != nullptr && table == nullptr) {
     const std::string full = impl_->full(name);
     impl_->wrong_type(name, *value, "a table",
                       "Write [" + full + "] on a line of its own, and its keys below it.");
   }
   return impl_->file->table(impl_->full(name), table,
-                            value == nullptr ? impl_->place : place_of(value->source()));
+                            value == nullptr ? impl_->place : value->place);
 }
 
 std::vector<TomlReader::Table> TomlReader::Table::children(std::string_view name) {
   const std::string full = impl_->full(name);
   const std::string remedy = "Write [[" + full + "]] on a line of its own before each of them.";
   std::vector<Table> out;
-  const toml::array* list = impl_->ask_list(name, "a list of tables", remedy);
+  const TomlNode::List* list = impl_->ask_list(name, "a list of tables", remedy);
   for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-    const toml::node& value = (*list)[i];
-    if (const toml::table* table = value.as_table()) {
-      out.push_back(impl_->file->table(impl_->full(impl_->element(name, i)), table,
-                                       place_of(value.source())));
+    const TomlNode& value = (*list)[i];
+    if (const TomlNode::Table* table = value.as<TomlNode::Table>()) {
+      out.push_back(impl_->file->table(impl_->full(impl_->element(name, i)), table, value.place));
     } else {
       impl_->wrong_type(impl_->element(name, i), value, "a table", remedy);
     }
@@ -115,10 +107,10 @@ void TomlReader::Table::complain(std::string_view key, std::string what, std::st
 
 void TomlReader::Table::complain_at(std::string_view key, std::size_t index, std::string what,
                                     std::string remedy) {
-  const toml::node* value = present() ? impl_->node->get(key) : nullptr;
-  const toml::array* list = value == nullptr ? nullptr : value->as_array();
-  const Place at = list != nullptr && index < list->size() ? place_of((*list)[index].source())
-                                                           : impl_->place_of_key(key);
+  const TomlNode* value = present() ? find(*impl_->node, key) : nullptr;
+  const TomlNode::List* list = value == nullptr ? nullptr : value->as<TomlNode::List>();
+  const Place at =
+      list != nullptr && index < list->size() ? (*list)[index].place : impl_->place_of_key(key);
   impl_->file->note(at, std::move(what), std::move(remedy));
 }
 
@@ -130,13 +122,13 @@ void TomlReader::Table::require(std::string_view key, std::string remedy) {
 void TomlReader::Table::finish() {
   if (!present() || impl_->finished) return;
   impl_->finished = true;
-  for (const auto& [key, value] : *impl_->node) {
-    const std::string name(key.str());
+  for (const auto& [name, place, value] : *impl_->node) {
     if (std::find(impl_->asked.begin(), impl_->asked.end(), name) != impl_->asked.end()) continue;
     const std::string full = shown(impl_->full(name), 120);
-    const std::string what = value.is_table() ? "[" + full + "] is not a table of this file."
-                                              : full + " is not a key of this file.";
-    impl_->file->note(place_of(key.source()), what, impl_->right_name(name));
+    const std::string what = value.as<TomlNode::Table>()
+                                 ? "[" + full + "] is not a table of this file."
+                                 : full + " is not a key of this file.";
+    impl_->file->note(place, what, impl_->right_name(name));
   }
 }
 

@@ -1,12 +1,8 @@
 #include "kiosk/settings/toml_text.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <string_view>
+
+#include "kiosk/files/read_file.h"
 
 namespace onggi::settings {
 namespace {
@@ -40,46 +36,30 @@ void skip_string(const std::string& text, std::size_t& i, std::size_t& line) {
 }  // namespace
 
 Result<std::string> read_toml_text(const std::filesystem::path& file) {
+  using Kind = files::ReadFault::Kind;
   const std::string name = file.string();
-  // Not blocking: opening a pipe that nobody writes to would otherwise never return.
-  const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  if (fd < 0) {
-    const int error = errno;
-    if (error == ENOENT || error == ENOTDIR) {
-      return problem(name, "There is no such file.", "Correct the path, or put the file there.");
+  const auto bytes = files::read_file(file, kLargestToml);
+  if (!bytes) {
+    const files::ReadFault& fault = bytes.error();
+    switch (fault.kind) {
+      case Kind::missing:
+        return problem(name, "There is no such file.", "Correct the path, or put the file there.");
+      case Kind::folder:
+        return problem(name, "This is a folder, and a TOML file is wanted.", "Name a TOML file.");
+      case Kind::special:
+        return problem(name, "This is not an ordinary file.", "Name a TOML file.");
+      case Kind::too_large:
+        return problem(name, "The file is over 4 MiB, far more than settings or labels need.",
+                       "Check that the right file is named.");
+      case Kind::unreadable:
+        return problem(name, "The file cannot be read: " + fault.reason + ".",
+                       "Check the disk, and let the user that runs the kiosk read the file.", 1);
+      default:
+        return problem(name, "The file cannot be opened: " + fault.reason + ".",
+                       "Let the user that runs the kiosk read it.");
     }
-    return problem(name, std::string("The file cannot be opened: ") + std::strerror(error) + ".",
-                   "Let the user that runs the kiosk read it.");
   }
-  struct stat info {};
-  if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) {
-    ::close(fd);
-    return problem(name,
-                   S_ISDIR(info.st_mode) ? "This is a folder, and a TOML file is wanted."
-                                         : "This is not an ordinary file.",
-                   "Name a TOML file.");
-  }
-  std::string text;
-  std::size_t got = 0;
-  while (got <= kLargestToml) {
-    text.resize(got + 65536);
-    const ssize_t n = ::read(fd, text.data() + got, 65536);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      const int error = errno;
-      ::close(fd);
-      return problem(name, std::string("The file cannot be read: ") + std::strerror(error) + ".",
-                     "Check the disk, and let the user that runs the kiosk read the file.", 1);
-    }
-    if (n == 0) break;
-    got += static_cast<std::size_t>(n);
-  }
-  ::close(fd);
-  if (got > kLargestToml) {
-    return problem(name, "The file is over 4 MiB, far more than settings or labels need.",
-                   "Check that the right file is named.");
-  }
-  text.resize(got);
+  const std::string text(bytes->begin(), bytes->end());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     return problem(name + ":1:1", "The file is written in UTF-16, and TOML is UTF-8.",
                    "Save it again as UTF-8.");

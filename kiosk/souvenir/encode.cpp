@@ -1,8 +1,7 @@
 #include "kiosk/souvenir/encode.h"
 
-#include <nlohmann/json.hpp>
-
-#include "kiosk/souvenir/helper_process.h"
+#include "kiosk/files/helper_process.h"
+#include "kiosk/files/json.h"
 #include "kiosk/souvenir/picture_bytes.h"
 
 #ifndef ONGGI_VERSION
@@ -16,15 +15,16 @@ namespace fs = std::filesystem;
 
 /// One line of JSON that onggi-encode reads before the pixels.
 std::string header(const view::Image& image, Format format, const Caption& caption) {
-  const nlohmann::json json{{"width", image.width},
-                            {"height", image.height},
-                            {"format", format == Format::png ? "png" : "jpeg"},
-                            {"title", caption.title},
-                            {"copyright", caption.copyright},
-                            {"description", caption.description},
-                            {"software", "Onggi " ONGGI_VERSION}};
   // A caption with broken UTF-8 costs a letter, never the picture.
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return files::Json::object({{"width", image.width},
+                              {"height", image.height},
+                              {"format", format == Format::png ? "png" : "jpeg"},
+                              {"title", caption.title},
+                              {"copyright", caption.copyright},
+                              {"description", caption.description},
+                              {"software", "Onggi " ONGGI_VERSION}})
+             .text(-1) +
+         "\n";
 }
 
 }  // namespace
@@ -55,13 +55,17 @@ Result<std::vector<std::byte>> encode_with(const fs::path& helper, const view::I
   }
   // Noise does not compress, so PNG may need all bytes and a little; the rest is metadata.
   const std::size_t most = 5 * pixels + (1u << 20);
-  auto ran = run_helper(helper, header(image, format, caption), image.rgba, timeout_s, most);
-  if (!ran) return tl::unexpected(ran.error());
-  if (!is_whole(ran->out, format)) {
+  auto picture = files::run_helper({.program = helper.string(),
+                                    .head = header(image, format, caption),
+                                    .body = image.rgba,
+                                    .timeout_s = timeout_s,
+                                    .most_bytes = most,
+                                    .answer = "picture"});
+  if (picture && !is_whole(*picture, format)) {
     return problem(helper.string(), "The helper gave less than a whole picture.",
                    "Free memory, and build the kiosk again if this returns.", 1);
   }
-  return std::move(ran->out);
+  return picture;
 }
 
 }  // namespace onggi::souvenir

@@ -3,7 +3,8 @@
 #include <span>
 #include <system_error>
 
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/souvenir/stl.h"
 #include "kiosk/souvenir/visit_folder.h"
 
 namespace onggi::souvenir {
@@ -39,7 +40,8 @@ Result<std::string> take_name(const fs::path& folder, const std::string& wanted)
     // create_directory is the one step that two writers cannot both win.
     if (fs::create_directory(folder / (name + kPartial), error)) return name;
     if (error) {
-      return tl::unexpected(disk_problem(folder / (name + kPartial), "write", error.value()));
+      return tl::unexpected(
+          files::disk_problem(folder / (name + kPartial), "write", error.value()));
     }
   }
   return problem((folder / wanted).string(), "There are 99 visits of this name already.",
@@ -61,7 +63,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder, int
   if (!jpeg) return tl::unexpected(jpeg.error());
   const std::vector<std::byte> stl = write_stl(keepsake.pot, keepsake.caption.title);
 
-  if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
+  if (auto made = files::make_folder(folder); !made) return tl::unexpected(made.error());
   const auto name = take_name(folder, wanted);
   if (!name) return tl::unexpected(name.error());
   PartialFolder partial(folder / (*name + kPartial));
@@ -72,7 +74,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder, int
                          std::span<const std::byte> bytes) -> Result<void> {
     if (bytes.empty()) return {};
     path = files.folder / file;
-    return write_durably(partial.path() / file, bytes);
+    return files::write_durably(partial.path() / file, bytes);
   };
   const bool has_pot = !keepsake.pot.triangles.empty();
   for (const Result<void>& written :
@@ -82,7 +84,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder, int
         write(files.replay, kReplay, keepsake.replay)}) {
     if (!written) return tl::unexpected(written.error());
   }
-  if (auto renamed = rename_durably(partial.path(), files.folder); !renamed) {
+  if (auto renamed = files::rename_durably(partial.path(), files.folder); !renamed) {
     return tl::unexpected(renamed.error());
   }
   partial.keep();

@@ -44,8 +44,4 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path
 /// stays.
 void tidy(const std::filesystem::path& folder, int quota_mb, const std::string& keep = {});
 
-/// Binary STL in millimetres, z up, outside facing outwards, as slicers expect. Triangles without
-/// a surface are left out. The same mesh gives the same bytes.
-std::vector<std::byte> write_stl(const TriangleMesh& mesh, const std::string& title);
-
 }  // namespace onggi::souvenir

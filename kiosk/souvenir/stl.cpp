@@ -1,9 +1,10 @@
+#include "kiosk/souvenir/stl.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
-#include "kiosk/souvenir/keepsake.h"
+#include "kiosk/files/byte_writer.h"
 
 namespace onggi::souvenir {
 namespace {
@@ -31,32 +32,6 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
           static_cast<float>(n[2] / length)};
 }
 
-class Bytes {
- public:
-  explicit Bytes(std::size_t size) { bytes_.reserve(size); }
-  void u16(std::uint16_t v) { little_endian(v, 2); }
-  void u32(std::uint32_t v) { little_endian(v, 4); }
-  void point(const Point& p) {
-    for (const float v : p) {
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &v, sizeof bits);
-      u32(bits);
-    }
-  }
-  void text(const std::string& t, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) {
-      bytes_.push_back(i < t.size() ? static_cast<std::byte>(t[i]) : std::byte{' '});
-    }
-  }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  void little_endian(std::uint32_t v, int count) {
-    for (int i = 0; i < count; ++i) bytes_.push_back(static_cast<std::byte>(v >> (8 * i)));
-  }
-  std::vector<std::byte> bytes_;
-};
-
 constexpr std::size_t kHeader = 80, kTriangle = 50;
 
 }  // namespace
@@ -77,16 +52,17 @@ std::vector<std::byte> write_stl(const TriangleMesh& mesh, const std::string& ti
     faces.push_back(face);
   }
 
-  Bytes out(kHeader + 4 + kTriangle * faces.size());
+  files::ByteWriter out(kHeader + 4 + kTriangle * faces.size());
   // Never "solid" first: readers take that for the text form of STL.
   std::string header = "Onggi, mm, z up: " + title;
   std::size_t end = std::min(header.size(), kHeader);
   while (end < header.size() && (static_cast<unsigned char>(header[end]) & 0xC0) == 0x80) --end;
-  out.text(header.substr(0, end), kHeader);
+  out.text(header.substr(0, end));
+  out.pad(kHeader, ' ');
   out.u32(static_cast<std::uint32_t>(faces.size()));
   for (const auto& face : faces) {
-    out.point(unit_normal(face[0], face[1], face[2]));
-    for (const Point& corner : face) out.point(corner);
+    out.f32s(unit_normal(face[0], face[1], face[2]));
+    for (const Point& corner : face) out.f32s(corner);
     out.u16(0);
   }
   return out.take();

@@ -9,7 +9,7 @@
 
 #include "engine/math/portable.h"
 #include "tests/bench/floor_loop.h"
-#include "tests/bench/measuring.h"
+#include "tests/bench/timing.h"
 #include "tests/support/contact_tick.h"
 
 // A sanitizer's own heap, which mallinfo2() does not see; absent without one.

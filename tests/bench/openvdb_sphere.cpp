@@ -8,7 +8,7 @@
 
 #include "engine/math/portable.h"
 #include "tests/bench/goals.h"
-#include "tests/bench/measuring.h"
+#include "tests/bench/timing.h"
 #include "tests/support/contact_tick.h"
 
 namespace onggi::bench {

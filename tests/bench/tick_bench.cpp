@@ -9,8 +9,8 @@
 #include <string>
 
 #include "tests/bench/goals.h"
-#include "tests/bench/measuring.h"
-#include "tests/bench/throwing.h"
+#include "tests/bench/presets.h"
+#include "tests/bench/timing.h"
 
 namespace onggi::bench {
 namespace {

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The house rules of engine/docs/house.md, checked. Prints where, what is wrong and what to do.
 
-  tests/house/house.py includes|links|length|layout|names|format [--root DIR]
+  tests/house/house.py includes|links|length|headers|layout|names|docs|format [--root DIR]
+  tests/house/house.py table    writes the table of rooms into engine/docs/house.md
   exit 0: kept, 1: broken, 77: cannot be checked here (says why)
 """
 
@@ -14,6 +15,7 @@ import subprocess
 import sys
 
 import public_names
+import room_table
 
 MAX_LINES = 400
 CPP = (".h", ".cpp")
@@ -33,10 +35,10 @@ class Table:
 
     def __init__(self, path):
         self.rooms, self.headers, self.targets = {}, {}, {}
-        self.system, self.never = {}, {}
+        self.system, self.never, self.jobs = {}, {}, {}
         with open(path, encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
-                line = line.split("#")[0].strip()
+                line, _, job = (part.strip() for part in line.partition("#"))
                 if not line:
                     continue
                 name, colon, rest = line.partition(" :") if " :" in line else line.partition(":")
@@ -50,6 +52,7 @@ class Table:
                     self.never[name.split()[1]] = columns[0]
                 else:
                     self.rooms[name], self.headers[name], self.targets[name] = columns[:3]
+                    self.jobs[name] = job
 
     def may_include(self, room, header):
         """True where `room` may include `header`, a path from the root."""
@@ -212,18 +215,25 @@ def check_links(root, table):
     return broken, f"{count} libraries and programs keep the link table"
 
 
-def check_length(root, _table):
-    """Rule 4: a source over 400 lines fails, unless it is in the list with a reason."""
-    broken, count, excepted = [], 0, {}
-    listing = "tests/house/long_files.txt"
+def exceptions(root, listing, may):
+    """{name: line number} of a list of 'name : reason', and what is wrong with it."""
+    broken, excepted = [], {}
     for number, line in enumerate(read_lines(root, listing), 1):
         line = line.split("#")[0].strip()
         if not line:
             continue
-        path, _, reason = (part.strip() for part in line.partition(" : "))
+        name, _, reason = (part.strip() for part in line.partition(" : "))
         if not reason:
-            broken.append(f"{listing}:{number}: say why {path} may be long: 'path : reason'.")
-        excepted[path] = number
+            broken.append(f"{listing}:{number}: say why {name} may {may}: 'name : reason'.")
+        excepted[name] = number
+    return broken, excepted
+
+
+def check_length(root, _table):
+    """Rule 4: a source over 400 lines fails, unless it is in the list with a reason."""
+    count = 0
+    listing = "tests/house/long_files.txt"
+    broken, excepted = exceptions(root, listing, "be long")
     for name in files_of(root):
         if not name.endswith(SOURCES) or name.split("/")[0] not in ("engine", "kiosk", "tests"):
             continue
@@ -239,6 +249,37 @@ def check_length(root, _table):
             broken.append(f"{listing}:{number}: {path} is gone. Remove the line.")
     return broken, f"{count} sources, none over {MAX_LINES} lines" + (
         f" but {len(excepted)} by name" if excepted else "")
+
+
+def check_headers(root, _table):
+    """Rule 5: every source has a header of its own name beside it, and no two headers share one."""
+    listing = "tests/house/headers.txt"
+    broken, excepted = exceptions(root, listing, "be so")
+    names, used = files_of(root), set()
+
+    def is_excepted(name):
+        found = [pattern for pattern in excepted if fnmatch.fnmatchcase(name, pattern)]
+        used.update(found)
+        return bool(found)
+
+    sources = [n for n in names if n.endswith(".cpp") and room_of(n) not in (None, "tests")]
+    for name in sources:
+        if name[:-len("cpp")] + "h" not in names and not is_excepted(name):
+            broken.append(f"{name}: it has no header of its own. Put what others call into "
+                          f"{name[:-len('cpp')]}h, or name it in {listing} with the reason.")
+    headers = {}
+    for name in names:
+        if name.endswith(".h"):
+            headers.setdefault(os.path.basename(name), []).append(name)
+    for base, paths in sorted(headers.items()):
+        if len(paths) > 1 and not is_excepted(base):
+            broken.append(f"{' and '.join(paths)} share a name. Name each for what it alone holds.")
+    for pattern, number in excepted.items():
+        if pattern not in used:
+            broken.append(f"{listing}:{number}: {pattern} needs no exception any more. "
+                          "Remove the line.")
+    return broken, (f"{len(sources)} sources have a header of their own but by name, "
+                    f"{len(headers)} headers a name of their own")
 
 
 def check_layout(root, table):
@@ -259,6 +300,16 @@ def check_layout(root, table):
                 broken.append(f"{name}: no program runs it. Tests lie where their room lies: "
                               "tests/engine/clay/clay_test.cpp.")
     return broken, f"{len(names)} files lie where the house has a place for them"
+
+
+def check_docs(root, table):
+    """The document's table is that of rooms.txt, and every room there says its job."""
+    broken = [f"tests/house/rooms.txt: say the job of {room} behind a # at the end of its line."
+              for room, job in table.jobs.items() if room != "tests" and not job]
+    if room_table.split_document(root)[1] != room_table.table_lines(root, table):
+        broken.append(f"{room_table.DOCUMENT}: its table is not that of tests/house/rooms.txt. "
+                      "Run tests/house/house.py table")
+    return broken, "the table of rooms is that of rooms.txt"
 
 
 def check_names(root, _table):
@@ -287,17 +338,21 @@ def check_format(root, _table):
 
 
 CHECKS = {"includes": check_includes, "links": check_links, "length": check_length,
-          "layout": check_layout, "names": check_names, "format": check_format}
+          "headers": check_headers, "layout": check_layout, "names": check_names,
+          "docs": check_docs, "format": check_format}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("check", choices=[*CHECKS, "all"])
+    parser.add_argument("check", choices=[*CHECKS, "all", "table"])
     parser.add_argument("--root", default=os.path.join(os.path.dirname(__file__), "..", ".."))
     arguments = parser.parse_args()
     root = os.path.realpath(arguments.root)
     table = Table(os.path.join(root, "tests/house/rooms.txt"))
+    if arguments.check == "table":
+        room_table.write_table(root, table)
+        return
     failed = False
     for check in CHECKS if arguments.check == "all" else [arguments.check]:
         broken, kept = CHECKS[check](root, table)

@@ -18,19 +18,25 @@ class House(unittest.TestCase):
     def setUp(self):
         self.root = tempfile.mkdtemp(prefix="house")
         self.addCleanup(shutil.rmtree, self.root)
-        for name in ("rooms.txt", "long_files.txt"):
-            with open(os.path.join(HERE, name), encoding="utf-8") as file:
-                self.write(f"tests/house/{name}", file.read() if name == "rooms.txt" else "")
+        with open(os.path.join(HERE, "rooms.txt"), encoding="utf-8") as file:
+            self.write("tests/house/rooms.txt", file.read())
+        self.write("tests/house/long_files.txt", "")
+        self.write("tests/house/headers.txt", "")
+        self.write("engine/docs/house.md", f"Before.\n{house.room_table.BEGIN}\n{house.room_table.END}\nAfter.\n")
         self.write("tests/house/public_names.txt", "")
         self.write("engine/math/vec.h", "#include <cmath>\n")
         self.write("engine/clay/clay.h", '#include "engine/math/vec.h"\n')
         self.write("engine/clay/CMakeLists.txt", "onggi_room(engine/clay ROOMS engine/math)\n")
+        self.write_table()
 
     def write(self, name, text):
         path = os.path.join(self.root, name)
         os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
+
+    def write_table(self):
+        house.room_table.write_table(self.root, house.Table(os.path.join(self.root, "tests/house/rooms.txt")))
 
     def check(self, name):
         table = house.Table(os.path.join(self.root, "tests/house/rooms.txt"))
@@ -91,8 +97,8 @@ class House(unittest.TestCase):
             self.assertEqual(self.check(name), [], name)
 
     def test_the_app_knows_everyone(self):
-        self.write("kiosk/app/commands/run.cpp",
-                   '#include "kiosk/loop/potter.h"\n#include <CLI/CLI.hpp>\n')
+        self.write("kiosk/app/run.cpp",
+                   '#include "kiosk/loop/potter.h"\n#include "kiosk/commands/commands.h"\n')
         self.assertEqual(self.check("includes"), [])
 
     def test_include_lines_start_at_the_root(self):
@@ -172,6 +178,47 @@ class House(unittest.TestCase):
     def test_a_stale_exception_fails(self):
         self.write("tests/house/long_files.txt", "engine/clay/gone.cpp : a table\n")
         self.assert_broken("length", "is gone")
+
+    def test_a_source_without_a_header_of_its_own_fails_but_by_name_with_a_reason(self):
+        self.write("engine/clay/slip.cpp", "")
+        self.assert_broken("headers", "engine/clay/slip.cpp: it has no header of its own")
+        self.write("tests/house/headers.txt", "engine/clay/*.cpp : clay.h declares them\n")
+        self.assertEqual(self.check("headers"), [])
+        self.write("tests/house/headers.txt", "engine/clay/slip.cpp\n")
+        self.assert_broken("headers", "say why")
+
+    def test_an_exception_that_nothing_needs_fails(self):
+        self.write("engine/clay/slip.cpp", "")
+        self.write("engine/clay/slip.h", "")
+        self.write("tests/house/headers.txt", "engine/clay/slip.cpp : clay.h declares it\n")
+        self.assert_broken("headers", "headers.txt:1", "needs no exception")
+
+    def test_a_test_needs_no_header_of_its_own_nor_does_an_example(self):
+        self.write("tests/engine/clay/clay_test.cpp", "")
+        self.write("engine/docs/example/a.cpp", "")
+        self.assertEqual(self.check("headers"), [])
+
+    def test_two_headers_of_one_name_fail_wherever_they_are(self):
+        self.write("tests/engine/math/clay.h", "")
+        self.assert_broken("headers", "engine/clay/clay.h and tests/engine/math/clay.h share a name")
+        self.write("tests/house/headers.txt", "clay.h : until one is renamed\n")
+        self.assertEqual(self.check("headers"), [])
+
+    def test_a_table_that_is_not_that_of_the_law_fails_until_it_is_written_again(self):
+        self.write("kiosk/score/score.h", "")
+        self.assert_broken("docs", "engine/docs/house.md", "house.py table")
+        self.write_table()
+        self.assertEqual(self.check("docs"), [])
+        with open(os.path.join(self.root, "engine/docs/house.md"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertTrue(text.startswith("Before.\n") and text.endswith("After.\n"), text)
+        self.assertRegex(text, r"(?m)^\| score \| measures to points.* \| settings; engine: profile \|")
+        self.assertRegex(text, r"(?m)^Later: .*`screens`")
+
+    def test_a_room_without_a_job_fails(self):
+        self.write("tests/house/rooms.txt", "engine/math :  # numbers\nengine/clay : engine/math\n")
+        self.write_table()
+        self.assert_broken("docs", "say the job of engine/clay")
 
     def test_the_top_level_is_fixed(self):
         self.write("utils/helper.cpp", "")

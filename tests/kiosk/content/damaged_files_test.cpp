@@ -3,6 +3,7 @@
 #include <iterator>
 #include <random>
 
+#include "kiosk/content/glb.h"
 #include "kiosk/content/gltf.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/content/temporary.h"

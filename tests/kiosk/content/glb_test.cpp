@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "kiosk/content/gltf.h"
+#include "kiosk/content/glb.h"
 #include "tests/engine/profile/shapes.h"
 
 namespace onggi::content {

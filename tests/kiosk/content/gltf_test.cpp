@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "kiosk/content/glb.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/content/temporary.h"
 

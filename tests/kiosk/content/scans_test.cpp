@@ -1,7 +1,9 @@
 #include <cstring>
 
+#include "kiosk/content/catalogue.h"
 #include "kiosk/content/gltf.h"
 #include "kiosk/content/pack.h"
+#include "kiosk/content/pack_writer.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/content/temporary.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "engine/profile/measures.h"
-#include "kiosk/content/vessel.h"
+#include "kiosk/content/catalogue.h"
 #include "kiosk/settings/toml_reader.h"
 
 // The shelf that Onggi comes with, as the kiosk opens it. What its packs say is in

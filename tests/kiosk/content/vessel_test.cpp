@@ -3,7 +3,8 @@
 #include <chrono>
 
 #include "engine/profile/measures.h"
-#include "kiosk/content/gltf.h"
+#include "kiosk/content/catalogue.h"
+#include "kiosk/content/glb.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/content/temporary.h"
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "kiosk/content/vessel.h"
+#include "kiosk/content/catalogue.h"
 #include "kiosk/score/score.h"
 #include "tests/engine/profile/poses.h"
 

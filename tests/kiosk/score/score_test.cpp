@@ -7,8 +7,8 @@
 
 #include "engine/scene/lump.h"
 #include "engine/scene/scene_def.h"
+#include "kiosk/content/catalogue.h"
 #include "kiosk/content/language.h"
-#include "kiosk/content/vessel.h"
 #include "tests/engine/profile/shapes.h"
 
 namespace onggi::score {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "kiosk/content/vessel.h"
+#include "kiosk/content/catalogue.h"
 #include "kiosk/render/text.h"
 #include "tests/kiosk/screens/layout_check.h"
 

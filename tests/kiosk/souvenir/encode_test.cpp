@@ -12,14 +12,14 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "kiosk/souvenir/durable_file.h"
+#include "kiosk/files/durable_file.h"
 #include "kiosk/souvenir/picture_bytes.h"
-#include "tests/kiosk/souvenir/disk.h"
+#include "tests/kiosk/files/disk.h"
 
 namespace onggi::souvenir {
 namespace {
 
-using namespace test;
+using namespace files::test;
 using ::testing::HasSubstr;
 
 const Caption kCaption{"나의 답: 달항아리", "Museum of Jars, ©", "Joseon, 18th century"};
@@ -42,7 +42,7 @@ fs::path helper() { return fs::read_symlink("/proc/self/exe").parent_path() / "o
 nlohmann::json read_back(const std::vector<std::byte>& bytes, const char* name) {
   const ScratchFolder scratch;
   const fs::path file = scratch.path() / name;
-  EXPECT_TRUE(write_durably(file, bytes));
+  EXPECT_TRUE(files::write_durably(file, bytes));
   FILE* const pipe = ::popen((helper().string() + " --describe " + file.string()).c_str(), "r");
   std::string text;
   char buffer[4096];
@@ -158,7 +158,7 @@ class BadHelper : public ::testing::Test {
   /// What comes of a helper that is this shell script.
   Result<std::vector<std::byte>> with_helper(const std::string& script, double timeout_s = 10) {
     const fs::path file = scratch_.path() / "helper";
-    EXPECT_TRUE(write_durably(file, bytes("#!/bin/sh\n" + script + "\n")));
+    EXPECT_TRUE(files::write_durably(file, bytes("#!/bin/sh\n" + script + "\n")));
     fs::permissions(file, fs::perms::owner_all);
     return encode_with(file, picture(600, 600), Format::png, kCaption, timeout_s);
   }
@@ -246,7 +246,7 @@ TEST(encode_helper, an_order_that_makes_no_sense_ends_with_a_reason) {
         "{\"width\":2,\"height\":2,\"format\":\"gif\"}\n",
         "{\"width\":2,\"height\":2,\"format\":\"png\"}\nabc"}) {
     const fs::path file = scratch.path() / "order";
-    ASSERT_TRUE(write_durably(file, bytes(order)));
+    ASSERT_TRUE(files::write_durably(file, bytes(order)));
     FILE* const pipe = ::popen((helper().string() + " < " + file.string() + " 2>&1").c_str(), "r");
     std::string said(200, '\0');
     said.resize(std::fread(said.data(), 1, said.size(), pipe));

@@ -8,12 +8,12 @@
 #include <chrono>
 
 #include "kiosk/souvenir/visit_folder.h"
-#include "tests/kiosk/souvenir/disk.h"
+#include "tests/kiosk/files/disk.h"
 
 namespace onggi::souvenir {
 namespace {
 
-using namespace test;
+using namespace files::test;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;

@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "kiosk/souvenir/keepsake.h"
+#include "kiosk/souvenir/stl.h"
 
 namespace onggi::souvenir {
 namespace {

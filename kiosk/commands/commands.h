@@ -1,0 +1,24 @@
+#pragma once
+
+#include "kiosk/commands/command.h"
+
+namespace onggi::commands {
+
+/// The program: it opens the exhibit, and has all the others.
+Command onggi_command();
+
+Command run_command();
+Command visit_command();
+Command replay_command();
+Command check_command();
+Command vessel_command();
+Command score_command();
+Command soak_command();
+Command lab_command();
+
+/// Of `onggi vessel`.
+Command make_command();
+Command inspect_command();
+Command import_command();
+
+}  // namespace onggi::commands

@@ -1,0 +1,131 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "engine/profile/measures.h"
+#include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
+#include "kiosk/content/vessel.h"
+#include "kiosk/drawing/sheet_painter.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/souvenir/encode.h"
+
+namespace onggi::commands {
+
+namespace {
+
+using files::Json;
+
+struct Arguments {
+  std::string file, node, json, plot;
+};
+
+const char* name_of(InnerWall wall) {
+  return wall == InnerWall::measured   ? "measured"
+         : wall == InnerWall::inferred ? "inferred"
+                                       : "none";
+}
+
+const char* name_of(UpFrom from) {
+  return from == UpFrom::opening ? "opening" : from == UpFrom::file ? "file" : "given";
+}
+
+Json json_of(const content::Vessel& vessel) {
+  const ExtractedProfile& e = vessel.extracted;
+  Json outer = Json::list(), inner = Json::list(), nodes = Json::list();
+  std::size_t seen = 0, walled = 0;
+  for (std::size_t i = 0; i < e.profile.points.size(); ++i) {
+    const ProfilePoint& p = e.profile.points[i];
+    outer.push_back(Json::list({p.height, p.outer}));
+    if (p.inner <= 0) continue;
+    inner.push_back(Json::list({p.height, p.inner}));
+    ++walled;
+    if (i < e.inner_seen.size() && e.inner_seen[i]) ++seen;
+  }
+  for (const auto& node : vessel.nodes)
+    nodes.push_back(Json::object({{"name", node.name}, {"triangles", node.triangles}}));
+  const auto vec = [](Vec3 v) { return Json::list({v.x, v.y, v.z}); };
+  return Json::object({{"file", vessel.file.string()},
+                       {"nodes", nodes},
+                       {"triangles", vessel.mesh.triangles.size()},
+                       {"height_m", e.profile.height()},
+                       {"metres_per_unit", vessel.unit},
+                       {"axis", Json::object({{"origin", vec(e.axis_origin)},
+                                              {"direction", vec(e.axis_direction)}})},
+                       {"up", vec(e.axis_direction)},
+                       {"up_from", name_of(e.up_from)},
+                       {"symmetry", e.symmetry},
+                       {"masked_fraction", e.masked_fraction},
+                       {"inner", name_of(e.profile.inner_wall)},
+                       {"inner_measured_share",
+                        walled > 0 ? static_cast<double>(seen) / static_cast<double>(walled) : 0.0},
+                       {"inferred_wall_m", e.inferred_wall},
+                       {"outer", outer},
+                       {"inner_profile", inner},
+                       {"warnings", Json::list_of(e.warnings)},
+                       {"licence", vessel.licence},
+                       {"credit", vessel.credit}});
+}
+
+void print_summary(const content::Vessel& vessel) {
+  const ExtractedProfile& e = vessel.extracted;
+  const Dimensions d = dimensions(e.profile);
+  std::printf(
+      "%s\n  height %.1f mm, widest %.1f mm at %.1f mm, mouth %.1f mm, foot %.1f mm\n"
+      "  wall %.1f mm (%s), symmetry %.3f, %.1f %% masked\n",
+      vessel.file.c_str(), d.height * 1e3, d.belly * 1e3, d.belly_height * 1e3, d.mouth * 1e3,
+      d.foot * 1e3, d.wall_mean * 1e3, name_of(e.profile.inner_wall), e.symmetry,
+      e.masked_fraction * 100);
+  if (!vessel.credit.empty() || !vessel.licence.empty())
+    std::printf("  %s%s%s\n", vessel.credit.c_str(),
+                vessel.credit.empty() || vessel.licence.empty() ? "" : ", ",
+                vessel.licence.c_str());
+  for (const std::string& warning : e.warnings) std::printf("  note: %s\n", warning.c_str());
+}
+
+Result<void> plot(const content::Vessel& vessel, const std::string& file) {
+  const drawing::VesselSheet sheet = drawing::sheet_of(vessel);
+  souvenir::Caption caption;
+  caption.title = sheet.title;
+  caption.copyright = sheet.credit;
+  caption.description = "Section and view, drawn by Onggi from " + vessel.file.filename().string();
+  const auto png = souvenir::encode(drawing::draw_sheet(sheet), souvenir::Format::png, caption);
+  if (!png) return tl::unexpected(png.error());
+  return files::write_durably(file, *png);
+}
+
+Result<int> inspect(const Arguments& arguments) {
+  content::LoadOptions options;
+  options.node = arguments.node;
+  const auto vessel = content::load_vessel(arguments.file, options);
+  if (!vessel) return tl::unexpected(vessel.error());
+  if (!arguments.plot.empty())
+    if (auto good = plot(*vessel, arguments.plot); !good) return tl::unexpected(good.error());
+  const auto free = put_report(json_of(*vessel), arguments.json);
+  if (!free) return tl::unexpected(free.error());
+  if (*free) print_summary(*vessel);
+  return 0;
+}
+
+}  // namespace
+
+Command inspect_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "inspect",
+          .help = "Measure a vessel as a target",
+          .examples =
+              "Example: onggi vessel inspect scan.glb --plot scan.png\n"
+              "What cannot be a target ends with 2, and is told with place, meaning and remedy.",
+          .options = {{.name = "file",
+                       .field = &a->file,
+                       .help = "A GLB, a glTF or a vessel pack",
+                       .required = true},
+                      {"--node", &a->node,
+                       "The node that is the vessel, by name or number [all of the file]"},
+                      {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
+                      {"--plot", &a->plot,
+                       "Draw section and view, as archaeologists do, into this PNG"}},
+          .run = [a] { return inspect(*a); }};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,20 @@
+#include "kiosk/commands/commands.h"
+
+namespace onggi::commands {
+
+Command onggi_command() {
+  // The same options with and without the word "run": a kiosk is started by its bare name.
+  const Command run = run_command();
+  return {.name = "onggi",
+          .help = "Onggi: throw pots on a virtual wheel, in a museum.",
+          .examples =
+              "Example: onggi --window 1280x720\n"
+              "Without a subcommand the exhibit opens, as with: onggi run\n"
+              "Exit: 0 good, 1 the program's or the machine's fault, 2 the input's.",
+          .options = run.options,
+          .commands = {run, visit_command(), replay_command(), check_command(), vessel_command(),
+                       score_command(), soak_command(), lab_command()},
+          .run = run.run};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,63 @@
+#include <csignal>
+#include <memory>
+#include <string>
+
+#include "kiosk/commands/commands.h"
+#include "kiosk/commands/window_size.h"
+#include "kiosk/exhibit/kiosk.h"
+#include "kiosk/exhibit/log.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/measure/monotonic.h"
+
+namespace onggi::commands {
+
+namespace {
+
+volatile std::sig_atomic_t asked_to_stop = 0;
+
+struct RunArguments {
+  std::string config, window, shelf;
+};
+
+Result<int> run(const RunArguments& arguments) {
+  const auto config = exhibit::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  exhibit::KioskOptions options;
+  options.config = *config;
+  options.seed = static_cast<std::uint64_t>(measure::monotonic_seconds() * 1e6);
+  if (!arguments.shelf.empty()) options.shelf = arguments.shelf;
+  if (auto good = read_window_size(arguments.window, options.window); !good)
+    return tl::unexpected(good.error());
+
+  std::signal(SIGINT, [](int) { asked_to_stop = 1; });
+  std::signal(SIGTERM, [](int) { asked_to_stop = 1; });
+  auto kiosk = exhibit::Kiosk::open(options);
+  if (!kiosk) return tl::unexpected(kiosk.error());
+  bool first = true;
+  while (asked_to_stop == 0 && (*kiosk)->frame(measure::monotonic_seconds())) {
+    if (first && (*kiosk)->open_to_visitors()) {
+      first = false;
+      exhibit::log_line("First picture " +
+                        std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
+                        " ms after the start of the program.");
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command run_command() {
+  const auto a = std::make_shared<RunArguments>();
+  return {.name = "run",
+          .help = "Open the exhibit full screen",
+          .examples = "Example: onggi run --config config/exhibit.toml --window 1280x720",
+          .options = {{"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
+                      {"--window", &a->window,
+                       "A window of WIDTHxHEIGHT pixels instead of full screen"},
+                      {"--shelf", &a->shelf,
+                       "A folder of vessels (packs, .glb, .gltf) instead of the exhibit's"}},
+          .run = [a] { return run(*a); }};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,160 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
+#include "kiosk/commands/score_files.h"
+#include "kiosk/content/language.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/measure/visit_report.h"
+#include "kiosk/score/score.h"
+#include "kiosk/settings/rubric.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::commands {
+
+namespace {
+
+using files::Json;
+
+struct Arguments {
+  std::string target, pot, target_node, pot_node, json, rubric, language = "en";
+  bool size_counts = false;
+};
+
+/// The rubric that was named, else config/rubric.toml of the program, else the one built in.
+Result<settings::Rubric> rubric_for(const std::string& named) {
+  fs::path file = named;
+  if (named.empty()) {
+    const auto root = exhibit::program_root();
+    std::error_code ignored;
+    if (root) file = *root / "config" / "rubric.toml";
+    if (!root || !fs::is_regular_file(file, ignored)) return settings::Rubric{};
+  }
+  const settings::RubricRead read = settings::read_rubric(file);
+  if (!read.problems.empty()) return tl::unexpected(read.problems.front());
+  return read.rubric;
+}
+
+Result<content::Language> words_for(const std::string& code) {
+  const auto root = exhibit::program_root();
+  if (!root) return tl::unexpected(root.error());
+  const fs::path file = *root / "content" / "languages" / (code + ".toml");
+  std::error_code ignored;
+  if (code.find('/') != std::string::npos || !fs::is_regular_file(file, ignored))
+    return problem("--language " + code.substr(0, 20), "There are no words in this language.",
+                   "Name a file of content/languages without its ending, such as en.");
+  return content::Language::read(file);
+}
+
+Json json_of(const score::Remark& remark, const content::Language& words) {
+  Json out = Json::object({{"key", remark.key}});
+  for (const auto& [place, value] : remark.places) out[place] = std::stol(value);
+  out["words"] = words.say(remark.key, remark.places);
+  return out;
+}
+
+Json json_of(const Shape& shape) {
+  Json out = Json::object({{"file", shape.file}, {"kind", shape.kind}});
+  if (!shape.node.empty()) out["node"] = shape.node;
+  out["height_m"] = shape.profile.height();
+  out["size_known"] = shape.true_size;
+  return out;
+}
+
+Json report_of(const Shape& target, const Shape& pot, const score::Score& score, bool size_counts,
+               const content::Language& words) {
+  const auto list = [&words](const std::vector<score::Remark>& remarks) {
+    Json out = Json::list();
+    for (const score::Remark& r : remarks) out.push_back(json_of(r, words));
+    return out;
+  };
+  return Json::object(
+      {{"target", json_of(target)},
+       {"pot", json_of(pot)},
+       {"score", score.points},
+       {"stars", score.stars},
+       {"size_counts", size_counts},
+       {"words", score.largest ? words.say(score.largest->key, score.largest->places) : ""},
+       {"largest", score.largest ? json_of(*score.largest, words) : Json()},
+       {"measures", measure::json_of(score.measures)},
+       {"alike", list(score.alike)},
+       {"try_next", list(score.try_next)}});
+}
+
+void print_summary(const Shape& target, const Shape& pot, const score::Score& score,
+                   const content::Language& words) {
+  const Measures& m = score.measures;
+  const double mm = 1000.0 * m.target.height;
+  std::printf("%s\n  as an answer to %s: %.1f of 100, %d of 5 stars\n", pot.file.c_str(),
+              target.file.c_str(), score.points, score.stars);
+  if (score.largest)
+    std::printf("  %s\n", words.say(score.largest->key, score.largest->places).c_str());
+  if (m.scale != 1.0) std::printf("  The pot is compared at %.3g of its size.\n", m.scale);
+  std::printf(
+      "  outline: RMS %.1f mm, worst %.1f mm at %.0f %% of the height; %.1f %% of the volume is "
+      "shared\n",
+      m.outline_rms * mm, m.outline_worst * mm, 100.0 * m.outline_worst_at,
+      100.0 * m.volume_overlap);
+  const auto row = [](const char* name, double wanted, double made) {
+    std::printf("  %-13s %7.1f mm, made %7.1f mm, %+.1f\n", name, 1000.0 * wanted, 1000.0 * made,
+                1000.0 * (made - wanted));
+  };
+  row("height", m.target.height, m.made.height);
+  row("belly", m.target.belly, m.made.belly);
+  row("mouth", m.target.mouth, m.made.mouth);
+  row("neck", m.target.neck, m.made.neck);
+  row("foot", m.target.foot, m.made.foot);
+  std::printf("  wall evenness %.2f, made %.2f; turning %.1f degrees apart\n",
+              m.target.wall_evenness, m.made.wall_evenness, m.turning_rms * 57.29577951308232);
+}
+
+Result<int> compare_files(const Arguments& arguments) {
+  const auto target = read_shape(arguments.target, arguments.target_node);
+  if (!target) return tl::unexpected(target.error());
+  const auto pot = read_shape(arguments.pot, arguments.pot_node);
+  if (!pot) return tl::unexpected(pot.error());
+  const auto rubric = rubric_for(arguments.rubric);
+  if (!rubric) return tl::unexpected(rubric.error());
+  const auto words = words_for(arguments.language);
+  if (!words) return tl::unexpected(words.error());
+
+  const bool size_counts = arguments.size_counts || rubric->size_counts;
+  const score::Score score =
+      score::judge(target->profile, pot->profile, !size_counts, 1.0, *rubric);
+  const auto free =
+      put_report(report_of(*target, *pot, score, size_counts, *words), arguments.json);
+  if (!free) return tl::unexpected(free.error());
+  if (*free) print_summary(*target, *pot, score, *words);
+  return 0;
+}
+
+}  // namespace
+
+Command score_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "score",
+          .help = "Say how alike two vessels are, and where not",
+          .examples =
+              "Example: onggi score content/vessels/moon_jar scan.glb --json -\n"
+              "Each may be a GLB, a glTF, a vessel's folder, a drawing's TOML or a visit.onggi.\n"
+              "What the measures are worth is config/rubric.toml; kiosk/docs/score.md explains it.",
+          .options = {{.name = "target",
+                       .field = &a->target,
+                       .help = "The vessel that is wanted",
+                       .required = true},
+                      {.name = "pot", .field = &a->pot, .help = "What was made", .required = true},
+                      {"--target-node", &a->target_node, "The object of a set, as target"},
+                      {"--pot-node", &a->pot_node, "The object of a set, as pot"},
+                      {"--size-counts", &a->size_counts,
+                       "Do not scale the pot to the target's height first"},
+                      {"--rubric", &a->rubric, "Another rubric [config/rubric.toml]"},
+                      {"--language", &a->language, "Of the words [en]"},
+                      {"--json", &a->json, "Write all of it as JSON (- for standard output)"}},
+          .run = [a] { return compare_files(*a); }};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "engine/base/nearest_name.h"
+#include "engine/script/script.h"
+#include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
+#include "kiosk/commands/window_size.h"
+#include "kiosk/exhibit/kiosk.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/files/virtual_display.h"
+#include "kiosk/measure/monotonic.h"
+#include "kiosk/measure/scripted_visitor.h"
+#include "kiosk/measure/visit_report.h"
+#include "kiosk/souvenir/encode.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::commands {
+
+namespace {
+
+constexpr double kFrameSeconds = 0.04;  // 25 frames a second of visit, each 40 ticks of the wheel.
+constexpr int kFrameTicks = 40;
+
+struct VisitArguments {
+  std::string config, script = "follow", vessel, out, json, window = "1280x720", language, shelf,
+                      glaze;
+  std::uint64_t seed = 1;
+  bool realtime = false;
+};
+
+/// The vessel named: a file of its own makes a shelf of one, an id is looked up on the exhibit's
+/// shelf.
+struct Choice {
+  std::optional<fs::path> shelf;
+  std::string id;
+};
+
+Choice choose(const VisitArguments& arguments) {
+  std::error_code ignored;
+  if (fs::is_regular_file(arguments.vessel, ignored) ||
+      fs::exists(fs::path(arguments.vessel) / "vessel.toml", ignored))
+    return {arguments.vessel, ""};
+  if (!arguments.shelf.empty()) return {arguments.shelf, arguments.vessel};
+  return {std::nullopt, arguments.vessel};
+}
+
+Result<int> find_card(const exhibit::Kiosk& kiosk, exhibit::Shelf& shelf, const Choice& choice) {
+  const auto& cards = shelf.cards();
+  const fs::path searched = choice.shelf.value_or(kiosk.exhibit().shelf);
+  if (cards.empty()) {
+    // A single file that was refused has its own reason; a shelf without any vessel has not.
+    if (choice.id.empty() && !shelf.problems().empty())
+      return tl::unexpected(shelf.problems().front());
+    return problem(searched.string(), "No vessel there could be opened.",
+                   "Name a GLB or glTF file, or run onggi check " + searched.string() + ".");
+  }
+  if (choice.id.empty()) return 0;
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    if (cards[i].vessel->id == choice.id) return static_cast<int>(i);
+    ids.push_back(cards[i].vessel->id);
+  }
+  const std::string nearest = nearest_name(choice.id, ids);
+  std::string all;
+  for (const std::string& id : ids) all += (all.empty() ? "" : ", ") + id;
+  return problem(
+      "--vessel " + choice.id,
+      "No such file, and no such vessel on the shelf " + searched.string() + ".",
+      (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + ("There are: " + all + "."));
+}
+
+Result<int> find_glaze(const exhibit::Kiosk& kiosk, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const content::Glaze& glaze : kiosk.glazes()) ids.push_back(glaze.id);
+  if (id.empty()) return 0;
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found != ids.end()) return static_cast<int>(found - ids.begin());
+  std::string all;
+  for (const std::string& each : ids) all += (all.empty() ? "" : ", ") + each;
+  return problem("--glaze " + id, "The exhibit has no such glaze.",
+                 ids.empty() ? "Its scene has no kiln, or its glazes could not be read."
+                             : "There are: " + all + ".");
+}
+
+/// Keeps the pictures of the screens passed, encoded once the visit is over.
+class ScreenAlbum {
+ public:
+  ScreenAlbum(exhibit::Kiosk& kiosk, fs::path folder) : kiosk_(kiosk), folder_(std::move(folder)) {}
+
+  void take(const std::string& name) { pages_.push_back({name, kiosk_.picture()}); }
+
+  Result<std::vector<fs::path>> write() const {
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+      const std::string number = (i < 9 ? "0" : "") + std::to_string(i + 1);
+      const fs::path file = folder_ / (number + "_" + pages_[i].name + ".png");
+      auto bytes = souvenir::encode(pages_[i].image, souvenir::Format::png,
+                                    {"Onggi: " + pages_[i].name, kiosk_.exhibit().credit, ""});
+      if (!bytes) return tl::unexpected(bytes.error());
+      if (auto good = files::write_durably(file, *bytes); !good)
+        return tl::unexpected(good.error());
+      files.push_back(file);
+    }
+    return files;
+  }
+
+ private:
+  struct Page {
+    std::string name;
+    view::Image image;
+  };
+  exhibit::Kiosk& kiosk_;
+  fs::path folder_;
+  std::vector<Page> pages_;
+};
+
+/// Frames until the visitor is done; prints how far the throwing is.
+Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, bool realtime) {
+  const double begun = measure::monotonic_seconds();
+  int printed = -1;
+  for (int n = 0; !visitor.done(); ++n) {
+    const double now = n * kFrameSeconds;
+    kiosk.advance(kFrameTicks);
+    if (!kiosk.frame(now, realtime))
+      return problem("the window", "It was closed during the visit.", "Leave it open.", 1);
+    if (auto good = visitor.step(now); !good) return good;
+    if (visitor.throwing()) {
+      const int tenth = static_cast<int>(kiosk.potter().status().script_progress * 10);
+      if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
+    }
+    // A save runs on a worker: give it wall time, or the visit's clock would outrun it.
+    if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (realtime)
+      std::this_thread::sleep_for(std::chrono::duration<double>(
+          std::max(0.0, begun + now + kFrameSeconds - measure::monotonic_seconds())));
+  }
+  return {};
+}
+
+/// What can be known to be wrong before a visit of a minute begins.
+Result<void> check(const VisitArguments& arguments) {
+  if (arguments.vessel.empty())
+    return problem("--vessel", "It is empty.", "Name a vessel of the shelf, or a file.");
+  if (arguments.out.empty())
+    return problem("--out", "It is empty.", "Name a folder for the keepsake and the pictures.");
+  std::error_code error;
+  if (fs::create_directories(arguments.out, error); error || !fs::is_directory(arguments.out))
+    return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
+                   "Name a folder that may be written.");
+  const auto names = script_names();
+  if (std::find(names.begin(), names.end(), arguments.script) == names.end()) {
+    // make_script has the words for it.
+    auto script = make_script(arguments.script, {});
+    if (!script) return tl::unexpected(script.error());
+  }
+  return {};
+}
+
+Result<int> visit(const VisitArguments& arguments) {
+  if (auto good = check(arguments); !good) return tl::unexpected(good.error());
+  const auto config = exhibit::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  exhibit::KioskOptions options;
+  options.config = *config;
+  options.stepped = true;
+  options.seed = arguments.seed;
+  options.language = arguments.language;
+  options.keepsakes = fs::path(arguments.out);
+  options.window.visible = arguments.realtime;
+  if (auto good = read_window_size(arguments.window, options.window); !good)
+    return tl::unexpected(good.error());
+  const Choice choice = choose(arguments);
+  options.shelf = choice.shelf;
+
+  auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
+  if (!display) return tl::unexpected(display.error());
+  auto opened = exhibit::Kiosk::open(options);
+  if (!opened) return tl::unexpected(opened.error());
+  exhibit::Kiosk& kiosk = **opened;
+  const auto card = find_card(kiosk, kiosk.shelf(), choice);
+  if (!card) return tl::unexpected(card.error());
+
+  ScreenAlbum album(kiosk, fs::path(arguments.out) / "screens");
+  measure::ScriptedVisitor::Plan plan;
+  plan.script = arguments.script;
+  plan.card = *card;
+  plan.seed = arguments.seed;
+  const auto glaze = find_glaze(kiosk, arguments.glaze);
+  if (!glaze) return tl::unexpected(glaze.error());
+  plan.glaze = *glaze;
+  measure::ScriptedVisitor visitor(kiosk, plan,
+                                   [&album](const std::string& name) { album.take(name); });
+  const auto walked = walk(kiosk, visitor, arguments.realtime);
+  // The pictures are wanted most of all when something went wrong.
+  const auto pages = album.write();
+  if (!walked) return tl::unexpected(walked.error());
+  if (!pages) return tl::unexpected(pages.error());
+
+  const files::Json report = measure::visit_report(*kiosk.kept(), *pages);
+  const auto kept = put_report(report, (fs::path(arguments.out) / "visit.json").string());
+  if (!kept) return tl::unexpected(kept.error());
+  const auto free = put_report(report, arguments.json);
+  if (!free) return tl::unexpected(free.error());
+  if (*free) std::cout << measure::visit_summary(*kiosk.kept());
+  return 0;
+}
+
+}  // namespace
+
+Command visit_command() {
+  const auto a = std::make_shared<VisitArguments>();
+  std::string scripts;
+  for (const std::string_view name : script_names())
+    scripts += (scripts.empty() ? "" : ", ") + std::string(name);
+  return {
+      .name = "visit",
+      .help = "Make a whole visit without a person, and keep its picture",
+      .examples =
+          "Example: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -",
+      .options = {{"--script", &a->script, "What the hands do: " + scripts + " [follow]"},
+                  {.name = "--vessel",
+                   .field = &a->vessel,
+                   .help = "A vessel of the shelf, a pack, or a GLB/glTF file",
+                   .required = true},
+                  {.name = "--out",
+                   .field = &a->out,
+                   .help = "Folder for the keepsake and the screens' pictures",
+                   .required = true},
+                  {.name = "--seed",
+                   .field = &a->seed,
+                   .help = "Unevenness of the scripted hands [1]",
+                   .least = 0},
+                  {"--json", &a->json,
+                   "Write what it came to as JSON here too (- for standard output); OUT/visit.json "
+                   "always"},
+                  {"--realtime", &a->realtime, "At a visitor's speed, in a visible window"},
+                  {"--window", &a->window, "WIDTHxHEIGHT of the screens [1280x720]"},
+                  {"--glaze", &a->glaze, "A glaze of the exhibit [its first]"},
+                  {"--language", &a->language, "A language of the exhibit [its first]"},
+                  {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
+                  {"--shelf", &a->shelf, "A folder of vessels instead of the exhibit's"}},
+      .run = [a] { return visit(*a); }};
+}
+
+}  // namespace onggi::commands

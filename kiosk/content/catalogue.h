@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "kiosk/content/vessel.h"
+
+namespace onggi::content {
+
+/// A shelf: what loaded, and what did not with the reason. Never throws; a broken pack is left off.
+struct Catalogue {
+  std::vector<Vessel> vessels;
+  std::vector<Problem> problems;
+  const Vessel* find(const std::string& id) const;
+};
+
+/// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
+/// folder down). A file of several objects that stand apart brings each that is a vessel. Sorted by
+/// id. Reads on as many threads as there are processors. `progress(done, total, name)` is called
+/// before each, if given, from any of them but one at a time.
+Catalogue open_shelf(const std::filesystem::path& folder,
+                     void (*progress)(int, int, const std::string&, void*) = nullptr,
+                     void* user = nullptr, const settings::ReaderLimits& limits = {});
+
+/// What check_shelf() looked at, and everything wrong with it: also what the kiosk would open all
+/// the same, such as a label of more than 100 words or a size that contradicts the drawing.
+struct ShelfCheck {
+  std::vector<Problem> problems;
+  std::vector<std::string> ids;  ///< Of the vessels, good or not.
+  int files = 0;
+  int keys_checked = 0;
+};
+
+/// Checks a shelf, one pack, or one GLB/glTF file.
+ShelfCheck check_shelf(const std::filesystem::path& path,
+                       const settings::ReaderLimits& limits = {});
+
+}  // namespace onggi::content

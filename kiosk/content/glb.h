@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "engine/profile/mesh.h"
+
+namespace onggi::content {
+
+/// What a written GLB's surface is. The default: a red stoneware clay, unglazed.
+struct GlbMaterial {
+  std::string name = "clay";
+  std::array<float, 3> color{0.342f, 0.162f, 0.078f};  ///< Linear, 0..1.
+  float roughness = 0.9f;                              ///< 0..1
+};
+
+/// A GLB of one mesh with one material; `title`, `copyright` go into the asset. Deterministic
+/// bytes.
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
+                                 const std::string& copyright, const GlbMaterial& material = {});
+
+}  // namespace onggi::content

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kiosk/content/gltf_document.h"
+
+namespace onggi::content {
+
+/// Vertices and triangles of a primitive as its codec gave them.
+struct DecodedPrimitive {
+  std::vector<std::array<float, 3>> positions, normals;
+  std::vector<std::uint32_t> indices;  ///< Triangles.
+};
+
+/// KHR_draco_mesh_compression; a Problem with a remedy where the program was built without Draco.
+Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
+                                      const DracoPrimitive& primitive, const std::string& where,
+                                      const settings::ReaderLimits& limits);
+
+}  // namespace onggi::content

@@ -1,0 +1,165 @@
+#include "kiosk/exhibit/check_exhibit.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "kiosk/content/catalogue.h"
+#include "kiosk/content/drawing.h"
+#include "kiosk/content/glaze.h"
+#include "kiosk/content/language.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/exhibit/scenes.h"
+#include "kiosk/settings/exhibit.h"
+#include "kiosk/settings/scene_file.h"
+#include "kiosk/settings/toml_reader.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::exhibit {
+
+namespace {
+
+void note(CheckReport& report, int keys, std::vector<Problem> problems) {
+  report.keys += keys;
+  std::move(problems.begin(), problems.end(), std::back_inserter(report.problems));
+}
+
+void add(CheckReport& report, int keys, std::vector<Problem> problems) {
+  ++report.files;
+  note(report, keys, std::move(problems));
+}
+
+void check_scene(CheckReport& report, const fs::path& file) {
+  auto scene = settings::read_scene(file);
+  add(report, scene.keys_checked, std::move(scene.problems));
+}
+
+void check_language(CheckReport& report, const fs::path& file) {
+  auto language = content::check_language(file);
+  ++report.languages;
+  add(report, language.keys_checked, std::move(language.problems));
+}
+
+void check_glazes(CheckReport& report, const fs::path& file,
+                  const std::vector<std::string>& languages = {}) {
+  auto glazes = content::read_glazes(file, languages);
+  add(report, glazes.keys_checked, std::move(glazes.problems));
+}
+
+std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
+                                       const settings::ReaderLimits& limits = {}) {
+  auto shelf = content::check_shelf(path, limits);
+  report.vessels += static_cast<int>(shelf.ids.size());
+  report.files += shelf.files;
+  if (shelf.ids.empty() && shelf.problems.empty())
+    shelf.problems.push_back({path.string(), "There is no vessel here.",
+                              "Name a shelf, a vessel, an exhibit or one of their files."});
+  note(report, shelf.keys_checked, std::move(shelf.problems));
+  return std::move(shelf.ids);
+}
+
+void check_whole_exhibit(CheckReport& report, const fs::path& file) {
+  const auto root = program_root();
+  const fs::path languages = root ? *root / "content" / "languages" : fs::path();
+  auto read = settings::read_exhibit(file, languages);
+  const settings::Exhibit exhibit = read.exhibit;
+  add(report, read.keys_checked, std::move(read.problems));
+  std::error_code ignored;
+  // What is missing has been named by read_exhibit; here goes what is there.
+  std::set<fs::path> scenes{exhibit.scene};
+  for (const auto& [vessel, scene] : exhibit.vessel_scenes) scenes.insert(scene);
+  for (const fs::path& scene : scenes)
+    if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
+  if (fs::is_regular_file(exhibit.glazes, ignored))
+    check_glazes(report, exhibit.glazes, exhibit.languages);
+  for (const std::string& code : exhibit.languages)
+    if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
+      check_language(report, words);
+  if (fs::is_directory(exhibit.shelf, ignored))
+    note(report, 0,
+         names_of_nothing(exhibit, check_vessels(report, exhibit.shelf, exhibit.reader)));
+}
+
+bool is_scene_table(const std::string& key) {
+  bool found = key == "clay" || key == "tool" || key == "contact" || key == "wheel" ||
+               key == "guard" || key == "paper";
+  SceneDef every;
+  each_effect(every, [&](auto& effect) {
+    found = found || key == std::remove_reference_t<decltype(*effect)>::kName;
+  });
+  return found;
+}
+
+// Tells by what only one kind of file has; an exhibit where nothing tells.
+void check_toml(CheckReport& report, const fs::path& file) {
+  settings::TomlReader reader(file);
+  auto keys = reader.ok() ? reader.root().keys() : std::vector<std::string>{};
+  const auto has = [&keys](const char* key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  if (file.filename() == "vessel.toml" || has("label"))
+    check_vessels(report, fs::absolute(file).parent_path());
+  else if (has("outer") || has("inner")) {
+    auto drawing = content::check_drawing(file);
+    add(report, drawing.keys_checked, std::move(drawing.problems));
+  } else if (has("glaze")) {
+    check_glazes(report, file);
+  } else if (has("text") && has("code")) {
+    check_language(report, file);
+  } else if (has("outline") || has("stars") || has("size_counts")) {
+    auto rubric = settings::read_rubric(file);
+    add(report, rubric.keys_checked, std::move(rubric.problems));
+  } else if (std::ranges::any_of(keys, is_scene_table)) {
+    check_scene(report, file);
+  } else {
+    check_whole_exhibit(report, file);
+  }
+}
+
+std::string count(int n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string CheckReport::summary() const {
+  std::string counts = count(files, "file", "files") + ", " + count(keys, "key", "keys") + ", " +
+                       count(vessels, "vessel", "vessels") + ", " +
+                       count(languages, "language", "languages");
+  if (problems.empty()) return "All good: checked " + counts + ".";
+  return count(static_cast<int>(problems.size()), "problem", "problems") + ": checked " + counts +
+         ".";
+}
+
+Result<CheckReport> check_path(const std::string& path) {
+  CheckReport report;
+  std::error_code ignored;
+  if (path.empty()) {
+    const auto exhibit = exhibit_file("");
+    if (!exhibit) return tl::unexpected(exhibit.error());
+    check_whole_exhibit(report, *exhibit);
+    return report;
+  }
+  if (fs::is_directory(path, ignored)) {
+    for (const fs::path& inside :
+         {fs::path(path) / "exhibit.toml", fs::path(path) / "config" / "exhibit.toml"})
+      if (fs::is_regular_file(inside, ignored)) {
+        check_whole_exhibit(report, inside);
+        return report;
+      }
+    check_vessels(report, path);
+    return report;
+  }
+  if (!fs::exists(path, ignored))
+    return problem(path, "There is nothing of this name.",
+                   "Name an exhibit, a scene, a language, glazes, a drawing, a vessel or a shelf.");
+  if (fs::path(path).extension() == ".toml")
+    check_toml(report, path);
+  else
+    check_vessels(report, path);
+  return report;
+}
+
+}  // namespace onggi::exhibit

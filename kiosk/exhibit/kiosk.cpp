@@ -1,0 +1,277 @@
+#include "kiosk/exhibit/kiosk.h"
+
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <utility>
+
+#include "engine/clay/clay_mesh.h"
+#include "engine/profile/mesh.h"
+#include "engine/scene/lump.h"
+#include "engine/script/script.h"
+#include "kiosk/content/glb.h"
+#include "kiosk/exhibit/log.h"
+#include "kiosk/exhibit/words.h"
+#include "kiosk/loop/loop_thread.h"
+#include "kiosk/loop/stepped_potter.h"
+#include "kiosk/souvenir/postcard.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::exhibit {
+
+namespace {
+
+// Attract mode shows a pot in about half a minute, the time a passer-by gives it.
+constexpr double kAttractPace = 3.0;
+
+constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
+
+void shrink(TriangleMesh& mesh, double size) {
+  for (auto& at : mesh.positions)
+    for (float& x : at) x *= static_cast<float>(size);
+}
+
+std::string local_time(const char* format) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[64];
+  return {text, std::strftime(text, sizeof text, format, &local)};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
+  std::unique_ptr<Kiosk> kiosk(new Kiosk);
+  kiosk->seed_ = options.seed;
+  if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
+  kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
+                                          *kiosk->scenes_, kiosk->exhibit_.reader);
+  kiosk->keepsakes_ =
+      std::make_unique<Keepsakes>(options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder),
+                                  kiosk->exhibit_.keepsake.quota_mb);
+  auto renderer = render::Renderer::create(options.window);
+  if (!renderer) return tl::unexpected(renderer.error());
+  kiosk->renderer_ = std::move(*renderer);
+  const render::RenderStatus drawn_by = kiosk->renderer_->status();
+  log_line("Drawing with " + drawn_by.device + (drawn_by.software ? ", without a GPU." : "."));
+
+  if (options.stepped) {
+    auto stepped = std::make_unique<loop::SteppedPotter>();
+    kiosk->stepped_ = stepped.get();
+    kiosk->potter_ = std::move(stepped);
+    kiosk->renderer_->set_full_quality(true);
+    kiosk->shelf_->wait();
+  } else {
+    auto loop = std::make_unique<loop::LoopThread>();
+    for (const std::string& remark : loop->remarks()) log_line(remark);
+    kiosk->potter_ = std::move(loop);
+  }
+  return kiosk;
+}
+
+Kiosk::~Kiosk() = default;
+
+Result<void> Kiosk::read_settings(const KioskOptions& options) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(options.config, ignored))
+    return problem(options.config.string(), "There is no such exhibit file.",
+                   "Name one: onggi run --config config/exhibit.toml.");
+  auto exhibit = settings::read_exhibit(options.config);
+  log_problems(exhibit.problems);
+  exhibit_ = std::move(exhibit.exhibit);
+  scenes_ = std::make_unique<Scenes>(exhibit_);
+
+  auto languages = read_languages(exhibit_, options.language);
+  if (!languages) return tl::unexpected(languages.error());
+  languages_ = std::move(*languages);
+  return {};
+}
+
+void Kiosk::begin_visit(double now) {
+  screens::VisitWorld world;
+  world.exhibit = &exhibit_;
+  world.languages = &languages_;
+  world.shelf = &shelf_->cards();
+  world.measure = &renderer_->measure();
+  world.mirror = &potter_->mirror();
+  world.potter = potter_.get();
+  std::vector<std::string> ids;
+  for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
+  log_problems(names_of_nothing(exhibit_, ids));
+  visit_ = std::make_unique<screens::Visit>(world);
+  if (shelf_->cards().empty())
+    visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
+                  "Run onggi check, mend what it names, and start again."});
+  if (!early_touch_) return;
+  // The first touch counts, even one that came before there was anything to touch.
+  visit_->input(*early_touch_, now);
+  early_touch_->kind = early_touch_->kind == view::InputEvent::Kind::key_down
+                           ? view::InputEvent::Kind::key_up
+                           : view::InputEvent::Kind::pointer_up;
+  visit_->input(*early_touch_, now);
+}
+
+void Kiosk::advance(int ticks) {
+  if (stepped_ != nullptr) stepped_->advance(ticks);
+}
+
+bool Kiosk::frame(double now, bool draw) {
+  bool open = true;
+  const auto events = renderer_->poll();
+  if (!visit_ && shelf_->ready()) begin_visit(now);
+  for (const view::InputEvent& event : events) {
+    if (event.kind == view::InputEvent::Kind::close) open = false;
+    if (visit_)
+      visit_->input(event, now);
+    else if (event.kind == view::InputEvent::Kind::pointer_down ||
+             event.kind == view::InputEvent::Kind::key_down)
+      early_touch_ = event;
+  }
+  if (!visit_) {
+    renderer_->draw(opening_frame());
+    renderer_->present();
+    return open;
+  }
+
+  std::vector<view::RowUpdate> rows;
+  potter_->collect([&rows](const loop::RowChannel::Row& row) {
+    rows.push_back({row.row, row.radii, view::RowPlace{row.middle, row.rim, row.floor}, row.torn});
+  });
+  if (!rows.empty()) renderer_->update_rows(rows);
+  note_saved();
+  visit_->update(now, potter_->status());
+  while (auto request = visit_->take_request())
+    std::visit([this](const auto& wish) { carry_out(wish); }, *request);
+  if (stepped_ != nullptr)
+    while (shelf_->draw_next_picture(*renderer_)) {
+    }
+  else
+    shelf_->draw_next_picture(*renderer_);
+  last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
+  if (draw) {
+    renderer_->draw(last_frame_);
+    renderer_->present();
+  }
+  return open;
+}
+
+view::Image Kiosk::picture() {
+  renderer_->draw(last_frame_);
+  return renderer_->read_pixels();
+}
+
+view::Frame Kiosk::opening_frame() const {
+  const Shelf::Progress progress = shelf_->progress();
+  return make_opening_frame(languages_.front(), renderer_->width(), renderer_->height(),
+                            progress.done, progress.total);
+}
+
+void Kiosk::carry_out(const screens::StartPot& request) {
+  const auto& cards = shelf_->cards();
+  if (request.card < 0 || request.card >= static_cast<int>(cards.size())) return;
+  const screens::ShelfCard& card = cards[static_cast<std::size_t>(request.card)];
+  SceneDef def = scenes_->of(card.vessel->id);
+  def.clay = lump_for(card.target, def);
+  auto scene = Scene::create(def);
+  if (!scene) {
+    log_problem(scene.error());
+    visit_->fail(scene.error());
+    return;
+  }
+  pot_def_ = def;
+  pot_card_ = request.card;
+  potter_->start(std::make_unique<Scene>(std::move(*scene)));
+  renderer_->set_grid({def.clay.rows, def.clay.sectors, def.clay.height, def.clay.floor_thickness});
+  ++pots_;
+  if (!request.scripted) {
+    potter_->record(card.vessel->id, seed_);
+    return;
+  }
+  auto script = make_script(request.script, {def, &card.target, seed_ + pots_, kAttractPace});
+  if (script)
+    potter_->play(std::move(*script));
+  else
+    log_problem(script.error());
+}
+
+void Kiosk::carry_out(const screens::MakeKeepsake& request) {
+  const screens::ShelfCard& card = shelf_->cards()[static_cast<std::size_t>(request.card)];
+  const content::Language& language = language_of(languages_, visit_->language());
+  const content::Label label = card.vessel->label(language.code());
+  const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
+  const content::Glaze* glaze =
+      fired_in ? &glazes()[static_cast<std::size_t>(request.glaze)] : nullptr;
+  const double size = fired_in ? fired_in->fired_size : 1.0;
+  KeptVisit kept;
+  kept.vessel_id = card.vessel->id;
+  kept.score = request.score;
+  kept.thrown_height = request.made.height();
+  kept.height = size * kept.thrown_height;
+  if (glaze != nullptr) kept.glaze = glaze->id;
+
+  souvenir::Keepsake keepsake;
+  const bool lent = potter_->with_scene([&](Scene& scene) {
+    kept.state_hash = scene.state_hash();
+    kept.ticks = scene.counters().ticks;
+    keepsake.pot = mesh_of(scene.clay());
+  });
+  if (!lent) {
+    visit_->keepsake_failed({"the wheel", "The clay did not come back from the wheel in time.",
+                             "If this returns, look for a stuck 1 kHz loop in the log.", 1});
+    return;
+  }
+  shrink(keepsake.pot, size);
+  if (potter_->dropped_records() == 0)
+    keepsake.replay = potter_->replay(kept.state_hash, kept.glaze);
+
+  souvenir::PostcardWords words = postcard_words(language, label, request.score.stars, exhibit_);
+  std::optional<view::Glazing> glazing;
+  content::GlbMaterial material;
+  if (glaze != nullptr) {
+    words.glaze =
+        language.say("postcard.glaze", {{"glaze", glaze->name_in(language.code())},
+                                        {"mm", std::to_string(std::lround(1000 * kept.height))}});
+    glazing = view::Glazing{glaze->look, fired_in->coat};
+    material = {glaze->id, content::swatch(glaze->look), 0.7f - 0.6f * glaze->look.gloss};
+  }
+  // The picture is drawn from the rows on the wheel, and a picture has no size.
+  const view::Image image = renderer_->draw_offscreen(
+      souvenir::compose_postcard(words, request.made, card.target, renderer_->measure(), glazing));
+  if (postcard_ != 0) renderer_->drop_picture(postcard_);
+  postcard_ = renderer_->make_picture(image);
+  visit_->show_postcard(postcard_);
+
+  keepsake.name = local_time("%Y-%m-%d_%H%M%S_") + card.vessel->id;
+  keepsake.postcard = image;
+  keepsake.caption = {words.title, exhibit_.credit, words.vessel};
+  keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit_.credit, material);
+  saving_ticket_ = keepsakes_->save(std::move(keepsake));
+  kept_ = std::move(kept);
+}
+
+void Kiosk::carry_out(const screens::ForgetVisitor&) {
+  potter_->stop_recording();
+  saving_ticket_ = 0;
+  if (postcard_ != 0) renderer_->drop_picture(std::exchange(postcard_, 0));
+}
+
+void Kiosk::note_saved() {
+  const auto saved = keepsakes_->finished();
+  if (!saved) return;
+  if (saved->outcome)
+    log_line("Kept " + saved->outcome->folder.string());
+  else
+    log_problem(saved->outcome.error());
+  // A save that outlasted its visitor is none of the next one's business.
+  if (saved->ticket != saving_ticket_) return;
+  if (kept_) kept_->saved = saved->outcome;
+  // Date and time are enough to ask for at the desk, and short enough to remember.
+  if (saved->outcome)
+    visit_->keepsake_kept(saved->outcome->folder.filename().string().substr(0, kSpokenName));
+  else
+    visit_->keepsake_failed(saved->outcome.error());
+}
+
+}  // namespace onggi::exhibit

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/content/language.h"
+#include "kiosk/exhibit/keepsakes.h"
+#include "kiosk/exhibit/scenes.h"
+#include "kiosk/exhibit/shelf.h"
+#include "kiosk/loop/potter_host.h"
+#include "kiosk/loop/stepped_potter.h"
+#include "kiosk/render/renderer.h"
+#include "kiosk/screens/visit.h"
+#include "kiosk/settings/exhibit.h"
+
+namespace onggi::exhibit {
+
+/// How a kiosk is opened. Everything but `config` has a default.
+struct KioskOptions {
+  std::filesystem::path config;                    ///< exhibit.toml
+  std::optional<std::filesystem::path> shelf;      ///< Instead of the exhibit's.
+  std::optional<std::filesystem::path> keepsakes;  ///< Instead of the exhibit's folder.
+  render::WindowOptions window;
+  bool stepped = false;  ///< Turn the wheel by hand (advance()), not by the 1 kHz thread.
+  std::uint64_t seed = 1;
+  std::string language;  ///< Instead of the exhibit's first; empty keeps it.
+};
+
+/// What the last kept visit came to, for scripted visits.
+struct KeptVisit {
+  std::string vessel_id;
+  score::Score score;
+  std::string glaze;         ///< Its id; "": not fired.
+  double thrown_height = 0;  ///< Metres, on the wheel.
+  double height = 0;         ///< Metres, as it is kept: out of the kiln where there is one.
+  std::uint64_t state_hash = 0;
+  std::uint64_t ticks = 0;
+  std::optional<Result<souvenir::KeepsakeFiles>> saved;
+};
+
+/// The one place that knows everyone: settings and content into screens, screens' wishes to the
+/// wheel, the wheel's rows to the picture, pictures to the keepsake. Main thread.
+class Kiosk {
+ public:
+  /// Opens settings, window and wheel, and begins to read the shelf. Problems that leave an exhibit
+  /// to show are logged; the others are returned.
+  static Result<std::unique_ptr<Kiosk>> open(const KioskOptions& options);
+  ~Kiosk();
+
+  /// One frame: input, wheel, screens, picture. `now` in seconds on a clock that never goes back.
+  /// False once the window is to close.
+  /// `draw` false makes the frame without drawing it: for visits faster than real time.
+  bool frame(double now, bool draw = true);
+  /// Draws the last frame made and reads it back.
+  view::Image picture();
+  /// Stepped kiosks only: turns the wheel by `ticks` of 1 ms before the next frame.
+  void advance(int ticks);
+
+  screens::Visit& visit() { return *visit_; }
+  loop::PotterHost& potter() { return *potter_; }
+  render::Renderer& renderer() { return *renderer_; }
+  Shelf& shelf() { return *shelf_; }
+  const settings::Exhibit& exhibit() const { return exhibit_; }
+  /// The scene of the pot on the wheel, and its card on the shelf (-1 before the first pot).
+  const SceneDef& pot_def() const { return pot_def_; }
+  int pot_card() const { return pot_card_; }
+  const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
+  const std::optional<KeptVisit>& kept() const { return kept_; }
+  bool saving() const { return keepsakes_->busy(); }
+  /// The shelf is read and attract has begun.
+  bool open_to_visitors() const { return visit_ != nullptr; }
+
+ private:
+  Kiosk() = default;
+  Result<void> read_settings(const KioskOptions& options);
+  void begin_visit(double now);
+  void carry_out(const screens::StartPot& request);
+  void carry_out(const screens::MakeKeepsake& request);
+  void carry_out(const screens::ForgetVisitor& request);
+  void note_saved();
+  view::Frame opening_frame() const;
+
+  settings::Exhibit exhibit_;
+  std::unique_ptr<Scenes> scenes_;
+  SceneDef pot_def_;
+  std::vector<content::Language> languages_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<loop::PotterHost> potter_;
+  loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
+  std::unique_ptr<Shelf> shelf_;
+  std::unique_ptr<Keepsakes> keepsakes_;
+  std::unique_ptr<screens::Visit> visit_;
+  std::uint64_t seed_ = 1;
+  std::uint64_t pots_ = 0;
+  int pot_card_ = -1;
+  view::PictureId postcard_ = 0;
+  std::optional<KeptVisit> kept_;
+  int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.
+  std::optional<view::InputEvent>
+      early_touch_;  ///< The first touch, while the shelf is being read.
+  view::Frame last_frame_;
+};
+
+}  // namespace onggi::exhibit

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene_def.h"
+#include "kiosk/content/glaze.h"
+#include "kiosk/screens/visit.h"
+#include "kiosk/settings/exhibit.h"
+
+namespace onggi::exhibit {
+
+/// How the clay behaves for each vessel of an exhibit, what attract mode shows of it, and what pots
+/// may be glazed with. Main
+/// thread; stays where it is, since screens look at its glazes.
+class Scenes {
+ public:
+  /// Reads the exhibit's scene, those of single vessels, and the glazes where a scene has a kiln.
+  /// Problems are logged, and what they leave is used.
+  explicit Scenes(const settings::Exhibit& exhibit);
+  Scenes(const Scenes&) = delete;
+  Scenes& operator=(const Scenes&) = delete;
+
+  /// Of the vessel called `id` on the shelf; with the exhibit's share of force.
+  const SceneDef& of(const std::string& id) const;
+  /// What the screens meet of it.
+  screens::Wheel wheel_of(const std::string& id) const;
+  const std::vector<content::Glaze>& glazes() const { return glazes_; }
+
+ private:
+  SceneDef exhibits_;
+  std::map<std::string, SceneDef> vessels_;
+  std::vector<content::Glaze> glazes_;
+  std::vector<std::string> attract_scripts_;
+};
+
+/// What the exhibit names and nobody knows: vessels in [vessel_scenes] that are not on the shelf,
+/// whose vessels are `ids`, and scripts in [attract]. In file order.
+settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
+                                    const std::vector<std::string>& ids);
+
+}  // namespace onggi::exhibit

@@ -1,0 +1,84 @@
+#include "kiosk/exhibit/words.h"
+
+#include <algorithm>
+#include <ctime>
+
+#include "kiosk/exhibit/log.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/view/palette.h"
+
+namespace onggi::exhibit {
+
+Result<std::vector<content::Language>> read_languages(const settings::Exhibit& exhibit,
+                                                      const std::string& first) {
+  auto root = program_root();
+  if (!root) return tl::unexpected(root.error());
+  std::vector<content::Language> languages;
+  for (const std::string& code : exhibit.languages) {
+    auto language = content::Language::read(*root / "content" / "languages" / (code + ".toml"));
+    if (language)
+      languages.push_back(std::move(*language));
+    else
+      log_problem(language.error());
+  }
+  if (languages.empty())
+    return problem(exhibit.file.string(), "None of the exhibit's languages could be read.",
+                   "Name at least one of content/languages, for example languages = [\"en\"].");
+  if (first.empty()) return languages;
+  const auto wanted = std::find_if(languages.begin(), languages.end(),
+                                   [&](const auto& l) { return l.code() == first; });
+  if (wanted == languages.end())
+    return problem(
+        "--language " + first, "The exhibit has no such language.",
+        "Add it to languages in " + exhibit.file.string() + ", or name one that is there.");
+  std::rotate(languages.begin(), wanted, wanted + 1);
+  return languages;
+}
+
+const content::Language& language_of(const std::vector<content::Language>& languages,
+                                     const std::string& code) {
+  for (const content::Language& language : languages)
+    if (language.code() == code) return language;
+  return languages.front();
+}
+
+souvenir::PostcardWords postcard_words(const content::Language& language,
+                                       const content::Label& label, int stars,
+                                       const settings::Exhibit& exhibit) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  souvenir::PostcardWords words;
+  words.title = language.say("postcard.title", {{"vessel", label.title}});
+  words.vessel = label.culture;
+  if (!label.date.empty()) words.vessel += (words.vessel.empty() ? "" : ", ") + label.date;
+  words.stars = stars;
+  words.credit = exhibit.credit;
+  words.date = language.say("postcard.date",
+                            {{"day", std::to_string(local.tm_mday)},
+                             {"month", language.say("month." + std::to_string(local.tm_mon + 1))},
+                             {"year", std::to_string(local.tm_year + 1900)}});
+  words.language = language.code();
+  return words;
+}
+
+view::Frame make_opening_frame(const content::Language& language, int width, int height, int done,
+                               int total) {
+  const float px = static_cast<float>(std::min(width, height)) / 28;
+  view::Text text;
+  text.text = total == 0 ? language.say("opening.start")
+                         : language.say("opening.progress", {{"done", std::to_string(done)},
+                                                             {"total", std::to_string(total)}});
+  text.style.px = px;
+  text.style.align = view::Align::centre;
+  text.style.language = language.code();
+  text.color = view::kInk;
+  text.box = {0, (static_cast<float>(height) - 2 * px) / 2, static_cast<float>(width), 2 * px};
+  view::Frame frame;
+  frame.width = width;
+  frame.height = height;
+  frame.items.emplace_back(std::move(text));
+  return frame;
+}
+
+}  // namespace onggi::exhibit

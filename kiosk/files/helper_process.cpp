@@ -1,0 +1,126 @@
+#include "kiosk/files/helper_process.h"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+#include "kiosk/files/child_process.h"
+
+namespace onggi::files {
+namespace {
+
+using Clock = ChildProcess::Clock;
+
+constexpr std::size_t kLastWords = 2000;  // of standard error that a Problem carries
+
+enum class Talk { done, late, too_much, broken };
+
+/// Writes head and body, reads out and err, until the helper has closed both.
+Talk talk(Descriptor& in, Descriptor& out, Descriptor& err, std::span<const std::byte> head,
+          std::span<const std::byte> body, std::size_t most_bytes, Clock::time_point deadline,
+          std::vector<std::byte>& output, std::string& words) {
+  std::vector<std::byte> buffer(1 << 16);
+  while (out.open() || err.open()) {
+    if (head.empty()) head = std::exchange(body, {});
+    if (head.empty()) in.close();
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return Talk::late;
+    std::array<pollfd, 3> ready{
+        {{in.get(), POLLOUT, 0}, {out.get(), POLLIN, 0}, {err.get(), POLLIN, 0}}};
+    const int count =
+        ::poll(ready.data(), ready.size(), static_cast<int>(std::min<long long>(left, 1000)));
+    if (count < 0 && errno != EINTR) return Talk::broken;
+    if (count <= 0) continue;
+    if (ready[0].revents != 0) {
+      const ssize_t n = ::send(in.get(), head.data(), head.size(), MSG_NOSIGNAL);
+      if (n > 0) head = head.subspan(static_cast<std::size_t>(n));
+      if (n < 0 && errno != EAGAIN && errno != EINTR) {
+        head = body = {};  // it has stopped listening: what it says about that comes on err
+      }
+    }
+    const auto take = [&](Descriptor& from, short revents) -> std::span<const std::byte> {
+      if (!from.open() || revents == 0) return {};
+      const ssize_t n = ::read(from.get(), buffer.data(), buffer.size());
+      if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) from.close();
+      return std::span(buffer).first(n > 0 ? static_cast<std::size_t>(n) : 0);
+    };
+    const auto got = take(out, ready[1].revents);
+    if (output.size() + got.size() > most_bytes) return Talk::too_much;
+    output.insert(output.end(), got.begin(), got.end());
+    for (const std::byte b : take(err, ready[2].revents)) words += static_cast<char>(b);
+    if (words.size() > kLastWords) words.erase(0, words.size() - kLastWords);
+  }
+  return Talk::done;
+}
+
+/// One line for a Problem.
+std::string last_words(std::string words) {
+  while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return words.empty() ? "It said nothing." : "It said: " + words;
+}
+
+std::string how_it_ended(int status) {
+  if (WIFSIGNALED(status)) return "ended by signal " + std::to_string(WTERMSIG(status));
+  return "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> run_helper(const Helper& helper) {
+  const auto told = [&](std::string what, std::string remedy) {
+    return problem(helper.program, std::move(what), std::move(remedy), 1);
+  };
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(helper.timeout_s));
+  Channel in, out, err;
+  if (!in.open_for_writing() || !out.open_for_reading() || !err.open_for_reading()) {
+    return told(std::string("No pipe to the helper could be opened: ") + std::strerror(errno) + ".",
+                "Raise the limit on open files, and restart the kiosk if this returns.");
+  }
+  auto child = ChildProcess::start(helper.program, helper.arguments,
+                                   {in.theirs.get(), out.theirs.get(), err.theirs.get()});
+  if (!child) {
+    return told(
+        std::string("The helper could not be started: ") + std::strerror(child.error()) + ".",
+        "It belongs beside the program onggi: build or install the kiosk again.");
+  }
+  for (Channel* channel : {&in, &out, &err}) channel->theirs.close();
+
+  std::vector<std::byte> output;
+  std::string words;
+  const Talk talked = talk(in.ours, out.ours, err.ours, std::as_bytes(std::span(helper.head)),
+                           std::as_bytes(helper.body), helper.most_bytes, deadline, output, words);
+  if (talked == Talk::too_much) {
+    return told(std::string("The helper wrote more than any such ") + helper.answer + " needs.",
+                "Build the kiosk again, so that both come from the same version.");
+  }
+  if (talked == Talk::broken) {
+    return told("The helper could not be listened to.", "Restart the kiosk if this returns.");
+  }
+  if (talked == Talk::late || !child->wait_until(deadline)) {
+    child->end(SIGKILL);
+    return told("The helper had not ended after " +
+                    std::to_string(static_cast<int>(helper.timeout_s + 0.5)) +
+                    " s and was stopped. " + last_words(words),
+                "The machine may be overloaded or its disk failing: look at what else runs on it.");
+  }
+  if (child->status() != 0) {
+    return told("The helper " + how_it_ended(child->status()) + ". " + last_words(words),
+                "Check that its libraries are installed (bash kiosk/start does), and free memory.");
+  }
+  return output;
+}
+
+}  // namespace onggi::files

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace onggi::files {
+
+/// A value that is to be written as JSON: reports, and the heads of files. Objects keep the order
+/// in which their members were named. Reading JSON is its reader's business.
+class Json {
+ public:
+  struct Member;
+
+  Json() = default;  ///< null
+  Json(bool value) : value_(value) {}
+  Json(double value) : value_(value) {}
+  Json(const char* text) : value_(std::string(text)) {}
+  Json(std::string text) : value_(std::move(text)) {}
+  template <std::integral Whole>
+  Json(Whole value)
+      : value_(
+            static_cast<std::conditional_t<std::is_signed_v<Whole>, std::int64_t, std::uint64_t>>(
+                value)) {}
+  static Json object(std::initializer_list<Member> members = {});
+  static Json list(std::initializer_list<Json> values = {});
+  template <class Values>
+  static Json list_of(const Values& values) {
+    Json out = list();
+    for (const auto& value : values) out.push_back(value);
+    return out;
+  }
+
+  /// Of an object: the member `key`, which is put at the end where it is new.
+  Json& operator[](const std::string& key);
+  /// Of a list.
+  void push_back(Json value);
+
+  /// Lines indented by `indent` spaces a level; below 0: all on one line. Text that is no UTF-8 is
+  /// mended. Numbers as short as they read back.
+  std::string text(int indent = 2) const;
+
+ private:
+  friend struct JsonWriter;
+  std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string,
+               std::vector<Json>, std::vector<Member>>
+      value_;
+};
+
+struct Json::Member {
+  std::string key;
+  Json value;
+};
+
+}  // namespace onggi::files

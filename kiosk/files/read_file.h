@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+
+namespace onggi::files {
+
+using Bytes = std::vector<unsigned char>;
+
+/// Why a file was not read. Whoever asked for it knows what it was to be, and words the Problem.
+struct ReadFault {
+  enum class Kind {
+    missing,     ///< There is nothing of this name.
+    closed,      ///< It cannot be opened.
+    folder,      ///< It is a folder.
+    special,     ///< It is a pipe, a device or the like.
+    too_large,   ///< It is larger than was allowed.
+    unreadable,  ///< It was opened, and reading it failed.
+    outside,     ///< Its name leads out of the folder (read_beneath() only).
+    link,        ///< A symbolic link stands on the way (read_beneath() only).
+  };
+  Kind kind = Kind::missing;
+  std::size_t size = 0;  ///< Bytes, where it is too large.
+  std::string reason;    ///< The system's own, where it has one: "Permission denied".
+};
+
+/// The whole of a regular file of at most `most` bytes. Never waits: a pipe without a writer is a
+/// fault. Allocates; any thread.
+tl::expected<Bytes, ReadFault> read_file(const std::filesystem::path& file, std::size_t most);
+
+/// The same for `uri` (percent-encoded, relative) beneath `folder` only: no absolute path, no "..",
+/// no symbolic link on the way.
+tl::expected<Bytes, ReadFault> read_beneath(const std::filesystem::path& folder,
+                                            const std::string& uri, std::size_t most);
+
+}  // namespace onggi::files

@@ -1,0 +1,43 @@
+#include "kiosk/measure/monotonic.h"
+
+#include <time.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace onggi::measure {
+
+double monotonic_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
+double since_exec_seconds() {
+  std::ifstream file("/proc/self/stat");
+  std::string line;
+  std::getline(file, line);
+  // proc(5): the name in parentheses may hold spaces; field 22, 20 after it, is the start in clock
+  // ticks.
+  const auto name_end = line.rfind(')');
+  if (name_end == std::string::npos) return 0;
+  std::istringstream rest(line.substr(name_end + 1));
+  std::string field;
+  for (int i = 0; i < 20; ++i) rest >> field;
+  if (!rest) return 0;
+  timespec t{};
+  clock_gettime(CLOCK_BOOTTIME, &t);
+  const double now = static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+  return now - std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+long resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  long total = 0, resident = 0;
+  file >> total >> resident;
+  return file ? resident * sysconf(_SC_PAGESIZE) : 0;
+}
+
+}  // namespace onggi::measure

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace onggi::measure {
+
+/// Seconds on CLOCK_MONOTONIC: never goes back, whatever happens to the wall clock.
+double monotonic_seconds();
+
+/// Seconds since this process began to exist (exec), from /proc; 10 ms fine. 0 when that cannot be
+/// read.
+double since_exec_seconds();
+
+/// Resident memory of this process now, bytes; 0 when that cannot be read.
+long resident_bytes();
+
+}  // namespace onggi::measure

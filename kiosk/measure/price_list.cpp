@@ -1,0 +1,119 @@
+#include "kiosk/measure/price_list.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/helper_process.h"
+#include "kiosk/settings/scene_file.h"
+
+namespace onggi::measure {
+
+namespace {
+
+constexpr double kCountedWithin_s = 1800;  // valgrind is fifty times slower
+
+// Instructions of a tick, by this program run again under callgrind; 0 where it counted none.
+std::int64_t counted(int rows, int sectors, const std::string& scene) {
+  const auto said = files::run_helper(
+      {.program = "valgrind",
+       .arguments = {"--tool=callgrind", "--callgrind-out-file=/dev/null", "--log-fd=1",
+                     "--toggle-collect=onggi_priced_ticks",
+                     std::filesystem::read_symlink("/proc/self/exe").string(), "lab", "effects",
+                     "--grid", std::to_string(rows) + "x" + std::to_string(sectors), "--count",
+                     scene},
+       .timeout_s = kCountedWithin_s});
+  if (!said) return 0;
+  const std::string words(reinterpret_cast<const char*>(said->data()), said->size());
+  const std::string_view before = "Collected : ";
+  const std::size_t at = words.find(before);
+  return at == std::string::npos ? 0
+                                 : std::atoll(words.c_str() + at + before.size()) / kPricedTicks;
+}
+
+}  // namespace
+
+Result<std::vector<PricedScene>> scenes_with_presets(int rows, int sectors) {
+  std::vector<PricedScene> scenes = priced_scenes(rows, sectors);
+  const auto root = exhibit::program_root();
+  if (!root) return tl::unexpected(root.error());
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(*root / "config/scenes"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  const PricedScene all = std::move(scenes.back());
+  scenes.pop_back();
+  for (const auto& file : files) {
+    settings::SceneRead read = settings::read_scene(file);
+    if (!read.problems.empty()) return tl::unexpected(read.problems.front());
+    read.def.clay.rows = rows;
+    read.def.clay.sectors = sectors;
+    scenes.push_back({file.filename().string(), std::move(read.def)});
+  }
+  scenes.push_back(all);
+  return scenes;
+}
+
+Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int rows, int sectors,
+                                 int passes, bool wanted, std::FILE* table) {
+  const bool count =
+      wanted && files::run_helper({.program = "valgrind", .arguments = {"--version"}});
+  PriceList list{rows, sectors, {}};
+  std::fprintf(table, "A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n",
+               rows, sectors);
+  std::fprintf(table, "%-22s %10s %10s %10s %12s %12s\n", "", "median", "p99.9", "asleep", "bytes",
+               count ? "instructions" : "");
+  for (const PricedScene& scene : scenes) {
+    auto price = price_of(scene, passes);
+    if (!price) return tl::unexpected(price.error());
+    if (count) price->instructions = counted(rows, sectors, scene.name);
+    if (!list.prices.empty()) price->bytes -= list.prices.front().bytes;
+    std::fprintf(table, "%-22s %7.0f ns %7.0f ns %7.0f ns %12lld", price->name.c_str(),
+                 price->median_ns, price->p999_ns, price->asleep_ns,
+                 static_cast<long long>(price->bytes));
+    if (price->instructions > 0)
+      std::fprintf(table, " %12lld", static_cast<long long>(price->instructions));
+    std::fprintf(table, "\n");
+    std::fflush(table);
+    list.prices.push_back(std::move(*price));
+  }
+  if (!count)
+    std::fprintf(table, "Instructions are not counted: %s.\n",
+                 wanted ? "valgrind is not here" : "--quick");
+  return list;
+}
+
+files::Json json_of(const PriceList& list) {
+  using files::Json;
+  Json prices = Json::list();
+  for (const EffectPrice& p : list.prices)
+    prices.push_back(
+        Json::object({{"scene", p.name},
+                      {"median_ns", p.median_ns},
+                      {"p999_ns", p.p999_ns},
+                      {"asleep_ns", p.asleep_ns},
+                      {"bytes", p.bytes},
+                      {"instructions", p.instructions > 0 ? Json(p.instructions) : Json()}}));
+  return Json::object({{"rows", list.rows}, {"sectors", list.sectors}, {"prices", prices}});
+}
+
+drawing::Plot plot_of(const PriceList& list) {
+  drawing::Plot plot;
+  plot.title = "What a tick costs";
+  plot.subtitle = "on " + std::to_string(list.rows) + " × " + std::to_string(list.sectors) +
+                  ", both hands pulling up a wall";
+  plot.y.label = "microseconds";
+  using Bars = drawing::PlotSeries;
+  plot.series = {Bars{.name = "median", .kind = Bars::Kind::bars},
+                 Bars{.name = "99.9 of 100 are quicker", .kind = Bars::Kind::bars}};
+  for (const EffectPrice& price : list.prices) {
+    plot.x.names.push_back(price.name);
+    plot.series[0].y.push_back(price.median_ns / 1000.0);
+    plot.series[1].y.push_back(price.p999_ns / 1000.0);
+  }
+  return plot;
+}
+
+}  // namespace onggi::measure

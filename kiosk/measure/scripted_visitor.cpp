@@ -1,0 +1,176 @@
+#include "kiosk/measure/scripted_visitor.h"
+
+#include <utility>
+
+#include "engine/script/script.h"
+
+namespace onggi::measure {
+
+using screens::ScreenId;
+
+namespace {
+constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one.
+constexpr double kKeepTimeout = 60.0;  // s of visit for a slow disk; a save itself gives up sooner.
+}  // namespace
+
+ScriptedVisitor::ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan,
+                                 std::function<void(const std::string&)> passed)
+    : kiosk_(kiosk), plan_(std::move(plan)), passed_(std::move(passed)) {}
+
+void ScriptedVisitor::touch_at(float x, float y) {
+  for (const auto kind :
+       {view::InputEvent::Kind::pointer_down, view::InputEvent::Kind::pointer_up}) {
+    view::InputEvent event;
+    event.kind = kind;
+    event.x = x;
+    event.y = y;
+    kiosk_.visit().input(event, now_);
+  }
+}
+
+Result<void> ScriptedVisitor::touch(const std::string& control) {
+  const auto rect = kiosk_.visit().control(control);
+  if (!rect)
+    return problem("screen " + std::string(screens::name_of(screen_)),
+                   "The scripted visitor does not find the control " + control + ".",
+                   "This is a fault of the program: please report it.", 1);
+  touch_at(rect->x + rect->w / 2, rect->y + rect->h / 2);
+  return {};
+}
+
+void ScriptedVisitor::enter(ScreenId screen, double now) {
+  screen_ = screen;
+  entered_ = now;
+  touched_ = label_open_ = playing_ = half_shown_ = false;
+}
+
+Result<void> ScriptedVisitor::step(double now) {
+  now_ = now;
+  const ScreenId screen = kiosk_.visit().screen();
+  if (entered_ < 0 || screen != screen_) {
+    const bool came_back = entered_ >= 0 && screen == ScreenId::attract;
+    enter(screen, now);
+    if (came_back && !kept_seen_)
+      return problem("the visit", "It went back to the start before the keepsake was made.",
+                     "This is a fault of the program: please report it.", 1);
+  }
+  if (done_ || now - entered_ < plan_.linger) return {};
+
+  switch (screen) {
+    case ScreenId::attract:
+      if (touched_) return {};
+      if (kept_seen_) {
+        pass("attract_again");
+        done_ = true;
+        return {};
+      }
+      touched_ = true;
+      pass("attract");
+      touch_at(static_cast<float>(kiosk_.renderer().width()) / 2,
+               static_cast<float>(kiosk_.renderer().height()) / 2);
+      return {};
+    case ScreenId::choose:
+      return on_choose();
+    case ScreenId::throwing:
+      return on_throw(now);
+    case ScreenId::result:
+      if (touched_) return {};
+      touched_ = true;
+      pass("result");
+      return touch("result.keep");
+    case ScreenId::kiln:
+      return on_kiln();
+    case ScreenId::keepsake:
+      return on_keepsake();
+    case ScreenId::fault:
+      pass("fault");
+      return problem("the visit", "The kiosk shows its fault screen.", "Its log says why.", 1);
+  }
+  return {};
+}
+
+Result<void> ScriptedVisitor::on_choose() {
+  const std::string card = "choose.card." + std::to_string(plan_.card);
+  if (!label_open_) {
+    if (!kiosk_.visit().control(card)) {
+      entered_ = now_;  // The next page fades in.
+      return touch("choose.next");
+    }
+    pass("choose");
+    label_open_ = true;
+    entered_ = now_;  // Linger on the label as on a screen.
+    return touch(card);
+  }
+  if (touched_) return {};
+  touched_ = true;
+  pass("label");
+  return touch("choose.throw");
+}
+
+Result<void> ScriptedVisitor::on_throw(double now) {
+  const loop::LoopStatus status = kiosk_.potter().status();
+  if (!playing_) {
+    const auto& target = kiosk_.shelf().cards()[static_cast<std::size_t>(kiosk_.pot_card())].target;
+    auto script = make_script(plan_.script, {kiosk_.pot_def(), &target, plan_.seed, plan_.pace});
+    if (!script) return tl::unexpected(script.error());
+    pass("throw_begin");
+    kiosk_.potter().play(std::move(*script));
+    playing_ = true;
+    entered_ = now;
+    return {};
+  }
+  if (!half_shown_ && status.script_progress > 0.5) {
+    half_shown_ = true;
+    pass("throw");
+  }
+  // The hands are real input: a visitor who throws is not idle.
+  view::InputEvent moved;
+  moved.kind = view::InputEvent::Kind::pointer_move;
+  kiosk_.visit().input(moved, now);
+  if (!status.script_done || touched_) return {};
+  touched_ = true;
+  pass("throw_done");
+  return touch("throw.done");
+}
+
+/// Chooses, looks on while it is in the fire, and again when it is out.
+Result<void> ScriptedVisitor::on_kiln() {
+  if (touched_) return {};
+  if (!half_shown_) {
+    half_shown_ = true;
+    pass("kiln");
+    entered_ = now_ - plan_.linger + kInTheFire;
+    return touch("kiln.glaze." + std::to_string(plan_.glaze));
+  }
+  if (!label_open_) {
+    label_open_ = true;
+    pass("kiln_fire");
+    entered_ = now_ - plan_.linger + kOutOfIt;
+    return {};
+  }
+  touched_ = true;
+  pass("kiln_fired");
+  return touch("kiln.keep");
+}
+
+Result<void> ScriptedVisitor::on_keepsake() {
+  if (touched_) return {};
+  const auto& kept = kiosk_.kept();
+  if (!kept || !kept->saved) {
+    if (now_ - entered_ > kKeepTimeout)
+      return problem("the keepsake", "It was not kept within a minute.",
+                     "Look for a slow or full disk.", 1);
+    return {};
+  }
+  if (!kept_seen_) {
+    kept_seen_ = true;  // One more linger, so that the words about it are on the screen.
+    entered_ = now_;
+    return {};
+  }
+  touched_ = true;
+  pass("keepsake");
+  if (!*kept->saved) return tl::unexpected(kept->saved->error());
+  return touch("keepsake.done");
+}
+
+}  // namespace onggi::measure

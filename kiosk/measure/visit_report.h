@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "kiosk/exhibit/kiosk.h"
+#include "kiosk/files/json.h"
+
+namespace onggi::measure {
+
+/// JSON of a kept visit: {vessel, score, stars, measures, state_hash, ticks, screens[], files[]}.
+/// Lengths in metres; state_hash as 16 hexadecimal digits.
+files::Json visit_report(const exhibit::KeptVisit& kept,
+                         const std::vector<std::filesystem::path>& screens);
+
+/// The same for a person: what it scored and where the postcard lies.
+std::string visit_summary(const exhibit::KeptVisit& kept);
+
+/// All measures: lengths in metres, distances of the outlines as shares of the
+/// target's height, angles in degrees.
+files::Json json_of(const Measures& m);
+
+/// 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
+
+}  // namespace onggi::measure

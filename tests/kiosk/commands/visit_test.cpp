@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/kiosk/commands/program.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::commands {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
+  const TemporaryFolder folder;
+  Json reports[2];
+  for (int i = 0; i < 2; ++i) {
+    const std::string out = (folder / std::to_string(i)).string();
+    const Outcome run = onggi(
+        "visit --script follow --vessel moon_jar --glaze tenmoku --seed 3 --window 1024x600 --json "
+        "- "
+        "--out " +
+        out);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    reports[i] = Json::parse(run.out);
+  }
+  EXPECT_EQ(reports[0]["state_hash"], reports[1]["state_hash"]);
+  EXPECT_EQ(reports[0]["score"], reports[1]["score"]);
+  EXPECT_EQ(reports[0]["ticks"], reports[1]["ticks"]);
+  EXPECT_GT(reports[0]["score"].get<double>(), 90.0);
+  EXPECT_EQ(reports[0]["vessel"], "moon_jar");
+  EXPECT_EQ(reports[0]["glaze"], "tenmoku");
+  // Stoneware shrinks by an eighth.
+  EXPECT_NEAR(reports[0]["height"].get<double>(), 0.875 * reports[0]["thrown_height"].get<double>(),
+              1e-4);
+
+  EXPECT_GE(reports[0]["screens"].size(), 6u);
+  ASSERT_EQ(reports[0]["files"].size(), 5u);
+  for (const char* list : {"screens", "files"})
+    for (const Json& file : reports[0][list])
+      EXPECT_GT(fs::file_size(file.get<std::string>()), 1000u) << file;
+
+  // The replay that the visitor left throws the same pot in the engine alone.
+  const Outcome replay = onggi("replay --json - " + reports[0]["files"][4].get<std::string>());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  EXPECT_EQ(Json::parse(replay.out)["state_hash"], reports[0]["state_hash"]);
+  EXPECT_EQ(Json::parse(replay.out)["glaze"], "tenmoku");
+}
+
+TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
+  const TemporaryFolder folder;
+  const std::string file =
+      write_exhibit(folder, "first_touch", "[vessel_scenes]\ntea_bowl = \"unfired.toml\"\n");
+  std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
+  for (const auto& [vessel, fired] : {std::pair{"tea_bowl", false}, {"moon_jar", true}}) {
+    const Outcome run =
+        onggi("visit --script groove --window 640x480 --config " + file + " --vessel " + vessel +
+              " --json - --out " + (folder / vessel).string());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json report = Json::parse(run.out);
+    const double shrunk = report["height"].get<double>() / report["thrown_height"].get<double>();
+    EXPECT_NEAR(shrunk, fired ? 0.875 : 1.0, 1e-4) << vessel;
+    EXPECT_EQ(report["glaze"].get<std::string>().empty(), !fired) << vessel;
+  }
+}
+
+TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "file") << "in the way";
+  for (const std::string& out : {(folder / "file").string(), std::string("''")}) {
+    const Outcome run = onggi("visit --vessel moon_jar --out " + out);
+    EXPECT_EQ(run.exit_code, 2) << out;
+    EXPECT_NE(run.err.find("--out"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysWhy) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "out").string();
+  // 800 kB a file: enough for the pictures of small screens, not for the postcard.
+  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " + out,
+                            "ulimit -f 800");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("postcard"), std::string::npos) << run.err;
+  EXPECT_TRUE(fs::exists(out + "/screens/11_keepsake.png"));
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
+}
+
+TEST(Visit, AnUnknownVesselIsRefusedWithTheNearestRightName) {
+  const TemporaryFolder folder;
+  const Outcome run = onggi("visit --vessel moon_jra --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("Did you mean moon_jar?"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnUnknownGlazeIsRefusedWithThoseThereAre) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      onggi("visit --vessel moon_jar --glaze jade --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("celadon, white_porcelain"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      onggi("visit --script folow --vessel moon_jar --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("follow"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnEmptyShelfIsNamedByItsPlace) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "shelf");
+  const Outcome run = onggi("visit --vessel moon_jar --shelf " + (folder / "shelf").string() +
+                            " --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find((folder / "shelf").string()), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace onggi::commands
