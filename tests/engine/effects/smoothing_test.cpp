@@ -128,7 +128,7 @@ double after_tool(const char* tool) {
     if (scene.def().tools[n].name == tool) hands.hand[0].tool = n + 1;
   hands.hand[0].active = true;
   const ToolShape& shape = *find_tool_shape(tool);
-  const double off = shape.round ? shape.usual.radius : 0.5 * shape.usual.thickness;
+  const double off = shape.round() ? shape.usual.radius : 0.5 * shape.usual.thickness;
   for (int n = 0; n < 3000; ++n) {
     hands.hand[0].position = {0.0549 + off + 1e-3 * std::max(0.0, 1.0 - n / 500.0), 0.1, 0};
     scene.step(hands, 0.001);
