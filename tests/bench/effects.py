@@ -2,7 +2,7 @@
 """What each effect costs, in instructions of 100 ticks, counted under valgrind's callgrind; and that an
 absent one costs nothing: within 0.1 % of a scene that has none.
 
-  tests/bench/effects.py --count build/ci/bin/tick_count [--config Release] [--script light_touch]
+  tests/bench/effects.py --count build/release/bin/tick_count [--config Release] [--script light_touch]
 
 exit 0: absent effects are free, 1: one is not, 77: cannot be counted here (says why)
 """

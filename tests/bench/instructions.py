@@ -2,7 +2,7 @@
 """Counts the instructions of 100 ticks of every script under valgrind's callgrind, and compares them
 with tests/golden/instructions.txt. A count more than 3 % above its golden fails.
 
-  tests/bench/instructions.py --count build/ci/bin/tick_count --compiler "GNU 12.2.0" --config Release
+  tests/bench/instructions.py --count build/release/bin/tick_count --compiler "GNU 12.2.0" --config Release
                               [--golden FILE] [--renew "why it may cost more, or costs less now"]
 
 Counts depend on the compiler and on the vectors used, not on the machine's speed or load. So the golden

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs tick_bench and adds its figures to tests/bench/results.csv: date, machine, commit, counter, value.
 
-  tests/bench/record.py [--bench build/ci/bin/tick_bench] [--csv tests/bench/results.csv] [--short]
+  tests/bench/record.py [--bench build/release/bin/tick_bench] [--csv tests/bench/results.csv] [--short]
   (--short: a few ticks of everything, to see that it works; the figures mean nothing)
 """
 
@@ -60,7 +60,7 @@ def figures(benchmarks):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--bench", default=os.path.join(ROOT, "build/ci/bin/tick_bench"))
+    parser.add_argument("--bench", default=os.path.join(ROOT, "build/release/bin/tick_bench"))
     parser.add_argument("--csv", default=os.path.join(ROOT, "tests/bench/results.csv"))
     parser.add_argument("--short", action="store_true")
     arguments = parser.parse_args()
