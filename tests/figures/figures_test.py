@@ -37,7 +37,8 @@ def wandering(values):
 
 class Drawn(unittest.TestCase):
     def test_every_figure_is_there_and_carries_curves_and_words(self):
-        for name, words in (("edges", ["sharpest turn of the outline in 0.5 mm, degrees", "with"]),
+        for name, words in (("bodies", ["section with a row", "hull of balls"]),
+                            ("edges", ["sharpest turn of the outline in 0.5 mm, degrees", "with"]),
                             ("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
                             ("glossary", ["element: one", "interval, or span:"]),
                             ("marks", ["eight facets, flat rib", "a trimmed foot"]),

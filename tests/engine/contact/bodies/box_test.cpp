@@ -1,38 +1,16 @@
+#include "engine/contact/bodies/box.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "tests/engine/contact/tools/checks.h"
+#include "tests/engine/contact/bodies/checks.h"
 
 namespace onggi {
 namespace {
 
-using namespace tool_checks;
-
-// From a block: what the point is beyond each pair of faces.
-double from_plate(Vec3 p, const ToolPlace& place, const ToolSize& size) {
-  const Vec3 q = p - place.at;
-  const double x = std::fabs(dot(q, place.along)) - 0.5 * size.length;
-  const double y = std::fabs(dot(q, place.across)) - 0.5 * size.thickness;
-  const double z = std::fabs(dot(q, cross(place.along, place.across))) - size.radius;
-  const Vec3 out{std::max(x, 0.0), std::max(y, 0.0), std::max(z, 0.0)};
-  return length(out) + std::min(std::max({x, y, z}), 0.0);
-}
-
-TEST(FlatRib, PressesAsARayMarchThroughAPlateSays) {
-  agrees_with_a_ray_march("flat_rib", from_plate);
-}
-TEST(FlatRib, GivesTheSameBitsOnAllVectors) { same_bits_on_all_vectors("flat_rib"); }
-TEST(FlatRib, HeldFlatLeavesASymmetricMark) { symmetric_pose_leaves_symmetric_mark("flat_rib"); }
-TEST(FlatRib, StaysFiniteAndWithinTheClaysLimitsInAnyPose) {
-  random_poses_stay_within_limits("flat_rib");
-}
-TEST(FlatRib, ItsBallReachesAsFarAsItDoes) {
-  ball_reaches_as_far_as_the_body("flat_rib", from_plate);
-}
-TEST(FlatRib, LooksWhereItTouches) { looks_where_it_touches("flat_rib"); }
-TEST(FlatRib, FeelsTheSameOnAnyGrid) { force_does_not_depend_on_the_grid("flat_rib", 0.03); }
+using namespace body_checks;
 
 TEST(FlatRib, HeldToAStillWallMakesAFlatFacet) {
   const ToolShape& rib = *find_tool_shape("flat_rib");

@@ -1,17 +1,11 @@
+#include "engine/contact/tool.h"
+
 #include <gtest/gtest.h>
 
-#include "tests/engine/contact/tools/checks.h"
 #include "tests/support/sphere.h"
 
 namespace onggi {
 namespace {
-
-using namespace tool_checks;
-
-TEST(Sponge, GivesTheSameBitsOnAllVectors) { same_bits_on_all_vectors("sponge"); }
-TEST(Sponge, StaysFiniteAndWithinTheClaysLimitsInAnyPose) {
-  random_poses_stay_within_limits("sponge");
-}
 
 TEST(Sponge, IsABallToTheClay) {
   const ToolShape& sponge = *find_tool_shape("sponge");
@@ -44,6 +38,14 @@ TEST(Sponge, IsFeltSofterAndDentsTheClayMoreSlowlyThanAFirmBall) {
     return 0.055 - double{clay.outer(clay.first_row_above(0.1))[0]};
   };
   EXPECT_NEAR(dent(soft) / dent(firm), share, 0.06 * share);
+}
+
+// What a firm tool presses for ten relaxation times, a blade has through at once, and with less
+// force.
+TEST(LoopTrimmer, GivesTheClayLessTimeThanARib) {
+  EXPECT_LT(find_tool_shape("loop_trimmer")->relaxation, 0.5);
+  EXPECT_TRUE(find_tool_shape("loop_trimmer")->cuts);
+  EXPECT_FALSE(find_tool_shape("curved_rib")->cuts);
 }
 
 }  // namespace

@@ -5,13 +5,13 @@
 
 #include "engine/contact/tool.h"
 
-namespace onggi::tool_checks {
+namespace onggi::body_checks {
 
 /// A tool's own description, told independently of its kernel: how far `p` is outside of it, m;
 /// negative within. Exact near the surface.
 using Distance = std::function<double(Vec3 p, const ToolPlace& place, const ToolSize& size)>;
 
-/// What every tool that is no ball is held to. Each says in a failure which pose it was.
+/// What every body is held to, as a tool of its kind. Each says in a failure which pose it was.
 
 /// Faces after a press, and the force, are those of a ray march through `distance` in double.
 void agrees_with_a_ray_march(std::string_view name, const Distance& distance);
@@ -35,4 +35,4 @@ void force_does_not_depend_on_the_grid(std::string_view name, double share);
 ToolPlace pressing(const ToolShape& shape, const ToolSize& size, double outer, double deep,
                    double y, double angle);
 
-}  // namespace onggi::tool_checks
+}  // namespace onggi::body_checks

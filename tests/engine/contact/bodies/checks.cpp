@@ -1,4 +1,4 @@
-#include "tests/engine/contact/tools/checks.h"
+#include "tests/engine/contact/bodies/checks.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -12,7 +12,7 @@
 #include "engine/math/random.h"
 #include "engine/math/vectors.h"
 
-namespace onggi::tool_checks {
+namespace onggi::body_checks {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -337,4 +337,4 @@ void force_does_not_depend_on_the_grid(std::string_view name, double share) {
   for (double f : felt) EXPECT_NEAR(f / felt[3], 1.0, share);
 }
 
-}  // namespace onggi::tool_checks
+}  // namespace onggi::body_checks
