@@ -77,7 +77,7 @@ class Clay {
     put(changed_, j);
     if (areas_) areas_->mark(j);
   }
-  /// Stacks row `from` and those above it anew on the row below, and marks them dirty. A lump that
+  /// Stacks row `from` and those above it anew on the row below, and marks them moved. A lump that
   /// is solid to the top stays so; else the floor's top keeps its share of the way between the
   /// middles that it lies between. O(rows() - from).
   void restack(int from);
@@ -125,14 +125,16 @@ class Clay {
   void mark_dirty(int first, std::uint64_t which) {
     put(dirty_, first, which), put(changed_, first, which);
   }
-  /// It is to be drawn, and has not changed.
-  void mark_to_draw(int j) { put(dirty_, j); }
+  /// It is to be drawn anew, and its radii are what they were.
+  void mark_to_draw(int j) { put(moved_, j); }
   /// All are to be drawn; none is changed.
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
   int take_dirty(int from = 0) { return take(dirty_, from); }
-  /// The same rows, for those that keep what they were (history.h). A row that only moved up or
-  /// down as others grew or sank is not among them.
+  /// The same of rows that only moved, tore or healed. Whoever draws takes the dirty ones first: a
+  /// row may be both.
+  int take_moved(int from = 0) { return take(moved_, from); }
+  /// The dirty rows, for those that keep what they were (history.h).
   int take_change(int from = 0) { return take(changed_, from); }
   void forget_change(int j) { changed_[static_cast<std::size_t>(j >> 6)] &= ~(1ULL << (j & 63)); }
 
@@ -179,7 +181,7 @@ class Clay {
   std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
   std::vector<float> outer_most_, inner_least_;  // a row's extent; no part of the clay's state
   unsigned measured_ = 0;
-  Bits dirty_, changed_;
+  Bits dirty_, moved_, changed_;
   std::optional<RowAreas> areas_;
   std::vector<Shifts> shifts_;  // of the outside and the inside, or none
   int sweep_row_ = 0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/contact/place.h"
 #include "engine/contact/tool.h"
 #include "engine/math/lowpass.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/tool_balls.h"
+
 namespace onggi {
 namespace {
 
@@ -12,6 +14,13 @@ constexpr double kSmallestReach = 0.004;  // m: what a hand may go four of in a 
 bool plausible(Vec3 p) {
   return is_finite(p) && std::fabs(p.x) <= kFarthestHand && std::fabs(p.y) <= kFarthestHand &&
          std::fabs(p.z) <= kFarthestHand;
+}
+
+BodyKind body_of(const ToolShape& shape) {
+  if (shape.round) return BodyKind::ball;
+  if (shape.severs) return BodyKind::wire;
+  if (shape.ball == capsule_ball) return BodyKind::capsule;
+  return shape.ball == plate_ball ? BodyKind::box : BodyKind::cylinder;
 }
 
 }  // namespace
@@ -86,6 +95,22 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
   add(along);
   add(across);
   if (wire.drawing) add(wire.way);
+}
+
+HandView seen(const HandState& hand, const Tool& tool) noexcept {
+  HandView view;
+  view.present = hand.present;
+  view.tool = hand.tool;
+  view.name = tool.shape->name;
+  view.body = body_of(*tool.shape);
+  view.radius = tool.size.radius;
+  view.length = tool.size.length;
+  view.thickness = tool.size.thickness;
+  view.at = hand.at;
+  if (tool.shape->round) return view;  // held in no particular way
+  view.along = hand.along;
+  view.across = hand.across;
+  return view;
 }
 
 }  // namespace onggi

@@ -160,6 +160,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
   }
   out.wetness = moisture ? moisture->mean() : 0.0;
   out.faults = faults;
+  faulted |= faults;
   return out;
 }
 
@@ -205,8 +206,13 @@ double Scene::wetness_of(int row) const {
 }
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
 int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }
+int Scene::take_moved_row(int from) noexcept { return state_->clay.take_moved(from); }
 void Scene::mark_all_dirty() noexcept { state_->clay.mark_all_dirty(); }
-void Scene::clear_faults() noexcept { state_->faults = 0; }
+HandView Scene::hand(int n) const noexcept {
+  const HandState& h = state_->hand[static_cast<std::size_t>(n)];
+  return seen(h, state_->tools[h.tool]);
+}
+void Scene::clear_faults(std::uint32_t which) noexcept { state_->faults &= ~which; }
 const SceneCounters& Scene::counters() const { return state_->counters; }
 double Scene::time() const { return state_->time; }
 
@@ -220,7 +226,7 @@ std::uint64_t Scene::state_hash() const {
   s.slit.add_to(hash);
   if (s.slit.free()) hash.add(s.clay_angle);
   hash.add(std::uint64_t{s.renew_held} | std::uint64_t{s.restore_held} << 1 |
-           static_cast<std::uint64_t>(s.lump_work) << 2 | std::uint64_t{s.faults} << 8);
+           static_cast<std::uint64_t>(s.lump_work) << 2 | std::uint64_t{s.faulted} << 8);
   if (s.printed)
     for (const PaperFilter& filter : s.printed->filter)
       for (double v : filter.memory()) hash.add(v);

@@ -41,7 +41,8 @@ struct Scene::State {
   bool restore_held = false;
   LumpWork lump_work = LumpWork::none;
   std::uint64_t stood_at = 0;  // the history's depth when the pot last stood
-  std::uint32_t faults = 0;
+  std::uint32_t faults = 0;    // that nobody has cleared,
+  std::uint32_t faulted = 0;   // and all that ever were: what a replay comes to, too
   SceneCounters counters;
 
   // What the stages of one tick hand to each other.
