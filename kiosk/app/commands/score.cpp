@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "engine/scene/scene_def.h"
 #include "kiosk/app/commands/commands.h"
 #include "kiosk/app/log.h"
 #include "kiosk/app/paths.h"
@@ -91,10 +92,11 @@ std::string report_of(const Shape& target, const Shape& pot, const score::Score&
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// In millimetres of the vessel itself, of which a metre on the wheel stands for `true_scale`.
 void print_summary(const Shape& target, const Shape& pot, const score::Score& score,
-                   const content::Language& words) {
+                   double true_scale, const content::Language& words) {
   const Measures& m = score.measures;
-  const double mm = 1000.0 * m.target.height;
+  const double mm = 1000.0 * true_scale * m.target.height;
   std::printf("%s\n  as an answer to %s: %.1f of 100, %d of 5 stars\n", pot.file.c_str(),
               target.file.c_str(), score.points, score.stars);
   if (score.largest)
@@ -105,9 +107,9 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
       "shared\n",
       m.outline_rms * mm, m.outline_worst * mm, 100.0 * m.outline_worst_at,
       100.0 * m.volume_overlap);
-  const auto row = [](const char* name, double wanted, double made) {
-    std::printf("  %-13s %7.1f mm, made %7.1f mm, %+.1f\n", name, 1000.0 * wanted, 1000.0 * made,
-                1000.0 * (made - wanted));
+  const auto row = [true_scale](const char* name, double wanted, double made) {
+    std::printf("  %-13s %7.1f mm, made %7.1f mm, %+.1f\n", name, 1000.0 * true_scale * wanted,
+                1000.0 * true_scale * made, 1000.0 * true_scale * (made - wanted));
   };
   row("height", m.target.height, m.made.height);
   row("belly", m.target.belly, m.made.belly);
@@ -129,8 +131,10 @@ Result<void> compare_files(const Arguments& arguments) {
   if (!words) return tl::unexpected(words.error());
 
   const bool size_counts = arguments.size_counts || rubric->size_counts;
-  const score::Score score =
-      score::judge(target->profile, pot->profile, !size_counts, 1.0, *rubric);
+  // A kept pot was thrown, and judged, against the vessel at a size that a hand can reach.
+  const double scale = pot->kind == "replay" ? workspace_scale(target->profile) : 1.0;
+  const score::Score score = score::judge(scaled(target->profile, scale), pot->profile,
+                                          !size_counts, 1.0 / scale, *rubric);
   const std::string text = report_of(*target, *pot, score, size_counts, *words);
   if (arguments.json == "-") {
     std::cout << text;
@@ -139,7 +143,7 @@ Result<void> compare_files(const Arguments& arguments) {
   if (!arguments.json.empty())
     if (auto good = souvenir::write_durably(arguments.json, std::as_bytes(std::span(text))); !good)
       return good;
-  print_summary(*target, *pot, score, *words);
+  print_summary(*target, *pot, score, 1.0 / scale, *words);
   return {};
 }
 
