@@ -43,7 +43,7 @@ enum class BodyKind : std::uint8_t {
   wire,      ///< `length` along, round `at`: it presses nothing, and cuts the pot free (wire.h).
 };
 
-/// A potter's tool: a body, and what a potter does with it. One row of engine/contact/tools.cpp.
+/// A potter's tool: a body, and what a potter does with it. One row of engine/contact/tool.cpp.
 struct ToolShape {
   std::string_view name;  ///< As in a scene's TOML: "sphere".
   BodyKind body = BodyKind::ball;
