@@ -1,8 +1,9 @@
 #include "engine/clay/clay.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "engine/clay/ray.h"
+#include "engine/clay/row_means.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
 
@@ -22,15 +23,15 @@ Result<Clay> Clay::create(const ClayDef& def, Vectors vectors) {
   clay.ray_cos_.assign(clay.padded(), 0.0f);
   clay.ray_sin_.assign(clay.padded(), 0.0f);
   for (int i = 0; i < def.sectors; ++i) {
-    const double angle = (i + 0.5) * 2.0 * portable::kPi / def.sectors;
-    clay.ray_cos_[static_cast<std::size_t>(i)] = static_cast<float>(portable::cos(angle));
-    clay.ray_sin_[static_cast<std::size_t>(i)] = static_cast<float>(portable::sin(angle));
+    const clay::Ray ray = clay::ray_of(i, def.sectors);
+    clay.ray_cos_[static_cast<std::size_t>(i)] = ray.cos;
+    clay.ray_sin_[static_cast<std::size_t>(i)] = ray.sin;
   }
   clay.outer_.assign(rows * clay.padded(), -1e9f);
   clay.inner_.assign(rows * clay.padded(), 1e9f);
   clay.outer_most_.resize(rows);
   clay.inner_least_.resize(rows);
-  clay.dirty_ = clay.changed_ = RowSet(def.rows);
+  clay.dirty_ = clay.moved_ = clay.changed_ = RowSet(def.rows);
   for (int j = 0; j < def.rows; ++j) clay.lay_lump(j);
   return clay;
 }
@@ -63,7 +64,7 @@ void Clay::restack(int from) {
     const double thickness = row_thickness(j);
     row_height_[static_cast<std::size_t>(j)] = edge + 0.5 * thickness;
     edge += thickness;
-    dirty_.add(j);  // to be drawn elsewhere, and else as it was
+    moved_.add(j);
   }
   if (solid) floor_top_ = rim_height();
   if (carries)
@@ -156,21 +157,14 @@ bool Clay::renew_some(int element_budget) {
 }
 
 Profile Clay::profile() const {
-  const auto mean = [this](std::span<const float> radii) {
-    return std::accumulate(radii.begin(), radii.end(), 0.0) / def_.sectors;
-  };
-  Profile p;
-  p.points.reserve(row_height_.size() + 2);
-  for (int j = 0; j < def_.rows; ++j)
-    p.points.push_back({row_height(j), mean(outer(j)), j < floor_rows_ ? 0.0 : mean(inner(j))});
-  // The outline stands on the wheel head and ends at the rim, half a row beyond the outermost rays.
-  ProfilePoint foot = p.points.front();
-  ProfilePoint rim = p.points.back();
-  foot.height = 0.0;
-  rim.height = rim_height();
-  p.points.insert(p.points.begin(), foot);
-  p.points.push_back(rim);
-  return p;
+  std::vector<double> outer_means, inner_means;
+  outer_means.reserve(row_height_.size());
+  inner_means.reserve(row_height_.size());
+  for (int j = 0; j < def_.rows; ++j) {
+    outer_means.push_back(clay::row_mean(outer(j)));
+    inner_means.push_back(clay::row_mean(inner(j)));
+  }
+  return clay::outline_of(row_height_, outer_means, inner_means, rim_height());
 }
 
 double Clay::volume() const {

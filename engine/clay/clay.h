@@ -61,7 +61,7 @@ class Clay {
     changed_.add(j);
     if (areas_) areas_->mark(j);
   }
-  /// Stacks row `from` and those above it anew on the row below, and marks them dirty. A lump that
+  /// Stacks row `from` and those above it anew on the row below, and marks them moved. A lump that
   /// is solid to the top stays so; else the floor's top keeps its share of the way between the
   /// middles that it lies between. O(rows() - from).
   void restack(int from);
@@ -111,14 +111,16 @@ class Clay {
   void mark_dirty(int first, std::uint64_t which) {
     dirty_.add(first, which), changed_.add(first, which);
   }
-  /// It is to be drawn, and has not changed.
-  void mark_to_draw(int j) { dirty_.add(j); }
+  /// It is to be drawn anew, and its radii are what they were.
+  void mark_to_draw(int j) { moved_.add(j); }
   /// All are to be drawn; none is changed.
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
   int take_dirty(int from = 0) { return dirty_.take(std::max(from, 0)); }
-  /// The same rows, for those that keep what they were (history.h). A row that only moved up or
-  /// down as others grew or sank is not among them.
+  /// The same of rows that only moved, tore or healed. Whoever draws takes the dirty ones first: a
+  /// row may be both.
+  int take_moved(int from = 0) { return moved_.take(std::max(from, 0)); }
+  /// The dirty rows, for those that keep what they were (history.h).
   int take_change(int from = 0) { return changed_.take(from); }
   void forget_change(int j) { changed_.remove(j); }
 
@@ -156,7 +158,7 @@ class Clay {
   std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
   std::vector<float> outer_most_, inner_least_;  // a row's extent; no part of the clay's state
   unsigned measured_ = 0;
-  RowSet dirty_, changed_;
+  RowSet dirty_, moved_, changed_;
   std::optional<RowAreas> areas_;
   std::vector<Shifts> shifts_;  // of the outside and the inside, or none
   int sweep_row_ = 0;

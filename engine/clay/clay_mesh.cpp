@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/clay/lip.h"
+#include "engine/clay/ray.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -24,7 +25,7 @@ Vec3 as_vec(const Position& p) { return {p[0], p[1], p[2]}; }
 /// clay.
 class Face {
  public:
-  Face(TriangleMesh& mesh, const Clay& clay, int sector_step)
+  Face(TriangleMesh& mesh, const ClayView& clay, int sector_step)
       : mesh_(mesh), clay_(clay), step_(sector_step), count_(clay.sectors() / sector_step) {
     first_ = static_cast<std::uint32_t>(mesh.positions.size());
   }
@@ -42,8 +43,8 @@ class Face {
       const auto i = static_cast<std::size_t>(k * step_);
       const Vec2 at = place(i);
       const auto r = static_cast<float>(at.x);
-      mesh_.positions.push_back(
-          {r * clay_.ray_cos()[i], static_cast<float>(at.y), r * clay_.ray_sin()[i]});
+      const clay::Ray ray = clay::ray_of(k * step_, clay_.sectors());
+      mesh_.positions.push_back({r * ray.cos, static_cast<float>(at.y), r * ray.sin});
     }
     if (++rings_ < 2) return;
     const auto n = static_cast<std::uint32_t>(count_);
@@ -80,7 +81,7 @@ class Face {
   }
 
   TriangleMesh& mesh_;
-  const Clay& clay_;
+  const ClayView& clay_;
   int step_, count_;
   std::uint32_t first_, rings_ = 0;
   std::size_t first_triangle_ = mesh_.triangles.size();
@@ -94,13 +95,13 @@ int least_divisor_step(int n, int most) {
 
 }  // namespace
 
-TriangleMesh mesh_of(const Clay& clay, int most_rows, int most_sectors) {
+TriangleMesh mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
   TriangleMesh mesh;
   const int sector_step = least_divisor_step(clay.sectors(), std::max(3, most_sectors));
   const int row_step = std::max(1, (clay.rows() + most_rows - 1) / std::max(2, most_rows));
   const int last = clay.rows() - 1;
   const int floor_row = std::min(clay.floor_rows(), last);
-  const double top = clay.row_height(last) + clay.row_thickness(last) / 2;
+  const double top = clay.rim_height();
   const double floor = clay.floor_rows() < clay.rows() ? clay.floor_top() : top;
   const auto face = [&] { return Face(mesh, clay, sector_step); };
 

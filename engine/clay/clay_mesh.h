@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/clay/clay.h"
+#include "engine/clay/clay_view.h"
 #include "engine/profile/mesh.h"
 
 namespace onggi {
@@ -9,6 +9,6 @@ namespace onggi {
 /// with the real throwing lines. The walls take every n-th row and sector, n the least that keeps
 /// them at `most_rows` x `most_sectors`; edges between the five faces are sharp (their vertices are
 /// doubled, at equal positions). Metres, y up, foot at 0. Allocates; O(vertices).
-TriangleMesh mesh_of(const Clay& clay, int most_rows = 400, int most_sectors = 180);
+TriangleMesh mesh_of(const ClayView& clay, int most_rows = 400, int most_sectors = 180);
 
 }  // namespace onggi

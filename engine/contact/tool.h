@@ -7,6 +7,7 @@
 #include "engine/clay/clay.h"
 #include "engine/clay/wall_side.h"
 #include "engine/contact/bodies/ball.h"
+#include "engine/contact/bodies/body_kind.h"
 #include "engine/contact/press.h"
 #include "engine/math/vec.h"
 
@@ -32,15 +33,6 @@ struct ToolPlace {
 struct Hold {
   Vec3 along{0, 1, 0};
   Vec3 across{0, 0, 1};
-};
-
-/// What a tool is to the clay, by its ToolPlace and ToolSize.
-enum class BodyKind : std::uint8_t {
-  ball,      ///< `radius` round `at`.
-  capsule,   ///< `radius` round the line from `at`, `length` along.
-  box,       ///< Round `at`: `length` along, `thickness` across, and 2 `radius` wide.
-  cylinder,  ///< Round `at`: `radius`, and `thickness` across.
-  wire,      ///< `length` along, round `at`: it presses nothing, and cuts the pot free (wire.h).
 };
 
 /// A potter's tool: a body, and what a potter does with it. One row of engine/contact/tool.cpp.

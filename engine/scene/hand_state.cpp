@@ -88,4 +88,20 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
   if (wire.drawing) add(wire.way);
 }
 
+HandView seen(const HandState& hand, const Tool& tool) noexcept {
+  HandView view;
+  view.present = hand.present;
+  view.tool = hand.tool;
+  view.name = tool.shape->name;
+  view.body = tool.shape->body;
+  view.radius = tool.size.radius;
+  view.length = tool.size.length;
+  view.thickness = tool.size.thickness;
+  view.at = hand.at;
+  if (tool.shape->round()) return view;  // held in no particular way
+  view.along = hand.along;
+  view.across = hand.across;
+  return view;
+}
+
 }  // namespace onggi::scene

@@ -8,6 +8,7 @@
 #include "engine/contact/wire.h"
 #include "engine/force/guard.h"
 #include "engine/math/hash.h"
+#include "engine/scene/hand_view.h"
 #include "engine/scene/hands.h"
 #include "engine/scene/scene_def.h"
 
@@ -41,5 +42,8 @@ struct HandState {
  private:
   void hold_as(const HandInput& in, const Tool& tool, Vec3 to) noexcept;
 };
+
+/// `hand`, which holds `tool`, as it is seen.
+HandView seen(const HandState& hand, const Tool& tool) noexcept;
 
 }  // namespace onggi::scene

@@ -48,8 +48,13 @@ double Scene::wetness_of(int row) const {
 }
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
 int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }
+int Scene::take_moved_row(int from) noexcept { return state_->clay.take_moved(from); }
 void Scene::mark_all_dirty() noexcept { state_->clay.mark_all_dirty(); }
-void Scene::clear_faults() noexcept { state_->faults = 0; }
+HandView Scene::hand(int n) const noexcept {
+  const scene::HandState& h = state_->hand[static_cast<std::size_t>(n)];
+  return scene::seen(h, state_->tools[h.tool]);
+}
+void Scene::clear_faults(std::uint32_t which) noexcept { state_->faults &= ~which; }
 const SceneCounters& Scene::counters() const { return state_->counters; }
 double Scene::time() const { return state_->time; }
 
@@ -62,7 +67,7 @@ std::uint64_t Scene::state_hash() const {
   for (const scene::HandState& h : s.hand) h.add_to(hash, s.tools);
   s.slit.add_to(hash);
   if (s.slit.free()) hash.add(s.clay_angle);
-  hash.add(s.lump.bits() | std::uint64_t{s.faults} << 8);
+  hash.add(s.lump.bits() | std::uint64_t{s.faulted} << 8);
   if (s.printed)
     for (const PaperFilter& filter : s.printed->filter)
       for (double v : filter.memory()) hash.add(v);

@@ -6,6 +6,7 @@
 #include "engine/base/result.h"
 #include "engine/clay/clay.h"
 #include "engine/math/vectors.h"
+#include "engine/scene/hand_view.h"
 #include "engine/scene/hands.h"
 #include "engine/scene/scene_def.h"
 
@@ -48,8 +49,13 @@ class Scene {
   bool can_restore() const;
   /// Takes and clears the lowest changed row at or above `from`; -1 when none. No allocation.
   int take_dirty_row(int from) noexcept;
+  /// The same of rows that only moved, tore or healed, once the changed ones are taken.
+  int take_moved_row(int from) noexcept;
   void mark_all_dirty() noexcept;
-  void clear_faults() noexcept;
+  /// What hand `n` (0..kMaxHands - 1) holds, and where, as the last tick left it.
+  HandView hand(int n) const noexcept;
+  /// Forgets these FaultBits, once they are told. No difference to state_hash(), or to a replay.
+  void clear_faults(std::uint32_t which = ~0u) noexcept;
   const SceneCounters& counters() const;
   double time() const;  ///< Simulated seconds since create().
   /// Hash of all state that the next tick depends on. O(rows x sectors); not for the tick.

@@ -251,6 +251,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
     out.torn = row_effects->torn();
   }
   out.wetness = moisture ? moisture->mean() : 0.0;
+  faulted |= faults;
   out.faults = faults;
   return out;
 }

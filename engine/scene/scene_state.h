@@ -42,7 +42,8 @@ struct Scene::State {
   std::optional<effects::Moisture> moisture;
   std::unique_ptr<scene::RowEffects> row_effects;  // null where the scene has none
   scene::LumpWork lump;
-  std::uint32_t faults = 0;
+  std::uint32_t faults = 0;   // that nobody has cleared,
+  std::uint32_t faulted = 0;  // and all that ever were: what a replay comes to, too
   SceneCounters counters;
 
   // What the stages of one tick hand to each other.

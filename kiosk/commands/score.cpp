@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/scene/lump.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/score_files.h"
@@ -85,10 +86,11 @@ Json report_of(const Shape& target, const Shape& pot, const score::Score& score,
        {"try_next", list(score.try_next)}});
 }
 
+/// In millimetres of the vessel itself, of which a metre on the wheel stands for `true_scale`.
 void print_summary(const Shape& target, const Shape& pot, const score::Score& score,
-                   const content::Language& words) {
+                   double true_scale, const content::Language& words) {
   const Measures& m = score.measures;
-  const double mm = 1000.0 * m.target.height;
+  const double mm = 1000.0 * true_scale * m.target.height;
   std::printf("%s\n  as an answer to %s: %.1f of 100, %d of 5 stars\n", pot.file.c_str(),
               target.file.c_str(), score.points, score.stars);
   if (score.largest)
@@ -99,9 +101,9 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
       "shared\n",
       m.outline_rms * mm, m.outline_worst * mm, 100.0 * m.outline_worst_at,
       100.0 * m.volume_overlap);
-  const auto row = [](const char* name, double wanted, double made) {
-    std::printf("  %-13s %7.1f mm, made %7.1f mm, %+.1f\n", name, 1000.0 * wanted, 1000.0 * made,
-                1000.0 * (made - wanted));
+  const auto row = [true_scale](const char* name, double wanted, double made) {
+    std::printf("  %-13s %7.1f mm, made %7.1f mm, %+.1f\n", name, 1000.0 * true_scale * wanted,
+                1000.0 * true_scale * made, 1000.0 * true_scale * (made - wanted));
   };
   row("height", m.target.height, m.made.height);
   row("belly", m.target.belly, m.made.belly);
@@ -123,12 +125,14 @@ Result<int> compare_files(const Arguments& arguments) {
   if (!words) return tl::unexpected(words.error());
 
   const bool size_counts = arguments.size_counts || rubric->size_counts;
-  const score::Score score =
-      score::judge(target->profile, pot->profile, !size_counts, 1.0, *rubric);
+  // A kept pot was thrown, and judged, against the vessel at a size that a hand can reach.
+  const double scale = pot->kind == "replay" ? workspace_scale(target->profile) : 1.0;
+  const score::Score score = score::judge(scaled(target->profile, scale), pot->profile,
+                                          !size_counts, 1.0 / scale, *rubric);
   const auto free =
       put_report(report_of(*target, *pot, score, size_counts, *words), arguments.json);
   if (!free) return tl::unexpected(free.error());
-  if (*free) print_summary(*target, *pot, score, *words);
+  if (*free) print_summary(*target, *pot, score, 1.0 / scale, *words);
   return 0;
 }
 

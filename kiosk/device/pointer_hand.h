@@ -10,21 +10,25 @@ struct PointerHandDef {
   double settle_time = 0.025;  ///< s, time constant towards the pointer; joins its 60 Hz steps.
 };
 
-/// Mouse or touch as a HandDevice: the pointer sets a target at frame rate, the tool glides there
-/// at 1 kHz. A lifted tool is set down where the pointer is, without gliding through the clay.
+/// Mouse, touch or keys as a HandDevice, the loop's half: PointerLead says at frame rate where the
+/// tool is to be, and here it glides there at 1 kHz. A lifted tool is set down where the pointer
+/// is, without gliding through the clay. What is held, and how, passes through.
 class PointerHand final : public HandDevice {
  public:
   PointerHand() = default;
   explicit PointerHand(const PointerHandDef& def) : def_(def) {}
-  /// The newest target. Same thread as read().
-  void aim(const HandInput& target) noexcept;
+  void lead(const HandInput& target) noexcept override {
+    target_ = target;
+    down_ = down_ && target.active;
+  }
   HandInput read(double dt) noexcept override;
   void feel(const HandFeedback&) noexcept override {}
 
  private:
   PointerHandDef def_;
   HandInput target_;
-  HandInput hand_;
+  Vec3 at_;            ///< Of the tool, as last read,
+  bool down_ = false;  ///< and whether it was set down.
 };
 
 }  // namespace onggi::device

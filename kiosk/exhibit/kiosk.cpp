@@ -95,7 +95,7 @@ void Kiosk::begin_visit(double now) {
   world.languages = &languages_;
   world.shelf = &shelf_->cards();
   world.measure = &renderer_->measure();
-  world.mirror = &potter_->mirror();
+  world.wheel = &potter_->view();
   world.potter = potter_.get();
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
@@ -135,13 +135,11 @@ bool Kiosk::frame(double now, bool draw) {
     return open;
   }
 
-  std::vector<view::RowUpdate> rows;
-  potter_->collect([&rows](const loop::RowChannel::Row& row) {
-    rows.push_back({row.row, row.radii, view::RowPlace{row.middle, row.rim, row.floor}, row.torn});
-  });
-  if (!rows.empty()) renderer_->update_rows(rows);
+  potter_->collect();
+  renderer_->update_clay(potter_->view().clay);
   note_saved();
-  visit_->update(now, potter_->status());
+  for (const std::string& line : fault_log_.news(potter_->view().status)) log_line(line);
+  visit_->update(now);
   while (auto request = visit_->take_request())
     std::visit([this](const auto& wish) { carry_out(wish); }, *request);
   if (stepped_ != nullptr)
@@ -183,7 +181,7 @@ void Kiosk::carry_out(const screens::StartPot& request) {
   pot_def_ = def;
   pot_card_ = request.card;
   potter_->start(std::make_unique<Scene>(std::move(*scene)));
-  renderer_->set_grid({def.clay.rows, def.clay.sectors, def.clay.height, def.clay.floor_thickness});
+  renderer_->show_clay(potter_->view().clay);
   ++pots_;
   if (!request.scripted) {
     potter_->record(card.vessel->id, seed_);
@@ -215,13 +213,14 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   const bool lent = potter_->with_scene([&](Scene& scene) {
     kept.state_hash = scene.state_hash();
     kept.ticks = scene.counters().ticks;
-    keepsake.pot = mesh_of(scene.clay());
   });
   if (!lent) {
     visit_->keepsake_failed({"the wheel", "The clay did not come back from the wheel in time.",
                              "If this returns, look for a stuck 1 kHz loop in the log.", 1});
     return;
   }
+  // The pot rests since it was called done: the view has every row of it.
+  keepsake.pot = mesh_of(potter_->view().clay);
   shrink(keepsake.pot, size);
   if (potter_->dropped_records() == 0)
     keepsake.replay = potter_->replay(kept.state_hash, kept.glaze);

@@ -11,6 +11,7 @@
 #include "kiosk/exhibit/keepsakes.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
+#include "kiosk/loop/fault_log.h"
 #include "kiosk/loop/potter_host.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/render/renderer.h"
@@ -99,6 +100,7 @@ class Kiosk {
   int pot_card_ = -1;
   view::PictureId postcard_ = 0;
   std::optional<KeptVisit> kept_;
+  loop::FaultLog fault_log_;
   int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.
   std::optional<view::InputEvent>
       early_touch_;  ///< The first touch, while the shelf is being read.

@@ -38,7 +38,7 @@ void flush_denormals() noexcept {
 
 }  // namespace
 
-LoopThread::LoopThread() : PotterHost(core_), thread_([this] { run(); }) {}
+LoopThread::LoopThread() : thread_([this] { run(); }) {}
 
 LoopThread::~LoopThread() {
   stop_.store(true, std::memory_order_relaxed);

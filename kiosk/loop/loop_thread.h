@@ -25,7 +25,6 @@ class LoopThread final : public PotterHost {
   void run();
   void let_loop_turn() override {}
 
-  PotterCore core_;
   StatusBlock<LoopStatus> block_;
   std::atomic<bool> stop_{false};
   std::atomic<int> priority_error_{

@@ -10,6 +10,8 @@ constexpr std::size_t kCommandDepth = 256;
 constexpr std::size_t kReturnDepth = 512;
 constexpr std::size_t kRecordDepth = 16384;
 constexpr int kRowsPerTick = 16;
+
+bool is_hand(int hand) { return hand >= 0 && hand < kMaxHands; }
 }  // namespace
 
 Pot::Pot(Scene made, std::uint32_t number)
@@ -27,8 +29,8 @@ PotterCore::PotterCore() : commands_(kCommandDepth), returned_(kReturnDepth) {}
 PotterCore::~PotterCore() {
   Command command;
   while (commands_.try_dequeue(command)) {
-    delete command.pot;
-    delete command.script;
+    if (const auto* put = std::get_if<command::Put>(&command)) delete put->pot;
+    if (const auto* play = std::get_if<command::Play>(&command)) delete play->script;
   }
   Returned returned;
   while (returned_.try_dequeue(returned)) {
@@ -39,84 +41,140 @@ PotterCore::~PotterCore() {
   delete script_;
 }
 
-void PotterCore::hand_back(Pot* pot, Script* script) noexcept {
-  if (pot != nullptr || script != nullptr) returned_.try_enqueue(Returned{pot, script});
+void PotterCore::hand_back(const Returned& done) noexcept {
+  if (done.pot != nullptr || done.script != nullptr || done.device != nullptr)
+    returned_.try_enqueue(done);
 }
 
-void PotterCore::apply(const Command& command) noexcept {
-  using Kind = Command::Kind;
-  switch (command.kind) {
-    case Kind::put: {
-      hand_back(std::exchange(pot_, command.pot), std::exchange(script_, nullptr));
-      // A pot that was only lent comes back as it was; a new one finds the hands lifted.
-      if (status_.scene_serial != pot_->serial) {
-        asked_ = Hands{};
-        pointers_ = {};
-        status_.scene_serial = pot_->serial;
-        paused_ = false;
-      }
-      break;
-    }
-    case Kind::give_back:
-      hand_back(std::exchange(pot_, nullptr), std::exchange(script_, nullptr));
-      break;
-    case Kind::play:
-      hand_back(nullptr, std::exchange(script_, command.script));
-      script_time_ = 0;
-      asked_ = Hands{};
-      pointers_ = {};
-      break;
-    case Kind::hand:
-      if (command.index >= 0 && command.index < kMaxHands)
-        pointers_[static_cast<std::size_t>(command.index)].aim(command.target);
-      break;
-    case Kind::wheel:
-      asked_.wheel_speed = command.value;
-      break;
-    case Kind::water:
-      asked_.water = command.on;
-      break;
-    case Kind::renew:
-      asked_.renew = true;
-      break;
-    case Kind::restore:
-      asked_.restore = true;
-      break;
-    case Kind::pause:
-      paused_ = command.on;
-      break;
-  }
+void PotterCore::lift_hands() noexcept {
+  asked_ = Hands{};
+  for (std::size_t n = 0; n < attached_; ++n) devices_[n].device->lead(HandInput{});
 }
 
-Hands PotterCore::gather(double dt) noexcept {
-  if (script_ != nullptr) {
-    script_time_ += dt;
-    return script_->at(script_time_, pot_->scene.clay());
+void PotterCore::apply(const command::Put& wish) noexcept {
+  hand_back({std::exchange(pot_, wish.pot), std::exchange(script_, nullptr), nullptr});
+  // A pot that was only lent comes back as it was; a new one finds the hands lifted and empty.
+  if (status_.scene_serial == pot_->serial) return;
+  lift_hands();
+  taken_ = {};
+  status_.scene_serial = pot_->serial;
+  paused_ = false;
+}
+
+void PotterCore::apply(const command::GiveBack&) noexcept {
+  hand_back({std::exchange(pot_, nullptr), std::exchange(script_, nullptr), nullptr});
+}
+
+void PotterCore::apply(const command::Play& wish) noexcept {
+  hand_back({nullptr, std::exchange(script_, wish.script), nullptr});
+  script_time_ = 0;
+  lift_hands();
+}
+
+void PotterCore::apply(const command::Attach& wish) noexcept {
+  if (attached_ == devices_.size() || !is_hand(wish.hand))
+    return hand_back({nullptr, nullptr, wish.device});
+  devices_[attached_++] = {wish.device, wish.hand};
+}
+
+void PotterCore::apply(const command::Detach& wish) noexcept {
+  const auto end = devices_.begin() + static_cast<std::ptrdiff_t>(attached_);
+  const auto found = std::find_if(devices_.begin(), end, [&wish](const Attached& attached) {
+    return attached.device == wish.device;
+  });
+  if (found == end) return;
+  found->device->feel({});
+  std::replace(leads_.begin(), leads_.end(), wish.device,
+               static_cast<device::HandDevice*>(nullptr));
+  hand_back({nullptr, nullptr, wish.device});
+  std::move(found + 1, end, found);
+  --attached_;
+}
+
+void PotterCore::apply(const command::Lead& wish) noexcept {
+  for (std::size_t n = 0; n < attached_; ++n)
+    if (devices_[n].hand == wish.hand) devices_[n].device->lead(wish.target);
+}
+
+void PotterCore::apply(const command::Take& wish) noexcept {
+  if (is_hand(wish.hand)) taken_[static_cast<std::size_t>(wish.hand)] = wish.tool;
+}
+
+void PotterCore::apply(const command::Pause& wish) noexcept {
+  paused_ = wish.on;
+  if (!paused_) return;
+  // Nobody works on a pot that rests.
+  status_.hand = {};
+  status_.feedback.hand = {};
+}
+
+void PotterCore::apply(const command::ClearFaults& wish) noexcept {
+  if (pot_ == nullptr) return;
+  pot_->scene.clear_faults(wish.which);
+  status_.feedback.faults &= ~wish.which;
+}
+
+void PotterCore::read_hands(double dt, Hands& hands) noexcept {
+  hands.hand = {};
+  leads_ = {};
+  for (std::size_t n = 0; n < attached_; ++n) {
+    const Attached& attached = devices_[n];
+    const HandInput read = attached.device->read(dt);
+    const auto h = static_cast<std::size_t>(attached.hand);
+    // Of several for one hand the last that came and is in use has the word.
+    if (!read.active && hands.hand[h].active) continue;
+    hands.hand[h] = read;
+    leads_[h] = attached.device;
   }
-  Hands hands = asked_;
-  for (std::size_t i = 0; i < pointers_.size(); ++i) hands.hand[i] = pointers_[i].read(dt);
-  asked_.renew = asked_.restore = false;
-  return hands;
+  for (std::size_t h = 0; h < taken_.size(); ++h)
+    if (taken_[h]) hands.hand[h].tool = *taken_[h];
+}
+
+void PotterCore::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept {
+  for (std::size_t n = 0; n < attached_; ++n) {
+    const auto h = static_cast<std::size_t>(devices_[n].hand);
+    devices_[n].device->feel(leads_[h] == devices_[n].device ? felt[h] : HandFeedback{});
+  }
 }
 
 void PotterCore::take_commands() noexcept {
   Command command;
   // What a command displaces must find room on the way back, so that nothing is ever lost or
   // deleted here.
-  while (returned_.size_approx() < kReturnDepth && commands_.try_dequeue(command)) apply(command);
+  while (returned_.size_approx() < kReturnDepth && commands_.try_dequeue(command))
+    std::visit([this](const auto& wish) { apply(wish); }, command);
+}
+
+void PotterCore::step(double dt) noexcept {
+  Hands hands = asked_;
+  if (script_ != nullptr) {
+    script_time_ += dt;
+    hands = script_->at(script_time_, pot_->scene.clay());
+    leads_ = {};
+  } else {
+    read_hands(dt, hands);
+    asked_.renew = asked_.restore = false;
+  }
+  const TickRecord record{hands, dt};
+  status_.feedback = pot_->scene.step(record.hands, record.dt);
+  status_.hands = record.hands;
+  for (int n = 0; n < kMaxHands; ++n)
+    status_.hand[static_cast<std::size_t>(n)] = pot_->scene.hand(n);
+  if (!pot_->records.try_enqueue(record)) ++pot_->dropped_records;
+  feel(status_.feedback.hand);
 }
 
 void PotterCore::tick(double dt) noexcept {
   take_commands();
   status_.scripted = script_ != nullptr;
-  if (pot_ == nullptr) return;
-  if (!paused_) {
-    const TickRecord record{gather(dt), dt};
-    status_.feedback = pot_->scene.step(record.hands, record.dt);
-    status_.hands = record.hands;
-    if (!pot_->records.try_enqueue(record)) ++pot_->dropped_records;
-    for (std::size_t i = 0; i < pointers_.size(); ++i) pointers_[i].feel(status_.feedback.hand[i]);
+  if (pot_ != nullptr && !paused_) {
+    step(dt);
+  } else {
+    // A hand that moves is a visitor who is there, and must not go on feeling clay that it left.
+    if (script_ == nullptr) read_hands(dt, status_.hands);
+    feel({});
   }
+  if (pot_ == nullptr) return;
   pot_->rows.publish(pot_->scene, kRowsPerTick);
   if (pot_->wet) pot_->wet->publish(pot_->scene);
   status_.ticks = pot_->scene.counters().ticks;

@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "engine/scene/replay.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
-#include "kiosk/device/pointer_hand.h"
+#include "kiosk/device/hand_device.h"
+#include "kiosk/loop/potter_command.h"
 #include "kiosk/loop/row_channel.h"
 #include "kiosk/loop/status.h"
 #include "kiosk/loop/wet_rows.h"
@@ -29,32 +31,11 @@ struct Pot {
   std::uint64_t dropped_records = 0;                  ///< Loop's; read once the pot is back.
 };
 
-/// One wish of the main thread. Pointers are owned by whoever holds the command.
-struct Command {
-  enum class Kind : std::uint8_t {
-    put,
-    give_back,
-    play,
-    hand,
-    wheel,
-    water,
-    renew,
-    restore,
-    pause
-  };
-  Kind kind = Kind::pause;
-  int index = 0;
-  bool on = false;
-  double value = 0;
-  HandInput target;
-  Pot* pot = nullptr;
-  Script* script = nullptr;
-};
-
 /// What the loop side is done with, for the main thread to keep or destroy.
 struct Returned {
   Pot* pot = nullptr;
   Script* script = nullptr;
+  device::HandDevice* device = nullptr;
 };
 
 /// The wheel as the loop thread knows it: takes commands, reads the hands or the script, steps the
@@ -62,6 +43,8 @@ struct Returned {
 /// destructor.
 class PotterCore {
  public:
+  static constexpr std::size_t kMostDevices = 8;
+
   PotterCore();
   ~PotterCore();
   PotterCore(const PotterCore&) = delete;
@@ -80,16 +63,40 @@ class PotterCore {
   LoopStatus status() const noexcept { return status_; }
 
  private:
-  void apply(const Command& command) noexcept;
-  void hand_back(Pot* pot, Script* script) noexcept;
-  Hands gather(double dt) noexcept;
+  struct Attached {
+    device::HandDevice* device = nullptr;
+    int hand = 0;
+  };
+
+  void apply(const command::Put& wish) noexcept;
+  void apply(const command::GiveBack& wish) noexcept;
+  void apply(const command::Play& wish) noexcept;
+  void apply(const command::Attach& wish) noexcept;
+  void apply(const command::Detach& wish) noexcept;
+  void apply(const command::Lead& wish) noexcept;
+  void apply(const command::Take& wish) noexcept;
+  void apply(const command::TurnWheel& wish) noexcept { asked_.wheel_speed = wish.rad_per_s; }
+  void apply(const command::Water& wish) noexcept { asked_.water = wish.held; }
+  void apply(const command::Renew&) noexcept { asked_.renew = true; }
+  void apply(const command::Restore&) noexcept { asked_.restore = true; }
+  void apply(const command::Pause& wish) noexcept;
+  void apply(const command::ClearFaults& wish) noexcept;
+
+  void hand_back(const Returned& done) noexcept;
+  void lift_hands() noexcept;
+  void read_hands(double dt, Hands& hands) noexcept;
+  void feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept;
+  void step(double dt) noexcept;
 
   moodycamel::ReaderWriterQueue<Command> commands_;
   moodycamel::ReaderWriterQueue<Returned> returned_;
   Pot* pot_ = nullptr;
   Script* script_ = nullptr;
   double script_time_ = 0;
-  std::array<device::PointerHand, kMaxHands> pointers_;
+  std::array<Attached, kMostDevices> devices_{};  ///< In the order in which they came.
+  std::size_t attached_ = 0;
+  std::array<device::HandDevice*, kMaxHands> leads_{};  ///< Whose word the last tick took.
+  std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
   Hands asked_;  ///< Wheel, water and the one-tick wishes; hands come from the devices.
   bool paused_ = false;
   LoopStatus status_;

@@ -1,10 +1,18 @@
 #include "kiosk/loop/potter_host.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
 
+#include "kiosk/device/pointer_hand.h"
+
 namespace onggi::loop {
+
+PotterHost::PotterHost(double patience) : patience_(patience) {
+  for (int hand = 0; hand < kMaxHands; ++hand)
+    attach(std::make_unique<device::PointerHand>(), hand);
+}
 
 PotterHost::~PotterHost() = default;
 
@@ -13,72 +21,45 @@ bool PotterHost::send(const Command& command) {
   // A full queue means that the loop has stood still for 256 wishes. Where the hand is to go is
   // then dropped (the next frame knows better); everything else waits for room, a second at the
   // most.
-  if (command.kind == Command::Kind::hand) return false;
+  if (std::holds_alternative<command::Lead>(command)) return false;
   for (int i = 0; i < static_cast<int>(patience_ * 1000); ++i) {
     let_loop_turn();
     if (core_.send(command)) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  delete command.pot;
-  delete command.script;
+  if (const auto* put = std::get_if<command::Put>(&command)) delete put->pot;
+  if (const auto* play = std::get_if<command::Play>(&command)) delete play->script;
   return false;
 }
 
 void PotterHost::start(std::unique_ptr<Scene> scene) {
   recording_.reset();
   dropped_ = 0;
-  const ClayDef clay = scene->def().clay;
+  view_.clay.lay(scene->def().clay);
   auto pot = std::make_unique<Pot>(std::move(*scene), ++serial_);
-  mirror_.reset(clay.rows, clay.sectors, clay.height, clay.floor_thickness, clay.outer_radius,
-                clay.inner_radius);
   current_ = pot.get();
   lent_.reset();
-  Command command;
-  command.kind = Command::Kind::put;
-  command.pot = pot.release();
-  if (!send(command)) current_ = nullptr;
+  if (!send(command::Put{pot.release()})) current_ = nullptr;
 }
 
-void PotterHost::play(std::unique_ptr<Script> script) {
-  Command command;
-  command.kind = Command::Kind::play;
-  command.script = script.release();
-  send(command);
-}
+void PotterHost::play(std::unique_ptr<Script> script) { send(command::Play{script.release()}); }
 
-void PotterHost::hand(int index, const HandInput& target) {
-  Command command;
-  command.kind = Command::Kind::hand;
-  command.index = index;
-  command.target = target;
-  send(command);
-}
+void PotterHost::hand(int index, const HandInput& target) { send(command::Lead{index, target}); }
 
-void PotterHost::wheel(double rad_per_s) {
-  Command command;
-  command.kind = Command::Kind::wheel;
-  command.value = rad_per_s;
-  send(command);
+device::HandDevice* PotterHost::attach(std::unique_ptr<device::HandDevice> device, int hand) {
+  device::HandDevice* const name = device.get();
+  if (!send(command::Attach{name, hand})) return nullptr;
+  devices_.push_back(std::move(device));
+  return name;
 }
-
-namespace {
-Command wish(Command::Kind kind, bool on = true) {
-  Command command;
-  command.kind = kind;
-  command.on = on;
-  return command;
-}
-}  // namespace
-
-void PotterHost::water(bool held) { send(wish(Command::Kind::water, held)); }
-void PotterHost::renew() { send(wish(Command::Kind::renew)); }
-void PotterHost::restore() { send(wish(Command::Kind::restore)); }
-void PotterHost::pause(bool on) { send(wish(Command::Kind::pause, on)); }
 
 void PotterHost::take_returned() {
   Returned returned;
   while (core_.take_returned(returned)) {
     delete returned.script;
+    if (returned.device != nullptr)
+      std::erase_if(devices_,
+                    [&returned](const auto& mine) { return mine.get() == returned.device; });
     if (returned.pot == nullptr) continue;
     std::unique_ptr<Pot> pot(returned.pot);
     if (pot.get() == current_) lent_ = std::move(pot);
@@ -86,10 +67,7 @@ void PotterHost::take_returned() {
 }
 
 bool PotterHost::put_back() {
-  Command back;
-  back.kind = Command::Kind::put;
-  back.pot = lent_.release();
-  if (send(back)) return true;
+  if (send(command::Put{lent_.release()})) return true;
   current_ = nullptr;
   return false;
 }
@@ -100,28 +78,30 @@ void PotterHost::note_records(Pot& pot) {
     if (recording_) recording_->tick(record);
 }
 
-int PotterHost::collect(const std::function<void(const RowChannel::Row&)>& changed) {
+int PotterHost::collect() {
   take_returned();
   if (lent_) put_back();  // It came back after with_scene() had given up waiting.
-  if (current_ == nullptr) return 0;
-  note_records(*current_);
-  if (current_->wet) {
-    std::vector<float> wet(WetRows::kHeights);
-    for (int i = 0; i < WetRows::kHeights; ++i)
-      wet[static_cast<std::size_t>(i)] = current_->wet->at(i);
-    mirror_.moisten(std::move(wet));
-  }
   int count = 0;
-  while (RowChannel::Row* row = current_->rows.take()) {
-    mirror_.apply(row->row, row->radii);
-    mirror_.stack(row->row, row->middle, row->rim, row->floor);
-    mirror_.tear(row->row, row->torn);
-    if (changed) changed(*row);
-    current_->rows.give_back(row);
-    ++count;
+  if (current_ != nullptr) {
+    note_records(*current_);
+    count = current_->rows.take_into(view_.clay);
+    current_->rows.ask();
+    if (current_->wet) current_->wet->copy_to(view_.clay.wet);
   }
-  current_->rows.ask();
+  view_.status = status();
+  view_.clay.angle = view_.status.feedback.clay_angle;
+  view_.clay.cut_free = view_.status.feedback.cut_free;
   return count;
+}
+
+bool PotterHost::settle() {
+  const bool settled = with_scene([this](Scene& scene) {
+    // What is on its way is older than what the scene has.
+    lent_->rows.take_into(view_.clay);
+    take_rest_into(view_.clay, scene);
+  });
+  if (settled) collect();
+  return settled;
 }
 
 void PotterHost::record(const std::string& vessel_id, std::uint64_t seed) {
@@ -130,7 +110,7 @@ void PotterHost::record(const std::string& vessel_id, std::uint64_t seed) {
 
 bool PotterHost::with_scene(const std::function<void(Scene&)>& look) {
   if (current_ == nullptr) return false;
-  if (!send(wish(Command::Kind::give_back))) return false;
+  if (!send(command::GiveBack{})) return false;
   const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_);
   for (;;) {
     let_loop_turn();

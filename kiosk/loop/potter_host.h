@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "engine/scene/replay.h"
-#include "kiosk/loop/mirror.h"
+#include "kiosk/device/hand_device.h"
 #include "kiosk/loop/potter.h"
 #include "kiosk/loop/potter_core.h"
+#include "kiosk/loop/wheel_view.h"
 
 namespace onggi::loop {
 
-/// The main thread's end of the wheel: sends commands, keeps the mirror of the clay and the replay
-/// of the visit. How ticks come about is the derived class's: a 1 kHz thread, or stepping by hand.
+/// The main thread's end of the wheel: sends commands, owns the devices, keeps the view of the
+/// wheel and the replay of the visit. How ticks come about is the derived class's: a 1 kHz thread,
+/// or stepping by hand. A pointer device (mouse, touch, keys) is attached for every hand.
 class PotterHost : public PotterCommands {
  public:
   ~PotterHost() override;
@@ -22,19 +24,29 @@ class PotterHost : public PotterCommands {
   void start(std::unique_ptr<Scene> scene) override;
   void play(std::unique_ptr<Script> script) override;
   void hand(int index, const HandInput& target) override;
-  void wheel(double rad_per_s) override;
-  void water(bool held) override;
-  void renew() override;
-  void restore() override;
-  void pause(bool on) override;
+  void take(int index, std::uint8_t tool) override { send(command::Take{index, tool}); }
+  void wheel(double rad_per_s) override { send(command::TurnWheel{rad_per_s}); }
+  void water(bool held) override { send(command::Water{held}); }
+  void renew() override { send(command::Renew{}); }
+  void restore() override { send(command::Restore{}); }
+  void pause(bool on) override { send(command::Pause{on}); }
+  void clear_faults(std::uint32_t which) override { send(command::ClearFaults{which}); }
+  bool settle() override;
 
-  /// The newest status; in the same state as the rows of the collect() before, or newer.
+  /// From the next tick on the loop reads `device` for hand `hand`. Of several for one hand the
+  /// last that came and is in use leads. Eight in all; one too many, or one for a hand that there
+  /// is not, is destroyed. Gives its name for detach(), good until then.
+  device::HandDevice* attach(std::unique_ptr<device::HandDevice> device, int hand);
+  /// The loop lets go of the device; then it is destroyed.
+  void detach(device::HandDevice* device) { send(command::Detach{device}); }
+
+  /// The newest status; view() has the one that goes with its clay.
   virtual LoopStatus status() const = 0;
 
-  /// Once a frame: takes in what the loop handed back, notes ticks into the replay, applies changed
-  /// rows to the mirror and calls `changed(row, radii)` for each. Returns how many rows changed.
-  int collect(const std::function<void(const RowChannel::Row&)>& changed);
-  const Mirror& mirror() const { return mirror_; }
+  /// Once a frame: takes in what the loop handed back, notes ticks into the replay, and brings the
+  /// view up to what has been published. Gives how many rows came. Allocates nothing for them.
+  int collect();
+  const WheelView& view() const { return view_; }
 
   /// Notes ticks of the pot on the wheel from its first one. Call right after start().
   void record(const std::string& vessel_id, std::uint64_t seed);
@@ -51,10 +63,12 @@ class PotterHost : public PotterCommands {
 
  protected:
   /// `patience`: seconds that with_scene() and full queues wait for the loop.
-  explicit PotterHost(PotterCore& core, double patience = 1.0) : core_(core), patience_(patience) {}
+  explicit PotterHost(double patience = 1.0);
   /// Lets the loop side take the commands sent (a stepped wheel applies them here; a thread needs
   /// time).
   virtual void let_loop_turn() = 0;
+
+  PotterCore core_;
 
  private:
   bool send(const Command& command);
@@ -62,11 +76,11 @@ class PotterHost : public PotterCommands {
   bool put_back();  ///< Puts lent_ on the wheel again.
   void note_records(Pot& pot);
 
-  PotterCore& core_;
   double patience_;
-  Mirror mirror_;
+  WheelView view_;
   Pot* current_ = nullptr;     ///< On the wheel, owned by the core.
   std::unique_ptr<Pot> lent_;  ///< Given back by the core for with_scene().
+  std::vector<std::unique_ptr<device::HandDevice>> devices_;
   std::uint32_t serial_ = 0;
   std::optional<ReplayWriter> recording_;
   std::uint64_t dropped_ = 0;

@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "engine/clay/clay_view.h"
 #include "engine/scene/scene.h"
 
 namespace onggi::loop {
@@ -17,10 +19,9 @@ class RowChannel {
  public:
   struct Row {
     int row = 0;
-    double middle = 0;          ///< Height of the row's middle, metres.
-    double rim = 0, floor = 0;  ///< Of the clay as the row was copied: its height, and its floor's.
-    bool torn = false;          ///< Scene::torn().
-    std::vector<float> radii;   ///< `sectors` outer, then `sectors` inner, metres.
+    clay::RowPlace place;
+    bool shaped = false;       ///< Its radii came along; else they are what they were.
+    std::vector<float> radii;  ///< `sectors` outer, then `sectors` inner, metres.
   };
 
   /// Allocates up to 512 buffers for a clay of `rows` x `sectors`.
@@ -31,17 +32,19 @@ class RowChannel {
 
   /// Main thread: asks for what has changed since the last time.
   void ask() noexcept { asked_.store(true, std::memory_order_release); }
-  /// Main thread: the next row, nullptr when none waits. Give it back when read.
-  Row* take() noexcept;
-  void give_back(Row* row) noexcept;
+  /// Main thread: writes the rows that wait into `view`; gives how many. No allocation.
+  int take_into(ClayView& view) noexcept;
 
  private:
-  int sectors_;
+  std::size_t sectors_;
   int next_ = 0;  ///< Loop thread's.
   std::vector<Row> rows_;
   moodycamel::ReaderWriterQueue<Row*> free_;
   moodycamel::ReaderWriterQueue<Row*> full_;
   std::atomic<bool> asked_{true};
 };
+
+/// Writes what `scene` has still to send into `view`. Whoever calls holds the scene alone.
+void take_rest_into(ClayView& view, Scene& scene) noexcept;
 
 }  // namespace onggi::loop

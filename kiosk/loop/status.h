@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "engine/scene/hand_view.h"
 #include "engine/scene/hands.h"
 
 namespace onggi::loop {
@@ -21,7 +23,8 @@ struct Deadlines {
 struct LoopStatus {
   std::uint64_t ticks = 0;
   double time = 0;  ///< Simulated s of this scene.
-  Hands hands;      ///< As given to the last tick.
+  Hands hands;      ///< As given to the last tick; while the pot rests, as the devices have them.
+  std::array<HandView, kMaxHands> hand{};  ///< At the pot, after it.
   Feedback feedback;
   bool scripted = false;       ///< A script moves the hands.
   double script_progress = 0;  ///< 0..1

@@ -9,14 +9,12 @@ namespace onggi::loop {
 /// speed.
 class SteppedPotter final : public PotterHost {
  public:
-  SteppedPotter() : PotterHost(core_) {}
   /// Steps `ticks` of 1 ms.
   void advance(int ticks);
   LoopStatus status() const override { return core_.status(); }
 
  private:
   void let_loop_turn() override { core_.take_commands(); }
-  PotterCore core_;
 };
 
 }  // namespace onggi::loop

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
+#include <vector>
 
 #include "engine/scene/scene.h"
 
@@ -24,9 +26,10 @@ class WetRows {
                                                 std::memory_order_relaxed);
     next_ = (next_ + 1) % kHeights;
   }
-  /// Main thread: 0 dry .. 1 dripping.
-  float at(int i) const noexcept {
-    return wet_[static_cast<std::size_t>(i)].load(std::memory_order_relaxed);
+  /// Main thread: 0 dry .. 1 dripping. Allocates the first time.
+  void copy_to(std::vector<float>& wet) const {
+    wet.resize(wet_.size());
+    for (std::size_t i = 0; i < wet_.size(); ++i) wet[i] = wet_[i].load(std::memory_order_relaxed);
   }
 
  private:

@@ -43,8 +43,8 @@ view::Rect reach_of(const view::PotView& pot, double height, double radius, int 
       take({ring.x + ring.r * std::cos(a), ring.y, ring.z + ring.r * std::sin(a)}, 0);
     }
   }
-  for (const view::ToolView& tool : pot.tools) {
-    if (tool.visible) take(tool.position, 5 * tool.radius);
+  for (const HandView& hand : pot.hands) {
+    if (hand.present) take(hand.at, ToolPainter::reach(hand));
   }
   left = std::clamp(std::floor(left) - 2, 0.0f, static_cast<float>(width));
   top = std::clamp(std::floor(top) - 2, 0.0f, static_cast<float>(frame_height));
@@ -95,8 +95,8 @@ void Canvas::paint(Stage& stage, ItemPainter& items, const ItemPainter::Pictures
   }
   view::Rect reach;
   if (frame.pot) {
-    reach = reach_of(*frame.pot, stage.clay().shape().height, stage.clay().max_radius(),
-                     frame.width, frame.height);
+    reach = reach_of(*frame.pot, stage.clay().height(), stage.clay().max_radius(), frame.width,
+                     frame.height);
     // Nothing outside can be touched, so nothing outside is cleared, resolved or laid over.
     glEnable(GL_SCISSOR_TEST);
     const auto s = static_cast<float>(scale);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "engine/clay/clay_view.h"
+#include "engine/clay/lip.h"
 #include "kiosk/render/gl.h"
 #include "kiosk/render/levels.h"
 #include "kiosk/render/tears.h"
-#include "kiosk/view/rows.h"
 
 namespace onggi::render {
 
@@ -19,13 +19,16 @@ class ClaySurface {
   static constexpr int kMost = 2048;
   static constexpr int kHeights = 1024;
 
-  void set_grid(const view::GridShape& shape);
-  void update(std::span<const view::RowUpdate> rows);
+  /// All of `clay`, whatever was shown before.
+  void show(const ClayView& clay);
+  /// What changed of the clay that was shown last; all of it where it has another grid.
+  void update(const ClayView& clay);
 
-  bool empty() const { return !seen_; }
-  const view::GridShape& shape() const { return shape_; }
+  bool empty() const { return rows_ < 1 || sectors_ < 1; }
   int rows() const { return rows_; }
   int sectors() const { return sectors_; }
+  double height() const { return height_; }        ///< Metres.
+  double floor_top() const { return floor_top_; }  ///< Metres.
   const Texture& outer() const { return outer_; }
   const Texture& inner() const { return inner_; }
   /// Over kHeights even shares of the height, foot and rim included: the row there, as a share of
@@ -40,21 +43,23 @@ class ClaySurface {
   const Levels& levels() const { return levels_; }
   /// Renews the levels where rows have changed; true when they did.
   bool refresh(Texture& levels_texture);
-  double max_radius() const;
+  double max_radius() const;  ///< Metres.
 
  private:
-  void fill(double outer, double inner);
+  void make_room(const ClayView& clay);
+  void upload_row(int j, const ClayView& clay, int row);
   void stack();
-  void means_of(int row, const float* outer, const float* inner);
 
-  view::GridShape shape_;
+  int all_rows_ = 0, all_sectors_ = 0;  // of the view
   int rows_ = 0, sectors_ = 0, row_step_ = 1, sector_step_ = 1;
+  double height_ = 0, floor_top_ = 0;
   Texture outer_, inner_, row_at_;
   std::vector<float> mean_outer_, mean_inner_, scratch_, middle_, heights_;
   float first_wall_row_ = 0;
   Levels levels_;
   Tears tears_;
-  bool changed_ = false, stacked_ = false, seen_ = false;
+  std::uint64_t seen_ = 0;  // ClayView::change() as last looked at
+  bool changed_ = false, stacked_ = false;
 };
 
 }  // namespace onggi::render

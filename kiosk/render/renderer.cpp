@@ -45,8 +45,8 @@ class GlRenderer final : public Renderer {
   int height() const override { return window_->height(); }
   std::vector<view::InputEvent> poll() override { return window_->poll(); }
 
-  void set_grid(const view::GridShape& shape) override { stage_->clay().set_grid(shape); }
-  void update_rows(std::span<const view::RowUpdate> rows) override { stage_->clay().update(rows); }
+  void show_clay(const ClayView& clay) override { stage_->clay().show(clay); }
+  void update_clay(const ClayView& clay) override { stage_->clay().update(clay); }
 
   void draw(const view::Frame& frame) override {
     started_ = Clock::now();

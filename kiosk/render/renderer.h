@@ -2,17 +2,16 @@
 
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/clay/clay_view.h"
 #include "engine/profile/mesh.h"
 #include "kiosk/view/frame.h"
 #include "kiosk/view/image.h"
 #include "kiosk/view/input.h"
 #include "kiosk/view/measure.h"
-#include "kiosk/view/rows.h"
 
 namespace onggi::render {
 
@@ -45,9 +44,10 @@ class Renderer {
   /// Everything since the last call, in order. Waits for nothing.
   virtual std::vector<view::InputEvent> poll() = 0;
 
-  /// The clay's grid from here on; its radii until rows come are the lump's.
-  virtual void set_grid(const view::GridShape& shape) = 0;
-  virtual void update_rows(std::span<const view::RowUpdate> rows) = 0;
+  /// The clay that is drawn from here on; nothing but the wheel before the first.
+  virtual void show_clay(const ClayView& clay) = 0;
+  /// Once a frame: what changed of it since. Costs by the rows that did.
+  virtual void update_clay(const ClayView& clay) = 0;
 
   /// Draws into the window's back buffer.
   virtual void draw(const view::Frame& frame) = 0;

@@ -7,6 +7,7 @@ namespace onggi::render {
 extern const char* const k_common_glsl;  ///< Colour, tone, dither: in front of every program.
 extern const char* const k_light_glsl;   ///< The studio's light on a vessel of revolution.
 extern const char* const k_clay_glsl;
+extern const char* const k_tool_glsl;
 extern const char* const k_torn_glsl;  ///< Behind clay.glsl, where rings are torn.
 extern const char* const k_solid_glsl;
 extern const char* const k_wheel_glsl;

@@ -30,9 +30,6 @@ constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kSh
 // Parts of clay.glsl that tear: outer wall, lip, inner wall, section of the wall.
 constexpr bool kTears[] = {true, true, true, false, false, true};
 
-// As linear light.
-const glm::vec3 kSlip(0.30f, 0.185f, 0.125f);
-
 glm::vec3 vec(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -52,25 +49,6 @@ float pixel_size(const view::Camera& camera, double scale) {
 // The angle about the axis that faces the camera.
 float front_of(const view::Camera& camera) {
   return 0.5f * kPi - static_cast<float>(camera.azimuth);
-}
-
-Mesh unit_sphere() {
-  std::vector<float> v;
-  std::vector<std::uint32_t> t;
-  constexpr std::uint32_t kRound = 32, kDown = 20;
-  for (std::uint32_t j = 0; j <= kDown; ++j) {
-    const float polar = kPi * static_cast<float>(j) / kDown;
-    for (std::uint32_t i = 0; i <= kRound; ++i) {
-      const float a = 2 * kPi * static_cast<float>(i) / kRound;
-      const float p[3] = {std::sin(polar) * std::cos(a), std::cos(polar),
-                          std::sin(polar) * std::sin(a)};
-      v.insert(v.end(), {p[0], p[1], p[2], p[0], p[1], p[2]});
-      if (i == kRound || j == kDown) continue;
-      const std::uint32_t k = j * (kRound + 1) + i, below = k + kRound + 1;
-      t.insert(t.end(), {k, k + 1, below, k + 1, below + 1, below});
-    }
-  }
-  return Mesh(v.data(), v.size(), t.data(), t.size(), {3, 3});
 }
 
 }  // namespace
@@ -102,12 +80,15 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   for (const int part : {0, 1}) {
     const auto p = static_cast<std::size_t>(part);
     make(stage->wheel_programs_[p], "wheel", k_wheel_glsl, true, part, 0);
-    make(stage->solid_programs_[p], "solid", k_solid_glsl, true, part, 0);
   }
+  make(stage->solid_program_, "solid", k_solid_glsl, true, 0, 0);
   make(stage->shadow_program_, "shadow", k_shadow_glsl, false, 0, 0);
   make(stage->ground_program_, "ground", k_ground_glsl, false, 0, 0);
   make(stage->plaster_program_, "plaster", k_plaster_glsl, false, 0, 0);
   if (!fine) return tl::unexpected(fine.error());
+  auto tools = ToolPainter::create();
+  if (!tools) return tl::unexpected(tools.error());
+  stage->tools_ = std::move(*tools);
   stage->quad_ = unit_grid(1, 1);
   for (std::size_t i = 0; i < kWalls.size(); ++i) {
     stage->walls_[i] = unit_grid(kWalls[i].columns, kWalls[i].rows);
@@ -116,7 +97,6 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   stage->floor_ = unit_grid(96, 8);
   stage->section_ = unit_grid(16, 320);
   stage->disc_ = unit_grid(160, 1);
-  stage->sphere_ = unit_sphere();
   stage->shadow_ = Target(kShadowSize, kShadowSize, false, 0);
   return stage;
 }
@@ -134,6 +114,9 @@ void Stage::cast_shadow(double height, float wheel_radius, const Texture& levels
                         float size) {
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
+  // The canvas has cut out its part of the picture; the shadow has pixels of its own.
+  const bool cut_out = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+  glDisable(GL_SCISSOR_TEST);
   shadow_.bind();
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
@@ -148,6 +131,7 @@ void Stage::cast_shadow(double height, float wheel_radius, const Texture& levels
   shadow_program_.set("table_y", kTable / size);
   shadow_program_.set("wheel_radius", wheel_radius / size);
   quad_.draw();
+  if (cut_out) glEnable(GL_SCISSOR_TEST);
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(back_to));
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
@@ -187,7 +171,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   const auto size = static_cast<float>(std::clamp(pot.size, 0.5, 1.0));
   if (clay_.refresh(clay_levels_) || !shadow_of_clay_ || shadow_wheel_ != wheel_radius ||
       shadow_size_ != size) {
-    cast_shadow(clay_.shape().height, wheel_radius, clay_levels_, target, size);
+    cast_shadow(clay_.height(), wheel_radius, clay_levels_, target, size);
     shadow_of_clay_ = true;
     shadow_wheel_ = wheel_radius;
     shadow_size_ = size;
@@ -234,7 +218,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
     for (const GLenum smooth : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
       if (soft) glDisable(smooth);
   }
-  draw_tools(pot, clip);
+  draw_hands(pot, clip);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
 }
@@ -259,7 +243,6 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
 
 const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::mat4& clip,
                                float pixel) {
-  const view::GridShape& shape = clay_.shape();
   const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
   const bool torn = clay_.tears().any() && kTears[part];
   const Program& program =
@@ -281,13 +264,13 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   clay_.row_at().bind(kRowAt);
   program.set("row_at", kRowAt);
   program.set("first_wall_row", clay_.first_wall_row());
-  program.set("lip_radius", static_cast<float>(shape.lip_radius));
+  program.set("lip_radius", static_cast<float>(kLipRadius));
   program.set("mean_lip", clay_.lip());
   program.set("clip_from_studio", glm::scale(clip, glm::vec3(size)));
   program.set("grid", glm::vec2(clay_.sectors(), clay_.rows()));
-  program.set("height", static_cast<float>(shape.height));
-  program.set("floor_height", static_cast<float>(shape.floor_height));
-  program.set("wheel_angle", static_cast<float>(pot.wheel_angle));
+  program.set("height", static_cast<float>(clay_.height()));
+  program.set("floor_height", static_cast<float>(clay_.floor_top()));
+  program.set("clay_angle", static_cast<float>(pot.clay_angle));
   // The door is hinged at the visitor's right: it opens from the front towards there.
   program.set("open_from", front_of(pot.camera) - 0.5f * kPi * open);
   program.set("open_angle", 0.5f * kPi * open);
@@ -300,7 +283,7 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
 }
 
 void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft) {
-  const auto tall = static_cast<float>(clay_.shape().height) / pixel;
+  const auto tall = static_cast<float>(clay_.height()) / pixel;
   std::size_t size = 0;
   while (tall > kWalls[size].most_pixels) ++size;
   // Less is seen of the inside: the next coarser mesh does.
@@ -329,34 +312,17 @@ void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {
   program.set("mirrored", 1.0f);
   glFrontFace(GL_CW);
   // Only what stands near the wheel head is seen in it.
-  const double share = std::min(1.0, 0.12 / std::max(clay_.shape().height, 0.01));
+  const double share = std::min(1.0, 0.12 / std::max(clay_.height(), 0.01));
   const int rows = std::max(1, static_cast<int>(kWalls[0].rows * share));
   walls_[0].draw_some(0, rows * kWalls[0].columns * 6);
   glFrontFace(GL_CCW);
 }
 
-void Stage::draw_tools(const view::PotView& pot, const glm::mat4& clip) {
-  for (const view::ToolView& tool : pot.tools) {
-    if (!tool.visible) continue;
-    // A finger comes from above, and from outside where it works the outer wall.
-    const glm::vec3 tip = vec(tool.position);
-    const float rho = std::hypot(tip.x, tip.z);
-    const Levels& l = clay_.levels();
-    const double t = l.height > 0 ? std::clamp(tip.y / l.height, 0.0, 0.999) : 0.0;
-    const float inner = l.inner[static_cast<std::size_t>(t * kLevels)];
-    const float out = rho > inner ? 1.0f : 0.12f;
-    const glm::vec3 away =
-        rho > 1e-4f ? glm::vec3(tip.x / rho, 0, tip.z / rho) : glm::vec3(1, 0, 0);
-    const Program& program = solid_programs_[1];
-    program.use();
-    set_light(program, pot.camera, clay_levels_);
-    program.set("clip_from_studio", clip);
-    program.set("base_color", kSlip);
-    program.set("tip", tip);
-    program.set("size", static_cast<float>(tool.radius));
-    program.set("lean", glm::normalize(away * out + glm::vec3(0, 0.75f, 0)));
-    sphere_.draw();
-  }
+void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
+  for (const HandView& hand : pot.hands)
+    if (hand.present)
+      tools_->draw(hand, clay_.levels(), clip,
+                   [&](const Program& program) { set_light(program, pot.camera, clay_levels_); });
 }
 
 void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera& camera,
@@ -375,7 +341,7 @@ void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera
   glDisable(GL_DEPTH_TEST);
   draw_ground(clip, false, levels.outer[0], 0.78f, glm::vec2(camera.width, camera.height));
   glEnable(GL_DEPTH_TEST);
-  const Program& program = solid_programs_[0];
+  const Program& program = solid_program_;
   program.use();
   set_light(program, camera, mesh_levels_);
   program.set("clip_from_studio", clip);

@@ -10,6 +10,7 @@
 #include "kiosk/render/clay_surface.h"
 #include "kiosk/render/gl.h"
 #include "kiosk/render/studio.h"
+#include "kiosk/render/tool_painter.h"
 #include "kiosk/view/frame.h"
 
 namespace onggi::render {
@@ -47,7 +48,7 @@ class Stage {
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
-  void draw_tools(const view::PotView& pot, const glm::mat4& clip);
+  void draw_hands(const view::PotView& pot, const glm::mat4& clip);
   const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
 
   Studio studio_;
@@ -55,10 +56,11 @@ class Stage {
   ClaySkin skin_;
   std::array<std::array<Program, 6>, ClaySkin::kSkins> clay_programs_,
       torn_programs_;  // by skin and part of clay.glsl; only walls and lips tear
-  std::array<Program, 2> wheel_programs_, solid_programs_;
-  Program shadow_program_, ground_program_, plaster_program_;
+  std::unique_ptr<ToolPainter> tools_;
+  std::array<Program, 2> wheel_programs_;
+  Program solid_program_, shadow_program_, ground_program_, plaster_program_;
   std::array<Mesh, 3> walls_;
-  Mesh quad_, lip_, floor_, section_, disc_, sphere_;
+  Mesh quad_, lip_, floor_, section_, disc_;
   Texture clay_levels_, mesh_levels_;
   Target shadow_;
   bool shadow_of_clay_ = false;  // and still true

@@ -51,9 +51,10 @@ void Desk::start_pot(int index, bool scripted, const std::string& script) {
   awaited_ = status.scene_serial;
 }
 
-void Desk::look_at(const loop::LoopStatus& newest) {
-  status = newest;
-  if (awaited_ && *awaited_ != newest.scene_serial) {
+void Desk::look() {
+  status = world.wheel->status;
+  fault_note.update(status, now, *world.potter);
+  if (awaited_ && *awaited_ != status.scene_serial) {
     awaited_.reset();
     pot_since_ = now;
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "kiosk/screens/fault_note.h"
 #include "kiosk/screens/visit.h"
 
 namespace onggi::screens {
@@ -17,6 +18,7 @@ class Desk {
 
   const VisitWorld world;
   loop::LoopStatus status;
+  FaultNote fault_note;
   double now = 0;
   std::deque<Request> requests;
   std::optional<ScreenId> next;  ///< Where to go once the present call is over.
@@ -60,7 +62,8 @@ class Desk {
   void start_pot(int index, bool scripted, const std::string& script = "follow");
   bool pot_ready() const { return !awaited_; }
   double pot_since() const { return pot_since_; }
-  void look_at(const loop::LoopStatus& newest);
+  /// Once a frame: what the wheel has come to.
+  void look();
 
  private:
   int kept_glaze_ = -1;                   ///< As it was last asked for.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/screens/stage.h"
+#include "kiosk/screens/target_line.h"
 
 namespace onggi::screens {
 

@@ -12,9 +12,7 @@ constexpr double kSprungBack = 1.25;
 
 // How long the wheel may take to lay a step back, seconds: 8192 elements a tick for each face,
 // twice over (engine/scene/scene.cpp), and what the clay's own settling takes.
-double patience(const loop::Mirror& mirror) {
-  return 0.1 + 4e-3 * mirror.rows() * mirror.sectors() / 8192.0;
-}
+double patience(const ClayView& clay) { return 0.1 + 4e-3 * clay.rows() * clay.sectors() / 8192.0; }
 
 }  // namespace
 
@@ -26,7 +24,7 @@ Mishap MishapWatch::seen(const Desk& desk) const {
   // Why it tore is told once, as it was then.
   if (now_ == Mishap::tore_thin || now_ == Mishap::tore_wide) return now_;
   // The status may be ahead of the rows that it speaks of.
-  const auto wall = desk.world.mirror->torn_wall();
+  const auto wall = desk.world.wheel->clay.torn_wall();
   if (!wall) return Mishap::none;
   return *wall < kSprungBack * desk.wheel().tear_thickness ? Mishap::tore_thin : Mishap::tore_wide;
 }
@@ -35,7 +33,7 @@ bool MishapWatch::update(Desk& desk) {
   const Mishap was = std::exchange(now_, seen(desk));
   if (now_ != Mishap::tore_thin && now_ != Mishap::tore_wide) going_back_ = false;
   if (going_back_ && desk.status.can_restore &&
-      desk.status.time - asked_at_ > patience(*desk.world.mirror))
+      desk.status.time - asked_at_ > patience(desk.world.wheel->clay))
     go_back(desk);
   return now_ != was;
 }

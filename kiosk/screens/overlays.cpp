@@ -1,7 +1,7 @@
+#include "kiosk/screens/overlays.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "kiosk/screens/screen.h"
 
 namespace onggi::screens {
 

@@ -51,16 +51,19 @@ void Visit::input(const InputEvent& event, double now) {
   s.settle();
 }
 
-void Visit::update(double now, const loop::LoopStatus& status) {
+void Visit::update(double now) {
   State& s = *state_;
   const double dt = s.updated_at < 0 ? 0.0 : std::clamp(now - s.updated_at, 0.0, 0.25);
   s.updated_at = s.desk.now = now;
-  s.desk.look_at(status);
+  s.desk.look();
 
   // A device that is moved is a visitor who is there.
-  const HandInput& hand = status.hands.hand[0];
-  if (!status.scripted && hand.active && length(hand.position - s.device_at) > kDeviceMoved) {
-    s.device_at = hand.position;
+  const loop::LoopStatus& status = s.desk.status;
+  for (std::size_t n = 0; n < s.device_at.size(); ++n) {
+    const HandInput& hand = status.hands.hand[n];
+    if (status.scripted || !hand.active) continue;
+    if (length(hand.position - s.device_at[n]) <= kDeviceMoved) continue;
+    s.device_at[n] = hand.position;
     s.idle.touched(now);
     if (s.over == Over::idle) s.cover(Over::nothing);
   }
@@ -144,6 +147,7 @@ void Visit::fail(const Problem&) {
 ScreenId Visit::screen() const { return state_->screen->id(); }
 bool Visit::idle_warning() const { return state_->over == Over::idle; }
 const std::string& Visit::language() const { return state_->desk.words().code(); }
+const score::Score& Visit::score() const { return state_->desk.score; }
 
 std::vector<std::pair<std::string, view::Rect>> Visit::controls() const {
   std::vector<std::pair<std::string, view::Rect>> all;

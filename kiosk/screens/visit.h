@@ -9,9 +9,8 @@
 #include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
 #include "kiosk/content/vessel.h"
-#include "kiosk/loop/mirror.h"
 #include "kiosk/loop/potter.h"
-#include "kiosk/loop/status.h"
+#include "kiosk/loop/wheel_view.h"
 #include "kiosk/score/score.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/view/frame.h"
@@ -72,7 +71,7 @@ struct VisitWorld {
       nullptr;                                    ///< In the exhibit's order, at least one.
   const std::vector<ShelfCard>* shelf = nullptr;  ///< May grow until the first choose.
   const view::TextMeasure* measure = nullptr;
-  const loop::Mirror* mirror = nullptr;
+  const loop::WheelView* wheel = nullptr;
   loop::PotterCommands* potter = nullptr;
 };
 
@@ -87,7 +86,7 @@ class Visit {
 
   void input(const view::InputEvent& event, double now);
   /// Once a frame. `now` is seconds on a clock that never goes back.
-  void update(double now, const loop::LoopStatus& status);
+  void update(double now);
   view::Frame frame(int width, int height);
   std::optional<Request> take_request();
 
@@ -102,6 +101,8 @@ class Visit {
   ScreenId screen() const;
   bool idle_warning() const;
   const std::string& language() const;  ///< Code in use.
+  /// Of the pot that was last called done, as the result screen tells it.
+  const score::Score& score() const;
 
   /// Where a control stands in the frame last made, for tests and the scripted visitor:
   ///   attract   "attract.begin" (any touch begins)

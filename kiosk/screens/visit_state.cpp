@@ -3,7 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "kiosk/screens/attract_screen.h"
+#include "kiosk/screens/choose_screen.h"
+#include "kiosk/screens/fault_screen.h"
 #include "kiosk/screens/focus.h"
+#include "kiosk/screens/keepsake_screen.h"
+#include "kiosk/screens/kiln_screen.h"
+#include "kiosk/screens/overlays.h"
+#include "kiosk/screens/result_screen.h"
+#include "kiosk/screens/throwing_screen.h"
 
 namespace onggi::screens {
 

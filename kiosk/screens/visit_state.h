@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -30,7 +31,7 @@ struct Visit::State {
   double changed_at = -10, updated_at = -1;
   float shrink = 1;
   std::string shrunk_for;
-  Vec3 device_at;
+  std::array<Vec3, kMaxHands> device_at{};
 
   void reworded();
   void changed();

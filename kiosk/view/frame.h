@@ -11,6 +11,7 @@
 
 #include "engine/math/vec.h"
 #include "engine/profile/profile.h"
+#include "engine/scene/hand_view.h"
 #include "kiosk/content/glaze.h"
 #include "kiosk/view/camera.h"
 #include "kiosk/view/rect.h"
@@ -93,17 +94,12 @@ struct FiringView {
   double glow = 0;              ///< 0 cold .. 1 white heat's red.
 };
 
-struct ToolView {
-  bool visible = false;
-  Vec3 position;  ///< Studio frame, metres.
-  double radius = 0.008;
-};
-
-/// The pot in its studio. The radii themselves come as rows (kiosk/view/rows.h).
+/// The pot in its studio. Its shape is the ClayView that the renderer was shown.
 struct PotView {
   Camera camera;
-  double wheel_angle = 0;
-  double wetness = 0;  ///< Mean, 0..1.
+  double wheel_angle = 0;  ///< Of the wheel head, rad,
+  double clay_angle = 0;   ///< and of the clay on it: a pot that was cut free stands still.
+  double wetness = 0;      ///< Mean, 0..1.
   /// Wetness at even heights, foot to rim, 0..1, at most 256; empty: `wetness` all over.
   std::vector<float> wet_rows;
   Finish finish = Finish::clay;
@@ -112,10 +108,10 @@ struct PotView {
   double size = 1;    ///< What is left of every length since the clay was thrown, 0.5..1.
   double cut_away =
       0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
-  bool wheel = true;            ///< Draw the wheel head.
-  double wheel_radius = 0.175;  ///< Of its head, metres, 0.05..0.3.
-  std::array<ToolView, 2> tools;
-  double opacity = 1;  ///< 0..1, against the plaster, for fades.
+  bool wheel = true;                ///< Draw the wheel head.
+  double wheel_radius = 0.175;      ///< Of its head, metres, 0.05..0.3.
+  std::array<HandView, 2> hands{};  ///< Those present are drawn, with what they hold.
+  double opacity = 1;               ///< 0..1, against the plaster, for fades.
 };
 
 /// One picture of the screen. Items are drawn in order over the pot.

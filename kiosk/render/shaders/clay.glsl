@@ -9,7 +9,7 @@ uniform sampler2D outer_radius, inner_radius, grain;
 uniform sampler2D row_at;  // over the share of the height: share of the rows, and its slope
 uniform vec2 grid;  // sectors, rows
 uniform float first_wall_row, lip_radius, mean_lip;
-uniform float height, floor_height, wheel_angle, open_from, open_angle, face_angle, pixel;
+uniform float height, floor_height, clay_angle, open_from, open_angle, face_angle, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
 uniform float wetness, opened;
 uniform vec3 dry_color, wet_color;
@@ -32,7 +32,7 @@ uniform Glaze glaze_before;
 uniform float from_clay, fired, glow;
 #endif
 
-float turn_of(float angle) { return (angle - wheel_angle) / (2.0 * kPi); }
+float turn_of(float angle) { return (angle - clay_angle) / (2.0 * kPi); }
 vec2 rows_at(float t) {
   float n = float(textureSize(row_at, 0).x);
   return textureLod(row_at, vec2((t * (n - 1.0) + 0.5) / n, 0.5), 0.0).rg;

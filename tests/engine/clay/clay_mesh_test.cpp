@@ -13,6 +13,12 @@ namespace {
 
 Clay lump(const ClayDef& def) { return std::move(*Clay::create(def)); }
 
+ClayView seen(const Clay& clay) {
+  ClayView view;
+  view.take(clay);
+  return view;
+}
+
 // Vertices of the five faces lie doubled on the edges between them.
 TriangleMesh joined(const TriangleMesh& mesh) {
   TriangleMesh out;
@@ -42,7 +48,7 @@ TEST(ClayMesh, IsClosedRoundLippedAndAsTallAsThePot) {
   for (const double inner : {0.022, 0.049}) {
     def.inner_radius = inner;
     const Clay clay = lump(def);
-    const TriangleMesh mesh = mesh_of(clay);
+    const TriangleMesh mesh = mesh_of(seen(clay));
     EXPECT_EQ(shapes::open_edges(joined(mesh)), 0);
     EXPECT_NEAR(top_of(mesh), 0.2, 1e-6);
     // The edges are rounded off, and a polygon of 48 corners is short of the circle.
@@ -57,7 +63,7 @@ TEST(ClayMesh, ALumpThatNobodyOpenedIsClosedAndFlatInItsMiddle) {
   def.sectors = 48;
   def.floor_thickness = def.height;
   const Clay clay = lump(def);
-  const TriangleMesh mesh = mesh_of(clay);
+  const TriangleMesh mesh = mesh_of(seen(clay));
   EXPECT_EQ(shapes::open_edges(joined(mesh)), 0);
   EXPECT_NEAR(shapes::volume(mesh) / clay.volume(), 1.0, 0.01);
   for (const auto& p : mesh.positions)
@@ -72,7 +78,7 @@ TEST(ClayMesh, FollowsRowsPressedTogetherAndAFloorThatSank) {
   for (int j = 40; j < 60; ++j) clay.set_row_thickness(j, 0.001);
   clay.restack(40);
   clay.lower_floor(0.0095);
-  const TriangleMesh mesh = mesh_of(clay);
+  const TriangleMesh mesh = mesh_of(seen(clay));
   EXPECT_EQ(shapes::open_edges(joined(mesh)), 0);
   EXPECT_NEAR(top_of(mesh), clay.rim_height(), 1e-6);
   bool floor = false;

@@ -49,6 +49,31 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   EXPECT_EQ(Json::parse(replay.out)["glaze"], "tenmoku");
 }
 
+// In a scene whose clay goes on springing back by itself, so that a moment more makes another pot.
+TEST(Visit, WhatTheReportSaysIsWhatTheKeptVisitScoresToTheBit) {
+  const TemporaryFolder folder;
+  const std::string rubric = fs::current_path().string() + "/config/rubric.toml";
+  const std::string file =
+      write_exhibit(folder, "first_touch",
+                    "rubric = \"" + rubric + "\"\n[vessel_scenes]\nmoon_jar = \"soft.toml\"\n");
+  std::ofstream(folder / "soft.toml") << "[clay]\nrows = 160\nsectors = 120\nwall_min = 0.002\n"
+                                         "[springback]\nshare = 0.12\ntime = 10.0\n[kiln]\n";
+  const Outcome run = onggi("visit --script follow --vessel moon_jar --seed 5 --window 640x480 " +
+                            ("--config " + file) + " --json - --out " + (folder / "out").string());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json visit = Json::parse(run.out);
+  const std::string kept = visit["files"][4].get<std::string>();
+  const Outcome again =
+      onggi("score content/vessels/moon_jar " + kept + " --rubric " + rubric + " --json -");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const Json score = Json::parse(again.out);
+  EXPECT_GT(visit["score"].get<double>(), 90.0);
+  EXPECT_EQ(visit["score"].get<double>(), score["score"].get<double>());
+  EXPECT_EQ(visit["measures"], score["measures"]);
+  const Outcome replay = onggi("replay --json - " + kept);
+  EXPECT_EQ(Json::parse(replay.out)["state_hash"], visit["state_hash"]);
+}
+
 TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
   const TemporaryFolder folder;
   const std::string file =

@@ -15,9 +15,9 @@ HandInput at(double x, bool active = true) {
 
 TEST(PointerHand, AToolSetDownStandsWhereThePointerIsAtOnce) {
   PointerHand hand;
-  hand.aim(at(0.3, false));
+  hand.lead(at(0.3, false));
   hand.read(1e-3);
-  hand.aim(at(0.07));
+  hand.lead(at(0.07));
   EXPECT_EQ(hand.read(1e-3), at(0.07));
 }
 
@@ -27,9 +27,9 @@ TEST(PointerHand, ALedToolGlidesNoFasterThanAHandAndNeverPastThePointer) {
     PointerHand hand(def);
     double x = *rc::gen::inRange(-200, 200) * 1e-3;
     const double goal = *rc::gen::inRange(-200, 200) * 1e-3;
-    hand.aim(at(x));
+    hand.lead(at(x));
     hand.read(1e-3);
-    hand.aim(at(goal));
+    hand.lead(at(goal));
     for (int i = 0; i < 300; ++i) {
       const double dt = *rc::gen::inRange(1, 6) * 1e-3;
       const double next = hand.read(dt).position.x;
@@ -43,19 +43,44 @@ TEST(PointerHand, ALedToolGlidesNoFasterThanAHandAndNeverPastThePointer) {
 
 TEST(PointerHand, ItArrivesWithinATenthOfAMillimetreInASecond) {
   PointerHand hand;
-  hand.aim(at(0));
+  hand.lead(at(0));
   hand.read(1e-3);
-  hand.aim(at(0.2));
+  hand.lead(at(0.2));
   double x = 0;
   for (int i = 0; i < 1000; ++i) x = hand.read(1e-3).position.x;
   EXPECT_NEAR(x, 0.2, 1e-4);
 }
 
+TEST(PointerHand, WhatIsHeldAndHowPassesThroughAtOnceWhileTheToolStillGlides) {
+  PointerHand hand;
+  hand.lead(at(0.05));
+  hand.read(1e-3);
+  HandInput rib = at(0.07);
+  rib.side = SideWish::inside;
+  rib.tool = 3;
+  rib.handle = {0.2, 0.9, 0.1};
+  rib.roll = 0.4;
+  hand.lead(rib);
+  const HandInput read = hand.read(1e-3);
+  EXPECT_LT(read.position.x, 0.06);
+  rib.position = read.position;
+  EXPECT_EQ(read, rib);
+}
+
+TEST(PointerHand, AToolThatWasLiftedAndSetDownWithinATickDoesNotPloughOnItsWay) {
+  PointerHand hand;
+  hand.lead(at(0.05));
+  hand.read(1e-3);
+  hand.lead(at(0.05, false));
+  hand.lead(at(-0.05));
+  EXPECT_EQ(hand.read(1e-3), at(-0.05));
+}
+
 TEST(PointerHand, ALiftedToolTouchesNothing) {
   PointerHand hand;
-  hand.aim(at(0.05));
+  hand.lead(at(0.05));
   hand.read(1e-3);
-  hand.aim(at(0.05, false));
+  hand.lead(at(0.05, false));
   EXPECT_FALSE(hand.read(1e-3).active);
 }
 

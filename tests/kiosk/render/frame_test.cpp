@@ -9,7 +9,7 @@ namespace {
 using AFrame = StudioTest;
 
 double cylinder(double) { return 0.05; }
-const view::GridShape kCylinder{200, 180, 0.15, 0.010};
+const ClayDef kCylinder = grid_of(200, 180, 0.15, 0.010);
 
 view::Frame empty_frame() {
   view::Frame frame;
@@ -111,8 +111,7 @@ TEST_F(AFrame, AFadeShowsThePictureOfTheScreenBefore) {
 
 TEST_F(AFrame, TheClayStandsWhereTheCameraSaysItDoes) {
   Renderer& r = renderer();
-  r.set_grid(kCylinder);
-  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0));
+  r.show_clay(thrown_clay(kCylinder, cylinder, 0.008, 0));
   view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
   const view::Image with = drawn(r, frame);
   for (const double side : {-1.0, 1.0}) {
@@ -129,8 +128,7 @@ TEST_F(AFrame, TheClayStandsWhereTheCameraSaysItDoes) {
 
 TEST_F(AFrame, WetClayIsDarkerThanDryClay) {
   Renderer& r = renderer();
-  r.set_grid(kCylinder);
-  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0));
+  r.show_clay(thrown_clay(kCylinder, cylinder, 0.008, 0));
   view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
   const auto at = frame.pot->camera.project({0.01, 0.07, 0.049});
   const int x = static_cast<int>(at->first), y = static_cast<int>(at->second);
@@ -142,15 +140,13 @@ TEST_F(AFrame, WetClayIsDarkerThanDryClay) {
 
 TEST_F(AFrame, ChangedRowsShowAndOthersStay) {
   Renderer& r = renderer();
-  r.set_grid(kCylinder);
-  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0));
+  ClayView clay = thrown_clay(kCylinder, cylinder, 0.008, 0);
+  r.show_clay(clay);
   view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
   const view::Image before = drawn(r, frame);
-  auto rows = thrown_rows(
-      kCylinder, [](double) { return 0.060; }, 0.018, 0);
-  rows.erase(rows.begin(), rows.begin() + 100);
-  rows.resize(20);  // a bulge at half height
-  r.update_rows(rows);
+  for (int j = 100; j < 120; ++j)  // a bulge at half height
+    clay.shape(j, std::vector<float>(180, 0.060f), std::vector<float>(180, 0.042f));
+  r.update_clay(clay);
   const view::Image after = drawn(r, frame);
   const auto bulge = frame.pot->camera.project({0.057, 0.0825, 0});
   const auto below = frame.pot->camera.project({0.045, 0.03, 0});
@@ -164,26 +160,25 @@ TEST_F(AFrame, ChangedRowsShowAndOthersStay) {
 TEST_F(AFrame, RowsPressedTogetherAreDrawnWhereTheyStand) {
   // One outline on even rows, and on rows of which the upper half is half as thick.
   const auto outline = [](double h) { return 0.045 + 0.01 * std::sin(60 * h); };
-  const auto rows_at = [&](const view::GridShape& shape, const auto& middle) {
-    std::vector<view::RowUpdate> rows;
-    for (int j = 0; j < shape.rows; ++j) {
-      view::RowUpdate row{j, std::vector<float>(360, static_cast<float>(outline(middle(j))))};
-      for (std::size_t i = 180; i < 360; ++i)
-        row.radii[i] = middle(j) < 0.010 ? 0.0f : row.radii[i] - 0.008f;
-      row.place = view::RowPlace{middle(j), 0.1125, 0.010};
-      rows.push_back(std::move(row));
+  const auto clay_of = [&](const ClayDef& grid, const auto& middle) {
+    ClayView clay;
+    clay.lay(grid);
+    for (int j = 0; j < grid.rows; ++j) {
+      const auto radius = static_cast<float>(outline(middle(j)));
+      const bool solid = middle(j) < 0.010;
+      clay.place(j, {middle(j), 0.1125, 0.010, solid ? j + 1 : 0, false});
+      clay.shape(j, std::vector<float>(180, radius),
+                 std::vector<float>(180, solid ? 0.0f : radius - 0.008f));
     }
-    return rows;
+    return clay;
   };
   Renderer& r = renderer();
   view::Frame frame = frame_with_pot(800, 600, 0.1125, 0.055);
   frame.pot->cut_away = 1;
-  const view::GridShape even{150, 180, 0.1125, 0.010};
-  r.set_grid(even);
-  r.update_rows(rows_at(even, [](int j) { return (j + 0.5) * 0.00075; }));
+  const ClayDef even = grid_of(150, 180, 0.1125, 0.010);
+  r.show_clay(clay_of(even, [](int j) { return (j + 0.5) * 0.00075; }));
   const view::Image expected = drawn(r, frame);
-  r.set_grid(kCylinder);
-  r.update_rows(rows_at(kCylinder, [](int j) {
+  r.show_clay(clay_of(kCylinder, [](int j) {
     return j < 100 ? (j + 0.5) * 0.00075 : 0.075 + (j - 99.5) * 0.000375;
   }));
   const view::Image image = drawn(r, frame);
@@ -196,8 +191,7 @@ TEST_F(AFrame, RowsPressedTogetherAreDrawnWhereTheyStand) {
 
 TEST_F(AFrame, AnOpenedPotShowsItsSectionAtTheRight) {
   Renderer& r = renderer();
-  r.set_grid(kCylinder);
-  r.update_rows(thrown_rows(kCylinder, cylinder, 0.012, 0));
+  r.show_clay(thrown_clay(kCylinder, cylinder, 0.012, 0));
   view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
   const view::Image closed = drawn(r, frame);
   frame.pot->cut_away = 1;
@@ -213,8 +207,7 @@ TEST_F(AFrame, AnOpenedPotShowsItsSectionAtTheRight) {
 
 TEST_F(AFrame, TheInsideOfADeepJarIsDark) {
   Renderer& r = renderer();
-  r.set_grid(kCylinder);
-  r.update_rows(thrown_rows(
+  r.show_clay(thrown_clay(
       kCylinder, [](double) { return 0.03; }, 0.005, 0));
   view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
   frame.pot->camera.elevation = 1.25;
@@ -226,10 +219,40 @@ TEST_F(AFrame, TheInsideOfADeepJarIsDark) {
   EXPECT_LT(d.r + d.g + d.b, (l.r + l.g + l.b) / 2);
 }
 
+TEST_F(AFrame, APotThatWasCutFreeStandsWhileTheWheelHeadTurnsUnderIt) {
+  Renderer& r = renderer();
+  ClayView clay = thrown_clay(kCylinder, cylinder, 0.008, 0.0002);
+  for (int j = 0; j < clay.rows(); ++j) {  // with a flute, so that its turning is seen
+    std::vector<float> outer(clay.outer(j).begin(), clay.outer(j).end());
+    for (std::size_t i = 30; i < 50; ++i) outer[i] -= 0.004f;
+    clay.shape(j, outer, clay.inner(j));
+  }
+  r.show_clay(clay);
+  view::Frame frame = frame_with_pot(800, 600, 0.15, 0.05);
+  const auto changed = [&](const view::Image& a, const view::Image& b, bool of_pot) {
+    // The pot's upper half, and the wheel head to the right of its foot.
+    const auto low = *frame.pot->camera.project({of_pot ? -0.05 : 0.07, of_pot ? 0.07 : 0.0, 0});
+    const auto high = *frame.pot->camera.project({of_pot ? 0.05 : 0.17, of_pot ? 0.16 : 0.02, 0});
+    int count = 0;
+    for (int y = static_cast<int>(high.second); y < static_cast<int>(low.second); ++y)
+      for (int x = static_cast<int>(low.first); x < static_cast<int>(high.first); ++x)
+        count += difference(pixel_at(a, x, y), pixel_at(b, x, y)) > 6 ? 1 : 0;
+    return count;
+  };
+  frame.pot->wheel_angle = 0.2;
+  frame.pot->clay_angle = 1.0;
+  const view::Image before = drawn(r, frame);
+  frame.pot->wheel_angle = 0.0;  // the dab of slip comes to the right
+  const view::Image turned = drawn(r, frame);
+  EXPECT_EQ(changed(before, turned, true), 0);
+  EXPECT_GT(changed(before, turned, false), 20);
+  frame.pot->clay_angle = 1.5;
+  EXPECT_GT(changed(turned, drawn(r, frame), true), 500);
+}
+
 TEST_F(AFrame, DrawsTheSamePixelsTwice) {
   Renderer& r = renderer();
-  r.set_grid(kCylinder);
-  r.update_rows(thrown_rows(kCylinder, cylinder, 0.008, 0.0002));
+  r.show_clay(thrown_clay(kCylinder, cylinder, 0.008, 0.0002));
   view::Frame frame = frame_with_pot(640, 400, 0.15, 0.05);
   frame.pot->wetness = 0.5;
   EXPECT_EQ(drawn(r, frame).rgba, drawn(r, frame).rgba);

@@ -21,22 +21,23 @@ double vase(double t) {
 double bowl(double t) { return 0.028 + 0.062 * std::sqrt(t); }
 double jar(double t) { return 0.056 + 0.004 * std::sin(3.1 * t); }
 
-const view::GridShape kVase{400, 360, 0.20, 0.010};
+const ClayDef kVase = grid_of(400, 360, 0.20, 0.010);
 
 TEST_F(Gallery, AVaseDryAndWetAndFiredAndOpened) {
   Renderer& r = renderer();
-  r.set_grid(kVase);
-  r.update_rows(thrown_rows(kVase, vase, 0.006, 0.00022));
+  r.show_clay(thrown_clay(kVase, vase, 0.006, 0.00022));
   view::Frame frame = frame_with_pot(kWidth, kHeight, 0.20, 0.066);
-  frame.pot->wheel_angle = 1.2;
+  frame.pot->wheel_angle = frame.pot->clay_angle = 1.2;
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "vase_dry");
   frame.pot->wetness = 0.9;
-  frame.pot->tools[0] = {true, {0.070, 0.09, 0.018}, 0.008};
+  frame.pot->hands[0].present = true;
+  frame.pot->hands[0].at = {0.070, 0.09, 0.018};
+  frame.pot->hands[0].radius = 0.008;
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "vase_wet");
   frame.pot->wetness = 0.3;
-  frame.pot->tools[0].visible = false;
+  frame.pot->hands[0].present = false;
   frame.pot->cut_away = 1.0;
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "vase_open");
@@ -56,11 +57,10 @@ TEST_F(Gallery, EveryGlazeOfTheExhibitOnAVase) {
   ASSERT_TRUE(read.problems.empty()) << to_text(read.problems.front());
   ASSERT_GE(read.glazes.size(), 3u);
   Renderer& r = renderer();
-  r.set_grid(kVase);
-  r.update_rows(thrown_rows(kVase, vase, 0.006, 0.00022));
+  r.show_clay(thrown_clay(kVase, vase, 0.006, 0.00022));
   view::Frame frame = frame_with_pot(kWidth, kHeight, 0.20, 0.066);
   frame.pot->wheel = false;
-  frame.pot->wheel_angle = 1.2;
+  frame.pot->wheel_angle = frame.pot->clay_angle = 1.2;
   frame.pot->size = 0.875;
   frame.pot->finish = view::Finish::fired;
   for (const content::Glaze& glaze : read.glazes) {
@@ -82,9 +82,8 @@ TEST_F(Gallery, EveryGlazeOfTheExhibitOnAVase) {
 
 TEST_F(Gallery, ABowlAndADeepJar) {
   Renderer& r = renderer();
-  const view::GridShape shape{300, 360, 0.08, 0.008};
-  r.set_grid(shape);
-  r.update_rows(thrown_rows(shape, bowl, 0.005, 0.0002));
+  const ClayDef shape = grid_of(300, 360, 0.08, 0.008);
+  r.show_clay(thrown_clay(shape, bowl, 0.005, 0.0002));
   view::Frame frame = frame_with_pot(kWidth, kHeight, 0.08, 0.09);
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "bowl_dry");
@@ -93,9 +92,8 @@ TEST_F(Gallery, ABowlAndADeepJar) {
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "bowl_fired");
 
-  const view::GridShape deep{400, 360, 0.20, 0.010};
-  r.set_grid(deep);
-  r.update_rows(thrown_rows(deep, jar, 0.007, 0.00015));
+  const ClayDef deep = grid_of(400, 360, 0.20, 0.010);
+  r.show_clay(thrown_clay(deep, jar, 0.007, 0.00015));
   frame = frame_with_pot(kWidth, kHeight, 0.20, 0.06);
   frame.pot->camera.elevation = 0.6;
   frame.pot->wetness = 0.6;
@@ -116,15 +114,9 @@ TEST_F(Gallery, ALumpIsOpenedAndARimIsPressedAndFlared) {
       scene.step(hands, 0.001);
     }
     const Clay& clay = scene.clay();
-    r.set_grid({def.clay.rows, def.clay.sectors, def.clay.height, def.clay.floor_thickness});
-    std::vector<view::RowUpdate> rows;
-    for (int j = 0; j < clay.rows(); ++j) {
-      view::RowUpdate row{j, {clay.outer(j).begin(), clay.outer(j).end()}};
-      row.radii.insert(row.radii.end(), clay.inner(j).begin(), clay.inner(j).end());
-      row.place = view::RowPlace{clay.row_height(j), clay.rim_height(), clay.floor_top()};
-      rows.push_back(std::move(row));
-    }
-    r.update_rows(rows);
+    ClayView seen;
+    seen.take(clay);
+    r.show_clay(seen);
     view::Frame frame = frame_with_pot(kWidth, kHeight, clay.rim_height(), 0.06);
     frame.pot->wetness = 0.4;
     frame.pot->camera.elevation = 0.45;
@@ -132,7 +124,7 @@ TEST_F(Gallery, ALumpIsOpenedAndARimIsPressedAndFlared) {
     keep_for_looking(r.read_pixels(), name);
     frame.pot->cut_away = 1.0;
     frame.pot->camera.elevation = 0.25;
-    frame.pot->tools[0] = {true, hands.hand[0].position, 0.008};
+    frame.pot->hands[0] = scene.hand(0);
     r.draw(frame);
     keep_for_looking(r.read_pixels(), name + "_open");
   };

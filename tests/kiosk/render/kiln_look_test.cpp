@@ -11,7 +11,7 @@ namespace {
 using KilnLook = StudioTest;
 
 double straight(double) { return 0.06; }
-const view::GridShape kShape{200, 180, 0.18, 0.012};
+const ClayDef kShape = grid_of(200, 180, 0.18, 0.012);
 
 double brightness(const view::Image& image, int x, int y) {
   const Pixel p = pixel_at(image, x, y);
@@ -28,10 +28,7 @@ double wall_brightness(const view::Image& image, const view::Camera& camera, dou
   return sum / (13 * 9);
 }
 
-void put_pot(Renderer& r) {
-  r.set_grid(kShape);
-  r.update_rows(thrown_rows(kShape, straight, 0.006, 0.00015));
-}
+void put_pot(Renderer& r) { r.show_clay(thrown_clay(kShape, straight, 0.006, 0.00015)); }
 
 TEST_F(KilnLook, AWetRowIsDarkerThanADryOneAndDriesBackToTheSamePicture) {
   Renderer& r = renderer();
@@ -136,22 +133,19 @@ TEST_F(KilnLook, AFiringBeginsAsDryClayAndEndsAsTheGlazedPot) {
 // The section is what archaeologists would draw: as thick as the clay is, at every height.
 TEST_F(KilnLook, TheCutAwayShowsTheWallAsThickAsItIsWhileItThins) {
   Renderer& r = renderer();
-  r.set_grid(kShape);
   for (const double rim_wall : {0.012, 0.006, 0.003}) {
     const auto wall_at = [&](double height) {
       return 0.014 + (rim_wall - 0.014) * height / kShape.height;
     };
-    std::vector<view::RowUpdate> rows;
+    ClayView clay;
+    clay.lay(kShape);
     const auto sectors = static_cast<std::size_t>(kShape.sectors);
     for (int j = 0; j < kShape.rows; ++j) {
-      const double h = (j + 0.5) * kShape.height / kShape.rows;
-      view::RowUpdate row{j, std::vector<float>(2 * sectors, 0.06f)};
-      for (std::size_t i = 0; i < sectors; ++i)
-        row.radii[sectors + i] =
-            h < kShape.floor_height ? 0.0f : static_cast<float>(0.06 - wall_at(h));
-      rows.push_back(std::move(row));
+      const auto inside = static_cast<float>(0.06 - wall_at(clay.row_height(j)));
+      clay.shape(j, std::vector<float>(sectors, 0.06f),
+                 std::vector<float>(sectors, j < clay.floor_rows() ? 0.0f : inside));
     }
-    r.update_rows(rows);
+    r.show_clay(clay);
     view::Frame frame = frame_with_pot(2000, 2000, 0.18, 0.06);
     frame.pot->cut_away = 1.0;
     const view::Image image = r.draw_offscreen(frame);

@@ -86,26 +86,40 @@ void StudioTest::SetUp() {
 
 Renderer& StudioTest::renderer() { return *world->renderer; }
 
-std::vector<view::RowUpdate> thrown_rows(const view::GridShape& shape, double (*outer)(double),
-                                         double wall, double grooves) {
-  std::vector<view::RowUpdate> rows;
-  const auto sectors = static_cast<std::size_t>(shape.sectors);
-  for (int j = 0; j < shape.rows; ++j) {
-    const double t = (j + 0.5) / shape.rows, h = t * shape.height;
-    view::RowUpdate row{j, std::vector<float>(2 * sectors)};
+ClayDef grid_of(int rows, int sectors, double height, double floor) {
+  ClayDef def;
+  def.rows = rows;
+  def.sectors = sectors;
+  def.height = height;
+  def.floor_thickness = floor;
+  return def;
+}
+
+ClayView thrown_clay(const ClayDef& grid, double (*outer)(double), double wall, double grooves) {
+  ClayView clay;
+  clay.lay(grid);
+  const auto sectors = static_cast<std::size_t>(grid.sectors);
+  std::vector<float> outside(sectors), inside(sectors);
+  for (int j = 0; j < grid.rows; ++j) {
+    const double h = clay.row_height(j), t = h / grid.height;
     for (std::size_t i = 0; i < sectors; ++i) {
       // A finger that rises 4 mm a turn leaves a spiral.
-      const double turn = (static_cast<double>(i) + 0.5) / shape.sectors;
+      const double turn = (static_cast<double>(i) + 0.5) / grid.sectors;
       const double spiral = std::sin(6.283185307 * (h / 0.0055 - turn));
-      const double r = outer(t) + grooves * spiral * (0.7 + 0.3 * std::sin(31 * t));
-      row.radii[i] = static_cast<float>(r);
-      row.radii[sectors + i] = h < shape.floor_height
-                                   ? 0.0f
-                                   : static_cast<float>(outer(t) - wall - 0.5 * grooves * spiral);
+      outside[i] = static_cast<float>(outer(t) + grooves * spiral * (0.7 + 0.3 * std::sin(31 * t)));
+      inside[i] = j < clay.floor_rows()
+                      ? 0.0f
+                      : static_cast<float>(outer(t) - wall - 0.5 * grooves * spiral);
     }
-    rows.push_back(std::move(row));
+    clay.shape(j, outside, inside);
   }
-  return rows;
+  return clay;
+}
+
+void tear(ClayView& clay, int from, int to, bool torn) {
+  for (int j = from; j < to; ++j)
+    clay.place(j,
+               {clay.row_height(j), clay.rim_height(), clay.floor_top(), clay.floor_rows(), torn});
 }
 
 void keep_for_looking(const view::Image& image, const std::string& name) {

@@ -18,10 +18,15 @@ class StudioTest : public ::testing::Test {
   static constexpr int kWidth = 1280, kHeight = 720;
 };
 
-/// A row set of a jar whose outer radius follows `outer(t)` (t = 0 foot .. 1 rim, metres), `wall`
-/// thick, with throwing lines `grooves` deep.
-std::vector<view::RowUpdate> thrown_rows(const view::GridShape& shape, double (*outer)(double),
-                                         double wall, double grooves);
+/// A grid of even rows over `height`, with a floor; metres.
+ClayDef grid_of(int rows, int sectors, double height, double floor);
+
+/// A jar whose outer radius follows `outer(t)` (t = 0 foot .. 1 rim, metres), `wall` thick, with
+/// throwing lines `grooves` deep.
+ClayView thrown_clay(const ClayDef& grid, double (*outer)(double), double wall, double grooves);
+
+/// Rows from..to - 1 tear, or heal.
+void tear(ClayView& clay, int from, int to, bool torn = true);
 
 /// Writes `image` as NAME.ppm into $ONGGI_GALLERY where that is set, for people to look at.
 void keep_for_looking(const view::Image& image, const std::string& name);

@@ -13,28 +13,25 @@ namespace {
 
 using Torn = StudioTest;
 
-const view::GridShape kShape{600, 256, 0.20, 0.010};
+const ClayDef kShape = grid_of(600, 256, 0.20, 0.010);
 // The tear below is between these heights; what is torn of the wall gapes up to 1 cm about it.
 constexpr int kFrom = 372, kTo = 384;
 constexpr double kLow = 0.124 - 0.010, kHigh = 0.128 + 0.010;
 
 double jar(double t) { return 0.045 + 0.022 * std::sin(3.14159 * (0.10 + 0.80 * t)); }
 
-std::vector<view::RowUpdate> jar_rows(double wall = 0.003) {
-  return thrown_rows(kShape, jar, wall, 0.00015);
-}
+ClayView jar_clay(double wall = 0.003) { return thrown_clay(kShape, jar, wall, 0.00015); }
 
 /// Rows from..to of the jar on the wheel tear.
 void put_jar(Renderer& r, int from = 0, int to = 0, double wall = 0.003) {
-  auto rows = jar_rows(wall);
-  for (int j = from; j < to; ++j) rows[static_cast<std::size_t>(j)].torn = true;
-  r.set_grid(kShape);
-  r.update_rows(rows);
+  ClayView clay = jar_clay(wall);
+  tear(clay, from, to);
+  r.show_clay(clay);
 }
 
 view::Frame jar_frame(int width = 1280, int height = 720) {
   view::Frame frame = frame_with_pot(width, height, kShape.height, 0.067);
-  frame.pot->wheel_angle = 1.0;
+  frame.pot->wheel_angle = frame.pot->clay_angle = 1.0;
   return frame;
 }
 
@@ -95,7 +92,7 @@ TEST_F(Torn, WhatIsBehindIsSeenThroughTheTear) {
   Renderer& r = renderer();
   view::Frame frame = jar_frame();
   frame.pot->cut_away = 1.0;
-  r.set_grid(kShape);  // and no rows: the wheel alone
+  r.show_clay({});  // the wheel alone
   const view::Image behind = r.draw_offscreen(frame);
   const auto seen_through = [&] {
     const view::Image image = r.draw_offscreen(frame);
@@ -121,9 +118,12 @@ TEST_F(Torn, ARingThatHealsAndAFreshPotAreDrawnAsIfNothingHadEverTorn) {
   const view::Frame frame = jar_frame();
   put_jar(r);
   const view::Image whole = r.draw_offscreen(frame);
-  put_jar(r, kFrom, kTo);
+  ClayView clay = jar_clay();
+  tear(clay, kFrom, kTo);
+  r.show_clay(clay);
   EXPECT_NE(r.draw_offscreen(frame).rgba, whole.rgba);
-  r.update_rows(jar_rows());
+  tear(clay, kFrom, kTo, false);
+  r.update_clay(clay);
   EXPECT_EQ(r.draw_offscreen(frame).rgba, whole.rgba);
   put_jar(r, kFrom, kTo);
   put_jar(r);
@@ -134,15 +134,14 @@ TEST_F(Torn, ATearGoesWhereItsRowsGo) {
   Renderer& r = renderer();
   const view::Frame frame = jar_frame();
   const auto middle_of_tear = [&](double higher) {
-    auto rows = jar_rows();
-    for (view::RowUpdate& row : rows)
-      row.place = view::RowPlace{(row.row + 0.5) * 0.2 / 600 + (row.row >= 300 ? higher : 0.0),
-                                 0.2 + higher, 0.010};
-    r.set_grid(kShape);
-    r.update_rows(rows);
+    ClayView clay = jar_clay();
+    for (int j = 0; j < clay.rows(); ++j)
+      clay.place(j,
+                 {clay.row_height(j) + (j >= 300 ? higher : 0.0), 0.2 + higher, 0.010, 30, false});
+    r.show_clay(clay);
     const view::Image whole = r.draw_offscreen(frame);
-    for (int j = kFrom; j < kTo; ++j) rows[static_cast<std::size_t>(j)].torn = true;
-    r.update_rows(rows);
+    tear(clay, kFrom, kTo);
+    r.update_clay(clay);
     const Difference d = between(whole, r.draw_offscreen(frame));
     return 0.5 * (d.top + d.bottom);
   };
@@ -154,17 +153,16 @@ TEST_F(Torn, ATearGoesWhereItsRowsGo) {
 
 TEST_F(Torn, OneTornRowOfAGridFinerThanThePictureIsSeen) {
   Renderer& r = renderer();
-  const view::GridShape fine{4500, 64, 0.20, 0.010};
-  auto rows = thrown_rows(fine, jar, 0.003, 0.0);
+  const ClayDef fine = grid_of(4500, 64, 0.20, 0.010);
+  ClayView clay = thrown_clay(fine, jar, 0.003, 0.0);
   const view::Frame frame = jar_frame();
-  r.set_grid(fine);
-  r.update_rows(rows);
+  r.show_clay(clay);
   const view::Image whole = r.draw_offscreen(frame);
   for (const int row : {2800, 2801}) {
-    rows[static_cast<std::size_t>(row)].torn = true;
-    r.update_rows(rows);
+    tear(clay, row, row + 1);
+    r.update_clay(clay);
     EXPECT_GT(between(whole, r.draw_offscreen(frame)).pixels, 300) << row;
-    rows[static_cast<std::size_t>(row)].torn = false;
+    tear(clay, row, row + 1, false);
   }
 }
 

@@ -76,7 +76,7 @@ TEST(Mishap, AWallThatIsThickAndToreWasOpenedTooFar) {
   v.frames(1);
   EXPECT_NE(words_in(v.frame).find("opened too far"), std::string::npos);
   EXPECT_FALSE(v.visit->control("throw.restore")) << "nothing is kept to go back to";
-  v.mirror.apply(50, std::vector<float>(32, 0.0f));
+  v.clay.shape(50, std::vector<float>(16), std::vector<float>(16));
   v.frames(1);
   EXPECT_NE(words_in(v.frame).find("opened too far"), std::string::npos) << "it stays the reason";
 }

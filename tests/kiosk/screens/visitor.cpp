@@ -37,6 +37,20 @@ view::TextMeasure::Size PlainMeasure::measure(const std::string& text, const vie
   return {widest, static_cast<float>(lines) * style.px * style.line_height};
 }
 
+namespace {
+const ClayDef kLump = [] {
+  ClayDef def;
+  def.rows = 100;
+  def.sectors = 16;
+  return def;
+}();
+
+void put_tear(ClayView& clay, bool torn) {
+  clay.place(50,
+             {clay.row_height(50), clay.rim_height(), clay.floor_top(), clay.floor_rows(), torn});
+}
+}  // namespace
+
 Profile jar(double belly, double mouth, double foot) {
   Profile p;
   for (int i = 0; i <= 40; ++i) {
@@ -84,13 +98,13 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln) {
     wheel.kiln = Kiln{0.9375, 0.875, 1.0, &glazes};
   }
   for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65, wheel});
-  mirror.reset(100, 16, 0.2, 0.01, 0.055, 0.022);
+  clay.lay(kLump);
   VisitWorld world;
   world.exhibit = &exhibit;
   world.languages = &languages;
   world.shelf = &shelf;
   world.measure = measure ? measure : &plain;
-  world.mirror = &mirror;
+  world.wheel = &view;
   world.potter = &potter;
   visit = std::make_unique<Visit>(world);
   show();
@@ -101,13 +115,13 @@ void Visitor::frames(double seconds) {
   int skipped = 0;
   do {
     now += 1.0 / 30;
-    visit->update(now, status);
+    visit->update(now);
     while (auto request = visit->take_request()) {
       if (const auto* start = std::get_if<StartPot>(&*request)) {
         ++status.scene_serial;
         status.scripted = start->scripted;
         status.script_done = false;
-        mirror.reset(100, 16, 0.2, 0.01, 0.055, 0.022);
+        clay.lay(kLump);
       }
       seen_.push_back(std::move(*request));
     }
@@ -183,12 +197,12 @@ void Visitor::make_result() {
 void Visitor::tear(double limit) {
   for (ShelfCard& card : shelf) card.wheel.tear_thickness = limit;
   status.feedback.torn = true;
-  mirror.tear(50, true);
+  put_tear(clay, true);
 }
 
 void Visitor::mend() {
   status.feedback.torn = false;
-  mirror.tear(50, false);
+  put_tear(clay, false);
 }
 
 void Visitor::glaze_and_fire() {

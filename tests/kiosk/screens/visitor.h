@@ -22,16 +22,23 @@ class RecordingPotter final : public loop::PotterCommands {
   void start(std::unique_ptr<Scene>) override {}
   void play(std::unique_ptr<Script>) override {}
   void hand(int, const HandInput& target) override { hands.push_back(target); }
+  void take(int, std::uint8_t tool) override { tools.push_back(tool); }
   void wheel(double rad_per_s) override { wheels.push_back(rad_per_s); }
   void water(bool held) override { waters.push_back(held); }
   void renew() override { ++renewed; }
   void restore() override { ++restored; }
-  void pause(bool) override {}
+  void pause(bool on) override { pauses.push_back(on); }
+  void clear_faults(std::uint32_t which) override { cleared |= which; }
+  bool settle() override { return ++settled > 0 && answers; }
 
   std::vector<HandInput> hands;
   std::vector<double> wheels;
   std::vector<bool> waters;
-  int renewed = 0, restored = 0;
+  std::vector<bool> pauses;
+  std::vector<std::uint8_t> tools;
+  int renewed = 0, restored = 0, settled = 0;
+  std::uint32_t cleared = 0;
+  bool answers = true;
 };
 
 /// A vessel that is `belly` wide (radius, metres) half-way up, 0.2 m high.
@@ -68,9 +75,10 @@ class Visitor {
   std::vector<content::Glaze> glazes;
   Wheel wheel;  // of every card
   PlainMeasure plain;
-  loop::Mirror mirror;
   RecordingPotter potter;
-  loop::LoopStatus status;
+  loop::WheelView view;
+  ClayView& clay = view.clay;
+  loop::LoopStatus& status = view.status;
   std::unique_ptr<Visit> visit;
   view::Frame frame;
   int width = 1280, height = 720;

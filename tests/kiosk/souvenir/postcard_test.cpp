@@ -61,7 +61,7 @@ TEST(Postcard, IsAPortraitOfTheFiredPotAloneOnPlaster) {
   ASSERT_TRUE(card.pot);
   EXPECT_EQ(card.pot->finish, view::Finish::fired);
   EXPECT_FALSE(card.pot->wheel);
-  EXPECT_FALSE(card.pot->tools[0].visible);
+  EXPECT_FALSE(card.pot->hands[0].present);
 }
 
 TEST(Postcard, ShowsTheGlazeThatWasChosenAndDryClayWhereNoneWas) {

@@ -1,8 +1,11 @@
+#include "kiosk/screens/kiln_screen.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/screens/screen.h"
-#include "kiosk/screens/stage.h"
+#include "kiosk/screens/overlays.h"
+#include "kiosk/screens/pot_picture.h"
+#include "kiosk/screens/target_line.h"
 
 namespace onggi::screens {
 
@@ -36,16 +39,14 @@ view::Color display(const content::LinearColor& c) {
 class KilnScreen final : public Screen {
  public:
   explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.wheel().kiln), shown_(desk.glaze) {
-    desk.world.potter->wheel(desk.still()                ? 0
-                             : desk.screen().left_handed ? -kShowSpeed
-                                                         : kShowSpeed);
     if (desk.glaze >= 0) finish();
   }
   ScreenId id() const override { return ScreenId::kiln; }
   std::string first_focus() const override { return desk.glaze < 0 ? "kiln.glaze.0" : "kiln.keep"; }
 
   void update(double dt) override {
-    stage_.update(desk, dt, nullptr, false, false);
+    picture_.update(desk, dt, nullptr, false, false);
+    picture_.show_round(desk, dt, desk.screen().left_handed ? -kShowSpeed : kShowSpeed);
     if (desk.still()) return finish();
     const bool chosen = desk.glaze >= 0;
     dried_ = std::min(1.0, dried_ + dt / (chosen ? 0.2 * kDryTime : kDryTime));
@@ -64,9 +65,9 @@ class KilnScreen final : public Screen {
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
-    view::PotView pot = stage_.view(desk, page);
+    view::PotView pot = picture_.view(desk, page);
     pot.wheel = false;
-    pot.tools = {};
+    pot.hands = {};
     pot.size = along(along(1, kiln_.dried_size, smooth(dried_)), kiln_.fired_size, smooth(fired_));
     pot.wetness *= 1 - dried_;
     for (float& wet : pot.wet_rows) wet *= static_cast<float>(1 - dried_);
@@ -89,7 +90,7 @@ class KilnScreen final : public Screen {
 
   void lay_out(Page& page) override {
     // What was thrown stays as a line, so that the eye sees what the words say.
-    if (dried_ > 0.05) draw_ghost(page, stage_.camera(page), desk.made, {});
+    if (dried_ > 0.05) draw_ghost(page, picture_.camera(page), desk.made, {});
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
@@ -204,7 +205,7 @@ class KilnScreen final : public Screen {
   }
 
   const Kiln& kiln_;
-  Stage stage_;
+  PotPicture picture_;
   double dried_ = 0, fired_ = 0, reglazed_ = 1;
   int shown_ = -1, before_ = -1;  // glazes on the pot
   double chosen_at_ = -10, told_at_ = -10;

@@ -1,82 +1,9 @@
-#include "kiosk/screens/stage.h"
+#include "kiosk/screens/target_line.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace onggi::screens {
-
-namespace {
-/// One step of an exponential approach with time constant `tau`.
-double eased(double from, double to, double dt, double tau) {
-  return to + (from - to) * std::exp(-dt / tau);
-}
-}  // namespace
-
-void Stage::update(const Desk& desk, double dt, const Profile* target, bool cut, bool hold) {
-  const bool fresh = serial_ != desk.status.scene_serial;
-  if (desk.world.mirror->rows() > 0 && (fresh || desk.now - made_at_ > 0.12)) {
-    made_ = desk.world.mirror->profile();
-    made_at_ = desk.now;
-  }
-
-  // Room for the target and for the clay as wide as it has become.
-  double height = made_.height(), radius = made_.points.empty() ? 0.0 : made_.max_radius();
-  if (target != nullptr && !target->points.empty()) {
-    height = std::max(height, target->height());
-    radius = std::max(radius, target->max_radius());
-  }
-  if (fresh || radius_ == 0 || desk.still()) {
-    if (!hold || fresh) height_ = height, radius_ = radius;
-  } else if (!hold) {
-    height_ = eased(height_, height, dt, 0.5);
-    radius_ = eased(radius_, std::max(radius, radius_ * 0.97), dt, 0.5);
-  }
-  // A bat as a potter would choose it, a little wider than pot and lump; it stays for the pot's
-  // life.
-  if (fresh || wheel_radius_ == 0) wheel_radius_ = std::clamp(1.35 * radius, 0.09, 0.175);
-  serial_ = desk.status.scene_serial;
-
-  const double open = cut ? 1.0 : 0.0, there = desk.pot_ready() ? 1.0 : 0.0;
-  cut_ = desk.still() ? open : eased(cut_, open, dt, 0.12);
-  shown_ = desk.still() ? there : std::clamp(shown_ + (there > 0 ? dt : -dt) / 0.4, 0.0, 1.0);
-}
-
-view::Camera Stage::camera(const Page& page) const {
-  constexpr double kHeadThickness = 0.024;
-  const double height = std::max(height_, 0.02), radius = std::max(radius_, 0.01);
-  const Regions& where = page.where();
-  view::Rect box = where.pot;
-  for (int i = 0;; ++i) {
-    const view::Camera camera = view::frame_pot(page.width(), page.height(), box, height, radius);
-    const double r = wheel_radius_;
-    const auto front = camera.project({0, -kHeadThickness, r});
-    const auto left = camera.project({-r, 0, 0}), right = camera.project({r, 0, 0});
-    if (!front || !left || !right || i == 24) return camera;
-    const bool clear = where.portrait   ? front->second <= where.words.y
-                       : where.mirrored ? right->first <= where.words.x
-                                        : left->first >= where.words.x + where.words.w;
-    if (clear) return camera;
-    // Smaller: in portrait from below, so that the rim stays where it was.
-    const float w = box.w * 0.97f, h = box.h * 0.97f;
-    box = {box.x + (box.w - w) / 2, where.portrait ? box.y : box.y + (box.h - h) / 2, w, h};
-  }
-}
-
-view::PotView Stage::view(const Desk& desk, const Page& page) const {
-  view::PotView pot;
-  pot.camera = camera(page);
-  pot.wheel_angle = desk.status.feedback.wheel_angle;
-  pot.wheel_radius = wheel_radius_;
-  pot.wetness = desk.status.feedback.wetness;
-  pot.wet_rows = desk.world.mirror->wet();
-  pot.cut_away = cut_ < 0.004 ? 0.0 : cut_;
-  pot.opacity = desk.pot_ready() ? shown_ : 0.0;
-  for (std::size_t i = 0; i < pot.tools.size(); ++i) {
-    const HandInput& hand = desk.status.hands.hand[i];
-    pot.tools[i] = {hand.active && desk.pot_ready(), hand.position, desk.wheel().tool_radius};
-  }
-  return pot;
-}
 
 double tolerance(const Profile& target) { return std::max(0.0012, 0.025 * target.max_radius()); }
 

@@ -1,6 +1,8 @@
+#include "kiosk/screens/keepsake_screen.h"
+
 #include <algorithm>
 
-#include "kiosk/screens/screen.h"
+#include "kiosk/screens/overlays.h"
 
 namespace onggi::screens {
 

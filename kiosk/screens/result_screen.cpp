@@ -1,5 +1,8 @@
-#include "kiosk/screens/screen.h"
-#include "kiosk/screens/stage.h"
+#include "kiosk/screens/result_screen.h"
+
+#include "kiosk/screens/overlays.h"
+#include "kiosk/screens/pot_picture.h"
+#include "kiosk/screens/target_line.h"
 
 namespace onggi::screens {
 
@@ -13,23 +16,20 @@ constexpr std::size_t kMostRemarks = 2;  // Of each kind: more is not read.
 /// Stars and words: what is alike, what to try.
 class Result final : public Screen {
  public:
-  explicit Result(Desk& d) : Screen(d) {
-    desk.world.potter->wheel(desk.still()                ? 0
-                             : desk.screen().left_handed ? -kShowSpeed
-                                                         : kShowSpeed);
-  }
+  using Screen::Screen;
   ScreenId id() const override { return ScreenId::result; }
   std::string first_focus() const override { return "result.keep"; }
 
   void update(double dt) override {
     const ShelfCard* card = desk.shelf_card(desk.card);
-    stage_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
+    picture_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
+    picture_.show_round(desk, dt, desk.screen().left_handed ? -kShowSpeed : kShowSpeed);
   }
-  std::optional<view::PotView> pot(const Page& page) override { return stage_.view(desk, page); }
+  std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
 
   void lay_out(Page& page) override {
     if (const ShelfCard* card = desk.shelf_card(desk.card))
-      draw_ghost(page, stage_.camera(page), card->target, desk.made);
+      draw_ghost(page, picture_.camera(page), card->target, desk.made);
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
@@ -75,7 +75,7 @@ class Result final : public Screen {
       column.text(desk.say(all[i].key, all[i].places), t.body);
   }
 
-  Stage stage_;
+  PotPicture picture_;
 };
 
 }  // namespace

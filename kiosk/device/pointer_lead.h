@@ -1,24 +1,25 @@
 #pragma once
 
+#include "engine/clay/clay_view.h"
 #include "engine/math/vec.h"
-#include "kiosk/loop/mirror.h"
-#include "kiosk/view/camera.h"
+#include "engine/scene/hands.h"
 
-namespace onggi::screens {
+namespace onggi::device {
 
-/// A finger, a mouse or arrow keys as the potter's hand. The tool stands in the plane through the
+/// A finger, a mouse or arrow keys as the potter's hand, the screens' half: where the tool is to be
+/// (PointerHand glides there). The tool stands in the plane through the
 /// axis that faces the camera, on the side of the pot where the pointer went down. Going down sets
 /// it so that it just touches the chosen face at the pointer's height; from there it moves as far
 /// as the pointer does, millimetre for millimetre as seen.
-class PotHand {
+class PointerLead {
  public:
-  explicit PotHand(double tool_radius) : tool_radius_(tool_radius) {}
+  explicit PointerLead(double tool_radius) : tool_radius_(tool_radius) {}
 
   /// `at`: x right of the axis, y height, metres (Camera::on_axis_plane).
-  void grab(Vec2 at, const loop::Mirror& clay, WallSide face);
+  void grab(Vec2 at, const ClayView& clay, WallSide face);
   void drag(Vec2 at);
   /// Keys: begins half-way up at `sign` (+1 right of the axis, -1 left) when not yet working.
-  void begin_by_keys(const loop::Mirror& clay, WallSide face, double sign);
+  void begin_by_keys(const ClayView& clay, WallSide face, double sign);
   /// Metres away from the axis (negative: towards it) and upwards.
   void move(double outward, double up);
   void lift() { active_ = grabbed_ = false; }
@@ -27,10 +28,11 @@ class PotHand {
   bool grabbed() const { return grabbed_; }
   double height() const { return height_; }
   double radius() const { return radius_; }
-  HandInput input(const view::Camera& camera) const;
+  /// `right`: of the visitor who looks at the pot, level, unit, studio frame.
+  HandInput input(Vec3 right) const;
 
  private:
-  void touch(const loop::Mirror& clay, WallSide face, double height);
+  void touch(const ClayView& clay, WallSide face, double height);
   void clamp();
 
   double tool_radius_;
@@ -42,4 +44,4 @@ class PotHand {
   double lowest_ = 0, highest_ = 1;
 };
 
-}  // namespace onggi::screens
+}  // namespace onggi::device

@@ -1,4 +1,6 @@
-#include "kiosk/screens/screen.h"
+#include "kiosk/screens/fault_screen.h"
+
+#include "kiosk/screens/overlays.h"
 
 namespace onggi::screens {
 

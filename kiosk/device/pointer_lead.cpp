@@ -1,36 +1,33 @@
-#include "kiosk/screens/hand.h"
+#include "kiosk/device/pointer_lead.h"
 
 #include <algorithm>
 
-namespace onggi::screens {
+namespace onggi::device {
 
 namespace {
 constexpr double kFurthest = 0.25;  // Metres from the axis: clear of any clay.
 }
 
-void PotHand::touch(const loop::Mirror& clay, WallSide face, double height) {
+void PointerLead::touch(const ClayView& clay, WallSide face, double height) {
   face_ = face;
   lowest_ = tool_radius_ * 0.3;
   // Inside, the floor is as low as a hand can go.
-  if (face == WallSide::inside) {
-    const Profile profile = clay.profile();
-    lowest_ += profile.points.empty() ? 0.0 : profile.floor_height();
-  }
-  highest_ = std::max(lowest_, clay.height() + tool_radius_);
+  if (face == WallSide::inside) lowest_ += clay.floor_top();
+  highest_ = std::max(lowest_, clay.rim_height() + tool_radius_);
   height_ = std::clamp(height, lowest_, highest_);
   const double wall = clay.radius_at(height_, face);
   radius_ = std::max(0.0, face == WallSide::outside ? wall + tool_radius_ : wall - tool_radius_);
   active_ = true;
 }
 
-void PotHand::grab(Vec2 at, const loop::Mirror& clay, WallSide face) {
+void PointerLead::grab(Vec2 at, const ClayView& clay, WallSide face) {
   sign_ = at.x < 0 ? -1 : 1;
   grab_x_ = at.x;
   touch(clay, face, at.y);
   grabbed_ = true;
 }
 
-void PotHand::drag(Vec2 at) {
+void PointerLead::drag(Vec2 at) {
   if (!grabbed_) return;
   radius_ += sign_ * (at.x - grab_x_);
   grab_x_ = at.x;
@@ -38,27 +35,25 @@ void PotHand::drag(Vec2 at) {
   clamp();
 }
 
-void PotHand::begin_by_keys(const loop::Mirror& clay, WallSide face, double sign) {
+void PointerLead::begin_by_keys(const ClayView& clay, WallSide face, double sign) {
   if (active_) return;
   sign_ = sign;
-  touch(clay, face, clay.height() * 0.5);
+  touch(clay, face, clay.rim_height() * 0.5);
 }
 
-void PotHand::move(double outward, double up) {
+void PointerLead::move(double outward, double up) {
   if (!active_) return;
   radius_ += outward;
   height_ += up;
   clamp();
 }
 
-void PotHand::clamp() {
+void PointerLead::clamp() {
   radius_ = std::clamp(radius_, 0.0, kFurthest);
   height_ = std::clamp(height_, lowest_, highest_);
 }
 
-HandInput PotHand::input(const view::Camera& camera) const {
-  Vec3 right, up, back;
-  camera.basis(right, up, back);
+HandInput PointerLead::input(Vec3 right) const {
   HandInput hand;
   hand.active = active_;
   hand.side = face_ == WallSide::outside ? SideWish::outside : SideWish::inside;
@@ -66,4 +61,4 @@ HandInput PotHand::input(const view::Camera& camera) const {
   return hand;
 }
 
-}  // namespace onggi::screens
+}  // namespace onggi::device

@@ -1,9 +1,11 @@
+#include "kiosk/screens/choose_screen.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "kiosk/screens/label.h"
-#include "kiosk/screens/screen.h"
+#include "kiosk/screens/overlays.h"
 
 namespace onggi::screens {
 

@@ -5,12 +5,15 @@
 
 namespace onggi::screens {
 
-/// The pot on the wheel as a screen shows it: camera, tools, cut-away. Everything eases; nothing
+/// The pot on the wheel as a screen pictures it: camera, hands, cut-away. Everything eases; nothing
 /// jumps unless motion is reduced, and then it is simply there.
-class Stage {
+class PotPicture {
  public:
   /// `target` may be nullptr. `hold` keeps the camera still (a finger is on the clay).
   void update(const Desk& desk, double dt, const Profile* target, bool cut, bool hold);
+  /// A pot that rests is shown from all sides: wheel and pot turn before the eye, from the speed
+  /// that the wheel had to `speed` (rad/s, positive to the visitor's right hand).
+  void show_round(const Desk& desk, double dt, double speed);
   view::PotView view(const Desk& desk, const Page& page) const;
   /// The pot as large as its place allows, with the wheel head clear of the words.
   view::Camera camera(const Page& page) const;
@@ -23,19 +26,8 @@ class Stage {
   std::uint32_t serial_ = 0;
   double height_ = 0, radius_ = 0, wheel_radius_ = 0;
   double cut_ = 0, shown_ = 0;
+  double turned_ = 0;                 ///< By show_round(), rad,
+  std::optional<double> turn_speed_;  ///< and how fast, rad/s.
 };
-
-/// The target as a thin line at both silhouettes, in the plane through the axis that faces the
-/// camera. Where `made` is too wide: warm, solid and stronger; too narrow: cool and dashed; near
-/// enough: thin. `made` may be empty.
-void draw_ghost(Page& page, const view::Camera& camera, const Profile& target, const Profile& made);
-
-/// An arrow at `height` on the right of `target`'s outline: `inward` presses towards the axis from
-/// outside, else outwards from inside.
-void draw_press(Page& page, const view::Camera& camera, const Profile& target, double height,
-                bool inward);
-
-/// How far `made` may be from `target`'s outer radius and still be called alike, metres.
-double tolerance(const Profile& target);
 
 }  // namespace onggi::screens

@@ -1,11 +1,14 @@
+#include "kiosk/screens/throwing_screen.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/screens/hand.h"
+#include "kiosk/device/pointer_lead.h"
 #include "kiosk/screens/hint.h"
 #include "kiosk/screens/mishap.h"
-#include "kiosk/screens/screen.h"
-#include "kiosk/screens/stage.h"
+#include "kiosk/screens/overlays.h"
+#include "kiosk/screens/pot_picture.h"
+#include "kiosk/screens/target_line.h"
 
 namespace onggi::screens {
 
@@ -35,15 +38,17 @@ class Throwing final : public Screen {
 
   void update(double dt) override {
     if (serial_ != desk.status.scene_serial && desk.pot_ready()) {
-      // A new pot finds the wheel standing.
+      // A new pot finds the wheel standing, and one that was called done has rested.
       serial_ = desk.status.scene_serial;
+      desk.world.potter->pause(false);
       send_wheel();
       desk.world.potter->water(water_);
     }
+    if (done_) return finish();
     look_for_mishaps();
     const ShelfCard* card = desk.shelf_card(desk.card);
     const Profile* target = card != nullptr ? &card->target : nullptr;
-    stage_.update(desk, dt, target, cut_, hand_.grabbed());
+    picture_.update(desk, dt, target, cut_, hand_.grabbed());
 
     bool contact = false;
     for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
@@ -53,16 +58,16 @@ class Throwing final : public Screen {
     }
     if (water_) dry_ = 0;
     hint_.update(desk.now,
-                 {target, &stage_.made(), std::abs(speed_) > 0.5, face_ == WallSide::inside,
+                 {target, &picture_.made(), std::abs(speed_) > 0.5, face_ == WallSide::inside,
                   touched_, dry_ > 20.0, desk.wheel().tool_radius});
   }
 
-  std::optional<view::PotView> pot(const Page& page) override { return stage_.view(desk, page); }
+  std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
 
   void lay_out(Page& page) override {
-    camera_ = stage_.camera(page);
+    camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
-      draw_ghost(page, camera_, card->target, stage_.made());
+      draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press; press && !hand_.grabbed() && !mishap_)
         draw_press(page, camera_, card->target, press->height, press->inward);
     }
@@ -79,9 +84,12 @@ class Throwing final : public Screen {
     // The longest hint's room is kept, so that the controls never move under a finger.
     const auto style = page.style(Face::sans, t.lead);
     const view::Rect room = column.rest();
-    for (const std::string& words : all_hints(desk))
+    std::vector<std::string> all = all_hints(desk);
+    for (const std::string& key : FaultNote::keys()) all.push_back(desk.say(key));
+    for (const std::string& words : all)
       if (page.size(words, style, room.w).height > room.h) page.overflowed();
-    column.text(words_of(hint_.shown(), desk), t.lead);
+    const std::string& fault = desk.fault_note.key();
+    column.text(fault.empty() ? words_of(hint_.shown(), desk) : desk.say(fault), t.lead);
   }
 
   void press(const std::string& control) override {
@@ -132,13 +140,13 @@ class Throwing final : public Screen {
 
   void pointer(const InputEvent& e, const Page& page) override {
     menu_ = false;
-    if (!desk.pot_ready() || desk.world.mirror->rows() == 0) return;
+    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
     const Vec2 at = camera_.on_axis_plane(e.x, e.y);
     switch (e.kind) {
       case InputEvent::Kind::pointer_down:
         if (page.where().words.contains(e.x, e.y)) return;
         mishap_.stay();
-        hand_.grab(at, *desk.world.mirror, face_);
+        hand_.grab(at, desk.world.wheel->clay, face_);
         break;
       case InputEvent::Kind::pointer_move:
         if (!hand_.grabbed()) return;
@@ -210,7 +218,11 @@ class Throwing final : public Screen {
 
  private:
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
-  void send_hand() { desk.world.potter->hand(0, hand_.input(camera_)); }
+  void send_hand() {
+    Vec3 right, up, back;
+    camera_.basis(right, up, back);
+    desk.world.potter->hand(0, hand_.input(right));
+  }
   void send_wheel() { desk.world.potter->wheel(desk.screen().left_handed ? -speed_ : speed_); }
   void set_water(bool on) {
     water_ = on;
@@ -218,22 +230,27 @@ class Throwing final : public Screen {
   }
 
   void move_by_keys(double outward, double up) {
-    if (!desk.pot_ready() || desk.world.mirror->rows() == 0) return;
+    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
     menu_ = false;
     mishap_.stay();
     if (hand_.active())
       hand_.move(outward, up);
     else
-      hand_.begin_by_keys(*desk.world.mirror, face_, key_sign());
+      hand_.begin_by_keys(desk.world.wheel->clay, face_, key_sign());
     send_hand();
   }
 
   void finish() {
     const ShelfCard* card = desk.shelf_card(desk.card);
-    if (card == nullptr || !desk.pot_ready() || desk.world.mirror->rows() == 0) return;
+    if (card == nullptr || !desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
     let_go();
     set_water(false);
-    desk.made = desk.world.mirror->profile();
+    // From here on the pot is what it is: no sagging, drying or springing back between what the
+    // visitor is told and what is kept. It is judged once every row of it has arrived.
+    desk.world.potter->pause(true);
+    done_ = !desk.world.potter->settle();
+    if (done_) return;
+    desk.made = desk.world.wheel->clay.profile();
     const settings::Rubric& rubric = desk.world.exhibit->rubric;
     desk.score = score::judge(card->target, desk.made, !rubric.size_counts,
                               card->scale > 0 ? 1 / card->scale : 1, rubric);
@@ -268,15 +285,15 @@ class Throwing final : public Screen {
 
   void lay_out_tools(Page& page, Column& column) const;
 
-  Stage stage_;
+  PotPicture picture_;
   HintLine hint_;
   MishapWatch mishap_;
-  PotHand hand_;
+  device::PointerLead hand_;
   view::Camera camera_;
   double speed_;
   WallSide face_ = WallSide::outside;
   bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
-       menu_ = false;
+       menu_ = false, done_ = false;
   double soaked_at_ = -1, dry_ = 0;
   std::uint32_t serial_ = 0;
 };

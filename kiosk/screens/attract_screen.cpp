@@ -1,7 +1,9 @@
+#include "kiosk/screens/attract_screen.h"
+
 #include <algorithm>
 
-#include "kiosk/screens/screen.h"
-#include "kiosk/screens/stage.h"
+#include "kiosk/screens/overlays.h"
+#include "kiosk/screens/pot_picture.h"
 
 namespace onggi::screens {
 
@@ -27,13 +29,13 @@ class Attract final : public Screen {
   void update(double dt) override {
     if (!asked_ || (done_at_ >= 0 && desk.now - done_at_ > kRest)) next_pot();
     const ShelfCard* card = desk.shelf_card(desk.attract_card);
-    stage_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
+    picture_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
     if (asked_ && desk.pot_ready() && desk.status.script_done && done_at_ < 0) done_at_ = desk.now;
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
     if (!asked_) return std::nullopt;
-    view::PotView pot = stage_.view(desk, page);
+    view::PotView pot = picture_.view(desk, page);
     if (done_at_ >= 0 && !desk.still())
       pot.opacity *= std::clamp((done_at_ + kRest - desk.now) / 0.5, 0.0, 1.0);
     return pot;
@@ -91,7 +93,7 @@ class Attract final : public Screen {
 
   bool follows() const { return script_ == "follow"; }
 
-  Stage stage_;
+  PotPicture picture_;
   std::string script_ = "follow";
   bool asked_ = false;
   double done_at_ = -1;

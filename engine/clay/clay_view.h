@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/clay/clay.h"
+#include "engine/clay/wall_side.h"
+#include "engine/profile/profile.h"
+
+namespace onggi {
+namespace clay {
+
+/// Where a row stands, and the clay that it is a row of: what changes as other rows grow or sink.
+struct RowPlace {
+  double middle = 0.0;     ///< Height of the row's middle, m.
+  double rim = 0.0;        ///< Height of the clay, m,
+  double floor_top = 0.0;  ///< and of the upper face of its floor.
+  int floor_rows = 0;      ///< Solid rows.
+  bool torn = false;       ///< The ring is broken open.
+};
+RowPlace place_of(const Clay& clay, int row) noexcept;
+
+}  // namespace clay
+
+/// The clay as those see it who only look: the one value that screens, picture, score and keepsake
+/// are made of. A copy, renewed row by row; rows that only moved come without radii. Row means are
+/// kept, so that an outline costs O(rows). Allocates in lay() and take() alone. Not safe across
+/// threads.
+class ClayView {
+ public:
+  /// A fresh lump of this grid; dry, whole and fast on the wheel.
+  void lay(const ClayDef& def);
+  /// All of `clay`: how it would be seen with every row arrived.
+  void take(const Clay& clay);
+  /// Where a row now is, and the rest of what a row tells. Rows beyond the grid are let be.
+  void place(int row, const clay::RowPlace& at) noexcept;
+  /// A row's radii, metres. Rows beyond the grid, and of other widths, are let be.
+  void shape(int row, std::span<const float> outer, std::span<const float> inner) noexcept;
+
+  int rows() const { return rows_; }  ///< 0 before the first lump.
+  int sectors() const { return sectors_; }
+  std::span<const float> outer(int j) const { return {outer_.data() + start(j), width()}; }
+  std::span<const float> inner(int j) const { return {inner_.data() + start(j), width()}; }
+  double mean_outer(int j) const { return mean_outer_[static_cast<std::size_t>(j)]; }
+  double mean_inner(int j) const { return mean_inner_[static_cast<std::size_t>(j)]; }
+  double row_height(int j) const { return middle_[static_cast<std::size_t>(j)]; }
+  double rim_height() const { return rim_; }       ///< Metres.
+  double floor_top() const { return floor_top_; }  ///< Metres.
+  int floor_rows() const { return floor_rows_; }
+  bool torn(int j) const { return torn_[static_cast<std::size_t>(j)] != 0; }
+  /// How thin the wall is where the torn rows are thinnest, metres; nothing where none is torn.
+  /// O(torn rows x sectors).
+  std::optional<double> torn_wall() const;
+
+  /// 0 dry .. 1 dripping, at even heights from foot to rim; empty where the pot is wet all alike.
+  std::vector<float> wet;
+  double angle = 0.0;     ///< Its own turning frame, rad; the wheel's until it is cut free.
+  double cut_free = 0.0;  ///< Share of the section that a wire has cut; at 1 it stands still.
+
+  /// The outline, by the row means. Heights rise even while rows are on their way. O(rows).
+  Profile profile() const;
+  /// Mean radius of a face at height `h` (clamped), metres.
+  double radius_at(double h, WallSide side) const;
+
+  /// Grows with whatever arrives, so that who has drawn the clay knows what is new since.
+  std::uint64_t change() const { return change_; }
+  std::uint64_t shaped_at(int j) const { return shaped_at_[static_cast<std::size_t>(j)]; }
+  std::uint64_t placed_at(int j) const { return placed_at_[static_cast<std::size_t>(j)]; }
+
+ private:
+  std::size_t width() const { return static_cast<std::size_t>(sectors_); }
+  std::size_t start(int j) const { return static_cast<std::size_t>(j) * width(); }
+  bool has(int row) const { return row >= 0 && row < rows_; }
+  void make_room(int rows, int sectors);
+
+  int rows_ = 0, sectors_ = 0, floor_rows_ = 0;
+  double rim_ = 0.0, floor_top_ = 0.0;
+  std::vector<float> outer_, inner_;
+  std::vector<double> mean_outer_, mean_inner_, middle_;
+  std::vector<std::uint8_t> torn_;
+  std::vector<std::uint64_t> shaped_at_, placed_at_;
+  std::uint64_t change_ = 0;
+};
+
+}  // namespace onggi

@@ -1,0 +1,24 @@
+#include "engine/clay/row_means.h"
+
+#include <numeric>
+
+namespace onggi::clay {
+
+double row_mean(std::span<const float> radii) noexcept {
+  return std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
+}
+
+Profile outline_of(std::span<const double> middle, std::span<const double> outer,
+                   std::span<const double> inner, double rim) {
+  Profile profile;
+  if (middle.empty()) return profile;
+  profile.points.reserve(middle.size() + 2);
+  profile.points.push_back({0.0, outer.front(), inner.front()});
+  for (std::size_t j = 0; j < middle.size(); ++j)
+    if (middle[j] > profile.height() && middle[j] < rim)
+      profile.points.push_back({middle[j], outer[j], inner[j]});
+  profile.points.push_back({rim, outer.back(), inner.back()});
+  return profile;
+}
+
+}  // namespace onggi::clay

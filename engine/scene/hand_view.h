@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "engine/contact/bodies/body_kind.h"
+#include "engine/math/vec.h"
+
+namespace onggi {
+
+/// One hand as it is seen: what it holds, where, and how. What its sizes are is
+/// BodyKind's to say. Plain values; studio frame, metres.
+struct HandView {
+  bool present = false;     ///< At the wheel; else nothing of it is seen.
+  std::uint8_t tool = 0;    ///< HandInput::tool.
+  std::string_view name{};  ///< The tool's, as in a scene's TOML; lives as long as the program.
+  BodyKind body = BodyKind::ball;
+  double radius = 0.0, length = 0.0, thickness = 0.0;
+  Vec3 at;               ///< Middle of the working part.
+  Vec3 along{0, 1, 0};   ///< Unit.
+  Vec3 across{0, 0, 1};  ///< Unit, at a right angle to `along`.
+};
+
+}  // namespace onggi

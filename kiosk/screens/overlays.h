@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/screens/desk.h"
+#include "kiosk/screens/page.h"
+
+namespace onggi::screens {
+
+/// Back, Help and the other languages, at the foot of every screen.
+std::vector<Button> standing_buttons(const Desk& desk, bool with_back);
+/// "language" for the language after the present one, "language.CODE" for any others.
+std::vector<Button> language_buttons(const Desk& desk);
+/// The language that a control named by language_buttons() stands for.
+std::optional<std::size_t> language_of(const Desk& desk, const std::string& control);
+
+/// What lies over a screen instead of its words.
+void lay_out_help(Page& page, const Desk& desk, const std::string& help_key);
+void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown);
+
+}  // namespace onggi::screens
