@@ -238,6 +238,8 @@ class House(unittest.TestCase):
         self.assert_broken("docs", "does not say '8 rows'")
         self.write("engine/docs/clay.md", page.replace(" | kRows = 8", ""))
         self.assert_broken("docs", "words | file | source text")
+        self.write("engine/docs/clay.md", page.replace("true while", "true when"))
+        self.assert_broken("docs", "begins with 'true while'")
 
     def test_what_a_page_names_must_exist(self):
         self.write("engine/clay/clay.h", "struct Clay { int rows(); };\n")

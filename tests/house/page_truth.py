@@ -16,6 +16,7 @@ import re
 CODE = (".h", ".cpp", ".glsl", ".py", ".toml", ".txt", ".cmake", ".json", ".in", ".gp")
 PICTURES = "kiosk/docs/pictures"
 DRAWN_BY = f"{PICTURES}/draw"
+TABLE_MARKS = ("The table is written by", "end of the table")  # room_table.py
 COMMENT = re.compile(r"<!--(.*?)-->", re.S)
 # Made by a build or an installation, or an example's.
 ELSEWHERE = re.compile(r"^(?:build|include|lib|keepsakes|/tmp|\.\./shared)(?:/|$)|my_jar|[A-Z]{4}")
@@ -35,9 +36,12 @@ def held_words(page, text, read):
     """Yields what is wrong with the `true while` comments of a page."""
     for comment in COMMENT.finditer(text):
         head, _, body = comment.group(1).strip().partition("\n")
-        if not head.startswith("true while"):
-            continue
         where = f"{page}:{text[:comment.start()].count(chr(10)) + 1}: "
+        if head.startswith(TABLE_MARKS):
+            continue
+        if not head.startswith("true while"):
+            yield f"{where}a comment holds nothing unless it begins with 'true while'."
+            continue
         before = COMMENT.sub(" ", text[:comment.start()])
         section = plain(re.split(r"^#+ ", before, flags=re.M)[-1])
         for line in (head[len("true while"):] + "\n" + body).splitlines():
