@@ -30,7 +30,7 @@ class History {
   explicit History(Clay& clay);
 
   /// Once a tick, after the clay changed. `touching`: a hand presses it. Cost follows the rows that
-  /// changed, at most about 8192 elements.
+  /// changed: at most 2048 elements, or two rows where those are longer.
   void follow(Clay& clay, bool touching, double seconds) noexcept;
   /// What follows is a step of its own, and what was before is kept to the last bit: at most about
   /// `element_budget` elements a call, true once it is so. Until then nobody may change the clay.

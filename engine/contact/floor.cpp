@@ -9,7 +9,7 @@
 namespace onggi {
 namespace {
 
-constexpr double kSnap = 2e-8;  // m: a press below this is none, as on the wall
+constexpr double kSnap = 2e-8;  // m: a press below this is none; a height is no float
 
 // (1 - e^-x) / x and (1 - that) / x, also where x is nearly 0.
 double mean_decay(double x) { return x > 1e-8 ? -portable::expm1(-x) / x : 1.0 - 0.5 * x; }

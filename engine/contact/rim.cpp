@@ -10,7 +10,7 @@
 namespace onggi {
 namespace {
 
-constexpr double kSnap = 2e-8;         // m: a press below this is none, as on the wall
+constexpr double kSnap = 2e-8;         // m: a press below this is none; a height is no float
 constexpr double kThinnestRow = 0.25;  // of its first thickness: a row pressed together is firm
 constexpr int kMostSectors = 8192;
 

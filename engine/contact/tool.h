@@ -35,7 +35,7 @@ struct Hold {
   Vec3 across{0, 0, 1};
 };
 
-/// A potter's tool: a body, and what a potter does with it. One row of engine/contact/tools.cpp.
+/// A potter's tool: a body, and what a potter does with it. One row of engine/contact/tool.cpp.
 struct ToolShape {
   std::string_view name;  ///< As in a scene's TOML: "sphere".
   BodyKind body = BodyKind::ball;

@@ -2,6 +2,7 @@
 // see them. Sections are what a press that lasts leaves of a lump; silhouettes are what the support
 // mapping reaches. Equal bits on every machine.
 // usage: onggi_figure_bodies OUT.csv
+#include <algorithm>
 #include <cstdio>
 
 #include "engine/contact/press.h"
@@ -16,7 +17,7 @@ using onggi::Vec3;
 using onggi::WallSide;
 
 constexpr Vec3 kAt{0.056, 0.05, 0.0};  // of every body: right of the axis
-constexpr int kRay = 6;                // rays off the middle: the one whose interval is marked
+constexpr int kRay = 18;               // rays off the middle: the one whose interval is marked
 
 std::FILE* out = nullptr;
 const char* name = "";
@@ -31,7 +32,7 @@ Vec3 unit(Vec3 v) { return (1.0 / length(v)) * v; }
 onggi::ClayDef lump(bool thick) {
   onggi::ClayDef def;
   def.rows = 10;
-  def.sectors = 1440;
+  def.sectors = 4320;
   def.height = 0.1;
   def.floor_thickness = 0.0;
   def.outer_radius = thick ? 0.155 : 0.02;
@@ -50,7 +51,6 @@ void section(const Body& it) {
   press(outside, WallSide::outside, it, kAt, 60.0, kSoft);
   press(inside, WallSide::inside, it, kAt, 60.0, kSoft);
   const int row = outside.first_row_above(kAt.y);
-  const double start = double{outside.outer(0).back()};
   const double sector = 2.0 * portable::kPi / outside.sectors();
   const auto end = [&](const char* part, double r, int i) {
     const double angle = (i + 0.5) * sector;
@@ -59,19 +59,26 @@ void section(const Body& it) {
   const auto at = [&](int i) {
     return static_cast<std::size_t>((i + outside.sectors()) % outside.sectors());
   };
-  constexpr int kMost = 200;
-  for (int i = -kMost; i <= kMost; ++i)
-    if (double{outside.outer(row)[at(i)]} < start - 0.001)
-      end("section", double{outside.outer(row)[at(i)]}, i);
+  // An element that an edge of the section crosses gives way for its share alone, and has not come
+  // to its end: its two faces are still apart.
+  const auto near = [&](int i) { return double{outside.outer(row)[at(i)]}; };
+  const auto far = [&](int i) { return double{inside.inner(row)[at(i)]}; };
+  constexpr int kMost = 600;
+  int first = kMost;
+  for (int i = -kMost; i <= kMost; ++i) {
+    if (!(near(i) < far(i))) continue;
+    first = std::min(first, i);
+    end("section", near(i), i);
+  }
   for (int i = kMost; i >= -kMost; --i)
-    if (double{outside.outer(row)[at(i)]} < start - 0.001)
-      end("section", double{inside.inner(row)[at(i)]}, i);
+    if (near(i) < far(i)) end("section", far(i), i);
+  end("section", near(first), first);
   end_line();
   end("ray", 0.030, kRay);
   end("ray", 0.082, kRay);
   end_line();
-  end("interval", double{outside.outer(row)[at(kRay)]}, kRay);
-  end("interval", double{inside.inner(row)[at(kRay)]}, kRay);
+  end("interval", near(kRay), kRay);
+  end("interval", far(kRay), kRay);
   end_line();
 }
 

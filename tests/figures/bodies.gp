@@ -29,7 +29,7 @@ do for [k=0:3] {
   unset label
   set label 1 name at graph 0.5,1.07 center font "sans-serif,16" textcolor rgb ink
   if (k == 0) {
-    set label 2 "a ray, and\nits interval" at 30,13 textcolor rgb ray
+    set label 2 "a ray, and\nits interval" at 30,19 textcolor rgb ray
     set label 3 "section with a row" at 56,-15.5 center textcolor rgb corrected
   }
   if (k == 2) { set label 2 "outline" at 69,-15 textcolor rgb bound }
@@ -44,11 +44,11 @@ do for [k=0:3] {
   set yrange [27:73]
   unset label
   if (k == 0) {
-    set label 2 "support point\none way" at 38,31.5 center textcolor rgb ink
+    set label 2 "support point\none way" at 47,31.5 center textcolor rgb ink
   }
   if (k == 1) {
-    set label 2 "heights" at 71,70 textcolor rgb bound
-    set label 3 "hull of balls" at 66,34 textcolor rgb bound
+    set label 2 "heights" at 65,70.5 textcolor rgb bound
+    set label 3 "hull of balls" at 62,32 textcolor rgb bound
   }
   plot data using (of(name, "silhouette", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb body_fill, \
        data using (of(name, "silhouette", column("x_mm"))):"y_mm" with lines linecolor rgb corrected linewidth 1.6, \

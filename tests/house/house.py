@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 
+import page_truth
 import public_names
 import room_table
 
@@ -303,13 +304,17 @@ def check_layout(root, table):
 
 
 def check_docs(root, table):
-    """The document's table is that of rooms.txt, and every room there says its job."""
-    broken = [f"tests/house/rooms.txt: say the job of {room} behind a # at the end of its line."
+    """The pages are true (page_truth.py), and the table of rooms is that of rooms.txt, with every job."""
+    def read(name):
+        return "\n".join(read_lines(root, name)) if os.path.isfile(os.path.join(root, name)) else None
+
+    broken, kept = page_truth.check(files_of(root), read)
+    broken += [f"tests/house/rooms.txt: say the job of {room} behind a # at the end of its line."
               for room, job in table.jobs.items() if room != "tests" and not job]
     if room_table.split_document(root)[1] != room_table.table_lines(root, table):
         broken.append(f"{room_table.DOCUMENT}: its table is not that of tests/house/rooms.txt. "
                       "Run tests/house/house.py table")
-    return broken, "the table of rooms is that of rooms.txt"
+    return broken, kept + "; the table of rooms is that of rooms.txt"
 
 
 def check_names(root, _table):

@@ -12,6 +12,7 @@ HERE = os.path.dirname(os.path.realpath(__file__))
 sys.dont_write_bytecode = True
 sys.path.insert(0, HERE)
 import house  # noqa: E402
+import page_truth  # noqa: E402
 
 
 class House(unittest.TestCase):
@@ -24,6 +25,7 @@ class House(unittest.TestCase):
         self.write("tests/house/headers.txt", "")
         self.write("engine/docs/house.md", f"Before.\n{house.room_table.BEGIN}\n{house.room_table.END}\nAfter.\n")
         self.write("tests/house/public_names.txt", "")
+        self.write("engine/base/result.h", "")
         self.write("engine/math/vec.h", "#include <cmath>\n")
         self.write("engine/clay/clay.h", '#include "engine/math/vec.h"\n')
         self.write("engine/clay/CMakeLists.txt", "onggi_room(engine/clay ROOMS engine/math)\n")
@@ -219,6 +221,46 @@ class House(unittest.TestCase):
         self.write("tests/house/rooms.txt", "engine/math :  # numbers\nengine/clay : engine/math\n")
         self.write_table()
         self.assert_broken("docs", "say the job of engine/clay")
+
+    def test_words_that_a_page_holds_to_a_source_are_held_on_both_sides(self):
+        page = "# Clay\nA grid of 8 rows.\n<!-- true while\n8 rows | engine/clay/clay.h | kRows = 8\n-->\n"
+        self.write("engine/clay/clay.h", "constexpr int kRows =\n    8;\n")
+        self.write("engine/docs/clay.md", page)
+        self.assertEqual(self.check("docs"), [])
+        self.write("engine/clay/clay.h", "constexpr int kRows = 80;\n")
+        self.assert_broken("docs", "engine/docs/clay.md:3", "has no 'kRows = 8' any more")
+        os.remove(os.path.join(self.root, "engine/clay/clay.h"))
+        self.assert_broken("docs", "engine/clay/clay.h is gone")
+        self.write("engine/clay/clay.h", "constexpr int kRows = 8;\n")
+        self.write("engine/docs/clay.md", page.replace("of 8", "of nine"))
+        self.assert_broken("docs", "does not say '8 rows'")
+        self.write("engine/docs/clay.md", page.replace("<!--", "# Another section\n<!--"))
+        self.assert_broken("docs", "does not say '8 rows'")
+        self.write("engine/docs/clay.md", page.replace(" | kRows = 8", ""))
+        self.assert_broken("docs", "words | file | source text")
+        self.write("engine/docs/clay.md", page.replace("true while", "true when"))
+        self.assert_broken("docs", "begins with 'true while'")
+
+    def test_what_a_page_names_must_exist(self):
+        self.write("engine/clay/clay.h", "struct Clay { int rows(); };\n")
+        self.write("engine/docs/clay.md", "[vec](../math/vec.h) `engine/clay` `clay.h` `clay/clay.h` `Clay::rows` "
+                   "`rows()` `engine/*/vec.h` `build/bin/x` `engine/NAME.h` `--not checked`\n```\n`gone.h`\n```\n")
+        self.assertEqual(self.check("docs"), [])
+        for wrong, said in (("[vec](vec.h)", "vec.h leads nowhere"), ("`mud.h`", "no mud.h"),
+                            ("`engine/mud`", "no engine/mud"), ("`Clay::sectors`", "called sectors")):
+            self.write("engine/docs/clay.md", wrong + "\n")
+            self.assert_broken("docs", said)
+
+    def test_a_picture_is_drawn_by_the_command_and_shown_by_a_page(self):
+        self.write(page_truth.PICTURES + "/pot.png", "")
+        self.write(page_truth.DRAWN_BY, "# old.png\ntake pot.png here/*_pot.png\n")
+        self.write("README.md", "![a pot](kiosk/docs/pictures/pot.png)\n")
+        self.assertEqual(self.check("docs"), [])
+        self.write("README.md", "")
+        self.assert_broken("docs", "pot.png: no page shows it")
+        self.write("README.md", "![a pot](kiosk/docs/pictures/pot.png)\n")
+        self.write(page_truth.DRAWN_BY, "take jar.png here\n")
+        self.assertEqual(len(self.check("docs")), 2)
 
     def test_the_top_level_is_fixed(self):
         self.write("utils/helper.cpp", "")

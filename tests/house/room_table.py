@@ -33,7 +33,8 @@ def table_lines(root, table):
 
 def split_document(root):
     """The document's lines before the table, in it, and after it."""
-    lines = open(os.path.join(root, DOCUMENT), encoding="utf-8").read().splitlines()
+    with open(os.path.join(root, DOCUMENT), encoding="utf-8") as file:
+        lines = file.read().splitlines()
     if BEGIN not in lines or END not in lines:
         raise SystemExit(f"{DOCUMENT}: the lines '{BEGIN}' and '{END}' are missing.")
     begin, end = lines.index(BEGIN) + 1, lines.index(END)

@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -260,6 +261,51 @@ TEST(scene, a_file_that_is_not_there_leaves_the_engines_own_scene) {
   const SceneRead r = read_scene("config/scenes/frist_touch.toml");
   ASSERT_THAT(r.problems, SizeIs(1));
   EXPECT_EQ(figures(r.def), figures(SceneDef{}));
+}
+
+// The rows of config/README.md below the heading of `table`.
+std::vector<std::string> rows_told(const std::string& table) {
+  std::ifstream in("config/README.md");
+  std::vector<std::string> rows;
+  bool here = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("#")) here = line.find("[" + table + "]") != std::string::npos;
+    if (here && line.starts_with("| `")) rows.push_back(line);
+  }
+  return rows;
+}
+
+// The last column of a row, and the numbers of the one before: where both are numbers.
+std::vector<double> figures_told(std::string row) {
+  std::vector<std::string> columns;
+  std::istringstream in(row);
+  for (std::string column; std::getline(in, column, '|');) columns.push_back(column);
+  std::vector<double> out;
+  if (columns.size() < 5) return out;
+  const auto& range = columns[columns.size() - 2];
+  const std::size_t low = range.find_last_of(',') == std::string::npos ? 0 : range.rfind(',') + 1;
+  const std::size_t to = range.find(" to ", low);
+  if (to == std::string::npos) return out;
+  return {std::stod(range.substr(low)), std::stod(range.substr(to + 4)), std::stod(columns.back())};
+}
+
+TEST(scene_file, the_readme_tells_every_figure_of_every_effect_as_it_is) {
+  SceneDef def;
+  int told = 0;
+  each_effect(def, [&told]<class Def>(std::optional<Def>&) {
+    for (const EffectField<Def>& field : Def::fields()) {
+      const std::string start = "| `" + std::string(field.key) + "` |";
+      const auto rows = rows_told(Def::kName);
+      const auto row = std::find_if(rows.begin(), rows.end(),
+                                    [&](const std::string& r) { return r.starts_with(start); });
+      ASSERT_NE(row, rows.end()) << Def::kName << "." << field.key;
+      EXPECT_THAT(figures_told(*row),
+                  ::testing::ElementsAre(field.least, field.most, Def{}.*(field.value)))
+          << *row;
+      ++told;
+    }
+  });
+  EXPECT_GE(told, 25);
 }
 
 }  // namespace
