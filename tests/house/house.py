@@ -199,7 +199,7 @@ def check_links(root, table):
             if function not in ("onggi_room", "onggi_program"):
                 continue
             count += 1
-            parts = sections(words, ("ROOMS", "LIBS", "PUBLIC_LIBS", "FOLDERS", "EXCLUDE"))
+            parts = sections(words, ("ROOMS", "LIBS", "PUBLIC_LIBS", "FOLDERS", "EXCLUDE", "BRIEF"))
             if function == "onggi_room" and parts[""] != [room]:
                 broken.append(f"{name}: onggi_room({' '.join(parts[''])}) should name {room}.")
             for other in parts.get("ROOMS", []):
