@@ -23,7 +23,7 @@ std::FILE* out = nullptr;
 const char* name = "";
 
 void point(const char* part, double x, double y) {
-  std::fprintf(out, "%s,%s,%.4f,%.4f\n", name, part, 1e3 * x, 1e3 * y);
+  std::fprintf(out, "%s,%s,%.4f,%.4f,0\n", name, part, 1e3 * x, 1e3 * y);
 }
 void end_line() { std::fprintf(out, "\n"); }
 
@@ -113,14 +113,22 @@ void outline(const Body& it) {
   }
 }
 
+// Where the farthest planes all round touch each other.
 template <class Body>
 void silhouette(const Body& it) {
-  for (int n = 0; n <= 720; ++n) {
-    const double angle = n * portable::kPi / 360.0;
+  const auto farthest = [&](double angle) {
     const Vec3 towards{portable::cos(angle), portable::sin(angle), 0.0};
     const body::Ball ball = it.support(towards);
-    const Vec3 p = ball.middle + ball.radius * towards;
-    point("silhouette", p.x, p.y);
+    return dot(ball.middle, towards) + ball.radius;
+  };
+  for (int n = 0; n <= 1440; ++n) {
+    const double angle = n * portable::kPi / 720.0;
+    constexpr double kStep = 1e-5;
+    const double far = farthest(angle);
+    const double slope = (farthest(angle + kStep) - farthest(angle - kStep)) / (2.0 * kStep);
+    const double c = portable::cos(angle);
+    const double s = portable::sin(angle);
+    point("silhouette", far * c - slope * s, far * s + slope * c);
   }
   end_line();
   const Vec3 towards = unit({-0.45, -1.0, 0.0});
@@ -153,7 +161,7 @@ int main(int argc, char** argv) {
   }
   std::fprintf(
       out,
-      "# Four bodies beside the axis (at x = 0). Level, through a row at 55 mm (x, mm; z, mm):"
+      "# Four bodies beside the axis (at x = 0). Level, through the row at 55 mm (x, mm; z, mm):"
       " section, outline, a ray and its interval.\n"
       "# Upright (x, mm; height, mm): silhouette by the support mapping, one support ball"
       " (its radius beside), heights, hull.\n"

@@ -1,7 +1,7 @@
 # The four bodies: gnuplot -c bodies.gp STYLE bodies.csv OUT.svg
 load ARG1
 data = ARG2
-eval svg(1080, 640)
+eval svg(1080, 510)
 set output ARG3
 set datafile missing NaN
 names = "ball capsule box cylinder"
@@ -22,7 +22,7 @@ do for [k=0:3] {
   set lmargin at screen left(k)
   set rmargin at screen left(k) + 0.2425
   # From above: one row's plane.
-  set tmargin at screen 0.92
+  set tmargin at screen 0.93
   set bmargin at screen 0.49
   set xrange [29:83]
   set yrange [-23:23]
@@ -33,14 +33,21 @@ do for [k=0:3] {
     set label 3 "section with a row" at 56,-15.5 center textcolor rgb corrected
   }
   if (k == 2) { set label 2 "outline" at 69,-15 textcolor rgb bound }
+  if (k == 0) {
+  plot data using (of(name, "section", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb body_fill, \
+       data using (of(name, "section", column("x_mm"))):"y_mm" with lines linecolor rgb corrected linewidth 1.6, \
+       data using (of(name, "ray", column("x_mm"))):"y_mm" with lines linecolor rgb ray linewidth 1, \
+       data using (of(name, "interval", column("x_mm"))):"y_mm" with linespoints linecolor rgb ray linewidth 3.5 pointtype 7 pointsize 0.5
+  } else {
   plot data using (of(name, "section", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb body_fill, \
        data using (of(name, "section", column("x_mm"))):"y_mm" with lines linecolor rgb corrected linewidth 1.6, \
        data using (of(name, "outline", column("x_mm"))):"y_mm" with lines linecolor rgb bound dashtype 2 linewidth 1.4, \
        data using (of(name, "ray", column("x_mm"))):"y_mm" with lines linecolor rgb ray linewidth 1, \
        data using (of(name, "interval", column("x_mm"))):"y_mm" with linespoints linecolor rgb ray linewidth 3.5 pointtype 7 pointsize 0.5
+  }
   # From the side.
-  set tmargin at screen 0.46
-  set bmargin at screen 0.03
+  set tmargin at screen 0.455
+  set bmargin at screen 0.015
   set yrange [27:73]
   unset label
   if (k == 0) {
@@ -50,6 +57,13 @@ do for [k=0:3] {
     set label 2 "heights" at 65,70.5 textcolor rgb bound
     set label 3 "hull of balls" at 62,32 textcolor rgb bound
   }
+  if (k == 0) {
+  plot data using (of(name, "silhouette", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb body_fill, \
+       data using (of(name, "silhouette", column("x_mm"))):"y_mm" with lines linecolor rgb corrected linewidth 1.6, \
+       data using (of(name, "support", column("x_mm"))):"y_mm":"radius_mm" with circles linecolor rgb ray linewidth 1.4 fillstyle empty, \
+       data using (of(name, "towards", column("x_mm"))):"y_mm" with lines linecolor rgb ink linewidth 1.4, \
+       data using (of(name, "point", column("x_mm"))):"y_mm" with points linecolor rgb ink pointtype 7 pointsize 0.6
+  } else {
   plot data using (of(name, "silhouette", column("x_mm"))):"y_mm" with filledcurves closed fillcolor rgb body_fill, \
        data using (of(name, "silhouette", column("x_mm"))):"y_mm" with lines linecolor rgb corrected linewidth 1.6, \
        data using (of(name, "heights", column("x_mm"))):"y_mm" with lines linecolor rgb bound dashtype 3 linewidth 1.2, \
@@ -57,5 +71,6 @@ do for [k=0:3] {
        data using (of(name, "support", column("x_mm"))):"y_mm":"radius_mm" with circles linecolor rgb ray linewidth 1.4 fillstyle empty, \
        data using (of(name, "towards", column("x_mm"))):"y_mm" with lines linecolor rgb ink linewidth 1.4, \
        data using (of(name, "point", column("x_mm"))):"y_mm" with points linecolor rgb ink pointtype 7 pointsize 0.6
+  }
 }
 unset multiplot
