@@ -17,7 +17,7 @@ struct JsonWriter {
   }
   static Out of(const std::vector<Json::Member>& members) {
     Out out = Out::object();
-    for (const Json::Member& member : members) out[member.key] = of(member.value);
+    for (const auto& [key, value] : members) out[key] = of(value);
     return out;
   }
   template <class Plain>
@@ -40,8 +40,8 @@ Json Json::list(std::initializer_list<Json> values) {
 
 Json& Json::operator[](const std::string& key) {
   auto& members = std::get<std::vector<Member>>(value_);
-  const auto found = std::ranges::find(members, key, &Member::key);
-  return found != members.end() ? found->value : members.emplace_back(Member{key, {}}).value;
+  const auto found = std::ranges::find(members, key, &Member::first);
+  return found != members.end() ? found->second : members.emplace_back(key, Json()).second;
 }
 
 void Json::push_back(Json value) {

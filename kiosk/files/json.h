@@ -15,7 +15,7 @@ namespace onggi::files {
 /// in which their members were named. Reading JSON is its reader's business.
 class Json {
  public:
-  struct Member;
+  using Member = std::pair<std::string, Json>;  ///< Key and value.
 
   Json() = default;  ///< null
   Json(bool value) : value_(value) {}
@@ -50,11 +50,6 @@ class Json {
   std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string,
                std::vector<Json>, std::vector<Member>>
       value_;
-};
-
-struct Json::Member {
-  std::string key;
-  Json value;
 };
 
 }  // namespace onggi::files
