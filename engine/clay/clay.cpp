@@ -78,10 +78,10 @@ void Clay::keep_areas() {
   for (int j = 0; j < def_.rows; ++j) areas_->set(j, measured_area(j));
 }
 
-void Clay::keep_shifts() {
-  if (!shifts_.empty()) return;
-  shifts_.reserve(2);
-  for (int n = 0; n < 2; ++n) shifts_.emplace_back(def_.rows, stride_);
+void Clay::keep_displacements() {
+  if (!displacements_.empty()) return;
+  displacements_.reserve(2);
+  for (int n = 0; n < 2; ++n) displacements_.emplace_back(def_.rows, stride_);
 }
 
 double Clay::measured_area(int j) const {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/clay/clay_def.h"
+#include "engine/clay/displacements.h"
 #include "engine/clay/row_areas.h"
 #include "engine/clay/row_set.h"
-#include "engine/clay/shifts.h"
 #include "engine/math/vectors.h"
 #include "engine/profile/profile.h"
 
@@ -98,10 +98,12 @@ class Clay {
   void keep_areas();
   RowAreas* areas() { return areas_ ? &*areas_ : nullptr; }
   const RowAreas* areas() const { return areas_ ? &*areas_ : nullptr; }
-  /// From now on it is kept how far contact moves each element in a tick (shifts.h); whoever runs
-  /// the tick clears them. Allocates. Null where nobody asked.
-  void keep_shifts();
-  Shifts* shifts(bool inside) { return shifts_.empty() ? nullptr : &shifts_[inside ? 1 : 0]; }
+  /// From now on it is kept how far contact moves each element in a tick (displacements.h); whoever
+  /// runs the tick clears them. Allocates. Null where nobody asked.
+  void keep_displacements();
+  Displacements* displacements(bool inside) {
+    return displacements_.empty() ? nullptr : &displacements_[inside ? 1 : 0];
+  }
   /// Area of row `j`'s cross-section, m^2. O(sectors).
   double measured_area(int j) const;
 
@@ -160,7 +162,7 @@ class Clay {
   unsigned measured_ = 0;
   RowSet dirty_, moved_, changed_;
   std::optional<RowAreas> areas_;
-  std::vector<Shifts> shifts_;  // of the outside and the inside, or none
+  std::vector<Displacements> displacements_;  // of the outside and the inside, or none
   int sweep_row_ = 0;
 };
 

@@ -146,7 +146,8 @@ class Pressing {
   Pressing(Clay& clay, WallSide side, const Yielding& yielding, double weight)
       : clay_(clay), side_(side), cut_(yielding.cut), weight_(weight) {
     if (clay.areas() != nullptr && !cut_)
-      shifts_ = clay.shifts(side == WallSide::inside);  // what is cut off drags nothing along
+      displacements_ =
+          clay.displacements(side == WallSide::inside);  // what is cut off drags nothing along
   }
 
   // Those of `reached` from row `first` on. Gives how many there is work on.
@@ -177,7 +178,8 @@ class Pressing {
       row.regroups = thicknesses[n] != thickness;
       thickness = thicknesses[n];
       if (row.regroups) row.area = static_cast<float>(weight_ * thickness);
-      if (areas != nullptr) row.shift = shifts_ != nullptr ? shifts_->row(j) : areas->spare_row();
+      if (areas != nullptr)
+        row.displacement = displacements_ != nullptr ? displacements_->row(j) : areas->spare_row();
     }
     thickness_ = thickness;
     return used;
@@ -204,8 +206,8 @@ class Pressing {
       }
       if (areas == nullptr) continue;
       areas->lose(j, portable::kPi / clay_.sectors() * double{row.lost}, cut_);
-      if (shifts_ != nullptr)
-        for (int r = 0; r < row.used; ++r) shifts_->mark(j, row.ranges[r]);
+      if (displacements_ != nullptr)
+        for (int r = 0; r < row.used; ++r) displacements_->mark(j, row.ranges[r]);
     }
     out.visited += visited;
     out.touched += touched;
@@ -217,7 +219,7 @@ class Pressing {
   WallSide side_;
   bool cut_;
   double weight_;  // force per press, radius and height
-  Shifts* shifts_ = nullptr;
+  Displacements* displacements_ = nullptr;
   double thickness_ = 0.0;  // of the row before
   int row_[kPlannedRows];
   BodyRow<Body> rows_[kPlannedRows];

@@ -71,10 +71,10 @@ ONGGI_INLINE Float8 target_of(Float8 end, const StepFigures& step) {
 
 struct Pressed {
   RowSum sum;
-  Float8 depth;   // deepest of each lane
-  Float8 behind;  // the farthest that the other face was carried
-  Float8 lost;    // what the row lost, as a sum of squares of radii; only where that is kept
-  float* shift;   // of the row: grows by what each element was moved; likewise
+  Float8 depth;         // deepest of each lane
+  Float8 behind;        // the farthest that the other face was carried
+  Float8 lost;          // what the row lost, as a sum of squares of radii; only where that is kept
+  float* displacement;  // of the row: grows by what each element was moved; likewise
   int touched;
 };
 
@@ -130,7 +130,7 @@ ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* fa
   }
   if constexpr (keeps) {
     pressed.lost = pressed.lost + lost;
-    store(load(pressed.shift + i) + given, pressed.shift + i);
+    store(load(pressed.displacement + i) + given, pressed.displacement + i);
   }
   row.react(pressed.sum, felt * radius, m, c, s);
   pressed.depth = larger(pressed.depth, felt);
@@ -178,7 +178,7 @@ struct Kernel {
       pressed.behind = all(task.behind_start);
       pressed.touched = 0;
       if constexpr (keeps) {
-        pressed.shift = task.shift;
+        pressed.displacement = task.displacement;
         pressed.lost = all(0.0f);
       }
       if (!task.hollow)

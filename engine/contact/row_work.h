@@ -30,16 +30,16 @@ struct StepFigures {
 /// One row that a body presses, and what came of it. Filled whole by whoever asks: nothing is set
 /// beforehand, since a step has many.
 struct RowTask {
-  float* face;         ///< Worked.
-  float* behind;       ///< The other.
-  float* shift;        ///< Grows by what each element was moved; only where StepFigures::keeps.
-  BlockRun ranges[2];  ///< They never share a block.
-  int used;            ///< Of `ranges`.
-  bool careful;        ///< See press_lanes.h.
-  bool hollow;         ///< There is another face.
-  bool regroups;       ///< Not as thick as the row pressed before it.
-  float area;          ///< Force per weight (press times radius) of rows of this thickness.
-  float behind_start;  ///< No element of the other face is farther that way.
+  float* face;          ///< Worked.
+  float* behind;        ///< The other.
+  float* displacement;  ///< Grows by what each element was moved; only where StepFigures::keeps.
+  BlockRun ranges[2];   ///< They never share a block.
+  int used;             ///< Of `ranges`.
+  bool careful;         ///< See press_lanes.h.
+  bool hollow;          ///< There is another face.
+  bool regroups;        ///< Not as thick as the row pressed before it.
+  float area;           ///< Force per weight (press times radius) of rows of this thickness.
+  float behind_start;   ///< No element of the other face is farther that way.
 
   int touched;        ///< Elements pressed.
   float behind_most;  ///< The farthest that the other face was carried, if any was.

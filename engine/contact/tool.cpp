@@ -131,12 +131,12 @@ double ToolShape::reach(const ToolSize& size) const noexcept {
   return size.radius;
 }
 
-double ToolShape::grain(const ToolSize& size) const noexcept {
+double ToolShape::smallest_feature(const ToolSize& size) const noexcept {
   return body == BodyKind::box || body == BodyKind::cylinder ? size.thickness : size.radius;
 }
 
-body::Ball ToolShape::ball(const ToolPlace& place, const ToolSize& size,
-                           Vec3 towards) const noexcept {
+body::Ball ToolShape::support(const ToolPlace& place, const ToolSize& size,
+                              Vec3 towards) const noexcept {
   return with_body(body, place, size,
                    [&](const auto& there) -> body::Ball { return there.support(towards); });
 }

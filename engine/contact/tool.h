@@ -57,10 +57,10 @@ struct ToolShape {
   /// Nothing of it is farther from `at`, m.
   double reach(const ToolSize& size) const noexcept;
   /// Its finest part, m, > 0: in one step it goes at most a quarter of that.
-  double grain(const ToolSize& size) const noexcept;
+  double smallest_feature(const ToolSize& size) const noexcept;
   /// Its farthest point `towards` (unit) is this ball's: above the rim and the floor, where it
   /// touches the wheel head, and where clay rubs on it.
-  body::Ball ball(const ToolPlace& place, const ToolSize& size, Vec3 towards) const noexcept;
+  body::Ball support(const ToolPlace& place, const ToolSize& size, Vec3 towards) const noexcept;
 
   /// body::press() and body::depth() of what it is there. A wire presses nothing.
   Press press(Clay& clay, WallSide side, const ToolPlace& place, const ToolSize& size,

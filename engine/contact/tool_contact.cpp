@@ -56,7 +56,7 @@ BallStep ball_step(const ToolSweep& sweep, int n, int of) {
   const auto lowest = [&](double share) {
     const double angle = sweep.angle_from + share * (sweep.angle_to - sweep.angle_from);
     const ToolPlace place = place_at(sweep, share, portable::cos(angle), portable::sin(angle));
-    return sweep.shape->ball(place, sweep.size, kDown);
+    return sweep.shape->support(place, sweep.size, kDown);
   };
   const body::Ball from = lowest(1.0 * n / of);
   return {from.middle, lowest((n + 1.0) / of).middle, from.radius, sweep.seconds / of};
@@ -78,7 +78,8 @@ int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept {
   const Vec3 way = sweep.to - sweep.from;
   const double out = std::max(axis_distance(sweep.from), axis_distance(sweep.to));
   const double arc = std::fabs(sweep.angle_to - sweep.angle_from) * out;
-  const double by_way = (2.0 * arc + length(way)) / (0.25 * sweep.shape->grain(sweep.size));
+  const double by_way =
+      (2.0 * arc + length(way)) / (0.25 * sweep.shape->smallest_feature(sweep.size));
   const double by_time = sweep.seconds / (0.25 * relaxation_time * sweep.shape->relaxation);
   return static_cast<int>(
       std::clamp(std::ceil(std::max(by_way, by_time)), 1.0, double{kMostSteps}));
@@ -150,7 +151,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   const double c = portable::cos(angle);
   const double s = portable::sin(angle);
   const ToolPlace place = place_at(sweep, middle, c, s);
-  const body::Ball lowest = sweep.shape->ball(place, sweep.size, kDown);
+  const body::Ball lowest = sweep.shape->support(place, sweep.size, kDown);
 
   if (!touching_) {
     if (!choose_place(clay, place, lowest, sweep)) return;

@@ -18,11 +18,11 @@ struct ToolSweep {
   SideWish wish = SideWish::by_position;
 };
 
-/// How many equal steps a sweep needs: the tool moves at most a quarter of its grain in one, and
-/// the clay under it an eighth (a light touch is only a quarter radius wide), and it lasts at most
-/// a quarter of the clay's relaxation time under it, `relaxation_time` (s) times the tool's share:
-/// the target is held where it is in a step's middle, which is wrong by (dt/tau)^2 / 12 of the
-/// press. 1..kMostSteps.
+/// How many equal steps a sweep needs: the tool moves at most a quarter of its smallest feature in
+/// one, and the clay under it an eighth (a light touch is only a quarter radius wide), and it lasts
+/// at most a quarter of the clay's relaxation time under it, `relaxation_time` (s) times the tool's
+/// share: the target is held where it is in a step's middle, which is wrong by (dt/tau)^2 / 12 of
+/// the press. 1..kMostSteps.
 int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept;
 inline constexpr int kMostSteps = 64;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/clay/clay.h"
-#include "engine/clay/shifts.h"
+#include "engine/clay/displacements.h"
 #include "engine/clay/wall_side.h"
 
 namespace onggi::effects {

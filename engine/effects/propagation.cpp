@@ -35,7 +35,7 @@ Propagation::Propagation(int stride)
 // False where nothing was dragged.
 bool Propagation::drag_row(Clay& clay, WallSide side, int j, BlockRun run, float faded,
                            double along) noexcept {
-  float* own = clay.shifts(side == WallSide::inside)->row(j);
+  float* own = clay.displacements(side == WallSide::inside)->row(j);
   if (row_kernels::of(clay.vectors())
           .pull(run, faded, own, pull_.source.data(), pull_.carried.data(), more_.data()) <= 0.0f)
     return false;
@@ -45,14 +45,14 @@ bool Propagation::drag_row(Clay& clay, WallSide side, int j, BlockRun run, float
 
 // Two sweeps over the pressed rows, one up and one down, each carrying the strongest pull of the
 // rows behind it: so a row is looked at twice, not once for every row that was pressed. The work
-// list is that of the shifts, runs of blocks that contact touched: a fingertip 2 mm deep is over 12
-// elements of 360, two or three blocks of 45.
+// list is that of the displacements, runs of blocks that contact touched: a fingertip 2 mm deep is
+// over 12 elements of 360, two or three blocks of 45.
 void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
                        double along) noexcept {
-  Shifts& shifts = *clay.shifts(side == WallSide::inside);
-  if (!shifts.any()) return;
-  const int first = shifts.first_row();
-  const int end = shifts.end_row();
+  Displacements& displacements = *clay.displacements(side == WallSide::inside);
+  if (!displacements.any()) return;
+  const int first = displacements.first_row();
+  const int end = displacements.end_row();
   // Inside, the floor holds: its rows have no inner face.
   const int bottom = side == WallSide::inside ? clay.floor_rows() : 0;
   // Rows of one height have one fading: most of a lump's.
@@ -64,11 +64,11 @@ void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
     last = apart;
     return last_fading;
   };
-  for (BlockRun run = shifts.run_from(0); run.any(); run = shifts.run_from(run.end)) {
+  for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end)) {
     const auto forget_pull = [&] {
       for (std::vector<float>* part : {&pull_.source, &pull_.carried})
-        std::fill(part->begin() + run.begin * Shifts::kBlock,
-                  part->begin() + run.end * Shifts::kBlock, 0.0f);
+        std::fill(part->begin() + run.begin * Displacements::kBlock,
+                  part->begin() + run.end * Displacements::kBlock, 0.0f);
     };
     forget_pull();
     for (int j = first; j < clay.rows(); ++j) {
@@ -77,14 +77,14 @@ void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
       // Above them nothing moved by itself, and a pull only fades: where it drags nothing, it will
       // drag nothing farther up.
       if (j >= end && !dragged) break;
-      if (dragged) shifts.mark(j, run);
+      if (dragged) displacements.mark(j, run);
     }
     forget_pull();
     for (int j = end - 1; j >= bottom; --j) {
       const float faded = j < end - 1 ? fading(j + 1, j) : 0.0f;
       const bool dragged = drag_row(clay, side, j, run, faded, along);
       if (j < first && !dragged) break;
-      if (dragged) shifts.mark(j, run);
+      if (dragged) displacements.mark(j, run);
     }
   }
 }

@@ -26,8 +26,8 @@ class Propagation {
   explicit Propagation(int stride);
 
   /// Stage 6.1: no row is moved by more than the strongest of those about it, times its share; one
-  /// that moved that far by itself is left alone. `along`: see move_face(). The shifts grow by what
-  /// was dragged. O(elements moved, and three reaches beyond).
+  /// that moved that far by itself is left alone. `along`: see move_face(). The displacements grow
+  /// by what was dragged. O(elements moved, and three reaches beyond).
   void drag(const PropagationDef& def, Clay& clay, WallSide side, double along) noexcept;
 
  private:

@@ -31,7 +31,7 @@ Smoothing::Smoothing(int rows) {
 // Thomas' algorithm on (w_j + f_j + f_j-1) q_j - f_j q_j+1 - f_j-1 q_j-1 = w_j q_j before.
 bool Smoothing::even_block(Clay& clay, WallSide side, int first, int count, int block) noexcept {
   const bool outside = side == WallSide::outside;
-  const auto at = static_cast<std::size_t>(block * Shifts::kBlock);
+  const auto at = static_cast<std::size_t>(block * Displacements::kBlock);
   const auto face = [&](int k) {
     return (outside ? clay.pressable_outer(first + k) : clay.pressable_inner(first + k)).data() +
            at;
@@ -39,7 +39,7 @@ bool Smoothing::even_block(Clay& clay, WallSide side, int first, int count, int 
   const auto other = [&](int k) {
     return (outside ? clay.inner(first + k) : clay.outer(first + k)).data() + at;
   };
-  const int width = std::min(Shifts::kBlock, clay.sectors() - static_cast<int>(at));
+  const int width = std::min(Displacements::kBlock, clay.sectors() - static_cast<int>(at));
   for (int k = 0; k < count; ++k) {
     const auto n = static_cast<std::size_t>(k);
     for (int i = 0; i < width; ++i) {
@@ -53,8 +53,8 @@ bool Smoothing::even_block(Clay& clay, WallSide side, int first, int count, int 
   }
   // A column where the wall would get too thin goes only as far as it may, all of it alike: then
   // it has lost nothing, and is still between what it was and what it would be.
-  double share[Shifts::kBlock];
-  std::fill_n(share, Shifts::kBlock, 1.0);
+  double share[Displacements::kBlock];
+  std::fill_n(share, Displacements::kBlock, 1.0);
   for (int k = 0; k < count; ++k) {
     for (int i = 0; i < width; ++i) {
       const double was = square(face(k)[i]);
@@ -86,12 +86,12 @@ bool Smoothing::even_block(Clay& clay, WallSide side, int first, int count, int 
 
 void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double bottom, double top,
                      double seconds) noexcept {
-  const Shifts& shifts = *clay.shifts(side == WallSide::inside);
-  if (!shifts.any()) return;
+  const Displacements& displacements = *clay.displacements(side == WallSide::inside);
+  if (!displacements.any()) return;
   const bool outside = side == WallSide::outside;
   const int lowest = outside ? 0 : clay.floor_rows();
-  const int first = std::max({shifts.first_row(), clay.first_row_above(bottom), lowest});
-  const int count = std::min(shifts.end_row(), clay.first_row_above(top)) - first;
+  const int first = std::max({displacements.first_row(), clay.first_row_above(bottom), lowest});
+  const int count = std::min(displacements.end_row(), clay.first_row_above(top)) - first;
   if (count < 2) return;
   const double pace = def.pace * seconds;
   for (int k = 0; k < count; ++k) {
@@ -107,7 +107,7 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
     extent_[n] = outside ? 0.0f : 1e9f;
   }
   bool changed = false;
-  for (BlockRun run = shifts.run_from(0); run.any(); run = shifts.run_from(run.end))
+  for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
     for (int block = run.begin; block < run.end; ++block)
       changed |= even_block(clay, side, first, count, block);
   if (!changed) return;

@@ -35,7 +35,7 @@ class Smoothing {
  private:
   // Eight columns at once, a row each.
   struct Row {
-    double square[Shifts::kBlock];
+    double square[Displacements::kBlock];
   };
   bool even_block(Clay& clay, WallSide side, int first, int count, int block) noexcept;
 

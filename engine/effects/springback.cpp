@@ -36,16 +36,16 @@ Springback::Springback(const Clay& clay)
 }
 
 void Springback::load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept {
-  Shifts& shifts = *clay.shifts(side == WallSide::inside);
-  if (!shifts.any()) return;
+  Displacements& displacements = *clay.displacements(side == WallSide::inside);
+  if (!displacements.any()) return;
   Face& f = face(side);
   const auto share = static_cast<float>(def.share);
-  for (int j = shifts.first_row(); j < shifts.end_row(); ++j) {
+  for (int j = displacements.first_row(); j < displacements.end_row(); ++j) {
     const auto n = static_cast<std::size_t>(j);
-    const float* moved = shifts.row(j);
+    const float* moved = displacements.row(j);
     float* left = f.left.data() + n * stride_;
-    for (BlockRun run = shifts.run_from(0); run.any(); run = shifts.run_from(run.end))
-      for (int i = run.begin * Shifts::kBlock; i < run.end * Shifts::kBlock; ++i)
+    for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
+      for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock; ++i)
         left[i] += share * moved[i];
     if (f.rows[n] != 0) continue;
     f.rows[n] = 1;
@@ -63,7 +63,8 @@ void Springback::row_back(Clay& clay, WallSide side, int j, double time, double 
   const float most = row_kernels::of(clay.vectors())
                          .spring(static_cast<int>(stride_), gone, kLeastMove,
                                  f.left.data() + n * stride_, back_.data());
-  move_face(clay, side, j, {0, static_cast<int>(stride_) / Shifts::kBlock}, back_.data(), along);
+  move_face(clay, side, j, {0, static_cast<int>(stride_) / Displacements::kBlock}, back_.data(),
+            along);
   if (most > 0.0f) return;
   f.rows[n] = 0;
   --loaded_rows_;

@@ -44,7 +44,8 @@ bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep
   const Tool& mine = tools[tool];
   const Vec3 to = good ? in.position : at;
   // Nobody's hand goes four tool radii in a tick: it was put down elsewhere.
-  if (present && length(to - at) > 4.0 * std::max(mine.shape->grain(mine.size), kSmallestReach))
+  if (present &&
+      length(to - at) > 4.0 * std::max(mine.shape->smallest_feature(mine.size), kSmallestReach))
     leave();
   if (!present) guard.release();
   if (good && !mine.shape->round()) hold_as(in, mine, to);

@@ -30,7 +30,7 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
       effects::lay_off_centre(clay, j, {def.wobble->off_centre, 0.0});
   const bool about_contact = def.propagation || def.springback || def.smoothing;
   if (def.walls || about_contact) clay.keep_areas();
-  if (about_contact) clay.keep_shifts();
+  if (about_contact) clay.keep_displacements();
   // 6.1
   if (def.propagation) {
     e.propagation_.emplace(clay.stride());
@@ -76,7 +76,7 @@ double RowEffects::along(const SceneDef& def, Vec3 pressing, const Vec3* holding
 }
 
 void RowEffects::run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
-  if (clay.shifts(false) != nullptr) take_turn(clay, tick.seconds);
+  if (clay.displacements(false) != nullptr) take_turn(clay, tick.seconds);
   for (const Stage stage : stages_) (this->*stage)(def, clay, tick);
   settled_ = false;
 }
@@ -84,8 +84,8 @@ void RowEffects::run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept
 // Where both faces were pressed, they take turns: what contact did to the other waits for the next
 // tick. Half the work, and at 500 Hz nobody feels the difference.
 void RowEffects::take_turn(Clay& clay, double seconds) noexcept {
-  const bool outside = clay.shifts(false)->any();
-  const bool inside = clay.shifts(true)->any();
+  const bool outside = clay.displacements(false)->any();
+  const bool inside = clay.displacements(true)->any();
   if (outside && inside)
     turn_ = {turn_.side == WallSide::outside ? WallSide::inside : WallSide::outside, 2.0 * seconds};
   else
@@ -131,8 +131,9 @@ void RowEffects::keep_volume(const SceneDef&, Clay& clay, const Tick&) noexcept 
 }
 
 void RowEffects::clear_shifts(const SceneDef&, Clay& clay, const Tick&) noexcept {
-  if (Shifts& shifts = *clay.shifts(turn_.side == WallSide::inside); shifts.any())
-    shifts.clear(clay.rows());
+  if (Displacements& displacements = *clay.displacements(turn_.side == WallSide::inside);
+      displacements.any())
+    displacements.clear(clay.rows());
 }
 
 bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::uint64_t step,
@@ -147,7 +148,8 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::u
   if (springback_) springback_->forget();
   if (wobble_) wobble_->forget();
   for (const bool inside : {false, true})
-    if (Shifts* shifts = clay.shifts(inside)) shifts->clear(clay.rows());
+    if (Displacements* displacements = clay.displacements(inside))
+      displacements->clear(clay.rows());
   if (slump_) slump_->forget_fall();
   if (tearing_ && fresh) tearing_->lay(clay, step);
   if (tearing_ && !fresh) tearing_->go_back(clay, step);

@@ -189,13 +189,13 @@ void Scene::State::feel(Tick& tick) noexcept {
     if (effects::kBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
       const double mu = effects::friction_coefficient(friction, wetness_at(h.at.y));
-      const body::Ball ball = shape.ball(place, size, (-1.0 / strength) * press.force);
+      const body::Ball ball = shape.support(place, size, (-1.0 / strength) * press.force);
       const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
       const Vec3 slip = (1.0 / tick.dt) * (h.at - tick.sweep[n].from) -
                         effects::clay_velocity(touch, tick.turn / tick.dt);
       force += effects::friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
-    const body::Ball lowest = shape.ball(place, size, kDown);
+    const body::Ball lowest = shape.support(place, size, kDown);
     force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
     tick.wanted[n] = force;
   }

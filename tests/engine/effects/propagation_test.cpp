@@ -25,15 +25,15 @@ struct Moved {
   Clay clay;
   explicit Moved(const SceneDef& def) : clay(std::move(*Clay::create(def.clay))) {
     clay.keep_areas();
-    clay.keep_shifts();
+    clay.keep_displacements();
   }
   void press(int j, float by) {
     for (std::size_t i = 0; i < clay.outer(j).size(); ++i) {
       clay.outer_mut(j)[i] -= by;
-      clay.shifts(false)->row(j)[i] = by;
+      clay.displacements(false)->row(j)[i] = by;
     }
     clay.areas()->set(j, clay.measured_area(j));
-    clay.shifts(false)->mark(j, {0, clay.stride() / Shifts::kBlock});
+    clay.displacements(false)->mark(j, {0, clay.stride() / Displacements::kBlock});
   }
   double moved(int j) const { return 0.055 - double{clay.outer(j)[5]}; }
 };

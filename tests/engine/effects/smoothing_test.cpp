@@ -17,7 +17,7 @@ struct Lined {
   Clay clay;
   explicit Lined(double depth = 0.001, double inner = 0.022) : clay(lump(inner)) {
     clay.keep_areas();
-    clay.keep_shifts();
+    clay.keep_displacements();
     for (int j = 0; j < clay.rows(); ++j) {
       const double line = portable::sin(2.0 * portable::kPi * clay.row_height(j) / 0.01);
       for (float& r : clay.outer_mut(j)) r = static_cast<float>(0.055 - depth * (1.0 + line));
@@ -33,10 +33,10 @@ struct Lined {
     return std::move(*Clay::create(def));
   }
   void rib(const SmoothingDef& def, double seconds) {
-    for (int j = 0; j < clay.rows(); ++j) clay.shifts(false)->mark(j, {0, 3});
+    for (int j = 0; j < clay.rows(); ++j) clay.displacements(false)->mark(j, {0, 3});
     Smoothing smoothing(clay.rows());
     smoothing.even(def, clay, WallSide::outside, 0.05, 0.15, seconds);
-    clay.shifts(false)->clear(clay.rows());
+    clay.displacements(false)->clear(clay.rows());
   }
   double largest(double from = 0.05, double to = 0.15) const {
     double r = 0.0;

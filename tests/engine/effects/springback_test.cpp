@@ -107,13 +107,13 @@ TEST(Springback, SleepsOnceAllIsBack) {
   const SceneDef def = small();
   Result<Clay> clay = Clay::create(def.clay);
   clay->keep_areas();
-  clay->keep_shifts();
+  clay->keep_displacements();
   Springback springback(*clay);
   EXPECT_TRUE(springback.asleep());
-  for (int i = 0; i < 64; ++i) clay->shifts(false)->row(50)[i] = 1e-4f;
-  clay->shifts(false)->mark(50, {0, 8});
+  for (int i = 0; i < 64; ++i) clay->displacements(false)->row(50)[i] = 1e-4f;
+  clay->displacements(false)->mark(50, {0, 8});
   springback.load(*def.springback, *clay, WallSide::outside);
-  clay->shifts(false)->clear(clay->rows());
+  clay->displacements(false)->clear(clay->rows());
   EXPECT_FALSE(springback.asleep());
   int ticks = 0;
   for (; !springback.asleep() && ticks < 10000; ++ticks)

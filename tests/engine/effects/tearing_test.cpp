@@ -117,7 +117,7 @@ TEST(Tearing, NoToolFeelsATornRingOrMovesIt) {
       const Vec3 way{outside ? -1.0 : 1.0, 0, 0};
       const Vec3 face{outside ? 0.055 : 0.045, 0.1, 0};
       ToolPlace place = hold_tool(shape, face, {}, 0.0, !outside);
-      const body::Ball tip = shape.ball(place, size, way);
+      const body::Ball tip = shape.support(place, size, way);
       place.at = face + (face - (tip.middle + tip.radius * way)) + 0.001 * way;
       const Yielding yielding{0.01, 5e6, 1.0};
       const std::uint64_t before = clay->hash();

@@ -40,7 +40,7 @@ Vec3 random_direction(Random& random) {
 // the axis.
 void put_in(const ToolShape& shape, const ToolSize& size, ToolPlace& place, Vec3 towards,
             double away) {
-  const body::Ball ball = shape.ball(place, size, towards);
+  const body::Ball ball = shape.support(place, size, towards);
   const Vec3 farthest = ball.middle + ball.radius * towards;
   // A wall is pressed from outside towards the axis.
   Vec3 shift = (away > 0.04 ? -away : away) * towards - farthest;
@@ -276,7 +276,7 @@ void ball_reaches_as_far_as_the_body(std::string_view name, const Distance& dist
     const Vec3 along = random_direction(random);
     const ToolPlace place{{0.01, 0.02, 0.03}, along, unit(cross(along, random_direction(random)))};
     const Vec3 towards = random_direction(random);
-    const body::Ball ball = shape.ball(place, shape.usual, towards);
+    const body::Ball ball = shape.support(place, shape.usual, towards);
     const double reach = dot(ball.middle, towards) + ball.radius;
     EXPECT_LE(length(ball.middle - place.at), shape.reach(shape.usual) + ball.radius);
     double farthest = -1.0;

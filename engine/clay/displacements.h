@@ -11,12 +11,12 @@ namespace onggi {
 
 /// How far one face was moved within this tick, element by element, and where to look: contact
 /// writes it, effects that work about the contact read it. A Clay has them only where an effect
-/// asked for them: Clay::keep_shifts(). Allocates only when made. Not safe across threads.
-class Shifts {
+/// asked for them: Clay::keep_displacements(). Allocates only when made. Not safe across threads.
+class Displacements {
  public:
   static constexpr int kBlock = 8;
 
-  Shifts(int rows, int stride)
+  Displacements(int rows, int stride)
       : by_(static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride)),
         blocks_(static_cast<std::size_t>(stride / kBlock)),
         stride_(static_cast<std::size_t>(stride)) {
