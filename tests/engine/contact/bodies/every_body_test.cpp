@@ -63,11 +63,12 @@ TEST_P(EveryBody, ItsSupportPointIsItsFarthest) {
   ball_reaches_as_far_as_the_body(GetParam().tool, GetParam().distance);
 }
 TEST_P(EveryBody, LooksWhereItTouches) {
-  if (GetParam().grid_share > 0.0) looks_where_it_touches(GetParam().tool);
+  if (!(GetParam().grid_share > 0.0)) GTEST_SKIP() << "finer than the elements it looks at";
+  looks_where_it_touches(GetParam().tool);
 }
 TEST_P(EveryBody, FeelsTheSameOnAnyGrid) {
-  if (GetParam().grid_share > 0.0)
-    force_does_not_depend_on_the_grid(GetParam().tool, GetParam().grid_share);
+  if (!(GetParam().grid_share > 0.0)) GTEST_SKIP() << "finer than these grids' elements";
+  force_does_not_depend_on_the_grid(GetParam().tool, GetParam().grid_share);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tools, EveryBody,
