@@ -69,6 +69,14 @@ class Plan {
   contact::SolidReach rows_[kPlannedRows];
 };
 
+// A block of elements that begins beside a ball may end behind the axis, where rays meet the ball
+// too, from the wrong end: on coarse grids, of balls that are wide as seen from the axis. `sine`:
+// of half that angle. By cos x >= 1 - x^2 / 2.
+bool reaches_far_half(int sectors, double sine) {
+  const double half_block = portable::kPi * (Displacements::kBlock + 1) / sectors;
+  return sine >= 1.0 - 0.5 * half_block * half_block;
+}
+
 template <>
 class Plan<Ball> {
  public:
@@ -77,7 +85,8 @@ class Plan<Ball> {
         shape_(clay),
         side_(side),
         ball_(ball),
-        window_(clay, ball.middle, ball.radius) {}
+        window_(clay, ball.middle, ball.radius),
+        far_half_(reaches_far_half(clay.sectors(), ball.radius / window_.distance)) {}
 
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
@@ -97,7 +106,7 @@ class Plan<Ball> {
   void fill(int k, float limit, BodyRow<Ball>& row) const {
     row.k = k;
     const double section = double{rows_.section[k]};
-    row.careful = (rows_.edged >> k & 1u) != 0 ||
+    row.careful = far_half_ || (rows_.edged >> k & 1u) != 0 ||
                   (side_ == WallSide::outside ? window_.distance - section < double{limit}
                                               : window_.distance + section > double{limit});
     row.used = blocks_of(shape_, rows_, k, row.ranges);
@@ -109,6 +118,7 @@ class Plan<Ball> {
   WallSide side_;
   const Ball& ball_;
   contact::BallWindow window_;
+  bool far_half_;
   contact::BallWindows rows_;
 };
 
