@@ -37,42 +37,57 @@ Interval eq2(Vec3 at, double radius, double wheel_angle, int sectors, AngleReadi
   return {((first % sectors) + sectors) % sectors, count};
 }
 
-// One element against the sphere, clay frame. Names are the paper's.
-struct Collision {
-  double p = 0;  // eqs. 3, 4
-  double l = 0;  // eq. 5
-  Vec3 f;        // eq. 8
+// A row of elements against the sphere, clay frame: what all of them share is worked out once, and
+// the direction and its divisions wait for contact. So would anybody write these equations who
+// means them to be quick; the corrected model's speed is told against this (tests/bench/README.md).
+struct Row {
+  WallSide mode;
+  Vec3 h;
+  double d;
+  double dy;
+  double r;         // of the section; not a number where there is none
+  double r_square;  // r r, not H_r H_r - dy dy: as printed
 };
 
-Collision collide(WallSide mode, Vec3 h, double h_r, double d, double s_r, double s_h, double cos,
-                  double sin) {
-  const double dy = h.y - s_h;
-  const double r = std::sqrt(h_r * h_r - dy * dy);
-  const double along = h.x * cos + h.z * sin;
-  const double off = h.z * cos - h.x * sin;
-  const double half_chord = std::sqrt(r * r - off * off);
-  if (!(half_chord >= 0.0)) return {};  // the line does not meet the section: there is no E
+// Names are the paper's.
+struct Collision {
+  double p = 0;       // eqs. 3, 4
+  double l = 0;       // eq. 5
+  double held = 0;    // how far along the element's line E or M lies
+  double length = 0;  // of H - E or H - M
+};
+
+// False where nothing is met.
+bool collide(const Row& row, double s_r, double cos, double sin, Collision& c) {
+  const double off = row.h.z * cos - row.h.x * sin;
+  const double square = row.r_square - off * off;
+  if (!(square >= 0.0)) return false;  // the line does not meet the section: there is no E
+  const double along = row.h.x * cos + row.h.z * sin;
+  const double half_chord = std::sqrt(square);
+  const bool outside = row.mode == WallSide::outside;
 
   // The line C-S meets the section at two points; E1 is the nearer to C. With the axis within the
   // section, "nearer" may be the one behind the axis.
-  double e1 = along - half_chord;
-  double e2 = along + half_chord;
-  if (std::fabs(e2) < std::fabs(e1)) std::swap(e1, e2);
-  const double e = mode == WallSide::outside ? e1 : e2;
-  const double reach = std::fabs(e);  // ||E - C||
-
-  const bool point = mode == WallSide::outside ? s_r < d : s_r > d;
-  const double held = point ? e : along;  // M is the middle of E1 and E2
-  const Vec3 away{h.x - held * cos, dy, h.z - held * sin};
-  const double distance = length(away);
-  Collision c;
-  if (point)
-    c.p = mode == WallSide::outside ? s_r - reach : reach - s_r;
-  else
-    c.p = r - distance;  // r lies in the row's plane, H - M does not
+  const double reach = outside ? std::fabs(std::fabs(along) - half_chord)  // ||E - C||
+                               : std::fabs(along) + half_chord;
+  const auto distance = [&](double held) {
+    return length(Vec3{row.h.x - held * cos, row.dy, row.h.z - held * sin});
+  };
+  if (outside ? s_r < row.d : s_r > row.d) {  // a point
+    c.p = outside ? s_r - reach : reach - s_r;
+    if (!(c.p > 0.0)) return false;
+    const double e1 = along - half_chord;
+    const double e2 = along + half_chord;
+    c.held = (std::fabs(e2) < std::fabs(e1)) == outside ? e2 : e1;
+    c.length = distance(c.held);
+  } else {  // a line, and M the middle of E1 and E2
+    c.held = along;
+    c.length = distance(along);
+    c.p = row.r - c.length;  // r lies in the row's plane, H - M does not
+    if (!(c.p > 0.0)) return false;
+  }
   c.l = s_r - reach;
-  c.f = {away.x / distance, away.y / distance, away.z / distance};
-  return c;
+  return true;
 }
 
 }  // namespace
@@ -110,24 +125,33 @@ PaperTouch PaperModel::tick(Clay& clay, WallSide mode, Vec3 at, double radius, d
   PaperTouch out;
   Vec3 sum;
   for (int j = first_row; j < end_row; ++j) {
-    const std::span<float> outer = clay.outer_mut(j);
-    const std::span<float> inner = clay.inner_mut(j);
+    float* const outer = clay.outer_mut(j).data();
+    float* const inner = clay.inner_mut(j).data();
+    const double dy = h.y - clay.row_height(j);
+    const double r = std::sqrt(radius * radius - dy * dy);
+    const Row row{mode, h, d, dy, r, r * r};
     bool moved = false;
-    for (int n = 0; n < window.count; ++n) {
-      const auto i = static_cast<std::size_t>((window.first + n) % clay.sectors());
-      const double s_r = double{outer[i]};
-      const Collision hit = collide(mode, h, radius, d, s_r, clay.row_height(j), cos_[i], sin_[i]);
-      if (!(hit.p > 0.0)) continue;
-      sum += (c.c_v * hit.p) * hit.f;  // eq. 9
-      out.depth = std::max(out.depth, hit.p);
-      out.depth_sum += hit.p;
-      ++out.touched;
-      // Eq. 6. The limits are the clay's, not the paper's.
-      const double wanted = s_r - hit.l / c.c_eta;
-      outer[i] =
-          static_cast<float>(std::clamp(wanted, def.radius_min + def.wall_min, def.radius_max));
-      inner[i] = std::min(inner[i], static_cast<float>(double{outer[i]} - def.wall_min));
-      moved = true;
+    // Up to the circle's end, and from its beginning on: the longest reading goes round again.
+    for (int begin = window.first, left = window.count; left > 0; begin = 0) {
+      const int end = std::min(begin + left, clay.sectors());
+      left -= end - begin;
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        const double s_r = double{outer[i]};
+        Collision hit;
+        if (!collide(row, s_r, cos_[i], sin_[i], hit)) continue;
+        const Vec3 away{h.x - hit.held * cos_[i], dy, h.z - hit.held * sin_[i]};
+        const Vec3 f{away.x / hit.length, away.y / hit.length, away.z / hit.length};  // eq. 8
+        sum += (c.c_v * hit.p) * f;                                                   // eq. 9
+        out.depth = std::max(out.depth, hit.p);
+        out.depth_sum += hit.p;
+        ++out.touched;
+        // Eq. 6. The limits are the clay's, not the paper's.
+        const double wanted = s_r - hit.l / c.c_eta;
+        outer[i] =
+            static_cast<float>(std::clamp(wanted, def.radius_min + def.wall_min, def.radius_max));
+        inner[i] = std::min(inner[i], static_cast<float>(double{outer[i]} - def.wall_min));
+        moved = true;
+      }
     }
     if (moved) clay.mark_dirty(j);
   }

@@ -76,6 +76,11 @@ struct SceneWork final : Work {
 
 }  // namespace
 
+void add_tail(Figures& figures, const std::string& name, double p999_ns) {
+  figures.emplace_back("p999_us_" + name, 1e-3 * p999_ns);
+  figures.emplace_back("p999_of_tick_" + name, p999_ns / kTickNs);
+}
+
 Figures paper_ratio(int rows, int sectors, Effort effort) {
   const std::string grid = grid_name(rows, sectors);
   const bool large = rows > 1000;
@@ -94,7 +99,10 @@ Figures paper_ratio(int rows, int sectors, Effort effort) {
       figures.emplace_back("paper_us" + of, 1e-3 * ns[0]);
       figures.emplace_back("corrected_us" + of, 1e-3 * ns[1]);
       figures.emplace_back("paper_over_corrected" + of, ns[0] / ns[1]);
-      if (pose != kLightest) least = std::min(least, ns[0] / ns[1]);
+      if (pose == kLightest)
+        figures.emplace_back("ratio_paper" + of, ns[0] / ns[1]);
+      else
+        least = std::min(least, ns[0] / ns[1]);
     }
     SceneWork printed(script, printed_scene(script, rows, sectors));
     SceneWork corrected(script, script.scene(rows, sectors));

@@ -9,6 +9,10 @@ namespace onggi::bench {
 /// A figure by name, as Google Benchmark's counters and the CSV carry it.
 using Figures = std::vector<std::pair<std::string, double>>;
 
+/// A tail as p999_us_NAME, and as p999_of_tick_NAME: its share of the 1 ms that a
+/// tick has.
+void add_tail(Figures& figures, const std::string& name, double p999_ns);
+
 /// How many ticks a figure is made of: all for a measurement, few to see that it works.
 struct Effort {
   bool few = false;

@@ -20,7 +20,7 @@ HEAD = ["date", "machine", "commit", "counter", "value"]
 # What Google Benchmark itself says of a run.
 NOT_OURS = {"family_index", "per_family_instance_index", "repetitions", "repetition_index",
             "threads", "iterations", "real_time", "cpu_time"}
-OF_A_SCRIPT = ["median_ns", "p99_ns", "p999_ns", "worst_ns", "ns_per_visited"]
+OF_A_SCRIPT = ["median_ns", "p99_ns", "p999_ns", "worst_ns", "p999_of_tick", "ns_per_visited"]
 
 
 def machine():

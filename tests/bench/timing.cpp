@@ -34,39 +34,32 @@ ScriptTimes measure_script(const TickScript& script, int rows, int sectors,
   out.hash = scene.state_hash();
   renew_clay(scene, script.wheel_speed);
 
-  std::vector<double> all;
-  std::vector<double> block(static_cast<std::size_t>(patience.ticks));
-  std::vector<double> cpu(block.size());
+  std::vector<double> wall;
+  std::vector<double> cpu;
   double visited = 0;
   double touched = 0;
   double total = 0;
-  int n = 0;
-  for (int b = 0; b < patience.least_blocks || (b < kMostBlocks && total < 1e9 * patience.seconds);
-       ++b) {
-    for (std::size_t k = 0; k < block.size(); ++k) {
-      if (n == script.pass()) {
-        renew_clay(scene, script.wheel_speed);
-        n = 0;
-      }
-      const SceneCounters before = scene.counters();
-      const Hands hands = script.hands(n++);
-      const double cpu_before = thread_ns();
-      block[k] = timed([&] { scene.step(hands, kTickSeconds); });
-      cpu[k] = thread_ns() - cpu_before;
-      const SceneCounters& after = scene.counters();
-      visited += static_cast<double>(after.visited_elements - before.visited_elements);
-      touched += static_cast<double>(after.touched_elements - before.touched_elements);
-      total += block[k];
+  const auto count = [&] { return static_cast<int>(wall.size()); };
+  for (int n = 0;
+       count() < patience.ticks || (count() < patience.most && total < 1e9 * patience.seconds);) {
+    if (n == script.pass()) {
+      renew_clay(scene, script.wheel_speed);
+      n = 0;
     }
-    all.insert(all.end(), block.begin(), block.end());
-    const double p999 = times_of(block).p999;
-    const double cpu_p999 = times_of(cpu).p999;
-    out.least_p999 = b == 0 ? p999 : std::min(out.least_p999, p999);
-    out.least_cpu_p999 = b == 0 ? cpu_p999 : std::min(out.least_cpu_p999, cpu_p999);
+    const SceneCounters before = scene.counters();
+    const Hands hands = script.hands(n++);
+    const double cpu_before = thread_ns();
+    wall.push_back(timed([&] { scene.step(hands, kTickSeconds); }));
+    cpu.push_back(thread_ns() - cpu_before);
+    const SceneCounters& after = scene.counters();
+    visited += static_cast<double>(after.visited_elements - before.visited_elements);
+    touched += static_cast<double>(after.touched_elements - before.touched_elements);
+    total += wall.back();
   }
-  out.visited = visited / static_cast<double>(all.size());
-  out.touched = touched / static_cast<double>(all.size());
-  out.all = times_of(all);
+  out.visited = visited / count();
+  out.touched = touched / count();
+  out.wall = times_of(wall);
+  out.cpu = times_of(cpu);
   return out;
 }
 

@@ -37,24 +37,21 @@ inline double thread_ns() {
 
 /// Ticks of a script in a whole Scene.
 struct ScriptTimes {
-  Times all;              ///< Of every tick, wall clock.
-  double least_p999 = 0;  ///< The least of the blocks' p99.9, ns, wall clock.
-  double least_cpu_p999 =
-      0;                   ///< The same in the thread's own time, with about 0.5 us of the clock.
+  Times wall;              ///< Of every tick.
+  Times cpu;               ///< The same in the thread's own time, with about 0.5 us of the clock.
   double visited = 0;      ///< Elements a tick.
   double touched = 0;      ///< Elements a tick.
   std::uint64_t hash = 0;  ///< After the script's first kHashTicks ticks, however many follow.
 };
 inline constexpr int kHashTicks = 200;
+inline constexpr double kTickNs = 1e9 * kTickSeconds;  ///< What a tick has.
 
-/// How many ticks are timed, each alone: blocks of `ticks`, at least `least_blocks` of them and
-/// more until `seconds` have gone or there are kMostBlocks. What the machine does besides falls on
-/// single blocks, so the least of them says most about the tick.
+/// How many ticks are timed, each alone: at least `ticks`, and more until they took `seconds` or
+/// are `most`. All of them count.
 struct Patience {
-  int ticks, least_blocks;
+  int ticks, most;
   double seconds;
 };
-inline constexpr int kMostBlocks = 16;
 
 ScriptTimes measure_script(const TickScript& script, int rows, int sectors,
                            const Patience& patience);
