@@ -24,6 +24,8 @@ constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 constexpr Vec2 operator*(Vec2 a, double s) { return {a.x * s, a.y * s}; }
 constexpr Vec2 operator*(double s, Vec2 a) { return a * s; }
 constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+/// Twice the area from a to b, positive counterclockwise.
+constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 /// Square root is correctly rounded by IEEE 754, so lengths are the same bits everywhere.
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/profile/axis_candidates.h"
+#include "engine/profile/median.h"
 
 namespace onggi::extraction {
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int kJudgeSlices = 24;
 constexpr int kRefineSlices = 48;
-constexpr int kRays = 48;
+constexpr int kAxisRays = 48;
 /// A radius counts as agreeing within this share of the vessel's largest radius...
 constexpr double kAgree = 0.03;
 /// ...and as entirely elsewhere beyond this one.
@@ -23,13 +24,6 @@ constexpr double kSurely = 0.01;
 constexpr double kPerfect = 2e-4;
 /// A tilt must better the cost by this factor, or the axis as the file has it is kept.
 constexpr double kWorthTilting = 0.97;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<double> even_heights(const Slicer& slicer, int n) {
   std::vector<double> out;
@@ -236,7 +230,7 @@ FittedCircle fit_circle(std::span<const Vec2> points, double tolerance) {
 }
 
 FoundAxis find_axis(const TriangleMesh& mesh) {
-  const RayFan fan(kRays);
+  const RayFan fan(kAxisRays);
   RayCrossings rays(fan);
   const Vec3 middle = middle_of(mesh);
   FoundAxis best;

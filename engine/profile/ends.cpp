@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/profile/median.h"
 #include "engine/profile/wall_slice.h"
 
 namespace onggi::extraction {
@@ -13,7 +14,7 @@ constexpr int kCoarse = 48;
 /// A slice belongs to the body where this share of its circle is there.
 constexpr double kCovered = 0.5;
 /// A skin rougher than this share of the vessel's size has its ends measured by their middle.
-constexpr double kRough = 0.003;
+constexpr double kRoughEnd = 0.003;
 constexpr double kMostRough = 0.02;  ///< Of the height.
 /// An end is judged by slices this many deviations inwards of its outermost bump.
 constexpr double kNear = 4.0, kFar = 7.0;
@@ -21,12 +22,6 @@ constexpr double kNear = 4.0, kFar = 7.0;
 constexpr double kTapers = 0.25;
 /// The outer part of an end, of its radius; and, of the vessel's size, where handles begin.
 constexpr double kOuterPart = 0.7, kOutermost = 1.1;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// How far neighbouring radii jump about, as the deviation of one of them. Sides, ovals and steps
 /// leave most second differences near zero.
@@ -164,7 +159,7 @@ BodyEnds find_ends(const Slicer& slicer, RayCrossings& rays) {
   out.top = edge(heights[last - 1], last == heights.size() ? high : heights[last]);
 
   const double deviation = std::min(out.roughness, kMostRough * (out.top - out.bottom));
-  if (deviation > kRough * out.size) {
+  if (deviation > kRoughEnd * out.size) {
     const double most = kOutermost * out.size;
     out.bottom = middle_of_end(slicer, rays, out.bottom, deviation, 1.0, most);
     out.top = middle_of_end(slicer, rays, out.top, deviation, -1.0, most);

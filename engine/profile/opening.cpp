@@ -13,8 +13,6 @@ constexpr double kWithin = 0.8;
 /// The deepest surface that is not a stray splinter: this share of the looks goes deeper.
 constexpr double kDeepest = 0.03;
 
-double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-
 }  // namespace
 
 EndView look_into(const Slicer& slicer, double bottom, double top, double radius, bool from_top) {

@@ -18,8 +18,6 @@ Vec3 at(const TriangleMesh& mesh, std::size_t i) {
   return {p[0], p[1], p[2]};
 }
 
-double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-
 /// Rises with the angle of p from 0 to 4 in a full turn.
 double turn_of(Vec2 p) {
   const double part = p.y / (std::abs(p.x) + std::abs(p.y));

@@ -10,8 +10,8 @@
 namespace onggi::script {
 namespace {
 
-constexpr double kClear = 0.012;  // m: how far from the clay a hand is lifted
-constexpr double kSlow = 10.0;    // rad/s: pulling; centring is twice as fast
+constexpr double kHandClear = 0.012;  // m: how far from the clay a hand is lifted
+constexpr double kSlow = 10.0;        // rad/s: pulling; centring is twice as fast
 constexpr double kFast = 25.0;
 
 // Both hands at one height; straight between two keys. Of the height `rising` is the share of the
@@ -106,7 +106,7 @@ void soak(Thrower& hand, double seconds) {
   hand.now.phase = "soak";
   hand.now.height = 0.0;
   hand.now.rising = 0.5;
-  hand.now.outside = hand.clay.outer_radius + hand.finger + kClear;
+  hand.now.outside = hand.clay.outer_radius + hand.finger + kHandClear;
   hand.now.water = true;
   hand.wait(seconds);
   hand.now.water = false;
@@ -153,7 +153,7 @@ void pull_and_drown(Thrower& hand) {
   hand.now.phase = "drown";
   hand.now.wheel_speed = kFast;
   for (const double height : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-    hand.now.outside = hand.clay.outer_radius + hand.finger + 2.0 * kClear;
+    hand.now.outside = hand.clay.outer_radius + hand.finger + 2.0 * kHandClear;
     hand.now.height = 0.0;
     hand.now.rising = height;
     hand.now.water = true;

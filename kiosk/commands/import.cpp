@@ -18,7 +18,7 @@ namespace onggi::commands {
 
 namespace {
 
-struct Arguments {
+struct ImportArguments {
   std::string file, id, node, shelf = ".";
 };
 
@@ -56,7 +56,7 @@ Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole)
                             vessel.label("en").title, rights);
 }
 
-Result<int> import_vessel(const Arguments& arguments) {
+Result<int> import_vessel(const ImportArguments& arguments) {
   if (auto good = check_id(arguments.id); !good) return tl::unexpected(good.error());
   const fs::path folder = fs::path(arguments.shelf) / arguments.id;
   std::error_code ignored;
@@ -88,7 +88,7 @@ Result<int> import_vessel(const Arguments& arguments) {
 }  // namespace
 
 Command import_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ImportArguments>();
   return {.name = "import",
           .help = "Make a vessel's folder from a scan, for you to finish",
           .examples =

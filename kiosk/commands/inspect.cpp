@@ -16,7 +16,7 @@ namespace {
 
 using files::Json;
 
-struct Arguments {
+struct InspectArguments {
   std::string file, node, json, plot;
 };
 
@@ -94,7 +94,7 @@ Result<void> plot(const content::Vessel& vessel, const std::string& file) {
   return files::write_durably(file, *png);
 }
 
-Result<int> inspect(const Arguments& arguments) {
+Result<int> inspect(const InspectArguments& arguments) {
   content::LoadOptions options;
   options.node = arguments.node;
   const auto vessel = content::load_vessel(arguments.file, options);
@@ -110,7 +110,7 @@ Result<int> inspect(const Arguments& arguments) {
 }  // namespace
 
 Command inspect_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<InspectArguments>();
   return {.name = "inspect",
           .help = "Measure a vessel as a target",
           .examples =

@@ -13,12 +13,12 @@ namespace {
 
 constexpr int kPasses = 3;
 
-struct Arguments {
+struct LabArguments {
   std::string json, plot, count, grid = "400x360";
   bool quick = false;
 };
 
-Result<int> effects(const Arguments& arguments) {
+Result<int> effects(const LabArguments& arguments) {
   int rows = 0, sectors = 0;
   char rest = 0;
   if (std::sscanf(arguments.grid.c_str(), "%dx%d%c", &rows, &sectors, &rest) != 2)
@@ -45,7 +45,7 @@ Result<int> effects(const Arguments& arguments) {
 }
 
 Command effects_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<LabArguments>();
   return {.name = "effects",
           .help = "The price list: what each effect and each scene costs",
           .examples =

@@ -10,11 +10,11 @@ namespace onggi::commands {
 
 namespace {
 
-struct Arguments {
+struct MakeArguments {
   std::string drawing, out = "vessel.glb";
 };
 
-Result<int> make(const Arguments& arguments) {
+Result<int> make(const MakeArguments& arguments) {
   const auto drawing = content::read_drawing(arguments.drawing);
   if (!drawing) return tl::unexpected(drawing.error());
   const auto glb = content::make_glb(*drawing);
@@ -27,7 +27,7 @@ Result<int> make(const Arguments& arguments) {
 }  // namespace
 
 Command make_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<MakeArguments>();
   return {.name = "make",
           .help = "Turn a drawn profile into a GLB",
           .examples = "Example: onggi vessel make profile.toml -o vessel.glb",

@@ -21,7 +21,7 @@ namespace {
 
 using files::Json;
 
-struct Arguments {
+struct ScoreArguments {
   std::string target, pot, target_node, pot_node, json, rubric, language = "en";
   bool size_counts = false;
 };
@@ -114,7 +114,7 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
               m.target.wall_evenness, m.made.wall_evenness, m.turning_rms * 57.29577951308232);
 }
 
-Result<int> compare_files(const Arguments& arguments) {
+Result<int> compare_files(const ScoreArguments& arguments) {
   const auto target = read_shape(arguments.target, arguments.target_node);
   if (!target) return tl::unexpected(target.error());
   const auto pot = read_shape(arguments.pot, arguments.pot_node);
@@ -139,7 +139,7 @@ Result<int> compare_files(const Arguments& arguments) {
 }  // namespace
 
 Command score_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ScoreArguments>();
   return {.name = "score",
           .help = "Say how alike two vessels are, and where not",
           .examples =

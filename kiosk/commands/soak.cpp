@@ -10,12 +10,12 @@ namespace onggi::commands {
 
 namespace {
 
-struct Arguments {
+struct SoakArguments {
   std::string config, window = "1280x720", out = "keepsakes/soak";
   measure::SoakPlan plan;
 };
 
-Result<int> soak(Arguments& arguments) {
+Result<int> soak(SoakArguments& arguments) {
   const auto config = exhibit::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   arguments.plan.config = *config;
@@ -28,7 +28,7 @@ Result<int> soak(Arguments& arguments) {
 }  // namespace
 
 Command soak_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<SoakArguments>();
   return {.name = "soak",
           .help = "Let scripted visitors come and go, and watch memory and the 1 kHz loop",
           .examples = "Example: onggi soak --minutes 10 --window 1280x720",

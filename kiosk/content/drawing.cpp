@@ -19,7 +19,7 @@ constexpr double kThinnest = 1.0;    ///< mm: thinner was never thrown, and no c
 constexpr double kLargest = 2000.0;  ///< mm
 constexpr std::size_t kMostPoints = 500;
 
-std::string mm(double value) {
+std::string in_mm(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g mm", value);
   return text;
@@ -50,13 +50,13 @@ bool check_points(Table& root, const std::string& key, const std::vector<Outline
   for (std::size_t i = 0; i < points.size(); ++i) {
     const OutlinePoint& p = points[i];
     if (p.radius < 0.0)
-      complain(i, "this radius is " + mm(p.radius) + ", and a wall cannot lie behind the axis.",
+      complain(i, "this radius is " + in_mm(p.radius) + ", and a wall cannot lie behind the axis.",
                "Measure the radius from the axis: 0 or more.");
     else if (p.height < 0.0)
-      complain(i, "this height is " + mm(p.height) + ", below the surface the vessel stands on.",
+      complain(i, "this height is " + in_mm(p.height) + ", below the surface the vessel stands on.",
                "Measure heights from the standing surface: 0 or more.");
     else if (p.radius > kLargest || p.height > kLargest)
-      complain(i, "this point lies further out than " + mm(kLargest) + ".",
+      complain(i, "this point lies further out than " + in_mm(kLargest) + ".",
                "Write millimetres, for the vessel at its true size.");
     else if (i > 0 && p.radius == points[i - 1].radius && p.height == points[i - 1].height)
       complain(i, "this point is the same as the one before it.", "Leave one of the two out.");
@@ -74,18 +74,20 @@ bool check_ends(Table& root, const Drawn& d) {
   const OutlinePoint &mouth = d.inner.front(), &floor = d.inner.back();
   if (foot.height != 0.0)
     complain("outer", 0,
-             "outer begins at height " + mm(foot.height) + ", and the foot stands at 0.",
+             "outer begins at height " + in_mm(foot.height) + ", and the foot stands at 0.",
              "Begin with the outer edge of the foot: [radius, 0].");
   if (foot.radius < kThinnest)
-    complain("outer", 0, "the foot has a radius of " + mm(foot.radius) + ", too small to stand on.",
+    complain("outer", 0,
+             "the foot has a radius of " + in_mm(foot.radius) + ", too small to stand on.",
              "Begin with the outer edge of the foot: [radius, 0].");
   if (floor.radius != 0.0)
     complain("inner", d.inner.size() - 1,
-             "inner ends at radius " + mm(floor.radius) + ", and the floor reaches the axis.",
+             "inner ends at radius " + in_mm(floor.radius) + ", and the floor reaches the axis.",
              "End with the floor on the axis: [0, height].");
   if (floor.height < kThinnest)
     complain("inner", d.inner.size() - 1,
-             "the floor is " + mm(floor.height) + " thick, and the least is " + mm(kThinnest) + ".",
+             "the floor is " + in_mm(floor.height) + " thick, and the least is " +
+                 in_mm(kThinnest) + ".",
              "Raise the last point of inner.");
   for (std::size_t i = 1; i < d.outer.size(); ++i)
     if (d.outer[i].radius == 0.0)
@@ -98,13 +100,13 @@ bool check_ends(Table& root, const Drawn& d) {
   const double width = rim.radius - mouth.radius;
   if (width < kThinnest)
     complain("inner", 0,
-             "at the rim the inner wall (" + mm(mouth.radius) + ") is not " + mm(kThinnest) +
-                 " inside the outer (" + mm(rim.radius) + ").",
+             "at the rim the inner wall (" + in_mm(mouth.radius) + ") is not " + in_mm(kThinnest) +
+                 " inside the outer (" + in_mm(rim.radius) + ").",
              "Begin inner at the rim's inner edge, nearer to the axis than the end of outer.");
   else if (std::abs(mouth.height - rim.height) > width + 2.0)
     complain("inner", 0,
-             "the rim gapes: outer ends at height " + mm(rim.height) + " and inner begins at " +
-                 mm(mouth.height) + ".",
+             "the rim gapes: outer ends at height " + in_mm(rim.height) + " and inner begins at " +
+                 in_mm(mouth.height) + ".",
              "Let both outlines meet at the rim, one on each edge of it.");
   return good;
 }
@@ -120,8 +122,8 @@ bool check_foot(Table& foot, const Drawn& d) {
   if (ring < kThinnest) {
     foot.complain(
         "ring_inner_radius",
-        "the foot ring is " + mm(ring) + " wide, and the least is " + mm(kThinnest) + ".",
-        "Make it smaller than the foot's outer radius, " + mm(d.outer.front().radius) + ".");
+        "the foot ring is " + in_mm(ring) + " wide, and the least is " + in_mm(kThinnest) + ".",
+        "Make it smaller than the foot's outer radius, " + in_mm(d.outer.front().radius) + ".");
     return false;
   }
   return true;
@@ -161,8 +163,8 @@ bool check_walls(Table& root, const std::vector<Vec2>& under, const Outline& out
                      "Move this point towards the inside, or the outer wall outwards.");
   else
     root.complain_at("inner", drawn,
-                     "the wall is " + mm(narrow->distance) + " thick here, and the least is " +
-                         mm(kThinnest) + ".",
+                     "the wall is " + in_mm(narrow->distance) + " thick here, and the least is " +
+                         in_mm(kThinnest) + ".",
                      "Move the two walls apart here, or leave the inner wall away from the outer.");
   return false;
 }

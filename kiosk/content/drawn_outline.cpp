@@ -67,8 +67,6 @@ void append_run(const std::vector<Knot>& knots, std::size_t first, std::size_t l
   }
 }
 
-double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-
 bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 &&
          cross(d - c, a - c) * cross(d - c, b - c) < 0.0;

@@ -12,7 +12,6 @@ namespace onggi::content {
 namespace {
 
 // glTF 2.0 specification, 4.4 (GLB) and 5.1 (component types).
-constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBin = 0x004E4942;
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementBuffer = 34963;
 
 }  // namespace
@@ -102,14 +101,14 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
   bin.pad(4, '\0');
 
   files::ByteWriter glb;
-  glb.u32(kMagic);
+  glb.u32(kGlbMagic);
   glb.u32(2);
   glb.u32(static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + bin.size()));
   glb.u32(static_cast<std::uint32_t>(json.size()));
-  glb.u32(kJson);
+  glb.u32(kGlbJson);
   glb.append(json.bytes());
   glb.u32(static_cast<std::uint32_t>(bin.size()));
-  glb.u32(kBin);
+  glb.u32(kGlbBin);
   glb.append(bin.bytes());
   return glb.take();
 }

@@ -2,12 +2,16 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "engine/profile/mesh.h"
 
 namespace onggi::content {
+
+/// glTF 2.0, section 4.4: "glTF", and the two chunks that a GLB may have.
+inline constexpr std::uint32_t kGlbMagic = 0x46546C67, kGlbJson = 0x4E4F534A, kGlbBin = 0x004E4942;
 
 /// What a written GLB's surface is. The default: a red stoneware clay, unglazed.
 struct GlbMaterial {

@@ -2,11 +2,11 @@
 
 #include <utility>
 
+#include "kiosk/content/glb.h"
+
 namespace onggi::content {
 
 namespace {
-
-constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 
 std::uint32_t u32_at(const files::Bytes& bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
@@ -16,7 +16,7 @@ std::uint32_t u32_at(const files::Bytes& bytes, std::size_t at) {
 
 Result<GltfContainer> split(const std::string& name, const files::Bytes& bytes) {
   GltfContainer out;
-  if (bytes.size() < 4 || u32_at(bytes, 0) != kMagic) {
+  if (bytes.size() < 4 || u32_at(bytes, 0) != kGlbMagic) {
     out.json.assign(bytes.begin(), bytes.end());
     return out;
   }
@@ -36,10 +36,10 @@ Result<GltfContainer> split(const std::string& name, const files::Bytes& bytes) 
     if (length > total - at) return broken_gltf(name, "a chunk of this GLB runs over its end.");
     const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
     const auto last = first + static_cast<std::ptrdiff_t>(length);
-    if (chunk == 0 && kind != kJsonChunk)
+    if (chunk == 0 && kind != kGlbJson)
       return broken_gltf(name, "the first chunk of this GLB is not JSON.");
     if (chunk == 0) out.json.assign(first, last);
-    if (chunk == 1 && kind == kBinChunk) out.bin = files::Bytes(first, last);
+    if (chunk == 1 && kind == kGlbBin) out.bin = files::Bytes(first, last);
     at += length;
   }
   return out;

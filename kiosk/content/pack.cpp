@@ -8,9 +8,6 @@ namespace onggi::content {
 
 namespace {
 
-/// A visitor reads a label of this length in under a minute, standing.
-constexpr int kMostWords = 100;
-
 float linear(double srgb) {
   return static_cast<float>(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
 }
@@ -121,12 +118,12 @@ PackRead read_pack(const std::filesystem::path& toml) {
     root.complain("licence", "the licence is not known.",
                   "Ask the owner of the scan, and write it: licence = \"CC-BY-4.0\".");
   for (const auto& [language, label] : pack.labels)
-    if (const int words = count_words(label.text); words > kMostWords)
-      root.child("label").child(language).complain("text",
-                                                   "the label has " + std::to_string(words) +
-                                                       " words, and visitors read " +
-                                                       std::to_string(kMostWords) + " at most.",
-                                                   "Shorten it to what one sees in the vessel.");
+    if (const int words = count_words(label.text); words > kMostLabelWords)
+      root.child("label").child(language).complain(
+          "text",
+          "the label has " + std::to_string(words) + " words, and visitors read " +
+              std::to_string(kMostLabelWords) + " at most.",
+          "Shorten it to what one sees in the vessel.");
   for (const Problem& p : reader.problems()) {
     bool known = false;
     for (const Problem& other : read.problems)

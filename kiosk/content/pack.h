@@ -37,6 +37,9 @@ PackRead read_pack(const std::filesystem::path& toml);
 /// What an imported pack says where the file names no licence; `onggi check` asks for a real one.
 inline constexpr const char* kLicenceNotKnown = "not known";
 
+/// A visitor reads a label of this length in under a minute, standing.
+inline constexpr int kMostLabelWords = 100;
+
 /// Words between spaces, as a reader counts them.
 int count_words(const std::string& text);
 

@@ -10,8 +10,6 @@ namespace onggi::content {
 
 namespace {
 
-constexpr int kMostWords = 100;
-
 /// A TOML basic string on one line.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -75,7 +73,7 @@ std::string pack_toml(const Vessel& vessel) {
   out += line("culture", "", "Korea, Joseon dynasty");
   out += line("date", vessel.given.date, "18th century");
   out += line("made", "", "How it was made, in one sentence. If it was never thrown, say so.");
-  out += line("text", first_words(vessel.given.description, kMostWords),
+  out += line("text", first_words(vessel.given.description, kMostLabelWords),
               "At most 100 words. Short sentences: visitors stand while they read.");
   return out;
 }

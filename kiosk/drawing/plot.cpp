@@ -13,7 +13,7 @@
 namespace onggi::drawing {
 namespace {
 
-constexpr double kMargin = 56, kTitle = 40, kText = 24, kFigure = 22;
+constexpr double kPlotMargin = 56, kPlotTitle = 40, kPlotText = 24, kFigure = 22;
 constexpr double kSwatch = 44, kTurn = 0.6;  // rad: names that have no room side by side
 
 /// Okabe and Ito's colours, without the yellow that is lost on paper.
@@ -29,9 +29,9 @@ double x_of(const PlotSeries& series, std::size_t i) {
   return series.x.empty() ? static_cast<double>(i) : series.x[i];
 }
 
-class Sheet : private Pen {
+class PlotSheet : private Pen {
  public:
-  Sheet(const Plot& plot, bool vector) : p_(plot) { begin(plot.width, plot.height, vector); }
+  PlotSheet(const Plot& plot, bool vector) : p_(plot) { begin(plot.width, plot.height, vector); }
   std::vector<std::byte> draw();
 
  private:
@@ -61,7 +61,7 @@ class Sheet : private Pen {
   bool turned_ = false;  // the names below
 };
 
-PlotScale Sheet::scale_of(const PlotAxis& axis, bool upright, double pixels) const {
+PlotScale PlotSheet::scale_of(const PlotAxis& axis, bool upright, double pixels) const {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const PlotSeries& s : p_.series) {
     assert((s.x.empty() || s.x.size() == s.y.size()) &&
@@ -84,64 +84,65 @@ PlotScale Sheet::scale_of(const PlotAxis& axis, bool upright, double pixels) con
 }
 
 /// Left and bottom are where the longest figures and names leave the rest of the sheet.
-void Sheet::place() {
+void PlotSheet::place() {
   const auto widest = [this](const PlotScale& scale) {
     double most = 0;
     for (const PlotTick& tick : scale.ticks())
       most = std::max(most, width_of(tick.label, {.px = kFigure}));
     return most;
   };
-  const double wide = p_.width - 3 * kMargin;
+  const double wide = p_.width - 3 * kPlotMargin;
   xs_ = scale_of(p_.x, false, wide);
   ys_ = scale_of(p_.y, true, bottom_ - top_);
-  left_ = kMargin + (p_.y.label.empty() ? 0 : 46) + widest(*ys_) + 18;
-  right_ = p_.width - kMargin;
+  left_ = kPlotMargin + (p_.y.label.empty() ? 0 : 46) + widest(*ys_) + 18;
+  right_ = p_.width - kPlotMargin;
   const double name = widest(*xs_);
   const double room =
       (right_ - left_) / std::max<double>(1.0, static_cast<double>(p_.x.names.size()));
   turned_ = !p_.x.names.empty() && name + 14 > room;
-  bottom_ = p_.height - kMargin - (p_.x.label.empty() ? 0 : 44) -
+  bottom_ = p_.height - kPlotMargin - (p_.x.label.empty() ? 0 : 44) -
             (turned_ ? name * std::sin(kTurn) + 34 : 38);
   // The last turned name reaches out to the right of its place.
   if (turned_)
     right_ = std::min(
-        right_, p_.width - 0.5 * kMargin -
+        right_, p_.width - 0.5 * kPlotMargin -
                     (width_of(p_.x.names.back(), {.px = kFigure}) * std::cos(kTurn) - 0.5 * room));
   ys_ = scale_of(p_.y, true, bottom_ - top_);
 }
 
-double Sheet::draw_head() {
-  double at = 0.7 * kMargin;
-  const double inside = p_.width - 2 * kMargin;
+double PlotSheet::draw_head() {
+  double at = 0.7 * kPlotMargin;
+  const double inside = p_.width - 2 * kPlotMargin;
   if (!p_.title.empty())
-    at += 4 + words(p_.title, kMargin, at,
-                    {.px = kTitle, .color = view::kInk, .width = inside, .serif = true});
+    at += 4 + words(p_.title, kPlotMargin, at,
+                    {.px = kPlotTitle, .color = view::kInk, .width = inside, .serif = true});
   if (!p_.subtitle.empty())
-    at += words(p_.subtitle, kMargin, at, {.px = kText, .color = view::kFaintInk, .width = inside});
+    at += words(p_.subtitle, kPlotMargin, at,
+                {.px = kPlotText, .color = view::kFaintInk, .width = inside});
   return at;
 }
 
 /// A row of signs and names above the plot, where they hide nothing.
-double Sheet::draw_legend(double top) {
-  double at = kMargin, row = top + 18;
+double PlotSheet::draw_legend(double top) {
+  double at = kPlotMargin, row = top + 18;
   bool any = false;
   for (std::size_t i = 0; i < p_.series.size(); ++i) {
     const std::string& name = p_.series[i].name;
     if (name.empty()) continue;
-    const double wide = kSwatch + 14 + width_of(name, {.px = kText});
-    if (any && at + wide > p_.width - kMargin) {
-      at = kMargin;
+    const double wide = kSwatch + 14 + width_of(name, {.px = kPlotText});
+    if (any && at + wide > p_.width - kPlotMargin) {
+      at = kPlotMargin;
       row += 40;
     }
     any = true;
     draw_sign(i, at, row + 17);
-    words(name, at + kSwatch + 14, row, {.px = kText, .color = view::kInk});
+    words(name, at + kSwatch + 14, row, {.px = kPlotText, .color = view::kInk});
     at += wide + 48;
   }
   return any ? row + 40 : top;
 }
 
-void Sheet::stroke(std::size_t index, double width) {
+void PlotSheet::stroke(std::size_t index, double width) {
   const double dash[] = {4 * width, 3 * width};
   ink(color_of(index));
   cairo_set_line_width(c_, width);
@@ -151,7 +152,7 @@ void Sheet::stroke(std::size_t index, double width) {
 }
 
 /// A shape as well as a colour for each series, on a rim of paper.
-void Sheet::draw_mark(std::size_t index, double x, double y, double radius) {
+void PlotSheet::draw_mark(std::size_t index, double x, double y, double radius) {
   for (const bool rim : {true, false}) {
     const double r = radius + (rim ? 2.5 : 0.0);
     cairo_new_path(c_);
@@ -174,7 +175,7 @@ void Sheet::draw_mark(std::size_t index, double x, double y, double radius) {
   }
 }
 
-void Sheet::draw_sign(std::size_t index, double x, double y) {
+void PlotSheet::draw_sign(std::size_t index, double x, double y) {
   const Kind kind = p_.series[index].kind;
   if (kind == Kind::bars) {
     ink(color_of(index));
@@ -189,7 +190,7 @@ void Sheet::draw_sign(std::size_t index, double x, double y) {
   if (has_points(kind)) draw_mark(index, x + 0.5 * kSwatch, y, 8);
 }
 
-void Sheet::draw_grid() {
+void PlotSheet::draw_grid() {
   for (const PlotTick& tick : ys_->ticks()) {
     const double at = y(tick.at);
     ink(view::kFaintInk, tick.label.empty() ? 0.10 : 0.25);
@@ -208,13 +209,13 @@ void Sheet::draw_grid() {
     else
       words(tick.label, at, bottom_ + 10, {.px = kFigure, .side = 0, .color = view::kInk});
   }
-  words(p_.x.label, 0.5 * (left_ + right_), p_.height - kMargin - 22,
-        {.px = kText, .side = 0, .color = view::kInk});
-  words(p_.y.label, 0.6 * kMargin, 0.5 * (top_ + bottom_),
-        {.px = kText, .side = 0, .color = view::kInk, .turn = -1.5707963});
+  words(p_.x.label, 0.5 * (left_ + right_), p_.height - kPlotMargin - 22,
+        {.px = kPlotText, .side = 0, .color = view::kInk});
+  words(p_.y.label, 0.6 * kPlotMargin, 0.5 * (top_ + bottom_),
+        {.px = kPlotText, .side = 0, .color = view::kInk, .turn = -1.5707963});
 }
 
-std::pair<double, double> Sheet::bar_of(std::size_t index) const {
+std::pair<double, double> PlotSheet::bar_of(std::size_t index) const {
   double count = 0, before = 0;
   for (std::size_t i = 0; i < p_.series.size(); ++i) {
     if (p_.series[i].kind != Kind::bars) continue;
@@ -225,7 +226,7 @@ std::pair<double, double> Sheet::bar_of(std::size_t index) const {
   return {width * (before - 0.5 * (count - 1)), width};
 }
 
-void Sheet::draw_bars() {
+void PlotSheet::draw_bars() {
   const double place = x(1) - x(0);
   for (std::size_t i = 0; i < p_.series.size(); ++i) {
     const PlotSeries& s = p_.series[i];
@@ -244,7 +245,7 @@ void Sheet::draw_bars() {
   }
 }
 
-void Sheet::draw_errors(const PlotSeries& series, double aside) {
+void PlotSheet::draw_errors(const PlotSeries& series, double aside) {
   ink(view::kInk);
   for (std::size_t n = 0; n < series.error.size(); ++n) {
     const double at = x(x_of(series, n)) + aside;
@@ -257,7 +258,7 @@ void Sheet::draw_errors(const PlotSeries& series, double aside) {
   }
 }
 
-void Sheet::draw_series(std::size_t index) {
+void PlotSheet::draw_series(std::size_t index) {
   const PlotSeries& s = p_.series[index];
   if (has_line(s.kind)) {
     bool pen_down = false;
@@ -276,7 +277,7 @@ void Sheet::draw_series(std::size_t index) {
   }
 }
 
-void Sheet::draw_notes() {
+void PlotSheet::draw_notes() {
   for (const PlotNote& note : p_.notes) {
     const double at_x = x(note.x), at_y = y(note.y);
     if (!std::isfinite(at_x) || !std::isfinite(at_y)) continue;
@@ -292,9 +293,9 @@ void Sheet::draw_notes() {
   }
 }
 
-std::vector<std::byte> Sheet::draw() {
+std::vector<std::byte> PlotSheet::draw() {
   top_ = draw_legend(draw_head()) + 22;
-  bottom_ = p_.height - 3 * kMargin;
+  bottom_ = p_.height - 3 * kPlotMargin;
   place();
   draw_grid();
   cairo_save(c_);
@@ -314,7 +315,7 @@ std::vector<std::byte> Sheet::draw() {
 }  // namespace
 
 std::vector<std::byte> draw_plot(const Plot& plot, const std::string& file) {
-  return Sheet(plot, file.ends_with(".svg")).draw();
+  return PlotSheet(plot, file.ends_with(".svg")).draw();
 }
 
 }  // namespace onggi::drawing

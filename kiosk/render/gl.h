@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <glm/ext/scalar_constants.hpp>
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <string>
@@ -9,8 +10,14 @@
 #include <utility>
 
 #include "engine/base/result.h"
+#include "engine/math/vec.h"
 
 namespace onggi::render {
+
+/// As GL has it.
+inline glm::vec3 vec(Vec3 v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 /// A GL name with an owner. The context must be current when it dies.
 template <void (*Delete)(GLuint)>

@@ -10,7 +10,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kTable = -0.024f;      // the table's height under the wheel head's top
 constexpr float kShadowReach = 0.62f;  // metres from the axis that the shadow texture covers
 constexpr int kShadowSize = 224;
@@ -30,10 +29,6 @@ constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kSh
 // Parts of clay.glsl that tear: outer wall, lip, inner wall, section of the wall.
 constexpr bool kTears[] = {true, true, true, false, false, true};
 
-glm::vec3 vec(Vec3 v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 glm::mat4 clip_of(const view::Camera& camera) {
   glm::mat4 view, projection;
   camera.matrices(&view[0][0], &projection[0][0]);
@@ -48,7 +43,7 @@ float pixel_size(const view::Camera& camera, double scale) {
 
 // The angle about the axis that faces the camera.
 float front_of(const view::Camera& camera) {
-  return 0.5f * kPi - static_cast<float>(camera.azimuth);
+  return 0.5f * glm::pi<float>() - static_cast<float>(camera.azimuth);
 }
 
 }  // namespace
@@ -272,8 +267,8 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   program.set("floor_height", static_cast<float>(clay_.floor_top()));
   program.set("clay_angle", static_cast<float>(pot.clay_angle));
   // The door is hinged at the visitor's right: it opens from the front towards there.
-  program.set("open_from", front_of(pot.camera) - 0.5f * kPi * open);
-  program.set("open_angle", 0.5f * kPi * open);
+  program.set("open_from", front_of(pot.camera) - 0.5f * glm::pi<float>() * open);
+  program.set("open_angle", 0.5f * glm::pi<float>() * open);
   program.set("opened", open);
   program.set("mirrored", 0.0f);
   program.set("pixel", pixel / size);
@@ -299,7 +294,7 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   for (const int part : {4, 5}) {
     const Program& program = use_clay(part, pot, clip, pixel);
     program.set("soft_edges", soft ? 1.0f : 0.0f);
-    for (const float face : {front, front - 0.5f * kPi * open}) {
+    for (const float face : {front, front - 0.5f * glm::pi<float>() * open}) {
       program.set("face_angle", face);
       section_.draw();
     }

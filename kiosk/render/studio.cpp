@@ -8,7 +8,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr int kSkySize = 32;   // texels of the sharpest level
 constexpr int kSkyLevels = 5;  // roughness 0, 1/4 .. 1
 constexpr int kGrainSize = 256;
@@ -46,7 +45,7 @@ std::vector<Ray> rays(int size) {
       sum += out.back().solid_angle;
     }
   }
-  for (Ray& r : out) r.solid_angle *= 4.0f * kPi / sum;
+  for (Ray& r : out) r.solid_angle *= 4.0f * glm::pi<float>() / sum;
   return out;
 }
 
@@ -139,7 +138,7 @@ std::array<glm::vec3, 9> irradiance_terms(glm::vec3 (*light)(glm::vec3), int siz
   // Hanrahan 2001), so that a white sphere of light gives 1.
   std::array<glm::vec3, 9> t{};
   for (const Ray& r : rays(size)) {
-    const glm::vec3 d = r.direction, l = light(d) * r.solid_angle / (4.0f * kPi);
+    const glm::vec3 d = r.direction, l = light(d) * r.solid_angle / (4.0f * glm::pi<float>());
     t[0] += l;
     t[1] += l * (2.0f * d.y);
     t[2] += l * (2.0f * d.z);

@@ -9,7 +9,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kNowhere = 1e3f;  // m: nothing fades there
 
 // As linear light.
@@ -33,10 +32,6 @@ const Material kMetal{kSteel, 0.24f, 0.42f};
 const Material kWire{kBrass, 0.30f, 0.35f};
 const Material kPorous{kSponge, 0.9f, 0.02f, 0, 1.0f};
 
-glm::vec3 vec(Vec3 v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 /// A mesh in the making: place, normal, and whether it belongs to the far half.
 struct Maker {
   std::vector<float> v;
@@ -58,9 +53,10 @@ Mesh capsule() {
   constexpr int kRound = 40, kDown = 12;  // of each half
   for (int half = 0; half < 2; ++half)
     for (int j = 0; j <= kDown; ++j) {
-      const float polar = 0.5f * kPi * (static_cast<float>(j) / kDown + static_cast<float>(half));
+      const float polar =
+          0.5f * glm::pi<float>() * (static_cast<float>(j) / kDown + static_cast<float>(half));
       for (int i = 0; i <= kRound; ++i) {
-        const float a = 2 * kPi * static_cast<float>(i) / kRound;
+        const float a = 2 * glm::pi<float>() * static_cast<float>(i) / kRound;
         const glm::vec3 p(std::sin(polar) * std::cos(a), std::cos(polar),
                           std::sin(polar) * std::sin(a));
         const std::uint32_t k = make.add(p, p, half == 0 ? 1.0f : 0.0f);
@@ -94,7 +90,7 @@ Mesh drum(float hole) {
   constexpr int kRound = 96;
   const auto band = [&make](float r0, float z0, glm::vec2 n0, float r1, float z1, glm::vec2 n1) {
     for (int i = 0; i <= kRound; ++i) {
-      const float a = 2 * kPi * static_cast<float>(i) / kRound;
+      const float a = 2 * glm::pi<float>() * static_cast<float>(i) / kRound;
       const glm::vec3 d(std::cos(a), std::sin(a), 0), z(0, 0, 1);
       const std::uint32_t k = make.add(r0 * d + z0 * z, n0.x * d + n0.y * z);
       make.add(r1 * d + z1 * z, n1.x * d + n1.y * z);

@@ -13,11 +13,11 @@ using view::Face;
 
 namespace {
 
-constexpr double kShowSpeed = 1.2;    // rad/s: a glaze is looked at from all sides.
-constexpr double kDryTime = 4.0;      // s; an impatient visitor's pot dries in a fifth of it.
-constexpr double kFireTime = 6.0;     // s
-constexpr double kReglazeTime = 2.4;  // s
-constexpr double kTextFade = 0.5;     // s
+constexpr double kGlazeShowSpeed = 1.2;  // rad/s: a glaze is looked at from all sides.
+constexpr double kDryTime = 4.0;         // s; an impatient visitor's pot dries in a fifth of it.
+constexpr double kFireTime = 6.0;        // s
+constexpr double kReglazeTime = 2.4;     // s
+constexpr double kTextFade = 0.5;        // s
 // Of the firing: the heat is at its height here, and the glaze comes as it goes.
 constexpr double kHottest = 0.4, kGlazeFrom = 0.3, kGlazeTo = 0.95;
 
@@ -46,7 +46,7 @@ class KilnScreen final : public Screen {
 
   void update(double dt) override {
     picture_.update(desk, dt, nullptr, false, false);
-    picture_.show_round(desk, dt, desk.screen().left_handed ? -kShowSpeed : kShowSpeed);
+    picture_.show_round(desk, dt, desk.screen().left_handed ? -kGlazeShowSpeed : kGlazeShowSpeed);
     if (desk.still()) return finish();
     const bool chosen = desk.glaze >= 0;
     dried_ = std::min(1.0, dried_ + dt / (chosen ? 0.2 * kDryTime : kDryTime));

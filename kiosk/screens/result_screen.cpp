@@ -10,7 +10,8 @@ using view::Face;
 
 namespace {
 
-constexpr double kShowSpeed = 2.0;  // rad/s: slow enough to look at, once round in three seconds.
+constexpr double kResultShowSpeed =
+    2.0;  // rad/s: slow enough to look at, once round in three seconds.
 constexpr std::size_t kMostRemarks = 2;  // Of each kind: more is not read.
 
 /// Stars and words: what is alike, what to try.
@@ -23,7 +24,7 @@ class Result final : public Screen {
   void update(double dt) override {
     const ShelfCard* card = desk.shelf_card(desk.card);
     picture_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
-    picture_.show_round(desk, dt, desk.screen().left_handed ? -kShowSpeed : kShowSpeed);
+    picture_.show_round(desk, dt, desk.screen().left_handed ? -kResultShowSpeed : kResultShowSpeed);
   }
   std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
 

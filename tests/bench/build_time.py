@@ -39,10 +39,10 @@ def build(folder, log, tests, targets):
     with open(launcher, "w", encoding="utf-8") as file:
         file.write(LAUNCHER)
     words = ";".join([sys.executable, launcher, log])
-    for command in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                     f"-DONGGI_TESTS={tests}", f"-DCMAKE_CXX_COMPILER_LAUNCHER={words}"],
+    for command in (["cmake", "--preset", "release", "-B", folder, f"-DONGGI_TESTS={tests}",
+                     f"-DCMAKE_CXX_COMPILER_LAUNCHER={words}"],
                     ["cmake", "--build", folder, "--target", *targets]):
-        run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        run = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if run.returncode:
             raise SystemExit(f"{shlex.join(command)} failed:\n{run.stdout[-4000:]}")
 
