@@ -72,14 +72,39 @@ Yielding yielding_under(const ToolShape& shape, const Yielding& clay) {
 // Over the top, and steeper than the bisector of the rim's corners.
 bool over_rim(const Beyond& b) { return b.crown > 0.0 && b.crown >= std::max(b.outer, b.inner); }
 
+// How far from the axis the clay is that `sweep`'s tool presses, m. Deep beside a tool it is
+// farther than where the tool comes nearest to the axis, but never by half.
+double clay_distance(const ToolSweep& sweep, std::optional<WallSide> pressed) {
+  const double out = std::max(axis_distance(sweep.from), axis_distance(sweep.to));
+  const BodyKind body = sweep.shape->body;
+  if (!pressed || (body != BodyKind::ball && body != BodyKind::capsule)) return out;
+  return *pressed == WallSide::outside ? std::max(out - sweep.size.radius, 0.5 * out)
+                                       : out + sweep.size.radius;
+}
+
+// What turning clay passes over, m: the tool's smallest feature, but where a flat rib lies on the
+// outside with its face, clay comes to it as to a fingertip, unless an edge is nearer than that to
+// where the face is nearest to the axis.
+double passed_over(const ToolSweep& sweep, std::optional<WallSide> pressed) {
+  const double smallest = sweep.shape->smallest_feature(sweep.size);
+  if (sweep.shape->body != BodyKind::box || pressed != WallSide::outside) return smallest;
+  const Vec3 wide = cross(sweep.along, sweep.across);
+  const auto to_edge = [&](Vec3 at) {
+    return sweep.size.radius - std::fabs(at.x * wide.x + at.z * wide.z) -
+           0.5 * sweep.size.length * std::fabs(wide.y);
+  };
+  const double edge = std::min(to_edge(sweep.from), to_edge(sweep.to));
+  return std::max(smallest, std::min(edge, body::kBluntestEdge));
+}
+
 }  // namespace
 
-int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept {
-  const Vec3 way = sweep.to - sweep.from;
-  const double out = std::max(axis_distance(sweep.from), axis_distance(sweep.to));
-  const double arc = std::fabs(sweep.angle_to - sweep.angle_from) * out;
-  const double by_way =
-      (2.0 * arc + length(way)) / (0.25 * sweep.shape->smallest_feature(sweep.size));
+int steps_for(const ToolSweep& sweep, double relaxation_time,
+              std::optional<WallSide> pressed) noexcept {
+  const double way = length(sweep.to - sweep.from);
+  const double arc = std::fabs(sweep.angle_to - sweep.angle_from) * clay_distance(sweep, pressed);
+  const double by_way = way / (0.25 * sweep.shape->smallest_feature(sweep.size)) +
+                        arc / (0.125 * passed_over(sweep, pressed));
   const double by_time = sweep.seconds / (0.25 * relaxation_time * sweep.shape->relaxation);
   return static_cast<int>(
       std::clamp(std::ceil(std::max(by_way, by_time)), 1.0, double{kMostSteps}));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/contact/place.h"
 #include "engine/contact/tool.h"
 
@@ -19,11 +21,14 @@ struct ToolSweep {
 };
 
 /// How many equal steps a sweep needs: the tool moves at most a quarter of its smallest feature in
-/// one, and the clay under it an eighth (a light touch is only a quarter radius wide), and it lasts
-/// at most a quarter of the clay's relaxation time under it, `relaxation_time` (s) times the tool's
-/// share: the target is held where it is in a step's middle, which is wrong by (dt/tau)^2 / 12 of
-/// the press. 1..kMostSteps.
-int steps_for(const ToolSweep& sweep, double relaxation_time) noexcept;
+/// one, and the clay under it an eighth of what passes over it (a light touch is only a quarter
+/// radius wide), and it lasts at most a quarter of the clay's relaxation time under it,
+/// `relaxation_time` (s) times the tool's share: the target is held where it is in a step's middle,
+/// which is wrong by (dt/tau)^2 / 12 of the press. `pressed` is the face that it presses already,
+/// where it does: then it is known how far from the axis that clay is, and whether a flat tool lies
+/// on it with its face. 1..kMostSteps.
+int steps_for(const ToolSweep& sweep, double relaxation_time,
+              std::optional<WallSide> pressed = std::nullopt) noexcept;
 inline constexpr int kMostSteps = 64;
 
 /// One tool's contact with the clay, over time: where it works, and the press. No allocation.
@@ -43,6 +48,10 @@ class ToolContact {
   WallSide side() const { return side_; }
   Place place() const { return on_rim_ ? Place::rim : on_floor_ ? Place::floor : beside(side_); }
   bool touching() const { return touching_; }
+  /// The face of the wall that it pressed in its last step, if it did.
+  std::optional<WallSide> pressed() const {
+    return touching_ && !on_rim_ ? std::optional(side_) : std::nullopt;
+  }
 
  private:
   /// Where a tool that was clear stands; false where it is clear at `at` too.

@@ -76,6 +76,9 @@ double RowEffects::along(const SceneDef& def, Vec3 pressing, const Vec3* holding
 }
 
 void RowEffects::run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
+  for (std::size_t n = 0; n < tick.hand.size(); ++n)
+    since_touch_[n] =
+        tick.hand[n].normal > 0.0 ? 0.0 : std::min(since_touch_[n] + tick.seconds, 1.0);
   if (clay.displacements(false) != nullptr) take_turn(clay, tick.seconds);
   for (const Stage stage : stages_) (this->*stage)(def, clay, tick);
   settled_ = false;
@@ -154,6 +157,7 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::u
   if (tearing_ && fresh) tearing_->lay(clay, step);
   if (tearing_ && !fresh) tearing_->go_back(clay, step);
   laid_to_ = 0;
+  since_touch_.fill(1.0);
   settled_ = true;
   return true;
 }
@@ -164,6 +168,7 @@ void RowEffects::add_to(StateHash& hash, Clay& clay) const {
   if (springback_) springback_->add_to(hash);
   if (wobble_) wobble_->add_to(hash);
   if (tearing_) tearing_->add_to(hash, clay);
+  for (double since : since_touch_) hash.add(since);
   hash.add(static_cast<std::uint64_t>(laid_to_) << 1 | (turn_.side == WallSide::inside ? 1 : 0));
 }
 

@@ -46,6 +46,9 @@ class RowEffects {
   /// Stage 5: share of a press at `pressing` with which the wall gives way as a whole
   /// (Yielding::along). `holding` is the hand on the other face, null where none is.
   double along(const SceneDef& def, Vec3 pressing, const Vec3* holding) const noexcept;
+  /// Hand `n` touches clay, or did a moment ago: between two elements of a turning wall it still
+  /// holds that wall.
+  bool holds(std::size_t n) const { return since_touch_[n] <= kMoment; }
   /// Stage 6: those that are present, in order. No allocation.
   void run(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   /// The clay was laid anew, as a `fresh` lump or as it once was: takes it as it is,
@@ -74,6 +77,7 @@ class RowEffects {
     WallSide side = WallSide::outside;
     double seconds = 0.0;
   };
+  static constexpr double kMoment = 0.02;  // s: at 1 turn a second, 50 elements to the turn
   using Stage = void (RowEffects::*)(const SceneDef&, Clay&, const Tick&) noexcept;
   void take_turn(Clay& clay, double seconds) noexcept;
   void drag_neighbours(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
@@ -94,8 +98,9 @@ class RowEffects {
   std::optional<effects::Volume> volume_;
   std::vector<Stage> stages_;  // of what is present, in the pipeline's order
   Turn turn_;
-  bool settled_ = false;  // a lump was put on since the last tick
-  int laid_to_ = 0;       // of settle_some()
+  std::array<double, kMaxHands> since_touch_{1.0, 1.0};  // s, at most 1
+  bool settled_ = false;                                 // a lump was put on since the last tick
+  int laid_to_ = 0;                                      // of settle_some()
 };
 
 }  // namespace onggi::scene

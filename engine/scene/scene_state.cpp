@@ -119,12 +119,13 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     tick.sweep[n].angle_from = tick.angle_from;
     tick.sweep[n].angle_to = tick.angle_from + tick.turn;
     yielding[n] = yielding_at(hand[n].at.y);
-    steps = std::max(steps, steps_for(tick.sweep[n], yielding[n].relaxation_time));
+    steps = std::max(
+        steps, steps_for(tick.sweep[n], yielding[n].relaxation_time, hand[n].contact.pressed()));
   }
   if (row_effects) {
     for (std::size_t n = 0; n < hand.size(); ++n) {
       const scene::HandState& other = hand[1 - n];
-      const bool held = other.present && other.contact.touching() &&
+      const bool held = other.present && row_effects->holds(1 - n) &&
                         other.contact.side() != hand[n].contact.side();
       tick.along[n] = row_effects->along(def, hand[n].at, held ? &other.at : nullptr);
       yielding[n].along = tick.along[n];

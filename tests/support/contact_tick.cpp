@@ -47,7 +47,7 @@ void CorrectedContact::tick(int n) noexcept {
   const ToolSweep sweep = sweep_sphere(before.position, now.position, radius_, angle,
                                        angle_at(script_, n + 1) - angle, now.side);
   contact_.begin_tick();
-  const int steps = steps_for(sweep, yielding_.relaxation_time);
+  const int steps = steps_for(sweep, yielding_.relaxation_time, contact_.pressed());
   for (int step = 0; step < steps; ++step) contact_.step(clay_, sweep, step, steps, yielding_);
   pressed_ = contact_.reaction();
 }

@@ -36,7 +36,7 @@ BallStep ball(double from, double to, double seconds, double off = 0.0) {
 Press tick(ToolContact& contact, Clay& clay, Vec3 from, Vec3 to, double angle = 0.0,
            double turn = 0.0) {
   const ToolSweep sweep = sweep_sphere(from, to, kRadius, angle, turn);
-  const int steps = steps_for(sweep, kClay.relaxation_time);
+  const int steps = steps_for(sweep, kClay.relaxation_time, contact.pressed());
   contact.begin_tick();
   for (int n = 0; n < steps; ++n) contact.step(clay, sweep, n, steps, kClay);
   return contact.reaction();

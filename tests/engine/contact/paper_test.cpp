@@ -184,7 +184,7 @@ TEST(Paper16, AFastWheelCarriesElementsPastTheToolUntouched) {
   for (int n = 0; n < 200; ++n) {
     printed(a, WallSide::outside, at, kNeedle, kPrinted, n * turn, turn);
     const ToolSweep sweep = sweep_sphere(at, at, kNeedle, n * turn, turn);
-    const int steps = steps_for(sweep, kClay.relaxation_time);
+    const int steps = steps_for(sweep, kClay.relaxation_time, contact.pressed());
     contact.begin_tick();
     for (int step = 0; step < steps; ++step) contact.step(b, sweep, step, steps, kClay);
   }
@@ -207,7 +207,7 @@ TEST(Paper17, AFastToolTunnelsTheWall) {
   const ToolSweep arrive = sweep_sphere(before, before, kRadius);
   const ToolSweep rush = sweep_sphere(before, after, kRadius);
   contact.step(b, arrive, 0, 1, kClay);
-  const int steps = steps_for(rush, kClay.relaxation_time);
+  const int steps = steps_for(rush, kClay.relaxation_time, contact.pressed());
   for (int n = 0; n < steps; ++n) contact.step(b, rush, n, steps, kClay);
   EXPECT_GT(contact.reaction().touched, 0);
   EXPECT_EQ(contact.side(), WallSide::outside);

@@ -42,7 +42,7 @@ struct Turning {
 
   void tick(Vec3 from, Vec3 to, double turn) {
     const ToolSweep sweep = sweep_sphere(from, to, kRadius, angle, turn);
-    const int steps = steps_for(sweep, kClay.relaxation_time);
+    const int steps = steps_for(sweep, kClay.relaxation_time, contact.pressed());
     contact.begin_tick();
     for (int n = 0; n < steps; ++n) contact.step(clay, sweep, n, steps, kClay);
     angle += turn;
