@@ -27,10 +27,16 @@ void plan_rows(const Clay& clay, const BallWindow& window, WallSide side, int fi
   const double per_radian = clay.sectors() / (2.0 * portable::kPi);
   // Two whole turns added keep the figures positive, where casting is flooring.
   const int turns = 2 * clay.sectors();
+  const ClayDef& def = clay.def();
   const WindowFigures figures{
-      static_cast<float>(window.radius),       static_cast<float>(window.distance),
-      static_cast<float>(1.0 / window.radius), static_cast<float>(per_radian),
-      static_cast<float>(1.0 / per_radian),    static_cast<float>(window.middle + turns)};
+      static_cast<float>(window.radius),
+      static_cast<float>(window.distance),
+      static_cast<float>(1.0 / window.radius),
+      static_cast<float>(per_radian),
+      static_cast<float>(1.0 / per_radian),
+      static_cast<float>(window.middle + turns),
+      static_cast<float>(side == WallSide::outside ? def.radius_min + def.wall_min
+                                                   : def.radius_max - def.wall_min)};
   kernels(clay.vectors()).windows(side, figures, count, rows);
   if (count < kPlannedRows) rows.reached &= (1u << count) - 1;
 }

@@ -15,11 +15,11 @@ struct RowShape {
   int sectors, blocks;
 };
 
-/// Elements of the first `used` of `ranges`.
+/// Elements of the first `used` (1 or 2) of `ranges`.
 constexpr std::int64_t elements_in(const BlockRun* ranges, int used) {
-  std::int64_t blocks = 0;
-  for (int n = 0; n < used; ++n) blocks += ranges[n].end - ranges[n].begin;
-  return blocks * 8;
+  int blocks = ranges[0].end - ranges[0].begin;
+  if (used > 1) blocks += ranges[1].end - ranges[1].begin;
+  return std::int64_t{8} * blocks;
 }
 
 /// The blocks that hold the elements `low` to `high`, whole numbers from -sectors to 2 sectors - 1,
@@ -27,6 +27,10 @@ constexpr std::int64_t elements_in(const BlockRun* ranges, int used) {
 inline int wrapped_blocks(RowShape row, int low, int high, BlockRun* ranges) noexcept {
   const int sectors = row.sectors;
   const int all = row.blocks;
+  if (low >= 0 && low <= high && high < sectors) {
+    ranges[0] = {low / 8, high / 8 + 1};
+    return 1;
+  }
   ranges[0] = {0, all};
   if (high - low + 1 >= sectors) return 1;
   const int shift = low < 0 ? sectors : low >= sectors ? -sectors : 0;

@@ -12,14 +12,14 @@ namespace onggi::contact {
 /// How one body presses rows, on one kind of vectors. No allocation, any thread.
 template <class Body>
 struct BodyKernel {
-  /// Presses `count` rows one after the other, on the `side` face, and adds to `sums`.
-  void (*press)(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
-                BodyRow<Body>* rows, int count, PressSums& sums);
-  /// What a step's sums come to.
-  PressTotal (*total)(const BodyFigures<Body>& body, const PressSums& sums);
+  /// Presses `count` rows one after the other, on the `side` face, and adds to `sums`; or, where
+  /// they are the step's last, gives in `total` what all of them come to.
+  RowsPressed (*press)(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
+                       const RowPlaces& places, BodyRow<Body>* rows, int count, PressSums& sums,
+                       PressTotal* total);
   /// How deep the body would press the deepest element of `rows`, m; 0 when clear. Changes nothing.
   float (*depth)(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
-                 const BodyRow<Body>* rows, int count);
+                 const RowPlaces& places, const BodyRow<Body>* rows, int count);
 };
 
 /// What ball windows are found by, for all rows alike.
@@ -28,6 +28,7 @@ struct WindowFigures {
   float per_radius;           ///< 1 / m
   float per_radian, radians;  ///< Elements in a radian, and the other way.
   float middle;               ///< The ball's angle in elements, `turns` added: always positive.
+  float limit;                ///< Rows where the ball asks for more than this (m) need care.
 };
 
 /// Everything that is compiled for each kind of vectors.
@@ -42,8 +43,8 @@ struct Kernels {
   /// `extent`; negative where nothing is reached.
   void (*half_windows)(WallSide side, const float* d, const float* r, const float* t,
                        const float* extent, float* half);
-  /// Largest outer and smallest inner radius of a row, m.
-  void (*extent)(int stride, const float* outer, const float* inner, float* most, float* least);
+  /// Largest outer, or smallest inner, radius of a row's `side` face, m.
+  float (*extent)(WallSide side, int stride, const float* face);
 };
 
 /// Those of one kind of vectors, which vectors_here() must name.

@@ -27,21 +27,35 @@ void half_windows(WallSide side, const float* d, const float* r, const float* t,
         half);
 }
 
-void measure_extent(int stride, const float* outer, const float* inner, float* outer_most,
-                    float* inner_least) {
-  Float8 most = all(0.0f);
-  Float8 least = all(1e9f);
-  for (int i = 0; i < stride; i += kLanes) {
-    most = larger(load(outer + i), most);
-    least = smaller(load(inner + i), least);
+float outer_extent(int stride, const float* outer) {
+  Float8 most[2] = {all(0.0f), all(0.0f)};  // two, since one would wait for itself
+  int i = 0;
+  for (; i + 2 * kLanes <= stride; i += 2 * kLanes) {
+    most[0] = larger(load(outer + i), most[0]);
+    most[1] = larger(load(outer + i + kLanes), most[1]);
   }
-  *outer_most = largest(most);
-  *inner_least = smallest(least);
+  if (i < stride) most[0] = larger(load(outer + i), most[0]);
+  return largest(larger(most[0], most[1]));
+}
+
+float inner_extent(int stride, const float* inner) {
+  Float8 least[2] = {all(1e9f), all(1e9f)};
+  int i = 0;
+  for (; i + 2 * kLanes <= stride; i += 2 * kLanes) {
+    least[0] = smaller(load(inner + i), least[0]);
+    least[1] = smaller(load(inner + i + kLanes), least[1]);
+  }
+  if (i < stride) least[0] = smaller(load(inner + i), least[0]);
+  return smallest(smaller(least[0], least[1]));
+}
+
+float extent_of(WallSide side, int stride, const float* face) {
+  return side == WallSide::outside ? outer_extent(stride, face) : inner_extent(stride, face);
 }
 
 }  // namespace
 
-extern const contact::Kernels kContactKernels{&kBall,       &kCapsule,    &kBox,         &kCylinder,
-                                              ball_windows, half_windows, measure_extent};
+extern const contact::Kernels kContactKernels{&kBall,       &kCapsule,    &kBox,    &kCylinder,
+                                              ball_windows, half_windows, extent_of};
 
 }  // namespace onggi::ONGGI_LANES

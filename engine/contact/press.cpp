@@ -30,6 +30,7 @@ class Plan {
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
   BodyFigures<Body> figures() const { return {}; }
+  std::uint32_t careful() const { return ~0u; }
 
   // Bit k: row first + k has something to touch.
   std::uint32_t find(int first, int count) {
@@ -47,13 +48,12 @@ class Plan {
     }
     return reached;
   }
-  void fill(int k, float /*limit*/, BodyRow<Body>& row) const {
+  void fill(int k, BodyRow<Body>& row) const {
     const contact::SolidReach& found = rows_[k];
     row.section = body_.section(found.y);
     row.outline = &found.outline;
     row.sector = sector_;
     row.share = found.share;
-    row.careful = true;
     row.used = found.used;
     row.ranges[0] = found.ranges[0];
     row.ranges[1] = found.ranges[1];
@@ -86,7 +86,8 @@ class Plan<Ball> {
         side_(side),
         ball_(ball),
         window_(clay, ball.middle, ball.radius),
-        far_half_(reaches_far_half(clay.sectors(), ball.radius / window_.distance)) {}
+        far_half_(side == WallSide::outside &&
+                  reaches_far_half(clay.sectors(), ball.radius / window_.distance)) {}
 
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
@@ -99,18 +100,13 @@ class Plan<Ball> {
             &rows_};
   }
 
+  std::uint32_t careful() const { return far_half_ ? ~0u : rows_.careful; }
+
   std::uint32_t find(int first, int count) {
     plan_rows(clay_, window_, side_, first, count, rows_);
     return rows_.reached;
   }
-  void fill(int k, float limit, BodyRow<Ball>& row) const {
-    row.k = k;
-    const double section = double{rows_.section[k]};
-    row.careful = far_half_ || (rows_.edged >> k & 1u) != 0 ||
-                  (side_ == WallSide::outside ? window_.distance - section < double{limit}
-                                              : window_.distance + section > double{limit});
-    row.used = blocks_of(shape_, rows_, k, row.ranges);
-  }
+  void fill(int k, BodyRow<Ball>& row) const { row.used = blocks_of(shape_, rows_, k, row.ranges); }
 
  private:
   const Clay& clay_;
@@ -148,90 +144,81 @@ contact::StepFigures figures_of(const Clay& clay, WallSide side) {
   return step;
 }
 
+// Of the rows planned together, from `first` on.
+contact::RowPlaces places_of(Clay& clay, WallSide side, int first, double weight,
+                             std::uint32_t careful) {
+  const bool outside = side == WallSide::outside;
+  const auto n = static_cast<std::size_t>(first);
+  float* const outer = clay.pressable_outer(first).data();
+  float* const inner = clay.pressable_inner(first).data();
+  return {outside ? outer : inner,
+          outside ? inner : outer,
+          clay.stride(),
+          (outside ? clay.inner_least() : clay.outer_most()).data() + n,
+          clay.row_thicknesses().data() + n,
+          weight,
+          clay.floor_rows() - first,
+          careful};
+}
+
 // Some rows that a body presses in one step: made ready for its kernel, and what came of them told
 // to the clay.
 template <class Body>
 class Pressing {
  public:
-  Pressing(Clay& clay, WallSide side, const Yielding& yielding, double weight)
-      : clay_(clay), side_(side), cut_(yielding.cut), weight_(weight) {
+  Pressing(Clay& clay, WallSide side, const Yielding& yielding)
+      : clay_(clay), side_(side), cut_(yielding.cut) {
     if (clay.areas() != nullptr && !cut_)
       displacements_ =
           clay.displacements(side == WallSide::inside);  // what is cut off drags nothing along
   }
 
   // Those of `reached` from row `first` on. Gives how many there is work on.
-  int prepare(const Plan<Body>& plan, int first, std::uint32_t reached, float limit) {
-    RowAreas* areas = clay_.areas();
-    const bool torn = areas != nullptr && areas->any_torn();
-    const bool outside = side_ == WallSide::outside;
-    float* const face = (outside ? clay_.pressable_outer(0) : clay_.pressable_inner(0)).data();
-    float* const behind = (outside ? clay_.pressable_inner(0) : clay_.pressable_outer(0)).data();
-    const float* const bounds = (outside ? clay_.inner_least() : clay_.outer_most()).data();
-    const double* const thicknesses = clay_.row_thicknesses().data();
-    const auto stride = static_cast<std::size_t>(clay_.stride());
-    const int floor_rows = clay_.floor_rows();
-    double thickness = thickness_;
+  int prepare(const Plan<Body>& plan, int first, std::uint32_t reached) {
+    RowAreas* const areas = clay_.areas();
     int used = 0;
     for (; reached != 0; reached &= reached - 1) {
-      const int k = std::countr_zero(reached);
-      const int j = first + k;
-      if (torn && areas->torn(j)) continue;  // hands pass through it
-      const auto n = static_cast<std::size_t>(j);
-      row_[used] = j;
-      BodyRow<Body>& row = rows_[used++];
-      plan.fill(k, limit, row);
-      row.face = face + n * stride;
-      row.behind = behind + n * stride;
-      row.behind_start = bounds[n];
-      row.hollow = j >= floor_rows;
-      row.regroups = thicknesses[n] != thickness;
-      thickness = thicknesses[n];
-      if (row.regroups) row.area = static_cast<float>(weight_ * thickness);
-      if (areas != nullptr)
+      BodyRow<Body>& row = rows_[used];
+      row.k = std::countr_zero(reached);
+      if (areas != nullptr) {
+        const int j = first + row.k;
+        if (areas->any_torn() && areas->torn(j)) continue;  // hands pass through it
         row.displacement = displacements_ != nullptr ? displacements_->row(j) : areas->spare_row();
+      }
+      plan.fill(row.k, row);
+      ++used;
     }
-    thickness_ = thickness;
     return used;
   }
   BodyRow<Body>* rows() { return rows_; }
 
-  void account(int first, int used, Press& out) {
-    RowAreas* areas = clay_.areas();
-    std::uint64_t changed = 0;
-    std::int64_t visited = 0;
-    std::int64_t touched = 0;
+  void account(int first, int used, const contact::RowsPressed& pressed, Press& out) {
+    out.visited += std::int64_t{8} * pressed.blocks;
+    out.touched += pressed.touched;
+    clay_.mark_dirty(first, pressed.changed);
+    RowAreas* const areas = clay_.areas();
+    if (pressed.carried == 0 && areas == nullptr) return;
     for (int n = 0; n < used; ++n) {
       const contact::RowTask& row = rows_[n];
-      visited += contact::elements_in(row.ranges, row.used);
-      if (row.touched == 0) continue;
-      const int j = row_[n];
-      touched += row.touched;
-      changed |= std::uint64_t{1} << (j - first);
-      if (row.behind_most != row.behind_start) {
+      const int j = first + row.k;
+      if ((pressed.carried >> row.k & 1u) != 0) {
         if (side_ == WallSide::outside)
           clay_.widen_extent(j, 0.0f, row.behind_most);
         else
           clay_.widen_extent(j, row.behind_most, 1e9f);
       }
-      if (areas == nullptr) continue;
+      if (areas == nullptr || (pressed.changed >> row.k & 1u) == 0) continue;
       areas->lose(j, portable::kPi / clay_.sectors() * double{row.lost}, cut_);
       if (displacements_ != nullptr)
         for (int r = 0; r < row.used; ++r) displacements_->mark(j, row.ranges[r]);
     }
-    out.visited += visited;
-    out.touched += touched;
-    clay_.mark_dirty(first, changed);
   }
 
  private:
   Clay& clay_;
   WallSide side_;
   bool cut_;
-  double weight_;  // force per press, radius and height
   Displacements* displacements_ = nullptr;
-  double thickness_ = 0.0;  // of the row before
-  int row_[kPlannedRows];
   BodyRow<Body> rows_[kPlannedRows];
 };
 
@@ -252,29 +239,32 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
   const double weight = yielding.stiffness * 2.0 * portable::kPi / clay.sectors() * rate * gone;
 
   Plan<Body> plan(clay, side, body, at);
-  Pressing<Body> pressing(clay, side, yielding, weight);
+  Pressing<Body> pressing(clay, side, yielding);
   const BodyFigures<Body> figures = plan.figures();
   contact::PressSums sums;
+  contact::PressTotal total;
   Press out;
   const int end_row = plan.end_row();
   const int first_row = first_pressed_row(clay, side, plan.first_row());
   for (int first = first_row; first < end_row; first += kPlannedRows) {
     const int count = std::min(kPlannedRows, end_row - first);
-    const int used = pressing.prepare(plan, first, plan.find(first, count), step.limit);
-    if (used == 0) continue;
-    kernel.press(side, step, figures, pressing.rows(), used, sums);
-    pressing.account(first, used, out);
+    const bool last = first + count == end_row;
+    const int used = pressing.prepare(plan, first, plan.find(first, count));
+    if (used == 0 && !(last && sums.begun)) continue;
+    const contact::RowPlaces places = places_of(clay, side, first, weight, plan.careful());
+    const contact::RowsPressed pressed = kernel.press(side, step, figures, places, pressing.rows(),
+                                                      used, sums, last ? &total : nullptr);
+    pressing.account(first, used, pressed, out);
   }
   if (out.touched == 0) return out;
-  // Pressing leaves a row's extent wider than the row, so that more is looked at than need be:
-  // whose turn it is of the window's rows is measured anew.
+  // Pressing leaves the extent of a row's face wider than the face, so that more is looked at than
+  // need be: whose turn it is of the window's rows is measured anew.
   const int j = first_row + clay.next_measured(end_row - first_row);
-  float most = 0.0f;
-  float least = 0.0f;
-  all.extent(clay.stride(), clay.outer(j).data(), clay.inner(j).data(), &most, &least);
-  clay.set_extent(j, most, least);
+  if (side == WallSide::outside)
+    clay.set_extent(j, all.extent(side, clay.stride(), clay.outer(j).data()), clay.inner_least(j));
+  else
+    clay.set_extent(j, clay.outer_most(j), all.extent(side, clay.stride(), clay.inner(j).data()));
 
-  const contact::PressTotal total = kernel.total(figures, sums);
   out.force = {double{total.x}, double{total.y}, double{total.z}};
   out.normal = double{total.normal};
   // Elements in part covered reach a little beyond the body's surface, and so does their normal.
@@ -301,13 +291,15 @@ double depth(const Clay& clay, WallSide side, const Body& body, Vec3 at,
     for (std::uint32_t reached = plan.find(first, count); reached != 0; reached &= reached - 1) {
       const int k = std::countr_zero(reached);
       BodyRow<Body>& row = rows[used++];
-      plan.fill(k, step.limit, row);
-      const float* face =
-          (side == WallSide::outside ? clay.outer(first + k) : clay.inner(first + k)).data();
-      row.face = const_cast<float*>(face);  // depth only reads
+      row.k = k;
+      plan.fill(k, row);
       visited += contact::elements_in(row.ranges, row.used);
     }
-    if (used > 0) deepest = std::max(deepest, kernel.depth(side, step, figures, rows, used));
+    if (used == 0) continue;
+    // Its kernel only reads.
+    const contact::RowPlaces places =
+        places_of(const_cast<Clay&>(clay), side, first, 0.0, plan.careful());
+    deepest = std::max(deepest, kernel.depth(side, step, figures, places, rows, used));
   }
   return double{deepest};
 }

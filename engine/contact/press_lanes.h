@@ -26,6 +26,8 @@ using contact::BodyFigures;
 using contact::BodyRow;
 using contact::PressSums;
 using contact::PressTotal;
+using contact::RowPlaces;
+using contact::RowsPressed;
 using contact::RowTask;
 using contact::StepFigures;
 
@@ -139,9 +141,7 @@ ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* fa
 
 template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
 ONGGI_INLINE void press_row(const Row& row, const StepFigures& step, const RowTask& task,
-                            Pressed& pressed) {
-  float* const face = task.face;
-  float* const behind = task.behind;
+                            float* face, float* behind, Pressed& pressed) {
   const int used = task.used;
   for (int n = 0; n < used; ++n) {
     const int end = task.ranges[n].end * kLanes;
@@ -155,47 +155,76 @@ struct Kernel {
   using Body = typename Law::Body;
   using Row = typename Law::Row;
 
+  // Force per weight (press times radius).
+  ONGGI_INLINE static float area_of(const RowPlaces& places, double thickness) {
+    return static_cast<float>(places.weight * thickness);
+  }
+
   // What is read for every block is copied first: a vector may be stored to anything, so that
   // compilers read what is behind a reference anew after each.
   template <WallSide side, bool keeps>
-  static void press_rows(const StepFigures& given, const BodyFigures<Body>& body,
-                         BodyRow<Body>* rows, int count, PressSums& sums) {
+  static RowsPressed press_rows(const StepFigures& given, const BodyFigures<Body>& body,
+                                const RowPlaces& places, BodyRow<Body>* rows, int count,
+                                PressSums& sums, PressTotal* total) {
     const StepFigures step = given;
-    Reaction reaction{load(sums.normal), load(sums.force_x), load(sums.force_y),
-                      load(sums.force_z)};
+    const Float8 zero = all(0.0f);
+    Reaction reaction{zero, zero, zero, zero};
     Pressed pressed;
-    pressed.sum = {load(sums.weight), load(sums.x), load(sums.y), load(sums.z)};
-    pressed.depth = load(sums.depth);
-    float area = sums.area;
-    for (int k = 0; k < count; ++k) {
-      BodyRow<Body>& task = rows[k];
-      if (task.regroups) {
-        Law::collect(body, pressed.sum, area, reaction);
-        pressed.sum = {all(0.0f), all(0.0f), all(0.0f), all(0.0f)};
-        area = task.area;
+    pressed.sum = {zero, zero, zero, zero};
+    pressed.depth = zero;
+    double thickness = 0.0;
+    if (sums.begun) {
+      reaction = {load(sums.normal), load(sums.force_x), load(sums.force_y), load(sums.force_z)};
+      pressed.sum = {load(sums.weight), load(sums.x), load(sums.y), load(sums.z)};
+      pressed.depth = load(sums.depth);
+      thickness = sums.thickness;
+    }
+    RowsPressed out;
+    for (BodyRow<Body>* task = rows; task != rows + count; ++task) {
+      const int k = task->k;
+      if (places.thickness[k] != thickness) {
+        Law::collect(body, pressed.sum, area_of(places, thickness), reaction);
+        pressed.sum = {zero, zero, zero, zero};
+        thickness = places.thickness[k];
       }
-      const Row row(body, task);
-      pressed.behind = all(task.behind_start);
+      out.blocks += task->ranges[0].end - task->ranges[0].begin;
+      if (task->used > 1) out.blocks += task->ranges[1].end - task->ranges[1].begin;
+      const Row row(body, *task);
+      const float start = places.behind_start[k];
+      pressed.behind = all(start);
       pressed.touched = 0;
       if constexpr (keeps) {
-        pressed.displacement = task.displacement;
-        pressed.lost = all(0.0f);
+        pressed.displacement = task->displacement;
+        pressed.lost = zero;
       }
-      if (!task.hollow)
-        press_row<side, true, false, keeps>(row, step, task, pressed);
-      else if (!Law::kPlain || task.careful)
-        press_row<side, true, true, keeps>(row, step, task, pressed);
+      const long from = static_cast<long>(places.stride) * k;
+      float* const face = places.face + from;
+      float* const behind = places.behind + from;
+      const std::uint32_t bit = std::uint32_t{1} << k;
+      if (k < places.hollow_from)
+        press_row<side, true, false, keeps>(row, step, *task, face, behind, pressed);
+      else if (!Law::kPlain || (places.careful & bit) != 0)
+        press_row<side, true, true, keeps>(row, step, *task, face, behind, pressed);
       else if constexpr (Law::kPlain)
-        press_row<side, false, true, keeps>(row, step, task, pressed);
-      task.touched = pressed.touched;
+        press_row<side, false, true, keeps>(row, step, *task, face, behind, pressed);
       if (pressed.touched == 0) continue;
-      task.behind_most = task.behind_start;
-      const Float8 start = all(task.behind_start);
-      if (!none(side == WallSide::outside ? pressed.behind < start : pressed.behind > start))
-        task.behind_most =
+      out.touched += pressed.touched;
+      out.changed |= bit;
+      if (!none(side == WallSide::outside ? pressed.behind < all(start)
+                                          : pressed.behind > all(start))) {
+        out.carried |= bit;
+        task->behind_most =
             side == WallSide::outside ? smallest(pressed.behind) : largest(pressed.behind);
-      if constexpr (keeps) task.lost = sum(pressed.lost);
+      }
+      if constexpr (keeps) task->lost = sum(pressed.lost);
     }
+    if (total != nullptr) {
+      Law::collect(body, pressed.sum, area_of(places, thickness), reaction);
+      *total = {sum(reaction.x), sum(reaction.y), sum(reaction.z), sum(reaction.normal),
+                largest(pressed.depth)};
+      return out;
+    }
+    sums.begun = true;
     store(reaction.normal, sums.normal);
     store(reaction.x, sums.force_x);
     store(reaction.y, sums.force_y);
@@ -205,39 +234,33 @@ struct Kernel {
     store(pressed.sum.y, sums.y);
     store(pressed.sum.z, sums.z);
     store(pressed.depth, sums.depth);
-    sums.area = area;
+    sums.thickness = thickness;
+    return out;
   }
 
-  static void press(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
-                    BodyRow<Body>* rows, int count, PressSums& sums) {
-    if (side == WallSide::outside) {
-      step.keeps ? press_rows<WallSide::outside, true>(step, body, rows, count, sums)
-                 : press_rows<WallSide::outside, false>(step, body, rows, count, sums);
-    } else {
-      step.keeps ? press_rows<WallSide::inside, true>(step, body, rows, count, sums)
-                 : press_rows<WallSide::inside, false>(step, body, rows, count, sums);
-    }
-  }
-
-  static PressTotal total(const BodyFigures<Body>& body, const PressSums& sums) {
-    Reaction reaction{load(sums.normal), load(sums.force_x), load(sums.force_y),
-                      load(sums.force_z)};
-    Law::collect(body, {load(sums.weight), load(sums.x), load(sums.y), load(sums.z)}, sums.area,
-                 reaction);
-    return {sum(reaction.x), sum(reaction.y), sum(reaction.z), sum(reaction.normal),
-            largest(load(sums.depth))};
+  static RowsPressed press(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
+                           const RowPlaces& at, BodyRow<Body>* rows, int count, PressSums& sums,
+                           PressTotal* total) {
+    constexpr WallSide out = WallSide::outside;
+    constexpr WallSide in = WallSide::inside;
+    if (side == out)
+      return step.keeps ? press_rows<out, true>(step, body, at, rows, count, sums, total)
+                        : press_rows<out, false>(step, body, at, rows, count, sums, total);
+    return step.keeps ? press_rows<in, true>(step, body, at, rows, count, sums, total)
+                      : press_rows<in, false>(step, body, at, rows, count, sums, total);
   }
 
   template <WallSide side>
   static float depth_in_rows(const StepFigures& step, const BodyFigures<Body>& body,
-                             const BodyRow<Body>* rows, int count) {
+                             const RowPlaces& places, const BodyRow<Body>* rows, int count) {
     Float8 deepest = all(0.0f);
-    for (int k = 0; k < count; ++k) {
-      const RowTask& task = rows[k];
-      const Row row(body, rows[k]);
-      for (int n = 0; n < task.used; ++n)
-        for (int i = task.ranges[n].begin * kLanes; i < task.ranges[n].end * kLanes; i += kLanes) {
-          const Float8 radius = load(task.face + i);
+    for (const BodyRow<Body>* task = rows; task != rows + count; ++task) {
+      const Row row(body, *task);
+      const float* const face = places.face + static_cast<long>(places.stride) * task->k;
+      for (int n = 0; n < task->used; ++n)
+        for (int i = task->ranges[n].begin * kLanes; i < task->ranges[n].end * kLanes;
+             i += kLanes) {
+          const Float8 radius = load(face + i);
           const auto m =
               row.template meet<side, true>(load(step.ray_cos + i), load(step.ray_sin + i), radius);
           const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, step));
@@ -248,12 +271,12 @@ struct Kernel {
   }
 
   static float depth(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
-                     const BodyRow<Body>* rows, int count) {
-    return side == WallSide::outside ? depth_in_rows<WallSide::outside>(step, body, rows, count)
-                                     : depth_in_rows<WallSide::inside>(step, body, rows, count);
+                     const RowPlaces& at, const BodyRow<Body>* rows, int count) {
+    return side == WallSide::outside ? depth_in_rows<WallSide::outside>(step, body, at, rows, count)
+                                     : depth_in_rows<WallSide::inside>(step, body, at, rows, count);
   }
 
-  static constexpr contact::BodyKernel<Body> kAll{press, total, depth};
+  static constexpr contact::BodyKernel<Body> kAll{press, depth};
 };
 
 }  // namespace onggi::ONGGI_LANES

@@ -27,23 +27,36 @@ struct StepFigures {
   bool keeps = false;  ///< What rows lose is summed, and the other face may go along.
 };
 
+/// Where rows lie that are planned together, and what is known of each: row k is the k-th of them.
+struct RowPlaces {
+  float* face;                ///< Of row 0: worked.
+  float* behind;              ///< The other.
+  int stride;                 ///< Floats from one row to the next.
+  const float* behind_start;  ///< By row: no element of the other face is farther that way.
+  const double* thickness;    ///< By row, m.
+  double weight;              ///< Force per press, radius and thickness.
+  int hollow_from;            ///< Rows from here on have another face.
+  std::uint32_t careful;      ///< Bit k: row k is pressed with care (press_lanes.h).
+};
+
 /// One row that a body presses, and what came of it. Filled whole by whoever asks: nothing is set
 /// beforehand, since a step has many.
 struct RowTask {
-  float* face;          ///< Worked.
-  float* behind;        ///< The other.
-  float* displacement;  ///< Grows by what each element was moved; only where StepFigures::keeps.
-  BlockRun ranges[2];   ///< They never share a block.
+  int k;                ///< In RowPlaces.
   int used;             ///< Of `ranges`.
-  bool careful;         ///< See press_lanes.h.
-  bool hollow;          ///< There is another face.
-  bool regroups;        ///< Not as thick as the row pressed before it.
-  float area;           ///< Force per weight (press times radius) of rows of this thickness.
-  float behind_start;   ///< No element of the other face is farther that way.
+  BlockRun ranges[2];   ///< They never share a block.
+  float* displacement;  ///< Grows by what each element was moved; only where StepFigures::keeps.
 
-  int touched;        ///< Elements pressed.
-  float behind_most;  ///< The farthest that the other face was carried, if any was.
-  float lost;         ///< Sum of squares of radii.
+  float behind_most;  ///< The farthest that the other face was carried; where RowsPressed::carried.
+  float lost;         ///< Sum of squares of radii; where StepFigures::keeps.
+};
+
+/// What came of all rows of a call.
+struct RowsPressed {
+  int blocks = 0;             ///< Looked at, of eight elements.
+  int touched = 0;            ///< Elements pressed.
+  std::uint32_t changed = 0;  ///< Bit k: of row k.
+  std::uint32_t carried = 0;  ///< Bit k: and its other face was carried beyond behind_start.
 };
 
 /// A row, and the section that a Body of faces and rods has with it.
@@ -68,31 +81,31 @@ struct BallWindows {
   float above_radii[kPlannedRows];   ///< Middle of the ball above the row, over its radius.
   int low[kPlannedRows], high[kPlannedRows];  ///< Elements between which it touches, two turns on.
   std::uint32_t reached;                      ///< Bit k: row k has something that can be touched.
-  std::uint32_t edged;  ///< Bit k: so may elements that the circle's edges cross.
+  std::uint32_t careful;  ///< Bit k: the row is to be pressed with care (press_lanes.h).
 };
 
 template <>
-struct BodyRow<body::Ball> : RowTask {
-  int k;  ///< In BodyFigures::rows.
-};
+struct BodyRow<body::Ball> : RowTask {};
 
 /// What all rows of a body have in common.
 template <class Body>
 struct BodyFigures {};
 template <>
 struct BodyFigures<body::Ball> {
-  float x, z;              ///< Its middle, m.
-  float per_radius;        ///< 1 / m
-  float x_radii, z_radii;  ///< Its middle from the axis, over its radius.
-  const BallWindows* rows;
+  float x, z;               ///< Its middle, m.
+  float per_radius;         ///< 1 / m
+  float x_radii, z_radii;   ///< Its middle from the axis, over its radius.
+  const BallWindows* rows;  ///< By RowTask::k.
 };
 
-/// A kernel's sums between two of its calls in one step: eight accumulators of each.
+/// A kernel's sums between two of its calls in one step: eight accumulators of each. Until they
+/// have begun they are nothing, and are not set: most steps have one call and never need them.
 struct PressSums {
-  float weight[8] = {}, x[8] = {}, y[8] = {}, z[8] = {};  ///< Of rows equally thick.
-  float force_x[8] = {}, force_y[8] = {}, force_z[8] = {}, normal[8] = {};
-  float depth[8] = {};
-  float area = 0;  ///< RowTask::area of the rows in `weight` to `z`.
+  bool begun = false;
+  float weight[8], x[8], y[8], z[8];  ///< Of rows equally thick.
+  float force_x[8], force_y[8], force_z[8], normal[8];
+  float depth[8];
+  double thickness;  ///< Of the rows in `weight` to `z`, m.
 };
 struct PressTotal {
   float x = 0, y = 0, z = 0;  ///< Force on the tool, N.

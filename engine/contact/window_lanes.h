@@ -65,7 +65,7 @@ ONGGI_INLINE void ball_windows_of(const contact::WindowFigures& figures, int cou
   const Float8 radius = all(figures.radius);
   const Float8 distance = all(figures.distance);
   const Float8 middle = all(figures.middle);
-  rows.reached = rows.edged = 0;
+  rows.reached = rows.careful = 0;
   for (int k = 0; k < count; k += kLanes) {
     const Float8 above = load(rows.above + k);
     const Float8 extent = load(rows.extent + k);
@@ -91,7 +91,11 @@ ONGGI_INLINE void ball_windows_of(const contact::WindowFigures& figures, int cou
     const Float8 end = side == WallSide::outside ? along - chord : along + chord;
     const Float8 slack = all(1e-6f);
     const Mask8 deep = side == WallSide::outside ? extent + slack > end : extent - slack < end;
-    rows.edged |= bits(deep | (all(2.0f) * section < width)) << k;
+    // Near the axis, and near the clay's limits, the ball may ask for more than there is.
+    const Mask8 beyond = side == WallSide::outside
+                             ? distance - section < all(figures.limit) + slack
+                             : distance + section > all(figures.limit) - slack;
+    rows.careful |= bits(deep | (all(2.0f) * section < width) | beyond) << k;
     rows.reached |= bits(angle > all(-1.0f)) << k;
   }
 }

@@ -41,6 +41,23 @@ struct WallBounds {
   float farthest = 0.0f, thinnest = 0.0f;
 };
 
+/// Eight columns of rows that are evened together, a row after the other: Smoothing. Doubles.
+struct Columns {
+  bool outside = true;
+  int rows = 0;
+  int stride = 0;                ///< Floats from one row to the next.
+  float* face = nullptr;         ///< Of the lowest row: the eight elements that are evened,
+  const float* other = nullptr;  ///< and those of the other face.
+  const double* weight = nullptr;
+  const double* flow = nullptr;
+  const double* up = nullptr;
+  const double* pivot = nullptr;
+  double* squares = nullptr;  ///< Eight a row, to work with.
+  double* gained = nullptr;   ///< Grows by what each row's squares of radii did.
+  float* extent = nullptr;    ///< Of each row: the largest, or inside smallest, radius written.
+  double wall_min = 0.0;
+};
+
 /// What a ring is like all round.
 struct Ring {
   float squares = 0.0f;   ///< Sum of outer^2 + inner^2, m^2.
@@ -64,6 +81,8 @@ struct Table {
   /// outer' = same outer + cross inner, inner' = same inner + cross outer. FaceMoved::lost is 0.
   FaceMoved (*mix)(int stride, float same, float cross, float* outer, float* inner);
   Ring (*measure)(int stride, const float* outer, const float* inner);
+  /// True where an element changed.
+  bool (*even)(const Columns& columns);
 };
 /// One of vectors_here().
 const Table& of(Vectors kind) noexcept;

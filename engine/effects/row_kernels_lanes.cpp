@@ -171,10 +171,111 @@ Ring measure_elements(int stride, const float* outer, const float* inner) {
   return {sum(squares), smallest(thinnest)};
 }
 
+// Thomas' algorithm on (w_j + f_j + f_j-1) q_j - f_j q_j+1 - f_j-1 q_j-1 = w_j q_j before, for
+// eight columns: plain loops over eight doubles, which compilers make vectors of.
+template <bool outside>
+ONGGI_INLINE void solve_columns(const Columns& c) {
+  double below[kLanes] = {};
+  const float* face = c.face;
+  double* squares = c.squares;
+  for (int k = 0; k < c.rows; ++k, face += c.stride, squares += kLanes) {
+    const double weight = c.weight[k];
+    const double flow = k > 0 ? c.flow[k - 1] : 0.0;
+    const double pivot = c.pivot[k];
+    for (int i = 0; i < kLanes; ++i) {
+      const double radius = static_cast<double>(face[i]);
+      below[i] = (weight * (radius * radius) + flow * below[i]) / pivot;
+    }
+    for (int i = 0; i < kLanes; ++i) squares[i] = below[i];
+  }
+  squares -= kLanes;
+  for (int k = c.rows - 2; k >= 0; --k) {
+    squares -= kLanes;
+    const double up = c.up[k];
+    for (int i = 0; i < kLanes; ++i) squares[i] = below[i] = squares[i] + up * below[i];
+  }
+}
+
+// A column where the wall would get too thin goes only as far as it may, all of it alike: then it
+// has lost nothing, and is still between what it was and what it would be.
+template <bool outside>
+ONGGI_INLINE void share_columns(const Columns& c, double* share) {
+  for (int i = 0; i < kLanes; ++i) share[i] = 1.0;
+  for (int k = 0; k < c.rows; ++k) {
+    const float* const face = c.face + static_cast<long>(c.stride) * k;
+    const float* const other = c.other + static_cast<long>(c.stride) * k;
+    const double* const squares = c.squares + kLanes * k;
+    double room[kLanes];
+    double way[kLanes];
+    int beyond = 0;
+    for (int i = 0; i < kLanes; ++i) {
+      const double radius = static_cast<double>(face[i]);
+      const double was = radius * radius;
+      const double back = static_cast<double>(other[i]);
+      const double in = back - c.wall_min;
+      const double limit = outside ? back + c.wall_min : in < 0.0 ? 0.0 : in;
+      room[i] = limit * limit - was;
+      way[i] = squares[i] - was;
+      beyond += outside ? way[i] < room[i] : way[i] > room[i];
+    }
+    if (beyond == 0) continue;
+    for (int i = 0; i < kLanes; ++i) {
+      if (outside ? !(way[i] < room[i]) : !(way[i] > room[i])) continue;
+      const double part = way[i] != 0.0 ? room[i] / way[i] : 0.0;
+      const double most = part < 0.0 ? 0.0 : 1.0 < part ? 1.0 : part;
+      share[i] = most < share[i] ? most : share[i];
+    }
+  }
+}
+
+template <bool outside>
+ONGGI_INLINE bool even_columns_as(const Columns& c) {
+  solve_columns<outside>(c);
+  double share[kLanes];
+  share_columns<outside>(c, share);
+  const Float8 none_yet = all(outside ? 0.0f : 1e9f);
+  bool changed = false;
+  for (int k = 0; k < c.rows; ++k) {
+    float* const face = c.face + static_cast<long>(c.stride) * k;
+    const double* const squares = c.squares + kLanes * k;
+    float asked[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+      const double radius = static_cast<double>(face[i]);
+      const double was = radius * radius;
+      asked[i] = static_cast<float>(__builtin_sqrt(was + share[i] * (squares[i] - was)));
+    }
+    const Float8 before = load(face);
+    const Float8 then = select(real(before), load(asked), before);
+    if (none((then < before) | (then > before))) continue;
+    changed = true;
+    double gained[kLanes];
+    float now[kLanes];
+    store(then, now);
+    for (int i = 0; i < kLanes; ++i) {
+      const double radius = static_cast<double>(face[i]);
+      const double new_radius = static_cast<double>(now[i]);
+      gained[i] = new_radius * new_radius - radius * radius;
+    }
+    store(then, face);
+    // One after the other, as in any order of columns that goes up.
+    double sum_of = c.gained[k];
+    for (int i = 0; i < kLanes; ++i) sum_of += gained[i];
+    c.gained[k] = sum_of;
+    const Float8 reach = select(real(before), then, none_yet);
+    const float farthest = outside ? largest(reach) : smallest(reach);
+    if (outside ? farthest > c.extent[k] : farthest < c.extent[k]) c.extent[k] = farthest;
+  }
+  return changed;
+}
+
+bool even_columns(const Columns& columns) {
+  return columns.outside ? even_columns_as<true>(columns) : even_columns_as<false>(columns);
+}
+
 }  // namespace
 
-extern const row_kernels::Table kRowKernels{move_elements, pull_elements,   spring_elements,
-                                            sum_harmonic,  push_elements,   bounds_of,
-                                            mix_faces,     measure_elements};
+extern const row_kernels::Table kRowKernels{move_elements, pull_elements,    spring_elements,
+                                            sum_harmonic,  push_elements,    bounds_of,
+                                            mix_faces,     measure_elements, even_columns};
 
 }  // namespace onggi::ONGGI_LANES

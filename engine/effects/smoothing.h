@@ -33,18 +33,12 @@ class Smoothing {
             double seconds) noexcept;
 
  private:
-  // Eight columns at once, a row each.
-  struct Row {
-    double square[Displacements::kBlock];
-  };
-  bool even_block(Clay& clay, WallSide side, int first, int count, int block) noexcept;
-
   std::vector<double> weight_;  // of the row: its height
   std::vector<double> flow_;    // to the row above, m
   std::vector<double> up_, pivot_;
-  std::vector<Row> rows_;
-  std::vector<double> gained_;  // sum of squares of radii, each row in this tick
-  std::vector<float> extent_;   // largest, or inside smallest, radius written
+  std::vector<double> squares_;  // eight columns at once, a row after the other
+  std::vector<double> gained_;   // sum of squares of radii, each row in this tick
+  std::vector<float> extent_;    // largest, or inside smallest, radius written
 };
 
 }  // namespace effects
