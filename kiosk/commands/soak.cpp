@@ -43,6 +43,8 @@ Command soak_command() {
                        .least = 0.25,
                        .most = 4.0},
                       {"--script", &a->plan.script, "What the hands do [follow]"},
+                      {"--by-device", &a->plan.by_device,
+                       "A device that is plugged in moves the hand, not a script"},
                       {"--out", &a->out, "Where its keepsakes go [keepsakes/soak]"},
                       {"--window", &a->window, "WIDTHxHEIGHT [1280x720]"},
                       {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},

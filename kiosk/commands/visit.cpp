@@ -33,7 +33,7 @@ constexpr int kFrameTicks = 40;
 
 struct VisitArguments {
   std::string config, script = "follow", vessel, out, json, window = "1280x720", language, shelf,
-                      glaze;
+                      glaze, hand = "script";
   std::uint64_t seed = 1;
   bool realtime = false;
 };
@@ -125,7 +125,8 @@ class ScreenAlbum {
 };
 
 /// Frames until the visitor is done; prints how far the throwing is.
-Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, bool realtime) {
+Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, bool realtime,
+                  int& first_tick) {
   const double begun = measure::monotonic_seconds();
   int printed = -1;
   for (int n = 0; !visitor.done(); ++n) {
@@ -135,7 +136,9 @@ Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, bool
       return problem("the window", "It was closed during the visit.", "Leave it open.", 1);
     if (auto good = visitor.step(now); !good) return good;
     if (visitor.throwing()) {
-      const int tenth = static_cast<int>(kiosk.potter().status().script_progress * 10);
+      if (printed < 0)
+        first_tick = (n + 1) * kFrameTicks - static_cast<int>(kiosk.potter().status().ticks);
+      const int tenth = static_cast<int>(visitor.progress() * 10);
       if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
     }
     // A save runs on a worker: give it wall time, or the visit's clock would outrun it.
@@ -157,6 +160,9 @@ Result<void> check(const VisitArguments& arguments) {
   if (fs::create_directories(arguments.out, error); error || !fs::is_directory(arguments.out))
     return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
                    "Name a folder that may be written.");
+  if (arguments.hand != "script" && arguments.hand != "mouse" && arguments.hand != "device")
+    return problem("--hand " + arguments.hand, "Nobody moves the hand that way.",
+                   "Write script, mouse or device.");
   const auto names = script_names();
   if (std::find(names.begin(), names.end(), arguments.script) == names.end()) {
     // make_script has the words for it.
@@ -173,6 +179,7 @@ Result<int> visit(const VisitArguments& arguments) {
   exhibit::KioskOptions options;
   options.config = *config;
   options.stepped = true;
+  options.devices = arguments.hand == "device";
   options.seed = arguments.seed;
   options.language = arguments.language;
   options.keepsakes = fs::path(arguments.out);
@@ -195,18 +202,24 @@ Result<int> visit(const VisitArguments& arguments) {
   plan.script = arguments.script;
   plan.card = *card;
   plan.seed = arguments.seed;
+  using Hand = measure::ScriptedVisitor::Plan::Hand;
+  plan.hand = arguments.hand == "mouse"    ? Hand::pointer
+              : arguments.hand == "device" ? Hand::device
+                                           : Hand::script;
   const auto glaze = find_glaze(kiosk, arguments.glaze);
   if (!glaze) return tl::unexpected(glaze.error());
   plan.glaze = *glaze;
   measure::ScriptedVisitor visitor(kiosk, plan,
                                    [&album](const std::string& name) { album.take(name); });
-  const auto walked = walk(kiosk, visitor, arguments.realtime);
+  int first_tick = 0;
+  const auto walked = walk(kiosk, visitor, arguments.realtime, first_tick);
   // The pictures are wanted most of all when something went wrong.
   const auto pages = album.write();
   if (!walked) return tl::unexpected(walked.error());
   if (!pages) return tl::unexpected(pages.error());
 
-  const files::Json report = measure::visit_report(*kiosk.kept(), *pages);
+  files::Json report = measure::visit_report(*kiosk.kept(), *pages);
+  report["first_tick"] = first_tick;
   const auto kept = put_report(report, (fs::path(arguments.out) / "visit.json").string());
   if (!kept) return tl::unexpected(kept.error());
   const auto free = put_report(report, arguments.json);
@@ -240,6 +253,9 @@ Command visit_command() {
                    .field = &a->seed,
                    .help = "Unevenness of the scripted hands [1]",
                    .least = 0},
+                  {"--hand", &a->hand,
+                   "Who moves the hand: script, in the loop; mouse, frame by frame; device, one "
+                   "that is plugged in, and the script only turns the wheel [script]"},
                   {"--json", &a->json,
                    "Write what it came to as JSON here too (- for standard output); OUT/visit.json "
                    "always"},

@@ -9,6 +9,7 @@
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
+#include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/settings/exhibit.h"
@@ -74,6 +75,11 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file) {
     if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
   if (fs::is_regular_file(exhibit.glazes, ignored))
     check_glazes(report, exhibit.glazes, exhibit.languages);
+  for (const device::KindInfo& kind : device::device_kinds())
+    if (fs::is_regular_file(device_file(exhibit, kind.kind), ignored)) {
+      auto device = device_of(exhibit, kind.kind);
+      add(report, device.keys_checked, std::move(device.problems));
+    }
   for (const std::string& code : exhibit.languages)
     if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
       check_language(report, words);

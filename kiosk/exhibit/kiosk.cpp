@@ -10,6 +10,8 @@
 #include "engine/scene/lump.h"
 #include "engine/script/script.h"
 #include "kiosk/content/glb.h"
+#include "kiosk/device/hidapi_bus.h"
+#include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/loop/loop_thread.h"
@@ -68,6 +70,10 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     for (const std::string& remark : loop->remarks()) log_line(remark);
     kiosk->potter_ = std::move(loop);
   }
+  if (options.devices)
+    kiosk->devices_ = std::make_unique<HandDevices>(
+        *kiosk->potter_, device::hidapi_bus(), defined_devices(kiosk->exhibit_),
+        HandDevices::Options{options.stepped, kiosk->exhibit_.screen.left_handed, 1.0});
   return kiosk;
 }
 
@@ -97,6 +103,7 @@ void Kiosk::begin_visit(double now) {
   world.measure = &renderer_->measure();
   world.wheel = &potter_->view();
   world.potter = potter_.get();
+  if (devices_) world.devices = &devices_->news();
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
   log_problems(names_of_nothing(exhibit_, ids));
@@ -117,6 +124,15 @@ void Kiosk::advance(int ticks) {
   if (stepped_ != nullptr) stepped_->advance(ticks);
 }
 
+void Kiosk::look_after_devices(double now) {
+  if (!devices_) return;
+  const auto events = devices_->frame(now);
+  for (const std::string& line : devices_->remarks()) log_line(line);
+  log_problems(devices_->problems());
+  if (!visit_) return;
+  for (const view::InputEvent& event : events) visit_->input(event, now);
+}
+
 bool Kiosk::frame(double now, bool draw) {
   bool open = true;
   const auto events = renderer_->poll();
@@ -129,6 +145,7 @@ bool Kiosk::frame(double now, bool draw) {
              event.kind == view::InputEvent::Kind::key_down)
       early_touch_ = event;
   }
+  look_after_devices(now);
   if (!visit_) {
     renderer_->draw(opening_frame());
     renderer_->present();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kiosk/content/language.h"
+#include "kiosk/exhibit/hand_devices.h"
 #include "kiosk/exhibit/keepsakes.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
@@ -26,6 +27,7 @@ struct KioskOptions {
   std::optional<std::filesystem::path> shelf;      ///< Instead of the exhibit's.
   std::optional<std::filesystem::path> keepsakes;  ///< Instead of the exhibit's folder.
   render::WindowOptions window;
+  bool devices = true;   ///< Use the hand devices that are plugged in.
   bool stepped = false;  ///< Turn the wheel by hand (advance()), not by the 1 kHz thread.
   std::uint64_t seed = 1;
   std::string language;  ///< Instead of the exhibit's first; empty keeps it.
@@ -83,6 +85,7 @@ class Kiosk {
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::ForgetVisitor& request);
   void note_saved();
+  void look_after_devices(double now);
   view::Frame opening_frame() const;
 
   settings::Exhibit exhibit_;
@@ -92,6 +95,7 @@ class Kiosk {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::PotterHost> potter_;
   loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
+  std::unique_ptr<HandDevices> devices_;    ///< Null where none are to be used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Keepsakes> keepsakes_;
   std::unique_ptr<screens::Visit> visit_;

@@ -147,12 +147,13 @@ void PotterCore::take_commands() noexcept {
 
 void PotterCore::step(double dt) noexcept {
   Hands hands = asked_;
+  read_hands(dt, hands);
+  status_.hands_taken = hands.hand[0].active || hands.hand[1].active;
   if (script_ != nullptr) {
     script_time_ += dt;
     hands = script_->at(script_time_, pot_->scene.clay());
-    leads_ = {};
+    leads_ = {};  // Nobody feels what a script presses.
   } else {
-    read_hands(dt, hands);
     asked_.renew = asked_.restore = false;
   }
   const TickRecord record{hands, dt};

@@ -1,5 +1,6 @@
 #include "kiosk/measure/scripted_visitor.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/script/script.h"
@@ -108,18 +109,11 @@ Result<void> ScriptedVisitor::on_choose() {
 }
 
 Result<void> ScriptedVisitor::on_throw(double now) {
-  const loop::LoopStatus status = kiosk_.potter().status();
-  if (!playing_) {
-    const auto& target = kiosk_.shelf().cards()[static_cast<std::size_t>(kiosk_.pot_card())].target;
-    auto script = make_script(plan_.script, {kiosk_.pot_def(), &target, plan_.seed, plan_.pace});
-    if (!script) return tl::unexpected(script.error());
-    pass("throw_begin");
-    kiosk_.potter().play(std::move(*script));
-    playing_ = true;
-    entered_ = now;
-    return {};
-  }
-  if (!half_shown_ && status.script_progress > 0.5) {
+  if (!playing_) return begin_throwing(now);
+  if (hand_ && !hand_->step(now - std::exchange(moved_at_, now), kiosk_.potter()))
+    return problem("the wheel", "It did not answer the scripted visitor within a second.",
+                   "Look for a stuck 1 kHz loop.", 1);
+  if (!half_shown_ && progress() > 0.5) {
     half_shown_ = true;
     pass("throw");
   }
@@ -127,10 +121,33 @@ Result<void> ScriptedVisitor::on_throw(double now) {
   view::InputEvent moved;
   moved.kind = view::InputEvent::Kind::pointer_move;
   kiosk_.visit().input(moved, now);
-  if (!status.script_done || touched_) return {};
+  if (progress() < 1.0 || touched_) return {};
   touched_ = true;
   pass("throw_done");
   return touch("throw.done");
+}
+
+Result<void> ScriptedVisitor::begin_throwing(double now) {
+  const auto& target = kiosk_.shelf().cards()[static_cast<std::size_t>(kiosk_.pot_card())].target;
+  auto script = make_script(plan_.script, {kiosk_.pot_def(), &target, plan_.seed, plan_.pace});
+  if (!script) return tl::unexpected(script.error());
+  pass("throw_begin");
+  if (plan_.hand == Plan::Hand::script)
+    kiosk_.potter().play(std::move(*script));
+  else if (plan_.hand != Plan::Hand::device_alone)
+    hand_ = std::make_unique<VisitorsHand>(std::move(*script), plan_.hand == Plan::Hand::pointer
+                                                                   ? VisitorsHand::By::pointer
+                                                                   : VisitorsHand::By::device);
+  playing_ = true;
+  entered_ = moved_at_ = now;
+  return {};
+}
+
+double ScriptedVisitor::progress() const {
+  if (plan_.hand == Plan::Hand::device_alone) return (now_ - entered_) / plan_.watch;
+  if (hand_) return hand_->done() ? 1.0 : hand_->progress();
+  const loop::LoopStatus status = kiosk_.potter().status();
+  return status.script_done ? 1.0 : std::min(0.999, status.script_progress);
 }
 
 /// Chooses, looks on while it is in the fire, and again when it is out.

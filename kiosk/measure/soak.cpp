@@ -66,6 +66,7 @@ Result<int> soak(const SoakPlan& plan) {
       next.card = visits % std::max(1, static_cast<int>(kiosk.shelf().cards().size()));
       next.seed = static_cast<std::uint64_t>(visits) + 1;
       next.pace = plan.pace;
+      if (plan.by_device) next.hand = ScriptedVisitor::Plan::Hand::device_alone;
       visitor = std::make_unique<ScriptedVisitor>(kiosk, next, nullptr);
     }
     if (auto good = visitor->step(now); !good) return tl::unexpected(good.error());

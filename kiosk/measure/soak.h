@@ -12,6 +12,7 @@ struct SoakPlan {
   std::filesystem::path config, keepsakes;
   render::WindowOptions window;
   std::string script = "follow";  ///< What the hands do.
+  bool by_device = false;         ///< A device alone moves the hand, half a minute a visit.
   double pace = 3;                ///< Of the hands, 0.25..4.
   double minutes = 10;            ///< 0.1..1e5
 };

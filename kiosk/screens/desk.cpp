@@ -51,6 +51,11 @@ void Desk::start_pot(int index, bool scripted, const std::string& script) {
   awaited_ = status.scene_serial;
 }
 
+const std::string& Desk::note() const {
+  const std::string& fault = fault_note.key();
+  return fault.empty() && world.devices != nullptr ? world.devices->key() : fault;
+}
+
 void Desk::look() {
   status = world.wheel->status;
   fault_note.update(status, now, *world.potter);

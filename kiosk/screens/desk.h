@@ -62,6 +62,9 @@ class Desk {
   void start_pot(int index, bool scripted, const std::string& script = "follow");
   bool pot_ready() const { return !awaited_; }
   double pot_since() const { return pot_since_; }
+  /// What goes before any hint, as a key of the languages: a fault, then news of a device. Empty:
+  /// nothing.
+  const std::string& note() const;
   /// Once a frame: what the wheel has come to.
   void look();
 

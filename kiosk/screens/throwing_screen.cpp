@@ -86,10 +86,11 @@ class Throwing final : public Screen {
     const view::Rect room = column.rest();
     std::vector<std::string> all = all_hints(desk);
     for (const std::string& key : FaultNote::keys()) all.push_back(desk.say(key));
+    for (const std::string& key : DeviceNews::keys()) all.push_back(desk.say(key));
     for (const std::string& words : all)
       if (page.size(words, style, room.w).height > room.h) page.overflowed();
-    const std::string& fault = desk.fault_note.key();
-    column.text(fault.empty() ? words_of(hint_.shown(), desk) : desk.say(fault), t.lead);
+    const std::string& told = desk.note();
+    column.text(told.empty() ? words_of(hint_.shown(), desk) : desk.say(told), t.lead);
   }
 
   void press(const std::string& control) override {

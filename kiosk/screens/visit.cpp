@@ -69,9 +69,12 @@ void Visit::update(double now) {
   }
 
   s.screen->update(dt);
+  const bool taken_now = status.hands_taken;
   const ScreenId id = s.screen->id();
   if (id == ScreenId::attract) {
     s.idle.touched(now);
+    // Whoever takes a device begins; whoever still leans on one when the last visit ended does not.
+    if (status.hands_taken && !s.hands_taken) s.desk.go(ScreenId::choose);
     if (s.over == Over::help && now - s.changed_at > 60.0) s.cover(Over::nothing);
   } else {
     const auto& wait = s.desk.world.exhibit->idle;
@@ -87,6 +90,7 @@ void Visit::update(double now) {
         break;
     }
   }
+  s.hands_taken = taken_now;
   s.settle();
 }
 

@@ -12,6 +12,7 @@
 #include "kiosk/loop/potter.h"
 #include "kiosk/loop/wheel_view.h"
 #include "kiosk/score/score.h"
+#include "kiosk/screens/device_news.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/view/frame.h"
 #include "kiosk/view/input.h"
@@ -73,6 +74,7 @@ struct VisitWorld {
   const view::TextMeasure* measure = nullptr;
   const loop::WheelView* wheel = nullptr;
   loop::PotterCommands* potter = nullptr;
+  const DeviceNews* devices = nullptr;  ///< May be absent: nothing is told of devices then.
 };
 
 /// The visit as a state machine: attract -> choose -> throw -> result -> kiln (where there is one)

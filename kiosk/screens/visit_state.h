@@ -32,6 +32,7 @@ struct Visit::State {
   float shrink = 1;
   std::string shrunk_for;
   std::array<Vec3, kMaxHands> device_at{};
+  bool hands_taken = false;  ///< LoopStatus::hands_taken, as last looked at.
 
   void reworded();
   void changed();

@@ -24,7 +24,7 @@ struct State {
   std::array<std::uint8_t, 2> trigger{};  ///< Left, right; 0 free .. 255.
   std::uint8_t sequence = 0;
   std::uint32_t buttons = 0x08;        ///< Bits 0..3: direction pad, 8 is none.
-  std::array<std::int16_t, 3> turn{};  ///< Gyroscope, 1/1024 degree a second, uncalibrated.
+  std::array<std::int16_t, 3> turn{};  ///< Gyroscope, some 1/16 degree a second, uncalibrated.
   std::array<std::int16_t, 3> pull{};  ///< Accelerometer, 1/8192 g, uncalibrated.
   std::uint32_t time = 0;              ///< Thirds of a microsecond, wraps.
   friend bool operator==(const State&, const State&) = default;

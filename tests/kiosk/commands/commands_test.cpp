@@ -15,7 +15,7 @@ namespace {
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
   for (const char* command :
        {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect",
-        "vessel import", "score", "soak", "lab", "lab effects"}) {
+        "vessel import", "score", "soak", "lab", "lab effects", "devices"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;

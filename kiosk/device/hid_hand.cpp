@@ -1,0 +1,122 @@
+#include "kiosk/device/hid_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace onggi::device {
+
+namespace {
+
+constexpr double kFurthestOut = 0.25;  // m from the axis: clear of any clay.
+constexpr double kHighest = 0.45;      // m
+constexpr double kGoesHome = 3.0;      // s after which a puck begins anew.
+constexpr double kStale = 0.1;         // s: a puck that is pushed speaks every 16 ms at the most.
+
+/// Nothing within `dead`, then from nothing to 1: gently at first.
+double shaped(double value, double dead) {
+  const double size = std::fabs(value);
+  if (!(size > dead)) return 0.0;
+  const double share = std::min(1.0, (size - dead) / (1.0 - dead));
+  return std::copysign(0.5 * share * (1.0 + share), value);
+}
+
+Vec3 shaped(Vec3 v, double dead) {
+  return {shaped(v.x, dead), shaped(v.y, dead), shaped(v.z, dead)};
+}
+
+/// Implicit Euler towards `to`: never past it, at any dt.
+Vec3 towards(Vec3 from, Vec3 to, double time, double dt) {
+  return from + (to - from) * (dt / (time + dt));
+}
+
+Vec3 turned(Vec3 v, Vec3 by) {
+  // First order, then as long as before: a tick turns it by thousandths.
+  const Vec3 to = v + cross(by, v);
+  return (1.0 / length(to)) * to;
+}
+
+}  // namespace
+
+HidHand::HidHand(std::shared_ptr<HidLink> link, bool left_handed)
+    : link_(std::move(link)), def_(link_->def()), home_(def_.home) {
+  if (left_handed) home_.x = -home_.x;
+  at_ = home_;
+}
+
+Vec3 HidHand::handle_place(double dt) noexcept {
+  const Vec3 mapped =
+      home_ + def_.scale * (to_studio(def_, sample_.place) - def_.middle) + slipped_;
+  const bool clutch = (sample_.buttons & kClutch) != 0;
+  if (clutch || clutched_) {
+    // The tool stays where it was; what the handle does meanwhile is what it slips.
+    slipped_ = slipped_ + at_ - mapped;
+    clutched_ = clutch;
+    return at_;
+  }
+  return def_.smoothing > 0.0 && used_ ? towards(at_, mapped, def_.smoothing, dt) : mapped;
+}
+
+Vec3 HidHand::glide(double dt) noexcept {
+  if (rested_ > kGoesHome) {
+    at_ = home_;
+    speed_ = {};
+    handle_ = {};
+    roll_ = 0.0;
+  }
+  const Vec3 asked =
+      rested_ > 0.0 ? Vec3{} : def_.speed * to_studio(def_, shaped(sample_.push, def_.dead));
+  speed_ = towards(speed_, asked, def_.smoothing, dt);
+  Vec3 to = at_ + dt * speed_;
+  to.y = std::clamp(to.y, 0.0, kHighest);
+  const double out = axis_distance(to);
+  if (out > kFurthestOut) {
+    to.x *= kFurthestOut / out;
+    to.z *= kFurthestOut / out;
+  }
+  return to;
+}
+
+void HidHand::turn_tool(double dt, HandInput& hand) noexcept {
+  const Vec3 twist = to_studio(def_, shaped(sample_.twist, 2.0 * def_.dead));
+  if (twist != Vec3{} && rested_ <= 0.0) {
+    if (handle_ == Vec3{}) handle_ = {0.0, 1.0, 0.0};
+    handle_ = turned(handle_, (def_.turn_speed * dt) * twist);
+    roll_ += def_.turn_speed * dt * dot(twist, handle_);
+  }
+  hand.handle = handle_;
+  hand.roll = roll_;
+}
+
+bool HidHand::in_use(double dt) noexcept {
+  if (sample_.lost || sample_.reports == 0) return false;
+  if (sample_.has_place) return sample_.held;
+  const bool stale = static_cast<double>(link_->time_ns() - sample_.at_ns) > kStale * 1e9;
+  const Vec3 push = shaped(sample_.push, def_.dead), twist = shaped(sample_.twist, 2.0 * def_.dead);
+  rested_ = !stale && (push != Vec3{} || twist != Vec3{}) ? 0.0 : rested_ + dt;
+  return rested_ < def_.lifts_after;
+}
+
+HandInput HidHand::read(double dt) noexcept {
+  if (link_->by_hand()) link_->pump(dt);
+  link_->newest(sample_);
+  HandInput hand;
+  hand.active = in_use(dt);
+  at_ = sample_.has_place ? handle_place(dt) : glide(dt);
+  used_ = hand.active;
+  hand.position = at_;
+  turn_tool(dt, hand);
+  return hand;
+}
+
+void HidHand::feel(const HandFeedback& feedback) noexcept {
+  ++wish_.ticks;
+  const double share = clutched_ ? 0.0 : share_.load(std::memory_order_relaxed);
+  const Vec3 force = share * feedback.force;
+  wish_.force = to_device(def_, force);
+  wish_.strength = length(force);
+  wish_.contact = feedback.contact && share > 0.0;
+  link_->wish(wish_);
+}
+
+}  // namespace onggi::device

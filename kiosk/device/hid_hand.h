@@ -1,0 +1,47 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "kiosk/device/hand_device.h"
+#include "kiosk/device/hid_link.h"
+
+namespace onggi::device {
+
+/// A visitor's hand at a HID device, the loop's half: samples to where the tool is, the clay's
+/// force to a wish. A handle's place is mapped from its workspace to the vessel, with a clutch
+/// where that is too small; a puck or stick is how fast the tool goes, and a puck that is let go of
+/// lifts it.
+class HidHand final : public HandDevice {
+ public:
+  /// `left_handed`: it begins on the other side of the wheel.
+  explicit HidHand(std::shared_ptr<HidLink> link, bool left_handed = false);
+  HandInput read(double dt) noexcept override;
+  void feel(const HandFeedback& feedback) noexcept override;
+
+  HidLink& link() { return *link_; }
+  /// Main's: the visitor's share of the force, 0 (off) .. 1.
+  void share(double of_force) { share_.store(of_force, std::memory_order_relaxed); }
+
+ private:
+  Vec3 handle_place(double dt) noexcept;
+  Vec3 glide(double dt) noexcept;
+  bool in_use(double dt) noexcept;
+  void turn_tool(double dt, HandInput& hand) noexcept;
+
+  std::shared_ptr<HidLink> link_;
+  DeviceDef def_;
+  Vec3 home_;
+  DeviceSample sample_;
+  FeelWish wish_;
+  std::atomic<double> share_{1.0};
+  Vec3 at_;       ///< The tool, as last read.
+  Vec3 speed_;    ///< Of a puck's tool, m/s.
+  Vec3 slipped_;  ///< What the clutch has added, metres.
+  Vec3 handle_;   ///< HandInput::handle, once it was turned.
+  double roll_ = 0.0;
+  double rested_ = 1e9;  ///< s since a puck was last touched.
+  bool clutched_ = false, used_ = false;
+};
+
+}  // namespace onggi::device

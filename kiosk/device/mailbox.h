@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <type_traits>
+
+namespace onggi::device {
+
+/// The newest value from one thread to one other. Neither ever waits, whatever the priorities of
+/// the two: three places, of which the writer has one, the reader one, and the third is swapped
+/// with an exchange. What was not read in time is gone.
+template <class T>
+class Mailbox {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  /// Writer's.
+  void put(const T& value) noexcept {
+    places_[mine_] = value;
+    mine_ =
+        between_.exchange(static_cast<std::uint8_t>(mine_ | kFresh), std::memory_order_acq_rel) &
+        kPlace;
+  }
+  /// Reader's. True when `value` was renewed.
+  bool take(T& value) noexcept {
+    if ((between_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
+    yours_ = between_.exchange(yours_, std::memory_order_acq_rel) & kPlace;
+    value = places_[yours_];
+    return true;
+  }
+
+ private:
+  static constexpr std::uint8_t kPlace = 3, kFresh = 4;
+  std::array<T, 3> places_{};
+  std::uint8_t mine_ = 0;   ///< Writer's alone.
+  std::uint8_t yours_ = 1;  ///< Reader's alone.
+  std::atomic<std::uint8_t> between_{2};
+};
+
+}  // namespace onggi::device

@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "engine/scene/replay.h"
+#include "tests/kiosk/commands/program.h"
+
+// The real program with simulated devices under hidapi's names (tests/stand_in).
+
+namespace onggi::commands {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What the shell does before the program, so that it finds the devices of `scenario`.
+std::string plugged_in(const TemporaryFolder& folder, const std::string& scenario) {
+  const std::string file = (folder / "scenario").string();
+  std::ofstream(file) << scenario;
+  return "export LD_PRELOAD='" ONGGI_HID_STAND_IN "' ONGGI_STAND_IN='" + file + "'";
+}
+
+TEST(Devices, EachIsListedWithWhatItWouldDoAndTheThirdHandIsNotUsed) {
+  const TemporaryFolder folder;
+  const std::string first = plugged_in(folder,
+                                       "clock reads\ndevice space_mouse\ndevice surface_dial\n"
+                                       "device onggi_hid\ndevice polhem\ndevice dual_sense\n");
+  const Outcome run = onggi("devices --json -", first);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json devices = Json::parse(run.out).at("devices");
+  ASSERT_EQ(devices.size(), 5u);
+  EXPECT_EQ(devices[0].at("kind"), "space_mouse");
+  EXPECT_EQ(devices[0].at("use"), "moves a hand (the first)");
+  EXPECT_EQ(devices[1].at("use"), "turns the wheel");
+  EXPECT_EQ(devices[2].at("force"), true);
+  EXPECT_EQ(devices[2].at("usable"), true);
+  EXPECT_EQ(devices[3].at("verified_on_hardware"), false);
+  EXPECT_NE(devices[3].at("use").get<std::string>().find("not used"), std::string::npos);
+  EXPECT_NE(onggi("devices", first).out.find("not verified on hardware"), std::string::npos);
+  EXPECT_NE(onggi("devices", plugged_in(folder, "clock reads\n")).out.find("mouse and touch"),
+            std::string::npos);
+}
+
+/// Where the tool was at each tick of a kept visit, as a simulated hand's track.
+std::string track_of(const Json& visit, const TemporaryFolder& folder) {
+  const std::string bytes = text_of(visit.at("files").at(4).get<std::string>());
+  const auto replay = Replay::read(std::as_bytes(std::span(bytes)), "visit");
+  EXPECT_TRUE(replay);
+  const std::string file = (folder / "track").string();
+  std::ofstream out(file);
+  for (const TickRecord& tick : replay->ticks) {
+    const HandInput& hand = tick.hands.hand[0];
+    out << hand.position.x << ' ' << hand.position.y << ' ' << hand.position.z << ' ' << hand.active
+        << '\n';
+  }
+  return file;
+}
+
+Json visit(const TemporaryFolder& folder, const std::string& name, const std::string& hand,
+           const std::string& first) {
+  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --hand " +
+                                hand + " --json - --out " + (folder / name).string(),
+                            first);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return run.exit_code == 0 ? Json::parse(run.out) : Json();
+}
+
+/// How alike two kept pots are: RMS distance of their outlines, mm.
+double apart_mm(const Json& a, const Json& b) {
+  const Outcome run = onggi("score " + a.at("files").at(2).get<std::string>() + " " +
+                            b.at("files").at(2).get<std::string>() + " --json -");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return Json::parse(run.out).at("measures").at("outline_rms").get<double>() * 1e3 *
+         a.at("height").get<double>();
+}
+
+TEST(DeviceVisit, APuckAndAForceDeviceThrowThePotThatTheMouseThrows) {
+  const TemporaryFolder folder;
+  const Json by_mouse = visit(folder, "mouse", "mouse", "true");
+  const std::string track = track_of(by_mouse, folder) + " " +
+                            std::to_string(by_mouse.at("first_tick").get<int>()) + "\n";
+  const std::string record = (folder / "record").string();
+  const Json by_puck = visit(folder, "puck", "device",
+                             plugged_in(folder, "clock reads\ndevice space_mouse combined track " +
+                                                    track + "device surface_dial\n"));
+  EXPECT_LT(apart_mm(by_mouse, by_puck), 0.05);
+  const Json by_force = visit(
+      folder, "force", "device",
+      plugged_in(folder, "clock reads\nrecord " + record + "\ndevice onggi_hid track " + track));
+  EXPECT_LT(apart_mm(by_mouse, by_force), 0.1);
+  // Nobody at the devices leaves the lump as it was: so they made it.
+  const Json by_nobody =
+      visit(folder, "nobody", "device", plugged_in(folder, "clock reads\ndevice onggi_hid\n"));
+  EXPECT_GT(apart_mm(by_mouse, by_nobody), 0.5);
+
+  // The clay pushed back, and never with more than an unmeasured device gets.
+  std::ifstream in(record);
+  double strongest = 0.0;
+  int forces = 0;
+  for (std::string path, way, line; in >> path;) {
+    long ms = 0;
+    in >> ms >> way;
+    std::getline(in, line);
+    if (way != "out" || line.rfind(" 02 02", 0) != 0) continue;
+    double square = 0.0;
+    for (int n = 0; n < 3; ++n) {
+      const auto low = std::stoi(line.substr(13 + 6 * static_cast<std::size_t>(n), 2), nullptr, 16);
+      const auto high =
+          std::stoi(line.substr(16 + 6 * static_cast<std::size_t>(n), 2), nullptr, 16);
+      const double newtons = static_cast<std::int16_t>(low | high << 8) * 1e-3;
+      square += newtons * newtons;
+    }
+    strongest = std::max(strongest, std::sqrt(square));
+    ++forces;
+  }
+  EXPECT_GT(forces, 10'000);
+  EXPECT_GT(strongest, 0.3);
+  EXPECT_LE(strongest, 1.0);
+}
+
+}  // namespace
+}  // namespace onggi::commands

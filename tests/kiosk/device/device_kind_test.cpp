@@ -1,0 +1,58 @@
+#include "kiosk/device/device_kind.h"
+
+#include <gtest/gtest.h>
+
+#include "kiosk/device/device_access.h"
+
+namespace onggi::device {
+namespace {
+
+HidListing listed(std::uint16_t vendor, std::uint16_t product, std::uint16_t page,
+                  std::uint16_t usage) {
+  HidListing listing;
+  listing.path = "/dev/hidraw0";
+  listing.vendor = vendor;
+  listing.product = product;
+  listing.usage_page = page;
+  listing.usage = usage;
+  return listing;
+}
+
+TEST(DeviceKind, EveryListedSpaceMouseIsOneAndItsKeyboardIsNot) {
+  for (const std::uint16_t id : std::initializer_list<std::uint16_t>{
+           0xc62e, 0xc62f, 0xc631, 0xc632, 0xc633, 0xc635, 0xc636, 0xc638, 0xc63a, 0xc652}) {
+    EXPECT_EQ(kind_of(listed(0x256f, id, 1, 8)), DeviceKind::space_mouse) << std::hex << id;
+    EXPECT_EQ(kind_of(listed(0x256f, id, 1, 6)), std::nullopt) << std::hex << id;
+  }
+  for (const std::uint16_t id : std::initializer_list<std::uint16_t>{
+           0xc603, 0xc605, 0xc606, 0xc621, 0xc623, 0xc625, 0xc626, 0xc627, 0xc628, 0xc629, 0xc62b})
+    EXPECT_EQ(kind_of(listed(0x046d, id, 1, 8)), DeviceKind::space_mouse) << std::hex << id;
+  EXPECT_EQ(kind_of(listed(0x046d, 0xc52b, 1, 8)), std::nullopt) << "another Logitech";
+}
+
+TEST(DeviceKind, TheOthersGoByNumbersAndUsage) {
+  EXPECT_EQ(kind_of(listed(0x045e, 0x091b, 1, 0x0e)), DeviceKind::surface_dial);
+  EXPECT_EQ(kind_of(listed(0x045e, 0x091b, 1, 6)), std::nullopt);
+  EXPECT_EQ(kind_of(listed(0x054c, 0x0ce6, 1, 5)), DeviceKind::dual_sense);
+  EXPECT_EQ(kind_of(listed(0x16c0, 0x0486, 0xffab, 0x200)), DeviceKind::polhem);
+  EXPECT_EQ(kind_of(listed(0x16c0, 0x0486, 0xffc9, 4)), std::nullopt) << "a Teensy's serial port";
+  EXPECT_EQ(kind_of(listed(0x1234, 0x0006, 0, 0)), DeviceKind::polhem);
+  EXPECT_EQ(kind_of(listed(0x16c0, 0x27d9, 0xff00, 1)), DeviceKind::onggi_hid);
+  EXPECT_EQ(kind_of(listed(0x1d50, 0x1111, 0xff00, 1)), DeviceKind::onggi_hid) << "any numbers";
+  EXPECT_EQ(kind_of(listed(0x046d, 0xc077, 1, 2)), std::nullopt) << "a mouse";
+  for (const KindInfo& info : device_kinds()) EXPECT_EQ(&info_of(info.kind), &info) << info.id;
+}
+
+TEST(DeviceAccess, SaysWhatIsMissingAndTheExactLineThatGivesIt) {
+  HidListing listing = listed(0x256f, 0xc635, 1, 8);
+  EXPECT_EQ(udev_rule(listing),
+            "SUBSYSTEM==\"hidraw\", KERNELS==\"*:256F:C635.*\", GROUP=\"onggi\", MODE=\"0660\"");
+  listing.path = "/dev/null";
+  EXPECT_FALSE(access_problem(listing));
+  listing.path = "/dev/hidraw-that-is-not-there";
+  ASSERT_TRUE(access_problem(listing));
+  EXPECT_NE(access_problem(listing)->what.find("No such file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace onggi::device
