@@ -26,9 +26,12 @@ Vec3 Guard::step(Vec3 wanted, double seconds, const GuardLimits& limits, bool& w
   // Engage only once the force asked for is small, then from nothing over engage_time.
   constexpr double kSmall = 0.1;  // of max_force
   armed_ = armed_ || (wanted_ok && length(wanted) <= kSmall * limits.max_force);
+  const double before = ramp_;
   if (armed_) ramp_ = std::min(1.0, ramp_ + seconds / limits.engage_time);
 
-  const Vec3 change = clamped(ramp_ * wanted - force_, limits.max_slew * seconds);
+  // A tick's force is its mean, and so is its share of the ramp.
+  const Vec3 engaged = 0.5 * (before + ramp_) * wanted;
+  const Vec3 change = clamped(engaged - force_, limits.max_slew * seconds);
   force_ = clamped(force_ + change, limits.max_force);
   return force_;
 }

@@ -30,6 +30,7 @@ void HandState::leave() noexcept {
   contact.release();
   wire = {};
   guard.release();
+  velocity.release();
 }
 
 bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept {

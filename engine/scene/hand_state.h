@@ -7,6 +7,7 @@
 #include "engine/contact/tool_contact.h"
 #include "engine/contact/wire.h"
 #include "engine/force/guard.h"
+#include "engine/force/hand_velocity.h"
 #include "engine/math/hash.h"
 #include "engine/scene/hand_view.h"
 #include "engine/scene/hands.h"
@@ -31,6 +32,7 @@ struct HandState {
   ToolContact contact;
   WireHand wire;
   force::Guard guard;
+  force::HandVelocity velocity;  // kept where friction asks for it
 
   /// Takes a sample of an active hand, or holds the last one where it makes no sense: false. Then,
   /// if it is present, `sweep` is its way through the tick; angles and seconds are the caller's.

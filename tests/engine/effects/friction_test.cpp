@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "tests/engine/effects/random_hands.h"
+
 namespace onggi::effects {
 namespace {
 
@@ -39,6 +41,36 @@ TEST(Friction, WetClayDragsLessByTheWetFactor) {
   const FrictionDef def;
   EXPECT_EQ(friction_coefficient(def, 0.0), def.coefficient);
   EXPECT_DOUBLE_EQ(friction_coefficient(def, 1.0), def.coefficient * def.wet_factor);
+}
+
+// Along a wheel at rest, and off it by a hand that holds still: what friction there is, as a share
+// of the most there could be.
+double felt_at_rest(double tremble) {
+  SceneDef def;
+  def.clay.rows = 100;
+  def.clay.sectors = 96;
+  def.contact.relaxation_time = 1.0;  // so that there is something to press on
+  def.guard.engage_time = 0.05;
+  def.moisture.reset();
+  Scene scene = effects_test::made(def);
+  Random random(11);
+  double most = 0.0;
+  for (int n = 0; n < 600; ++n) {
+    Hands hands;
+    const auto off = [&] { return random.uniform() < 0.5 ? -0.5 * tremble : 0.5 * tremble; };
+    const double in = 0.002 * std::min(n / 200.0, 1.0);
+    hands.hand[0] = {{0.0635 - in, 0.1 + off(), off()}, true, SideWish::outside};
+    const HandFeedback felt = scene.step(hands, 0.001).hand[0];
+    if (n < 400) continue;
+    EXPECT_GT(felt.force.x, 0.1) << n;
+    most = std::max(
+        most, std::hypot(felt.force.y, felt.force.z) / (def.friction->coefficient * felt.force.x));
+  }
+  return most;
+}
+
+TEST(Friction, OfAStillHandIsNothingThoughItTremblesByHalfACountOfItsEncoder) {
+  EXPECT_LT(felt_at_rest(5.5e-5), 0.05);
 }
 
 }  // namespace
