@@ -134,7 +134,9 @@ ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* fa
     pressed.lost = pressed.lost + lost;
     store(load(pressed.displacement + i) + given, pressed.displacement + i);
   }
-  row.react(pressed.sum, felt * radius, m, c, s);
+  // As a press fades, the face goes by as much: the mean of press times radius over the step is
+  // that of the press times the mean of both ends.
+  row.react(pressed.sum, felt * (all(0.5f) * (radius + now)), m, c, s);
   pressed.depth = larger(pressed.depth, felt);
   pressed.touched += count(touch);
 }

@@ -130,7 +130,8 @@ TEST(Press, AgreesWithTheSameLawInDoubleStepByTinyStep) {
         const double old = double{out ? before.outer(j)[n] : before.inner(j)[n]};
         ASSERT_NEAR(got, expected.face, 1e-7 + 1e-3 * std::fabs(expected.face - old))
             << round << " row " << j << " sector " << i;
-        const double area = old * 2.0 * portable::kPi / def.sectors * def.height / def.rows;
+        const double mean = 0.5 * (old + expected.face);  // of both ends: see press_lanes.h
+        const double area = mean * 2.0 * portable::kPi / def.sectors * def.height / def.rows;
         normal += kStiffness * area * expected.mean_press;
       }
     }

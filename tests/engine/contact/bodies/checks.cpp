@@ -157,7 +157,9 @@ void agrees_with_a_ray_march(std::string_view name, const Distance& distance) {
           }
         const double middle = press_on(y, phi);
         deepest = std::max(deepest, middle);
-        const double area = old * turn * 2.0 * half;
+        // As the press fades the face goes by as much, so their product's mean is that of both
+        // ends.
+        const double area = 0.5 * (old + now) * turn * 2.0 * half;
         if (corners < 4) {
           // Covered in part: it gives way by no more than if it were covered whole.
           constexpr int kParts = 16;
