@@ -11,11 +11,16 @@ namespace {
 constexpr double kGravity = 9.81;
 constexpr double kRoot3 = 1.7320508075688772;
 constexpr double kSweep = 0.025;       // s: one down, one up, 20 times a second
-constexpr int kElementBudget = 32768;  // a tick, on the finest grids
 constexpr double kMostStrain = 0.1;    // a sweep: a fall takes a few of them
-constexpr double kLeastStrain = 1e-6;  // a sweep: what yields less, stands
+constexpr double kStands = 1e-6;       // a row that stood if it were so much shorter, stands
+constexpr double kLeastStrain = 3e-6;  // that radii can hold: a float has 6e-8 of it
+constexpr double kRounded = 0.1;       // of a strain: what is off by more was not rounding
 constexpr double kWheelStirs = 0.2;    // rad/s
 constexpr double kWaterStirs = 0.01;
+
+double seconds_up(const Clay& clay) {
+  return effects::Round::lasting(kSweep, 1.0 * clay.rows() * clay.stride());
+}
 
 // Mean radius of the wall's middle, from eight places round the row.
 double middle_of(const Clay& clay, int j) {
@@ -26,6 +31,11 @@ double middle_of(const Clay& clay, int j) {
     sum += double{clay.outer(j)[i] + clay.inner(j)[i]};
   }
   return 0.5 * sum / kPlaces;
+}
+
+// log(1 + x), x >= 0, without cancellation: four terms of its series, to 1e-14 of it.
+double log_1_plus(double x) {
+  return x < 1e-3 ? x * (1.0 - x * (0.5 - x * (1.0 / 3.0 - 0.25 * x))) : portable::log(1.0 + x);
 }
 
 }  // namespace
@@ -62,22 +72,28 @@ Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& v
   // Flow as the deviator of the two stresses (Levy and Mises): under weight alone the ring becomes
   // wider and thicker alike; a hoop's pull makes it wider and thinner.
   const double rate = over / (3.0 * def.viscosity * weak);
-  const double both = 2.0 * (weight + hoop);
-  const double shorter = (2.0 * weight + hoop) / both * rate * seconds_;
-  double strain = std::min(shorter, kMostStrain);
-  // As the row widens, the weight on it spreads: it stops where that carries, and never beyond.
-  if (hoop < yield) strain = std::min(strain, portable::log(weight / (yield - hoop)));
-  if (strain <= kLeastStrain) return {};
-  const double share = strain / (2.0 * weight + hoop);
-  return {(2.0 * hoop + weight) * share, (weight - hoop) * share};
+  const double ways = (2.0 * weight + hoop) / (2.0 * (weight + hoop));
+  double strain = ways * rate * seconds_;
+  if (hoop < yield) {
+    // As the row widens, the weight w on it spreads: w' = -ways w (w - bears) / 3 eta, of which the
+    // share f = 1 - bears / w that it does not bear falls by an even pace. It stops where it
+    // stands, and never beyond.
+    const double bears = yield - hoop;
+    const double share = over / weight;
+    if (share <= kStands) return {};
+    const double falls = -portable::expm1(-ways * bears * seconds_ / (3.0 * def.viscosity * weak));
+    strain = log_1_plus(share * falls * weight / bears);
+  }
+  const double each = std::min(strain, kMostStrain) / (2.0 * weight + hoop);
+  return {(2.0 * hoop + weight) * each, (weight - hoop) * each};
 }
 
 // A ring of a shell drags its neighbours along over sqrt(R t) (Timoshenko & Woinowsky-Krieger,
 // chapter 15: within a fifth of it), and the row's area is 2 pi R t. Down and up again, the share
-// falls with distance alike on both sides.
+// falls with distance alike on both sides, e-fold in a reach: exactly, so that it does on any grid.
 const Slump::Flow& Slump::share(const Clay& clay, int j, const Flow& next) noexcept {
   const double reach = std::sqrt(clay.areas()->of(j) / (2.0 * portable::kPi));
-  const double part = clay.row_thickness(j) / (clay.row_thickness(j) + reach);
+  const double part = -portable::expm1(-clay.row_thickness(j) / reach);
   shared_.girth += part * (next.girth - shared_.girth);
   shared_.thickness += part * (next.thickness - shared_.thickness);
   return shared_;
@@ -85,22 +101,51 @@ const Slump::Flow& Slump::share(const Clay& clay, int j, const Flow& next) noexc
 
 void Slump::begin(const Clay& clay) noexcept {
   sweep_ = Sweep::down;
+  round_.begin();
   next_ = clay.rows() - 1;
   above_ = sunk_ = 0.0;
-  seconds_ = gathered_;
-  gathered_ = 0.0;
+  seconds_ = kSweep + seconds_up(clay);
   yielded_ = stirred_ = false;
+}
+
+void Slump::sweep_down(const SlumpDef& def, const Clay& clay, const Volume& volume,
+                       const Around& around, int till) noexcept {
+  for (; clay.rows() - 1 - next_ < till; --next_) {
+    const Flow alone = wanted(def, clay, volume, around, next_);
+    yielded_ = yielded_ || alone.shorter() > 0.0;
+    if (next_ == clay.rows() - 1) shared_ = alone;
+    flow_[static_cast<std::size_t>(next_)] = share(clay, next_, alone);
+    above_ += volume.of_row(next_);
+  }
+}
+
+void Slump::sweep_up(Clay& clay, int till) noexcept {
+  for (; next_ < till; ++next_) {
+    const auto n = static_cast<std::size_t>(next_);
+    const Flow flow = share(clay, next_, flow_[n]);
+    sunk_ += clay.row_thickness(next_) * -portable::expm1(-flow.shorter());
+    Flow& owed = owed_[n];
+    owed.girth += flow.girth;
+    owed.thickness += flow.thickness;
+    const double asked = owed.shorter();
+    if (asked < kLeastStrain) continue;
+    const double wider =
+        reshape_row(clay, next_, portable::exp(owed.girth), portable::exp(owed.thickness));
+    // What floats rounded off stays owed; what the clay's limits did not let it do is forgotten.
+    const double left = (asked - portable::log(wider)) / asked;
+    const double keep = std::fabs(left) < kRounded ? left : 0.0;
+    owed = {keep * owed.girth, keep * owed.thickness};
+  }
 }
 
 void Slump::end(const SlumpDef& def, const Clay& clay) noexcept {
   sweep_ = Sweep::ended;
-  speed_ = seconds_ > 0.0 ? sunk_ / seconds_ : 0.0;
+  speed_ = sunk_ / seconds_;
   sagged_ = sagged_ * portable::exp(-seconds_ / kFallTime) + sunk_;
   const double fall = def.fall * (clay.rim_height() + sagged_);
   fallen_ = fallen_ || sagged_ > fall;
   stands_ = sagged_ < 0.1 * fall;
   asleep_ = !yielded_ && !stirred_;
-  if (asleep_) gathered_ = 0.0;
 }
 
 void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& around) noexcept {
@@ -115,33 +160,24 @@ void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& 
     calm_speed_ = around.wheel_speed;
     calm_wetness_ = wetness;
   }
-  gathered_ += around.seconds;
-  if (sweep_ == Sweep::ended) begin(clay);
-  const double share_of_rows = std::ceil(clay.rows() * around.seconds / kSweep);
-  int rows = std::min(static_cast<int>(share_of_rows), std::max(1, kElementBudget / clay.stride()));
-  for (; rows > 0 && next_ >= 0 && sweep_ == Sweep::down; --rows, --next_) {
-    const Flow alone = wanted(def, clay, volume, around, next_);
-    yielded_ = yielded_ || alone.shorter() > 0.0;
-    if (next_ == clay.rows() - 1) shared_ = alone;
-    flow_[static_cast<std::size_t>(next_)] = share(clay, next_, alone);
-    above_ += volume.of_row(next_);
+  for (double left = around.seconds; left > 0.0 && !asleep_;) {
+    if (sweep_ == Sweep::ended) begin(clay);
+    if (sweep_ == Sweep::down) {
+      sweep_down(def, clay, volume, around, round_.go_on(left, kSweep, clay.rows()));
+      if (!round_.over()) return;
+      if (!yielded_) {
+        seconds_ = kSweep;
+        end(def, clay);
+        continue;
+      }
+      sweep_ = Sweep::up;
+      round_.begin();
+      next_ = 0;
+      shared_ = flow_.front();
+    }
+    sweep_up(clay, round_.go_on(left, seconds_up(clay), clay.rows()));
+    if (round_.over()) end(def, clay);
   }
-  if (sweep_ == Sweep::down && next_ < 0) {
-    if (!yielded_) return end(def, clay);
-    sweep_ = Sweep::up;
-    next_ = 0;
-    shared_ = flow_.front();
-  }
-  for (; rows > 0 && next_ < clay.rows() && sweep_ == Sweep::up; --rows, ++next_) {
-    const Flow flow = share(clay, next_, flow_[static_cast<std::size_t>(next_)]);
-    if (flow.shorter() <= kLeastStrain) continue;
-    const double wider =
-        reshape_row(clay, next_, portable::exp(flow.girth), portable::exp(flow.thickness));
-    sunk_ += clay.row_thickness(next_) * (1.0 - 1.0 / wider);
-  }
-  if (next_ < clay.rows()) return;
-  yielded_ = sunk_ > kLeastStrain * clay.row_thickness(0);
-  end(def, clay);
 }
 
 void Slump::forget_fall() noexcept {
@@ -149,15 +185,17 @@ void Slump::forget_fall() noexcept {
   fallen_ = false;
   stands_ = true;
   sweep_ = Sweep::ended;
-  gathered_ = 0.0;
+  std::ranges::fill(owed_, Flow{});
 }
 
 void Slump::add_to(StateHash& hash) const {
-  for (const Flow& flow : flow_)
-    for (const double v : {flow.girth, flow.thickness}) hash.add(v);
-  for (const double v : {shared_.girth, shared_.thickness, above_, seconds_, gathered_, sunk_,
-                         speed_, calm_speed_, calm_wetness_, sagged_})
+  for (const std::vector<Flow>* flows : {&flow_, &owed_})
+    for (const Flow& flow : *flows)
+      for (const double v : {flow.girth, flow.thickness}) hash.add(v);
+  for (const double v : {shared_.girth, shared_.thickness, above_, seconds_, sunk_, speed_,
+                         calm_speed_, calm_wetness_, sagged_})
     hash.add(v);
+  round_.add_to(hash);
   hash.add(static_cast<std::uint64_t>(next_ + 1) << 7 | static_cast<std::uint64_t>(sweep_) << 5 |
            std::uint64_t{fallen_} << 4 | std::uint64_t{stands_} << 3 |
            std::uint64_t{yielded_} << 2 | std::uint64_t{stirred_} << 1 | std::uint64_t{asleep_});

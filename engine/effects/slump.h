@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/effects/moisture.h"
+#include "engine/effects/round.h"
 #include "engine/effects/volume.h"
 
 namespace onggi {
@@ -24,12 +25,15 @@ struct SlumpDef {
 namespace effects {
 
 /// Sinks the rows that yield and those that hang on them: a sweep from the rim down finds what
-/// yields, one back up shares that among neighbours and moves the clay; some rows every tick, 20
-/// times a second both, or as often as the grid's size allows. Asleep while nothing yields and
-/// nothing changes. Allocates only when made.
+/// yields, one back up shares that among neighbours and moves the clay, by what it flows in as long
+/// as both sweeps last: 25 ms each, and on the finest grids the second longer (Round::lasting). So
+/// nothing is later than that, whatever the tick. Less than a row's radii can hold in floats is
+/// kept until it is enough. Asleep while nothing yields and nothing changes. Allocates only when
+/// made.
 class Slump {
  public:
-  explicit Slump(int rows) : flow_(static_cast<std::size_t>(rows)) {}
+  explicit Slump(int rows)
+      : flow_(static_cast<std::size_t>(rows)), owed_(static_cast<std::size_t>(rows)) {}
 
   /// What the clay stands in.
   struct Around {
@@ -65,18 +69,22 @@ class Slump {
   Flow wanted(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
               int j) const noexcept;
   void begin(const Clay& clay) noexcept;
+  void sweep_down(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
+                  int till) noexcept;
+  void sweep_up(Clay& clay, int till) noexcept;
   void end(const SlumpDef& def, const Clay& clay) noexcept;
   // Takes `next` into what the rows before it share.
   const Flow& share(const Clay& clay, int j, const Flow& next) noexcept;
 
   std::vector<Flow> flow_;  // of every row, as the sweep down left it
+  std::vector<Flow> owed_;  // to every row, not enough yet to move it
   Flow shared_;             // by the rows that the sweep has passed
   Sweep sweep_ = Sweep::ended;
-  int next_ = 0;           // row of this sweep
-  double above_ = 0.0;     // m^3 over that row
-  double seconds_ = 0.0;   // that both sweeps make up for
-  double gathered_ = 0.0;  // since they began
-  double sunk_ = 0.0;      // m in them
+  Round round_;
+  int next_ = 0;          // row of this sweep
+  double above_ = 0.0;    // m^3 over that row
+  double seconds_ = 0.0;  // that both sweeps last
+  double sunk_ = 0.0;     // m in them
   double speed_ = 0.0;
   double sagged_ = 0.0;  // m, of late
   bool fallen_ = false;

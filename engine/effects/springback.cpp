@@ -8,7 +8,6 @@
 namespace onggi {
 namespace {
 
-constexpr int kElementBudget = 8192;  // a tick
 constexpr double kTurns = 16.0;  // of every row in Springback::time: steps well above a float's
 
 }  // namespace
@@ -74,18 +73,22 @@ void Springback::come_back(const SpringbackDef& def, Clay& clay, double seconds,
                            double along) noexcept {
   if (asleep()) return;
   now_ += seconds;
-  const int budget = std::max(1, kElementBudget / static_cast<int>(stride_));
-  const int look =
-      std::min(2 * rows_, 1 + static_cast<int>(2 * rows_ * seconds * kTurns / def.time));
-  int done = 0;
-  for (int looked = 0; looked < look && done < budget; ++looked) {
-    const int j = next_ % rows_;
-    const WallSide side = next_ < rows_ ? WallSide::outside : WallSide::inside;
-    next_ = (next_ + 1) % (2 * rows_);
-    if (face(side).rows[static_cast<std::size_t>(j)] == 0) continue;
-    row_back(clay, side, j, def.time, along);
-    ++done;
+  // By the clock, and not by how many are loaded: on a grid twice as fine, turns come at the same
+  // heights at the same times. A tick longer than a round brings a row one turn of it.
+  for (double left = seconds; left > 0.0;) {
+    if (round_.over()) {
+      round_.begin();
+      next_ = 0;
+      whole_ = Round::lasting(def.time / kTurns, 1.0 * loaded_rows_ * static_cast<double>(stride_));
+      left = std::min(left, whole_);
+    }
+    const int till = round_.go_on(left, whole_, rows_);
+    for (; next_ < till; ++next_)
+      for (const WallSide side : {WallSide::outside, WallSide::inside})
+        if (face(side).rows[static_cast<std::size_t>(next_)] != 0)
+          row_back(clay, side, next_, def.time, along);
   }
+  if (asleep()) round_.stop();
 }
 
 void Springback::forget() noexcept {
@@ -96,6 +99,7 @@ void Springback::forget() noexcept {
       f.rows[n] = 0;
     }
   loaded_rows_ = 0;
+  round_.stop();
 }
 
 void Springback::add_to(StateHash& hash) const {
@@ -109,6 +113,8 @@ void Springback::add_to(StateHash& hash) const {
   }
   hash.add(static_cast<std::uint64_t>(next_));
   hash.add(now_);
+  hash.add(whole_);
+  round_.add_to(hash);
 }
 
 }  // namespace effects

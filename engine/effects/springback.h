@@ -6,6 +6,7 @@
 #include "engine/clay/wall_side.h"
 #include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
+#include "engine/effects/round.h"
 #include "engine/math/hash.h"
 
 namespace onggi {
@@ -30,9 +31,10 @@ class Springback {
 
   /// Stage 6.2: of what moved in this tick the share is to come back. O(elements moved).
   void load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept;
-  /// And lets what is loaded come back: some rows a tick, each by an exact exponential of the time
-  /// since its last turn. No row ever goes beyond where it was pressed from. `along`: see
-  /// move_face(). Asleep when nothing is loaded.
+  /// And lets what is loaded come back: rows take turns, sixteen in SpringbackDef::time and on the
+  /// finest grids fewer (Round::lasting), each by an exact exponential of the time since its last.
+  /// No row ever goes beyond where it was pressed from. `along`: see move_face(). Asleep when
+  /// nothing is loaded.
   void come_back(const SpringbackDef& def, Clay& clay, double seconds, double along) noexcept;
   /// The clay was laid anew: nothing is loaded. O(rows that were).
   void forget() noexcept;
@@ -53,7 +55,9 @@ class Springback {
   std::vector<float> back_;
   std::size_t stride_;
   int rows_;
-  int next_ = 0;  // row whose turn it is, of the outside and then of the inside
+  int next_ = 0;  // row whose turn it is
+  Round round_;
+  double whole_ = 0.0;  // s, of this round
   int loaded_rows_ = 0;
   double now_ = 0.0;
 };

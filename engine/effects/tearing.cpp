@@ -7,9 +7,8 @@
 namespace onggi::effects {
 namespace {
 
-constexpr int kElementBudget = 2048;  // a tick
-constexpr int kLeastRows = 4;         // on the finest grids
-constexpr std::size_t kLumps = 4;     // whose tears are kept for going back, at the least
+constexpr double kRound = 0.1;     // s, in which all rows could be looked at
+constexpr std::size_t kLumps = 4;  // whose tears are kept for going back, at the least
 
 }  // namespace
 
@@ -54,12 +53,16 @@ int Tearing::next_unseen() noexcept {
   return j;
 }
 
-void Tearing::look(const WallsDef& def, Clay& clay, std::uint64_t step, bool last) noexcept {
+void Tearing::look(const WallsDef& def, Clay& clay, double seconds, std::uint64_t step,
+                   bool last) noexcept {
   RowAreas& areas = *clay.areas();
   areas.add_changed(unseen_, last);
-  for (int n = std::max(kLeastRows, kElementBudget / clay.stride()); n > 0; --n) {
+  for (owed_ += clay.rows() * seconds / kRound; owed_ >= 1.0; owed_ -= 1.0) {
     const int j = next_unseen();
-    if (j < 0) return;
+    if (j < 0) {
+      owed_ = 0.0;
+      return;
+    }
     if (areas.torn(j) || !tears_now(def, clay, j)) continue;
     areas.tear(j);
     ++torn_rows_;
@@ -93,6 +96,7 @@ void Tearing::add_to(StateHash& hash, Clay& clay) const {
   for (int j = 0; j < clay.rows(); ++j)
     if (clay.areas()->torn(j)) hash.add(static_cast<std::uint64_t>(j));
   hash.add(static_cast<std::uint64_t>(next_));
+  hash.add(owed_);
   hash.add(static_cast<std::uint64_t>(events_.size()));
 }
 

@@ -21,9 +21,10 @@ class Tearing {
 
   /// Stage 6.6: rings that changed since they were last looked at take turns; one whose wall is
   /// somewhere thinner than `def.tear_thickness`, or is wider than the lump's by more than
-  /// `def.tear_strain`, tears. `step`: History::depth() of what tears them. `last`: nobody after it
-  /// asks which rows changed. O(sectors) a row, at most 2048 elements or four rows a tick.
-  void look(const WallsDef& def, Clay& clay, std::uint64_t step, bool last) noexcept;
+  /// `def.tear_strain`, tears. All that wait are looked at within 0.1 s. `step`: History::depth()
+  /// of what tears them. `last`: nobody after it asks which rows changed. O(sectors) a row.
+  void look(const WallsDef& def, Clay& clay, double seconds, std::uint64_t step,
+            bool last) noexcept;
   /// A fresh lump was laid in `step`.
   void lay(Clay& clay, std::uint64_t step) noexcept;
   /// `step` was taken back, and all after it: what tore in them is whole.
@@ -51,6 +52,7 @@ class Tearing {
   std::size_t lump_;                     // events that one has at the most
   int torn_rows_ = 0;
   int next_ = 0;
+  double owed_ = 0.0;  // rows, of which a part's turn has come
 };
 
 }  // namespace onggi::effects

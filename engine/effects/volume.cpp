@@ -8,7 +8,9 @@
 namespace onggi::effects {
 namespace {
 
-constexpr int kElementBudget = 16384;  // a tick; a pressed rim carries a tenth of all rows down
+// A pressed rim carries a tenth of all rows down.
+constexpr double kElementsPerSecond = 16384e3;
+constexpr double kLongestWait = 0.1;  // s, of any row on any grid
 
 }  // namespace
 
@@ -32,9 +34,10 @@ bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
 // The work list is the areas' set of changed rows, taken from the foot up. A row that lost area
 // gets higher at once: a division. One that was pressed down must be reshaped, element by element,
 // and a pressed rim brings a tenth of all rows: those beyond a call's budget stay on the list.
-void Volume::keep(Clay& clay) noexcept {
+void Volume::keep(Clay& clay, double seconds) noexcept {
   RowAreas& areas = *clay.areas();
-  const int most_widened = std::max(1, kElementBudget / clay.stride());
+  const int most_widened = static_cast<int>(std::ceil(
+      seconds * std::max(kElementsPerSecond / clay.stride(), clay.rows() / kLongestWait)));
   int lowest = -1;
   int changed = 0;
   int widened = 0;

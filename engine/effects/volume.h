@@ -25,10 +25,11 @@ class Volume {
   explicit Volume(Clay& clay);
 
   /// Stage 6 of the pipeline: rows that lost area since the last call gain height; rows that were
-  /// pressed down gain girth, at most 16384 elements a call, the rest in the next; what a tool cut
-  /// off is gone. O(rows changed, rows above them); O(sectors) for each row pressed down, and for
-  /// one in 64 of the others, which is measured anew.
-  void keep(Clay& clay) noexcept;
+  /// pressed down gain girth, as many as make 16384 elements a millisecond or a hundredth of all
+  /// rows, the rest in the next calls: none waits for more than 0.1 s; what a tool cut off is gone.
+  /// O(rows changed, rows above them); O(sectors) for each row pressed down, and for one in 64 of
+  /// the others, which is measured anew.
+  void keep(Clay& clay, double seconds) noexcept;
   /// `clay` was laid anew: measures it again, `element_budget` elements a call (at least a row);
   /// true once all is done.
   bool measure_some(Clay& clay, int element_budget) noexcept;

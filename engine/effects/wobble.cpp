@@ -10,8 +10,8 @@
 namespace onggi {
 namespace {
 
-constexpr int kElementBudget = 2048;  // a tick
-constexpr int kLeastRows = 4;         // on the finest grids
+constexpr double kRound = 0.02;       // s
+constexpr double kLeastShare = 1e-4;  // of what a ring is off: less is below a float's digits
 constexpr double kRest = 1e-6;        // m: centred
 
 // The face of a circle `radius` about (off, 0), along a ray whose cosine and sine are given.
@@ -111,12 +111,12 @@ void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noex
 void Wobble::begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept {
   sweep.now = std::exchange(sweep.next, {});
   sweep.height = sweep.now.raised / sweep.now.impulse;
-  sweep.row = clay.first_row_above(sweep.height - def.reach);
+  sweep.first = sweep.row = clay.first_row_above(sweep.height - def.reach);
   sweep.end = clay.first_row_above(sweep.height + def.reach);
+  sweep.round.begin();
 }
 
-void Wobble::centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep) noexcept {
-  const int j = sweep.row;
+void Wobble::centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep, int j) noexcept {
   const double apart = (clay.row_height(j) - sweep.height) / def.reach;
   const double fade = std::max(1.0 - apart * apart, 0.0);
   const OffCentre before = off_centre_of(clay, j);
@@ -146,15 +146,30 @@ void Wobble::centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep) no
   clay.mark_dirty(j);
 }
 
-void Wobble::centre(const WobbleDef& def, Clay& clay) noexcept {
-  for (Sweep& sweep : sweeps_) {
-    if (sweep.row >= sweep.end && sweep.next.impulse > 0.0) begin(def, clay, sweep);
-    int rows = std::max(kLeastRows, kElementBudget / clay.stride());
-    for (; rows > 0 && sweep.row < sweep.end; --rows, ++sweep.row) centre_row(def, clay, sweep);
+void Wobble::centre(const WobbleDef& def, Clay& clay, double seconds) noexcept {
+  for (double left = seconds; left > 0.0;) {
+    if (beat_.over()) {
+      beat_.begin();
+      for (Sweep& sweep : sweeps_)
+        if (sweep.round.over() && sweep.next.impulse >= kLeastShare * def.centring_time)
+          begin(def, clay, sweep);
+    }
+    const double before = left;
+    beat_.go_on(left, kRound, 1);
+    for (Sweep& sweep : sweeps_) go_on(def, clay, sweep, before - left);
   }
 }
 
+void Wobble::go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double seconds) noexcept {
+  if (sweep.round.over()) return;
+  const int rows = sweep.end - sweep.first;
+  const double whole = Round::lasting(kRound, 1.0 * rows * clay.stride());
+  const int till = sweep.first + sweep.round.go_on(seconds, whole, rows);
+  for (; sweep.row < till; ++sweep.row) centre_row(def, clay, sweep, sweep.row);
+}
+
 void Wobble::add_to(StateHash& hash) const {
+  beat_.add_to(hash);
   for (const Sweep& sweep : sweeps_) {
     for (const Gathered* gathered : {&sweep.next, &sweep.now}) {
       for (const Push& push : gathered->push)
@@ -163,7 +178,9 @@ void Wobble::add_to(StateHash& hash) const {
       hash.add(gathered->raised);
     }
     hash.add(sweep.height);
-    hash.add(static_cast<std::uint64_t>(sweep.row) << 32 | static_cast<std::uint64_t>(sweep.end));
+    for (const int row : {sweep.first, sweep.row, sweep.end})
+      hash.add(static_cast<std::uint64_t>(row));
+    sweep.round.add_to(hash);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "engine/clay/clay.h"
 #include "engine/clay/wall_side.h"
 #include "engine/effects/effect_field.h"
+#include "engine/effects/round.h"
 #include "engine/math/hash.h"
 #include "engine/math/vec.h"
 
@@ -43,17 +44,22 @@ struct CentringHand {
 
 /// Centres rows under the hands. A press is gathered while the rows near the hand take turns, and
 /// then given to each of them alike: a row that got another share than its neighbour would stand
-/// out as a disc. No allocation; one thread.
+/// out as a disc. A round of turns lasts 20 ms, on the finest grids longer (Round::lasting): no
+/// press waits for more than two and 20 ms. One that is worth less than a ten-thousandth of what a
+/// ring is off is kept for the next. No allocation; one thread.
 class Wobble {
  public:
   /// Stage 6.4: what hand `n` of kMostHands does in a tick of `seconds`. O(1).
   void press(std::size_t n, const CentringHand& hand, double seconds) noexcept;
   /// Then: the rings near a hand are pushed towards the middle, away from a hand outside and
   /// towards one inside, by a share of what they are off on its side: they come nearer to it or
-  /// stay. O(sectors) a row, at most 2048 elements or four rows a hand.
-  void centre(const WobbleDef& def, Clay& clay) noexcept;
+  /// stay. O(sectors) a row.
+  void centre(const WobbleDef& def, Clay& clay, double seconds) noexcept;
   /// The clay is another.
-  void forget() noexcept { sweeps_ = {}; }
+  void forget() noexcept {
+    sweeps_ = {};
+    beat_ = {};
+  }
   void add_to(StateHash& hash) const;
 
   static constexpr std::size_t kMostHands = 2;
@@ -71,12 +77,15 @@ class Wobble {
   struct Sweep {
     Gathered next, now;
     double height = 0.0;  // m, of the hand
-    int row = 0, end = 0;
+    int first = 0, row = 0, end = 0;
+    Round round;
   };
   void begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept;
-  void centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep) noexcept;
+  void go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double seconds) noexcept;
+  void centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep, int j) noexcept;
 
   std::array<Sweep, kMostHands> sweeps_;
+  Round beat_;  // by which all of them begin, so that it does not matter when a hand came
 };
 
 }  // namespace effects

@@ -116,7 +116,7 @@ void RowEffects::centre(const SceneDef& def, Clay& clay, const Tick& tick) noexc
   for (std::size_t n = 0; n < tick.hand.size(); ++n)
     if (const HandThere& hand = tick.hand[n]; hand.on_wall)
       wobble_->press(n, {hand.at, hand.normal, hand.side}, tick.seconds);
-  wobble_->centre(*def.wobble, clay);
+  wobble_->centre(*def.wobble, clay, tick.seconds);
 }
 
 void RowEffects::sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
@@ -126,11 +126,11 @@ void RowEffects::sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcep
 }
 
 void RowEffects::tear(const SceneDef& def, Clay& clay, const Tick& tick) noexcept {
-  tearing_->look(*def.walls, clay, tick.step, !volume_);
+  tearing_->look(*def.walls, clay, tick.seconds, tick.step, !volume_);
 }
 
-void RowEffects::keep_volume(const SceneDef&, Clay& clay, const Tick&) noexcept {
-  volume_->keep(clay);
+void RowEffects::keep_volume(const SceneDef&, Clay& clay, const Tick& tick) noexcept {
+  volume_->keep(clay, tick.seconds);
 }
 
 void RowEffects::clear_shifts(const SceneDef&, Clay& clay, const Tick&) noexcept {

@@ -23,7 +23,7 @@ class RowEffects {
  public:
   /// A hand as contact left it.
   struct HandThere {
-    Vec3 at;               ///< Clay frame, m.
+    Vec3 at;               ///< Clay frame, in the middle of the tick, m.
     double normal = 0.0;   ///< N; 0 where it presses nothing.
     bool on_wall = false;  ///< Not clear, nor on the rim or the floor.
     WallSide side = WallSide::outside;

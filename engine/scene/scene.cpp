@@ -29,9 +29,8 @@ Feedback Scene::step(const Hands& hands, double dt) noexcept {
   if (s.printed) {
     s.press_as_printed(tick);  // 5, 7
   } else {
-    s.press_clay(tick);                       // 5
-    if (s.row_effects) s.work_on_rows(tick);  // 6
-    s.feel(tick);                             // 7
+    s.press_and_work(tick);  // 5, 6
+    s.feel(tick);            // 7
   }
   s.keep_history(tick);
   return s.guard_and_report(tick);  // 8, 9
@@ -65,6 +64,8 @@ std::uint64_t Scene::state_hash() const {
        {s.time, s.wheel_angle, s.wheel_speed, s.wheel_asked, s.moisture ? s.moisture->mean() : 0.0})
     hash.add(v);
   for (const scene::HandState& h : s.hand) h.add_to(hash, s.tools);
+  if (s.def.friction)
+    for (const scene::HandState& h : s.hand) h.velocity.add_to(hash);
   s.slit.add_to(hash);
   if (s.slit.free()) hash.add(s.clay_angle);
   hash.add(s.lump.bits() | std::uint64_t{s.faulted} << 8);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
+constexpr double kPart = 0.001;  // s
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
 
 }  // namespace
@@ -118,7 +119,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     if (!presses(hand[n])) continue;
     tick.sweep[n].angle_from = tick.angle_from;
     tick.sweep[n].angle_to = tick.angle_from + tick.turn;
-    yielding[n] = yielding_at(hand[n].at.y);
+    yielding[n] = yielding_at(tick.sweep[n].to.y);
     steps = std::max(
         steps, steps_for(tick.sweep[n], yielding[n].relaxation_time, hand[n].contact.pressed()));
   }
@@ -127,7 +128,10 @@ void Scene::State::press_clay(Tick& tick) noexcept {
       const scene::HandState& other = hand[1 - n];
       const bool held = other.present && row_effects->holds(1 - n) &&
                         other.contact.side() != hand[n].contact.side();
-      tick.along[n] = row_effects->along(def, hand[n].at, held ? &other.at : nullptr);
+      const ToolSweep& way = tick.sweep[n];
+      const ToolSweep& its = tick.sweep[1 - n];
+      const Vec3 holding = 0.5 * (its.from + its.to);
+      tick.along[n] = row_effects->along(def, 0.5 * (way.from + way.to), held ? &holding : nullptr);
       yielding[n].along = tick.along[n];
     }
   }
@@ -145,10 +149,51 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   }
 }
 
+// Stages 5 and 6. Effects on rows come after the press and not during it, which is wrong by as much
+// as clay moves in between: a long tick, of a thread that came late, is worked in parts of about a
+// millisecond, each as a tick of that length would be.
+void Scene::State::press_and_work(Tick& tick) noexcept {
+  if (!row_effects) return press_clay(tick);
+  const int parts = std::max(1, static_cast<int>(tick.dt / kPart + 0.5));
+  if (parts == 1) {
+    press_clay(tick);
+    return work_on_rows(tick);
+  }
+  const double share = 1.0 / parts;
+  std::array<Press, kMaxHands> sum{};
+  Tick part = tick;
+  part.dt = share * tick.dt;
+  part.turn = share * tick.turn;
+  for (int k = 0; k < parts; ++k) {
+    part.angle_from = tick.angle_from + k * part.turn;
+    for (std::size_t n = 0; n < hand.size(); ++n) {
+      const ToolSweep& whole = tick.sweep[n];
+      const Vec3 way = whole.to - whole.from;
+      part.sweep[n].from = whole.from + (k * share) * way;
+      part.sweep[n].to = k + 1 < parts ? whole.from + ((k + 1) * share) * way : whole.to;
+      part.sweep[n].seconds = part.dt;
+      part.press[n] = {};
+    }
+    press_clay(part);
+    work_on_rows(part);
+    for (std::size_t n = 0; n < hand.size(); ++n) {
+      const Press& press = part.press[n];
+      sum[n].force += share * press.force;
+      sum[n].normal += share * press.normal;
+      sum[n].depth = std::max(sum[n].depth, press.depth);
+      sum[n].visited += press.visited;
+      sum[n].touched += press.touched;
+    }
+  }
+  tick.press = sum;
+  tick.side = part.side;
+  tick.place = part.place;
+}
+
 // Stage 6. What has just been laid must be measured first.
 void Scene::State::work_on_rows(const Tick& tick) noexcept {
   if (!lump.playing()) return;
-  const double angle = tick.angle_from + tick.turn;
+  const double angle = tick.angle_from + 0.5 * tick.turn;
   scene::RowEffects::Tick rows;
   rows.moisture = moisture ? &*moisture : nullptr;
   rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
@@ -166,7 +211,8 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
     const scene::Tool& tool = tools[h.tool];
     const double c = portable::cos(angle);
     const double s = portable::sin(angle);
-    rows.hand[n] = {{c * h.at.x + s * h.at.z, h.at.y, c * h.at.z - s * h.at.x},
+    const Vec3 at = 0.5 * (tick.sweep[n].from + tick.sweep[n].to);
+    rows.hand[n] = {{c * at.x + s * at.z, at.y, c * at.z - s * at.x},
                     press.normal,
                     h.contact.place() == beside(h.contact.side()),
                     h.contact.side(),
@@ -179,8 +225,10 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
 // Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
 void Scene::State::feel(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
-    const scene::HandState& h = hand[n];
-    if (!h.present || tick.held[n]) continue;
+    scene::HandState& h = hand[n];
+    if (!h.present) continue;
+    const Vec3 velocity = effects::kBuilt && def.friction ? h.velocity.go(h.at, tick.dt) : Vec3{};
+    if (tick.held[n]) continue;
     const ToolShape& shape = *tools[h.tool].shape;
     const ToolSize& size = tools[h.tool].size;
     const ToolPlace place{h.at, h.along, h.across};
@@ -192,8 +240,7 @@ void Scene::State::feel(Tick& tick) noexcept {
       const double mu = effects::friction_coefficient(friction, wetness_at(h.at.y));
       const body::Ball ball = shape.support(place, size, (-1.0 / strength) * press.force);
       const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
-      const Vec3 slip = (1.0 / tick.dt) * (h.at - tick.sweep[n].from) -
-                        effects::clay_velocity(touch, tick.turn / tick.dt);
+      const Vec3 slip = velocity - effects::clay_velocity(touch, tick.turn / tick.dt);
       force += effects::friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
     const body::Ball lowest = shape.support(place, size, kDown);

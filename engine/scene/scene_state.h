@@ -88,6 +88,7 @@ struct Scene::State {
   bool fallen() const { return row_effects && row_effects->fallen(); }
   void draw_wire(Tick& tick, std::size_t n) noexcept;
   void press_clay(Tick& tick) noexcept;
+  void press_and_work(Tick& tick) noexcept;
   void work_on_rows(const Tick& tick) noexcept;
   void feel(Tick& tick) noexcept;
   void press_as_printed(Tick& tick) noexcept;

@@ -113,6 +113,47 @@ TEST(Slump, SinksWithoutEverRisingAndComesToRestWhereTheClayCarriesItAtAnyTick) 
   EXPECT_NEAR(end[2], end[0], 1e-4);
 }
 
+// How far a straight tube sinks in `seconds` by the law alone, every row for itself: of a height z
+// under the rim, the stress w = density g z e^-strain falls as the ring widens, and the strain
+// grows by (w - sqrt(3) tau_y) / (3 eta). Heun's rule, 1000 rows, in steps of 10 ms.
+double sinks_by_law(const SceneDef& def, double seconds) {
+  constexpr int kRows = 1000;
+  const double each = def.clay.height / kRows;
+  const double yield = std::sqrt(3.0) * def.slump->yield_stress;
+  double sum = 0.0;
+  for (int j = 0; j < kRows; ++j) {
+    const double weight = def.slump->density * 9.81 * each * (j + 0.5);
+    const auto rate = [&](double strain) {
+      return std::max(weight * std::exp(-strain) - yield, 0.0) / (3.0 * def.slump->viscosity);
+    };
+    double strain = 0.0;
+    for (double t = 0.0; t < seconds; t += 0.01) {
+      const double first = rate(strain);
+      strain += 0.005 * (first + rate(strain + 0.01 * first));
+    }
+    sum += each * (1.0 - std::exp(-strain));
+  }
+  return sum;
+}
+
+TEST(Slump, HoweverSlowlyClayFlowsItAddsUpAtAnyTickAndOnAnyGrid) {
+  // As a float has no digits for what one sweep asks for, all of it was lost: 0 of 3.7 mm at 1 ms,
+  // 3.66 at 5 ms; a tenth as fast, none on these rows and all of it on finer ones.
+  for (const double viscosity : {1e5, 1e6, 1e7, 1e8}) {
+    SceneDef def = tube(0.6);
+    def.slump->viscosity = viscosity;
+    const double law = sinks_by_law(def, 30.0);
+    for (const auto& [rows, dt] : {std::pair{60, 0.001}, {60, 0.005}, {60, 0.0007}, {600, 0.001}}) {
+      def.clay.rows = rows;
+      def.clay.sectors = 16;
+      Scene scene = made(def);
+      run(scene, 30.0, {}, dt);
+      EXPECT_NEAR((0.6 - scene.clay().rim_height()) / law, 1.0, 0.03)
+          << viscosity << " Pa s, " << rows << " rows, " << dt << " s";
+    }
+  }
+}
+
 TEST(Slump, APotThatStoodDryFallsWhenItIsSoaked) {
   SceneDef def = tube(0.25);
   def.moisture->sponge_height = 0.05;

@@ -81,7 +81,7 @@ TEST(Tearing, WhatIsTornStaysTornThoughItIsThickAgain) {
   const auto set_wall = [&](float wall) {
     for (float& inner : clay->inner_mut(40)) inner = 0.055f - wall;
     clay->areas()->mark(40);
-    for (int n = 0; n < 80; ++n) tearing.look(*def.walls, *clay, 0, true);
+    for (int n = 0; n < 80; ++n) tearing.look(*def.walls, *clay, 0.001, 0, true);
   };
   set_wall(0.0026f);
   EXPECT_FALSE(tearing.any());
@@ -98,7 +98,7 @@ TEST(Tearing, OneThinPlaceTearsTheRing) {
   clay->keep_areas();
   Tearing tearing(*clay);
   clay->inner_mut(40)[63] = 0.053f;
-  for (int n = 0; n < 80; ++n) tearing.look(*def.walls, *clay, 0, true);
+  for (int n = 0; n < 80; ++n) tearing.look(*def.walls, *clay, 0.001, 0, true);
   EXPECT_TRUE(clay->areas()->torn(40));
   EXPECT_FALSE(clay->areas()->torn(41));
 }

@@ -87,7 +87,7 @@ TEST(Volume, AHundredRowsPressedDownAtOnceGetTheirGirthTickByTickAndAllOfIt) {
   clay.restack(100);
   int widened = 0;
   for (int tick = 1; tick <= 13; ++tick) {
-    volume.keep(clay);
+    volume.keep(clay, 0.001);
     int now = 0;
     for (int j = 100; j < 200; ++j) now += clay.outer(j)[7] > 0.05501f ? 1 : 0;
     EXPECT_LE(now - widened, 8) << tick;

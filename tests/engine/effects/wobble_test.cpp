@@ -95,8 +95,9 @@ TEST(Wobble, APushTowardsTheMiddleNeverTakesARingFartherOff) {
     const CentringHand hand{{0.07 * portable::cos(angle), 0.05, 0.07 * portable::sin(angle)},
                             random.uniform(0.0, 3.0),
                             random.uniform() < 0.5 ? WallSide::inside : WallSide::outside};
-    wobble.press(n % 2, hand, random.uniform(1e-6, 0.005));
-    wobble.centre(*def.wobble, *clay);
+    const double seconds = random.uniform(1e-6, 0.005);
+    wobble.press(n % 2, hand, seconds);
+    wobble.centre(*def.wobble, *clay, seconds);
     ASSERT_LE(off(*clay, 0.05), last + 1e-8) << n;
     last = off(*clay, 0.05);
   }
