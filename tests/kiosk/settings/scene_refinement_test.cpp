@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "kiosk/settings/scene_file.h"
+#include "tests/support/refinement.h"
+
+// The scenes that ship, at other ticks and on other grids: engine/docs/convergence.md.
+namespace onggi::settings {
+namespace {
+
+using refinement::Refined;
+
+SceneDef shipped(const std::string& name) {
+  SceneRead read = read_scene("config/scenes/" + name + ".toml");
+  EXPECT_TRUE(read.problems.empty()) << name;
+  return std::move(read.def);
+}
+
+TEST(SceneRefinement, APotIsTheSameAtAnyTickAndOnAnyGridInEveryScene) {
+  for (const char* name : {"first_touch", "studio", "master"})
+    for (const refinement::Work& work : refinement::scene_works(name, shipped(name)))
+      for (const Refined& r : {refine_ticks(work), refine_grids(work)}) {
+        EXPECT_TRUE(r.order.shape > 0.9 || r.finest.shape < refinement::kFloor.shape) << work.name;
+        EXPECT_TRUE(r.order.force > 0.9 || r.finest.force < refinement::kFloor.force) << work.name;
+        EXPECT_TRUE(r.order.impulse > 0.9 || r.finest.impulse < refinement::kFloor.impulse)
+            << work.name << ' ' << r.order.impulse << ' ' << r.finest.impulse;
+        EXPECT_LT(r.impulse_off, 0.01) << work.name;
+      }
+}
+
+TEST(SceneRefinement, ThePrintedModelIsAnotherAtEveryTickAndOnEveryGrid) {
+  for (const refinement::Work& work : refinement::scene_works("paper", shipped("paper"))) {
+    EXPECT_GT(refine_ticks(work).impulse_off, 0.5);
+    EXPECT_GT(refine_grids(work).impulse_off, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace onggi::settings
