@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/portable.h"
 #include "engine/scene/wall_ring.h"
 
 namespace onggi::script {
 namespace {
 
+constexpr double kUsualWater = 0.8;     // s of the sponge, every third pass
 constexpr double kGoodEnough = 0.0003;  // m: what a pass need not take up
 constexpr double kDeepest =
     0.007;                        // m: the least that a roughing pass takes, where so much is left
@@ -165,12 +167,30 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   aim();
 }
 
+// Clay that is to stand must not be drowned: at w its strength is weakening^w of the dry one's, and
+// what is asked of it is half as much again as its own weight at the foot.
+double Former::seconds_of_water() const {
+  if (!scene_.slump || !scene_.moisture || scene_.moisture->weakening >= 1.0) return kUsualWater;
+  constexpr double kRoot3 = 1.7320508075688772;
+  const double weight = scene_.slump->density * 9.81 * height();
+  const double share = 1.5 * weight / (kRoot3 * scene_.slump->yield_stress);
+  const double most = portable::log(share) / portable::log(scene_.moisture->weakening);
+  if (most >= 1.0) return kUsualWater;
+  const double dry = 1.0 - wet_;
+  if (1.0 - most >= dry) return 0.0;
+  return std::min(kUsualWater, scene_.moisture->wetting_time * portable::log(dry / (1.0 - most)));
+}
+
 void Former::wet_every_third_pass() {
   if (passes_++ % 3 != 0) return;
+  const double seconds = seconds_of_water();
+  if (seconds < 0.05) return;  // no use
+  if (scene_.moisture)
+    wet_ -= (1.0 - wet_) * portable::expm1(-seconds / scene_.moisture->wetting_time);
   hand_.lift();
   hand_.phase("water");
   hand_.water(true);
-  hand_.wait(0.8);
+  hand_.wait(seconds);
   hand_.water(false);
 }
 

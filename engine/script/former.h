@@ -40,6 +40,7 @@ class Former {
   std::vector<double> centre_path(WallSide side, const std::vector<double>& face) const;
   void pass(WallSide side, const std::vector<double>& face, std::size_t first, std::size_t last,
             std::string_view phase, double speed);
+  double seconds_of_water() const;
   void wet_every_third_pass();
   void aim();
   void restack(const std::vector<double>& outer_before, const std::vector<double>& inner_before);
@@ -53,6 +54,7 @@ class Former {
   std::vector<double> goal_outer_, goal_inner_;  // wanted, by height
   std::vector<double> outer_, inner_;            // expected so far
   int passes_ = 0;
+  double wet_ = 0.0;  // as the passes leave it, were nothing to dry
 };
 
 }  // namespace onggi::script

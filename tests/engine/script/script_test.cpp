@@ -226,6 +226,24 @@ TEST(Script, WhereClayIsKeptItFollowsFromALumpThatHoldsTheVesselsClayAndThePotSt
   }
 }
 
+TEST(Script, WhoFollowsAVesselWetsItNoMoreThanItCarries) {
+  // Soaked, clay of 9 kPa has 3 % of its strength and stands 2 cm high.
+  const Profile target = scaled(vessels::moon_jar(), workspace_scale(vessels::moon_jar()));
+  ScriptContext context;
+  context.scene.clay.rows = 100;
+  context.scene.clay.sectors = 96;
+  context.scene.walls.emplace();
+  context.scene.volume.emplace();
+  context.scene.slump.emplace();
+  context.scene.slump->yield_stress = 9000.0;
+  context.scene.clay = lump_for(target, context.scene);
+  context.target = &target;
+  Scene scene = std::move(*Scene::create(context.scene));
+  const Thrown thrown = play("follow", context, &scene);
+  EXPECT_FALSE(scene.fallen());
+  EXPECT_NEAR(thrown.profile.height() / target.height(), 1.0, 0.05);
+}
+
 TEST(Script, AtTwiceThePaceAJarIsStillThatJar) {
   const Profile drawn = vessels::maebyeong();
   const Profile target = scaled(drawn, workspace_scale(drawn));
