@@ -25,7 +25,15 @@ class Plan {
         side_(side),
         body_(body),
         sector_(static_cast<float>(2.0 * portable::kPi / clay.sectors())),
-        window_(clay, body.heights(), body.hull(), at) {}
+        window_(clay, body.heights(), body.hull(), at) {
+    if constexpr (kMayStand) {
+      stands_ = body.upright();
+      if (!stands_) return;
+      const double y = 0.5 * (window_.heights.low + window_.heights.high);
+      outline_ = body.outline(y);
+      section_ = body.section(y);
+    }
+  }
 
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
@@ -41,7 +49,7 @@ class Plan {
       for (int k = 0; k < few; ++k) {
         contact::SolidReach& row = rows_[n + k];
         covered[k] = contact::cover_row(clay_, window_, side_, first + n + k, row);
-        if (covered[k]) row.outline = body_.outline(row.y);
+        if (covered[k]) row.outline = stands_ ? outline_ : body_.outline(row.y);
       }
       contact::plan_rows(clay_, window_, side_, first + n, few, covered, rows_ + n);
       for (int k = 0; k < few; ++k) reached |= std::uint32_t{rows_[n + k].used > 0} << (n + k);
@@ -50,7 +58,10 @@ class Plan {
   }
   void fill(int k, BodyRow<Body>& row) const {
     const contact::SolidReach& found = rows_[k];
-    row.section = body_.section(found.y);
+    if constexpr (kMayStand)
+      row.section = stands_ ? body_.section_like(section_, found.y) : body_.section(found.y);
+    else
+      row.section = body_.section(found.y);
     row.outline = &found.outline;
     row.sector = sector_;
     row.share = found.share;
@@ -61,11 +72,16 @@ class Plan {
 
  private:
   static constexpr int kFew = 8;
+  // A body that stands upright is cut alike by all rows: a flat rib, as potters hold it.
+  static constexpr bool kMayStand = requires(const Body& b) { b.upright(); };
   const Clay& clay_;
   WallSide side_;
   const Body& body_;
   float sector_;
   contact::SolidWindow window_;
+  bool stands_ = false;
+  body::Outline outline_;
+  typename Body::Section section_;
   contact::SolidReach rows_[kPlannedRows];
 };
 

@@ -31,9 +31,19 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
   std::fill_n(out.extent, kFew, 0.0f);
   body::Circle last;
   double last_angle = 0.0;
+  int like = -1;  // the last row with a circle
   for (int k = 0; k < count; ++k) {
     radius[k] = -1.0f;
     if (!covered[k]) continue;
+    if (like >= 0 && rows[k].outline == rows[like].outline) {
+      out.extent[k] =
+          side == WallSide::outside ? clay.outer_most(first + k) : clay.inner_least(first + k);
+      out.angle[k] = last_angle;
+      distance[k] = distance[like];
+      radius[k] = radius[like];
+      tangent[k] = tangent[like];
+      continue;
+    }
     const body::Circle circle = rows[k].outline.circle();
     if (circle.radius <= 0.0) continue;
     out.extent[k] =
@@ -47,6 +57,7 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
     distance[k] = static_cast<float>(away);
     radius[k] = static_cast<float>(circle.radius);
     tangent[k] = std::max(static_cast<float>(body::cross_section(away, circle.radius)), 0.0f);
+    like = k;
   }
   kernels(clay.vectors()).half_windows(side, distance, radius, tangent, out.extent, out.half);
   for (int k = 0; k < count; ++k)

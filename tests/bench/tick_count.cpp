@@ -5,9 +5,12 @@
 //                                             EFFECTS: bare, the scene without any; NAME, that one
 //                                             alone (and what it needs); -NAME, none, with a Def
 //                                             full of NaN where it would be
+//   tick_count --bytes                        of a scene on the bare first script, on the heap
 //   tick_count --effects                      what NAME may be, a line each
 //   tick_count --list                         the scripts' names, a line each
 //   tick_count --kinds                        what KIND may be here, a line each
+#include <malloc.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -31,6 +34,21 @@ bool choose_effects(onggi::SceneDef& def, std::string_view words) {
   return false;
 }
 
+// All that is held; a sanitizer's heap is another, but it does not come here.
+std::size_t bytes_held() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+int print_bytes() {
+  const onggi::SceneDef def = onggi::bare(onggi::tick_scripts().front().scene(400, 360));
+  const std::size_t before = bytes_held();
+  const auto scene = onggi::Scene::create(def);
+  if (!scene) return 1;
+  std::printf("%zu\n", bytes_held() - before);
+  return 0;
+}
+
 constexpr int kBefore = 100;  // ticks in which the tool settles, not counted
 constexpr int kCounted = 100;
 
@@ -51,14 +69,16 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (word == "--kinds") return print_vector_kinds();
+  if (word == "--bytes") return print_bytes();
   if (word == "--effects") {
     for (const EffectTrial& effect : effect_trials()) std::printf("%s\n", effect.name.c_str());
     return 0;
   }
   const auto kind = choose_vectors(argc > 4 ? argv[4] : "");
   if (argc < 4 || !kind) {
-    std::fprintf(
-        stderr, "tick_count SCRIPT ROWS SECTORS [KIND [EFFECTS]], or --list, --kinds, --effects\n");
+    std::fprintf(stderr,
+                 "tick_count SCRIPT ROWS SECTORS [KIND [EFFECTS]], or --list, --kinds, --effects, "
+                 "--bytes\n");
     return 1;
   }
   const TickScript& script = tick_script(word);

@@ -79,4 +79,8 @@ Box::Section Box::section(double y) const noexcept {
           slab_section(middle, axis[2], half[2], y)};
 }
 
+Box::Section Box::section_like(const Section& other, double y) const noexcept {
+  return {slab_section(middle, axis[0], half[0], y), other.b, other.c};
+}
+
 }  // namespace onggi::body

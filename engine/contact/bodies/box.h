@@ -29,6 +29,13 @@ struct Box {
     SlabSection a, b, c;
   };
   Section section(double y) const noexcept;
+
+  /// It stands upright: every level plane between its ends cuts it alike, but for slab `a`.
+  bool upright() const noexcept {
+    return axis[0].x == 0.0 && axis[0].z == 0.0 && axis[1].y == 0.0 && axis[2].y == 0.0;
+  }
+  /// section(y) of an upright box, by that of another of its planes.
+  Section section_like(const Section& other, double y) const noexcept;
 };
 
 }  // namespace onggi::body

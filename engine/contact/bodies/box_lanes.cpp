@@ -9,9 +9,9 @@ struct BoxShape {
   template <WallSide side>
   ONGGI_INLINE static FacingInterval interval(const Body::Section& in, Float8 c, Float8 s,
                                               Float8 beside) {
-    return both<side>(
-        both<side>(in_slab<side>(in.a, c, s, beside), in_slab<side>(in.b, c, s, beside)),
-        in_slab<side>(in.c, c, s, beside));
+    const FacingInterval upright =
+        both<side>(in_slab<side>(in.b, c, s, beside), in_slab<side>(in.c, c, s, beside));
+    return in.a.asked ? both<side>(in_slab<side>(in.a, c, s, beside), upright) : upright;
   }
 };
 

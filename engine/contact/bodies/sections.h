@@ -11,7 +11,8 @@ namespace onggi::body {
 struct SlabSection {
   float nx, ny, nz;  ///< Unit normal.
   float half;        ///< Half the distance between the planes, m.
-  float off;  ///< Of the row's middle on the axis from the middle plane, along the normal, m.
+  float off;   ///< Of the row's middle on the axis from the middle plane, along the normal, m.
+  bool asked;  ///< False where the row lies wholly between the planes.
 };
 SlabSection slab_section(Vec3 middle, Vec3 normal, double half, double y) noexcept;
 

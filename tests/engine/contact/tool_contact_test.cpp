@@ -221,6 +221,25 @@ TEST(Sweep, NoElementIsSkippedHoweverFastTheWheelOrFineTheSectors) {
   EXPECT_NEAR(mean[0], mean[1], 1e-6);
 }
 
+TEST(Sweep, TheSmallestBallOnTheFastestWheelMissesNoElementInTheLongestTicks) {
+  ClayDef def;
+  def.rows = 40;
+  def.sectors = 2880;
+  def.height = 0.02;
+  Clay clay = std::move(*Clay::create(def));
+  ToolContact contact;
+  const Vec3 at{0.055995, clay.row_height(20), 0};  // 5 um deep
+  const double turn = 62.8318530718 * 0.005;        // a twentieth of a turn
+  for (int n = 0; n < 21; ++n) {
+    ToolSweep sweep = sweep_sphere(at, at, 0.001, n * turn, turn, SideWish::outside);
+    sweep.seconds = 0.005;
+    const int steps = steps_for(sweep, kClay.relaxation_time, contact.pressed());
+    contact.begin_tick();
+    for (int k = 0; k < steps; ++k) contact.step(clay, sweep, k, steps, kClay);
+  }
+  EXPECT_EQ(std::ranges::count(clay.outer(20), clay.outer(0)[0]), 0);
+}
+
 TEST(Sweep, TurningTheWheelIsTheSameAsCarryingTheToolRound) {
   Clay turned = lump();
   Clay carried = lump();

@@ -38,5 +38,30 @@ TEST(FlatRib, HeldToAStillWallMakesAFlatFacet) {
   }
 }
 
+TEST(FlatRib, UprightItIsCutAlikeAtEveryHeightAndWorkedOutOnce) {
+  const ToolShape& rib = *find_tool_shape("flat_rib");
+  const auto box = [&](Vec3 handle) {
+    const ToolPlace at = hold_tool(rib, {0.05, 0.1, 0.02}, handle, 0.3, false);
+    return body::Box{
+        at.at, {at.along, at.across, cross(at.along, at.across)}, {0.045, 0.0015, 0.02}};
+  };
+  const body::Box upright = box({});
+  ASSERT_TRUE(upright.upright());
+  EXPECT_FALSE(box({0.01, 1.0, 0.0}).upright());
+  const auto same = [](const body::SlabSection& a, const body::SlabSection& b) {
+    return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.half == b.half && a.off == b.off &&
+           a.asked == b.asked;
+  };
+  const body::Box::Section first = upright.section(0.1);
+  for (const double y : {0.0551, 0.0873, 0.1, 0.1449, 0.144999999}) {
+    EXPECT_EQ(upright.outline(y), upright.outline(0.1)) << y;
+    const body::Box::Section there = upright.section(y);
+    const body::Box::Section like = upright.section_like(first, y);
+    EXPECT_TRUE(same(there.a, like.a) && same(there.b, like.b) && same(there.c, like.c)) << y;
+    EXPECT_EQ(there.a.asked, y > 0.14499) << y;  // so near its end a ray might leave by it
+    EXPECT_TRUE(there.b.asked && there.c.asked);
+  }
+}
+
 }  // namespace
 }  // namespace onggi
