@@ -120,7 +120,9 @@ void Clay::lower_floor(double top) {
 
 void Clay::set_floor(int rows, double top) {
   floor_rows_ = rows;
-  floor_top_ = top;
+  // Of a solid lump it is the rim, wherever that has come to; and it never leaves its rows.
+  const double low = rows > 0 ? row_height(rows - 1) : 0.0;
+  floor_top_ = rows == def_.rows ? rim_height() : std::clamp(top, low, row_height(rows));
 }
 
 void Clay::lay_lump(int j) {

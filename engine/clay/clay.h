@@ -70,7 +70,8 @@ class Clay {
   void open_floor_row(double radius);
   /// Metres, not above floor_top(). Marks the row over it dirty, which carries the floor along.
   void lower_floor(double top);
-  /// As they were once together: solid rows, and the upper face of the floor in metres.
+  /// As they were once together: solid rows, and the upper face of the floor in metres, held to
+  /// where those rows are now.
   void set_floor(int rows, double top);
 
   /// No outer radius of row `j` is larger, and no inner one smaller: where nothing can touch,

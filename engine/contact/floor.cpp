@@ -64,7 +64,8 @@ Press press_floor(Clay& clay, const BallStep& step, const Yielding& yielding) no
   const double mean = std::max(given.mean, 0.0);
   out.force.y = share * stop_force(mean, step.radius, yielding.stiffness);
   out.normal = out.force.y;
-  out.depth = std::max(first, gap - sunk);
+  // A hand below the wheel head presses the clay that stands on it, and no more.
+  out.depth = std::min(std::max(first, gap - sunk), top);
   out.touched = 1;
   if (sunk <= 0.0) return out;
 

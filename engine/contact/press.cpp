@@ -224,7 +224,8 @@ class Pressing {
           clay_.widen_extent(j, row.behind_most, 1e9f);
       }
       if (areas == nullptr || (pressed.changed >> row.k & 1u) == 0) continue;
-      areas->lose(j, portable::kPi / clay_.sectors() * double{row.lost}, cut_);
+      // A wall at its thinnest that an edge pushes aside gets larger: none of that is cut off.
+      areas->lose(j, portable::kPi / clay_.sectors() * double{row.lost}, cut_ && row.lost > 0.0f);
       if (displacements_ != nullptr)
         for (int r = 0; r < row.used; ++r) displacements_->mark(j, row.ranges[r]);
     }

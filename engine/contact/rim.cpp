@@ -44,9 +44,10 @@ struct SectorPress {
   double deepest = 0.0;                     // m
 };
 
-// Upright rays stand `off` the ball's centre, which is `along` from the axis; `above` the crown.
+// Upright rays stand `off` the ball's centre, which is `along` from the axis; `above` the crown,
+// which is `crown` over the wheel head.
 SectorPress press_sector(double inner, double outer, double along, double off, double above,
-                         double radius) {
+                         double crown, double radius) {
   SectorPress sum;
   const double square = (radius - off) * (radius + off);
   if (square <= 0.0) return sum;
@@ -60,8 +61,9 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
   const auto depth_at = [&](double rho) {
     const double rise = std::sqrt(std::max(square - (along - rho) * (along - rho), 0.0));
     const double drop = lip_drop(inner, outer, rho);
-    // A ball that is sunk in wholly covers no more of the ray than its own chord.
-    return std::min(rise - above - drop, 2.0 * rise);
+    // A ball that is sunk in wholly covers no more of the ray than its own chord, and one that
+    // reaches below the wheel head no more than there is clay.
+    return std::min({rise - above - drop, 2.0 * rise, crown});
   };
   const double edge = std::min(0.5 * (outer - inner), kLipRadius);
   const double crown_begin = inner > 0.0 ? inner + edge : 0.0;
@@ -121,6 +123,7 @@ double lower_rim(Clay& clay, double sink, double reach) {
 // What a pushed face may come to, and has come to.
 struct Extent {
   std::array<float, 8> outer, inner;  // eight at a time: the farthest, the nearest
+  std::array<float, 8> lost;          // of the squares of radii
 };
 
 // Pushes `count` neighbours by their share of `push`, both faces. Plain loops of eight, which
@@ -140,8 +143,10 @@ void shift(float* outer, float* inner, const float* push, int count, float share
     const float by = below > least ? below : least;
     const float out = outer[n] + by;
     const float in = inner[n] + by < out - wall_min ? inner[n] + by : out - wall_min;
+    const float now = by == 0.0f ? inner[n] : in;
+    extent.lost[k] += (inner[n] - now) * -(inner[n] + now) - by * (outer[n] + out);
+    inner[n] = now;
     outer[n] = out;
-    inner[n] = by == 0.0f ? inner[n] : in;
     extent.outer[k] = out > extent.outer[k] ? out : extent.outer[k];
     extent.inner[k] = inner[n] < extent.inner[k] ? inner[n] : extent.inner[k];
   };
@@ -164,10 +169,16 @@ void flare(Clay& clay, Sectors under, const float* push, double reach) {
     Extent extent;
     extent.outer.fill(0.0f);
     extent.inner.fill(1e9f);
+    extent.lost.fill(0.0f);
     shift(outer + under.first, inner + under.first, push, before_end, share, clay.def(), extent);
     shift(outer, inner, push + before_end, under.count - before_end, share, clay.def(), extent);
     clay.widen_extent(j, *std::ranges::max_element(extent.outer),
                       *std::ranges::min_element(extent.inner));
+    if (RowAreas* areas = clay.areas()) {
+      double lost = 0.0;
+      for (const float part : extent.lost) lost += double{part};
+      areas->lose(j, portable::kPi / clay.sectors() * lost);
+    }
     clay.mark_dirty(j);
   }
 }
@@ -205,8 +216,8 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
     const double outer = double{clay.outer(top)[i]};
     const double inner = double{clay.inner(top)[i]};
     const double own_area = 0.5 * (outer - inner) * (outer + inner);
-    const SectorPress press =
-        press_sector(inner, outer, at.x * c + at.z * s, at.z * c - at.x * s, above, step.radius);
+    const SectorPress press = press_sector(inner, outer, at.x * c + at.z * s, at.z * c - at.x * s,
+                                           above, clay.rim_height(), step.radius);
     area += own_area;
     girth += 0.5 * (outer + inner);
     const double aside = -press.along / own_area;

@@ -29,7 +29,7 @@ struct Harmonic {
 };
 
 /// Both faces by x times cosine and z times sine, the inner one held to `least` and `most` - wall,
-/// the outer one to a wall's thickness and `most`.
+/// the outer one to a wall's thickness and `most`, as if a solid row had a hole of `least`.
 struct RowPush {
   bool hollow = true;
   float x = 0.0f, z = 0.0f;

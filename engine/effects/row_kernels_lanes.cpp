@@ -121,7 +121,8 @@ FaceMoved push_elements(const RowPush& how, int stride, const float* ray_cos, co
     const Mask8 there = real(out);
     const Float8 in_now =
         how.hollow ? select(there, within(in + way, all(how.least), most - wall), in) : in;
-    const Float8 out_now = select(there, within(out + way, in_now + wall, most), out);
+    const Float8 hole = how.hollow ? in_now : all(how.least);  // that a solid row may get
+    const Float8 out_now = select(there, within(out + way, hole + wall, most), out);
     store(in_now, inner + i);
     store(out_now, outer + i);
     outermost = larger(out_now, outermost);

@@ -108,9 +108,10 @@ void Slump::begin(const Clay& clay) noexcept {
   yielded_ = stirred_ = false;
 }
 
-void Slump::sweep_down(const SlumpDef& def, const Clay& clay, const Volume& volume,
-                       const Around& around, int till) noexcept {
+void Slump::sweep_down(const SlumpDef& def, Clay& clay, const Volume& volume, const Around& around,
+                       int till) noexcept {
   for (; clay.rows() - 1 - next_ < till; --next_) {
+    known_area(clay, next_);  // another effect may have moved the row since it was measured
     const Flow alone = wanted(def, clay, volume, around, next_);
     yielded_ = yielded_ || alone.shorter() > 0.0;
     if (next_ == clay.rows() - 1) shared_ = alone;
@@ -122,6 +123,7 @@ void Slump::sweep_down(const SlumpDef& def, const Clay& clay, const Volume& volu
 void Slump::sweep_up(Clay& clay, int till) noexcept {
   for (; next_ < till; ++next_) {
     const auto n = static_cast<std::size_t>(next_);
+    known_area(clay, next_);
     const Flow flow = share(clay, next_, flow_[n]);
     sunk_ += clay.row_thickness(next_) * -portable::expm1(-flow.shorter());
     Flow& owed = owed_[n];

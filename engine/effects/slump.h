@@ -69,7 +69,7 @@ class Slump {
   Flow wanted(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
               int j) const noexcept;
   void begin(const Clay& clay) noexcept;
-  void sweep_down(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
+  void sweep_down(const SlumpDef& def, Clay& clay, const Volume& volume, const Around& around,
                   int till) noexcept;
   void sweep_up(Clay& clay, int till) noexcept;
   void end(const SlumpDef& def, const Clay& clay) noexcept;

@@ -22,11 +22,6 @@ Volume::Volume(Clay& clay) {
   }
 }
 
-double Volume::area_of(Clay& clay, int j) noexcept {
-  if (!clay.areas()->known(j)) clay.areas()->set(j, clay.measured_area(j));
-  return clay.areas()->of(j);
-}
-
 bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
   return clay.row_thickness(j) < thickness_[static_cast<std::size_t>(j)];
 }
@@ -47,10 +42,11 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
     const auto n = static_cast<std::size_t>(j);
     // Contact sums what it took in floats, and the errors add up: 5e-9 of a row after 37 s of
     // collaring, 400 x 360. So that an hour's are no more, one row in 64 is measured, each in its
-    // turn.
-    if ((static_cast<unsigned>(changed++) + turn_) % 64 == 0) areas.set(j, clay.measured_area(j));
+    // turn; and a row that was turned over, at once.
+    if ((static_cast<unsigned>(changed++) + turn_) % 64 == 0 || areas.drifted(j))
+      areas.set(j, clay.measured_area(j));
     if (lowest < 0) lowest = j;
-    double area = area_of(clay, j);
+    double area = known_area(clay, j);
     const double now = clay.row_thickness(j);
     volume_[n] -= areas.take_cut(j) * now;
     if (pressed_down(clay, j)) {
@@ -61,9 +57,10 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
         ++waiting;
         continue;
       }
-      // Pressed together, a ring becomes wider and its wall thicker, alike.
+      // Pressed together, a ring becomes wider and its wall thicker, alike; one that got larger
+      // otherwise meanwhile gives its height for that.
       const double wider = std::sqrt(volume_[n] / (area * now));
-      area *= reshape_row(clay, j, wider, wider);
+      if (wider > 1.0) area *= reshape_row(clay, j, wider, wider);
       ++widened;
     }
     thickness_[n] = volume_[n] / area;
@@ -114,6 +111,11 @@ void Volume::add_to(StateHash& hash, Clay& clay) const {
   }
   hash.add(std::uint64_t{turn_} << 32 | static_cast<std::uint64_t>(measured_to_));
   hash.add(static_cast<std::uint64_t>(widen_from_));
+}
+
+double known_area(Clay& clay, int j) noexcept {
+  if (!clay.areas()->known(j)) clay.areas()->set(j, clay.measured_area(j));
+  return clay.areas()->of(j);
 }
 
 double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {

@@ -41,7 +41,6 @@ class Volume {
   void add_to(StateHash& hash, Clay& clay) const;
 
  private:
-  double area_of(Clay& clay, int j) noexcept;
   bool pressed_down(const Clay& clay, int j) const noexcept;
 
   std::vector<double> volume_;
@@ -50,6 +49,9 @@ class Volume {
   int widen_from_ = 0;             // rows pressed down below this wait for the next call
   int measured_to_ = 0;            // of measure_some()
 };
+
+/// Area of row `j` of a clay that keeps them, m^2: measured where it is not known. O(sectors) then.
+double known_area(Clay& clay, int j) noexcept;
 
 /// Row `j` with the middle of its wall `girth` times as far out, and the wall `thickness` times as
 /// thick, >= 1 together: its area is girth * thickness times what it was, to a float's rounding. A

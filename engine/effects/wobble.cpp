@@ -51,7 +51,9 @@ void shape_row(Clay& clay, int j, const Face& face) {
     const double s = double{clay.ray_sin()[i]};
     if (hollow)
       inner[i] = std::clamp(static_cast<float>(face(c, s, double{inner[i]})), least, most - wall);
-    outer[i] = std::clamp(static_cast<float>(face(c, s, double{outer[i]})), inner[i] + wall, most);
+    // A solid row keeps room for the hole that it may get.
+    const float hole = hollow ? inner[i] : least;
+    outer[i] = std::clamp(static_cast<float>(face(c, s, double{outer[i]})), hole + wall, most);
     out_most = std::max(out_most, outer[i]);
     in_least = std::min(in_least, inner[i]);
   }

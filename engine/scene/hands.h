@@ -40,7 +40,8 @@ struct Hands {
 enum FaultBit : std::uint32_t {
   kFaultInput = 1u << 0,  ///< A hand was NaN, infinite or beyond 10 m, or held no tool there is:
                           ///< the sample was held.
-  kFaultTime = 1u << 1,   ///< dt was not in (0, 5 ms]: it was clamped (to 1 us where not above 0).
+  kFaultTime = 1u << 1,   ///< dt was not in [1 us, 5 ms]: it was clamped, and what is no number
+                          ///< to 1 us.
   kFaultForce = 1u << 2,  ///< A force came out non-finite and was set to zero.
 };
 

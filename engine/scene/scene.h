@@ -18,7 +18,7 @@ struct SceneCounters {
   std::uint64_t visited_elements = 0;
   std::uint64_t touched_elements = 0;
   std::uint64_t held_samples = 0;   ///< Hand samples refused by the input check.
-  std::uint64_t clamped_times = 0;  ///< dt outside (0, 5 ms].
+  std::uint64_t clamped_times = 0;  ///< dt outside [1 us, 5 ms].
 };
 
 /// A pot on a wheel. The numbered pipeline of engine/docs/pipeline.md, one tick at a time.
@@ -32,7 +32,7 @@ class Scene {
   Scene& operator=(Scene&&) noexcept;
   ~Scene();
 
-  /// Advances by `dt` seconds (clamped to (0, 5 ms]). No allocation, lock, file or throw.
+  /// Advances by `dt` seconds (clamped to [1 us, 5 ms]). No allocation, lock, file or throw.
   Feedback step(const Hands& hands, double dt) noexcept;
 
   const SceneDef& def() const;

@@ -19,7 +19,7 @@ constexpr Vec3 kDown{0.0, -1.0, 0.0};
 
 // Stage 1. Nothing implausible goes any further.
 void Scene::State::take_input(Tick& tick, const Hands& hands, double dt) noexcept {
-  tick.dt = dt > 0.0 ? std::min(dt, kLongestTick) : kShortestTick;
+  tick.dt = dt >= kShortestTick ? std::min(dt, kLongestTick) : kShortestTick;
   if (tick.dt != dt) {
     faults |= kFaultTime;
     ++counters.clamped_times;

@@ -155,5 +155,21 @@ TEST(ClayDef, EveryFieldOutOfRangeIsNamed) {
   EXPECT_EQ(field([](ClayDef& d) { d.floor_min = 0; }), "clay.floor_min");
 }
 
+TEST(Clay, AFloorThatIsPutBackStaysWithinTheRowsThatThereAreNow) {
+  ClayDef def;
+  def.floor_thickness = def.height;
+  Clay solid = std::move(*Clay::create(def));
+  const double was = solid.floor_top();
+  solid.set_row_thickness(399, 0.0004);
+  solid.restack(399);
+  solid.set_floor(400, was);  // as it stood before the rim was pressed
+  EXPECT_EQ(solid.floor_top(), solid.rim_height());
+  Clay open = std::move(*Clay::create({}));
+  open.set_floor(20, 0.5);
+  EXPECT_EQ(open.floor_top(), open.row_height(20));
+  open.set_floor(20, 0.0);
+  EXPECT_EQ(open.floor_top(), open.row_height(19));
+}
+
 }  // namespace
 }  // namespace onggi

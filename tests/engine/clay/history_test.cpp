@@ -129,7 +129,7 @@ TEST(History, ARenewedLumpIsTakenBackWithItsFloorAndHeights) {
   Random random(7);
   stroke(clay, history, random);
   clay.open_floor_row(0.01);
-  clay.lower_floor(0.0085);
+  clay.lower_floor(clay.row_height(clay.floor_rows()) - 0.0005);
   const auto thrown = shape(clay);
   const double rim = clay.rim_height();
   while (!history.begin_step(clay, 100)) {

@@ -1,0 +1,227 @@
+#include "engine/lab/watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "engine/math/hash.h"
+#include "engine/math/portable.h"
+
+namespace onggi::lab {
+namespace {
+
+constexpr double kSameVolume = 1e-6;
+constexpr double kSettled = 1e-9;  // m: what sums of heights may be off by
+
+template <class... Values>
+std::string said(const char* form, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, form, values...);
+  return text;
+}
+
+double seconds_of(double dt) { return dt >= 1e-6 ? std::min(dt, 0.005) : 1e-6; }
+
+std::uint64_t content_of(const Clay& clay, int j) {
+  StateHash hash;
+  hash.add(clay.outer(j));
+  hash.add(clay.inner(j));
+  return hash.value();
+}
+
+}  // namespace
+
+const char* name_of(Invariant invariant) {
+  static constexpr const char* kNames[kInvariants] = {
+      "finite", "range", "stacked", "volume", "force", "depth", "marks", "same hash", "mirror"};
+  return kNames[static_cast<std::size_t>(invariant)];
+}
+
+double Watch::rounding(const ClayDef& clay) {
+  int exponent = 0;
+  std::frexp(clay.radius_max, &exponent);
+  return 16.0 * std::ldexp(1.0, exponent - 24);
+}
+
+Watch::Watch(Scene& scene) : rounding_(rounding(scene.clay().def())) {
+  const Clay& clay = scene.clay();
+  area_.resize(static_cast<std::size_t>(clay.rows()));
+  content_.resize(area_.size());
+  resume(scene);
+  lump_ = clay.volume();
+}
+
+void Watch::resume(Scene& scene) {
+  const Clay& clay = scene.clay();
+  for (int j = 0; j < clay.rows(); ++j) {
+    area_[static_cast<std::size_t>(j)] = clay.measured_area(j);
+    content_[static_cast<std::size_t>(j)] = content_of(clay, j);
+  }
+  rim_ = clay.rim_height();
+  force_ = {};
+  unsettled_ = off_ = 0;
+  while (scene.take_dirty_row(0) >= 0) {
+  }
+  while (scene.take_moved_row(0) >= 0) {
+  }
+}
+
+std::optional<Breach> Watch::breach(Invariant invariant, std::string what) const {
+  return Breach{invariant, tick_, std::move(what)};
+}
+
+std::optional<Breach> Watch::look_at_feedback(const Scene& scene, double dt, const Feedback& felt) {
+  const SceneDef& def = scene.def();
+  for (const double v : {felt.wheel_angle, felt.wheel_speed, felt.clay_angle, felt.cut_free,
+                         felt.wetness, felt.sinking, scene.time()})
+    if (!std::isfinite(v))
+      return breach(Invariant::finite, "The tick gave back what is no number.");
+  if (felt.wheel_angle < 0.0 || felt.wheel_angle >= 2.0 * portable::kPi)
+    return breach(Invariant::range, said("The wheel stands at %.17g rad.", felt.wheel_angle));
+  if (std::fabs(felt.wheel_speed) > def.wheel.max_speed)
+    return breach(Invariant::range, said("The wheel turns at %.9g rad/s.", felt.wheel_speed));
+  if (felt.wetness < 0.0 || felt.wetness > 1.0 || felt.cut_free < 0.0 || felt.cut_free > 1.0 ||
+      felt.sinking < 0.0)
+    return breach(Invariant::range, said("Wetness %.9g, cut free %.9g, sinking %.9g.", felt.wetness,
+                                         felt.cut_free, felt.sinking));
+  if ((felt.faults & kFaultForce) != 0)
+    return breach(Invariant::force, "A force came out non-finite and was set to zero.");
+  for (std::size_t n = 0; n < felt.hand.size(); ++n) {
+    const HandFeedback& hand = felt.hand[n];
+    if (!is_finite(hand.force) || !std::isfinite(hand.depth))
+      return breach(Invariant::finite, "A hand feels what is no number.");
+    const double strength = length(hand.force);
+    if (strength > def.guard.max_force * (1.0 + 1e-12))
+      return breach(Invariant::force,
+                    said("A hand feels %.9g N of at most %.9g.", strength, def.guard.max_force));
+    const double change = length(hand.force - force_[n]);
+    const double most = def.guard.max_slew * seconds_of(dt) * (1.0 + 1e-9) + 1e-12;
+    if (change > most)
+      return breach(Invariant::force,
+                    said("The force changed by %.9g N in a tick that allows %.9g.", change, most));
+    force_[n] = hand.force;
+    const double large = std::max({def.clay.radius_max, rim_, scene.clay().rim_height()});
+    if (hand.depth < 0.0 || hand.depth > large + kSettled)
+      return breach(Invariant::depth,
+                    said("A press of %.9g m in clay of %.9g m.", hand.depth, large));
+  }
+  return {};
+}
+
+std::optional<Breach> Watch::look_at_row(const Clay& clay, int j) {
+  const ClayDef& def = clay.def();
+  const auto outer = clay.outer(j), inner = clay.inner(j);
+  // While steps are taken back some rows are as they were before, and the floor is not yet.
+  const bool solid = j < clay.floor_rows();
+  const bool settled = unsettled_ == 0;
+  double sum = 0.0;
+  float least = outer[0] - inner[0], most = outer[0], hole = inner[0], widest = inner[0];
+  bool good = true;
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    good = good && std::isfinite(outer[i]) && std::isfinite(inner[i]);
+    least = std::min(least, outer[i] - inner[i]);
+    most = std::max(most, outer[i]);
+    hole = std::min(hole, inner[i]);
+    widest = std::max(widest, inner[i]);
+    sum += static_cast<double>(outer[i]) * outer[i] - static_cast<double>(inner[i]) * inner[i];
+  }
+  if (!good) return breach(Invariant::finite, said("Row %d has a radius that is no number.", j));
+  if (settled && solid && (hole != 0.0f || widest != 0.0f))
+    return breach(Invariant::range, said("Row %d of the floor has a hole of %.9g m.", j,
+                                         static_cast<double>(hole != 0.0f ? hole : widest)));
+  if (settled && !solid && static_cast<double>(hole) < def.radius_min - rounding_)
+    return breach(Invariant::range, said("Row %d has an inner radius of %.9g m, under %.9g.", j,
+                                         static_cast<double>(hole), def.radius_min));
+  if (static_cast<double>(least) < def.wall_min - rounding_)
+    return breach(Invariant::range, said("Row %d has a wall of %.9g m, under its least of %.9g.", j,
+                                         static_cast<double>(least), def.wall_min));
+  if (static_cast<double>(most) > def.radius_max + rounding_)
+    return breach(Invariant::range, said("Row %d has an outer radius of %.9g m, over %.9g.", j,
+                                         static_cast<double>(most), def.radius_max));
+  area_[static_cast<std::size_t>(j)] = clay.measured_area(j);
+  content_[static_cast<std::size_t>(j)] = content_of(clay, j);
+  return {};
+}
+
+std::optional<Breach> Watch::look_at_stack(const Clay& clay) const {
+  double edge = 0.0;
+  for (int j = 0; j < clay.rows(); ++j) {
+    const double thick = clay.row_thickness(j);
+    if (!std::isfinite(thick) || !std::isfinite(clay.row_height(j)))
+      return breach(Invariant::finite, said("Row %d has a height that is no number.", j));
+    if (!(thick > 0.0))
+      return breach(Invariant::stacked, said("Row %d is %.9g m thick.", j, thick));
+    const double gap = clay.row_height(j) - 0.5 * thick - edge;
+    if (std::fabs(gap) > kSettled * std::max(1.0, edge))
+      return breach(Invariant::stacked,
+                    said("Row %d begins %.9g m off the top of the one below.", j, gap));
+    edge += thick;
+  }
+  const int floor = clay.floor_rows();
+  const double top = clay.floor_top();
+  if (!std::isfinite(top)) return breach(Invariant::finite, "The floor has no height.");
+  const double low = floor > 0 ? clay.row_height(floor - 1) : 0.0;
+  const double high = floor < clay.rows() ? clay.row_height(floor) : clay.rim_height();
+  if (top < low - kSettled || top > high + kSettled)
+    return breach(
+        Invariant::stacked,
+        said("The floor's top is at %.9g m, and belongs between %.9g and %.9g.", top, low, high));
+  return {};
+}
+
+std::optional<Breach> Watch::look_at_volume(const Scene& scene) {
+  if (!scene.def().volume) return {};
+  for (const int n : {0, 1}) {
+    const HandView view = scene.hand(n);
+    const ToolShape* shape = find_tool_shape(view.name);
+    cut_ = cut_ || (view.present && shape != nullptr && shape->cuts);
+  }
+  const Clay& clay = scene.clay();
+  if (unsettled_ > 0) return {};
+  double sum = 0.0;
+  for (int j = 0; j < clay.rows(); ++j)
+    sum += area_[static_cast<std::size_t>(j)] * clay.row_thickness(j);
+  const double off = sum / lump_ - 1.0;
+  const bool good = off < kSameVolume && (cut_ || off > -kSameVolume);
+  off_ = good ? 0 : off_ + 1;
+  // Girth after a pressed rim comes at a bounded pace.
+  if (off_ > clay.rows() * clay.sectors() / 8192)
+    return breach(Invariant::volume, said("There is %.9g of the lump's clay more.", off));
+  return {};
+}
+
+std::optional<Breach> Watch::after(Scene& scene, const Hands& hands, double dt,
+                                   const Feedback& felt) {
+  ++tick_;
+  if (auto found = look_at_feedback(scene, dt, felt)) return found;
+  const Clay& clay = scene.clay();
+  rim_ = clay.rim_height();
+  const int laying = 64 + clay.rows() * clay.sectors() / 512;
+  if ((hands.renew && !renew_) || (hands.restore && !restore_)) unsettled_ = laying + 1;
+  renew_ = hands.renew;
+  restore_ = hands.restore;
+  unsettled_ = std::max(0, unsettled_ - 1);
+  for (int j = scene.take_dirty_row(0); j >= 0; j = scene.take_dirty_row(j))
+    if (auto found = look_at_row(clay, j)) return found;
+  for (int j = scene.take_moved_row(0); j >= 0; j = scene.take_moved_row(j))
+    if (j < clay.floor_rows())
+      if (auto found = look_at_row(clay, j)) return found;
+  if (clay.rows() <= kWhole || tick_ % 64 == 0) {
+    if (auto found = look_at_volume(scene)) return found;
+    if (unsettled_ == 0)
+      if (auto found = look_at_stack(clay)) return found;
+  }
+  return tick_ % kWhole == 0 ? whole(scene) : std::nullopt;
+}
+
+std::optional<Breach> Watch::whole(Scene& scene) {
+  const Clay& clay = scene.clay();
+  for (int j = 0; j < clay.rows(); ++j) {
+    if (content_[static_cast<std::size_t>(j)] != content_of(clay, j))
+      return breach(Invariant::marks, said("Row %d changed, and is not marked.", j));
+    if (auto found = look_at_row(clay, j)) return found;
+  }
+  return unsettled_ == 0 ? look_at_stack(clay) : std::nullopt;
+}
+
+}  // namespace onggi::lab

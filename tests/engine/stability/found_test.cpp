@@ -1,0 +1,80 @@
+#include "tests/engine/stability/cases.h"
+
+// What random scenes found, each as small as it got. engine/docs/stability.md says how each was
+// mended.
+namespace onggi::stability {
+namespace {
+
+enum Tools : std::uint8_t { ball = 0, loop_trimmer = 4, needle = 5, sponge = 6 };
+
+SceneDef pot(double outer, double inner, double wall, int rows, int sectors) {
+  SceneDef def = small(rows, sectors);
+  def.clay.outer_radius = outer;
+  def.clay.inner_radius = inner;
+  def.clay.wall_min = wall;
+  def.clay.radius_min = std::min(def.clay.radius_min, inner);
+  return def;
+}
+Stroke with(std::uint8_t tool, Vec3 from, Vec3 to, int ticks, double dt = 0.001) {
+  Stroke out = stroke(from, to, ticks, 0.0);
+  out.hand[0].begins.tool = tool;
+  out.dt = dt;
+  return out;
+}
+void expect_held(const SceneDef& def, std::vector<Stroke> strokes) {
+  expect_stable({def, 1, std::move(strokes)});
+}
+
+TEST(Found, AFloorRowOfANarrowLumpOffTheMiddleKeepsRoomForItsHole) {
+  SceneDef def = pot(0.00475, 0.002, 0.00125, 400, 360);
+  def.wobble.emplace();
+  const Vec3 at{0.000361961, 0.0108658, -8.41039e-05};
+  expect_held(def, {with(ball, at, at, 20)});
+}
+
+TEST(Found, ARimThatIsPressedAsideChangesTheAreasOfItsRows) {
+  SceneDef def = pot(0.00061, 0.0001, 0.0005, 60, 24);
+  def.volume.emplace();
+  expect_held(def,
+              {with(sponge, {0, 0.0376799, 0}, {0.000314163, 0.0683052, 0.000226704}, 4, 0.005)});
+}
+
+TEST(Found, AnEdgeThatPushesAWallAtItsThinnestAsideCutsNothingOff) {
+  SceneDef def = pot(0.055, 0.0505, 0.004, 60, 48);
+  def.volume.emplace();
+  for (const std::uint8_t tool : {needle, loop_trimmer})
+    expect_held(def, {with(tool, {0.045, 0.1, 0.0}, {0.056, 0.1, 0.0}, 600)});
+}
+
+TEST(Found, ARowThatIsPressedDownAndHasGotLargerMeanwhileDoesNotShrink) {
+  SceneDef def = pot(0.003, 0.002, 0.0005, 400, 360);
+  def.wobble.emplace();
+  def.volume.emplace();
+  expect_held(def, {with(ball, {0.00165666, 0.595828, -0.00031621},
+                         {-0.000223728, 0.11156, 0.000964135}, 24)});
+}
+
+TEST(Found, APotThatSagsNeverRisesByItselfThoughAHandCentresItMeanwhile) {
+  SceneDef def = pot(0.055, 0.0107522, 0.004, 400, 64);
+  def.wobble.emplace();
+  def.volume.emplace();
+  def.slump.emplace();
+  def.slump->density = 4000.0;
+  Stroke still = held({-0.0290371, 0.125089, 0}, 300, -15.88);
+  still.dt = 0.005;
+  expect_held(def, {still});
+}
+
+TEST(Found, APressIsNoDeeperThanTheClayIsHigh) {
+  SceneDef solid = small();
+  solid.clay.floor_thickness = solid.clay.height;
+  expect_held(solid, {held({0, -0.011454, 0}, 10), held({0, -9.0, 0}, 10)});
+  SceneDef low = pot(0.00475, 0.002, 0.00125, 60, 48);  // under a sponge of 3 cm
+  low.clay.height = 0.0205824;
+  low.clay.radius_max = 0.007125;
+  const Vec3 at{-0.00338112, 0.0234249, -0.000289659};
+  expect_held(low, {with(sponge, at, at, 10)});
+}
+
+}  // namespace
+}  // namespace onggi::stability
