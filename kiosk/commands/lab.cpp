@@ -4,8 +4,10 @@
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
+#include "kiosk/commands/replay_file.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/measure/price_list.h"
+#include "kiosk/measure/stability.h"
 
 namespace onggi::commands {
 
@@ -61,13 +63,71 @@ Command effects_command() {
           .run = [a] { return effects(*a); }};
 }
 
+struct StabilityArguments {
+  measure::StabilityPlan plan;
+  std::string out = plan.folder.string(), json, check;
+};
+
+Result<int> stability(StabilityArguments& arguments) {
+  if (!arguments.check.empty()) {
+    const auto replay = read_replay(arguments.check);
+    if (!replay) return tl::unexpected(replay.error());
+    const auto said = measure::check_replay(*replay);
+    if (!said) return tl::unexpected(said.error());
+    std::printf("%s: %s\n", arguments.check.c_str(), said->c_str());
+    return 0;
+  }
+  arguments.plan.folder = arguments.out;
+  const auto tally = measure::measure_stability(arguments.plan, stderr);
+  if (!tally) return tl::unexpected(tally.error());
+  const auto free = put_report(measure::json_of(*tally), arguments.json);
+  if (!free) return tl::unexpected(free.error());
+  if (*free) {
+    std::printf("stability: seed %llu, %llu trials, %llu ticks, %zu found%s\n",
+                static_cast<unsigned long long>(tally->seed),
+                static_cast<unsigned long long>(tally->trials),
+                static_cast<unsigned long long>(tally->ticks), tally->finds.size(),
+                tally->interrupted ? "; interrupted: run it again to go on" : "");
+    for (const measure::StabilityFind& find : tally->finds)
+      std::printf("  trial %llu, %s: %s\n    %s\n", static_cast<unsigned long long>(find.trial),
+                  find.invariant.c_str(), find.what.c_str(), find.replay.c_str());
+  }
+  return tally->finds.empty() ? 0 : 1;
+}
+
+Command stability_command() {
+  const auto a = std::make_shared<StabilityArguments>();
+  return {.name = "stability",
+          .help = "Random hands in random scenes for a night, and what must hold after each tick",
+          .examples =
+              "Example: onggi lab stability --ticks 1e9 --json night.json\n"
+              "         onggi lab stability --ticks 1e7 --seed 7 --threads 1\n"
+              "         onggi lab stability --check keepsakes/stability/7_1234.onggi\n"
+              "Interrupted, it goes on where it was when it is run again with the same seed.",
+          .options = {{.name = "--ticks",
+                       .field = &a->plan.ticks,
+                       .help = "To have been run in all [1e9]",
+                       .least = 1,
+                       .most = 1e15},
+                      {"--seed", &a->plan.seed, "That trials are drawn from [1]"},
+                      {.name = "--threads",
+                       .field = &a->plan.threads,
+                       .help = "0: one a core [0]",
+                       .least = 0,
+                       .most = 256},
+                      {"--out", &a->out, "Where progress and replays go [keepsakes/stability]"},
+                      {"--json", &a->json, "Write what came as JSON (- for standard output)"},
+                      {"--check", &a->check, "Only look at every tick of this replay"}},
+          .run = [a] { return stability(*a); }};
+}
+
 }  // namespace
 
 Command lab_command() {
   return {.name = "lab",
           .help = "Measure the engine on this machine",
-          .examples = "Example: onggi lab effects",
-          .commands = {effects_command()}};
+          .examples = "Example: onggi lab effects\n         onggi lab stability --ticks 1e7",
+          .commands = {effects_command(), stability_command()}};
 }
 
 }  // namespace onggi::commands
