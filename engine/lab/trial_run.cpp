@@ -53,7 +53,7 @@ TrialResult run_trial(const Trial& trial, const TrialChecks& checks) {
   };
   trial.play([&](const TickRecord& record) {
     const Feedback felt = scene->step(record.hands, record.dt);
-    result.breach = watch.after(*scene, record.hands, record.dt, felt);
+    result.breach = watch.after(*scene, record.dt, felt);
     return go_on() && !result.breach;
   });
   if (!result.breach && !given_up) result.breach = watch.whole(*scene);

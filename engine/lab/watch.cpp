@@ -59,7 +59,8 @@ void Watch::resume(Scene& scene) {
   }
   rim_ = clay.rim_height();
   force_ = {};
-  unsettled_ = off_ = 0;
+  off_ = 0;
+  laying_ = scene.laying();
   while (scene.take_dirty_row(0) >= 0) {
   }
   while (scene.take_moved_row(0) >= 0) {
@@ -113,7 +114,7 @@ std::optional<Breach> Watch::look_at_row(const Clay& clay, int j) {
   const auto outer = clay.outer(j), inner = clay.inner(j);
   // While steps are taken back some rows are as they were before, and the floor is not yet.
   const bool solid = j < clay.floor_rows();
-  const bool settled = unsettled_ == 0;
+  const bool settled = !laying_;
   double sum = 0.0;
   float least = outer[0] - inner[0], most = outer[0], hole = inner[0], widest = inner[0];
   bool good = true;
@@ -177,30 +178,29 @@ std::optional<Breach> Watch::look_at_volume(const Scene& scene) {
     cut_ = cut_ || (view.present && shape != nullptr && shape->cuts);
   }
   const Clay& clay = scene.clay();
-  if (unsettled_ > 0) return {};
+  if (laying_) return {};
   double sum = 0.0;
   for (int j = 0; j < clay.rows(); ++j)
     sum += area_[static_cast<std::size_t>(j)] * clay.row_thickness(j);
   const double off = sum / lump_ - 1.0;
   const bool good = off < kSameVolume && (cut_ || off > -kSameVolume);
   off_ = good ? 0 : off_ + 1;
-  // Girth after a pressed rim comes at a bounded pace.
-  if (off_ > clay.rows() * clay.sectors() / 8192)
+  // Girth after a pressed rim comes at a bounded pace, 16384 elements a tick: on larger grids it is
+  // late for as long as the rim is pressed and some ticks more.
+  const int late = clay.rows() * clay.sectors() / 16384;
+  if (late > 0 && pressed_) off_ = 0;
+  if (off_ > 2 * late)
     return breach(Invariant::volume, said("There is %.9g of the lump's clay more.", off));
   return {};
 }
 
-std::optional<Breach> Watch::after(Scene& scene, const Hands& hands, double dt,
-                                   const Feedback& felt) {
+std::optional<Breach> Watch::after(Scene& scene, double dt, const Feedback& felt) {
   ++tick_;
   if (auto found = look_at_feedback(scene, dt, felt)) return found;
   const Clay& clay = scene.clay();
   rim_ = clay.rim_height();
-  const int laying = 64 + clay.rows() * clay.sectors() / 512;
-  if ((hands.renew && !renew_) || (hands.restore && !restore_)) unsettled_ = laying + 1;
-  renew_ = hands.renew;
-  restore_ = hands.restore;
-  unsettled_ = std::max(0, unsettled_ - 1);
+  laying_ = scene.laying();
+  pressed_ = std::ranges::any_of(felt.hand, &HandFeedback::contact);
   for (int j = scene.take_dirty_row(0); j >= 0; j = scene.take_dirty_row(j))
     if (auto found = look_at_row(clay, j)) return found;
   for (int j = scene.take_moved_row(0); j >= 0; j = scene.take_moved_row(j))
@@ -208,7 +208,7 @@ std::optional<Breach> Watch::after(Scene& scene, const Hands& hands, double dt,
       if (auto found = look_at_row(clay, j)) return found;
   if (clay.rows() <= kWhole || tick_ % 64 == 0) {
     if (auto found = look_at_volume(scene)) return found;
-    if (unsettled_ == 0)
+    if (!laying_)
       if (auto found = look_at_stack(clay)) return found;
   }
   return tick_ % kWhole == 0 ? whole(scene) : std::nullopt;
@@ -221,7 +221,7 @@ std::optional<Breach> Watch::whole(Scene& scene) {
       return breach(Invariant::marks, said("Row %d changed, and is not marked.", j));
     if (auto found = look_at_row(clay, j)) return found;
   }
-  return unsettled_ == 0 ? look_at_stack(clay) : std::nullopt;
+  return !laying_ ? look_at_stack(clay) : std::nullopt;
 }
 
 }  // namespace onggi::lab

@@ -43,8 +43,8 @@ class Watch {
 
   explicit Watch(Scene& scene);
 
-  /// After scene.step(hands, dt), which gave `felt`.
-  std::optional<Breach> after(Scene& scene, const Hands& hands, double dt, const Feedback& felt);
+  /// After scene.step() of `dt` seconds, which gave `felt`.
+  std::optional<Breach> after(Scene& scene, double dt, const Feedback& felt);
   /// Ticks were done that it was not told of, and no hand is there: it goes on from the clay as it
   /// is.
   void resume(Scene& scene);
@@ -70,10 +70,9 @@ class Watch {
   std::vector<double> area_;            // of every row's section, m^2, as last seen
   std::vector<std::uint64_t> content_;  // its hash
   std::array<Vec3, kMaxHands> force_{};
-  bool renew_ = false, restore_ = false;
-  int unsettled_ = 0;  // ticks in which the lump may be worked on
-  int off_ = 0;        // ticks for which the volume has been another
-  bool cut_ = false;   // a tool that takes clay away was there
+  int off_ = 0;  // ticks for which the volume has been another
+  bool laying_ = false, pressed_ = false;
+  bool cut_ = false;  // a tool that takes clay away was there
 };
 
 }  // namespace onggi::lab

@@ -45,6 +45,7 @@ bool Scene::torn(int row) const {
 double Scene::wetness_of(int row) const {
   return state_->moisture ? state_->moisture->of_row(row) : 0.0;
 }
+bool Scene::laying() const { return !state_->lump.playing(); }
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
 int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }
 int Scene::take_moved_row(int from) noexcept { return state_->clay.take_moved(from); }

@@ -45,6 +45,8 @@ class Scene {
   bool torn(int row) const;
   /// Wetness of row `row` of the clay, 0..1: where it shines.
   double wetness_of(int row) const;
+  /// A fresh lump is being laid, or a step taken back: some rows are as they will be, some not yet.
+  bool laying() const;
   /// Hands::restore has a stroke, or a fresh lump, to take back.
   bool can_restore() const;
   /// Takes and clears the lowest changed row at or above `from`; -1 when none. No allocation.

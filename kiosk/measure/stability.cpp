@@ -250,7 +250,7 @@ Result<std::string> check_replay(const Replay& replay) {
   lab::Watch watch(*scene);
   for (const TickRecord& record : replay.ticks) {
     const Feedback felt = scene->step(record.hands, record.dt);
-    if (const auto breach = watch.after(*scene, record.hands, record.dt, felt))
+    if (const auto breach = watch.after(*scene, record.dt, felt))
       return problem("tick " + std::to_string(breach->tick),
                      std::string(lab::name_of(breach->invariant)) + ": " + breach->what,
                      "engine/docs/stability.md says what must hold.", 1);

@@ -23,11 +23,11 @@ struct Watched {
     hands.wheel_speed = 5.0;
     for (int n = 0; n < 300; ++n) {
       felt = scene.step(hands, 0.001);
-      EXPECT_FALSE(watch.after(scene, hands, 0.001, felt));
+      EXPECT_FALSE(watch.after(scene, 0.001, felt));
     }
   }
   std::optional<Invariant> told(double dt = 0.001) {
-    const auto found = watch.after(scene, hands, dt, felt);
+    const auto found = watch.after(scene, dt, felt);
     return found ? std::optional(found->invariant) : std::nullopt;
   }
 };
@@ -89,7 +89,7 @@ TEST(Watch, TellsOfClayThatCameFromNowhere) {
   Watched watched(def);
   Scene other = std::move(*Scene::create(larger));
   other.mark_all_dirty();
-  const auto found = watched.watch.after(other, watched.hands, 0.001, watched.felt);
+  const auto found = watched.watch.after(other, 0.001, watched.felt);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->invariant, Invariant::volume);
 }

@@ -169,7 +169,7 @@ TEST(HardTimes, ADayAtTheWheel) {
     std::optional<Breach> breach;
     work.play([&](const TickRecord& record) {
       const Feedback felt = scene.step(record.hands, record.dt);
-      breach = watch.after(scene, record.hands, record.dt, felt);
+      breach = watch.after(scene, record.dt, felt);
       return !breach;
     });
     ASSERT_FALSE(breach) << hour << " h: " << breach->what;
