@@ -78,8 +78,9 @@ struct Table {
   FaceMoved (*push)(const RowPush& how, int stride, const float* ray_cos, const float* ray_sin,
                     float* outer, float* inner);
   WallBounds (*bounds)(int stride, const float* outer, const float* inner);
-  /// outer' = same outer + cross inner, inner' = same inner + cross outer. FaceMoved::lost is 0.
-  FaceMoved (*mix)(int stride, float same, float cross, float* outer, float* inner);
+  /// outer' = same outer + cross inner, inner' = same inner + cross outer; `wall_min` apart at the
+  /// least, for roundings add up from sweep to sweep. FaceMoved::lost is 0.
+  FaceMoved (*mix)(int stride, float same, float cross, float wall_min, float* outer, float* inner);
   Ring (*measure)(int stride, const float* outer, const float* inner);
   /// True where an element changed.
   bool (*even)(const Columns& columns);

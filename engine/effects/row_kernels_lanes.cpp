@@ -142,15 +142,17 @@ WallBounds bounds_of(int stride, const float* outer, const float* inner) {
   return {largest(farthest), smallest(thinnest)};
 }
 
-FaceMoved mix_faces(int stride, float same, float cross, float* outer, float* inner) {
+FaceMoved mix_faces(int stride, float same, float cross, float wall_min, float* outer,
+                    float* inner) {
   Float8 outermost = all(0.0f);
   Float8 innermost = all(1e9f);
   for (int i = 0; i < stride; i += kLanes) {
     const Float8 out = load(outer + i);
     const Float8 in = load(inner + i);
     const Mask8 there = real(out);
-    const Float8 out_now = select(there, out * all(same) + in * all(cross), out);
     const Float8 in_now = select(there, in * all(same) + out * all(cross), in);
+    const Float8 out_now =
+        select(there, larger(out * all(same) + in * all(cross), in_now + all(wall_min)), out);
     store(out_now, outer + i);
     store(in_now, inner + i);
     outermost = larger(out_now, outermost);

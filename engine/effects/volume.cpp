@@ -12,6 +12,14 @@ namespace {
 constexpr double kElementsPerSecond = 16384e3;
 constexpr double kLongestWait = 0.1;  // s, of any row on any grid
 
+// Of `volume`, what went with `cut` of a row's area, of which `left` is there now, where the row is
+// `thick`. Two edges that push a wall at its thinnest to and fro in one tick cut more than there
+// was at once: then it is a share of what came under them.
+double cut_off(double volume, double cut, double left, double thick) {
+  const double gone = cut * thick;
+  return gone < 0.5 * volume ? gone : volume * cut / (left + cut);
+}
+
 }  // namespace
 
 Volume::Volume(Clay& clay) {
@@ -48,7 +56,7 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
     if (lowest < 0) lowest = j;
     double area = known_area(clay, j);
     const double now = clay.row_thickness(j);
-    volume_[n] -= areas.take_cut(j) * now;
+    volume_[n] -= cut_off(volume_[n], areas.take_cut(j), area, now);
     if (pressed_down(clay, j)) {
       // Those below widen_from_ had their turn in the call before: began each call at the foot, a
       // rim that is pressed all the time would be waited for for ever.
@@ -138,7 +146,8 @@ double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   const auto same = static_cast<float>(0.5 * (girth + thickness));
   const auto cross = static_cast<float>(0.5 * (girth - thickness));
   const double before = clay.areas()->of(j);
-  const row_kernels::FaceMoved extent = kernels.mix(clay.stride(), same, cross, outer, inner);
+  const row_kernels::FaceMoved extent =
+      kernels.mix(clay.stride(), same, cross, static_cast<float>(def.wall_min), outer, inner);
   clay.set_extent(j, extent.outermost, extent.innermost);
   clay.areas()->mark(j);
   clay.areas()->set(j, clay.measured_area(j));

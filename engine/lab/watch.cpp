@@ -37,13 +37,13 @@ const char* name_of(Invariant invariant) {
   return kNames[static_cast<std::size_t>(invariant)];
 }
 
-double Watch::rounding(const ClayDef& clay) {
+double Watch::rounding(double radius) {
   int exponent = 0;
-  std::frexp(clay.radius_max, &exponent);
+  std::frexp(radius, &exponent);
   return 16.0 * std::ldexp(1.0, exponent - 24);
 }
 
-Watch::Watch(Scene& scene) : rounding_(rounding(scene.clay().def())) {
+Watch::Watch(Scene& scene) {
   const Clay& clay = scene.clay();
   area_.resize(static_cast<std::size_t>(clay.rows()));
   content_.resize(area_.size());
@@ -112,7 +112,8 @@ std::optional<Breach> Watch::look_at_feedback(const Scene& scene, double dt, con
 std::optional<Breach> Watch::look_at_row(const Clay& clay, int j) {
   const ClayDef& def = clay.def();
   const auto outer = clay.outer(j), inner = clay.inner(j);
-  // While steps are taken back some rows are as they were before, and the floor is not yet.
+  // While steps are taken back some rows are as they were before, and the floor
+  // is not yet.
   const bool solid = j < clay.floor_rows();
   const bool settled = !laying_;
   double sum = 0.0;
@@ -127,16 +128,17 @@ std::optional<Breach> Watch::look_at_row(const Clay& clay, int j) {
     sum += static_cast<double>(outer[i]) * outer[i] - static_cast<double>(inner[i]) * inner[i];
   }
   if (!good) return breach(Invariant::finite, said("Row %d has a radius that is no number.", j));
+  const double rounding = Watch::rounding(static_cast<double>(most));
   if (settled && solid && (hole != 0.0f || widest != 0.0f))
     return breach(Invariant::range, said("Row %d of the floor has a hole of %.9g m.", j,
                                          static_cast<double>(hole != 0.0f ? hole : widest)));
-  if (settled && !solid && static_cast<double>(hole) < def.radius_min - rounding_)
+  if (settled && !solid && static_cast<double>(hole) < def.radius_min - rounding)
     return breach(Invariant::range, said("Row %d has an inner radius of %.9g m, under %.9g.", j,
                                          static_cast<double>(hole), def.radius_min));
-  if (static_cast<double>(least) < def.wall_min - rounding_)
+  if (static_cast<double>(least) < def.wall_min - rounding)
     return breach(Invariant::range, said("Row %d has a wall of %.9g m, under its least of %.9g.", j,
                                          static_cast<double>(least), def.wall_min));
-  if (static_cast<double>(most) > def.radius_max + rounding_)
+  if (static_cast<double>(most) > def.radius_max + rounding)
     return breach(Invariant::range, said("Row %d has an outer radius of %.9g m, over %.9g.", j,
                                          static_cast<double>(most), def.radius_max));
   area_[static_cast<std::size_t>(j)] = clay.measured_area(j);
@@ -185,8 +187,9 @@ std::optional<Breach> Watch::look_at_volume(const Scene& scene) {
   const double off = sum / lump_ - 1.0;
   const bool good = off < kSameVolume && (cut_ || off > -kSameVolume);
   off_ = good ? 0 : off_ + 1;
-  // Girth after a pressed rim comes at a bounded pace, 16384 elements a tick: on larger grids it is
-  // late for as long as the rim is pressed and some ticks more.
+  // Girth after a pressed rim comes at a bounded pace, 16384 elements a tick:
+  // on larger grids it is late for as long as the rim is pressed and some ticks
+  // more.
   const int late = clay.rows() * clay.sectors() / 16384;
   if (late > 0 && pressed_) off_ = 0;
   if (off_ > 2 * late)

@@ -12,12 +12,16 @@ namespace onggi::lab {
 
 /// What must be so after every tick, whatever was done to the clay.
 enum class Invariant : std::uint8_t {
-  finite,     ///< Every number that the tick gives back, and every radius and height.
-  range,      ///< radius_min <= inner, inner + wall_min <= outer <= radius_max; solid floor rows.
-  stacked,    ///< Rows stand on each other, each of some thickness; the floor's top is where it
-              ///< belongs and not above the rim.
-  volume,     ///< With VolumeDef: the clay that there was, to a millionth; what cuts takes some.
-  force,      ///< Within the guard's clamp and slew; no force that is none came out of the law.
+  finite,     ///< Every number that the tick gives back, and every radius and
+              ///< height.
+  range,      ///< radius_min <= inner, inner + wall_min <= outer <= radius_max;
+              ///< solid floor rows.
+  stacked,    ///< Rows stand on each other, each of some thickness; the floor's
+              ///< top is where it belongs and not above the rim.
+  volume,     ///< With VolumeDef: the clay that there was, to a millionth; what
+              ///< cuts takes some.
+  force,      ///< Within the guard's clamp and slew; no force that is none came out
+              ///< of the law.
   depth,      ///< A press is no deeper than the clay is large.
   marks,      ///< A row that changed was marked for those who draw it.
   same_hash,  ///< The same hands leave the same bits, with other vectors too.
@@ -34,9 +38,10 @@ struct Breach {
   std::string what;        ///< A sentence, with the figures.
 };
 
-/// Watches a scene, tick by tick. It takes the scene's dirty and moved rows, so nobody else may.
-/// The work a tick is that of the rows that changed, and a look at every row's height; all of the
-/// clay is looked at every kWhole ticks. Allocates when made, and for a Breach.
+/// Watches a scene, tick by tick. It takes the scene's dirty and moved rows, so
+/// nobody else may. The work a tick is that of the rows that changed, and a
+/// look at every row's height; all of the clay is looked at every kWhole ticks.
+/// Allocates when made, and for a Breach.
 class Watch {
  public:
   static constexpr int kWhole = 512;
@@ -45,19 +50,20 @@ class Watch {
 
   /// After scene.step() of `dt` seconds, which gave `felt`.
   std::optional<Breach> after(Scene& scene, double dt, const Feedback& felt);
-  /// Ticks were done that it was not told of, and no hand is there: it goes on from the clay as it
-  /// is.
+  /// Ticks were done that it was not told of, and no hand is there: it goes on
+  /// from the clay as it is.
   void resume(Scene& scene);
   /// Looks at all of the clay now.
   std::optional<Breach> whole(Scene& scene);
 
-  /// Row `j`, and how all rows stand on each other, of any clay of that many rows.
+  /// Row `j`, and how all rows stand on each other, of any clay of that many
+  /// rows.
   std::optional<Breach> look_at_row(const Clay& clay, int j);
   std::optional<Breach> look_at_stack(const Clay& clay) const;
 
-  /// How far a radius may be beyond its limit by roundings alone, m: sixteen of a float's last
-  /// digits at the largest radius.
-  static double rounding(const ClayDef& clay);
+  /// How far a row whose largest radius is `radius` may be beyond its limits by
+  /// roundings alone, m: sixteen of a float's last digits there.
+  static double rounding(double radius);
 
  private:
   std::optional<Breach> breach(Invariant invariant, std::string what) const;
@@ -65,7 +71,7 @@ class Watch {
   std::optional<Breach> look_at_volume(const Scene& scene);
 
   std::uint64_t tick_ = 0;
-  double rounding_ = 0.0, lump_ = 0.0;  // m, m^3
+  double lump_ = 0.0;                   // m, m^3
   double rim_ = 0.0;                    // m, a tick ago
   std::vector<double> area_;            // of every row's section, m^2, as last seen
   std::vector<std::uint64_t> content_;  // its hash

@@ -113,9 +113,9 @@ TEST(Watch, TellsOfARadiusOutOfItsRange) {
   EXPECT_EQ(told([](Clay& clay) { clay.inner_mut(1)[5] = 0.0001f; }), Invariant::range);
   EXPECT_EQ(told([](Clay& clay) { clay.inner_mut(30)[0] = std::nanf(""); }), Invariant::finite);
   // To a float's rounding and no farther.
-  EXPECT_EQ(told([](Clay& clay) { clay.inner_mut(30)[0] = 0.0019999f; }), std::nullopt);
-  EXPECT_GT(Watch::rounding(def.clay), 1e-8);
-  EXPECT_LT(Watch::rounding(def.clay), 3e-7);
+  EXPECT_EQ(told([](Clay& clay) { clay.inner_mut(30)[0] = 0.00199995f; }), std::nullopt);
+  EXPECT_GT(Watch::rounding(0.055), 1e-8);
+  EXPECT_LT(Watch::rounding(0.055), 3e-7);
 }
 
 TEST(Watch, TellsOfRowsThatDoNotStandOnEachOtherAndOfAFloorThatIsNotWhereItBelongs) {

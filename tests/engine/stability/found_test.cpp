@@ -76,5 +76,39 @@ TEST(Found, APressIsNoDeeperThanTheClayIsHigh) {
   expect_held(low, {with(sponge, at, at, 10)});
 }
 
+TEST(Found, TwoEdgesInAThinWallCutOffNoMoreThanThereIs) {
+  SceneDef def = pot(0.055, 0.022, 0.004, 400, 360);
+  def.clay.radius_min = 0.00015527;
+  def.contact.relaxation_time = 0.001;
+  def.volume.emplace();
+  for (ToolToHand& tool : def.tools)
+    if (tool.name == "loop_trimmer") tool.size.thickness = 0.01;
+  Stroke down = with(loop_trimmer, {0.0337033394, 0.01288966, 0.037408453},
+                     {0.0337033394, 0.01288966, 0.037408453}, 3, 0.0005775);
+  down.hand[0].begins.roll = -1.46;
+  Stroke both = with(loop_trimmer, {0, 0.01288966, 0},
+                     {-0.00262787396, 0.0517767033, -0.0031313049}, 2, 0.005);
+  both.hand[0].begins.roll = -1.46;
+  both.hand[1].begins = {{-0.0250229219, 0.01288966, 0}, true, SideWish::by_position, loop_trimmer};
+  both.hand[1].ends = both.hand[1].begins.position;
+  expect_held(def, {down, both, both, both});
+}
+
+TEST(Found, AWideWallAtItsThinnestStaysSoThroughHundredsOfSweepsOfSlump) {
+  SceneDef def = pot(0.501, 0.5, 0.0005, 9, 38);
+  def.clay.radius_min = 0.5;
+  def.clay.radius_max = 0.7515;
+  def.wobble.emplace();
+  def.volume.emplace();
+  def.slump.emplace();
+  def.slump->viscosity = 1e8;
+  Stroke through = with(1, {-0.0336832428, -0.00309278201, -0.0305515197},
+                        {0.267302303, 0.12487427, -0.26908389}, 440, 0.005);
+  through.wheel_speed = -22.98;
+  std::swap(through.hand[0], through.hand[1]);
+  through.hand[1].begins.roll = -3.69;
+  expect_held(def, {through});
+}
+
 }  // namespace
 }  // namespace onggi::stability

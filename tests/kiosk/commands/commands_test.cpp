@@ -15,7 +15,7 @@ namespace {
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
   for (const char* command :
        {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect",
-        "vessel import", "score", "soak", "lab", "lab effects", "devices"}) {
+        "vessel import", "score", "soak", "lab", "lab effects", "lab stability", "devices"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
@@ -90,6 +90,22 @@ TEST(Lab, ThePriceListIsDrawnWithNothingButTheProgramItself) {
     EXPECT_GT(text_of(file).size(), 20000u) << name;
   }
   EXPECT_EQ(onggi("lab effects --quick --grid 60x48 --plot /proc/no.png").exit_code, 1);
+}
+
+TEST(Lab, ANightOfTrialsLeavesItsTallyAndGoesOnWhereItWas) {
+  const TemporaryFolder folder;
+  const std::string out = " --threads 1 --seed 3 --out " + (folder / "night").string();
+  const Outcome first = onggi("lab stability --ticks 9000 --json -" + out);
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  const auto tally = nlohmann::json::parse(first.out);
+  EXPECT_GE(tally.at("ticks").get<double>(), 9000.0);
+  EXPECT_TRUE(tally.at("found").empty());
+  const Outcome next = onggi("lab stability --ticks 10000" + out);
+  EXPECT_EQ(next.exit_code, 0) << next.err;
+  EXPECT_NE(next.err.find("Goes on from trial"), std::string::npos);
+  EXPECT_NE(next.out.find("seed 3"), std::string::npos);
+  EXPECT_EQ(onggi("lab stability --ticks 0").exit_code, 2);
+  EXPECT_EQ(onggi("lab stability --check /nowhere.onggi").exit_code, 2);
 }
 
 TEST(Lab, AGridThatIsNoneIsTheInputsFault) {
