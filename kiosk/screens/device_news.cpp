@@ -5,7 +5,7 @@
 namespace onggi::screens {
 
 namespace {
-constexpr double kTold = 6.0;  // s: long enough to look up and read a sentence
+constexpr double kNewsTold = 6.0;  // s: long enough to look up and read a sentence
 
 constexpr const char* kLost = "throw.device_lost";
 constexpr const char* kHold = "throw.device_hold";
@@ -37,7 +37,7 @@ void DeviceNews::update(double now, bool hold) {
   if (hold && again_) {
     key_ = kHold;
     told_at_ = now;
-  } else if (key_ == kHold || now - told_at_ > kTold) {
+  } else if (key_ == kHold || now - told_at_ > kNewsTold) {
     key_.clear();
   }
   if (!hold && key_.empty()) again_ = false;

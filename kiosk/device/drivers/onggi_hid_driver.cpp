@@ -8,9 +8,9 @@ using onggi_hid::Mode;
 
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kOffAgain = 50 * kMs;  // Said again, should one have been lost.
-constexpr std::int64_t kArmAgain = 5 * kMs;
+constexpr std::int64_t kMillisecond = 1'000'000;
+constexpr std::int64_t kOffAgain = 50 * kMillisecond;  // Said again, should one have been lost.
+constexpr std::int64_t kArmAgain = 5 * kMillisecond;
 constexpr std::uint16_t kBehind = 4;     // Outputs that may be on their way.
 constexpr std::uint16_t kPatience = 12;  // Outputs unanswered until it counts as deaf.
 
