@@ -83,8 +83,8 @@ TEST(Found, TwoEdgesInAThinWallCutOffNoMoreThanThereIs) {
   def.volume.emplace();
   for (ToolToHand& tool : def.tools)
     if (tool.name == "loop_trimmer") tool.size.thickness = 0.01;
-  Stroke down = with(loop_trimmer, {0.0337033394, 0.01288966, 0.037408453},
-                     {0.0337033394, 0.01288966, 0.037408453}, 3, 0.0005775);
+  Stroke down =
+      with(loop_trimmer, {0.0337033394, 0.01288966, 0.037408453}, {0, 0.01288966, 0}, 3, 0.0005775);
   down.hand[0].begins.roll = -1.46;
   Stroke both = with(loop_trimmer, {0, 0.01288966, 0},
                      {-0.00262787396, 0.0517767033, -0.0031313049}, 2, 0.005);
@@ -102,12 +102,14 @@ TEST(Found, AWideWallAtItsThinnestStaysSoThroughHundredsOfSweepsOfSlump) {
   def.volume.emplace();
   def.slump.emplace();
   def.slump->viscosity = 1e8;
-  Stroke through = with(1, {-0.0336832428, -0.00309278201, -0.0305515197},
-                        {0.267302303, 0.12487427, -0.26908389}, 440, 0.005);
-  through.wheel_speed = -22.98;
-  std::swap(through.hand[0], through.hand[1]);
-  through.hand[1].begins.roll = -3.69;
-  expect_held(def, {through});
+  const Vec3 below{-0.435627755, -0.00309278201, 0.246408151};
+  Stroke away = with(1, {-0.0336832428, -0.00309278201, -0.0305515197}, below, 292, 0.005);
+  Stroke across = with(1, below, {0.267302303, 0.12487427, -0.26908389}, 148, 0.005);
+  for (Stroke* one : {&away, &across}) {
+    one->wheel_speed = -22.9772693;
+    one->hand[0].begins.roll = -3.69;
+  }
+  expect_held(def, {away, across});
 }
 
 }  // namespace
