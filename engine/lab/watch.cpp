@@ -60,6 +60,7 @@ void Watch::resume(Scene& scene) {
   rim_ = clay.rim_height();
   force_ = {};
   off_ = 0;
+  off_seconds_ = 0.0;
   laying_ = scene.laying();
   while (scene.take_dirty_row(0) >= 0) {
   }
@@ -172,7 +173,7 @@ std::optional<Breach> Watch::look_at_stack(const Clay& clay) const {
   return {};
 }
 
-std::optional<Breach> Watch::look_at_volume(const Scene& scene) {
+std::optional<Breach> Watch::look_at_volume(const Scene& scene, double seconds) {
   if (!scene.def().volume) return {};
   for (const int n : {0, 1}) {
     const HandView view = scene.hand(n);
@@ -186,13 +187,15 @@ std::optional<Breach> Watch::look_at_volume(const Scene& scene) {
     sum += area_[static_cast<std::size_t>(j)] * clay.row_thickness(j);
   const double off = sum / lump_ - 1.0;
   const bool good = off < kSameVolume && (cut_ || off > -kSameVolume);
-  off_ = good ? 0 : off_ + 1;
-  // Girth after a pressed rim comes at a bounded pace, 16384 elements a tick:
-  // on larger grids it is late for as long as the rim is pressed and some ticks
-  // more.
-  const int late = clay.rows() * clay.sectors() / 16384;
-  if (late > 0 && pressed_) off_ = 0;
-  if (off_ > 2 * late)
+  // Girth after a pressed rim comes at a bounded pace: in a tick that is shorter than that takes,
+  // it is late for as long as the rim is pressed, and a round more.
+  constexpr double kElementsPerSecond = 16384e3;
+  constexpr double kLongestWait = 0.1;  // s
+  const double late = std::min(kLongestWait, clay.rows() * clay.stride() / kElementsPerSecond);
+  const bool waits = !good && !(pressed_ && seconds < late);
+  off_ = waits ? off_ + 1 : 0;
+  off_seconds_ = waits ? off_seconds_ + seconds : 0.0;
+  if (off_ > 2 && off_seconds_ > 2.0 * late)
     return breach(Invariant::volume, said("There is %.9g of the lump's clay more.", off));
   return {};
 }
@@ -210,7 +213,7 @@ std::optional<Breach> Watch::after(Scene& scene, double dt, const Feedback& felt
     if (j < clay.floor_rows())
       if (auto found = look_at_row(clay, j)) return found;
   if (clay.rows() <= kWhole || tick_ % 64 == 0) {
-    if (auto found = look_at_volume(scene)) return found;
+    if (auto found = look_at_volume(scene, seconds_of(dt))) return found;
     if (!laying_)
       if (auto found = look_at_stack(clay)) return found;
   }

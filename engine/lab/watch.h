@@ -68,7 +68,7 @@ class Watch {
  private:
   std::optional<Breach> breach(Invariant invariant, std::string what) const;
   std::optional<Breach> look_at_feedback(const Scene& scene, double dt, const Feedback& felt);
-  std::optional<Breach> look_at_volume(const Scene& scene);
+  std::optional<Breach> look_at_volume(const Scene& scene, double seconds);
 
   std::uint64_t tick_ = 0;
   double lump_ = 0.0;                   // m, m^3
@@ -76,7 +76,8 @@ class Watch {
   std::vector<double> area_;            // of every row's section, m^2, as last seen
   std::vector<std::uint64_t> content_;  // its hash
   std::array<Vec3, kMaxHands> force_{};
-  int off_ = 0;  // ticks for which the volume has been another
+  int off_ = 0;               // ticks,
+  double off_seconds_ = 0.0;  // and seconds for which the volume has been another
   bool laying_ = false, pressed_ = false;
   bool cut_ = false;  // a tool that takes clay away was there
 };

@@ -89,7 +89,8 @@ TEST(Watch, TellsOfClayThatCameFromNowhere) {
   Watched watched(def);
   Scene other = std::move(*Scene::create(larger));
   other.mark_all_dirty();
-  const auto found = watched.watch.after(other, 0.001, watched.felt);
+  std::optional<Breach> found;
+  for (int n = 0; n < 3 && !found; ++n) found = watched.watch.after(other, 0.001, watched.felt);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->invariant, Invariant::volume);
 }
