@@ -1,6 +1,7 @@
 #include "engine/clay/clay.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "engine/clay/ray.h"
 #include "engine/clay/row_means.h"
@@ -9,13 +10,14 @@
 
 namespace onggi {
 
-Result<Clay> Clay::create(const ClayDef& def, Vectors vectors) {
+Result<Clay> Clay::create(const ClayDef& def, Vectors vectors, int spare_rows) {
   if (auto good = validate(def, "clay"); !good) return tl::unexpected<Problem>(good.error());
   Clay clay;
   clay.def_ = def;
   clay.vectors_ = vectors;
   clay.stride_ = (def.sectors + 7) / 8 * 8;
-  const auto rows = static_cast<std::size_t>(def.rows);
+  clay.order_ = RowOrder(def.rows, spare_rows);
+  const auto rows = static_cast<std::size_t>(clay.room());
 
   clay.row_height_.resize(rows);
   clay.row_thickness_.resize(rows);
@@ -31,14 +33,15 @@ Result<Clay> Clay::create(const ClayDef& def, Vectors vectors) {
   clay.inner_.assign(rows * clay.padded(), 1e9f);
   clay.outer_most_.resize(rows);
   clay.inner_least_.resize(rows);
-  clay.dirty_ = clay.moved_ = clay.changed_ = RowSet(def.rows);
+  clay.dirty_ = clay.moved_ = clay.changed_ = RowSet(clay.room());
   for (int j = 0; j < def.rows; ++j) clay.lay_lump(j);
   return clay;
 }
 
 int Clay::first_row_above(double height) const {
-  const auto at = std::upper_bound(row_height_.begin(), row_height_.end(), height);
-  return static_cast<int>(at - row_height_.begin());
+  const std::span<const double> heights = row_heights();
+  const auto at = std::upper_bound(heights.begin(), heights.end(), height);
+  return static_cast<int>(at - heights.begin());
 }
 
 void Clay::lay_rows() {
@@ -52,15 +55,15 @@ void Clay::lay_rows() {
   }
 }
 
-void Clay::restack(int from) {
-  const bool solid = floor_rows_ == def_.rows;
+void Clay::stack(int from, bool floor_moves) {
+  const bool solid = floor_rows_ == rows();
   // The floor's top lies between two middles, of which one or both will move.
-  const bool carries = !solid && from <= floor_rows_;
+  const bool carries = floor_moves && !solid && from <= floor_rows_;
   const auto middle_below = [&] { return floor_rows_ > 0 ? row_height(floor_rows_ - 1) : 0.0; };
   double share = 0.0;
   if (carries) share = (floor_top_ - middle_below()) / (row_height(floor_rows_) - middle_below());
   double edge = from > 0 ? row_height(from - 1) + 0.5 * row_thickness(from - 1) : 0.0;
-  for (int j = from; j < def_.rows; ++j) {
+  for (int j = from; j < rows(); ++j) {
     const double thickness = row_thickness(j);
     row_height_[static_cast<std::size_t>(j)] = edge + 0.5 * thickness;
     edge += thickness;
@@ -74,14 +77,56 @@ void Clay::restack(int from) {
 
 void Clay::keep_areas() {
   if (areas_) return;
-  areas_.emplace(def_.rows, stride_);
-  for (int j = 0; j < def_.rows; ++j) areas_->set(j, measured_area(j));
+  areas_.emplace(room(), stride_);
+  for (int j = 0; j < rows(); ++j) areas_->set(j, measured_area(j));
 }
 
 void Clay::keep_displacements() {
   if (!displacements_.empty()) return;
   displacements_.reserve(2);
-  for (int n = 0; n < 2; ++n) displacements_.emplace_back(def_.rows, stride_);
+  for (int n = 0; n < 2; ++n) displacements_.emplace_back(room(), stride_);
+}
+
+void Clay::forget_displacements() {
+  for (Displacements& each : displacements_) each.clear(stored());
+}
+
+void Clay::insert_row(int j, bool solid) {
+  const double edge = row_height(j - 1) + 0.5 * row_thickness(j - 1);
+  const int like = stored(j - 1);
+  const int row = order_.insert(j);
+  clay::open_place(row_height_, j, edge);
+  clay::open_place(row_thickness_, j);
+  clay::open_place(outer_most_, j, 1e9f);
+  clay::open_place(inner_least_, j, 0.0f);
+  if (solid) ++floor_rows_;
+  if (areas_) {
+    areas_->open(j);
+    areas_->forget(j);
+  }
+  for (Displacements& each : displacements_) each.open(j, row, like);
+  changed_.add(row);
+  dirty_.add_range(j, rows());
+}
+
+void Clay::erase_row(int j) {
+  order_.erase(j);
+  clay::close_place(row_height_, j);
+  clay::close_place(row_thickness_, j);
+  clay::close_place(outer_most_, j);
+  clay::close_place(inner_least_, j);
+  if (j < floor_rows_) --floor_rows_;
+  if (areas_) areas_->close(j);
+  for (Displacements& each : displacements_) each.close(j);
+  dirty_.remove(rows());
+  moved_.remove(rows());
+  dirty_.add_range(std::max(std::min(j, rows() - 1), 0), rows());
+}
+
+void Clay::mark_dirty(int first, std::uint64_t which) {
+  dirty_.add(first, which);
+  if (order_.plain()) return changed_.add(first, which);
+  for (; which != 0; which &= which - 1) changed_.add(stored(first + std::countr_zero(which)));
 }
 
 double Clay::measured_area(int j) const {
@@ -115,7 +160,7 @@ void Clay::open_floor_row(double radius) {
 
 void Clay::lower_floor(double top) {
   floor_top_ = top;
-  mark_dirty(std::min(floor_rows_, def_.rows - 1));
+  mark_dirty(std::min(floor_rows_, rows() - 1));
 }
 
 void Clay::set_floor(int rows, double top) {
@@ -145,9 +190,7 @@ void Clay::set_extent(int j, float outer_most, float inner_least) {
   inner_least_[n] = inner_least;
 }
 
-void Clay::mark_all_dirty() {
-  for (int j = 0; j < def_.rows; ++j) dirty_.add(j);
-}
+void Clay::mark_all_dirty() { dirty_.add_range(0, rows()); }
 
 bool Clay::renew_some(int element_budget) {
   if (sweep_row_ == 0) lay_rows();
@@ -160,19 +203,19 @@ bool Clay::renew_some(int element_budget) {
 
 Profile Clay::profile() const {
   std::vector<double> outer_means, inner_means;
-  outer_means.reserve(row_height_.size());
-  inner_means.reserve(row_height_.size());
-  for (int j = 0; j < def_.rows; ++j) {
+  outer_means.reserve(count());
+  inner_means.reserve(count());
+  for (int j = 0; j < rows(); ++j) {
     outer_means.push_back(clay::row_mean(outer(j)));
     inner_means.push_back(clay::row_mean(inner(j)));
   }
-  return clay::outline_of(row_height_, outer_means, inner_means, rim_height());
+  return clay::outline_of(row_heights(), outer_means, inner_means, rim_height());
 }
 
 double Clay::volume() const {
   const double half_sector = portable::kPi / def_.sectors;
   double sum = 0.0;
-  for (int j = 0; j < def_.rows; ++j) {
+  for (int j = 0; j < rows(); ++j) {
     const std::span<const float> out = outer(j);
     const std::span<const float> in = inner(j);
     double squares = 0.0;
@@ -185,7 +228,7 @@ double Clay::volume() const {
 
 std::uint64_t Clay::hash() const {
   StateHash hash;
-  for (int j = 0; j < def_.rows; ++j) {
+  for (int j = 0; j < rows(); ++j) {
     hash.add(row_height(j));
     hash.add(row_thickness(j));
     hash.add(outer(j));
@@ -194,6 +237,8 @@ std::uint64_t Clay::hash() const {
   hash.add(floor_top_);
   hash.add(static_cast<std::uint64_t>(floor_rows_));
   hash.add(static_cast<std::uint64_t>(sweep_row_));
+  if (!order_.plain() || rows() != def_.rows)
+    for (const int row : stored()) hash.add(static_cast<std::uint64_t>(row));
   return hash.value();
 }
 

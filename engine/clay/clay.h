@@ -9,6 +9,7 @@
 #include "engine/clay/clay_def.h"
 #include "engine/clay/displacements.h"
 #include "engine/clay/row_areas.h"
+#include "engine/clay/row_order.h"
 #include "engine/clay/row_set.h"
 #include "engine/math/vectors.h"
 #include "engine/profile/profile.h"
@@ -21,28 +22,44 @@ namespace onggi {
 /// are in the clay's own turning frame, x towards angle 0, z towards angle pi/2. Invariant: 0 <=
 /// inner, inner + wall_min <= outer <= radius_max to a float's rounding; inner == 0 on floor rows;
 /// rows are stacked without gaps, each of some thickness, and those below floor_top() are solid.
+/// Rows are told by their place in the stack, 0 at the foot; where rows may divide and join
+/// (row_division.h), their number changes, and which of the stored rows stands where is said by
+/// stored().
 /// Not safe across threads; allocation only in create().
 class Clay {
  public:
   /// `vectors`: that loops over its elements use, one of vectors_here(); no part of its state.
-  static Result<Clay> create(const ClayDef& def, Vectors vectors = best_vectors());
+  /// `spare_rows`, >= 0: that may come to stand in the stack beside the lump's.
+  static Result<Clay> create(const ClayDef& def, Vectors vectors = best_vectors(),
+                             int spare_rows = 0);
 
   const ClayDef& def() const { return def_; }
   Vectors vectors() const { return vectors_; }
-  int rows() const { return def_.rows; }
+  int rows() const { return order_.rows(); }
+  int room() const { return order_.room(); }  ///< rows() at the most.
+  /// Which stored row stands at place `j`, and where a stored row stands (RowOrder::kSpare:
+  /// nowhere).
+  int stored(int j) const { return order_.at(j); }
+  std::span<const int> stored() const { return order_.stored(); }
+  int place_of(int stored) const { return order_.place_of(stored); }
+  /// Rows for which there is room still.
+  int spare_rows() const { return order_.spare(); }
+  int next_spare() const { return order_.next(); }  ///< The stored row that insert_row() takes.
+  /// How thick a fresh lump's rows are, m.
+  double first_thickness() const { return def_.height / def_.rows; }
   int sectors() const { return def_.sectors; }
   /// Floats from one row to the next: sectors rounded up to a multiple of 8.
   int stride() const { return stride_; }
   int floor_rows() const { return floor_rows_; }
   double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
-  std::span<const double> row_heights() const { return row_height_; }
+  std::span<const double> row_heights() const { return {row_height_.data(), count()}; }
   double row_thickness(int j) const { return row_thickness_[static_cast<std::size_t>(j)]; }
-  std::span<const double> row_thicknesses() const { return row_thickness_; }
+  std::span<const double> row_thicknesses() const { return {row_thickness_.data(), count()}; }
   /// Upper face of the solid floor, metres: above the middle of row floor_rows() - 1, and not above
   /// the middle of row floor_rows().
   double floor_top() const { return floor_top_; }
   /// Height of the rim: the upper edge of the top row, metres.
-  double rim_height() const { return row_height_.back() + 0.5 * row_thickness_.back(); }
+  double rim_height() const { return row_height(rows() - 1) + 0.5 * row_thickness(rows() - 1); }
   /// Lowest row whose middle lies above `height`; rows() when none does. O(log rows).
   int first_row_above(double height) const;
 
@@ -50,26 +67,37 @@ class Clay {
   std::span<const float> inner(int j) const { return {inner_.data() + start(j), width()}; }
   /// The caller keeps the invariant and calls mark_dirty(j). Beyond the row, up to stride(), lies
   /// padding that no tool touches: -1e9 outside, 1e9 inside, with a ray of (0, 0).
-  std::span<float> outer_mut(int j) { return forget_extent(j), pressable_outer(j); }
-  std::span<float> inner_mut(int j) { return forget_extent(j), pressable_inner(j); }
+  std::span<float> outer_mut(int j) { return forget_row(j), pressable_outer(j); }
+  std::span<float> inner_mut(int j) { return forget_row(j), pressable_inner(j); }
   std::span<const float> ray_cos() const { return ray_cos_; }  ///< stride() values, one a sector.
   std::span<const float> ray_sin() const { return ray_sin_; }
 
   /// Metres, > 0. The caller then calls restack() once, with the lowest row that it changed.
   void set_row_thickness(int j, double thickness) {
     row_thickness_[static_cast<std::size_t>(j)] = thickness;
-    changed_.add(j);
+    changed_.add(stored(j));
     if (areas_) areas_->mark(j);
   }
   /// Stacks row `from` and those above it anew on the row below, and marks them moved. A lump that
   /// is solid to the top stays so; else the floor's top keeps its share of the way between the
   /// middles that it lies between. O(rows() - from).
-  void restack(int from);
+  void restack(int from) { stack(from, true); }
+  /// The same of rows that divided or joined: the floor's top stays where it is.
+  void restack_divided(int from) { stack(from, false); }
   /// The topmost solid row becomes open, with a hole of `radius` (clipped to what the wall needs).
   /// O(sectors). The caller then says where the floor is: lower_floor().
   void open_floor_row(double radius);
   /// Metres, not above floor_top(). Marks the row over it dirty, which carries the floor along.
   void lower_floor(double top);
+  /// A spare row comes to stand at place `j` (1..rows()), those from there on go a place up: with
+  /// no thickness yet, at the upper edge of the one below it, as which it was moved in this tick.
+  /// Its radii are those that it had when it left, and its area is unknown. The caller keeps the
+  /// invariant, and restacks. `solid`: it belongs to the floor. Marks it and those above dirty.
+  /// O(rows above).
+  void insert_row(int j, bool solid);
+  /// The row at place `j` leaves, those above come a place down. It was not moved in this tick, and
+  /// some row stays. The caller restacks. Marks those above dirty. O(rows above).
+  void erase_row(int j);
   /// As they were once together: solid rows, and the upper face of the floor in metres, held to
   /// where those rows are now.
   void set_floor(int rows, double top);
@@ -81,12 +109,22 @@ class Clay {
   /// narrow it would let a tool pass through clay, so whoever writes widens it first.
   float outer_most(int j) const { return outer_most_[static_cast<std::size_t>(j)]; }
   float inner_least(int j) const { return inner_least_[static_cast<std::size_t>(j)]; }
-  std::span<const float> outer_most() const { return outer_most_; }
-  std::span<const float> inner_least() const { return inner_least_; }
+  std::span<const float> outer_most() const { return {outer_most_.data(), count()}; }
+  std::span<const float> inner_least() const { return {inner_least_.data(), count()}; }
   /// As outer_mut() and inner_mut(), for those that call widen_extent() with what they enlarged.
   std::span<float> pressable_outer(int j) { return {outer_.data() + start(j), width()}; }
   std::span<float> pressable_inner(int j) { return {inner_.data() + start(j), width()}; }
+  /// By stored row, wherever it stands: stride() floats each, one after the other.
+  const float* stored_outer(int stored) const { return outer_.data() + begin_of(stored); }
+  const float* stored_inner(int stored) const { return inner_.data() + begin_of(stored); }
+  float* stored_outer(int stored) { return outer_.data() + begin_of(stored); }
+  float* stored_inner(int stored) { return inner_.data() + begin_of(stored); }
   void widen_extent(int j, float outer_most, float inner_least);
+  /// Nothing is known of the row's radii any more.
+  void forget_row(int j) {
+    widen_extent(j, 1e9f, 0.0f);
+    if (areas_) areas_->forget(j);
+  }
   /// The row was looked at whole, and this is its extent.
   void set_extent(int j, float outer_most, float inner_least);
   /// Whose turn it is of `rows` rows: 0, 1, 2 ... from call to call.
@@ -108,12 +146,19 @@ class Clay {
   /// Area of row `j`'s cross-section, m^2. O(sectors).
   double measured_area(int j) const;
 
-  /// Rows changed since they were last taken, for those that draw them.
-  void mark_dirty(int j) { dirty_.add(j), changed_.add(j); }
-  /// Row `first` + k for each bit k of `which`.
-  void mark_dirty(int first, std::uint64_t which) {
-    dirty_.add(first, which), changed_.add(first, which);
+  /// Something about row `j` may have been moved in this tick.
+  bool was_moved(int j) const {
+    return std::ranges::any_of(displacements_, [j](const Displacements& each) {
+      return j >= each.first_row() && j < each.end_row();
+    });
   }
+  /// What was moved in this tick is forgotten, on both faces.
+  void forget_displacements();
+
+  /// Rows changed since they were last taken, for those that draw them.
+  void mark_dirty(int j) { dirty_.add(j), changed_.add(stored(j)); }
+  /// Row `first` + k for each bit k of `which`.
+  void mark_dirty(int first, std::uint64_t which);
   /// It is to be drawn anew, and its radii are what they were.
   void mark_to_draw(int j) { moved_.add(j); }
   /// All are to be drawn; none is changed.
@@ -123,9 +168,9 @@ class Clay {
   /// The same of rows that only moved, tore or healed. Whoever draws takes the dirty ones first: a
   /// row may be both.
   int take_moved(int from = 0) { return moved_.take(std::max(from, 0)); }
-  /// The dirty rows, for those that keep what they were (history.h).
+  /// The dirty rows as they are stored, for those that keep what they were (history.h).
   int take_change(int from = 0) { return changed_.take(from); }
-  void forget_change(int j) { changed_.remove(j); }
+  void forget_change(int stored) { changed_.remove(stored); }
 
   /// Back to the lump. Spread over calls so that no tick pays for the whole grid: each call does at
   /// most `element_budget` elements (at least a row) and returns true once all is done.
@@ -136,32 +181,34 @@ class Clay {
   Profile profile() const;
   /// Clay volume, m^3. O(rows x sectors).
   double volume() const;
-  /// Hash of every radius bit and row height, and of how far a renew has come. O(rows x sectors).
+  /// Hash of every radius bit and row height, of where rows stand that moved, and of how far a
+  /// renew has come. O(rows x sectors).
   std::uint64_t hash() const;
 
  private:
   Clay() = default;
+  std::size_t count() const { return static_cast<std::size_t>(rows()); }
   std::size_t width() const { return static_cast<std::size_t>(def_.sectors); }
   std::size_t padded() const { return static_cast<std::size_t>(stride_); }
-  std::size_t start(int j) const { return static_cast<std::size_t>(j) * padded(); }
+  std::size_t begin_of(int stored) const { return static_cast<std::size_t>(stored) * padded(); }
+  std::size_t start(int j) const { return begin_of(stored(j)); }
   void lay_lump(int j);
   void lay_rows();
-
-  void forget_extent(int j) {
-    widen_extent(j, 1e9f, 0.0f);
-    if (areas_) areas_->forget(j);
-  }
+  void stack(int from, bool floor_moves);
 
   ClayDef def_;
   Vectors vectors_ = Vectors::plain;
   int stride_ = 0;
   int floor_rows_ = 0;
   double floor_top_ = 0.0;
+  RowOrder order_;
   std::vector<double> row_height_, row_thickness_;
-  std::vector<float> outer_, inner_, ray_cos_, ray_sin_;
+  std::vector<float> outer_, inner_;  // by stored row
+  std::vector<float> ray_cos_, ray_sin_;
   std::vector<float> outer_most_, inner_least_;  // a row's extent; no part of the clay's state
   unsigned measured_ = 0;
-  RowSet dirty_, moved_, changed_;
+  RowSet dirty_, moved_;
+  RowSet changed_;  // by stored row
   std::optional<RowAreas> areas_;
   std::vector<Displacements> displacements_;  // of the outside and the inside, or none
   int sweep_row_ = 0;

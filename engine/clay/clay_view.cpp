@@ -8,14 +8,15 @@ namespace onggi {
 
 clay::RowPlace clay::place_of(const Clay& clay, int row) noexcept {
   const RowAreas* areas = clay.areas();
-  return {clay.row_height(row), clay.rim_height(), clay.floor_top(), clay.floor_rows(),
-          areas != nullptr && areas->torn(row)};
+  const bool torn = areas != nullptr && areas->torn(row);
+  return {clay.row_height(row), clay.rim_height(), clay.floor_top(), clay.floor_rows(), torn,
+          clay.rows()};
 }
 
-void ClayView::make_room(int rows, int sectors) {
+void ClayView::make_room(int rows, int room, int sectors) {
   rows_ = rows;
   sectors_ = sectors;
-  const auto n = static_cast<std::size_t>(rows);
+  const auto n = static_cast<std::size_t>(std::max(rows, room));
   outer_.resize(n * width());
   inner_.resize(n * width());
   for (auto* each : {&mean_outer_, &mean_inner_, &middle_}) each->resize(n);
@@ -23,8 +24,8 @@ void ClayView::make_room(int rows, int sectors) {
   for (auto* each : {&shaped_at_, &placed_at_}) each->assign(n, ++change_);
 }
 
-void ClayView::lay(const ClayDef& def) {
-  make_room(def.rows, def.sectors);
+void ClayView::lay(const ClayDef& def, int room) {
+  make_room(def.rows, room, def.sectors);
   wet.clear();
   angle = cut_free = 0.0;
   rim_ = def.height;
@@ -45,7 +46,7 @@ void ClayView::lay(const ClayDef& def) {
 }
 
 void ClayView::take(const Clay& clay) {
-  make_room(clay.rows(), clay.sectors());
+  make_room(clay.rows(), clay.room(), clay.sectors());
   for (int j = 0; j < rows_; ++j) {
     place(j, clay::place_of(clay, j));
     shape(j, clay.outer(j), clay.inner(j));
@@ -60,6 +61,7 @@ void ClayView::place(int row, const clay::RowPlace& at) noexcept {
   rim_ = at.rim;
   floor_top_ = at.floor_top;
   floor_rows_ = at.floor_rows;
+  if (at.rows > 0) rows_ = std::min(at.rows, room());
   placed_at_[n] = ++change_;
 }
 
@@ -86,16 +88,19 @@ std::optional<double> ClayView::torn_wall() const {
 }
 
 Profile ClayView::profile() const {
-  return clay::outline_of(middle_, mean_outer_, mean_inner_, rim_);
+  const auto some = [this](const std::vector<double>& all) {
+    return std::span(all).first(count());
+  };
+  return clay::outline_of(some(middle_), some(mean_outer_), some(mean_inner_), rim_);
 }
 
 double ClayView::radius_at(double h, WallSide side) const {
   if (rows_ == 0) return 0.0;
   const std::vector<double>& means = side == WallSide::outside ? mean_outer_ : mean_inner_;
-  const auto next = std::ranges::upper_bound(middle_, h);
-  if (next == middle_.begin()) return means.front();
-  if (next == middle_.end()) return means.back();
-  const auto above = static_cast<std::size_t>(next - middle_.begin());
+  const auto above = static_cast<std::size_t>(
+      std::upper_bound(middle_.begin(), middle_.begin() + rows_, h) - middle_.begin());
+  if (above == 0) return means.front();
+  if (above == count()) return means[count() - 1];
   const std::size_t below = above - 1;
   const double gap = middle_[above] - middle_[below];
   const double share = gap > 0.0 ? std::clamp((h - middle_[below]) / gap, 0.0, 1.0) : 0.0;

@@ -19,6 +19,7 @@ struct RowPlace {
   double floor_top = 0.0;  ///< and of the upper face of its floor.
   int floor_rows = 0;      ///< Solid rows.
   bool torn = false;       ///< The ring is broken open.
+  int rows = 0;            ///< Of the clay; 0: as many as there were.
 };
 RowPlace place_of(const Clay& clay, int row) noexcept;
 
@@ -30,16 +31,19 @@ RowPlace place_of(const Clay& clay, int row) noexcept;
 /// threads.
 class ClayView {
  public:
-  /// A fresh lump of this grid; dry, whole and fast on the wheel.
-  void lay(const ClayDef& def);
+  /// A fresh lump of this grid; dry, whole and fast on the wheel. `room`: the rows that it may come
+  /// to have (Clay::room()); its own where that is less.
+  void lay(const ClayDef& def, int room = 0);
   /// All of `clay`: how it would be seen with every row arrived.
   void take(const Clay& clay);
-  /// Where a row now is, and the rest of what a row tells. Rows beyond the grid are let be.
+  /// Where a row now is, and the rest of what a row tells, also how many there are. Rows beyond the
+  /// grid's room are let be.
   void place(int row, const clay::RowPlace& at) noexcept;
   /// A row's radii, metres. Rows beyond the grid, and of other widths, are let be.
   void shape(int row, std::span<const float> outer, std::span<const float> inner) noexcept;
 
-  int rows() const { return rows_; }  ///< 0 before the first lump.
+  int rows() const { return rows_; }                             ///< 0 before the first lump.
+  int room() const { return static_cast<int>(middle_.size()); }  ///< rows() at the most.
   int sectors() const { return sectors_; }
   std::span<const float> outer(int j) const { return {outer_.data() + start(j), width()}; }
   std::span<const float> inner(int j) const { return {inner_.data() + start(j), width()}; }
@@ -72,8 +76,9 @@ class ClayView {
  private:
   std::size_t width() const { return static_cast<std::size_t>(sectors_); }
   std::size_t start(int j) const { return static_cast<std::size_t>(j) * width(); }
-  bool has(int row) const { return row >= 0 && row < rows_; }
-  void make_room(int rows, int sectors);
+  std::size_t count() const { return static_cast<std::size_t>(rows_); }
+  bool has(int row) const { return row >= 0 && row < room(); }
+  void make_room(int rows, int room, int sectors);
 
   int rows_ = 0, sectors_ = 0, floor_rows_ = 0;
   double rim_ = 0.0, floor_top_ = 0.0;

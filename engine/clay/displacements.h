@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/clay/block_run.h"
@@ -23,9 +24,10 @@ class Displacements {
     forget_where(rows);
   }
 
-  /// Metres, >= 0: inwards outside, outwards inside. stride() floats.
-  float* row(int j) { return by_.data() + static_cast<std::size_t>(j) * stride_; }
-  /// Something of row `j` may have been moved, within these blocks.
+  /// Of a stored row (row_order.h). Metres, >= 0: inwards outside, outwards inside. stride()
+  /// floats.
+  float* row(int stored) { return by_.data() + static_cast<std::size_t>(stored) * stride_; }
+  /// Something of the row at place `j` may have been moved, within these blocks.
   void mark(int j, BlockRun run) {
     first_ = std::min(first_, j);
     end_ = std::max(end_, j + 1);
@@ -42,12 +44,25 @@ class Displacements {
     return {static_cast<int>(begin - blocks_.begin()), static_cast<int>(end - blocks_.begin())};
   }
 
-  /// Back to nothing moved. O(what was marked).
-  void clear(int rows) {
+  /// Back to nothing moved; `stored`: which row is at each place. O(what was marked).
+  void clear(std::span<const int> stored) {
     for (BlockRun run = run_from(0); run.any(); run = run_from(run.end))
-      for (int j = first_; j < end_; ++j)
-        std::fill(row(j) + run.begin * kBlock, row(j) + run.end * kBlock, 0.0f);
-    forget_where(rows);
+      for (int j = first_; j < end_; ++j) {
+        float* const moved = row(stored[static_cast<std::size_t>(j)]);
+        std::fill(moved + run.begin * kBlock, moved + run.end * kBlock, 0.0f);
+      }
+    forget_where(static_cast<int>(stored.size()));
+  }
+  /// `stored` comes to stand at place `j`, over `like`, and was moved as that.
+  void open(int j, int stored, int like) {
+    if (j > first_ && j <= end_) std::copy_n(row(like), stride_, row(stored));
+    if (j <= first_) ++first_;
+    if (j <= end_) ++end_;
+  }
+  /// The row at place `j` goes; it was not moved.
+  void close(int j) {
+    if (j < first_) --first_;
+    if (j < end_) --end_;
   }
 
  private:

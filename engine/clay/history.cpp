@@ -8,44 +8,75 @@ namespace {
 constexpr int kElementsATick = 2048;  // a fifth of what a tick may cost
 constexpr int kLeastRowsATick = 2;
 constexpr std::size_t kMostSteps = 256;
+constexpr std::size_t kPlaceChanges = 16384;  // of rows: a minute of the busiest
 
 }  // namespace
 
 History::History(Clay& clay) : stride_(clay.stride()), sectors_(clay.sectors()) {
-  const auto rows = static_cast<std::size_t>(clay.rows());
+  const auto rows = static_cast<std::size_t>(clay.room());
   const std::size_t floats = 2 * static_cast<std::size_t>(stride_);
   const std::size_t slots = std::max(kBytes / (floats * sizeof(float)), rows + rows / 8);
   shadow_.resize(rows * floats);
   shadow_thickness_.resize(rows);
   ring_ = std::make_unique_for_overwrite<float[]>(slots * floats);
   slots_.resize(slots);
-  in_step_ = unsettled_ = RowSet(clay.rows());
-  for (int j = 0; j < clay.rows(); ++j) settle(clay, j);
+  if (clay.spare_rows() > 0) places_.resize(std::max(kPlaceChanges, 2 * rows));
+  in_step_ = unsettled_ = RowSet(clay.room());
+  for (int j = 0; j < clay.rows(); ++j) settle(clay, clay.stored(j));
   while (clay.take_change() >= 0) {
   }
   steps_.reserve(kMostSteps);
-  steps_.push_back({0, clay.floor_top(), clay.floor_rows()});
+  steps_.push_back({0, 0, clay.floor_top(), clay.floor_rows()});
 }
 
-float* History::shadow_row(int j) {
-  return shadow_.data() + static_cast<std::size_t>(j) * 2 * static_cast<std::size_t>(stride_);
+float* History::shadow_row(int stored) {
+  return shadow_.data() + static_cast<std::size_t>(stored) * 2 * static_cast<std::size_t>(stride_);
 }
 
 float* History::ring_row(std::uint64_t at) {
   return ring_.get() + (at % slots_.size()) * 2 * static_cast<std::size_t>(stride_);
 }
 
-void History::settle(const Clay& clay, int j) noexcept {
-  std::ranges::copy(clay.outer(j), shadow_row(j));
-  std::ranges::copy(clay.inner(j), shadow_row(j) + stride_);
-  shadow_thickness_[static_cast<std::size_t>(j)] = clay.row_thickness(j);
+void History::settle(const Clay& clay, int stored) noexcept {
+  std::copy_n(clay.stored_outer(stored), sectors_, shadow_row(stored));
+  std::copy_n(clay.stored_inner(stored), sectors_, shadow_row(stored) + stride_);
+  const int j = clay.place_of(stored);
+  if (j != RowOrder::kSpare)
+    shadow_thickness_[static_cast<std::size_t>(stored)] = clay.row_thickness(j);
 }
 
-void History::remember(int j) noexcept {
-  std::copy_n(shadow_row(j), 2 * stride_, ring_row(next_));
-  slots_[next_ % slots_.size()] = {j, shadow_thickness_[static_cast<std::size_t>(j)]};
-  in_step_.add(j);
+void History::remember(int stored) noexcept {
+  std::copy_n(shadow_row(stored), 2 * stride_, ring_row(next_));
+  slots_[next_ % slots_.size()] = {stored, shadow_thickness_[static_cast<std::size_t>(stored)]};
+  in_step_.add(stored);
   ++next_;
+}
+
+void History::keep_row(Clay& clay, int stored) noexcept {
+  // Of the step before, were it not settled yet, half would count with what comes now.
+  if (unsettled_.has(stored)) {
+    unsettled_.remove(stored);
+    clay.forget_change(stored);
+    settle(clay, stored);
+  }
+  if (!in_step_.has(stored)) remember(stored);
+}
+
+void History::note(PlaceChange change) noexcept {
+  places_[next_place_ % places_.size()] = change;
+  ++next_place_;
+}
+
+// The last `most` changes of place of the step that is taken back, the last one first.
+void History::undo_places(Clay& clay, int most) noexcept {
+  for (; most > 0 && next_place_ > steps_.back().first_place; --most) {
+    const PlaceChange& change = places_[--next_place_ % places_.size()];
+    if (change.inserted)
+      clay.erase_row(change.place);
+    else
+      clay.insert_row(change.place, change.solid);
+    lowest_ = 0;
+  }
 }
 
 // True once nothing is left to do.
@@ -82,7 +113,7 @@ void History::end_step(const Clay& clay) noexcept {
   unsettled_.add(in_step_);
   in_step_.clear();
   if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
-  steps_.push_back({next_, clay.floor_top(), clay.floor_rows()});
+  steps_.push_back({next_, next_place_, clay.floor_top(), clay.floor_rows()});
   ++depth_;
 }
 
@@ -102,14 +133,18 @@ bool History::can_step_back() const {
 void History::put_back(Clay& clay, std::uint64_t at) noexcept {
   const Slot& slot = slots_[at % slots_.size()];
   const float* kept = ring_row(at);
-  std::copy_n(kept, sectors_, clay.outer_mut(slot.row).data());
-  std::copy_n(kept + stride_, sectors_, clay.inner_mut(slot.row).data());
-  if (slot.thickness != clay.row_thickness(slot.row)) {
-    clay.set_row_thickness(slot.row, slot.thickness);
-    lowest_ = std::min(lowest_, slot.row);
+  std::copy_n(kept, sectors_, clay.stored_outer(slot.row));
+  std::copy_n(kept + stride_, sectors_, clay.stored_inner(slot.row));
+  const int j = clay.place_of(slot.row);
+  if (j != RowOrder::kSpare) {
+    clay.forget_row(j);
+    if (slot.thickness != clay.row_thickness(j)) {
+      clay.set_row_thickness(j, slot.thickness);
+      lowest_ = std::min(lowest_, j);
+    }
+    clay.mark_dirty(j);
   }
   settle(clay, slot.row);
-  clay.mark_dirty(slot.row);
 }
 
 bool History::step_back_some(Clay& clay, int element_budget) noexcept {
@@ -121,14 +156,19 @@ bool History::step_back_some(Clay& clay, int element_budget) noexcept {
       steps_.pop_back();
       --depth_;
     }
-    lowest_ = clay.rows();
+    lowest_ = clay.room();
     going_back_ = true;
+    return false;
+  }
+  if (next_place_ > steps_.back().first_place) {
+    clay.forget_displacements();
+    undo_places(clay, std::max(1, element_budget / clay.room()));
     return false;
   }
   for (; rows > 0 && next_ > steps_.back().first; --rows) put_back(clay, --next_);
   if (next_ > steps_.back().first) return false;
   // Restacking would carry the floor along: it is put where it was afterwards.
-  if (lowest_ < clay.rows()) clay.restack(lowest_);
+  if (lowest_ < clay.rows()) clay.restack(lowest_);  // room() where no row is
   clay.set_floor(steps_.back().floor_rows, steps_.back().floor_top);
   while (clay.take_change(0) >= 0) {
   }
@@ -143,6 +183,7 @@ void History::add_to(StateHash& hash) const {
   hash.add(static_cast<std::uint64_t>(steps_.size()));
   hash.add(steps_.back().first);
   hash.add(static_cast<std::uint64_t>(going_back_));
+  if (next_place_ > 0) hash.add(next_place_);
 }
 
 }  // namespace onggi::clay

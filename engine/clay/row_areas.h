@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/clay/row_places.h"
 #include "engine/clay/row_set.h"
 
 namespace onggi {
@@ -56,6 +57,23 @@ class RowAreas {
   }
   /// Takes what was cut from row `j`, m^2, since it was last taken.
   double take_cut(int j) { return std::exchange(cut_[static_cast<std::size_t>(j)], 0.0); }
+  /// Row `j` is marked.
+  bool changed(int j) const { return changed_.has(j); }
+  /// A row comes to stand at place `j`, of which nothing is known, or the one there goes.
+  void open(int j) {
+    clay::open_place(area_, j);
+    clay::open_place(cut_, j);
+    for (RowSet* rows : {&changed_, &unknown_}) rows->open(j);
+    if (torn_.room() > 0) torn_.open(j);
+    if (firm_.room() > 0) firm_.open(j), rigid_.open(j);
+  }
+  void close(int j) {
+    clay::close_place(area_, j);
+    clay::close_place(cut_, j);
+    for (RowSet* rows : {&changed_, &unknown_}) rows->close(j);
+    if (torn_.room() > 0) torn_.close(j);
+    if (firm_.room() > 0) firm_.close(j), rigid_.close(j);
+  }
   /// Row `j` became thinner or thicker.
   void mark(int j) { changed_.add(j); }
   /// Row `j` was written to: it is to be measured.
@@ -81,6 +99,23 @@ class RowAreas {
   }
   bool any_torn() const { return any_torn_; }
   bool torn(int j) const { return any_torn_ && torn_.has(j); }
+  /// From now on rows may be firm. Allocates.
+  void keep_firm() { firm_ = rigid_ = RowSet(changed_.room()); }
+  /// Row `j`, or every row, may get no higher. Firm: pressed, its wall moves as a whole, and where
+  /// it has none it does not give way. Rigid, which is firm too: nothing gives way.
+  void harden(int j, bool firm, bool rigid) {
+    if (any_firm_) firm_.remove(j), rigid_.remove(j);
+    if (firm) firm_.add(j), any_firm_ = true;
+    if (rigid) rigid_.add(j);
+  }
+  void harden_all(bool firm, bool rigid) { all_firm_ = firm, all_rigid_ = rigid; }
+  void soften() {
+    firm_.clear(), rigid_.clear();
+    any_firm_ = all_firm_ = all_rigid_ = false;
+  }
+  bool any_firm() const { return any_firm_ || all_firm_; }
+  bool firm(int j) const { return all_firm_ || (any_firm_ && firm_.has(j)); }
+  bool rigid(int j) const { return all_rigid_ || (any_firm_ && rigid_.has(j)); }
   /// A row that nobody reads, for those who write what nobody asked for.
   float* spare_row() { return spare_.data(); }
   /// Takes and clears the lowest changed row at or above `from`; -1 when none is left.
@@ -92,6 +127,8 @@ class RowAreas {
   RowSet changed_, unknown_;
   RowSet torn_;  // none where no row can tear
   bool any_torn_ = false;
+  RowSet firm_, rigid_;  // none where no row can be
+  bool any_firm_ = false, all_firm_ = false, all_rigid_ = false;
   std::vector<float> spare_;
 };
 

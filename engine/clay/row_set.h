@@ -36,6 +36,14 @@ class RowSet {
   void add(const RowSet& others) {
     for (std::size_t w = 0; w < words_.size(); ++w) words_[w] |= others.words_[w];
   }
+  /// Rows `first` to `end` - 1.
+  void add_range(int first, int end) {
+    for (int j = first; j < end;) {
+      const int next = std::min(end, (j | 63) + 1);
+      words_[word(j)] |= below(next - (j & ~63)) & ~below(j & 63);
+      j = next;
+    }
+  }
   void remove(int j) { words_[word(j)] &= ~bit(j); }
   void clear() { std::ranges::fill(words_, 0); }
 
@@ -51,6 +59,29 @@ class RowSet {
     return -1;
   }
 
+  bool empty() const {
+    return std::ranges::all_of(words_, [](std::uint64_t w) { return w == 0; });
+  }
+  /// A row comes between: `j` is not in the set, and what was in it from `j` on is one higher.
+  void open(int j) {
+    std::uint64_t carried = 0;
+    for (std::size_t w = word(j); w < words_.size(); ++w) {
+      const std::uint64_t stays = w == word(j) ? words_[w] & below(j & 63) : 0;
+      const std::uint64_t moves = words_[w] & ~stays;
+      words_[w] = stays | moves << 1 | carried;
+      carried = moves >> 63;
+    }
+  }
+  /// Row `j` goes: what was in the set above it is one lower.
+  void close(int j) {
+    for (std::size_t w = word(j); w < words_.size(); ++w) {
+      const std::uint64_t stays = w == word(j) ? words_[w] & below(j & 63) : 0;
+      const std::uint64_t moves = w == word(j) ? words_[w] & ~below(j & 63) & ~bit(j) : words_[w];
+      const std::uint64_t next = w + 1 < words_.size() ? words_[w + 1] << 63 : 0;
+      words_[w] = stays | moves >> 1 | next;
+    }
+  }
+
   void add_to(StateHash& hash) const {
     for (const std::uint64_t w : words_) hash.add(w);
   }
@@ -58,6 +89,9 @@ class RowSet {
  private:
   static std::size_t word(int j) { return static_cast<std::size_t>(j) >> 6; }
   static std::uint64_t bit(int j) { return std::uint64_t{1} << (j & 63); }
+  static std::uint64_t below(int bits) {
+    return bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+  }
 
   std::vector<std::uint64_t> words_;
 };

@@ -160,16 +160,22 @@ contact::StepFigures figures_of(const Clay& clay, WallSide side) {
   return step;
 }
 
+// Bit k: k >= from.
+std::uint32_t rows_from(int from) {
+  return from <= 0 ? ~std::uint32_t{0} : from >= kPlannedRows ? 0 : ~std::uint32_t{0} << from;
+}
+
 // Of the rows planned together, from `first` on.
 contact::RowPlaces places_of(Clay& clay, WallSide side, int first, double weight,
                              std::uint32_t careful) {
   const bool outside = side == WallSide::outside;
   const auto n = static_cast<std::size_t>(first);
-  float* const outer = clay.pressable_outer(first).data();
-  float* const inner = clay.pressable_inner(first).data();
+  float* const outer = clay.stored_outer(0);
+  float* const inner = clay.stored_inner(0);
   return {outside ? outer : inner,
           outside ? inner : outer,
           clay.stride(),
+          clay.stored().data() + n,
           (outside ? clay.inner_least() : clay.outer_most()).data() + n,
           clay.row_thicknesses().data() + n,
           weight,
@@ -199,7 +205,8 @@ class Pressing {
       if (areas != nullptr) {
         const int j = first + row.k;
         if (areas->any_torn() && areas->torn(j)) continue;  // hands pass through it
-        row.displacement = displacements_ != nullptr ? displacements_->row(j) : areas->spare_row();
+        row.displacement =
+            displacements_ != nullptr ? displacements_->row(clay_.stored(j)) : areas->spare_row();
       }
       plan.fill(row.k, row);
       ++used;
@@ -207,6 +214,24 @@ class Pressing {
     return used;
   }
   BodyRow<Body>* rows() { return rows_; }
+
+  // Those of `reached` that may lose no area, and of them those that do not give way at all; what
+  // is cut off raises nothing.
+  struct Held {
+    std::uint32_t firm = 0, rigid = 0;
+  };
+  Held held(int first, std::uint32_t reached) const {
+    const RowAreas* const areas = clay_.areas();
+    Held rows;
+    if (areas == nullptr || !areas->any_firm() || cut_) return rows;
+    for (; reached != 0; reached &= reached - 1) {
+      const int k = std::countr_zero(reached);
+      rows.firm |= std::uint32_t{areas->firm(first + k)} << k;
+      rows.rigid |= std::uint32_t{areas->rigid(first + k)} << k;
+    }
+    rows.rigid &= rows.firm;
+    return rows;
+  }
 
   void account(int first, int used, const contact::RowsPressed& pressed, Press& out) {
     out.visited += std::int64_t{8} * pressed.blocks;
@@ -266,12 +291,25 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
   for (int first = first_row; first < end_row; first += kPlannedRows) {
     const int count = std::min(kPlannedRows, end_row - first);
     const bool last = first + count == end_row;
-    const int used = pressing.prepare(plan, first, plan.find(first, count));
-    if (used == 0 && !(last && sums.begun)) continue;
+    const std::uint32_t reached = plan.find(first, count);
+    const auto [firm, rigid] = pressing.held(first, reached);
     const contact::RowPlaces places = places_of(clay, side, first, weight, plan.careful());
-    const contact::RowsPressed pressed = kernel.press(side, step, figures, places, pressing.rows(),
-                                                      used, sums, last ? &total : nullptr);
-    pressing.account(first, used, pressed, out);
+    const auto some = [&](std::uint32_t which, const contact::StepFigures& how, bool closing) {
+      const int used = pressing.prepare(plan, first, which);
+      if (used == 0 && !(closing && sums.begun)) return;
+      const contact::RowsPressed pressed = kernel.press(side, how, figures, places, pressing.rows(),
+                                                        used, sums, closing ? &total : nullptr);
+      pressing.account(first, used, pressed, out);
+    };
+    some(reached & ~firm, step, last && firm == 0);
+    if (firm == 0) continue;
+    // A wall that may lose no area moves as a whole; what has no other face does not give way.
+    const std::uint32_t walls = rows_from(places.hollow_from) & ~rigid;
+    contact::StepFigures held = step;
+    held.along = 1.0f;
+    some(firm & walls, held, false);
+    held.gone = 0.0f;
+    some(firm & ~walls, held, last);
   }
   if (out.touched == 0) return out;
   // Pressing leaves the extent of a row's face wider than the face, so that more is looked at than

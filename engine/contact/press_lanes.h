@@ -199,7 +199,7 @@ struct Kernel {
         pressed.displacement = task->displacement;
         pressed.lost = zero;
       }
-      const long from = static_cast<long>(places.stride) * k;
+      const long from = static_cast<long>(places.stride) * places.stored[k];
       float* const face = places.face + from;
       float* const behind = places.behind + from;
       const std::uint32_t bit = std::uint32_t{1} << k;
@@ -258,7 +258,8 @@ struct Kernel {
     Float8 deepest = all(0.0f);
     for (const BodyRow<Body>* task = rows; task != rows + count; ++task) {
       const Row row(body, *task);
-      const float* const face = places.face + static_cast<long>(places.stride) * task->k;
+      const float* const face =
+          places.face + static_cast<long>(places.stride) * places.stored[task->k];
       for (int n = 0; n < task->used; ++n)
         for (int i = task->ranges[n].begin * kLanes; i < task->ranges[n].end * kLanes;
              i += kLanes) {

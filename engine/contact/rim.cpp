@@ -94,7 +94,7 @@ double fall_off(double below, double reach) {
 // up a share of what it still can; `reach` is measured in that, so that the press goes deeper down
 // once the rows at the top are firm.
 double lower_rim(Clay& clay, double sink, double reach) {
-  const double thinnest = kThinnestRow * clay.def().height / clay.rows();
+  const double thinnest = kThinnestRow * clay.first_thickness();
   const auto spare = [&](int j) { return std::max(clay.row_thickness(j) - thinnest, 0.0); };
   // The row over the floor carries the floor's top.
   const bool solid = clay.floor_rows() == clay.rows();

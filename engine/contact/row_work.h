@@ -29,9 +29,10 @@ struct StepFigures {
 
 /// Where rows lie that are planned together, and what is known of each: row k is the k-th of them.
 struct RowPlaces {
-  float* face;                ///< Of row 0: worked.
+  float* face;                ///< Of stored row 0: worked.
   float* behind;              ///< The other.
-  int stride;                 ///< Floats from one row to the next.
+  int stride;                 ///< Floats from one stored row to the next.
+  const int* stored;          ///< By row: as which it is stored.
   const float* behind_start;  ///< By row: no element of the other face is farther that way.
   const double* thickness;    ///< By row, m.
   double weight;              ///< Force per press, radius and thickness.

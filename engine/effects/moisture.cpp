@@ -28,8 +28,8 @@ double strength(const MoistureDef& def, double wetness) noexcept {
   return wetness > 0.0 ? portable::exp(wetness * portable::log(def.weakening)) : 1.0;
 }
 
-Moisture::Moisture(const MoistureDef& def, int rows) {
-  if (def.sponge_height > 0.0) row_.assign(static_cast<std::size_t>(rows), -def.air);
+Moisture::Moisture(const MoistureDef& def, int rows, int room) : rows_(rows) {
+  if (def.sponge_height > 0.0) row_.assign(static_cast<std::size_t>(room), -def.air);
   air_ = def.sponge_height > 0.0 ? def.air : 0.0;
 }
 
@@ -56,32 +56,57 @@ void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seco
   if (!sponge) return;
   const double share = -portable::expm1(-seconds / def.wetting_time);
   const double reach = 0.5 * def.sponge_height;
-  const int end = static_cast<int>(row_.size());
+  const int end = clay.rows();
   if (heights.empty())
-    for (std::size_t j = 0; j < row_.size(); ++j) soak_row(j, share);
+    for (const int row : clay.stored()) soak_row(row, share);
   for (const double height : heights)
     for (int j = clay.first_row_above(height - reach);
          j < end && clay.row_height(j) < height + reach; ++j)
-      soak_row(static_cast<std::size_t>(j), share);
+      soak_row(clay.stored(j), share);
   mean_ = std::clamp(mean_, 0.0, 1.0);
 }
 
-void Moisture::soak_row(std::size_t j, double share) noexcept {
-  const double wet = air_ + row_[j] * decay_;
+void Moisture::soak_row(int stored, double share) noexcept {
+  double& row = row_[static_cast<std::size_t>(stored)];
+  const double wet = air_ + row * decay_;
   const double more = share * (1.0 - wet);
-  row_[j] += more / decay_;
-  mean_ += more / static_cast<double>(row_.size());
+  row += more / decay_;
+  mean_ += more / static_cast<double>(rows_);
+}
+
+void Moisture::row_divided(const Clay& clay, int from, int to) noexcept {
+  if (row_.empty()) return;
+  row_[static_cast<std::size_t>(to)] = row_[static_cast<std::size_t>(from)];
+  mean_ += (of_row(to) - mean_) / clay.rows();
+  rows_ = clay.rows();
+}
+
+void Moisture::rows_joined(const Clay& clay, int from, int to, double share) noexcept {
+  if (row_.empty()) return;
+  double& row = row_[static_cast<std::size_t>(from)];
+  const double both = of_row(from) + of_row(to);
+  row += share * (row_[static_cast<std::size_t>(to)] - row);
+  mean_ = std::clamp((mean_ * rows_ - both + of_row(from)) / clay.rows(), 0.0, 1.0);
+  rows_ = clay.rows();
+}
+
+void Moisture::count_rows(const Clay& clay) noexcept {
+  if (row_.empty() || clay.rows() == rows_) return;
+  double sum = 0.0;
+  for (const int row : clay.stored()) sum += of_row(row);
+  rows_ = clay.rows();
+  mean_ = std::clamp(sum / rows_, 0.0, 1.0);
 }
 
 double Moisture::at(const Clay& clay, double height) const {
   if (row_.empty()) return mean_;
-  return of_row(std::clamp(clay.first_row_above(height), 0, static_cast<int>(row_.size()) - 1));
+  return of_row(clay.stored(std::clamp(clay.first_row_above(height), 0, clay.rows() - 1)));
 }
 
-void Moisture::add_to(StateHash& hash) const {
+void Moisture::add_to(StateHash& hash, const Clay& clay) const {
   if (row_.empty()) return;
   hash.add(decay_);
-  for (const double wet : row_) hash.add(wet);
+  for (const int row : clay.stored()) hash.add(row_[static_cast<std::size_t>(row)]);
 }
 
 }  // namespace effects

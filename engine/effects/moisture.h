@@ -41,8 +41,9 @@ double strength(const MoistureDef& def, double wetness) noexcept;
 /// does not matter. Allocates only when made; one thread.
 class Moisture {
  public:
-  /// Dry clay of `rows` rows.
-  Moisture(const MoistureDef& def, int rows);
+  /// Dry clay of `rows` rows, with room for `room`.
+  Moisture(const MoistureDef& def, int rows, int room);
+  Moisture(const MoistureDef& def, int rows) : Moisture(def, rows, rows) {}
 
   /// Stage 3 of the pipeline. With `sponge`, it is held at `heights` (m, on the rows of `clay`);
   /// none means the whole pot. O(rows under the sponge).
@@ -51,22 +52,30 @@ class Moisture {
 
   /// Mean over the rows, 0..1.
   double mean() const { return mean_; }
-  /// Of row `j`, 0..1.
-  double of_row(int j) const {
-    return row_.empty() ? mean_ : air_ + row_[static_cast<std::size_t>(j)] * decay_;
+  /// Of a stored row (Clay::stored), 0..1.
+  double of_row(int stored) const {
+    return row_.empty() ? mean_ : air_ + row_[static_cast<std::size_t>(stored)] * decay_;
   }
+  /// The stored row `to` is half of what `from` was, or `from` has taken it up, and it was `share`
+  /// (0..1) of both. `clay` is as it is after that.
+  void row_divided(const Clay& clay, int from, int to) noexcept;
+  void rows_joined(const Clay& clay, int from, int to, double share) noexcept;
+  /// Rows have come and gone. O(rows).
+  void count_rows(const Clay& clay) noexcept;
   /// At `height` m, the nearest row's.
   double at(const Clay& clay, double height) const;
-  void add_to(StateHash& hash) const;
+  void add_to(StateHash& hash, const Clay& clay) const;
 
  private:
-  void soak_row(std::size_t j, double share) noexcept;
+  void soak_row(int stored, double share) noexcept;
 
-  // All rows dry at one pace, so that one factor does for them: row j is air + row_[j] * decay_.
+  // All rows dry at one pace, so that one factor does for them: a stored row is air + row_[] *
+  // decay_.
   std::vector<double> row_;
   double decay_ = 1.0;
   double air_ = 0.0;
   double mean_ = 0.0;
+  int rows_ = 0;
 };
 
 }  // namespace effects

@@ -16,6 +16,8 @@ void move_face(Clay& clay, WallSide side, int j, BlockRun run, const float* by,
   const auto least = static_cast<float>(def.radius_min);
   const auto most = static_cast<float>(def.radius_max);
   const auto wall = static_cast<float>(def.wall_min);
+  if (clay.areas()->rigid(j)) return;
+  if (clay.areas()->firm(j)) along = 1.0;
   row_kernels::FaceMove how{
       outside, hollow, least + wall, most, wall, static_cast<float>(along), least, most - wall};
   if (!outside) {

@@ -35,7 +35,7 @@ Propagation::Propagation(int stride)
 // False where nothing was dragged.
 bool Propagation::drag_row(Clay& clay, WallSide side, int j, BlockRun run, float faded,
                            double along) noexcept {
-  float* own = clay.displacements(side == WallSide::inside)->row(j);
+  float* own = clay.displacements(side == WallSide::inside)->row(clay.stored(j));
   if (row_kernels::of(clay.vectors())
           .pull(run, faded, own, pull_.source.data(), pull_.carried.data(), more_.data()) <= 0.0f)
     return false;

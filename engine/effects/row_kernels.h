@@ -45,8 +45,9 @@ struct WallBounds {
 struct Columns {
   bool outside = true;
   int rows = 0;
-  int stride = 0;                ///< Floats from one row to the next.
-  float* face = nullptr;         ///< Of the lowest row: the eight elements that are evened,
+  int stride = 0;                ///< Floats from one stored row to the next.
+  const int* stored = nullptr;   ///< As which each row is stored, the lowest first.
+  float* face = nullptr;         ///< Of stored row 0: the eight elements that are evened,
   const float* other = nullptr;  ///< and those of the other face.
   const double* weight = nullptr;
   const double* flow = nullptr;

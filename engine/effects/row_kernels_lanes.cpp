@@ -179,9 +179,9 @@ Ring measure_elements(int stride, const float* outer, const float* inner) {
 template <bool outside>
 ONGGI_INLINE void solve_columns(const Columns& c) {
   double below[kLanes] = {};
-  const float* face = c.face;
   double* squares = c.squares;
-  for (int k = 0; k < c.rows; ++k, face += c.stride, squares += kLanes) {
+  for (int k = 0; k < c.rows; ++k, squares += kLanes) {
+    const float* const face = c.face + static_cast<long>(c.stride) * c.stored[k];
     const double weight = c.weight[k];
     const double flow = k > 0 ? c.flow[k - 1] : 0.0;
     const double pivot = c.pivot[k];
@@ -205,8 +205,8 @@ template <bool outside>
 ONGGI_INLINE void share_columns(const Columns& c, double* share) {
   for (int i = 0; i < kLanes; ++i) share[i] = 1.0;
   for (int k = 0; k < c.rows; ++k) {
-    const float* const face = c.face + static_cast<long>(c.stride) * k;
-    const float* const other = c.other + static_cast<long>(c.stride) * k;
+    const float* const face = c.face + static_cast<long>(c.stride) * c.stored[k];
+    const float* const other = c.other + static_cast<long>(c.stride) * c.stored[k];
     const double* const squares = c.squares + kLanes * k;
     double room[kLanes];
     double way[kLanes];
@@ -239,7 +239,7 @@ ONGGI_INLINE bool even_columns_as(const Columns& c) {
   const Float8 none_yet = all(outside ? 0.0f : 1e9f);
   bool changed = false;
   for (int k = 0; k < c.rows; ++k) {
-    float* const face = c.face + static_cast<long>(c.stride) * k;
+    float* const face = c.face + static_cast<long>(c.stride) * c.stored[k];
     const double* const squares = c.squares + kLanes * k;
     float asked[kLanes];
     for (int i = 0; i < kLanes; ++i) {

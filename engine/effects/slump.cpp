@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engine/math/portable.h"
 
@@ -63,8 +64,9 @@ Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& v
     const double rim_speed = around.wheel_speed * middle_of(clay, j);
     hoop = def.density * rim_speed * rim_speed;
   }
-  const double weak =
-      around.moisture != nullptr ? strength(*around.moisture_def, around.moisture->of_row(j)) : 1.0;
+  const double weak = around.moisture != nullptr
+                          ? strength(*around.moisture_def, around.moisture->of_row(clay.stored(j)))
+                          : 1.0;
   const double yield = kRoot3 * def.yield_stress * weak;
   const double over = weight + hoop - yield;
   if (over <= 0.0) return {};
@@ -182,6 +184,19 @@ void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& 
   }
 }
 
+// A sweep goes on where it was, between the same rows.
+void Slump::row_divided(int j) noexcept {
+  for (std::vector<Flow>* flows : {&flow_, &owed_})
+    clay::open_place(*flows, j + 1, (*flows)[static_cast<std::size_t>(j)]);
+  if (sweep_ == Sweep::down ? j <= next_ : j < next_) ++next_;
+}
+
+void Slump::rows_joined(int j, double upper) noexcept {
+  for (std::vector<Flow>* flows : {&flow_, &owed_}) clay::close_place(*flows, j + 1);
+  if (sweep_ == Sweep::down && j == next_) above_ -= upper;  // it is weighed again, with the lower
+  if (j + 1 <= (sweep_ == Sweep::down ? next_ : next_ - 1)) --next_;
+}
+
 void Slump::forget_fall() noexcept {
   sagged_ = 0.0;
   fallen_ = false;
@@ -190,9 +205,10 @@ void Slump::forget_fall() noexcept {
   std::ranges::fill(owed_, Flow{});
 }
 
-void Slump::add_to(StateHash& hash) const {
+void Slump::add_to(StateHash& hash, const Clay& clay) const {
+  const auto rows = static_cast<std::size_t>(clay.rows());
   for (const std::vector<Flow>* flows : {&flow_, &owed_})
-    for (const Flow& flow : *flows)
+    for (const Flow& flow : std::span(*flows).first(rows))
       for (const double v : {flow.girth, flow.thickness}) hash.add(v);
   for (const double v : {shared_.girth, shared_.thickness, above_, seconds_, sunk_, speed_,
                          calm_speed_, calm_wetness_, sagged_})

@@ -32,8 +32,9 @@ namespace effects {
 /// made.
 class Slump {
  public:
-  explicit Slump(int rows)
-      : flow_(static_cast<std::size_t>(rows)), owed_(static_cast<std::size_t>(rows)) {}
+  /// `room`: rows at the most.
+  explicit Slump(int room)
+      : flow_(static_cast<std::size_t>(room)), owed_(static_cast<std::size_t>(room)) {}
 
   /// What the clay stands in.
   struct Around {
@@ -53,10 +54,13 @@ class Slump {
   bool fallen() const { return fallen_; }
   /// It has sagged by less than a tenth of that.
   bool stands() const { return stands_; }
+  /// Row `j` has been divided, or joined with the one above it, which held `upper` m^3.
+  void row_divided(int j) noexcept;
+  void rows_joined(int j, double upper) noexcept;
   /// The pot is another one.
   void forget_fall() noexcept;
   static constexpr double kFallTime = 3.0;  ///< s
-  void add_to(StateHash& hash) const;
+  void add_to(StateHash& hash, const Clay& clay) const;
 
  private:
   // What a row does, as logarithms of its growth.

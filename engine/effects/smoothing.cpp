@@ -46,12 +46,15 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
     gained_[n] = 0.0;
     extent_[n] = outside ? 0.0f : 1e9f;
   }
-  float* const face = (outside ? clay.pressable_outer(first) : clay.pressable_inner(first)).data();
-  const float* const other = (outside ? clay.inner(first) : clay.outer(first)).data();
-  row_kernels::Columns columns{
-      outside,        count,          clay.stride(),      nullptr,       nullptr,
-      weight_.data(), flow_.data(),   up_.data(),         pivot_.data(), squares_.data(),
-      gained_.data(), extent_.data(), clay.def().wall_min};
+  float* const face = outside ? clay.stored_outer(0) : clay.stored_inner(0);
+  const float* const other = outside ? clay.stored_inner(0) : clay.stored_outer(0);
+  row_kernels::Columns columns{outside,         count,
+                               clay.stride(),   clay.stored().data() + first,
+                               nullptr,         nullptr,
+                               weight_.data(),  flow_.data(),
+                               up_.data(),      pivot_.data(),
+                               squares_.data(), gained_.data(),
+                               extent_.data(),  clay.def().wall_min};
   const row_kernels::Table& kernels = row_kernels::of(clay.vectors());
   bool changed = false;
   for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))

@@ -25,12 +25,11 @@ namespace effects {
 Springback::Springback(const Clay& clay)
     : back_(static_cast<std::size_t>(clay.stride())),
       stride_(static_cast<std::size_t>(clay.stride())),
-      rows_(clay.rows()) {
-  const auto rows = static_cast<std::size_t>(rows_);
+      room_(static_cast<std::size_t>(clay.room())) {
   for (Face& face : face_) {
-    face.left.resize(rows * stride_);
-    face.seen.resize(rows);
-    face.rows.resize(rows);
+    face.left.resize(room_ * stride_);
+    face.seen.resize(room_);
+    face.rows.resize(room_);
   }
 }
 
@@ -40,8 +39,8 @@ void Springback::load(const SpringbackDef& def, Clay& clay, WallSide side) noexc
   Face& f = face(side);
   const auto share = static_cast<float>(def.share);
   for (int j = displacements.first_row(); j < displacements.end_row(); ++j) {
-    const auto n = static_cast<std::size_t>(j);
-    const float* moved = displacements.row(j);
+    const auto n = static_cast<std::size_t>(clay.stored(j));
+    const float* moved = displacements.row(clay.stored(j));
     float* left = f.left.data() + n * stride_;
     for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
       for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock; ++i)
@@ -55,7 +54,7 @@ void Springback::load(const SpringbackDef& def, Clay& clay, WallSide side) noexc
 
 void Springback::row_back(Clay& clay, WallSide side, int j, double time, double along) noexcept {
   Face& f = face(side);
-  const auto n = static_cast<std::size_t>(j);
+  const auto n = static_cast<std::size_t>(clay.stored(j));
   const auto gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
   f.seen[n] = now_;
   // The last of it at once: rest must be rest.
@@ -82,13 +81,26 @@ void Springback::come_back(const SpringbackDef& def, Clay& clay, double seconds,
       whole_ = Round::lasting(def.time / kTurns, 1.0 * loaded_rows_ * static_cast<double>(stride_));
       left = std::min(left, whole_);
     }
-    const int till = round_.go_on(left, whole_, rows_);
+    const int till = round_.go_on(left, whole_, clay.rows());
     for (; next_ < till; ++next_)
       for (const WallSide side : {WallSide::outside, WallSide::inside})
-        if (face(side).rows[static_cast<std::size_t>(next_)] != 0)
+        if (face(side).rows[static_cast<std::size_t>(clay.stored(next_))] != 0)
           row_back(clay, side, next_, def.time, along);
   }
   if (asleep()) round_.stop();
+}
+
+void Springback::row_divided(int from, int to) noexcept {
+  for (Face& f : face_) {
+    const auto a = static_cast<std::size_t>(from);
+    const auto b = static_cast<std::size_t>(to);
+    if (f.rows[a] == 0) continue;
+    std::copy_n(f.left.begin() + static_cast<std::ptrdiff_t>(a * stride_), stride_,
+                f.left.begin() + static_cast<std::ptrdiff_t>(b * stride_));
+    f.seen[b] = f.seen[a];
+    f.rows[b] = 1;
+    ++loaded_rows_;
+  }
 }
 
 void Springback::forget() noexcept {

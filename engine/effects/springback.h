@@ -36,6 +36,13 @@ class Springback {
   /// No row ever goes beyond where it was pressed from. `along`: see move_face(). Asleep when
   /// nothing is loaded.
   void come_back(const SpringbackDef& def, Clay& clay, double seconds, double along) noexcept;
+  /// Something of a stored row has still to come back.
+  bool loaded(int stored) const {
+    const auto n = static_cast<std::size_t>(stored);
+    return face_[0].rows[n] != 0 || face_[1].rows[n] != 0;
+  }
+  /// The stored row `to`, which is not loaded, is half of what `from` was.
+  void row_divided(int from, int to) noexcept;
   /// The clay was laid anew: nothing is loaded. O(rows that were).
   void forget() noexcept;
 
@@ -43,7 +50,7 @@ class Springback {
   void add_to(StateHash& hash) const;
 
  private:
-  struct Face {
+  struct Face {                      // by stored row
     std::vector<float> left;         // m, >= 0
     std::vector<double> seen;        // when each row last came back
     std::vector<std::uint8_t> rows;  // 1: something is left
@@ -54,7 +61,7 @@ class Springback {
   std::array<Face, 2> face_;
   std::vector<float> back_;
   std::size_t stride_;
-  int rows_;
+  std::size_t room_;
   int next_ = 0;  // row whose turn it is
   Round round_;
   double whole_ = 0.0;  // s, of this round

@@ -13,12 +13,12 @@ constexpr std::size_t kLumps = 4;  // whose tears are kept for going back, at th
 }  // namespace
 
 Tearing::Tearing(Clay& clay)
-    : unseen_(clay.rows()),
+    : unseen_(clay.room()),
       hollow_square_(clay.def().outer_radius * clay.def().outer_radius +
                      clay.def().inner_radius * clay.def().inner_radius),
       solid_square_(clay.def().outer_radius * clay.def().outer_radius),
       solid_rows_(clay.floor_rows()),
-      lump_(static_cast<std::size_t>(clay.rows()) + 1) {
+      lump_(static_cast<std::size_t>(clay.room()) + 1) {
   events_.reserve(kLumps * lump_);
   clay.areas()->keep_torn();
 }
@@ -63,12 +63,25 @@ void Tearing::look(const WallsDef& def, Clay& clay, double seconds, std::uint64_
       owed_ = 0.0;
       return;
     }
+    if (j >= clay.rows()) continue;
     if (areas.torn(j) || !tears_now(def, clay, j)) continue;
     areas.tear(j);
     ++torn_rows_;
-    note({step, j});
+    note({step, clay.stored(j)});
     clay.mark_to_draw(j);
   }
+}
+
+void Tearing::row_divided(int j) noexcept {
+  const bool unseen = unseen_.has(j);
+  unseen_.open(j + 1);
+  if (unseen) unseen_.add(j + 1);
+}
+
+void Tearing::rows_joined(int j) noexcept {
+  const bool unseen = unseen_.has(j + 1);
+  unseen_.close(j + 1);
+  if (unseen) unseen_.add(j);
 }
 
 void Tearing::lay(Clay& clay, std::uint64_t step) noexcept {
@@ -87,7 +100,7 @@ void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {
   torn_rows_ = 0;
   for (auto event = events_.rbegin(); event != events_.rend() && event->row != kFreshLump;
        ++event, ++torn_rows_)
-    areas.tear(event->row);
+    areas.tear(clay.place_of(event->row));
   for (int j = 0; j < clay.rows(); ++j) unseen_.add(j);
 }
 

@@ -30,6 +30,10 @@ class Tearing {
   /// `step` was taken back, and all after it: what tore in them is whole.
   void go_back(Clay& clay, std::uint64_t step) noexcept;
 
+  /// Row `j`, which is whole, has been divided, or joined with the one above it.
+  void row_divided(int j) noexcept;
+  void rows_joined(int j) noexcept;
+
   bool any() const { return torn_rows_ > 0; }
   /// Some row is torn, and the last of them tore before `step`.
   bool torn_before(std::uint64_t step) const { return any() && events_.back().step < step; }
@@ -39,7 +43,7 @@ class Tearing {
   static constexpr int kFreshLump = -1;
   struct Event {
     std::uint64_t step = 0;
-    int row = kFreshLump;  // that tore
+    int row = kFreshLump;  // stored, that tore
   };
   bool tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept;
   void note(Event event) noexcept;

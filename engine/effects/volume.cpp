@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/effects/row_kernels.h"
+#include "engine/math/portable.h"
 
 namespace onggi::effects {
 namespace {
@@ -11,6 +12,41 @@ namespace {
 // A pressed rim carries a tenth of all rows down.
 constexpr double kElementsPerSecond = 16384e3;
 constexpr double kLongestWait = 0.1;  // s, of any row on any grid
+// Where clay gives way no more: so far before its limits that a tick goes not beyond them, and
+// where what presses it is told so.
+constexpr double kHeld = 0.95;
+constexpr double kFirm = 0.98;    // of that
+constexpr double kLittle = 1e-6;  // of an area: a float's rounding and what sums to it
+constexpr double kRaised = 1.25;  // of a fresh lump's rows: thinner ones nobody asks about
+
+// Row `j` gets `more` area (m^2), every element alike, outwards as far as it may and then inwards;
+// gives the area that it then has.
+double thicken(Clay& clay, int j, double more) {
+  const ClayDef& def = clay.def();
+  const auto farthest = static_cast<float>(def.radius_max * def.radius_max);
+  const auto nearest = static_cast<float>(def.radius_min * def.radius_min);
+  const double wanted = clay.areas()->of(j) + more;
+  constexpr int kRounds = 4;  // elements that may go no farther leave theirs to the others
+  for (int round = 0; round < kRounds; ++round) {
+    const double left = wanted - clay.areas()->of(j);
+    if (left <= kLittle * wanted) break;
+    const bool outwards = round < kRounds / 2;
+    if (!outwards && j < clay.floor_rows()) break;
+    const auto square = static_cast<float>(left / portable::kPi);
+    if (outwards)
+      for (float& r : clay.pressable_outer(j))
+        r = std::max(r, std::sqrt(std::min(r * r + square, farthest)));
+    else
+      for (float& r : clay.pressable_inner(j))
+        r = std::min(r, std::sqrt(std::max(r * r - square, nearest)));
+    clay.areas()->set(j, clay.measured_area(j));
+  }
+  clay.set_extent(j, *std::ranges::max_element(clay.outer(j)),
+                  *std::ranges::min_element(clay.inner(j)));
+  clay.areas()->mark(j);
+  clay.mark_dirty(j);
+  return clay.areas()->of(j);
+}
 
 // Of `volume`, what went with `cut` of a row's area, of which `left` is there now, where the row is
 // `thick`. Two edges that push a wall at its thinnest to and fro in one tick cut more than there
@@ -22,11 +58,17 @@ double cut_off(double volume, double cut, double left, double thick) {
 
 }  // namespace
 
-Volume::Volume(Clay& clay) {
+Volume::Volume(Clay& clay, const Limits& limits) : limits_(limits) {
   clay.keep_areas();
+  const auto room = static_cast<std::size_t>(clay.room());
+  volume_.resize(room);
+  thickness_.resize(room);
+  raised_ = RowSet(clay.room());
+  clay.areas()->keep_firm();
   for (int j = 0; j < clay.rows(); ++j) {
-    volume_.push_back(clay.areas()->of(j) * clay.row_thickness(j));
-    thickness_.push_back(clay.row_thickness(j));
+    const auto n = static_cast<std::size_t>(j);
+    thickness_[n] = clay.row_thickness(j);
+    volume_[n] = clay.areas()->of(j) * thickness_[n];
   }
 }
 
@@ -34,9 +76,22 @@ bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
   return clay.row_thickness(j) < thickness_[static_cast<std::size_t>(j)];
 }
 
+// Held to `height`, a ring that has more clay than fits becomes wider and its wall thicker, alike;
+// one that got larger otherwise meanwhile gives its height for that. Gives its area.
+double Volume::widen(Clay& clay, int j, double area, double height) noexcept {
+  const double volume = volume_[static_cast<std::size_t>(j)];
+  const double wider = std::sqrt(volume / (area * height));
+  if (wider > 1.0) area *= reshape_row(clay, j, wider, wider);
+  // Somewhere at its widest already, it can only become thicker elsewhere.
+  const double left = volume / height - area;
+  return left > kLittle * area ? thicken(clay, j, left) : area;
+}
+
 // The work list is the areas' set of changed rows, taken from the foot up. A row that lost area
-// gets higher at once: a division. One that was pressed down must be reshaped, element by element,
-// and a pressed rim brings a tenth of all rows: those beyond a call's budget stay on the list.
+// gets higher at once: a division. One that was pressed down, or that may get no higher, must be
+// reshaped, element by element, and a pressed rim brings a tenth of all rows: those beyond a call's
+// budget stay on the list. No clay is lost meanwhile: one that may get no higher does once, and is
+// rigid for so long.
 void Volume::keep(Clay& clay, double seconds) noexcept {
   RowAreas& areas = *clay.areas();
   const int most_widened = static_cast<int>(std::ceil(
@@ -46,6 +101,10 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
   int widened = 0;
   int waiting = 0;
   int stopped = 0;
+  const double first = clay.first_thickness();
+  const double thickest = kHeld * limits_.thickest * first;
+  const double tallest = kHeld * limits_.tallest * clay.def().height;
+  double headroom = tallest - clay.rim_height();
   for (int j = areas.take_changed(0); j >= 0; j = areas.take_changed(j + 1)) {
     const auto n = static_cast<std::size_t>(j);
     // Contact sums what it took in floats, and the errors add up: 5e-9 of a row after 37 s of
@@ -57,23 +116,31 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
     double area = known_area(clay, j);
     const double now = clay.row_thickness(j);
     volume_[n] -= cut_off(volume_[n], areas.take_cut(j), area, now);
-    if (pressed_down(clay, j)) {
+    const bool down = pressed_down(clay, j);
+    const double most = down ? now : std::min(thickest, now + std::max(headroom, 0.0));
+    if (down || volume_[n] / area > most) {
       // Those below widen_from_ had their turn in the call before: began each call at the foot, a
       // rim that is pressed all the time would be waited for for ever.
-      if (j < widen_from_ || widened == most_widened) {
-        if (widened == most_widened && stopped == 0) stopped = j;
+      const bool waits = j < widen_from_ || widened == most_widened;
+      if (widened == most_widened && stopped == 0) stopped = j;
+      if (waits && down) {
         ++waiting;
         continue;
       }
-      // Pressed together, a ring becomes wider and its wall thicker, alike; one that got larger
-      // otherwise meanwhile gives its height for that.
-      const double wider = std::sqrt(volume_[n] / (area * now));
-      if (wider > 1.0) area *= reshape_row(clay, j, wider, wider);
-      ++widened;
+      if (!waits) {
+        area = widen(clay, j, area, most);
+        ++widened;
+      }
     }
     thickness_[n] = volume_[n] / area;
+    headroom -= thickness_[n] - now;
     clay.set_row_thickness(j, thickness_[n]);
+    if (thickness_[n] > kRaised * first) raised_.add(j);
+    const bool rigid = thickness_[n] > (1.0 + kLittle) * thickest;
+    waiting += rigid ? 1 : 0;
+    areas.harden(j, thickness_[n] > kFirm * thickest, rigid);
   }
+  areas.harden_all(headroom < (1.0 - kFirm) * tallest, headroom < (kFirm - 1.0) * tallest);
   if (lowest < 0) return;
   ++turn_;
   widen_from_ = stopped;
@@ -82,7 +149,8 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
   for (int j = areas.take_changed(lowest); j >= 0; j = areas.take_changed(j + 1)) {
   }
   for (int j = lowest; waiting > 0 && j < clay.rows(); ++j) {
-    if (!pressed_down(clay, j)) continue;
+    const bool rigid = thickness_[static_cast<std::size_t>(j)] > (1.0 + kLittle) * thickest;
+    if (!pressed_down(clay, j) && !rigid) continue;
     areas.mark(j);
     --waiting;
   }
@@ -100,6 +168,8 @@ bool Volume::measure_some(Clay& clay, int element_budget) noexcept {
   }
   if (measured_to_ < clay.rows()) return false;
   measured_to_ = widen_from_ = 0;
+  raised_.clear();
+  clay.areas()->soften();
   for (int j = clay.areas()->take_changed(0); j >= 0; j = clay.areas()->take_changed(j + 1)) {
   }
   return true;
@@ -112,11 +182,42 @@ void Volume::give(Clay& clay, int j, int to, double volume) noexcept {
   clay.areas()->mark(to);
 }
 
+int Volume::take_thick(const Clay& clay, double times, int from) noexcept {
+  if (raised_.empty()) return -1;
+  const double most = times * clay.first_thickness();
+  for (const int begin : {from, 0})
+    for (int j = raised_.take(begin); j >= 0; j = raised_.take(j + 1))
+      if (j < clay.rows() && clay.row_thickness(j) > most) return j;
+  return -1;
+}
+
+void Volume::row_divided(const Clay& clay, int j) noexcept {
+  const auto n = static_cast<std::size_t>(j);
+  const double lower =
+      volume_[n] * clay.areas()->of(j) / (clay.areas()->of(j) + clay.areas()->of(j + 1));
+  clay::open_place(volume_, j + 1, volume_[n] - lower);
+  clay::open_place(thickness_, j + 1, clay.row_thickness(j + 1));
+  raised_.open(j + 1);
+  volume_[n] = lower;
+  thickness_[n] = clay.row_thickness(j);
+}
+
+void Volume::rows_joined(const Clay& clay, int j) noexcept {
+  const auto n = static_cast<std::size_t>(j);
+  const double both = volume_[n] + volume_[n + 1];
+  clay::close_place(volume_, j + 1);
+  clay::close_place(thickness_, j + 1);
+  raised_.close(j + 1);
+  volume_[n] = both;
+  thickness_[n] = clay.row_thickness(j);
+}
+
 void Volume::add_to(StateHash& hash, Clay& clay) const {
-  for (std::size_t j = 0; j < volume_.size(); ++j) {
-    hash.add(volume_[j]);
-    hash.add(clay.areas()->of(static_cast<int>(j)));
+  for (int j = 0; j < clay.rows(); ++j) {
+    hash.add(of_row(j));
+    hash.add(clay.areas()->of(j));
   }
+  if (!raised_.empty()) raised_.add_to(hash);
   hash.add(std::uint64_t{turn_} << 32 | static_cast<std::uint64_t>(measured_to_));
   hash.add(static_cast<std::uint64_t>(widen_from_));
 }

@@ -17,18 +17,29 @@ struct VolumeDef {
 
 namespace effects {
 
-/// How much clay every row holds, and the heights that follow from it: h = V / A. Allocates only
-/// when made; one thread.
+/// How much clay every row holds, and the heights that follow from it: h = V / A. No row gets
+/// thicker than kThickest times a fresh lump's, and no pot taller than kTallest times the lump:
+/// what a press would drive beyond that stays in its ring, which a hand feels as clay that does not
+/// give way. Allocates only when made; one thread.
 class Volume {
  public:
+  static constexpr double kThickest = 2.0;
+  static constexpr double kTallest = 3.0;
+  /// How far clay may rise: a row's thickness, as a multiple of a fresh lump's, and the pot's
+  /// height, as a multiple of the lump's. > 1.
+  struct Limits {
+    double thickest = kThickest;
+    double tallest = kTallest;
+  };
   /// Measures `clay`, which keeps its areas from now on.
-  explicit Volume(Clay& clay);
+  explicit Volume(Clay& clay) : Volume(clay, Limits{}) {}
+  Volume(Clay& clay, const Limits& limits);
 
-  /// Stage 6 of the pipeline: rows that lost area since the last call gain height; rows that were
-  /// pressed down gain girth, as many as make 16384 elements a millisecond or a hundredth of all
-  /// rows, the rest in the next calls: none waits for more than 0.1 s; what a tool cut off is gone.
-  /// O(rows changed, rows above them); O(sectors) for each row pressed down, and for one in 64 of
-  /// the others, which is measured anew.
+  /// Stage 6 of the pipeline: rows that lost area since the last call gain height, as far as they
+  /// may; rows that were pressed down, or may not grow, gain girth, as many as make 16384 elements
+  /// a millisecond or a hundredth of all rows, the rest in the next calls: none waits for more than
+  /// 0.1 s; what a tool cut off is gone. O(rows changed, rows above them); O(sectors) for each row
+  /// that gains girth, and for one in 64 of the others, which is measured anew.
   void keep(Clay& clay, double seconds) noexcept;
   /// `clay` was laid anew: measures it again, `element_budget` elements a call (at least a row);
   /// true once all is done.
@@ -38,13 +49,24 @@ class Volume {
   /// Row `j` gives `volume` m^3 to row `to`, or takes it where negative; keep() then raises and
   /// lowers them.
   void give(Clay& clay, int j, int to, double volume) noexcept;
+  /// Rows that are thicker than `times` a fresh lump's, from those that keep() has raised: the
+  /// lowest at or above `from`, or else below it; -1 where there is none. It is then asked no more,
+  /// until it is raised anew.
+  int take_thick(const Clay& clay, double times, int from) noexcept;
+  void ask_again(int j) noexcept { raised_.add(j); }
+  /// Row `j` has been divided, or joined with the one above it (clay/row_division.h).
+  void row_divided(const Clay& clay, int j) noexcept;
+  void rows_joined(const Clay& clay, int j) noexcept;
   void add_to(StateHash& hash, Clay& clay) const;
 
  private:
   bool pressed_down(const Clay& clay, int j) const noexcept;
+  double widen(Clay& clay, int j, double area, double height) noexcept;
 
+  Limits limits_;
   std::vector<double> volume_;
   std::vector<double> thickness_;  // as keep() left them: what differs was pressed down since
+  RowSet raised_;                  // rows to be asked whether they are too thick
   unsigned turn_ = 0;              // whose turn it is to be measured
   int widen_from_ = 0;             // rows pressed down below this wait for the next call
   int measured_to_ = 0;            // of measure_some()

@@ -170,6 +170,18 @@ void Wobble::go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double second
   for (; sweep.row < till; ++sweep.row) centre_row(def, clay, sweep, sweep.row);
 }
 
+void Wobble::row_divided(int j) noexcept {
+  for (Sweep& sweep : sweeps_)
+    for (int* row : {&sweep.first, &sweep.row, &sweep.end})
+      if (j < *row) ++*row;
+}
+
+void Wobble::rows_joined(int j) noexcept {
+  for (Sweep& sweep : sweeps_)
+    for (int* row : {&sweep.first, &sweep.row, &sweep.end})
+      if (j + 1 < *row) --*row;
+}
+
 void Wobble::add_to(StateHash& hash) const {
   beat_.add_to(hash);
   for (const Sweep& sweep : sweeps_) {

@@ -55,6 +55,9 @@ class Wobble {
   /// towards one inside, by a share of what they are off on its side: they come nearer to it or
   /// stay. O(sectors) a row.
   void centre(const WobbleDef& def, Clay& clay, double seconds) noexcept;
+  /// Row `j` has been divided, or joined with the one above it.
+  void row_divided(int j) noexcept;
+  void rows_joined(int j) noexcept;
   /// The clay is another.
   void forget() noexcept {
     sweeps_ = {};

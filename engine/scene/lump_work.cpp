@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/clay/row_division.h"
+
 namespace onggi::scene {
 namespace {
 
@@ -50,9 +52,14 @@ bool LumpWork::keep(const Parts& parts) const noexcept {
   return parts.history->begin_step(parts.clay, kBudget);
 }
 
-bool LumpWork::renew(const Parts& parts) const noexcept { return parts.clay.renew_some(kBudget); }
+bool LumpWork::renew(const Parts& parts) const noexcept {
+  // Rows come and go at the top before anything is laid.
+  if (!clay::restore_row_count(parts.clay, parts.history, kBudget)) return false;
+  return parts.clay.renew_some(kBudget);
+}
 
 bool LumpWork::lay(const Parts& parts) const noexcept {
+  if (parts.moisture != nullptr) parts.moisture->count_rows(parts.clay);
   return parts.row_effects->settle_some(parts.def, parts.clay, true, depth_of(parts.history),
                                         kBudget);
 }
@@ -69,6 +76,7 @@ bool LumpWork::restore(const Parts& parts) const noexcept {
 }
 
 bool LumpWork::settle(const Parts& parts) const noexcept {
+  if (parts.moisture != nullptr) parts.moisture->count_rows(parts.clay);
   return parts.row_effects->settle_some(parts.def, parts.clay, false, depth_of(parts.history),
                                         kBudget);
 }

@@ -40,6 +40,7 @@ class LumpWork {
     Clay& clay;
     clay::History* history;
     RowEffects* row_effects;
+    effects::Moisture* moisture;
   };
 
   /// Stage 4. True while the lump is worked on, and nobody else may: all hands are away.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/clay/row_division.h"
 #include "engine/effects/built.h"
 
 namespace onggi::scene {
@@ -17,6 +18,10 @@ double along_of(const SceneDef& def, const RowEffects::Tick& tick, WallSide side
 }
 
 }  // namespace
+
+int RowEffects::spare_rows(const SceneDef& def) {
+  return effects::kBuilt && def.volume ? effects::Refinement::spare_rows(def.clay) : 0;
+}
 
 std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
   if (!effects::kBuilt) return nullptr;
@@ -43,7 +48,7 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
   }
   // 6.3
   if (def.smoothing) {
-    e.smoothing_.emplace(clay.rows());
+    e.smoothing_.emplace(clay.room());
     e.stages_.push_back(&RowEffects::smooth);
   }
   // 6.4
@@ -53,7 +58,7 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
   }
   // 6.5
   if (def.slump) {
-    e.slump_.emplace(clay.rows());
+    e.slump_.emplace(clay.room());
     e.stages_.push_back(&RowEffects::sink);
   }
   // 6.6
@@ -65,6 +70,8 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
   if (def.volume) {
     e.volume_.emplace(clay);
     e.stages_.push_back(&RowEffects::keep_volume);
+    // 6.8
+    e.stages_.push_back(&RowEffects::refine);
   }
   if (about_contact) e.stages_.push_back(&RowEffects::clear_shifts);
   return present;
@@ -133,10 +140,54 @@ void RowEffects::keep_volume(const SceneDef&, Clay& clay, const Tick& tick) noex
   volume_->keep(clay, tick.seconds);
 }
 
+// Few changes a tick, since each costs a row's elements, and the places of all rows above it.
+void RowEffects::refine(const SceneDef&, Clay& clay, const Tick& tick) noexcept {
+  using Kind = effects::Refinement::Change::Kind;
+  for (int n = 0; n < effects::Refinement::kMostChanges; ++n) {
+    const effects::Refinement::Change change = refinement_.next(clay, *volume_);
+    if (change.kind == Kind::none) return;
+    change.kind == Kind::divide ? divide(clay, change.row, tick) : join(clay, change.row, tick);
+  }
+}
+
+void RowEffects::divide(Clay& clay, int j, const Tick& tick) noexcept {
+  const int from = clay.stored(j);
+  const int to = clay.next_spare();
+  if (tick.history != nullptr) {
+    for (const int row : {from, to}) tick.history->keep_row(clay, row);
+    tick.history->note_inserted(j + 1);
+  }
+  clay::divide_row(clay, j, volume_->of_row(j));
+  volume_->row_divided(clay, j);
+  if (tick.moisture != nullptr) tick.moisture->row_divided(clay, from, to);
+  if (springback_) springback_->row_divided(from, to);
+  if (wobble_) wobble_->row_divided(j);
+  if (slump_) slump_->row_divided(j);
+  if (tearing_) tearing_->row_divided(j);
+}
+
+void RowEffects::join(Clay& clay, int j, const Tick& tick) noexcept {
+  const int from = clay.stored(j);
+  const int to = clay.stored(j + 1);
+  if (springback_ && (springback_->loaded(from) || springback_->loaded(to))) return;
+  if (tick.history != nullptr) {
+    for (const int row : {from, to}) tick.history->keep_row(clay, row);
+    tick.history->note_erased(j + 1, j + 1 < clay.floor_rows());
+  }
+  const double upper = volume_->of_row(j + 1);
+  const double both = volume_->of_row(j) + upper;
+  clay::join_rows(clay, j, both);
+  volume_->rows_joined(clay, j);
+  if (tick.moisture != nullptr) tick.moisture->rows_joined(clay, from, to, upper / both);
+  if (wobble_) wobble_->rows_joined(j);
+  if (slump_) slump_->rows_joined(j, upper);
+  if (tearing_) tearing_->rows_joined(j);
+}
+
 void RowEffects::clear_shifts(const SceneDef&, Clay& clay, const Tick&) noexcept {
   if (Displacements& displacements = *clay.displacements(turn_.side == WallSide::inside);
       displacements.any())
-    displacements.clear(clay.rows());
+    displacements.clear(clay.stored());
 }
 
 bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::uint64_t step,
@@ -150,9 +201,7 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::u
   if (volume_ && !volume_->measure_some(clay, element_budget)) return false;
   if (springback_) springback_->forget();
   if (wobble_) wobble_->forget();
-  for (const bool inside : {false, true})
-    if (Displacements* displacements = clay.displacements(inside))
-      displacements->clear(clay.rows());
+  clay.forget_displacements();
   if (slump_) slump_->forget_fall();
   if (tearing_ && fresh) tearing_->lay(clay, step);
   if (tearing_ && !fresh) tearing_->go_back(clay, step);
@@ -163,8 +212,11 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::u
 }
 
 void RowEffects::add_to(StateHash& hash, Clay& clay) const {
-  if (volume_) volume_->add_to(hash, clay);
-  if (slump_) slump_->add_to(hash);
+  if (volume_) {
+    volume_->add_to(hash, clay);
+    refinement_.add_to(hash);
+  }
+  if (slump_) slump_->add_to(hash, clay);
   if (springback_) springback_->add_to(hash);
   if (wobble_) wobble_->add_to(hash);
   if (tearing_) tearing_->add_to(hash, clay);

@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "engine/clay/history.h"
 #include "engine/effects/propagation.h"
+#include "engine/effects/refinement.h"
 #include "engine/effects/slump.h"
 #include "engine/effects/smoothing.h"
 #include "engine/effects/springback.h"
@@ -32,14 +34,17 @@ class RowEffects {
   };
   /// What a tick brings them.
   struct Tick {
-    const effects::Moisture* moisture = nullptr;  ///< Null where it is absent.
-    double wheel_speed = 0.0;                     ///< Of the clay, rad/s.
+    effects::Moisture* moisture = nullptr;  ///< Null where it is absent.
+    clay::History* history = nullptr;       ///< Likewise.
+    double wheel_speed = 0.0;               ///< Of the clay, rad/s.
     double seconds = 0.0;
     bool touched = false;    ///< A hand pressed clay.
     std::uint64_t step = 0;  ///< clay::History::depth(); 0 where nothing can be taken back.
     std::array<HandThere, kMaxHands> hand{};
   };
 
+  /// Rows that the clay needs beside the lump's.
+  static int spare_rows(const SceneDef& def);
   /// Null where `def` has none. Lays the lump as they have it. Allocates.
   static std::unique_ptr<RowEffects> make(const SceneDef& def, Clay& clay);
 
@@ -87,6 +92,9 @@ class RowEffects {
   void sink(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void tear(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
   void keep_volume(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void refine(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
+  void divide(Clay& clay, int j, const Tick& tick) noexcept;
+  void join(Clay& clay, int j, const Tick& tick) noexcept;
   void clear_shifts(const SceneDef& def, Clay& clay, const Tick& tick) noexcept;
 
   std::optional<effects::Propagation> propagation_;
@@ -96,6 +104,7 @@ class RowEffects {
   std::optional<effects::Slump> slump_;
   std::optional<effects::Tearing> tearing_;
   std::optional<effects::Volume> volume_;
+  effects::Refinement refinement_;
   std::vector<Stage> stages_;  // of what is present, in the pipeline's order
   Turn turn_;
   std::array<double, kMaxHands> since_touch_{1.0, 1.0};  // s, at most 1

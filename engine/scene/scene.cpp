@@ -8,7 +8,7 @@ namespace onggi {
 
 Result<Scene> Scene::create(const SceneDef& def, Vectors vectors) {
   if (auto good = validate(def); !good) return tl::unexpected<Problem>(good.error());
-  Result<Clay> clay = Clay::create(def.clay, vectors);
+  Result<Clay> clay = Clay::create(def.clay, vectors, scene::RowEffects::spare_rows(def));
   if (!clay) return tl::unexpected<Problem>(clay.error());
   return Scene(std::make_unique<State>(def, std::move(*clay)));
 }
@@ -43,7 +43,7 @@ bool Scene::torn(int row) const {
   return state_->clay.areas() != nullptr && state_->clay.areas()->torn(row);
 }
 double Scene::wetness_of(int row) const {
-  return state_->moisture ? state_->moisture->of_row(row) : 0.0;
+  return state_->moisture ? state_->moisture->of_row(state_->clay.stored(row)) : 0.0;
 }
 bool Scene::laying() const { return !state_->lump.playing(); }
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
@@ -73,7 +73,7 @@ std::uint64_t Scene::state_hash() const {
   if (s.printed)
     for (const PaperFilter& filter : s.printed->filter)
       for (double v : filter.memory()) hash.add(v);
-  if (s.moisture) s.moisture->add_to(hash);
+  if (s.moisture) s.moisture->add_to(hash, s.clay);
   if (s.row_effects) {
     s.row_effects->add_to(hash, state_->clay);
     hash.add(s.lump.stood_at());

@@ -196,6 +196,7 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   const double angle = tick.angle_from + 0.5 * tick.turn;
   scene::RowEffects::Tick rows;
   rows.moisture = moisture ? &*moisture : nullptr;
+  rows.history = history ? &*history : nullptr;
   rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
   rows.seconds = tick.dt;
   // Rows take turns to be looked at: one that is found torn in a step that has just begun was torn

@@ -62,8 +62,8 @@ struct Scene::State {
 
   State(const SceneDef& d, Clay&& c)
       : def(d), tools(scene::tools_of(d)), clay(std::move(c)), slit(d.clay.sectors) {
-    if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows);
     row_effects = scene::RowEffects::make(def, clay);
+    if (def.moisture) moisture.emplace(*def.moisture, def.clay.rows, clay.room());
     if (def.clay.keep_undo) history.emplace(clay);
     if (!def.paper) return;
     const PaperDef& paper = *def.paper;
@@ -76,7 +76,8 @@ struct Scene::State {
   void soak_or_dry(const Tick& tick, bool sponge) noexcept;
   void work_on_lump(const Hands& hands) noexcept;
   scene::LumpWork::Parts lump_parts() {
-    return {def, clay, history ? &*history : nullptr, row_effects.get()};
+    return {def, clay, history ? &*history : nullptr, row_effects.get(),
+            moisture ? &*moisture : nullptr};
   }
   double wetness_at(double height) const;
   Yielding yielding_at(double height) const;

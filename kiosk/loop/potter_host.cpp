@@ -35,7 +35,7 @@ bool PotterHost::send(const Command& command) {
 void PotterHost::start(std::unique_ptr<Scene> scene) {
   recording_.reset();
   dropped_ = 0;
-  view_.clay.lay(scene->def().clay);
+  view_.clay.lay(scene->def().clay, scene->clay().room());
   auto pot = std::make_unique<Pot>(std::move(*scene), ++serial_);
   current_ = pot.get();
   lent_.reset();

@@ -12,6 +12,7 @@ namespace onggi::render {
 
 /// The clay's radii on the graphics side: two textures (outer, inner; rows x sectors), where each
 /// height has its row in them, and the levels that the light needs. Only changed rows are uploaded.
+/// The textures have all the rows that the clay may come to have; the lowest are in use.
 /// Grids beyond kMost in a direction are kept at every n-th row or sector: finer than any screen,
 /// and the engine's grid stays whole.
 class ClaySurface {
@@ -25,7 +26,10 @@ class ClaySurface {
   void update(const ClayView& clay);
 
   bool empty() const { return rows_ < 1 || sectors_ < 1; }
-  int rows() const { return rows_; }
+  int rows() const { return rows_; }               ///< In use,
+  int texture_rows() const { return all_drawn_; }  ///< and in the textures.
+  /// The middle of the highest row in use, as a share of the radius textures.
+  float top_row() const;
   int sectors() const { return sectors_; }
   double height() const { return height_; }        ///< Metres.
   double floor_top() const { return floor_top_; }  ///< Metres.
@@ -50,7 +54,10 @@ class ClaySurface {
   void upload_row(int j, const ClayView& clay, int row);
   void stack();
 
-  int all_rows_ = 0, all_sectors_ = 0;  // of the view
+  void use_rows(int rows);
+
+  int all_rows_ = 0, all_sectors_ = 0;  // of the view, at the most
+  int all_drawn_ = 0;
   int rows_ = 0, sectors_ = 0, row_step_ = 1, sector_step_ = 1;
   double height_ = 0, floor_top_ = 0;
   Texture outer_, inner_, row_at_;

@@ -259,10 +259,11 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   clay_.row_at().bind(kRowAt);
   program.set("row_at", kRowAt);
   program.set("first_wall_row", clay_.first_wall_row());
+  program.set("top_row", clay_.top_row());
   program.set("lip_radius", static_cast<float>(kLipRadius));
   program.set("mean_lip", clay_.lip());
   program.set("clip_from_studio", glm::scale(clip, glm::vec3(size)));
-  program.set("grid", glm::vec2(clay_.sectors(), clay_.rows()));
+  program.set("grid", glm::vec2(clay_.sectors(), clay_.texture_rows()));
   program.set("height", static_cast<float>(clay_.height()));
   program.set("floor_height", static_cast<float>(clay_.floor_top()));
   program.set("clay_angle", static_cast<float>(pot.clay_angle));

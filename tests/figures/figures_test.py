@@ -43,6 +43,7 @@ class Drawn(unittest.TestCase):
                             ("glossary", ["element: one", "interval, or span:"]),
                             ("marks", ["eight facets, flat rib", "a trimmed foot"]),
                             ("push", ["force, N", "mean depth, mm", "elements in collision"]),
+                            ("rows", ["rows only grow", "rows divide", "the thickest row, mm"]),
                             ("times", ["1 ms", "800 × 360", "the corrected model"])):
             tree = xml.etree.ElementTree.parse(os.path.join(out, name + ".svg"))
             text = " ".join("".join(e.itertext()).strip() for e in tree.iter(SVG + "text"))
@@ -160,6 +161,21 @@ class Effects(unittest.TestCase):
         self.assertLess(last("slump", "25 cm"), 22.0)
         self.assertLess(last("springback", "40 %"), last("springback", "15 %"))
         self.assertLess(last("springback", "15 %"), last("springback", "0 %"))
+
+
+class Rows(unittest.TestCase):
+    def test_rows_that_divide_stay_as_fine_as_the_lump_and_the_wall_is_the_same(self):
+        rows = table("rows")
+        thickest = {}
+        for r in rows:
+            if r["what"] == "thickest":
+                thickest[r["rows"]] = max(thickest.get(r["rows"], 0.0), float(r["b"]))
+        self.assertGreater(thickest["grow"], 5 * 0.4)
+        self.assertLess(thickest["divide"], 2 * 0.4)
+        ends = {kind: [r for r in rows if r["rows"] == kind and r["what"] == "row"] for kind in thickest}
+        self.assertGreater(len(ends["divide"]), len(ends["grow"]) + 20)
+        tops = [float(ends[kind][-1]["a"]) for kind in ("grow", "divide")]
+        self.assertLess(abs(tops[0] - tops[1]), 1.0)
 
 
 class Push(unittest.TestCase):

@@ -7,8 +7,8 @@
 uniform mat4 clip_from_studio;
 uniform sampler2D outer_radius, inner_radius, grain;
 uniform sampler2D row_at;  // over the share of the height: share of the rows, and its slope
-uniform vec2 grid;  // sectors, rows
-uniform float first_wall_row, lip_radius, mean_lip;
+uniform vec2 grid;  // sectors, rows of the textures
+uniform float first_wall_row, top_row, lip_radius, mean_lip;
 uniform float height, floor_height, clay_angle, open_from, open_angle, face_angle, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
 uniform float wetness, opened;
@@ -45,8 +45,8 @@ float inner_at(float u, float t) {
 // A potter's wet finger leaves the lip round: half a torus on a thin wall, rounded edges on a thick
 // one. How deep it goes down at its faces.
 float lip_depth(float u) {
-  float inner = textureLod(inner_radius, vec2(u, 1.0), 0.0).r;
-  float wall = textureLod(outer_radius, vec2(u, 1.0), 0.0).r - inner;
+  float inner = textureLod(inner_radius, vec2(u, top_row), 0.0).r;
+  float wall = textureLod(outer_radius, vec2(u, top_row), 0.0).r - inner;
   return min(lip_radius, inner > 0.0 ? 0.5 * wall : wall);
 }
 // And how far above that it is at `rho` from the axis. The top of a solid lump has one face only.
@@ -119,7 +119,7 @@ vec3 normal_of(sampler2D radius, float u, float t, float low, float side, out fl
   float r = textureLod(radius, vec2(u, v), 0.0).r;
   float du = max(1.0 / grid.x, 0.7 * pixel / (2.0 * kPi * max(r, 0.01)));
   float dv = max(1.0 / grid.y, 0.7 * pixel / metres);
-  float up = min(v + dv, 1.0 - 0.5 / grid.y), down = max(v - dv, low);
+  float up = min(v + dv, top_row), down = max(v - dv, low);
   float ru = textureLod(radius, vec2(u, up), 0.0).r, rd = textureLod(radius, vec2(u, down), 0.0).r;
   float rl = textureLod(radius, vec2(u - du, v), 0.0).r;
   float rr = textureLod(radius, vec2(u + du, v), 0.0).r;

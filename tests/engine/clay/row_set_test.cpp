@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -80,6 +81,34 @@ TEST(RowSet, ItsHashTellsWhichRowsAreInIt) {
   };
   EXPECT_EQ(hash_with(70), hash_with(70));
   EXPECT_NE(hash_with(70), hash_with(71));
+}
+
+RC_GTEST_PROP(RowSetProperty, OpensAndClosesPlacesAsASetOfNumbersDoes, ()) {
+  constexpr int kRows = 150;
+  RowSet rows(kRows);
+  std::vector<bool> model(static_cast<std::size_t>(rows.room()));
+  for (const int what : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 4))) {
+    const int j = *rc::gen::inRange(0, kRows);
+    if (what == 0) {
+      rows.add(j);
+      model[static_cast<std::size_t>(j)] = true;
+    } else if (what == 1) {
+      rows.open(j);
+      model.insert(model.begin() + j, false);
+      model.pop_back();
+    } else if (what == 2) {
+      rows.close(j);
+      model.erase(model.begin() + j);
+      model.push_back(false);
+    } else {
+      const int end = *rc::gen::inRange(j, kRows + 1);
+      rows.add_range(j, end);
+      std::fill(model.begin() + j, model.begin() + end, true);
+    }
+    for (int k = 0; k < rows.room(); ++k)
+      RC_ASSERT(rows.has(k) == model[static_cast<std::size_t>(k)]);
+    RC_ASSERT(rows.empty() == (std::find(model.begin(), model.end(), true) == model.end()));
+  }
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct Lined {
     for (int j = 0; j < clay.rows(); ++j) clay.displacements(false)->mark(j, {0, 3});
     Smoothing smoothing(clay.rows());
     smoothing.even(def, clay, WallSide::outside, 0.05, 0.15, seconds);
-    clay.displacements(false)->clear(clay.rows());
+    clay.displacements(false)->clear(clay.stored());
   }
   double largest(double from = 0.05, double to = 0.15) const {
     double r = 0.0;

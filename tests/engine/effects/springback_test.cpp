@@ -113,7 +113,7 @@ TEST(Springback, SleepsOnceAllIsBack) {
   for (int i = 0; i < 64; ++i) clay->displacements(false)->row(50)[i] = 1e-4f;
   clay->displacements(false)->mark(50, {0, 8});
   springback.load(*def.springback, *clay, WallSide::outside);
-  clay->displacements(false)->clear(clay->rows());
+  clay->displacements(false)->clear(clay->stored());
   EXPECT_FALSE(springback.asleep());
   int ticks = 0;
   for (; !springback.asleep() && ticks < 10000; ++ticks)

@@ -61,7 +61,7 @@ TEST(LumpWork, WithoutHistoryNothingIsKeptAndWithoutEffectsNothingSettles) {
   def.clay.sectors = 16;
   def.clay.keep_undo = false;
   Clay pot = std::move(*Clay::create(def.clay));
-  const LumpWork::Parts parts{def, pot, nullptr, nullptr};
+  const LumpWork::Parts parts{def, pot, nullptr, nullptr, nullptr};
   LumpWork work;
   Hands hands;
   EXPECT_FALSE(work.step(hands, parts));
@@ -79,7 +79,7 @@ TEST(LumpWork, WhatIsAskedForMeanwhileIsNotDoneAfterwards) {
   SceneDef def;  // 400 x 360 elements take 18 ticks and more
   Clay pot = std::move(*Clay::create(def.clay));
   clay::History history(pot);
-  const LumpWork::Parts parts{def, pot, &history, nullptr};
+  const LumpWork::Parts parts{def, pot, &history, nullptr, nullptr};
   LumpWork work;
   Hands hands;
   hands.renew = true;
