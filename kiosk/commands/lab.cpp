@@ -1,11 +1,14 @@
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <string>
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/replay_file.h"
+#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/durable_file.h"
+#include "kiosk/measure/loop_timing.h"
 #include "kiosk/measure/price_list.h"
 #include "kiosk/measure/stability.h"
 
@@ -121,13 +124,54 @@ Command stability_command() {
           .run = [a] { return stability(*a); }};
 }
 
+struct TimingArguments {
+  std::string json, plot, config;
+  double seconds = 101.0;
+};
+
+Result<int> timing(const TimingArguments& arguments) {
+  const auto config = exhibit::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  const auto report = measure::measure_loop(*config, arguments.seconds);
+  if (!report) return tl::unexpected(report.error());
+  const auto put = put_report(measure::json_of(*report), arguments.json);
+  if (!put) return tl::unexpected(put.error());
+  if (*put) std::cout << measure::text_of(*report);
+  if (!arguments.plot.empty())
+    if (const auto kept = files::write_durably(
+            arguments.plot, drawing::draw_plot(measure::plot_of(*report), arguments.plot));
+        !kept)
+      return tl::unexpected(kept.error());
+  return report->fit ? 0 : 1;
+}
+
+Command timing_command() {
+  const auto a = std::make_shared<TimingArguments>();
+  return {.name = "timing",
+          .help = "How well the 1 kHz loop keeps time here, alone and beside the drawing",
+          .examples =
+              "Example: onggi lab timing --json timing.json --plot timing.svg\n"
+              "Exit: 0 fit for force feedback, 1 not; the words say what to change.",
+          .options = {{.name = "--seconds",
+                       .field = &a->seconds,
+                       .help = "Of each of the two; 101 or more for the tail [101]",
+                       .least = 1.0,
+                       .most = 3600.0},
+                      {"--json", &a->json, "Write the figures as JSON (- for standard output)"},
+                      {"--plot", &a->plot, "Draw them into this PNG or SVG"},
+                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+          .run = [a] { return timing(*a); }};
+}
+
 }  // namespace
 
 Command lab_command() {
   return {.name = "lab",
           .help = "Measure the engine on this machine",
-          .examples = "Example: onggi lab effects\n         onggi lab stability --ticks 1e7",
-          .commands = {effects_command(), stability_command()}};
+          .examples =
+              "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
+              "         onggi lab timing",
+          .commands = {effects_command(), stability_command(), timing_command()}};
 }
 
 }  // namespace onggi::commands

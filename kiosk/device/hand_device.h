@@ -15,6 +15,8 @@ class HandDevice {
   /// What the last tick gave back; nothing where the hand is not at the clay. Devices without force
   /// ignore it.
   virtual void feel(const HandFeedback& feedback) noexcept = 0;
+  /// How old the newest news from it is, s; below 0 where it has none of its own.
+  virtual double age() const noexcept { return -1.0; }
   /// Where the screens would have it. Only devices that follow a finger or keys have an ear for it.
   virtual void lead(const HandInput& /*target*/) noexcept {}
 };

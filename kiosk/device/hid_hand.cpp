@@ -109,6 +109,11 @@ HandInput HidHand::read(double dt) noexcept {
   return hand;
 }
 
+double HidHand::age() const noexcept {
+  if (sample_.lost || sample_.reports == 0) return -1.0;
+  return static_cast<double>(link_->time_ns() - sample_.at_ns) * 1e-9;
+}
+
 void HidHand::feel(const HandFeedback& feedback) noexcept {
   ++wish_.ticks;
   const double share = clutched_ ? 0.0 : share_.load(std::memory_order_relaxed);

@@ -18,6 +18,7 @@ class HidHand final : public HandDevice {
   explicit HidHand(std::shared_ptr<HidLink> link, bool left_handed = false);
   HandInput read(double dt) noexcept override;
   void feel(const HandFeedback& feedback) noexcept override;
+  double age() const noexcept override;
 
   HidLink& link() { return *link_; }
   /// Main's: the visitor's share of the force, 0 (off) .. 1.

@@ -2,11 +2,14 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <time.h>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
 
+#include <cerrno>
 #include <chrono>
 #include <cstring>
 
@@ -36,6 +39,15 @@ void flush_denormals() noexcept {
 #endif
 }
 
+/// Keeps in memory what was once in memory, of now and later. Pages that nobody touched are not
+/// fetched for it: a driver's reserves would fill a small machine.
+int lock_memory() noexcept {
+  rlimit limit{};
+  // Below an unlimited limit a later allocation anywhere would fail: then it is not for us.
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return EPERM;
+  return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0 ? 0 : errno;
+}
+
 }  // namespace
 
 LoopThread::LoopThread() : thread_([this] { run(); }) {}
@@ -49,15 +61,26 @@ std::vector<std::string> LoopThread::remarks() const {
   int error = -1;
   for (int i = 0; i < 200 && (error = priority_error_.load()) < 0; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  if (error == 0) return {};
-  return {
-      "The 1 kHz loop runs at ordinary priority (" +
-      std::string(error < 0 ? "no answer" : std::strerror(error)) +
-      "): give the service LimitRTPRIO=80, or the user rtprio 80 in /etc/security/limits.conf."};
+  std::vector<std::string> lines;
+  if (error != 0)
+    lines.push_back(
+        "The 1 kHz loop runs at ordinary priority (" +
+        std::string(error < 0 ? "no answer" : std::strerror(error)) +
+        "): give the service LimitRTPRIO=80, or the user rtprio 80 in /etc/security/limits.conf.");
+  if (const int lock = lock_error_.load(); lock != 0)
+    lines.push_back("Its memory may be swapped out (" + std::string(std::strerror(lock)) +
+                    "): give the service LimitMEMLOCK=infinity, or the user memlock unlimited in "
+                    "/etc/security/limits.conf.");
+  return lines;
+}
+
+LoopTiming LoopThread::timing() const {
+  return {wake_us_.look(), compute_us_.look(), device_us_.look()};
 }
 
 void LoopThread::run() {
   flush_denormals();
+  lock_error_.store(lock_memory());
   sched_param parameter{};
   parameter.sched_priority = kPriority;
   priority_error_.store(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter));
@@ -67,9 +90,14 @@ void LoopThread::run() {
   while (!stop_.load(std::memory_order_relaxed)) {
     sleep_until(pacer.wake_at());
     const double dt = pacer.wake(now_ns());
+    core_.strained(pacer.strained());
     core_.tick(dt);
     pacer.done(now_ns());
+    wake_us_.add(pacer.wake_us());
+    compute_us_.add(pacer.tick_us());
+    if (const double age = core_.device_age(); age >= 0.0) device_us_.add(age * 1e6);
     LoopStatus status = core_.status();
+    status.at_ns = now_ns();
     status.deadlines = pacer.deadlines();
     block_.write(status);
   }

@@ -8,6 +8,7 @@
 #include "kiosk/loop/pacer.h"
 #include "kiosk/loop/potter_host.h"
 #include "kiosk/loop/status_block.h"
+#include "kiosk/loop/tick_timing.h"
 
 namespace onggi::loop {
 
@@ -18,6 +19,8 @@ class LoopThread final : public PotterHost {
   LoopThread();
   ~LoopThread() override;  ///< Stops within a tick and joins.
   LoopStatus status() const override { return block_.read(); }
+  /// How well it keeps time, at any moment.
+  LoopTiming timing() const;
   /// What the system did not permit, a sentence each, for the log; asked once after the start.
   std::vector<std::string> remarks() const;
 
@@ -27,6 +30,8 @@ class LoopThread final : public PotterHost {
 
   StatusBlock<LoopStatus> block_;
   std::atomic<bool> stop_{false};
+  LiveHistogram wake_us_, compute_us_, device_us_;
+  std::atomic<int> lock_error_{0};  ///< errno of locking memory; 0 done.
   std::atomic<int> priority_error_{
       -1};  ///< errno of asking for SCHED_FIFO; 0 granted, -1 not yet asked.
   std::thread thread_;

@@ -22,7 +22,9 @@ double Pacer::wake(std::int64_t now_ns) noexcept {
   ++deadlines_.wakes;
   if (late > kLateNs) ++deadlines_.late;
   if (late >= kTickNs) ++deadlines_.overruns;
-  deadlines_.worst_wake_us = std::max(deadlines_.worst_wake_us, static_cast<double>(late) * 1e-3);
+  in_a_row_ = late >= kTickNs ? in_a_row_ + 1 : 0;
+  wake_us_ = static_cast<double>(late) * 1e-3;
+  deadlines_.worst_wake_us = std::max(deadlines_.worst_wake_us, wake_us_);
 
   owed_ += static_cast<double>(now_ns - last_ns_) * 1e-9;
   last_ns_ = now_ns;
@@ -39,8 +41,8 @@ double Pacer::wake(std::int64_t now_ns) noexcept {
 }
 
 void Pacer::done(std::int64_t now_ns) noexcept {
-  deadlines_.worst_tick_us =
-      std::max(deadlines_.worst_tick_us, static_cast<double>(now_ns - woke_ns_) * 1e-3);
+  tick_us_ = static_cast<double>(now_ns - woke_ns_) * 1e-3;
+  deadlines_.worst_tick_us = std::max(deadlines_.worst_tick_us, tick_us_);
   // Skip the wakes that have passed: their time is already owed or paid.
   wake_at_ += kTickNs;
   if (wake_at_ <= now_ns) wake_at_ += (now_ns - wake_at_ + kTickNs) / kTickNs * kTickNs;

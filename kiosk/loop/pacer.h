@@ -25,12 +25,21 @@ class Pacer {
   /// The step took until `now_ns`.
   void done(std::int64_t now_ns) noexcept;
 
+  /// Several wakes in a row, the last of them too, missed a whole tick.
+  bool strained() const noexcept { return in_a_row_ >= kSeveral; }
+  /// How late the last wake was, and how long its tick took, us.
+  double wake_us() const noexcept { return wake_us_; }
+  double tick_us() const noexcept { return tick_us_; }
+
   const Deadlines& deadlines() const noexcept { return deadlines_; }
   double owed() const noexcept { return owed_; }
 
  private:
   std::int64_t last_ns_ = 0, woke_ns_ = 0, wake_at_ = 0;
   double owed_ = 0;
+  static constexpr int kSeveral = 3;
+  int in_a_row_ = 0;
+  double wake_us_ = 0, tick_us_ = 0;
   Deadlines deadlines_;
 };
 

@@ -10,6 +10,8 @@ constexpr std::size_t kCommandDepth = 256;
 constexpr std::size_t kReturnDepth = 512;
 constexpr std::size_t kRecordDepth = 16384;
 constexpr int kRowsPerTick = 16;
+constexpr double kCalmDown = 0.05;  // s from all of a force to none while ticks come late,
+constexpr double kCalmUp = 0.5;     // s and back.
 
 bool is_hand(int hand) { return hand >= 0 && hand < kMaxHands; }
 }  // namespace
@@ -117,9 +119,11 @@ void PotterCore::apply(const command::ClearFaults& wish) noexcept {
 void PotterCore::read_hands(double dt, Hands& hands) noexcept {
   hands.hand = {};
   leads_ = {};
+  device_age_ = -1.0;
   for (std::size_t n = 0; n < attached_; ++n) {
     const Attached& attached = devices_[n];
     const HandInput read = attached.device->read(dt);
+    device_age_ = std::max(device_age_, attached.device->age());
     const auto h = static_cast<std::size_t>(attached.hand);
     // Of several for one hand the last that came and is in use has the word.
     if (!read.active && hands.hand[h].active) continue;
@@ -133,7 +137,9 @@ void PotterCore::read_hands(double dt, Hands& hands) noexcept {
 void PotterCore::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept {
   for (std::size_t n = 0; n < attached_; ++n) {
     const auto h = static_cast<std::size_t>(devices_[n].hand);
-    devices_[n].device->feel(leads_[h] == devices_[n].device ? felt[h] : HandFeedback{});
+    HandFeedback mine = leads_[h] == devices_[n].device ? felt[h] : HandFeedback{};
+    mine.force = calm_ * mine.force;
+    devices_[n].device->feel(mine);
   }
 }
 
@@ -167,6 +173,7 @@ void PotterCore::step(double dt) noexcept {
 
 void PotterCore::tick(double dt) noexcept {
   take_commands();
+  calm_ = std::clamp(calm_ + (strained_ ? -dt / kCalmDown : dt / kCalmUp), 0.0, 1.0);
   status_.scripted = script_ != nullptr;
   if (pot_ != nullptr && !paused_) {
     step(dt);

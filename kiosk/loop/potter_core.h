@@ -59,6 +59,10 @@ class PotterCore {
   void take_commands() noexcept;
   /// Loop side: take_commands(), then one tick of `dt` seconds.
   void tick(double dt) noexcept;
+  /// Loop side: ticks came too late several times in a row. Forces go down until they do no more.
+  void strained(bool late) noexcept { strained_ = late; }
+  /// Loop side: age of the newest report that the last tick took, s; below 0 where there is none.
+  double device_age() const noexcept { return device_age_; }
   /// Loop side.
   LoopStatus status() const noexcept { return status_; }
 
@@ -99,6 +103,9 @@ class PotterCore {
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
   Hands asked_;  ///< Wheel, water and the one-tick wishes; hands come from the devices.
   bool paused_ = false;
+  bool strained_ = false;
+  double calm_ = 1.0;  ///< Share of the force that hands feel.
+  double device_age_ = -1.0;
   LoopStatus status_;
 };
 

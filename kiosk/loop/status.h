@@ -22,8 +22,9 @@ struct Deadlines {
 /// What the main thread may know of the loop at any moment. Copied whole, never half old.
 struct LoopStatus {
   std::uint64_t ticks = 0;
-  double time = 0;  ///< Simulated s of this scene.
-  Hands hands;      ///< As given to the last tick; while the pot rests, as the devices have them.
+  std::int64_t at_ns = 0;  ///< When it was written, CLOCK_MONOTONIC; 0 where nobody looks.
+  double time = 0;         ///< Simulated s of this scene.
+  Hands hands;  ///< As given to the last tick; while the pot rests, as the devices have them.
   std::array<HandView, kMaxHands> hand{};  ///< At the pot, after it.
   Feedback feedback;
   bool scripted = false;       ///< A script moves the hands.

@@ -44,7 +44,7 @@ std::optional<Bytes> SimulatedHandle::tick() {
   const std::int32_t at[3] = {static_cast<std::int32_t>(std::lround(place_.x * 1e7)),
                               static_cast<std::int32_t>(std::lround(place_.y * 1e7)),
                               static_cast<std::int32_t>(std::lround(place_.z * 1e7))};
-  onggi_hid_tick(&device_, 1000, at, wish.active, 1, 0);
+  onggi_hid_tick(&device_, 1000, at, wish.active, 1, buttons);
   Bytes out(ONGGI_HID_INPUT_SIZE);
   onggi_hid_input(&device_, out.data());
   return out;

@@ -25,6 +25,8 @@ class SimulatedHandle final : public SimulatedDevice {
   Vec3 force() const;
   Vec3 place() const { return place_; }
 
+  std::uint16_t buttons = 0;  ///< Held down; the lowest is the clutch.
+
  private:
   Track track_;
   onggi_hid_build build_;

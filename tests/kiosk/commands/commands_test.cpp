@@ -13,9 +13,9 @@ namespace onggi::commands {
 namespace {
 
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
-  for (const char* command :
-       {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect",
-        "vessel import", "score", "soak", "lab", "lab effects", "lab stability", "devices"}) {
+  for (const char* command : {"", "run", "visit", "replay", "check", "vessel", "vessel make",
+                              "vessel inspect", "vessel import", "score", "soak", "lab",
+                              "lab effects", "lab stability", "lab timing", "devices"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
@@ -50,6 +50,28 @@ TEST(Commands, WithoutADisplayTheKioskSaysWhatItLacks) {
   const Outcome run = onggi("run");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("isplay"), std::string::npos) << run.err;
+}
+
+TEST(Lab, TheLoopsTimesAreToldAloneAndBesideTheDrawingWithAVerdictInWords) {
+  const TemporaryFolder folder;
+  const std::string plot = (folder / "timing.svg").string();
+  const Outcome run = onggi("lab timing --seconds 2 --json - --plot " + plot);
+  EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << run.err;
+  const auto report = nlohmann::json::parse(run.out);
+  EXPECT_EQ(report.at("fit_for_force").get<bool>(), run.exit_code == 0);
+  ASSERT_EQ(report.at("phases").size(), 2u);
+  for (const auto& phase : report.at("phases")) {
+    EXPECT_GT(phase.at("wake_us").at("count").get<int>(), 100) << phase.at("name");
+    EXPECT_GE(phase.at("wake_us").at("p99.9").get<double>(),
+              phase.at("wake_us").at("p50").get<double>());
+    EXPECT_GT(phase.at("compute_us").at("max").get<double>(), 0.0);
+    EXPECT_GT(phase.at("shown_age_us").at("count").get<int>(), 0);
+  }
+  // Two seconds are no tail, and it says so.
+  std::string words;
+  for (const auto& sentence : report.at("words")) words += sentence.get<std::string>();
+  EXPECT_NE(words.find("too few for the tail"), std::string::npos) << words;
+  EXPECT_NE(text_of(plot).find("<svg"), std::string::npos);
 }
 
 TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {

@@ -45,7 +45,7 @@ TEST(ForceGate, AWishThatIsNoNumberIsAFaultOfItsOwn) {
 }
 
 TEST(ForceGate, WhateverIsWantedItStaysUnderCapAndSlewButForTheEnd) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     ForceGate gate;
     Vec3 before;
     for (int n = 0; n < 60; ++n) {
@@ -61,7 +61,7 @@ TEST(ForceGate, WhateverIsWantedItStaysUnderCapAndSlewButForTheEnd) {
                 length(sent) >= limits.cap - 2e-3);
       before = sent;
     }
-  });
+  }));
 }
 
 TEST(ForceGate, WholeMillinewtonsAreNeverLonger) {

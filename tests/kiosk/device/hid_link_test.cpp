@@ -9,6 +9,7 @@
 #include "kiosk/device/codecs/onggi_hid.h"
 #include "kiosk/device/device_watch.h"
 #include "tests/kiosk/device/rig.h"
+#include "tests/stand_in/simulated_others.h"
 
 namespace onggi::device {
 namespace {
@@ -267,11 +268,12 @@ TEST(DeviceWatch, TwoHandsAndADialComeAtOnceAndWhatGoesComesAgain) {
   world.clock = stand_in::World::Clock::real;
   world.plug(std::make_unique<SimulatedHandle>(still(kHome, 100000)));
   world.plug(std::make_unique<SimulatedHandle>(still(kHome, 100000)), {{300, 1500, Fault::unplug}});
+  world.plug(std::make_unique<stand_in::SimulatedDial>(300));
   DeviceWatch watch(stand_in::bus_of(world), HidLink::Turning::by_thread,
                     [](DeviceKind) { return measured(); });
   std::vector<std::unique_ptr<HidLink>> links;
   int came = 0, lost = 0;
-  for (int n = 0; n < 600 && (came < 3 || lost < 1); ++n) {
+  for (int n = 0; n < 600 && (came < 4 || lost < 1); ++n) {
     for (auto& link : watch.arrived()) {
       ++came;
       links.push_back(std::move(link));
@@ -285,9 +287,13 @@ TEST(DeviceWatch, TwoHandsAndADialComeAtOnceAndWhatGoesComesAgain) {
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  EXPECT_EQ(came, 3);
+  EXPECT_EQ(came, 4);
   EXPECT_EQ(lost, 1);
-  for (const auto& link : links) EXPECT_GT(link->status().sample.reports, 10u);
+  for (const auto& link : links) {
+    for (int n = 0; n < 1000 && link->status().sample.reports <= 10; ++n)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_GT(link->status().sample.reports, 10u) << link->listing().name;
+  }
   EXPECT_TRUE(watch.problems().empty());
 }
 

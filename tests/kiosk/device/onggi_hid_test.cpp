@@ -102,7 +102,7 @@ TEST(OnggiHid, WhateverIsWantedTheBytesAreInRangeAndNoNumberIsNoForce) {
     const Bytes bytes = written({Mode::force, 1, {bad, bad, bad}, bad, bad, bad});
     for (std::size_t at : {4u, 6u, 8u, 10u, 14u}) EXPECT_EQ(u16_at(bytes, at), 0) << at;
   }
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const Vec3 force{*rc::gen::inRange(-90000, 90000) * 1e-3,
                      *rc::gen::inRange(-90000, 90000) * 1e-3, 0.0004};
     const Bytes bytes = written({Mode::force, 9, force, 1.0, 0.020, 5.0});
@@ -110,7 +110,7 @@ TEST(OnggiHid, WhateverIsWantedTheBytesAreInRangeAndNoNumberIsNoForce) {
     RC_ASSERT(std::fabs(i16_at(bytes, 6) * 1e-3 - std::clamp(force.y, -32.767, 32.767)) < 5.1e-4);
     RC_ASSERT(i16_at(bytes, 8) == 0);
     RC_ASSERT(u32_at(bytes, 16) == crc32(Report(bytes).first(16)));
-  });
+  }));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(PointerHand, AToolSetDownStandsWhereThePointerIsAtOnce) {
 }
 
 TEST(PointerHand, ALedToolGlidesNoFasterThanAHandAndNeverPastThePointer) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const PointerHandDef def;
     PointerHand hand(def);
     double x = *rc::gen::inRange(-200, 200) * 1e-3;
@@ -38,7 +38,7 @@ TEST(PointerHand, ALedToolGlidesNoFasterThanAHandAndNeverPastThePointer) {
       RC_ASSERT(std::abs(goal - next) <= std::abs(goal - x));
       x = next;
     }
-  });
+  }));
 }
 
 TEST(PointerHand, ItArrivesWithinATenthOfAMillimetreInASecond) {

@@ -29,7 +29,7 @@ TEST(SurfaceDial, AClickAndATurnShareAWord) {
 }
 
 TEST(SurfaceDial, EveryTurnThatFitsComesBackAndAddsUp) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     State state;
     std::int64_t all = 0;
     for (const int turn : *rc::gen::container<std::vector<int>>(rc::gen::inRange(-16384, 16384))) {
@@ -39,7 +39,7 @@ TEST(SurfaceDial, EveryTurnThatFitsComesBackAndAddsUp) {
       RC_ASSERT(state.pressed == pressed);
     }
     RC_ASSERT(state.turned == all);
-  });
+  }));
 }
 
 TEST(SurfaceDial, AShortReportIsBrokenAndAnotherIdNothing) {

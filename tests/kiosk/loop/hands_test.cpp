@@ -53,6 +53,49 @@ std::uint8_t tool_of(const SceneDef& def, std::string_view name) {
                                    def.tools.begin() + 1);
 }
 
+TEST(HandDevices, WhileTicksComeTooLateForcesGoDownAndThenComeBackSlowly) {
+  class Pushed final : public device::HandDevice {
+   public:
+    explicit Pushed(double& felt) : felt_(felt) {}
+    HandInput read(double) noexcept override { return at; }
+    void feel(const HandFeedback& felt) noexcept override { felt_ = length(felt.force); }
+    HandInput at;
+
+   private:
+    double& felt_;
+  };
+  double felt = 0.0;
+  PotterCore core;
+  SceneDef def = small_scene();
+  def.guard.engage_time = 0.05;
+  def.contact.relaxation_time = 1.0;
+  auto owned = std::make_unique<Pushed>(felt);
+  core.send(command::Attach{owned.get(), 0});
+  core.send(command::Put{new Pot(std::move(*pot(def)), 1)});
+  for (int ms = 0; ms < 100; ++ms) {
+    owned->at = press_at(def, -0.0002);
+    core.tick(1e-3);
+  }
+  for (int ms = 0; ms < 200; ++ms) {
+    owned->at = press_at(def, 1e-5 * ms);
+    core.tick(1e-3);
+  }
+  const double before = felt;
+  ASSERT_GT(before, 0.05);
+  core.strained(true);
+  for (int ms = 0; ms < 60; ++ms) {
+    const double last = felt;
+    core.tick(1e-3);
+    EXPECT_LE(felt, last + 1e-12);
+  }
+  EXPECT_EQ(felt, 0.0);
+  core.strained(false);
+  core.tick(1e-3);
+  EXPECT_LT(felt, 0.05 * before);
+  for (int ms = 0; ms < 600; ++ms) core.tick(1e-3);
+  EXPECT_GT(felt, 0.0);
+}
+
 TEST(HandDevices, WhateverADeviceReportsReachesTheScene) {
   Notes notes;
   SteppedPotter potter;

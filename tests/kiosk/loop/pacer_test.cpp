@@ -22,6 +22,25 @@ TEST(Pacer, PunctualWakesMakeTicksOfOneMillisecond) {
   EXPECT_EQ(pacer.deadlines().lost_ticks, 0u);
 }
 
+TEST(Pacer, SeveralMissedTicksInARowAreAStrainAndOnePunctualWakeEndsIt) {
+  Pacer pacer;
+  pacer.begin(0);
+  const auto wake = [&pacer](std::int64_t late) {
+    const std::int64_t now = pacer.wake_at() + late;
+    pacer.wake(now);
+    pacer.done(now + 1000);
+    return pacer.strained();
+  };
+  EXPECT_FALSE(wake(2 * kMs));
+  EXPECT_FALSE(wake(2 * kMs));
+  EXPECT_TRUE(wake(2 * kMs));
+  EXPECT_TRUE(wake(kMs));
+  EXPECT_FALSE(wake(20'000));
+  EXPECT_EQ(pacer.deadlines().overruns, 4u);
+  EXPECT_DOUBLE_EQ(pacer.wake_us(), 20.0);
+  EXPECT_DOUBLE_EQ(pacer.tick_us(), 1.0);
+}
+
 TEST(Pacer, AStandstillIsPaidBackInLongerTicksAndNothingIsLost) {
   Pacer pacer;
   pacer.begin(0);
@@ -50,7 +69,7 @@ TEST(Pacer, OnlyAStandstillOfOverAQuarterSecondIsGivenUpAndCounted) {
 }
 
 TEST(Pacer, WakesAreAlwaysInTheFutureAndOnTheGrid) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     Pacer pacer;
     pacer.begin(0);
     std::int64_t now = 0;
@@ -64,7 +83,7 @@ TEST(Pacer, WakesAreAlwaysInTheFutureAndOnTheGrid) {
       RC_ASSERT(pacer.wake_at() > now);
       RC_ASSERT(pacer.wake_at() % kMs == 0);
     }
-  });
+  }));
 }
 
 }  // namespace
