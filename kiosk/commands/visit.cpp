@@ -28,12 +28,16 @@ namespace onggi::commands {
 
 namespace {
 
-constexpr double kFrameSeconds = 0.04;  // 25 frames a second of visit, each 40 ticks of the wheel.
-constexpr int kFrameTicks = 40;
+// 25 frames a second of visit where a script moves the hands; 50 where strokes on the screen do.
+constexpr int kScriptTicks = 40, kStrokeTicks = 20;
+constexpr double kTick = 0.001;       // s
+constexpr double kFilmSeconds = 5.0;  // between the pictures of a film
+constexpr const char* kNaive = "naive";
 
 struct VisitArguments {
   std::string config, script = "follow", vessel, out, json, window = "1280x720", language, shelf,
-                      glaze, hand = "script";
+                      glaze, hand = "script", film, pointer = "mouse";
+  double seconds = 90;
   std::uint64_t seed = 1;
   bool realtime = false;
 };
@@ -125,19 +129,25 @@ class ScreenAlbum {
 };
 
 /// Frames until the visitor is done; prints how far the throwing is.
-Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, bool realtime,
-                  int& first_tick) {
+Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, int ticks,
+                  bool realtime, ScreenAlbum* film, int& first_tick) {
   const double begun = measure::monotonic_seconds();
+  const double step = ticks * kTick;
   int printed = -1;
+  double filmed = -kFilmSeconds;
   for (int n = 0; !visitor.done(); ++n) {
-    const double now = n * kFrameSeconds;
-    kiosk.advance(kFrameTicks);
+    const double now = n * step;
+    kiosk.advance(ticks);
     if (!kiosk.frame(now, realtime))
       return problem("the window", "It was closed during the visit.", "Leave it open.", 1);
     if (auto good = visitor.step(now); !good) return good;
     if (visitor.throwing()) {
       if (printed < 0)
-        first_tick = (n + 1) * kFrameTicks - static_cast<int>(kiosk.potter().status().ticks);
+        first_tick = (n + 1) * ticks - static_cast<int>(kiosk.potter().status().ticks);
+      if (film != nullptr && now - filmed >= kFilmSeconds) {
+        film->take(std::to_string(static_cast<int>(now + 0.5)) + "_s");
+        filmed = now;
+      }
       const int tenth = static_cast<int>(visitor.progress() * 10);
       if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
     }
@@ -145,7 +155,7 @@ Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, bool
     if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (realtime)
       std::this_thread::sleep_for(std::chrono::duration<double>(
-          std::max(0.0, begun + now + kFrameSeconds - measure::monotonic_seconds())));
+          std::max(0.0, begun + now + step - measure::monotonic_seconds())));
   }
   return {};
 }
@@ -163,6 +173,15 @@ Result<void> check(const VisitArguments& arguments) {
   if (arguments.hand != "script" && arguments.hand != "mouse" && arguments.hand != "device")
     return problem("--hand " + arguments.hand, "Nobody moves the hand that way.",
                    "Write script, mouse or device.");
+  if (arguments.pointer != "mouse" && arguments.pointer != "finger")
+    return problem("--pointer " + arguments.pointer, "Naive hands hold a mouse or touch with a finger.",
+                   "Say --pointer mouse or --pointer finger.");
+  if (!arguments.film.empty()) {
+    if (fs::create_directories(arguments.film, error); error || !fs::is_directory(arguments.film))
+      return problem("--film " + arguments.film, "It is no folder, and none can be made there.",
+                     "Name a folder that may be written.");
+  }
+  if (arguments.script == kNaive) return {};
   const auto names = script_names();
   if (std::find(names.begin(), names.end(), arguments.script) == names.end()) {
     // make_script has the words for it.
@@ -209,16 +228,24 @@ Result<int> visit(const VisitArguments& arguments) {
   const auto glaze = find_glaze(kiosk, arguments.glaze);
   if (!glaze) return tl::unexpected(glaze.error());
   plan.glaze = *glaze;
+  const bool naive = arguments.script == kNaive;
+  if (naive)
+    plan.naive = {arguments.seconds, arguments.pointer == "finger"
+                                         ? measure::NaiveHands::Pointer::finger
+                                         : measure::NaiveHands::Pointer::mouse};
   measure::ScriptedVisitor visitor(kiosk, plan,
                                    [&album](const std::string& name) { album.take(name); });
   int first_tick = 0;
-  const auto walked = walk(kiosk, visitor, arguments.realtime, first_tick);
+  ScreenAlbum film(kiosk, arguments.film);
+  const auto walked = walk(kiosk, visitor, naive ? kStrokeTicks : kScriptTicks, arguments.realtime,
+                           arguments.film.empty() ? nullptr : &film, first_tick);
   // The pictures are wanted most of all when something went wrong.
   const auto pages = album.write();
   if (!walked) return tl::unexpected(walked.error());
   if (!pages) return tl::unexpected(pages.error());
+  if (const auto frames = film.write(); !frames) return tl::unexpected(frames.error());
 
-  files::Json report = measure::visit_report(*kiosk.kept(), *pages);
+  files::Json report = measure::visit_report(*kiosk.kept(), *pages, visitor.looks());
   report["first_tick"] = first_tick;
   const auto kept = put_report(report, (fs::path(arguments.out) / "visit.json").string());
   if (!kept) return tl::unexpected(kept.error());
@@ -232,14 +259,15 @@ Result<int> visit(const VisitArguments& arguments) {
 
 Command visit_command() {
   const auto a = std::make_shared<VisitArguments>();
-  std::string scripts;
-  for (const std::string_view name : script_names())
-    scripts += (scripts.empty() ? "" : ", ") + std::string(name);
+  std::string scripts = kNaive;
+  for (const std::string_view name : script_names()) scripts += ", " + std::string(name);
   return {
       .name = "visit",
       .help = "Make a whole visit without a person, and keep its picture",
       .examples =
-          "Example: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -",
+          "Examples: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -\n"
+          "          onggi visit --script naive --seed 3 --vessel moon_jar --out /tmp/visit --film "
+          "/tmp/film",
       .options = {{"--script", &a->script, "What the hands do: " + scripts + " [follow]"},
                   {.name = "--vessel",
                    .field = &a->vessel,
@@ -256,6 +284,13 @@ Command visit_command() {
                   {"--hand", &a->hand,
                    "Who moves the hand: script, in the loop; mouse, frame by frame; device, one "
                    "that is plugged in, and the script only turns the wheel [script]"},
+                  {.name = "--seconds",
+                   .field = &a->seconds,
+                   .help = "How long naive hands throw [90]",
+                   .least = 5,
+                   .most = 600},
+                  {"--pointer", &a->pointer, "What naive hands use: mouse or finger [mouse]"},
+                  {"--film", &a->film, "A folder for a picture of every five seconds' throwing"},
                   {"--json", &a->json,
                    "Write what it came to as JSON here too (- for standard output); OUT/visit.json "
                    "always"},

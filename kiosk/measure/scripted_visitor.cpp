@@ -11,6 +11,8 @@ using screens::ScreenId;
 
 namespace {
 constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one.
+constexpr double kSurprise = 1.5;                   // s before one touches what is offered.
+constexpr double kFirstLook = 10.0;    // s: an untouched lump is smooth too, and nobody's pot.
 constexpr double kKeepTimeout = 60.0;  // s of visit for a slow disk; a save itself gives up sooner.
 }  // namespace
 
@@ -108,7 +110,46 @@ Result<void> ScriptedVisitor::on_choose() {
   return touch("choose.throw");
 }
 
+Result<void> ScriptedVisitor::on_naive(double now) {
+  if (!hands_) {
+    pass("throw_begin");
+    hands_.emplace(plan_.seed, plan_.naive->seconds, plan_.naive->pointer);
+    playing_ = true;
+    entered_ = looked_at_ = now;
+    looks_.emplace();
+    return {};
+  }
+  const auto sight = kiosk_.visit().sight();
+  if (!sight) {
+    // It fell or tore: one is surprised, and takes the way back that is offered.
+    if (troubled_at_ < 0) troubled_at_ = now;
+    if (now - troubled_at_ < kSurprise) return {};
+    troubled_at_ = -1;
+    return touch(kiosk_.visit().control("throw.restore") ? "throw.restore" : "throw.done");
+  }
+  troubled_at_ = -1;
+  if (now - looked_at_ >= 0.5) {
+    looked_at_ = now;
+    looks_->end = smoothness(*sight->made);
+    if (!looks_->handsome_at && handsome(looks_->end) && now - entered_ > kFirstLook)
+      looks_->handsome_at = now - entered_;
+  }
+  if (!half_shown_ && progress() > 0.5) {
+    half_shown_ = true;
+    pass("throw");
+  }
+  const NaiveHands::Move move = hands_->step(now - entered_, *sight, kiosk_.renderer().width());
+  for (const view::InputEvent& event : move.events) kiosk_.visit().input(event, now);
+  if (hands_->done()) {
+    looks_->end = smoothness(*sight->made);
+    pass("throw_done");
+  }
+  if (!move.control.empty()) return touch(move.control);
+  return {};
+}
+
 Result<void> ScriptedVisitor::on_throw(double now) {
+  if (plan_.naive) return on_naive(now);
   if (!playing_) return begin_throwing(now);
   if (hand_ && !hand_->step(now - std::exchange(moved_at_, now), kiosk_.potter()))
     return problem("the wheel", "It did not answer the scripted visitor within a second.",
@@ -144,6 +185,7 @@ Result<void> ScriptedVisitor::begin_throwing(double now) {
 }
 
 double ScriptedVisitor::progress() const {
+  if (hands_) return std::min(1.0, (now_ - entered_) / plan_.naive->seconds);
   if (plan_.hand == Plan::Hand::device_alone) return (now_ - entered_) / plan_.watch;
   if (hand_) return hand_->done() ? 1.0 : hand_->progress();
   const loop::LoopStatus status = kiosk_.potter().status();

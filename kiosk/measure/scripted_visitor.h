@@ -2,9 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "kiosk/exhibit/kiosk.h"
+#include "kiosk/measure/handsome.h"
+#include "kiosk/measure/naive_hands.h"
 #include "kiosk/measure/visitors_hand.h"
 
 namespace onggi::measure {
@@ -13,10 +16,15 @@ namespace onggi::measure {
 /// and keeps the picture. One step a frame, after Kiosk::frame().
 class ScriptedVisitor {
  public:
+  struct Naive {
+    double seconds = 90;  ///< Until the pot is called done, 5 to 600.
+    NaiveHands::Pointer pointer = NaiveHands::Pointer::mouse;
+  };
   struct Plan {
     std::string script = "follow";
-    int card = 0;   ///< Of the shelf.
-    int glaze = 0;  ///< Of the exhibit's, where the scene has a kiln.
+    std::optional<Naive> naive;  ///< Instead of the script: strokes on the screen, by the seed.
+    int card = 0;                ///< Of the shelf.
+    int glaze = 0;               ///< Of the exhibit's, where the scene has a kiln.
     std::uint64_t seed = 1;
     double pace = 1.0;    ///< Of the script.
     double linger = 2.0;  ///< Seconds spent looking at each screen.
@@ -24,6 +32,11 @@ class ScriptedVisitor {
     /// alone, at which the visitor looks on for `watch` seconds.
     enum class Hand : std::uint8_t { script, pointer, device, device_alone } hand = Hand::script;
     double watch = 30.0;
+  };
+  /// Of a naive visitor's pot: as it was called done, and when it first was one to be proud of.
+  struct Looks {
+    Smoothness end;
+    std::optional<double> handsome_at;  ///< s since the first look at the wheel.
   };
   /// `passed(name)` is called at the moment a screen is worth a picture, once a name.
   ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan, std::function<void(const std::string&)> passed);
@@ -33,16 +46,19 @@ class ScriptedVisitor {
   Result<void> step(double now);
   /// Back at attract with the keepsake safe.
   bool done() const { return done_; }
-  /// The script moves the visitor's hands.
+  /// The visitor's hands are at work.
   bool throwing() const { return playing_; }
-  /// 0..1 of the throwing.
+  /// How far, 0 to 1.
   double progress() const;
+  /// Nothing before a naive visitor's pot is done.
+  const std::optional<Looks>& looks() const { return looks_; }
 
  private:
   void enter(screens::ScreenId screen, double now);
   Result<void> on_choose();
   Result<void> on_throw(double now);
   Result<void> begin_throwing(double now);
+  Result<void> on_naive(double now);
   Result<void> on_kiln();
   Result<void> on_keepsake();
   Result<void> touch(const std::string& control);
@@ -60,6 +76,9 @@ class ScriptedVisitor {
   bool label_open_ = false, playing_ = false, half_shown_ = false, touched_ = false,
        kept_seen_ = false;
   bool done_ = false;
+  std::optional<NaiveHands> hands_;
+  std::optional<Looks> looks_;
+  double looked_at_ = 0, troubled_at_ = -1;
 };
 
 }  // namespace onggi::measure

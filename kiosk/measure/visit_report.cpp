@@ -51,21 +51,27 @@ Json json_of(const Measures& m) {
                        {"made", json_of(m.made)}});
 }
 
-Json visit_report(const exhibit::KeptVisit& kept,
-                  const std::vector<std::filesystem::path>& screens) {
+Json visit_report(const exhibit::KeptVisit& kept, const std::vector<std::filesystem::path>& screens,
+                  const std::optional<ScriptedVisitor::Looks>& looks) {
   Json pictures = Json::list();
   for (const auto& screen : screens) pictures.push_back(screen.string());
-  return Json::object({{"vessel", kept.vessel_id},
-                       {"score", kept.score.points},
-                       {"stars", kept.score.stars},
-                       {"glaze", kept.glaze},
-                       {"thrown_height", kept.thrown_height},
-                       {"height", kept.height},
-                       {"measures", json_of(kept.score.measures)},
-                       {"state_hash", hash_text(kept.state_hash)},
-                       {"ticks", kept.ticks},
-                       {"screens", pictures},
-                       {"files", Json::list_of(files_of(kept))}});
+  Json report = Json::object({{"vessel", kept.vessel_id},
+                              {"score", kept.score.points},
+                              {"stars", kept.score.stars},
+                              {"glaze", kept.glaze},
+                              {"thrown_height", kept.thrown_height},
+                              {"height", kept.height},
+                              {"measures", json_of(kept.score.measures)},
+                              {"state_hash", hash_text(kept.state_hash)},
+                              {"ticks", kept.ticks},
+                              {"screens", pictures},
+                              {"files", Json::list_of(files_of(kept))}});
+  if (looks)
+    report["naive"] = Json::object(
+        {{"roughness", looks->end.roughness},
+         {"ledge", looks->end.ledge},
+         {"handsome_at", looks->handsome_at ? Json(*looks->handsome_at) : Json()}});
+  return report;
 }
 
 std::string visit_summary(const exhibit::KeptVisit& kept) {

@@ -1,18 +1,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/files/json.h"
+#include "kiosk/measure/scripted_visitor.h"
 
 namespace onggi::measure {
 
 /// JSON of a kept visit: {vessel, score, stars, measures, state_hash, ticks, screens[], files[]}.
 /// Lengths in metres; state_hash as 16 hexadecimal digits.
+/// A naive visitor's has {naive: {roughness, ledge, handsome_at}} beside: metres, and seconds or
+/// null.
 files::Json visit_report(const exhibit::KeptVisit& kept,
-                         const std::vector<std::filesystem::path>& screens);
+                         const std::vector<std::filesystem::path>& screens,
+                         const std::optional<ScriptedVisitor::Looks>& looks = std::nullopt);
 
 /// The same for a person: what it scored and where the postcard lies.
 std::string visit_summary(const exhibit::KeptVisit& kept);

@@ -34,6 +34,8 @@ class Screen {
   virtual bool key(view::Key, bool /*repeat*/) { return false; }
   /// The screen is left, or something lies over it: hands off the clay.
   virtual void let_go() {}
+  /// Of a screen with a pot to be worked.
+  virtual std::optional<Sight> sight() const { return std::nullopt; }
   /// Of "help.NAME" in the languages.
   std::string help_key() const { return "help." + std::string(name_of(id())); }
 

@@ -64,6 +64,12 @@ class Throwing final : public Screen {
 
   std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
 
+  std::optional<Sight> sight() const override {
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    if (card == nullptr || !desk.pot_ready() || mishap_) return std::nullopt;
+    return Sight{camera_, &card->target, &picture_.made(), hint_.shown()};
+  }
+
   void lay_out(Page& page) override {
     camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {

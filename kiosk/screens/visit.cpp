@@ -160,6 +160,8 @@ std::vector<std::pair<std::string, view::Rect>> Visit::controls() const {
   return all;
 }
 
+std::optional<Sight> Visit::sight() const { return state_->screen->sight(); }
+
 const std::string& Visit::focus() const { return state_->focused; }
 
 std::optional<view::Rect> Visit::control(const std::string& id) const {

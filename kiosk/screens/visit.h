@@ -12,6 +12,7 @@
 #include "kiosk/loop/potter.h"
 #include "kiosk/loop/wheel_view.h"
 #include "kiosk/score/score.h"
+#include "kiosk/screens/advice.h"
 #include "kiosk/screens/device_news.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/view/frame.h"
@@ -77,6 +78,15 @@ struct VisitWorld {
   const DeviceNews* devices = nullptr;  ///< May be absent: nothing is told of devices then.
 };
 
+/// The throwing screen as a visitor sees it: where the pot is on the screen, the line to meet, the
+/// outline of the clay, and what the hint says. Pointers live until the next frame.
+struct Sight {
+  view::Camera camera;
+  const Profile* target = nullptr;
+  const Profile* made = nullptr;
+  Hint hint;
+};
+
 /// The visit as a state machine: attract -> choose -> throw -> result -> kiln (where there is one)
 /// -> keepsake -> attract, with
 /// the idle warning over any of them but attract. Knows no clock, window or file: time and input
@@ -120,6 +130,9 @@ class Visit {
   ///   over any  "help", "help.close", "idle.stay", "language", "back"
   /// Nothing when it is not on the screen. A control acts when the pointer is lifted on it.
   std::optional<view::Rect> control(const std::string& id) const;
+  /// What somebody at the wheel has before their eyes, for scripted visitors; nothing on other
+  /// screens.
+  std::optional<Sight> sight() const;
   /// All of them, in reading order.
   std::vector<std::pair<std::string, view::Rect>> controls() const;
   /// The control that the keyboard is on; empty while a pointer is used or the keys move the hand.
