@@ -41,4 +41,14 @@ Smoothness smoothness(const Profile& made) {
 
 bool handsome(const Smoothness& s) { return s.roughness < kMostRoughness && s.ledge < kMostLedge; }
 
+double apart(const Profile& a, const Profile& b) {
+  const int n = static_cast<int>(std::min(a.height(), b.height()) / kStep);
+  double squares = 0;
+  for (int i = 0; i <= n; ++i) {
+    const double off = a.outer_at(kStep * i) - b.outer_at(kStep * i);
+    squares += off * off;
+  }
+  return std::max(std::sqrt(squares / (n + 1)), std::fabs(a.height() - b.height()));
+}
+
 }  // namespace onggi::measure

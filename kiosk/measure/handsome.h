@@ -18,4 +18,8 @@ Smoothness smoothness(const Profile& made);
 /// What people would show to others: roughness under 0.3 mm and no ledge over 2 mm.
 bool handsome(const Smoothness& s);
 
+/// How far two outlines lie apart: RMS of the outer radius over the height of the lower, sampled
+/// every half millimetre, metres; and the difference of their heights where that is more.
+double apart(const Profile& a, const Profile& b);
+
 }  // namespace onggi::measure

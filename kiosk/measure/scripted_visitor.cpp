@@ -12,7 +12,7 @@ using screens::ScreenId;
 namespace {
 constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one.
 constexpr double kSurprise = 1.5;                   // s before one touches what is offered.
-constexpr double kFirstLook = 10.0;    // s: an untouched lump is smooth too, and nobody's pot.
+constexpr double kWorked = 0.004;      // m off the lump: that is smooth too, and nobody's pot.
 constexpr double kKeepTimeout = 60.0;  // s of visit for a slow disk; a save itself gives up sooner.
 }  // namespace
 
@@ -131,7 +131,8 @@ Result<void> ScriptedVisitor::on_naive(double now) {
   if (now - looked_at_ >= 0.5) {
     looked_at_ = now;
     looks_->end = smoothness(*sight->made);
-    if (!looks_->handsome_at && handsome(looks_->end) && now - entered_ > kFirstLook)
+    if (lump_.points.empty()) lump_ = *sight->made;
+    if (!looks_->handsome_at && handsome(looks_->end) && apart(*sight->made, lump_) > kWorked)
       looks_->handsome_at = now - entered_;
   }
   if (!half_shown_ && progress() > 0.5) {

@@ -33,7 +33,8 @@ class ScriptedVisitor {
     enum class Hand : std::uint8_t { script, pointer, device, device_alone } hand = Hand::script;
     double watch = 30.0;
   };
-  /// Of a naive visitor's pot: as it was called done, and when it first was one to be proud of.
+  /// Of a naive visitor's pot: as it was called done, and when it first was one to be proud of:
+  /// handsome, and 4 mm off the lump that it came from.
   struct Looks {
     Smoothness end;
     std::optional<double> handsome_at;  ///< s since the first look at the wheel.
@@ -78,6 +79,7 @@ class ScriptedVisitor {
   bool done_ = false;
   std::optional<NaiveHands> hands_;
   std::optional<Looks> looks_;
+  Profile lump_;  ///< As it lay on the wheel.
   double looked_at_ = 0, troubled_at_ = -1;
 };
 

@@ -67,10 +67,10 @@ Json visit_report(const exhibit::KeptVisit& kept, const std::vector<std::filesys
                               {"screens", pictures},
                               {"files", Json::list_of(files_of(kept))}});
   if (looks)
-    report["naive"] = Json::object(
-        {{"roughness", looks->end.roughness},
-         {"ledge", looks->end.ledge},
-         {"handsome_at", looks->handsome_at ? Json(*looks->handsome_at) : Json()}});
+    report["naive"] =
+        Json::object({{"roughness", looks->end.roughness},
+                      {"ledge", looks->end.ledge},
+                      {"handsome_at", looks->handsome_at ? Json(*looks->handsome_at) : Json()}});
   return report;
 }
 
