@@ -11,6 +11,8 @@ namespace {
 
 // A pressed rim carries a tenth of all rows down.
 constexpr double kElementsPerSecond = 16384e3;
+// What two hands take from at once, where it may get no higher: 256 rows of 512, 0.2 ms.
+constexpr int kElementsAtOnce = 131072;
 constexpr double kLongestWait = 0.1;  // s, of any row on any grid
 // Where clay gives way no more: so far before its limits that a tick goes not beyond them, and
 // where what presses it is told so.
@@ -96,9 +98,11 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
   RowAreas& areas = *clay.areas();
   const int most_widened = static_cast<int>(std::ceil(
       seconds * std::max(kElementsPerSecond / clay.stride(), clay.rows() / kLongestWait)));
+  const int most_spread = (kElementsAtOnce + clay.stride() - 1) / clay.stride();
   int lowest = -1;
   int changed = 0;
   int widened = 0;
+  int spread = 0;
   int waiting = 0;
   int stopped = 0;
   const double first = clay.first_thickness();
@@ -121,16 +125,17 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
     if (down || volume_[n] / area > most) {
       // Those below widen_from_ had their turn in the call before: began each call at the foot, a
       // rim that is pressed all the time would be waited for for ever.
-      const bool waits = j < widen_from_ || widened == most_widened;
-      if (widened == most_widened && stopped == 0) stopped = j;
-      if (waits && down) {
-        ++waiting;
-        continue;
-      }
-      if (!waits) {
-        area = widen(clay, j, area, most);
+      if (down) {
+        const bool waits = j < widen_from_ || widened == most_widened;
+        if (widened == most_widened && stopped == 0) stopped = j;
+        if (waits) {
+          ++waiting;
+          continue;
+        }
         ++widened;
       }
+      if (down || spread < most_spread) area = widen(clay, j, area, most);
+      spread += down ? 0 : 1;
     }
     thickness_[n] = volume_[n] / area;
     headroom -= thickness_[n] - now;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/effects/volume.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
 
@@ -45,7 +46,7 @@ double Watch::rounding(double radius) {
 
 Watch::Watch(Scene& scene) {
   const Clay& clay = scene.clay();
-  area_.resize(static_cast<std::size_t>(clay.rows()));
+  area_.resize(static_cast<std::size_t>(clay.room()));  // rows may divide
   content_.resize(area_.size());
   resume(scene);
   lump_ = clay.volume();
@@ -155,6 +156,10 @@ std::optional<Breach> Watch::look_at_stack(const Clay& clay) const {
       return breach(Invariant::finite, said("Row %d has a height that is no number.", j));
     if (!(thick > 0.0))
       return breach(Invariant::stacked, said("Row %d is %.9g m thick.", j, thick));
+    if (clay.areas() != nullptr && thick > effects::Volume::kThickest * clay.first_thickness())
+      return breach(Invariant::stacked,
+                    said("Row %d is %.3g times as thick as a fresh one.", j,
+                         thick / clay.first_thickness()));
     const double gap = clay.row_height(j) - 0.5 * thick - edge;
     if (std::fabs(gap) > kSettled * std::max(1.0, edge))
       return breach(Invariant::stacked,

@@ -174,7 +174,8 @@ Result<void> check(const VisitArguments& arguments) {
     return problem("--hand " + arguments.hand, "Nobody moves the hand that way.",
                    "Write script, mouse or device.");
   if (arguments.pointer != "mouse" && arguments.pointer != "finger")
-    return problem("--pointer " + arguments.pointer, "Naive hands hold a mouse or touch with a finger.",
+    return problem("--pointer " + arguments.pointer,
+                   "Naive hands hold a mouse or touch with a finger.",
                    "Say --pointer mouse or --pointer finger.");
   if (!arguments.film.empty()) {
     if (fs::create_directories(arguments.film, error); error || !fs::is_directory(arguments.film))

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "kiosk/settings/scene_file.h"
-#include "tests/support/refinement.h"
+#include "tests/support/convergence.h"
 
 namespace {
 

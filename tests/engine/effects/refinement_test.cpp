@@ -139,17 +139,21 @@ double felt(Scene& scene) {
 
 // Two hands reach more rows there than can be reshaped in a tick.
 TEST(Refinement, NorOnTheStudiosOwnGrid) {
-  Scene scene = made(studio(600, 512));
-  const Clay& clay = scene.clay();
-  const double whole = clay.volume();
-  RandomHands hands(1);
-  for (int n = 0; n < 60000; ++n) {
-    scene.step(hands.next(), 0.001);
-    ASSERT_LE(thickest(clay), Volume::kThickest * clay.first_thickness()) << n;
+  int most = 0;
+  for (const std::uint64_t seed : {1u, 2u}) {
+    Scene scene = made(studio(600, 512));
+    const Clay& clay = scene.clay();
+    const double whole = clay.volume();
+    RandomHands hands(seed);
+    for (int n = 0; n < 60000; ++n) {
+      scene.step(hands.next(), 0.001);
+      ASSERT_LE(thickest(clay), Volume::kThickest * clay.first_thickness()) << n;
+      most = std::max(most, clay.rows());
+    }
+    rest(scene, 1000);  // rows that a rim carried down wait for their girth
+    EXPECT_NEAR(clay.volume() / whole, 1.0, 1e-6) << seed;
   }
-  EXPECT_EQ(clay.rows(), 1200) << "all there are";
-  rest(scene, 1000);  // rows that a rim carried down wait for their girth
-  EXPECT_NEAR(clay.volume() / whole, 1.0, 1e-6);
+  EXPECT_GT(most, 900) << "nobody pulled it up";
 }
 
 TEST(Refinement, APotThatMayGetNoTallerHoldsAndAHandFeelsIt) {

@@ -1,4 +1,4 @@
-#include "tests/support/refinement.h"
+#include "tests/support/convergence.h"
 
 #include <gtest/gtest.h>
 

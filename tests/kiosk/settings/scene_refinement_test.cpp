@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "kiosk/settings/scene_file.h"
-#include "tests/support/refinement.h"
+#include "tests/support/convergence.h"
 
 // The scenes that ship, at other ticks and on other grids: engine/docs/convergence.md.
 namespace onggi::settings {
