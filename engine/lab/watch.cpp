@@ -157,9 +157,8 @@ std::optional<Breach> Watch::look_at_stack(const Clay& clay) const {
     if (!(thick > 0.0))
       return breach(Invariant::stacked, said("Row %d is %.9g m thick.", j, thick));
     if (clay.areas() != nullptr && thick > effects::Volume::kThickest * clay.first_thickness())
-      return breach(Invariant::stacked,
-                    said("Row %d is %.3g times as thick as a fresh one.", j,
-                         thick / clay.first_thickness()));
+      return breach(Invariant::stacked, said("Row %d is %.3g times as thick as a fresh one.", j,
+                                             thick / clay.first_thickness()));
     const double gap = clay.row_height(j) - 0.5 * thick - edge;
     if (std::fabs(gap) > kSettled * std::max(1.0, edge))
       return breach(Invariant::stacked,

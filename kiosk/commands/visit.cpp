@@ -266,8 +266,8 @@ Command visit_command() {
       .name = "visit",
       .help = "Make a whole visit without a person, and keep its picture",
       .examples =
-          "Examples: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -\n"
-          "          onggi visit --script naive --seed 3 --vessel moon_jar --out /tmp/visit --film "
+          "Example: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -\n"
+          "         onggi visit --script naive --seed 3 --vessel moon_jar --out /tmp/visit --film "
           "/tmp/film",
       .options = {{"--script", &a->script, "What the hands do: " + scripts + " [follow]"},
                   {.name = "--vessel",

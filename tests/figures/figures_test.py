@@ -165,7 +165,7 @@ class Effects(unittest.TestCase):
 
 class Rows(unittest.TestCase):
     def test_rows_that_divide_stay_as_fine_as_the_lump_and_the_wall_is_the_same(self):
-        rows = table("rows")
+        rows = table("rows.csv")
         thickest = {}
         for r in rows:
             if r["what"] == "thickest":
