@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/math/random.h"
+#include "tests/support/clay_shape.h"
 
 namespace onggi::clay {
 namespace {
@@ -41,28 +42,15 @@ void step_back(Clay& clay, History& history) {
   while (!history.step_back_some(clay, 8192)) ASSERT_LT(++calls, 10000);
 }
 
-// Radii and the rows' thickness, bit for bit.
-std::vector<double> shape(const Clay& clay) {
-  std::vector<double> all;
-  for (int j = 0; j < clay.rows(); ++j) {
-    all.insert(all.end(), clay.outer(j).begin(), clay.outer(j).end());
-    all.insert(all.end(), clay.inner(j).begin(), clay.inner(j).end());
-    all.push_back(clay.row_thickness(j));
-  }
-  all.push_back(clay.floor_top());
-  all.push_back(clay.floor_rows());
-  return all;
-}
-
 TEST(History, AFreshLumpHasNothingToTakeBack) {
   Clay clay = lump(small());
   History history(clay);
   EXPECT_FALSE(history.can_step_back());
-  const auto before = shape(clay);
+  const auto before = test::exact_shape(clay);
   EXPECT_TRUE(history.step_back_some(clay, 8192));
   for (int n = 0; n < 1000; ++n) history.follow(clay, false, 0.001);
   EXPECT_FALSE(history.can_step_back());
-  EXPECT_EQ(shape(clay), before);
+  EXPECT_EQ(test::exact_shape(clay), before);
 }
 
 TEST(History, EveryStrokeComesBackBitForBitLastOneFirst) {
@@ -71,13 +59,13 @@ TEST(History, EveryStrokeComesBackBitForBitLastOneFirst) {
   Random random(3);
   std::vector<std::vector<double>> shapes;
   for (int n = 0; n < 12; ++n) {
-    shapes.push_back(shape(clay));
+    shapes.push_back(test::exact_shape(clay));
     stroke(clay, history, random);
   }
   for (int n = 11; n >= 0; --n) {
     ASSERT_TRUE(history.can_step_back()) << n;
     step_back(clay, history);
-    EXPECT_EQ(shape(clay), shapes[static_cast<std::size_t>(n)]) << n;
+    EXPECT_EQ(test::exact_shape(clay), shapes[static_cast<std::size_t>(n)]) << n;
   }
   EXPECT_FALSE(history.can_step_back());
 }
@@ -87,14 +75,14 @@ TEST(History, AStrokeUnderWayIsTakenBackToItsBeginning) {
   History history(clay);
   Random random(4);
   stroke(clay, history, random);
-  const auto before = shape(clay);
+  const auto before = test::exact_shape(clay);
   for (int n = 0; n < 100; ++n) {
     clay.inner_mut(30)[5] += 1e-5f;
     clay.mark_dirty(30);
     history.follow(clay, true, 0.001);
   }
   step_back(clay, history);
-  EXPECT_EQ(shape(clay), before);
+  EXPECT_EQ(test::exact_shape(clay), before);
   EXPECT_TRUE(history.can_step_back());  // the stroke before it
 }
 
@@ -102,12 +90,12 @@ TEST(History, ALongTouchIsCutIntoStepsOfThreeSeconds) {
   Clay clay = lump(small());
   History history(clay);
   Random random(5);
-  const auto fresh = shape(clay);
+  const auto fresh = test::exact_shape(clay);
   stroke(clay, history, random, 10.0);
   int steps = 0;
   for (; history.can_step_back(); ++steps) step_back(clay, history);
   EXPECT_EQ(steps, 4);
-  EXPECT_EQ(shape(clay), fresh);
+  EXPECT_EQ(test::exact_shape(clay), fresh);
 }
 
 TEST(History, WhatWasTakenBackCanBeThrownAnew) {
@@ -115,11 +103,11 @@ TEST(History, WhatWasTakenBackCanBeThrownAnew) {
   History history(clay);
   Random random(6);
   stroke(clay, history, random);
-  const auto one = shape(clay);
+  const auto one = test::exact_shape(clay);
   for (int n = 0; n < 5; ++n) {
     stroke(clay, history, random);
     step_back(clay, history);
-    EXPECT_EQ(shape(clay), one) << n;
+    EXPECT_EQ(test::exact_shape(clay), one) << n;
   }
 }
 
@@ -130,7 +118,7 @@ TEST(History, ARenewedLumpIsTakenBackWithItsFloorAndHeights) {
   stroke(clay, history, random);
   clay.open_floor_row(0.01);
   clay.lower_floor(clay.row_height(clay.floor_rows()) - 0.0005);
-  const auto thrown = shape(clay);
+  const auto thrown = test::exact_shape(clay);
   const double rim = clay.rim_height();
   while (!history.begin_step(clay, 100)) {
   }
@@ -139,9 +127,9 @@ TEST(History, ARenewedLumpIsTakenBackWithItsFloorAndHeights) {
     done = clay.renew_some(8192);
     history.follow(clay, true, 0.001);
   }
-  EXPECT_NE(shape(clay), thrown);
+  EXPECT_NE(test::exact_shape(clay), thrown);
   step_back(clay, history);
-  EXPECT_EQ(shape(clay), thrown);
+  EXPECT_EQ(test::exact_shape(clay), thrown);
   EXPECT_EQ(clay.rim_height(), rim);
 }
 
@@ -169,15 +157,15 @@ RC_GTEST_PROP(HistoryProperty, ComesBackToAShapeThatWasThereWhateverIsDone, ()) 
   Clay clay = lump(small());
   History history(clay);
   Random random(*rc::gen::arbitrary<std::uint32_t>());
-  std::vector<std::vector<double>> shapes{shape(clay)};
+  std::vector<std::vector<double>> shapes{test::exact_shape(clay)};
   for (int n = 0; n < 8; ++n) {
     if (*rc::gen::arbitrary<bool>() || !history.can_step_back()) {
       stroke(clay, history, random, *rc::gen::inRange(1, 300) * 1e-3);
-      shapes.push_back(shape(clay));
+      shapes.push_back(test::exact_shape(clay));
     } else {
       step_back(clay, history);
       shapes.pop_back();
-      RC_ASSERT(shape(clay) == shapes.back());
+      RC_ASSERT(test::exact_shape(clay) == shapes.back());
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "engine/clay/clay_view.h"
 #include "engine/clay/row_division.h"
 #include "tests/engine/effects/random_hands.h"
+#include "tests/support/clay_shape.h"
 
 namespace onggi::effects {
 namespace {
@@ -60,18 +61,6 @@ void pull(Scene& scene, double gap, double seconds = 4.0) {
 
 void rest(Scene& scene, int ticks, Hands hands = {}) {
   for (int n = 0; n < ticks; ++n, hands.renew = hands.restore = false) scene.step(hands, 0.001);
-}
-
-std::vector<double> shape(const Clay& clay) {
-  std::vector<double> all;
-  for (int j = 0; j < clay.rows(); ++j) {
-    all.insert(all.end(), clay.outer(j).begin(), clay.outer(j).end());
-    all.insert(all.end(), clay.inner(j).begin(), clay.inner(j).end());
-    all.push_back(clay.row_thickness(j));
-  }
-  all.push_back(clay.floor_top());
-  all.push_back(clay.floor_rows());
-  return all;
 }
 
 struct Kneaded {
@@ -236,7 +225,7 @@ TEST(Refinement, APullDividesRowsAndStrokesComeBackToTheBitLastOneFirst) {
     restore.restore = true;
     for (const double gap : {0.014, 0.010, 0.007, 0.005}) {
       rest(scene, 3000);
-      shapes.push_back(shape(clay));
+      shapes.push_back(test::exact_shape(clay));
       rows.push_back(clay.rows());
       pull(scene, gap, 4.0);
     }
@@ -245,7 +234,7 @@ TEST(Refinement, APullDividesRowsAndStrokesComeBackToTheBitLastOneFirst) {
     while (!shapes.empty()) {
       ASSERT_TRUE(scene.can_restore());
       rest(scene, 200, restore);
-      if (shape(clay) != shapes.back()) continue;
+      if (test::exact_shape(clay) != shapes.back()) continue;
       EXPECT_EQ(clay.rows(), rows.back());
       shapes.pop_back(), rows.pop_back();
     }
@@ -258,7 +247,7 @@ TEST(Refinement, AFreshLumpHasTheLumpsRowsAndTheOldPotComesBackWithItsOwn) {
   const Clay& clay = scene.clay();
   for (const double gap : {0.014, 0.009, 0.006}) pull(scene, gap, 4.0);
   rest(scene, 3000);
-  const std::vector<double> thrown = shape(clay);
+  const std::vector<double> thrown = test::exact_shape(clay);
   const int rows = clay.rows();
   EXPECT_GT(rows, 85);
   Hands hands;
@@ -271,7 +260,7 @@ TEST(Refinement, AFreshLumpHasTheLumpsRowsAndTheOldPotComesBackWithItsOwn) {
   hands.restore = true;
   rest(scene, 400, hands);
   EXPECT_EQ(clay.rows(), rows);
-  EXPECT_EQ(shape(clay), thrown);
+  EXPECT_EQ(test::exact_shape(clay), thrown);
   pull(scene, 0.006, 1.0);
   expect_whole(clay);
 }

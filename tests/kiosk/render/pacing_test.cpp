@@ -25,14 +25,14 @@ TEST(Pacing, AHopelessMachineStopsAtTheLeastScale) {
 }
 
 TEST(Pacing, SettlesOnEveryMachineAndStaysThere) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     Pacing pacing(70, 36);
     const double fixed = *rc::gen::inRange(1, 30), full = *rc::gen::inRange(1, 400);
     const double settled = settle(pacing, fixed, full);
     for (int i = 0; i < 100; ++i) RC_ASSERT(settle(pacing, fixed, full, 1) == settled);
     RC_ASSERT(settled >= Pacing::kLeast && settled <= Pacing::kMost);
     RC_ASSERT(settled == Pacing::kLeast || fixed + full * settled * settled <= 70.0);
-  });
+  }));
 }
 
 TEST(Pacing, OneStallIsForgiven) {

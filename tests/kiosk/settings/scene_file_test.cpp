@@ -230,7 +230,7 @@ TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {
 }
 
 TEST(scene, whatever_is_written_the_scene_can_be_thrown_on) {
-  rc::check([](const std::vector<std::pair<std::uint8_t, double>>& values) {
+  EXPECT_TRUE(rc::check([](const std::vector<std::pair<std::uint8_t, double>>& values) {
     static const char* const kKeys[] = {
         "clay.rows",          "clay.sectors",      "clay.height",
         "clay.outer_radius",  "clay.inner_radius", "clay.floor_thickness",
@@ -254,7 +254,7 @@ TEST(scene, whatever_is_written_the_scene_can_be_thrown_on) {
       RC_ASSERT(p.where.find(".toml:") != std::string::npos);
       RC_ASSERT(!p.remedy.empty());
     }
-  });
+  }));
 }
 
 TEST(scene, a_file_that_is_not_there_leaves_the_engines_own_scene) {

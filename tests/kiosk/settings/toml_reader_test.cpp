@@ -348,7 +348,7 @@ TEST_F(TomlReaderTest, every_invalid_file_of_the_public_suite_gives_a_problem_wi
 }
 
 TEST_F(TomlReaderTest, no_bytes_at_all_can_end_the_program) {
-  rc::check([this](const std::vector<std::string>& pieces) {
+  EXPECT_TRUE(rc::check([this](const std::vector<std::string>& pieces) {
     static const char* const kTokens[] = {"[",  "]",    "{",      "}",   "=", ".", ",",
                                           "\"", "'",    "\"\"\"", "\n",  "a", "1", "\\",
                                           "#",  "\xff", "\xe2",   "1e9", "-"};
@@ -360,7 +360,7 @@ TEST_F(TomlReaderTest, no_bytes_at_all_can_end_the_program) {
     TomlReader reader(write(text));
     RC_ASSERT(reader.ok() == reader.problems().empty());
     reader.root().finish();
-  });
+  }));
 }
 
 }  // namespace

@@ -21,17 +21,17 @@ Camera some_camera() {
 }
 
 TEST(Camera, SeesItsTargetAtItsCentre) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const Camera camera = some_camera();
     const auto p = camera.project(camera.target);
     RC_ASSERT(p.has_value());
     RC_ASSERT(std::abs(p->first - camera.centre_x) < 1e-3f);
     RC_ASSERT(std::abs(p->second - camera.centre_y) < 1e-3f);
-  });
+  }));
 }
 
 TEST(Camera, APixelGoesToTheAxisPlaneAndBack) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const Camera camera = some_camera();
     const double across = *rc::gen::inRange(-100, 100) * 0.001;
     const double height = *rc::gen::inRange(0, 250) * 0.001;
@@ -42,11 +42,11 @@ TEST(Camera, APixelGoesToTheAxisPlaneAndBack) {
     const Vec2 found = camera.on_axis_plane(p->first, p->second);
     RC_ASSERT(std::abs(found.x - across) < 1e-5);
     RC_ASSERT(std::abs(found.y - height) < 1e-5);
-  });
+  }));
 }
 
 TEST(Camera, MatricesAgreeWithProject) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const Camera camera = some_camera();
     const Vec3 p{*rc::gen::inRange(-100, 100) * 0.001, *rc::gen::inRange(0, 250) * 0.001,
                  *rc::gen::inRange(-100, 100) * 0.001};
@@ -67,7 +67,7 @@ TEST(Camera, MatricesAgreeWithProject) {
     RC_ASSERT(std::abs((clip[0] / clip[3] + 1) * 0.5 * camera.width - pixel->first) < 0.05);
     RC_ASSERT(std::abs((1 - clip[1] / clip[3]) * 0.5 * camera.height - pixel->second) < 0.05);
     RC_ASSERT(std::abs(clip[2]) < clip[3]);
-  });
+  }));
 }
 
 TEST(Camera, HasNoPixelForWhatLiesBehindTheEye) {
@@ -78,7 +78,7 @@ TEST(Camera, HasNoPixelForWhatLiesBehindTheEye) {
 }
 
 TEST(FramePot, FillsItsBoxAndStaysInside) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const double height = *rc::gen::inRange(30, 400) * 0.001;
     const double radius = *rc::gen::inRange(30, 300) * 0.001;
     const Rect box{300, 60, 700, 600};
@@ -98,7 +98,7 @@ TEST(FramePot, FillsItsBoxAndStaysInside) {
     RC_ASSERT(left > box.x - 1 && right < box.x + box.w + 1);
     RC_ASSERT(top > box.y - 1 && bottom < box.y + box.h + 1);
     RC_ASSERT(right - left > 0.98f * box.w || bottom - top > 0.98f * box.h);
-  });
+  }));
 }
 
 }  // namespace
