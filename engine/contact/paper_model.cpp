@@ -16,24 +16,18 @@ struct Interval {
   int count = 0;
 };
 
-Interval eq2(Vec3 at, double radius, double wheel_angle, int sectors, AngleReading reading) {
+Interval eq2(Vec3 at, double radius, double wheel_angle, int sectors) {
   const double d = axis_distance(at);
   const double middle = 0.5 * portable::kPi - portable::asin(at.x / d);  // acos: 0..pi only
   if (!std::isfinite(middle)) return {};  // d = 0, and 0/0 selects nothing
-  // 1e4 is 1600 times round: beyond it an index would not hold the count.
-  const double half = std::min(radius / d, 1e4);
-  double from = middle - half;
-  double to = middle + half;
-  if (reading == AngleReading::each_once && !(half < portable::kPi)) return {0, sectors};
-  if (reading == AngleReading::unwrapped) {
-    from = std::max(from, 0.0);
-    to = std::min(to, kFullTurn);
-  }
+  const double half = radius / d;
+  if (!(half < portable::kPi)) return {0, sectors};
+  const double from = middle - half - wheel_angle;
+  const double to = middle + half - wheel_angle;
   const double per_radian = sectors / kFullTurn;
-  const int first = static_cast<int>(std::ceil((from - wheel_angle) * per_radian - 0.5));
-  const int last = static_cast<int>(std::floor((to - wheel_angle) * per_radian - 0.5));
-  int count = std::max(last - first + 1, 0);
-  if (reading != AngleReading::index_range) count = std::min(count, sectors);
+  const int first = static_cast<int>(std::ceil(from * per_radian - 0.5));
+  const int last = static_cast<int>(std::floor(to * per_radian - 0.5));
+  const int count = std::clamp(last - first + 1, 0, sectors);
   return {((first % sectors) + sectors) % sectors, count};
 }
 
@@ -92,7 +86,7 @@ bool collide(const Row& row, double s_r, double cos, double sin, Collision& c) {
 
 }  // namespace
 
-PaperModel::PaperModel(const Clay& clay, AngleReading reading) : reading_(reading) {
+PaperModel::PaperModel(const Clay& clay) {
   for (int i = 0; i < clay.sectors(); ++i) {
     const double angle = (i + 0.5) * kFullTurn / clay.sectors();
     cos_.push_back(portable::cos(angle));
@@ -118,7 +112,7 @@ PaperTouch PaperModel::tick(Clay& clay, WallSide mode, Vec3 at, double radius, d
   const double turn_cos = portable::cos(wheel_angle);
   const double turn_sin = portable::sin(wheel_angle);
   const Vec3 h{at.x * turn_cos + at.z * turn_sin, at.y, at.z * turn_cos - at.x * turn_sin};
-  const Interval window = eq2(at, radius, wheel_angle, clay.sectors(), reading_);
+  const Interval window = eq2(at, radius, wheel_angle, clay.sectors());
   const int first_row = clay.first_row_above(at.y - radius);  // eq. 1
   const int end_row = clay.first_row_above(at.y + radius);
 
@@ -131,7 +125,7 @@ PaperTouch PaperModel::tick(Clay& clay, WallSide mode, Vec3 at, double radius, d
     const double r = std::sqrt(radius * radius - dy * dy);
     const Row row{mode, h, d, dy, r, r * r};
     bool moved = false;
-    // Up to the circle's end, and from its beginning on: the longest reading goes round again.
+    // Up to the circle's end, and from its beginning on.
     for (int begin = window.first, left = window.count; left > 0; begin = 0) {
       const int end = std::min(begin + left, clay.sectors());
       left -= end - begin;

@@ -26,14 +26,6 @@ struct PaperTouch {
   std::int64_t touched = 0;  ///< Elements with p > 0.
 };
 
-/// How eq. 2's interval of angles meets the circle. The paper does not say.
-enum class AngleReading {
-  each_once,    ///< Wrapped, each element at most once a tick: the kindest reading, and a scene's.
-  unwrapped,    ///< By the letter: S_theta is a number in [0, 2 pi), and what lies beyond is lost.
-  index_range,  ///< Wrapped, and walked from end to end (section 3's "index ranges"): more than
-                ///< once round where H_r / d > pi, at a cost that grows as 1 / d.
-};
-
 /// Equations 1 to 10 of Lee, Han & Choi 2008 as printed, faults and all: the thing that the
 /// corrected model is compared with (engine/docs/paper.md). Scalar, double. The paper's one radius
 /// of an element is the clay's outer one, stored as a float; the inner one only yields so that the
@@ -41,7 +33,7 @@ enum class AngleReading {
 class PaperModel {
  public:
   /// Allocates a table of 16 bytes a sector.
-  explicit PaperModel(const Clay& clay, AngleReading reading = AngleReading::each_once);
+  explicit PaperModel(const Clay& clay);
 
   /// Contraction (`outside`) or expansion (`inside`): the paper does not say which. This takes a
   /// tool nearer the axis than the surface in front of it to be inside, anew each tick, unless
@@ -55,7 +47,6 @@ class PaperModel {
                   double turn, const PaperCoefficients& c) const noexcept;
 
  private:
-  AngleReading reading_;
   std::vector<double> cos_, sin_;  // of each element's angle in the clay's frame
 };
 

@@ -9,6 +9,7 @@
 
 #include "engine/contact/bodies/ball.h"
 #include "engine/math/portable.h"
+#include "tests/support/sphere.h"
 
 namespace onggi::contact {
 namespace {
@@ -98,10 +99,17 @@ TEST(Window, LooksAtNothingWhereTheToolIsClearAndAtLittleWhereItTouchesLightly) 
   EXPECT_LT(blocks(0.0629), blocks(0.0600) / 2);
 }
 
-TEST(Window, ThePrintedWindowMissesAFifthOfTheAngleWhereTheToolIsNearlyAtTheAxis) {
-  // Lee, Han & Choi 2008, eq. 2: +- H_r / d. The sphere reaches +- asin(H_r / d).
-  for (const auto& [ratio, missed] : {std::pair{0.5, 0.045}, std::pair{0.9, 0.196}})
-    EXPECT_NEAR(1.0 - ratio / portable::asin(ratio), missed, 0.002);
+TEST(Window, WhereTheCircleBeginsBothSidesOfATouchGiveWayAlike) {
+  Clay clay = std::move(*Clay::create(ClayDef{}));
+  const auto last = static_cast<std::size_t>(clay.sectors() - 1);
+  const double y = clay.row_height(200);
+  const Press felt =
+      press_sphere(clay, WallSide::outside, {0.061, y, 0.0}, 0.008, 0.001, {0.00949, 5e6});
+  EXPECT_GT(felt.force.x, 0.0);
+  EXPECT_LT(std::fabs(felt.force.z), 1e-5 * felt.force.x);
+  EXPECT_LT(clay.outer(200)[0], 0.0549f);
+  for (std::size_t i = 0; i < 10; ++i)
+    EXPECT_NEAR(clay.outer(200)[last - i], clay.outer(200)[i], 1e-8) << i;
 }
 
 TEST(Window, AToolOnTheAxisLooksAtTheFullCircleOnce) {

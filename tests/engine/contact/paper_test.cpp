@@ -137,24 +137,6 @@ TEST(Paper07, TheModeChattersWhileAToolTremblesAtTheSurface) {
   EXPECT_EQ(changes[1], 0);
 }
 
-TEST(Paper09, AtATangentTheSquaresCancelInFloat) {
-  double worst_printed = 0.0;
-  double worst_factored = 0.0;
-  Random random(9);
-  for (int n = 0; n < 20000; ++n) {
-    const auto r = static_cast<float>(random.uniform(0.001, 0.008));
-    const float s = r * static_cast<float>(1.0 - 1e-6 * random.uniform(0.2, 1.0));
-    if (!(s < r)) continue;
-    const double exact = std::sqrt((double{r} - double{s}) * (double{r} + double{s}));
-    const float squares = r * r - s * s;
-    const float factored = (r - s) * (r + s);
-    worst_printed = std::max(worst_printed, std::fabs(std::sqrt(squares) - exact));
-    worst_factored = std::max(worst_factored, std::fabs(std::sqrt(factored) - exact));
-  }
-  EXPECT_GT(worst_printed, 5e-7);
-  EXPECT_LT(worst_factored, 2e-9);
-}
-
 TEST(Paper13, TheForceGrowsWithTheNumberOfElements) {
   double least[2] = {1e9, 1e9};
   double most[2] = {0, 0};
