@@ -65,6 +65,13 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
   return out;
 }
 
+// How many elements beyond the body's angles some may lie that it covers in part: half of one,
+// which is as wide as the face, and so, seen from the axis, wider where the body is nearer to it.
+double margin_of(const Clay& clay, const SolidWindow& window, WallSide side, double face) {
+  if (side == WallSide::inside || window.nearest >= face) return 0.5;
+  return window.nearest * clay.sectors() > face ? 0.5 * face / window.nearest : clay.sectors();
+}
+
 }  // namespace
 
 SolidWindow::SolidWindow(const Clay& clay, const body::Heights& between, const body::Hull& hull,
@@ -101,6 +108,7 @@ void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int f
   // farthest, and worked out once: an element more there costs less than its own arc tangents.
   const RowShape shape(clay);
   int like = -1;
+  double margin = 0.0;  // elements beyond
   body::Turn both;
   for (int k = 0; k < count; ++k) {
     if (!circles.reaches(k)) continue;
@@ -116,12 +124,15 @@ void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int f
       }
       both = body::turn_of(rows[k].outline, side, most,
                            body::overlap({circles.angle[k], widest}, window.turn));
+      margin = margin_of(clay, window, side, most);
     }
     if (both.half < 0.0) continue;
     const double per_radian = clay.sectors() / (2.0 * portable::kPi);
-    const double middle = both.middle * per_radian - 0.5;
-    // Elements that are covered in part lie up to half a width beyond; one more for the rounding.
-    const double reach = both.half * per_radian + 0.5;
+    // Between a turn below and a turn above: a hull's angle is reckoned from a point in it.
+    const double beyond = both.middle * per_radian - 0.5;
+    const double middle = beyond < 0.0 ? beyond + clay.sectors() : beyond;
+    // One element more for the rounding.
+    const double reach = both.half * per_radian + margin;
     rows[k].used = wrapped_blocks(shape, static_cast<int>(std::floor(middle - reach)),
                                   static_cast<int>(std::floor(middle + reach)) + 1, rows[k].ranges);
   }

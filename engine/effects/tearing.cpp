@@ -97,10 +97,19 @@ void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {
   for (int j = 0; j < clay.rows(); ++j)
     if (areas.torn(j)) clay.mark_to_draw(j);
   areas.mend();
-  torn_rows_ = 0;
-  for (auto event = events_.rbegin(); event != events_.rend() && event->row != kFreshLump;
-       ++event, ++torn_rows_)
-    areas.tear(clay.place_of(event->row));
+  const auto lump = std::find_if(events_.rbegin(), events_.rend(), [](const Event& event) {
+                      return event.row == kFreshLump;
+                    }).base();
+  // A row that came in a step which had just begun, and was found torn there, counts with the step
+  // before (Scene::State::work_on_rows): it is not there any more.
+  events_.erase(std::remove_if(lump, events_.end(),
+                               [&clay](const Event& event) {
+                                 return clay.place_of(event.row) == RowOrder::kSpare;
+                               }),
+                events_.end());
+  std::for_each(lump, events_.end(),
+                [&](const Event& event) { areas.tear(clay.place_of(event.row)); });
+  torn_rows_ = static_cast<int>(events_.end() - lump);
   for (int j = 0; j < clay.rows(); ++j) unseen_.add(j);
 }
 

@@ -64,7 +64,7 @@ Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse)
   const double u = length(Vec2{double{o.ux}, double{o.uz}});
   const double v = length(Vec2{double{o.vx}, double{o.vz}});
   const double round = double{o.round};
-  if (away < 1e-6 || std::max(u, v) <= 2.0 * round) return coarse;
+  if (away < 1e-6 || std::max(u, v) <= 2.0 * round + 1e-9) return coarse;
   // The parallelogram with its rounded corners made square, in a frame whose x goes through its
   // middle. Its thin way may be nothing but rounding.
   const double rx = double{o.x} / away;

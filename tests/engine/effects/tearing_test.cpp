@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "engine/clay/row_division.h"
 #include "engine/contact/tool.h"
 #include "engine/math/vectors.h"
 #include "tests/engine/effects/random_hands.h"
@@ -230,6 +232,24 @@ TEST(Tearing, ATornPotThatSagsForAWhileIsWholeAfterOneStepBack) {
   ASSERT_FALSE(scene.fallen());
   once(scene, &Hands::restore);
   EXPECT_TRUE(torn_rows(scene).empty());
+}
+
+TEST(Tearing, ARowThatCameInTheStepTakenBackLeavesNoTear) {
+  const SceneDef def = tube();
+  Clay clay = std::move(*Clay::create(def.clay, best_vectors(), 8));
+  clay.keep_areas();
+  Tearing tearing(clay);
+  constexpr int kRow = 40;
+  clay::divide_row(clay, kRow, clay.areas()->of(kRow) * clay.row_thickness(kRow));
+  tearing.row_divided(kRow);
+  std::ranges::fill(clay.inner_mut(kRow + 1), 0.0535f);
+  // Found at once, it counts with the step before the one that has just begun.
+  tearing.look(*def.walls, clay, 0.2, 0, true);
+  ASSERT_TRUE(clay.areas()->torn(kRow + 1));
+  clay.erase_row(kRow + 1);
+  tearing.go_back(clay, 1);
+  EXPECT_FALSE(tearing.any());
+  for (int j = 0; j < clay.rows(); ++j) EXPECT_FALSE(clay.areas()->torn(j)) << j;
 }
 
 TEST(Tearing, AFreshLumpIsWholeAndTheOneBeforeItComesBackTorn) {

@@ -1,0 +1,64 @@
+#include "engine/contact/solid_window.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/contact/tool.h"
+#include "engine/math/portable.h"
+#include "engine/math/random.h"
+
+namespace onggi::contact {
+namespace {
+
+Vec3 any_direction(Random& random) {
+  for (;;) {
+    const Vec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    if (length(v) > 0.1 && length(v) < 1.0) return (1.0 / length(v)) * v;
+  }
+}
+
+Vec3 turned(Vec3 v, double angle) {
+  const double c = portable::cos(angle);
+  const double s = portable::sin(angle);
+  return {c * v.x - s * v.z, v.y, s * v.x + c * v.z};
+}
+
+TEST(SolidWindow, HoldsWhatTheToolPressesWhicheverWayItIsFromTheAxis) {
+  // Turned by whole elements, a pose takes as much clay: of bodies as wide as the pot too, which
+  // reach across the half-line where angles begin anew.
+  constexpr int kSectors = 40;
+  ClayDef def;
+  def.rows = 30;
+  def.sectors = kSectors;
+  Random random(11);
+  int pressed = 0;
+  for (const char* name :
+       {"flat_rib", "curved_rib", "loop_trimmer", "needle", "fingertip", "sphere", "sponge"}) {
+    const ToolShape& shape = *find_tool_shape(name);
+    for (int n = 0; n < 40; ++n) {
+      const ToolSize& size = n % 2 == 0 ? shape.usual : shape.most;
+      const Vec3 along = any_direction(random);
+      const Vec3 across = cross(along, any_direction(random));
+      const Vec3 at{random.uniform(-0.09, 0.09), random.uniform(0.0, 0.2),
+                    random.uniform(-0.09, 0.09)};
+      const WallSide side = n % 4 < 2 ? WallSide::outside : WallSide::inside;
+      double first = 0.0;
+      for (int k = 0; k < kSectors; ++k) {
+        const double angle = 2.0 * portable::kPi * k / kSectors;
+        const ToolPlace place{turned(at, angle), turned(along, angle),
+                              turned((1.0 / length(across)) * across, angle)};
+        Clay clay = std::move(*Clay::create(def));
+        const Press press = shape.press(clay, side, place, size, 0.001, {0.00949, 5e6});
+        EXPECT_GE(press.visited, press.touched);
+        if (k == 0) first = press.normal;
+        EXPECT_NEAR(press.normal, first, 2e-3 * first + 1e-3) << name << ' ' << n << ' ' << k;
+        pressed += press.touched > 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(pressed, 2000);
+}
+
+}  // namespace
+}  // namespace onggi::contact
