@@ -1,46 +1,20 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene.h"
+#include "engine/lab/scene_work.h"
 
 namespace onggi::refinement {
 
-/// A smooth piece of work, the same whatever the tick and the grid.
-struct Stroke {
-  double seconds = 0.0;                ///< A multiple of kWindow.
-  std::function<Hands(double)> hands;  ///< At a time, s.
-};
+using lab::Apart;
+using Work = lab::SceneWork;
+using Outcome = lab::SceneOutcome;
+using lab::apart;
+using lab::scene_works;
 
-/// A stroke in a scene: what is refined.
-struct Work {
-  std::string name;  ///< "wobble"
-  SceneDef def;
-  Stroke stroke;
-};
-
-/// The windows that forces are averaged over: a multiple of every tick that is tried.
-inline constexpr double kWindow = 0.02;
-
-/// What came of it.
-struct Outcome {
-  std::vector<double> outline;  ///< Mean outer and inner radius at even heights, m.
-  std::vector<Vec3> force;      ///< Mean of each window, of both hands, N.
-  Vec3 impulse;                 ///< N s, of the first hand.
-};
-/// Works it with ticks of `tick` seconds on `rows` rows, with as many sectors as make elements of
-/// the first one's shape.
-Outcome outcome_of(const Work& work, double tick, int rows);
-
-/// How far apart two outcomes are.
-struct Apart {
-  double shape = 0.0;    ///< Root mean square of the outlines' difference, m.
-  double force = 0.0;    ///< Likewise of the windows' force, N.
-  double impulse = 0.0;  ///< Length of the difference, as a share of the second.
-};
-Apart apart(const Outcome& a, const Outcome& b);
+/// lab::outcome_of a scene that is one.
+Outcome worked(const Work& work, double tick, int rows);
 
 /// What refining came to: steps halved three times, so that the order at which outcomes draw
 /// together, p = ln((f3 - f2) / (f2 - f1)) / ln 2, is a mean of two.
@@ -63,7 +37,5 @@ Refined refine_grids(const Work& work);
 /// either side as well, named "walls, two hands"), a sponge for `smoothing`, water for `moisture`,
 /// and clay that sags for `slump`.
 std::vector<Work> effect_works();
-/// A finger outside, and both hands, in the scene `def` of that name, on 200 x 180.
-std::vector<Work> scene_works(const std::string& name, SceneDef def);
 
 }  // namespace onggi::refinement
