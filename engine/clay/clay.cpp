@@ -163,11 +163,11 @@ void Clay::lower_floor(double top) {
   mark_dirty(std::min(floor_rows_, rows() - 1));
 }
 
-void Clay::set_floor(int rows, double top) {
-  floor_rows_ = rows;
+void Clay::set_floor(int solid, double top) {
+  floor_rows_ = solid;
   // Of a solid lump it is the rim, wherever that has come to; and it never leaves its rows.
-  const double low = rows > 0 ? row_height(rows - 1) : 0.0;
-  floor_top_ = rows == def_.rows ? rim_height() : std::clamp(top, low, row_height(rows));
+  const double low = solid > 0 ? row_height(solid - 1) : 0.0;
+  floor_top_ = solid == rows() ? rim_height() : std::clamp(top, low, row_height(solid));
 }
 
 void Clay::lay_lump(int j) {

@@ -100,7 +100,7 @@ class Clay {
   void erase_row(int j);
   /// As they were once together: solid rows, and the upper face of the floor in metres, held to
   /// where those rows are now.
-  void set_floor(int rows, double top);
+  void set_floor(int solid, double top);
 
   /// No outer radius of row `j` is larger, and no inner one smaller: where nothing can touch,
   /// nobody need look. Not always the least and the most that would be true: a press makes the

@@ -63,6 +63,7 @@ class RowAreas {
   void open(int j) {
     clay::open_place(area_, j);
     clay::open_place(cut_, j);
+    clay::open_place(traded_, j);
     for (RowSet* rows : {&changed_, &unknown_}) rows->open(j);
     if (torn_.room() > 0) torn_.open(j);
     if (firm_.room() > 0) firm_.open(j), rigid_.open(j);
@@ -70,6 +71,7 @@ class RowAreas {
   void close(int j) {
     clay::close_place(area_, j);
     clay::close_place(cut_, j);
+    clay::close_place(traded_, j);
     for (RowSet* rows : {&changed_, &unknown_}) rows->close(j);
     if (torn_.room() > 0) torn_.close(j);
     if (firm_.room() > 0) firm_.close(j), rigid_.close(j);

@@ -180,6 +180,36 @@ TEST(RowDivision, RowsBesideTheFloorAreLetBeWhereItsTopWouldNotLieBetweenThem) {
 }
 
 // Rows divided, joined and pressed at random, in strokes that are all taken back.
+TEST(RowDivision, TheFloorsTopIsTheRimWhereEveryRowIsSolidHoweverManyThereAre) {
+  ClayDef def;
+  def.rows = 60;
+  def.sectors = 40;
+  def.floor_thickness = def.height;
+  Clay clay = std::move(*Clay::create(def, best_vectors(), kSpareRows));
+  clay.keep_areas();
+  for (const int j : {20, 40}) divide(clay, j);
+  ASSERT_EQ(clay.floor_rows(), 62);
+  clay.set_floor(62, 0.05);
+  EXPECT_EQ(clay.floor_top(), clay.rim_height());
+  const double middle = clay.row_height(60) - 0.2 * clay.row_thickness(60);
+  clay.set_floor(60, middle);
+  EXPECT_EQ(clay.floor_top(), middle);
+}
+
+TEST(RowDivision, WhatARowTradedStaysWithItWhereRowsComeAndGoBelow) {
+  Clay clay = bowl();
+  RowAreas& areas = *clay.areas();
+  areas.lose(30, 0.2 * areas.of(30));
+  areas.lose(30, -0.2 * areas.of(30));
+  ASSERT_TRUE(areas.drifted(30));
+  divide(clay, 20);
+  EXPECT_FALSE(areas.drifted(30));
+  EXPECT_TRUE(areas.drifted(31));
+  join(clay, 20);
+  EXPECT_TRUE(areas.drifted(30));
+  EXPECT_FALSE(areas.drifted(31));
+}
+
 TEST(RowDivision, HistoryGivesBackEveryStrokeToTheBit) {
   Clay clay = marked();
   History history(clay);
