@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
-#include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
 namespace {
+
+// Where e^-3 of a pull is left nothing follows; rounding and fading_over() are a little off.
+constexpr double kReaches = 3.01;
 
 // e^-x, x >= 0: rows are close, and 100 of them differ in height. Pade's (2, 2) is off by x^5/720,
 // 4e-5 at a half.
@@ -27,65 +29,91 @@ std::span<const EffectField<PropagationDef>> PropagationDef::fields() {
 
 namespace effects {
 
-Propagation::Propagation(int stride)
-    : pull_{std::vector<float>(static_cast<std::size_t>(stride)),
-            std::vector<float>(static_cast<std::size_t>(stride))},
-      more_(static_cast<std::size_t>(stride)) {}
-
-// False where nothing was dragged.
-bool Propagation::drag_row(Clay& clay, WallSide side, int j, BlockRun run, float faded,
-                           double along) noexcept {
-  float* own = clay.displacements(side == WallSide::inside)->row(clay.stored(j));
-  if (row_kernels::of(clay.vectors())
-          .pull(run, faded, own, pull_.source.data(), pull_.carried.data(), more_.data()) <= 0.0f)
-    return false;
-  move_face(clay, side, j, run, more_.data(), along);
-  return true;
+Propagation::Propagation(int rows) {
+  const auto n = static_cast<std::size_t>(rows);
+  for (std::vector<float>* part : {&fading_, &outermost_, &innermost_}) part->resize(n);
+  give_.resize(n);
+  more_.resize(static_cast<std::size_t>(Displacements::kBlock) * n);
+  lost_.resize(n);
 }
 
 // Two sweeps over the pressed rows, one up and one down, each carrying the strongest pull of the
 // rows behind it: so a row is looked at twice, not once for every row that was pressed. The work
-// list is that of the displacements, runs of blocks that contact touched: a fingertip 2 mm deep is
-// over 12 elements of 360, two or three blocks of 45.
+// list is that of the displacements, blocks that contact touched: a fingertip 2 mm deep is over 12
+// elements of 360, two or three blocks of 45.
 void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
                        double along) noexcept {
   Displacements& displacements = *clay.displacements(side == WallSide::inside);
   if (!displacements.any()) return;
-  const int first = displacements.first_row();
-  const int end = displacements.end_row();
+  const bool outside = side == WallSide::outside;
+  const double beyond = kReaches * def.reach;
   // Inside, the floor holds: its rows have no inner face.
-  const int bottom = side == WallSide::inside ? clay.floor_rows() : 0;
+  const int bottom = outside ? 0 : clay.floor_rows();
+  int low = displacements.first_row();
+  for (const double y = clay.row_height(low); low > bottom; --low)
+    if (y - clay.row_height(low) > beyond) break;
+  int high = displacements.end_row();
+  for (const double y = clay.row_height(high - 1); high < clay.rows(); ++high)
+    if (clay.row_height(high) - y > beyond) break;
+  const int count = high - low;
+
   // Rows of one height have one fading: most of a lump's.
   double last = -1.0;
-  float last_fading = 1.0f;
-  const auto fading = [&](int from, int to) {
-    const double apart = 0.5 * (clay.row_thickness(to) + clay.row_thickness(from));
-    if (apart != last) last_fading = static_cast<float>(fading_over(apart / def.reach));
+  float fading = 1.0f;
+  for (int k = 0; k < count; ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    const int j = low + k;
+    const double apart = 0.5 * (clay.row_thickness(j) + clay.row_thickness(k > 0 ? j - 1 : j));
+    if (apart != last) fading = static_cast<float>(fading_over(apart / def.reach));
     last = apart;
-    return last_fading;
-  };
-  for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end)) {
-    const auto forget_pull = [&] {
-      for (std::vector<float>* part : {&pull_.source, &pull_.carried})
-        std::fill(part->begin() + run.begin * Displacements::kBlock,
-                  part->begin() + run.end * Displacements::kBlock, 0.0f);
-    };
-    forget_pull();
-    for (int j = first; j < clay.rows(); ++j) {
-      const float faded = j > first ? fading(j - 1, j) : 0.0f;
-      const bool dragged = drag_row(clay, side, j, run, faded, along);
-      // Above them nothing moved by itself, and a pull only fades: where it drags nothing, it will
-      // drag nothing farther up.
-      if (j >= end && !dragged) break;
-      if (dragged) displacements.mark(j, run);
+    fading_[n] = fading;
+    lost_[n] = 0.0;
+    outermost_[n] = 0.0f;
+    innermost_[n] = 1e9f;
+  }
+  RowAreas& areas = *clay.areas();
+  const bool held = areas.any_firm();
+  for (int k = 0; held && k < count; ++k)
+    give_[static_cast<std::size_t>(k)] = areas.rigid(low + k)  ? column_kernels::Give::rigid
+                                         : areas.firm(low + k) ? column_kernels::Give::firm
+                                                               : column_kernels::Give::free;
+
+  const row_kernels::FaceMove limits = limits_of(clay, side, along);
+  float* const outer = clay.stored_outer(0);
+  float* const inner = clay.stored_inner(0);
+  column_kernels::Drag work{{outside, count, clay.stride(), clay.stored().data() + low, nullptr,
+                             nullptr, limits.wall_min},
+                            displacements.first_row() - low,
+                            displacements.end_row() - low,
+                            clay.floor_rows() - low,
+                            nullptr,
+                            fading_.data(),
+                            held ? give_.data() : nullptr,
+                            limits.along,
+                            limits.near,
+                            limits.far,
+                            limits.back_near,
+                            limits.back_far,
+                            more_.data(),
+                            lost_.data(),
+                            outermost_.data(),
+                            innermost_.data()};
+  const column_kernels::Table& kernels = column_kernels::of(clay.vectors());
+  column_kernels::Dragged reached{count, 0};
+  for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
+    for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock;
+         i += Displacements::kBlock) {
+      work.at.face = (outside ? outer : inner) + i;
+      work.at.other = (outside ? inner : outer) + i;
+      work.moved = displacements.row(0) + i;
+      const column_kernels::Dragged rows = kernels.drag(work);
+      reached = {std::min(reached.from, rows.from), std::max(reached.to, rows.to)};
     }
-    forget_pull();
-    for (int j = end - 1; j >= bottom; --j) {
-      const float faded = j < end - 1 ? fading(j + 1, j) : 0.0f;
-      const bool dragged = drag_row(clay, side, j, run, faded, along);
-      if (j < first && !dragged) break;
-      if (dragged) displacements.mark(j, run);
-    }
+  for (const int k : {reached.from, reached.to - 1}) displacements.mark(low + k, {0, 0});
+  for (int k = reached.from; k < reached.to; ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    if (outermost_[n] > 0.0f)
+      was_moved(clay, low + k, {static_cast<float>(lost_[n]), outermost_[n], innermost_[n]});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/clay/wall_side.h"
+#include "engine/effects/column_kernels.h"
 #include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
 
@@ -23,22 +24,20 @@ namespace effects {
 /// Drags the rows about those that moved. Allocates only when made; one thread.
 class Propagation {
  public:
-  explicit Propagation(int stride);
+  explicit Propagation(int rows);
 
   /// Stage 6.1: no row is moved by more than the strongest of those about it, times its share; one
-  /// that moved that far by itself is left alone. `along`: see move_face(). The displacements grow
+  /// that moved that far by itself is left alone. `along`: see limits_of(). The displacements grow
   /// by what was dragged. O(elements moved, and three reaches beyond).
   void drag(const PropagationDef& def, Clay& clay, WallSide side, double along) noexcept;
 
  private:
-  // The strongest pull from the rows behind, each element's for itself.
-  struct Pull {
-    std::vector<float> source, carried;  // as it was there; faded by e to the distance over reach
-  };
-  bool drag_row(Clay& clay, WallSide side, int j, BlockRun run, float faded, double along) noexcept;
-
-  Pull pull_;
-  std::vector<float> more_;
+  // By row, from the lowest that may be dragged.
+  std::vector<float> fading_;  // from the row below
+  std::vector<column_kernels::Give> give_;
+  std::vector<float> more_;   // eight columns at once, a row after the other
+  std::vector<double> lost_;  // sum of squares of radii, in this tick
+  std::vector<float> outermost_, innermost_;
 };
 
 }  // namespace effects

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "engine/clay/block_run.h"
 #include "engine/math/vectors.h"
 
 namespace onggi {
@@ -9,7 +8,7 @@ namespace onggi {
 /// vectors. Padding (clay.h) is left as it is. Any thread, no allocation.
 namespace row_kernels {
 
-/// How a face may move: see move_face(). Metres.
+/// How a face may move: see limits_of() in move_face.h. Metres.
 struct FaceMove {
   bool outside = true;
   bool hollow = true;  ///< There is another face.
@@ -21,6 +20,16 @@ struct FaceMove {
 struct FaceMoved {
   float lost = 0.0f;  ///< Sum of squares of radii that the row lost.
   float outermost = 0.0f, innermost = 0.0f;
+};
+
+/// How a face comes back: all of what is less than `least` (m), and of more the share `gone`.
+struct Spring {
+  FaceMove face;
+  float gone = 0.0f, least = 0.0f;
+};
+struct Sprung {
+  FaceMoved moved;
+  float left = 0.0f;  ///< The most that an element has still to come back by, m.
 };
 
 /// Sums of radius times cosine and times sine.
@@ -41,24 +50,6 @@ struct WallBounds {
   float farthest = 0.0f, thinnest = 0.0f;
 };
 
-/// Eight columns of rows that are evened together, a row after the other: Smoothing. Doubles.
-struct Columns {
-  bool outside = true;
-  int rows = 0;
-  int stride = 0;                ///< Floats from one stored row to the next.
-  const int* stored = nullptr;   ///< As which each row is stored, the lowest first.
-  float* face = nullptr;         ///< Of stored row 0: the eight elements that are evened,
-  const float* other = nullptr;  ///< and those of the other face.
-  const double* weight = nullptr;
-  const double* flow = nullptr;
-  const double* up = nullptr;
-  const double* pivot = nullptr;
-  double* squares = nullptr;  ///< Eight a row, to work with.
-  double* gained = nullptr;   ///< Grows by what each row's squares of radii did.
-  float* extent = nullptr;    ///< Of each row: the largest, or inside smallest, radius written.
-  double wall_min = 0.0;
-};
-
 /// What a ring is like all round.
 struct Ring {
   float squares = 0.0f;   ///< Sum of outer^2 + inner^2, m^2.
@@ -67,13 +58,8 @@ struct Ring {
 
 /// On one kind of vectors.
 struct Table {
-  FaceMoved (*move)(const FaceMove& how, BlockRun run, const float* by, float* face, float* behind);
-  /// One row of Propagation::drag(): `own` becomes what follows, `more` what that is more. The
-  /// largest of `more`.
-  float (*pull)(BlockRun run, float faded, float* own, float* source, float* carried, float* more);
-  /// One row of Springback: `left` less the share `gone` of it, all of it where it is less than
-  /// `least`; `move` becomes what went, negative. The largest that is left.
-  float (*spring)(int stride, float gone, float least, float* left, float* move);
+  /// One row of Springback: `left` less the share that is gone, and the face back by that.
+  Sprung (*spring)(const Spring& how, int stride, float* left, float* face, float* behind);
   Harmonic (*harmonic)(int stride, const float* radius, const float* ray_cos, const float* ray_sin);
   /// FaceMoved::lost is 0.
   FaceMoved (*push)(const RowPush& how, int stride, const float* ray_cos, const float* ray_sin,
@@ -83,8 +69,6 @@ struct Table {
   /// least, for roundings add up from sweep to sweep. FaceMoved::lost is 0.
   FaceMoved (*mix)(int stride, float same, float cross, float wall_min, float* outer, float* inner);
   Ring (*measure)(int stride, const float* outer, const float* inner);
-  /// True where an element changed.
-  bool (*even)(const Columns& columns);
 };
 /// One of vectors_here().
 const Table& of(Vectors kind) noexcept;

@@ -1,9 +1,8 @@
 #include "engine/effects/smoothing.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "engine/effects/row_kernels.h"
+#include "engine/effects/column_kernels.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -19,9 +18,9 @@ namespace effects {
 
 Smoothing::Smoothing(int rows) {
   const auto n = static_cast<std::size_t>(rows);
-  for (std::vector<double>* part : {&weight_, &flow_, &up_, &pivot_, &gained_}) part->resize(n);
-  squares_.resize(static_cast<std::size_t>(Displacements::kBlock) * n);
-  extent_.resize(n);
+  gained_.resize(n);
+  for (std::vector<float>* part : {&weight_, &flow_, &up_, &inverse_, &extent_}) part->resize(n);
+  change_.resize(static_cast<std::size_t>(Displacements::kBlock) * n);
 }
 
 void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double bottom, double top,
@@ -34,34 +33,45 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
   const int count = std::min(displacements.end_row(), clay.first_row_above(top)) - first;
   if (count < 2) return;
   const double pace = def.pace * seconds;
+  double below = 0.0;  // the flow from there, and its share in the row's pivot
+  double up = 0.0;
+  double total = 0.0;
   for (int k = 0; k < count; ++k) {
     const auto n = static_cast<std::size_t>(k);
-    weight_[n] = clay.row_thickness(first + k);
-    const double apart = clay.row_height(first + k + 1 < clay.rows() ? first + k + 1 : first + k) -
-                         clay.row_height(first + k);
-    flow_[n] = k + 1 < count ? pace / apart : 0.0;
-    const double below = k > 0 ? flow_[n - 1] : 0.0;
-    pivot_[n] = weight_[n] + flow_[n] + below - (k > 0 ? below * up_[n - 1] : 0.0);
-    up_[n] = flow_[n] / pivot_[n];
+    const double weight = clay.row_thickness(first + k);
+    total += weight;
+    const double flow =
+        k + 1 < count ? pace / (clay.row_height(first + k + 1) - clay.row_height(first + k)) : 0.0;
+    const double inverse = 1.0 / (weight + flow + below * (1.0 - up));
+    up = flow * inverse;
+    below = flow;
+    weight_[n] = static_cast<float>(weight);
+    flow_[n] = static_cast<float>(flow);
+    inverse_[n] = static_cast<float>(inverse);
+    up_[n] = static_cast<float>(up);
     gained_[n] = 0.0;
     extent_[n] = outside ? 0.0f : 1e9f;
   }
-  float* const face = outside ? clay.stored_outer(0) : clay.stored_inner(0);
-  const float* const other = outside ? clay.stored_inner(0) : clay.stored_outer(0);
-  row_kernels::Columns columns{outside,         count,
-                               clay.stride(),   clay.stored().data() + first,
-                               nullptr,         nullptr,
-                               weight_.data(),  flow_.data(),
-                               up_.data(),      pivot_.data(),
-                               squares_.data(), gained_.data(),
-                               extent_.data(),  clay.def().wall_min};
-  const row_kernels::Table& kernels = row_kernels::of(clay.vectors());
+  float* const outer = clay.stored_outer(0);
+  float* const inner = clay.stored_inner(0);
+  column_kernels::Even work{{outside, count, clay.stride(), clay.stored().data() + first, nullptr,
+                             nullptr, static_cast<float>(clay.def().wall_min)},
+                            weight_.data(),
+                            static_cast<float>(1.0 / total),
+                            flow_.data(),
+                            inverse_.data(),
+                            up_.data(),
+                            change_.data(),
+                            gained_.data(),
+                            extent_.data()};
+  const column_kernels::Table& kernels = column_kernels::of(clay.vectors());
   bool changed = false;
   for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
-    for (int block = run.begin; block < run.end; ++block) {
-      columns.face = face + block * Displacements::kBlock;
-      columns.other = other + block * Displacements::kBlock;
-      changed |= kernels.even(columns);
+    for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock;
+         i += Displacements::kBlock) {
+      work.at.face = (outside ? outer : inner) + i;
+      work.at.other = (outside ? inner : outer) + i;
+      changed |= kernels.even(work);
     }
   if (!changed) return;
   // Rows trade clay: what a row gained in area is its own now. What rounding left over stays with
@@ -71,11 +81,11 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
   for (int k = 0; k < count; ++k) {
     const auto n = static_cast<std::size_t>(k);
     clay.areas()->trade(first + k, each * gained_[n]);
-    left += each * gained_[n] * weight_[n];
+    left += each * gained_[n] * clay.row_thickness(first + k);
     clay.widen_extent(first + k, outside ? extent_[n] : 0.0f, outside ? 1e9f : extent_[n]);
     clay.mark_dirty(first + k);
   }
-  clay.areas()->keep_for(first, left / weight_[0]);
+  clay.areas()->keep_for(first, left / clay.row_thickness(first));
 }
 
 }  // namespace effects

@@ -33,12 +33,12 @@ class Smoothing {
             double seconds) noexcept;
 
  private:
-  std::vector<double> weight_;  // of the row: its height
-  std::vector<double> flow_;    // to the row above, m
-  std::vector<double> up_, pivot_;
-  std::vector<double> squares_;  // eight columns at once, a row after the other
-  std::vector<double> gained_;   // sum of squares of radii, each row in this tick
-  std::vector<float> extent_;    // largest, or inside smallest, radius written
+  std::vector<float> weight_;  // of the row: its height
+  std::vector<float> flow_;    // to the row above, m
+  std::vector<float> up_, inverse_;
+  std::vector<float> change_;   // eight columns at once, a row after the other
+  std::vector<double> gained_;  // sum of squares of radii, each row in this tick
+  std::vector<float> extent_;   // largest, or inside smallest, radius written
 };
 
 }  // namespace effects

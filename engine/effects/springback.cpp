@@ -8,7 +8,7 @@
 namespace onggi {
 namespace {
 
-constexpr double kTurns = 16.0;  // of every row in Springback::time: steps well above a float's
+constexpr double kTurns = 8.0;  // of every row in Springback::time: steps well above a float's
 
 }  // namespace
 
@@ -23,8 +23,7 @@ std::span<const EffectField<SpringbackDef>> SpringbackDef::fields() {
 namespace effects {
 
 Springback::Springback(const Clay& clay)
-    : back_(static_cast<std::size_t>(clay.stride())),
-      stride_(static_cast<std::size_t>(clay.stride())),
+    : stride_(static_cast<std::size_t>(clay.stride())),
       room_(static_cast<std::size_t>(clay.room())) {
   for (Face& face : face_) {
     face.left.resize(room_ * stride_);
@@ -38,13 +37,20 @@ void Springback::load(const SpringbackDef& def, Clay& clay, WallSide side) noexc
   if (!displacements.any()) return;
   Face& f = face(side);
   const auto share = static_cast<float>(def.share);
-  for (int j = displacements.first_row(); j < displacements.end_row(); ++j) {
+  const int first = displacements.first_row();
+  const int end = displacements.end_row();
+  for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end)) {
+    const int begin = run.begin * Displacements::kBlock;
+    const int elements = run.end * Displacements::kBlock - begin;
+    for (int j = first; j < end; ++j) {
+      const int stored = clay.stored(j);
+      const float* const moved = displacements.row(stored) + begin;
+      float* const left = f.left.data() + static_cast<std::size_t>(stored) * stride_ + begin;
+      for (int i = 0; i < elements; ++i) left[i] += share * moved[i];
+    }
+  }
+  for (int j = first; j < end; ++j) {
     const auto n = static_cast<std::size_t>(clay.stored(j));
-    const float* moved = displacements.row(clay.stored(j));
-    float* left = f.left.data() + n * stride_;
-    for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
-      for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock; ++i)
-        left[i] += share * moved[i];
     if (f.rows[n] != 0) continue;
     f.rows[n] = 1;
     f.seen[n] = now_;
@@ -54,15 +60,30 @@ void Springback::load(const SpringbackDef& def, Clay& clay, WallSide side) noexc
 
 void Springback::row_back(Clay& clay, WallSide side, int j, double time, double along) noexcept {
   Face& f = face(side);
-  const auto n = static_cast<std::size_t>(clay.stored(j));
-  const auto gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
+  const int stored = clay.stored(j);
+  const auto n = static_cast<std::size_t>(stored);
+  row_kernels::Spring how;
+  how.gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
+  how.least = kLeastMove;  // the last of it at once: rest must be rest
   f.seen[n] = now_;
-  // The last of it at once: rest must be rest.
-  const float most = row_kernels::of(clay.vectors())
-                         .spring(static_cast<int>(stride_), gone, kLeastMove,
-                                 f.left.data() + n * stride_, back_.data());
-  move_face(clay, side, j, {0, static_cast<int>(stride_) / Displacements::kBlock}, back_.data(),
-            along);
+  float* const left = f.left.data() + n * stride_;
+  float most = 0.0f;
+  if (may_move(clay, side, j, along, how.face)) {
+    const bool outside = side == WallSide::outside;
+    float* const outer = clay.stored_outer(stored);
+    float* const inner = clay.stored_inner(stored);
+    const row_kernels::Sprung sprung =
+        row_kernels::of(clay.vectors())
+            .spring(how, clay.stride(), left, outside ? outer : inner, outside ? inner : outer);
+    was_moved(clay, j, sprung.moved);
+    most = sprung.left;
+  } else {
+    // What gives no way now forgets all the same.
+    for (std::size_t i = 0; i < stride_; ++i) {
+      left[i] -= left[i] < how.least ? left[i] : left[i] * how.gone;
+      most = std::max(most, left[i]);
+    }
+  }
   if (most > 0.0f) return;
   f.rows[n] = 0;
   --loaded_rows_;

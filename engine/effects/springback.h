@@ -31,9 +31,9 @@ class Springback {
 
   /// Stage 6.2: of what moved in this tick the share is to come back. O(elements moved).
   void load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept;
-  /// And lets what is loaded come back: rows take turns, sixteen in SpringbackDef::time and on the
+  /// And lets what is loaded come back: rows take turns, eight in SpringbackDef::time and on the
   /// finest grids fewer (Round::lasting), each by an exact exponential of the time since its last.
-  /// No row ever goes beyond where it was pressed from. `along`: see move_face(). Asleep when
+  /// No row ever goes beyond where it was pressed from. `along`: see limits_of(). Asleep when
   /// nothing is loaded.
   void come_back(const SpringbackDef& def, Clay& clay, double seconds, double along) noexcept;
   /// Something of a stored row has still to come back.
@@ -59,7 +59,6 @@ class Springback {
   void row_back(Clay& clay, WallSide side, int j, double time, double along) noexcept;
 
   std::array<Face, 2> face_;
-  std::vector<float> back_;
   std::size_t stride_;
   std::size_t room_;
   int next_ = 0;  // row whose turn it is

@@ -39,6 +39,7 @@ inline constexpr int kLanes = 8;
 #include "engine/math/lanes_plain.h"
 #endif
 
+#if !defined(ONGGI_LANES_AVX2)  // which has its own
 namespace onggi::ONGGI_LANES {
 
 /// Lanes added in pairs, always the same ones.
@@ -63,3 +64,4 @@ ONGGI_INLINE float smallest(Float8 a) {
 }
 
 }  // namespace onggi::ONGGI_LANES
+#endif

@@ -74,6 +74,23 @@ struct Mask8 {
 }
 [[gnu::always_inline]] inline bool none(Mask8 m) { return _mm256_testz_ps(m.v, m.v) != 0; }
 
+/// Lanes in pairs: k with k + 4, those with the next but one, and the last two. As everywhere else.
+template <class Join>
+[[gnu::always_inline]] inline float joined(Float8 a, const Join& join) {
+  const __m128 four = join(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  const __m128 two = join(four, _mm_movehl_ps(four, four));
+  return _mm_cvtss_f32(join(two, _mm_shuffle_ps(two, two, 1)));
+}
+[[gnu::always_inline]] inline float sum(Float8 a) {
+  return joined(a, [](__m128 b, __m128 c) { return _mm_add_ps(b, c); });
+}
+[[gnu::always_inline]] inline float largest(Float8 a) {
+  return joined(a, [](__m128 b, __m128 c) { return _mm_max_ps(b, c); });
+}
+[[gnu::always_inline]] inline float smallest(Float8 a) {
+  return joined(a, [](__m128 b, __m128 c) { return _mm_min_ps(b, c); });
+}
+
 }  // namespace onggi::avx2
 
 #endif

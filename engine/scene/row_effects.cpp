@@ -38,7 +38,7 @@ std::unique_ptr<RowEffects> RowEffects::make(const SceneDef& def, Clay& clay) {
   if (about_contact) clay.keep_displacements();
   // 6.1
   if (def.propagation) {
-    e.propagation_.emplace(clay.stride());
+    e.propagation_.emplace(clay.room());
     e.stages_.push_back(&RowEffects::drag_neighbours);
   }
   // 6.2

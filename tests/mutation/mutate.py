@@ -36,8 +36,8 @@ ROOMS = ("contact", "effects", "force")
 GOAL = 0.9
 # The tests that speak of these rooms, the nearest first. Not those that draw, install or count instructions.
 PROGRAMS = {
-    "contact": ("contact", "scene", "effects", "clay", "script", "stability"),
-    "effects": ("effects", "scene", "script", "contact", "clay", "stability"),
+    "contact": ("contact", "scene", "effects", "clay", "script"),
+    "effects": ("effects", "scene", "script", "contact", "clay"),
     "force": ("force", "scene", "effects", "contact", "script"),
 }
 NUMBER = r"(?<![\w.\"])(\d+\.\d*(?:e-?\d+)?f?|\d+e-?\d+|\d+)(?![\w.\"])"
