@@ -277,6 +277,7 @@ AccuracyRow measure_accuracy(const AccuracyScript& script, const Truth& truth,
     if (pass > 0) continue;
     row.errors = errors_of(script, *worker, felt, truth, row.displaced);
     row.mean_force = felt.mean();
+    for (const auto& window : felt.windows) row.impulse += kForceWindow * length(window[0]);
     row.true_force = truth.mean_force;
   }
   std::vector<double> times;

@@ -38,7 +38,7 @@ struct Truth {
 };
 /// How fine a truth is.
 struct TruthPlan {
-  int rows = 2400, sectors = 1440;
+  int rows = 1900, sectors = 1500;
   double rate_hz = 8000.0;
 };
 /// Seconds of work. Allocates.
@@ -59,6 +59,7 @@ struct AccuracyRow {
   AccuracyErrors errors;
   double mean_force = 0.0;  ///< As Truth's, N.
   double true_force = 0.0;  ///< Truth's, N.
+  double impulse = 0.0;     ///< Sum of the first ball's force over time, N s.
   double displaced = 0.0;   ///< m^3
 };
 

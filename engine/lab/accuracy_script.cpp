@@ -133,9 +133,11 @@ std::vector<AccuracyScript> accuracy_scripts() {
   all.push_back(script("near_axis", "a hole of 1 cm is opened, the ball about the axis", narrow));
   all.back().balls = {ball_on(narrow, in, 0.002, 0.0, kMiddle, kMiddle)};
 
-  all.push_back(script("throw", "a vase: one slow rise of a fingertip, at 300 rpm", lump));
-  all.back().balls = {ball_on(lump, out, 0.011, 0.0, 0.03, 0.165)};
-  all.back().balls[0].belly = 0.0085;
+  SceneDef broad = lump;
+  broad.tool.radius = 0.012;
+  all.push_back(script("throw", "a vase: one slow rise of a knuckle, at 300 rpm", broad));
+  all.back().balls = {ball_on(broad, out, 0.015, 0.0, 0.03, 0.168)};
+  all.back().balls[0].belly = 0.0125;
   all.back().balls[0].in_by = 0.2;
   all.back().balls[0].out_from = 0.8;
   all.back().wheel = 31.4;

@@ -44,7 +44,7 @@ inline constexpr double kForceWindow = 0.002;
 /// press: a fingertip on the turning wall. pull: two hands, one on either face, rise together.
 /// groove: a fingertip held for seven turns. collar: both hands outside, opposite each other.
 /// centre: two palms on a solid lump at 300 rpm. near_axis: a narrow hole is opened, the ball
-/// about the axis. throw: a vase, by one slow rise of a fingertip.
+/// about the axis. throw: a vase, by one slow rise of a knuckle.
 std::vector<AccuracyScript> accuracy_scripts();
 
 }  // namespace onggi::lab

@@ -16,6 +16,18 @@ struct Between {
   double share;  // of the second
 };
 
+// At `angle` (rad) round the face.
+Between round_at(const FaceGrid& face, double angle) {
+  const double at = (angle - face.turned) * face.sectors / kRound - 0.5;
+  const double whole = std::floor(at);
+  const auto wrapped = [&](double n) {
+    const double turns = std::floor(n / face.sectors);
+    return static_cast<std::size_t>(n - turns * face.sectors) %
+           static_cast<std::size_t>(face.sectors);
+  };
+  return {wrapped(whole), wrapped(whole + 1.0), at - whole};
+}
+
 }  // namespace
 
 FaceGrid face_of(const Clay& clay, WallSide side, double low, double high) {
@@ -42,19 +54,22 @@ FaceGrid face_of(const PlainWall<Real>& wall, WallSide side) {
 template FaceGrid face_of(const PlainWall<float>&, WallSide);
 template FaceGrid face_of(const PlainWall<double>&, WallSide);
 
+double radius_at(const FaceGrid& face, double height, double angle) {
+  const double at = std::clamp((height - face.bottom) / face.thickness, 0.0, face.rows - 1.0);
+  const double whole = std::min(std::floor(at), face.rows - 2.0);
+  const Between b = round_at(face, angle);
+  const double* below =
+      face.radius.data() + static_cast<std::size_t>(whole) * static_cast<std::size_t>(face.sectors);
+  const double* above = below + face.sectors;
+  const double low = below[b.first] + b.share * (below[b.second] - below[b.first]);
+  const double high = above[b.first] + b.share * (above[b.second] - above[b.first]);
+  return low + (at - whole) * (high - low);
+}
+
 FaceDifference difference(const FaceGrid& face, const FaceGrid& truth) {
   std::vector<Between> round;
-  for (int i = 0; i < truth.sectors; ++i) {
-    const double angle = (i + 0.5) * kRound / truth.sectors + truth.turned - face.turned;
-    const double at = angle * face.sectors / kRound - 0.5;
-    const double whole = std::floor(at);
-    const auto wrapped = [&](double n) {
-      const double turns = std::floor(n / face.sectors);
-      return static_cast<std::size_t>(n - turns * face.sectors) %
-             static_cast<std::size_t>(face.sectors);
-    };
-    round.push_back({wrapped(whole), wrapped(whole + 1.0), at - whole});
-  }
+  for (int i = 0; i < truth.sectors; ++i)
+    round.push_back(round_at(face, (i + 0.5) * kRound / truth.sectors + truth.turned));
   FaceDifference out;
   double squares = 0.0;
   long count = 0;

@@ -23,6 +23,9 @@ FaceGrid face_of(const Clay& clay, WallSide side, double low, double high);
 template <class Real>
 FaceGrid face_of(const PlainWall<Real>& wall, WallSide side);
 
+/// Its radius at `height` (m, held to its rows) and `angle` (rad).
+double radius_at(const FaceGrid& face, double height, double angle);
+
 /// How far two surfaces are apart, m.
 struct FaceDifference {
   double rms = 0.0, most = 0.0;

@@ -22,4 +22,7 @@ Command make_command();
 Command inspect_command();
 Command import_command();
 
+/// Of `onggi lab`.
+Command accuracy_command();
+
 }  // namespace onggi::commands

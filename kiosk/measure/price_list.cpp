@@ -1,13 +1,11 @@
 #include "kiosk/measure/price_list.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/helper_process.h"
-#include "kiosk/settings/scene_file.h"
+#include "kiosk/measure/scene_presets.h"
 
 namespace onggi::measure {
 
@@ -37,20 +35,14 @@ std::int64_t counted(int rows, int sectors, const std::string& scene) {
 
 Result<std::vector<PricedScene>> scenes_with_presets(int rows, int sectors) {
   std::vector<PricedScene> scenes = priced_scenes(rows, sectors);
-  const auto root = exhibit::program_root();
-  if (!root) return tl::unexpected(root.error());
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(*root / "config/scenes"))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::ranges::sort(files);
+  auto presets = read_presets();
+  if (!presets) return tl::unexpected(presets.error());
   const PricedScene all = std::move(scenes.back());
   scenes.pop_back();
-  for (const auto& file : files) {
-    settings::SceneRead read = settings::read_scene(file);
-    if (!read.problems.empty()) return tl::unexpected(read.problems.front());
-    read.def.clay.rows = rows;
-    read.def.clay.sectors = sectors;
-    scenes.push_back({file.filename().string(), std::move(read.def)});
+  for (ScenePreset& preset : *presets) {
+    preset.def.clay.rows = rows;
+    preset.def.clay.sectors = sectors;
+    scenes.push_back({preset.name + ".toml", std::move(preset.def)});
   }
   scenes.push_back(all);
   return scenes;

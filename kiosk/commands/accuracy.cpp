@@ -1,0 +1,59 @@
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/measure/accuracy_picture.h"
+#include "kiosk/measure/accuracy_report.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct AccuracyArguments {
+  measure::AccuracyPlan plan;
+  std::string json, csv, plot;
+};
+
+Result<int> accuracy(const AccuracyArguments& arguments) {
+  auto report = measure::measure_accuracy(arguments.plan, stderr);
+  if (!report) return tl::unexpected(report.error());
+  report->command = arguments.plan.quick ? "onggi lab accuracy --quick" : "onggi lab accuracy";
+  const auto put = put_report(measure::json_of(*report), arguments.json);
+  if (!put) return tl::unexpected(put.error());
+  if (*put) std::fputs(measure::text_of(*report).c_str(), stdout);
+  if (!arguments.csv.empty()) {
+    const std::string rows = measure::csv_of(*report);
+    if (const auto kept = files::write_durably(arguments.csv, std::as_bytes(std::span(rows)));
+        !kept)
+      return tl::unexpected(kept.error());
+  }
+  if (arguments.plot.empty()) return 0;
+  return files::write_durably(arguments.plot,
+                              drawing::draw_accuracy(measure::chart_of(*report), arguments.plot))
+      .map([] { return 0; });
+}
+
+}  // namespace
+
+Command accuracy_command() {
+  const auto a = std::make_shared<AccuracyArguments>();
+  return {.name = "accuracy",
+          .help = "What accuracy costs in time here, and which setting to choose",
+          .examples =
+              "Example: onggi lab accuracy --quick --plot accuracy.png\n"
+              "         onggi lab accuracy --json accuracy.json --csv accuracy.csv\n"
+              "Shape in mm, force in N and volume in %, against a reference in doubles; "
+              "time is the thread's own.",
+          .options = {{"--quick", &a->plan.quick, "Fewer combinations: a minute or so"},
+                      {"--json", &a->json, "Write everything as JSON (- for standard output)"},
+                      {"--csv", &a->csv, "Write the rows as CSV"},
+                      {"--plot", &a->plot, "Draw the picture into this PNG or SVG"},
+                      {"--seed", &a->plan.seed, "Of the random hands that try to break it [1]"}},
+          .run = [a] { return accuracy(*a); }};
+}
+
+}  // namespace onggi::commands
