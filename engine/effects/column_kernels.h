@@ -6,15 +6,21 @@
 
 namespace onggi {
 
-/// What effects do to eight elements of many rows, one row after the other, with the same bits on
-/// all kinds of vectors: what a row takes from the last stays in registers, and nothing is set up
-/// for each. Arrays by row have an entry for each of `rows`, from the lowest up. Padding (clay.h)
-/// is left as it is. Any thread, no allocation.
+/// What effects do to some elements of many rows, one row after the other, with the same bits on
+/// all kinds of vectors: what a row takes from the last is at hand, and nothing is set up for each.
+/// Arrays by row have an entry for each of `rows`, from the lowest up; arrays to work with have all
+/// elements of each. Padding (clay.h) is left as it is. Any thread, no allocation.
 namespace column_kernels {
 
-/// Where the eight elements are: of stored row 0, and which stored row stands at each place.
+/// Eights of columns that are worked together: a few cache lines of each row, so that a fine grid's
+/// long rows are not gone through once for every eight; and few enough for what is carried from row
+/// to row to stay near.
+inline constexpr int kMostBlocks = 8;
+
+/// Where the elements are: of stored row 0, and which stored row stands at each place.
 struct Columns {
   bool outside = true;
+  int blocks = 1;  ///< Of eight elements side by side, 1..kMostBlocks.
   int rows = 0;
   int stride = 0;               ///< Floats from one stored row to the next.
   const int* stored = nullptr;  ///< Of each row.
@@ -31,7 +37,7 @@ struct Even {
   const float* flow = nullptr;     ///< To the row above, m; 0 of the last.
   const float* inverse = nullptr;  ///< Of Thomas' pivots.
   const float* up = nullptr;       ///< flow times inverse.
-  float* change = nullptr;         ///< Eight a row, to work with.
+  float* change = nullptr;         ///< To work with.
   double* gained = nullptr;        ///< Grows by what each row's squares of radii did.
   float* extent = nullptr;  ///< Of each row: the largest, or inside smallest, radius written.
 };
@@ -48,13 +54,13 @@ struct Drag {
   Columns at;
   int first = 0, end = 0;         ///< Rows that were pressed; those beyond may be dragged.
   int hollow_from = 0;            ///< Rows below have no other face.
-  float* moved = nullptr;         ///< Displacements of the eight elements, of stored row 0.
+  float* moved = nullptr;         ///< Displacements, of stored row 0.
   const float* fading = nullptr;  ///< Of each row, from the one below it.
   const Give* give = nullptr;     ///< Of each row; null: all are free.
   float along = 0.0f;             ///< As in FaceMove, and these: row_kernels.h.
   float near = 0.0f, far = 0.0f;
   float back_near = 0.0f, back_far = 0.0f;
-  float* more = nullptr;       ///< Eight a row, to work with.
+  float* more = nullptr;       ///< To work with.
   double* lost = nullptr;      ///< Grows by the squares of radii that each row lost.
   float* outermost = nullptr;  ///< Of each row, what was written: the largest
   float* innermost = nullptr;  ///< and the smallest radius.

@@ -14,157 +14,154 @@ ONGGI_INLINE float* in_row(float* column, const Columns& at, int k) {
   return column + static_cast<long>(at.stride) * at.stored[k];
 }
 
+ONGGI_INLINE float* of_row(float* eights, const Columns& at, int k) {
+  return eights + kLanes * at.blocks * k;
+}
+
 // Thomas' algorithm for the changes x of the squares of radii, which are q now:
 // (w_k + f_k + f_k-1) x_k - f_k x_k+1 - f_k-1 x_k-1 = f_k (q_k+1 - q_k) - f_k-1 (q_k - q_k-1).
 // Of differences floats keep their digits, and a column that is even stays so to the bit.
-ONGGI_INLINE void solve_column(const Even& c) {
-  Float8 radius = load(in_row(c.at.face, c.at, 0));
-  Float8 below = all(0.0f);  // what flowed in from the row below, before
-  Float8 change = all(0.0f);
+ONGGI_INLINE void solve_columns(const Even& c) {
+  Float8 radius[kMostBlocks];
+  Float8 below[kMostBlocks];  // what flowed in from the row below, before
+  Float8 change[kMostBlocks];
+  for (int b = 0; b < c.at.blocks; ++b) {
+    radius[b] = load(in_row(c.at.face, c.at, 0) + kLanes * b);
+    below[b] = change[b] = all(0.0f);
+  }
   float flow = 0.0f;
   for (int k = 0; k < c.at.rows; ++k) {
-    const Float8 next = k + 1 < c.at.rows ? load(in_row(c.at.face, c.at, k + 1)) : radius;
-    const Float8 above = all(c.flow[k]) * ((next - radius) * (next + radius));
-    change = ((above - below) + all(flow) * change) * all(c.inverse[k]);
-    store(change, c.change + kLanes * k);
+    const float* const next_row = in_row(c.at.face, c.at, k + 1 < c.at.rows ? k + 1 : k);
+    float* const changes = of_row(c.change, c.at, k);
+    const Float8 on = all(c.flow[k]);
+    const Float8 inverse = all(c.inverse[k]);
+    const Float8 in = all(flow);
+    for (int b = 0; b < c.at.blocks; ++b) {
+      const Float8 next = load(next_row + kLanes * b);
+      const Float8 above = on * ((next - radius[b]) * (next + radius[b]));
+      change[b] = ((above - below[b]) + in * change[b]) * inverse;
+      store(change[b], changes + kLanes * b);
+      below[b] = above;
+      radius[b] = next;
+    }
     flow = c.flow[k];
-    below = above;
-    radius = next;
   }
 }
 
-// Back down; what rounding left over is then taken from all of them, so that no clay is made of it.
-ONGGI_INLINE void end_column(const Even& c) {
-  Float8 change = all(0.0f);
-  Float8 over = all(0.0f);
+// Back down; what rounding left over is to be taken from all rows, so that no clay is made of it.
+ONGGI_INLINE void end_columns(const Even& c, Float8* over) {
+  Float8 change[kMostBlocks];
+  for (int b = 0; b < c.at.blocks; ++b) change[b] = over[b] = all(0.0f);
   for (int k = c.at.rows - 1; k >= 0; --k) {
-    change = load(c.change + kLanes * k) + all(c.up[k]) * change;
-    over = over + all(c.weight[k]) * change;
-    store(change, c.change + kLanes * k);
+    float* const changes = of_row(c.change, c.at, k);
+    const Float8 up = all(c.up[k]);
+    const Float8 weight = all(c.weight[k]);
+    for (int b = 0; b < c.at.blocks; ++b) {
+      change[b] = load(changes + kLanes * b) + up * change[b];
+      over[b] = over[b] + weight * change[b];
+      store(change[b], changes + kLanes * b);
+    }
   }
-  over = over * all(c.per_weight);
-  for (int k = 0; k < c.at.rows; ++k)
-    store(load(c.change + kLanes * k) - over, c.change + kLanes * k);
+  for (int b = 0; b < c.at.blocks; ++b) over[b] = over[b] * all(c.per_weight);
 }
 
 // A column where the wall would get too thin goes only as far as it may, all of it alike: then it
 // has lost nothing, and is still between what it was and what it would be.
 template <bool outside>
-ONGGI_INLINE Float8 share_of_column(const Even& c) {
+ONGGI_INLINE void share_columns(const Even& c, const Float8* over, Float8* share) {
   const Float8 zero = all(0.0f);
   const Float8 one = all(1.0f);
   const Float8 wall = all(c.at.wall_min);
-  Float8 share = one;
+  for (int b = 0; b < c.at.blocks; ++b) share[b] = one;
   for (int k = 0; k < c.at.rows; ++k) {
-    const Float8 change = load(c.change + kLanes * k);
-    const Float8 radius = load(in_row(c.at.face, c.at, k));
-    const Float8 back = load(in_row(c.at.other, c.at, k));
-    const Float8 limit = outside ? back + wall : larger(back - wall, zero);
-    const Float8 room = (limit - radius) * (limit + radius);
-    const Mask8 beyond = (outside ? change < room : change > room) & real(radius);
-    if (none(beyond)) continue;
-    const Float8 part = select(abs(change) > zero, room / change, zero);
-    share = smaller(share, select(beyond, larger(part, zero), one));
+    const float* const changes = of_row(c.change, c.at, k);
+    const float* const face = in_row(c.at.face, c.at, k);
+    const float* const other = in_row(c.at.other, c.at, k);
+    for (int b = 0; b < c.at.blocks; ++b) {
+      const Float8 change = load(changes + kLanes * b) - over[b];
+      const Float8 radius = load(face + kLanes * b);
+      const Float8 back = load(other + kLanes * b);
+      const Float8 limit = outside ? back + wall : larger(back - wall, zero);
+      const Float8 room = (limit - radius) * (limit + radius);
+      const Mask8 beyond = (outside ? change < room : change > room) & real(radius);
+      if (none(beyond)) continue;
+      const Float8 part = select(abs(change) > zero, room / change, zero);
+      share[b] = smaller(share[b], select(beyond, larger(part, zero), one));
+    }
   }
-  return share;
 }
 
 template <bool outside>
-ONGGI_INLINE bool even_column_as(const Even& c) {
-  solve_column(c);
-  end_column(c);
-  const Float8 share = share_of_column<outside>(c);
-  const Float8 none_yet = all(outside ? 0.0f : 1e9f);
+ONGGI_INLINE bool even_columns_as(const Even& c) {
+  Float8 over[kMostBlocks];
+  Float8 share[kMostBlocks];
+  solve_columns(c);
+  end_columns(c, over);
+  share_columns<outside>(c, over, share);
   bool changed = false;
   for (int k = 0; k < c.at.rows; ++k) {
+    const float* const changes = of_row(c.change, c.at, k);
     float* const face = in_row(c.at.face, c.at, k);
-    const Float8 before = load(face);
-    const Float8 change = share * load(c.change + kLanes * k);
-    const Float8 root = sqrt(larger(before * before + change, all(0.0f)));
-    const Mask8 there = real(before);
-    const Float8 then = select(there, before + change / (before + root), before);
-    if (none((then < before) | (then > before))) continue;
+    Float8 gained = all(0.0f);
+    Float8 most = all(0.0f);
+    Float8 reach = all(outside ? 0.0f : 1e9f);
+    for (int b = 0; b < c.at.blocks; ++b) {
+      const Float8 before = load(face + kLanes * b);
+      const Float8 change = share[b] * (load(changes + kLanes * b) - over[b]);
+      const Float8 root = sqrt(larger(before * before + change, all(0.0f)));
+      const Mask8 there = real(before);
+      const Float8 then = select(there, before + change / (before + root), before);
+      store(then, face + kLanes * b);
+      most = larger(abs(then - before), most);
+      gained = gained + only(there, (then - before) * (then + before));
+      reach =
+          outside ? larger(only(there, then), reach) : smaller(select(there, then, reach), reach);
+    }
+    if (none(most > all(0.0f))) continue;
     changed = true;
-    store(then, face);
-    c.gained[k] += static_cast<double>(sum(only(there, (then - before) * (then + before))));
-    const Float8 reach = select(there, then, none_yet);
+    c.gained[k] += static_cast<double>(sum(gained));
     const float farthest = outside ? largest(reach) : smallest(reach);
     if (outside ? farthest > c.extent[k] : farthest < c.extent[k]) c.extent[k] = farthest;
   }
   return changed;
 }
 
-bool even_column(const Even& work) {
-  return work.at.outside ? even_column_as<true>(work) : even_column_as<false>(work);
+bool even_columns(const Even& work) {
+  return work.at.outside ? even_columns_as<true>(work) : even_columns_as<false>(work);
 }
 
 // The strongest pull of the rows behind, each element's for itself: as it was there, and faded by e
 // to the distance over the reach.
 struct Pull {
-  Float8 source = all(0.0f), carried = all(0.0f);
+  Float8 source[kMostBlocks], carried[kMostBlocks];
 
-  // What a row follows beyond what it moved by itself.
-  ONGGI_INLINE Float8 on(Float8 moved, float faded, Mask8& follows, Float8& now) {
-    const Float8 weaker = carried * all(faded);
-    const Float8 pulled = (weaker - all(kOff) * source) * all(kScale);
-    follows = pulled > moved;
-    carried = select(follows, weaker, moved);
-    source = select(follows, source, moved);
-    now = select(follows, pulled, moved);
+  ONGGI_INLINE explicit Pull(int blocks) {
+    for (int b = 0; b < blocks; ++b) source[b] = carried[b] = all(0.0f);
+  }
+  // What eight elements follow beyond what they moved by themselves; `own` grows by it.
+  ONGGI_INLINE Float8 on(int b, Float8 faded, float* own) {
+    const Float8 moved = load(own);
+    const Float8 weaker = carried[b] * faded;
+    const Float8 pulled = (weaker - all(kOff) * source[b]) * all(kScale);
+    const Mask8 follows = pulled > moved;
+    carried[b] = select(follows, weaker, moved);
+    source[b] = select(follows, source[b], moved);
+    store(select(follows, pulled, moved), own);
     return only(follows, pulled - moved);
   }
 };
 
-// Up, from the lowest pressed row. Above them nothing moved by itself, and a pull only fades: where
-// it drags nothing, it will drag nothing farther up. Gives the row after the last that it looked
-// at.
-ONGGI_INLINE int drag_up(const Drag& d) {
-  Pull pull;
-  int k = d.first;
-  for (; k < d.at.rows; ++k) {
-    float* const own = in_row(d.moved, d.at, k);
-    Mask8 follows;
-    Float8 now;
-    const Float8 extra = pull.on(load(own), k > d.first ? d.fading[k] : 0.0f, follows, now);
-    store(extra, d.more + kLanes * k);
-    if (!none(follows)) {
-      store(now, own);
-    } else if (k >= d.end) {
-      return k + 1;
-    }
-  }
-  return k;
-}
-
-// And down. Gives the last row that it looked at.
-ONGGI_INLINE int drag_down(const Drag& d) {
-  Pull pull;
-  for (int k = d.end - 1; k >= 0; --k) {
-    float* const own = in_row(d.moved, d.at, k);
-    float* const more = d.more + kLanes * k;
-    Mask8 follows;
-    Float8 now;
-    const Float8 extra = pull.on(load(own), k + 1 < d.end ? d.fading[k + 1] : 0.0f, follows, now);
-    if (k < d.first) store(extra, more);
-    if (none(follows)) {
-      if (k < d.first) return k;
-      continue;
-    }
-    store(now, own);
-    if (k >= d.first) store(load(more) + extra, more);
-  }
-  return 0;
-}
-
 template <bool outside, bool hollow>
-ONGGI_INLINE void move_in_row(const Drag& d, int k, Float8 way) {
+ONGGI_INLINE void move_row_as(const Drag& d, int k, const float* ways) {
   const bool firm = d.give != nullptr && d.give[k] == Give::firm;
   const row_kernels::FaceMove how{outside,     hollow,        d.near,
                                   d.far,       d.at.wall_min, firm ? 1.0f : d.along,
                                   d.back_near, d.back_far};
+  float* const face = in_row(d.at.face, d.at, k);
+  float* const other = in_row(d.at.other, d.at, k);
   MovedLanes sums;
-  move_lanes<outside, hollow>(how, way, in_row(d.at.face, d.at, k), in_row(d.at.other, d.at, k),
-                              sums);
+  for (int i = 0; i < kLanes * d.at.blocks; i += kLanes)
+    move_lanes<outside, hollow>(how, load(ways + i), face + i, other + i, sums);
   const row_kernels::FaceMoved moved = sums.all_of_them();
   d.lost[k] += static_cast<double>(moved.lost);
   if (moved.outermost > d.outermost[k]) d.outermost[k] = moved.outermost;
@@ -172,27 +169,69 @@ ONGGI_INLINE void move_in_row(const Drag& d, int k, Float8 way) {
 }
 
 template <bool outside>
-ONGGI_INLINE Dragged drag_column_as(const Drag& d) {
-  const int to = drag_up(d);
-  const int from = drag_down(d);
-  for (int k = from; k < to; ++k) {
-    const Float8 way = load(d.more + kLanes * k);
-    if (none(way > all(0.0f)) || (d.give != nullptr && d.give[k] == Give::rigid)) continue;
-    // Solid rows have no other face, and from inside none at all.
-    if (!outside || k >= d.hollow_from)
-      move_in_row<outside, true>(d, k, way);
-    else
-      move_in_row<true, false>(d, k, way);
-  }
-  return {from, to};
+ONGGI_INLINE void move_row(const Drag& d, int k, const float* ways) {
+  if (d.give != nullptr && d.give[k] == Give::rigid) return;
+  // Solid rows have no other face, and from inside none at all.
+  if (!outside || k >= d.hollow_from)
+    move_row_as<outside, true>(d, k, ways);
+  else
+    move_row_as<true, false>(d, k, ways);
 }
 
-Dragged drag_column(const Drag& work) {
-  return work.at.outside ? drag_column_as<true>(work) : drag_column_as<false>(work);
+// Up, from the lowest pressed row. Above them nothing moved by itself, and a pull only fades: where
+// it drags nothing, it will drag nothing farther up. Gives the row after the last that moved.
+template <bool outside>
+ONGGI_INLINE int drag_up(const Drag& d) {
+  Pull pull(d.at.blocks);
+  for (int k = d.first; k < d.at.rows; ++k) {
+    float* const own = in_row(d.moved, d.at, k);
+    float* const more = of_row(d.more, d.at, k < d.end ? k : d.end);
+    const Float8 faded = all(k > d.first ? d.fading[k] : 0.0f);
+    Float8 most = all(0.0f);
+    for (int i = 0, b = 0; b < d.at.blocks; ++b, i += kLanes) {
+      const Float8 extra = pull.on(b, faded, own + i);
+      store(extra, more + i);
+      most = larger(extra, most);
+    }
+    if (k < d.end) continue;
+    if (none(most > all(0.0f))) return k;
+    move_row<outside>(d, k, more);
+  }
+  return d.at.rows;
+}
+
+// And down, where rows move by what both ways came to. Gives the last row that moved.
+template <bool outside>
+ONGGI_INLINE int drag_down(const Drag& d) {
+  Pull pull(d.at.blocks);
+  for (int k = d.end - 1; k >= 0; --k) {
+    float* const own = in_row(d.moved, d.at, k);
+    float* const more = of_row(d.more, d.at, k);
+    const Float8 faded = all(k + 1 < d.end ? d.fading[k + 1] : 0.0f);
+    const bool pressed = k >= d.first;
+    Float8 most = all(0.0f);
+    for (int i = 0, b = 0; b < d.at.blocks; ++b, i += kLanes) {
+      const Float8 extra = pull.on(b, faded, own + i);
+      const Float8 both = pressed ? load(more + i) + extra : extra;
+      store(both, more + i);
+      most = larger(both, most);
+    }
+    if (!none(most > all(0.0f)))
+      move_row<outside>(d, k, more);
+    else if (!pressed)
+      return k + 1;
+  }
+  return 0;
+}
+
+Dragged drag_columns(const Drag& work) {
+  const bool outside = work.at.outside;
+  const int to = outside ? drag_up<true>(work) : drag_up<false>(work);
+  return {outside ? drag_down<true>(work) : drag_down<false>(work), to};
 }
 
 }  // namespace
 
-extern const column_kernels::Table kColumnKernels{even_column, drag_column};
+extern const column_kernels::Table kColumnKernels{even_columns, drag_columns};
 
 }  // namespace onggi::ONGGI_LANES

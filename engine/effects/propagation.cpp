@@ -33,7 +33,7 @@ Propagation::Propagation(int rows) {
   const auto n = static_cast<std::size_t>(rows);
   for (std::vector<float>* part : {&fading_, &outermost_, &innermost_}) part->resize(n);
   give_.resize(n);
-  more_.resize(static_cast<std::size_t>(Displacements::kBlock) * n);
+  more_.resize(column_kernels::kMostBlocks * Displacements::kBlock * n);
   lost_.resize(n);
 }
 
@@ -81,7 +81,7 @@ void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
   const row_kernels::FaceMove limits = limits_of(clay, side, along);
   float* const outer = clay.stored_outer(0);
   float* const inner = clay.stored_inner(0);
-  column_kernels::Drag work{{outside, count, clay.stride(), clay.stored().data() + low, nullptr,
+  column_kernels::Drag work{{outside, 0, count, clay.stride(), clay.stored().data() + low, nullptr,
                              nullptr, limits.wall_min},
                             displacements.first_row() - low,
                             displacements.end_row() - low,
@@ -101,8 +101,9 @@ void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
   const column_kernels::Table& kernels = column_kernels::of(clay.vectors());
   column_kernels::Dragged reached{count, 0};
   for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
-    for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock;
-         i += Displacements::kBlock) {
+    for (int block = run.begin; block < run.end; block += column_kernels::kMostBlocks) {
+      const int i = block * Displacements::kBlock;
+      work.at.blocks = std::min(run.end - block, column_kernels::kMostBlocks);
       work.at.face = (outside ? outer : inner) + i;
       work.at.other = (outside ? inner : outer) + i;
       work.moved = displacements.row(0) + i;

@@ -20,7 +20,7 @@ Smoothing::Smoothing(int rows) {
   const auto n = static_cast<std::size_t>(rows);
   gained_.resize(n);
   for (std::vector<float>* part : {&weight_, &flow_, &up_, &inverse_, &extent_}) part->resize(n);
-  change_.resize(static_cast<std::size_t>(Displacements::kBlock) * n);
+  change_.resize(column_kernels::kMostBlocks * Displacements::kBlock * n);
 }
 
 void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double bottom, double top,
@@ -54,8 +54,8 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
   }
   float* const outer = clay.stored_outer(0);
   float* const inner = clay.stored_inner(0);
-  column_kernels::Even work{{outside, count, clay.stride(), clay.stored().data() + first, nullptr,
-                             nullptr, static_cast<float>(clay.def().wall_min)},
+  column_kernels::Even work{{outside, 0, count, clay.stride(), clay.stored().data() + first,
+                             nullptr, nullptr, static_cast<float>(clay.def().wall_min)},
                             weight_.data(),
                             static_cast<float>(1.0 / total),
                             flow_.data(),
@@ -67,8 +67,9 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
   const column_kernels::Table& kernels = column_kernels::of(clay.vectors());
   bool changed = false;
   for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))
-    for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock;
-         i += Displacements::kBlock) {
+    for (int block = run.begin; block < run.end; block += column_kernels::kMostBlocks) {
+      const int i = block * Displacements::kBlock;
+      work.at.blocks = std::min(run.end - block, column_kernels::kMostBlocks);
       work.at.face = (outside ? outer : inner) + i;
       work.at.other = (outside ? inner : outer) + i;
       changed |= kernels.even(work);
