@@ -24,5 +24,6 @@ Command import_command();
 
 /// Of `onggi lab`.
 Command accuracy_command();
+Command tune_command();
 
 }  // namespace onggi::commands

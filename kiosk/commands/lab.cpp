@@ -166,13 +166,13 @@ Command timing_command() {
 }  // namespace
 
 Command lab_command() {
-  return {
-      .name = "lab",
-      .help = "Measure the engine on this machine",
-      .examples =
-          "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
-          "         onggi lab timing",
-      .commands = {accuracy_command(), effects_command(), stability_command(), timing_command()}};
+  return {.name = "lab",
+          .help = "Measure the engine on this machine",
+          .examples =
+              "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
+              "         onggi lab timing",
+          .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
+                       tune_command()}};
 }
 
 }  // namespace onggi::commands

@@ -50,9 +50,10 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
   kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
                                           *kiosk->scenes_, kiosk->exhibit_.reader);
-  kiosk->keepsakes_ =
-      std::make_unique<Keepsakes>(options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder),
-                                  kiosk->exhibit_.keepsake.quota_mb);
+  const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
+  // A stepped visit is the same wherever it is made: its grids are the scenes' own.
+  if (!options.stepped) kiosk->scenes_->tune(kept_in);
+  kiosk->keepsakes_ = std::make_unique<Keepsakes>(kept_in, kiosk->exhibit_.keepsake.quota_mb);
   auto renderer = render::Renderer::create(options.window);
   if (!renderer) return tl::unexpected(renderer.error());
   kiosk->renderer_ = std::move(*renderer);
@@ -152,6 +153,7 @@ bool Kiosk::frame(double now, bool draw) {
     return open;
   }
 
+  scenes_->take_up_tuned();
   potter_->collect();
   renderer_->update_clay(potter_->view().clay);
   note_saved();

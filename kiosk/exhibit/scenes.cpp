@@ -8,33 +8,85 @@
 #include "kiosk/exhibit/log.h"
 #include "kiosk/settings/scene_file.h"
 #include "kiosk/settings/toml_reader.h"
+#include "kiosk/tuning/grid_memory.h"
+#include "kiosk/tuning/machine.h"
 
 namespace onggi::exhibit {
 namespace {
 
 constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
 
-SceneDef read(const std::filesystem::path& file, double force) {
-  settings::SceneRead scene = settings::read_scene(file);
-  log_problems(scene.problems);
-  scene.def.guard.max_force *= force;
-  return std::move(scene.def);
-}
-
 }  // namespace
 
-Scenes::Scenes(const settings::Exhibit& exhibit)
-    : exhibits_(read(exhibit.scene, exhibit.screen.force)),
-      attract_scripts_(exhibit.attract_scripts) {
+Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attract_scripts) {
+  take(exhibit, exhibits_, exhibit.scene);
   bool fires = exhibits_.kiln.has_value();
   for (const auto& [id, file] : exhibit.vessel_scenes) {
-    const auto own = vessels_.emplace(id, read(file, exhibit.screen.force)).first;
-    fires = fires || own->second.kiln;
+    SceneDef& own = vessels_[id];
+    take(exhibit, own, file);
+    fires = fires || own.kiln;
   }
   if (!fires) return;
   auto glazes = content::read_glazes(exhibit.glazes, exhibit.languages);
   log_problems(glazes.problems);
   glazes_ = std::move(glazes.glazes);
+}
+
+Scenes::~Scenes() = default;
+
+void Scenes::take(const settings::Exhibit& exhibit, SceneDef& def,
+                  const std::filesystem::path& file) {
+  settings::SceneRead scene = settings::read_scene(file);
+  log_problems(scene.problems);
+  def = std::move(scene.def);
+  def.guard.max_force *= exhibit.screen.force;
+  if (scene.auto_quality) to_tune_.push_back({&def, file, {}});
+}
+
+void Scenes::tune(const std::filesystem::path& folder, const tuning::TunePlan& plan) {
+  if (to_tune_.empty()) return;
+  plan_ = plan;
+  machine_ = tuning::machine_name();
+  std::erase_if(to_tune_, [&](ToTune& scene) {
+    const auto memory = tuning::memory_of(folder, scene.file, machine_);
+    if (!memory) return log_problem(memory.error()), true;
+    scene.memory = *memory;
+    const auto grid = tuning::remembered(*memory);
+    if (!grid) return false;
+    scene.def->clay.rows = grid->rows;
+    scene.def->clay.sectors = grid->sectors;
+    log_line(scene.file.filename().string() + ", as found here before: " + tuning::words_of(*grid));
+    return true;
+  });
+  tune_next();
+}
+
+void Scenes::tune_next() {
+  tuner_.reset();
+  if (to_tune_.empty()) return;
+  log_line("Looking for the grid of " + to_tune_.front().file.filename().string() +
+           " on this machine, in the background.");
+  tuner_ = std::make_unique<tuning::BackgroundTuner>(to_tune_.front().file.stem().string(),
+                                                     *to_tune_.front().def, plan_);
+}
+
+void Scenes::take_up_tuned() {
+  if (!tuner_) return;
+  const auto found = tuner_->take();
+  if (!found) return;
+  const ToTune scene = to_tune_.front();
+  to_tune_.erase(to_tune_.begin());
+  if (*found) {
+    scene.def->clay.rows = (*found)->rows;
+    scene.def->clay.sectors = (*found)->sectors;
+    log_line(scene.file.filename().string() +
+             ", from the next pot on: " + tuning::words_of(**found));
+    if (const auto kept = tuning::remember(scene.memory, **found, machine_); !kept)
+      log_problem(kept.error());
+  } else {
+    log_problem(found->error());
+  }
+  tune_next();
 }
 
 const SceneDef& Scenes::of(const std::string& id) const {

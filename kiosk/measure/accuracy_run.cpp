@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
 #include <future>
-#include <thread>
 
-#include "engine/lab/scene_work.h"
 #include "engine/lab/trial_run.h"
 #include "engine/math/portable.h"
 #include "kiosk/measure/accuracy_orders.h"
 #include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scene_presets.h"
+#include "kiosk/tuning/machine.h"
+#include "kiosk/tuning/scene_bench.h"
 
 namespace onggi::measure {
 namespace {
@@ -109,64 +108,12 @@ AccuracyPot pot_of(const lab::AccuracyScript& vase, const lab::FaceGrid& truth,
   return pot;
 }
 
-double mean_force(const lab::SceneOutcome& outcome) {
-  double sum = 0.0;
-  long count = 0;
-  for (const Vec3& force : outcome.force) {
-    if (length(force) < 1e-6) continue;
-    sum += length(force);
-    ++count;
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
 }  // namespace
-
-Result<std::vector<lab::AccuracyRow>> measure_preset(const std::string& name, const SceneDef& def,
-                                                     const std::vector<std::array<int, 2>>& grids,
-                                                     int truth_rows, double truth_tick,
-                                                     int passes) {
-  std::vector<lab::AccuracyRow> rows;
-  for (const lab::SceneWork& work : lab::scene_works(name, def)) {
-    const auto truth = lab::outcome_of(work, truth_tick, truth_rows);
-    if (!truth) return tl::unexpected(truth.error());
-    for (const auto& grid : grids) {
-      lab::SceneWork on_grid = work;
-      on_grid.def.clay.rows = grid[0];
-      on_grid.def.clay.sectors = grid[1];
-      lab::AccuracyRow row;
-      row.script = work.name;
-      row.setting.rows = grid[0];
-      row.setting.sectors = grid[1];
-      std::vector<double> least;
-      for (int pass = 0; pass < passes; ++pass) {
-        auto outcome = lab::outcome_of(on_grid, 1e-3, grid[0], thread_us);
-        if (!outcome) return tl::unexpected(outcome.error());
-        if (pass == 0) {
-          const lab::Apart off = lab::apart(*outcome, *truth);
-          row.errors = {off.shape, off.shape_max, off.force,
-                        lab::volume_apart(*outcome, *truth, def.clay)};
-          row.mean_force = mean_force(*outcome);
-          row.true_force = mean_force(*truth);
-          least = std::move(outcome->tick_us);
-          continue;
-        }
-        for (std::size_t n = 0; n < std::min(least.size(), outcome->tick_us.size()); ++n)
-          least[n] = std::min(least[n], outcome->tick_us[n]);
-      }
-      row.p50 = lab::percentile(least, 0.5);
-      row.p999 = lab::percentile(least, 0.999);
-      row.worst = lab::percentile(std::move(least), 1.0);
-      rows.push_back(std::move(row));
-    }
-  }
-  return rows;
-}
 
 Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* told) {
   AccuracyReport report;
   report.plan = plan;
-  report.machine = machine_name();
+  report.machine = tuning::machine_name();
   auto scenes = read_presets();
   if (!scenes) return tl::unexpected(scenes.error());
   // The printed model is in every script already, without its filter.
@@ -188,7 +135,7 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
       if (!lab::can_work(scripts[n], setting)) continue;
       const int passes = plan.passes(setting);
       report.rows.push_back(
-          lab::measure_accuracy(scripts[n], truths[n].truth, setting, thread_us, passes));
+          lab::measure_accuracy(scripts[n], truths[n].truth, setting, tuning::thread_us, passes));
       teller.done(work_of(scripts[n], setting, passes),
                   scripts[n].name + ", " + lab::name_of(setting.model) + " on " +
                       std::to_string(setting.rows) + " x " + std::to_string(setting.sectors));
@@ -196,10 +143,14 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
   report.settings = lab::summaries(report.rows);
   report.edge = lab::pareto_edge(report.settings);
   for (const ScenePreset& preset : *scenes) {
-    auto rows = measure_preset(preset.name, preset.def, plan.preset_grids(),
-                               plan.preset_truth_rows(), plan.preset_truth_tick(), 5);
-    if (!rows) return tl::unexpected(rows.error());
-    report.rows.insert(report.rows.end(), rows->begin(), rows->end());
+    const auto bench = tuning::SceneBench::create(preset.name, preset.def, plan.preset_truth_rows(),
+                                                  plan.preset_truth_tick());
+    if (!bench) return tl::unexpected(bench.error());
+    for (const auto& grid : plan.preset_grids()) {
+      const auto rows = bench->rows(grid, 5);
+      if (!rows) return tl::unexpected(rows.error());
+      report.rows.insert(report.rows.end(), rows->begin(), rows->end());
+    }
     teller.done(preset_work, preset.name);
   }
   for (const Model model : {Model::shipped, Model::printed})
@@ -234,17 +185,6 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
     }
   report.seconds = teller.seconds();
   return report;
-}
-
-std::string machine_name() {
-  std::ifstream file("/proc/cpuinfo");
-  std::string line, name = "an unknown processor";
-  while (std::getline(file, line))
-    if (line.starts_with("model name")) {
-      name = line.substr(std::min(line.find(':') + 2, line.size()));
-      break;
-    }
-  return name + ", " + std::to_string(std::max(1u, std::thread::hardware_concurrency())) + " cores";
 }
 
 }  // namespace onggi::measure

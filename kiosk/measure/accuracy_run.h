@@ -53,12 +53,4 @@ struct AccuracyReport {
 /// preset is no scene.
 Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* told);
 
-/// The rows of one preset, on `grids`, by its own finest self: `script` is its name.
-Result<std::vector<lab::AccuracyRow>> measure_preset(const std::string& name, const SceneDef& def,
-                                                     const std::vector<std::array<int, 2>>& grids,
-                                                     int truth_rows, double truth_tick, int passes);
-
-/// The processor's name and how many cores there are.
-std::string machine_name();
-
 }  // namespace onggi::measure

@@ -5,9 +5,6 @@ namespace onggi::measure {
 /// Seconds on CLOCK_MONOTONIC: never goes back, whatever happens to the wall clock.
 double monotonic_seconds();
 
-/// Microseconds that the calling thread has worked: what else the machine does is not in it.
-double thread_us();
-
 /// Seconds since this process began to exist (exec), from /proc; 10 ms fine. 0 when that cannot be
 /// read.
 double since_exec_seconds();

@@ -23,6 +23,7 @@ class SceneReader {
   SceneReader(TomlReader& reader, SceneDef& def) : root_(reader.root()), def_(def) {}
 
   void read() {
+    read_quality();
     read_clay(def_.clay);
     read_table("tool", [&] { number("radius", def_.tool.radius); });
     for (ToolToHand& tool : def_.tools) read_tool(tool);
@@ -62,6 +63,8 @@ class SceneReader {
     root_.finish();
   }
 
+  bool auto_quality() const { return auto_quality_; }
+
   /// Asks the engine until it has nothing more to say; each field it refuses is told at its line
   /// and goes back to its default.
   void check() {
@@ -77,6 +80,14 @@ class SceneReader {
   }
 
  private:
+  void read_quality() {
+    std::string word;
+    if (!root_.text("quality", word)) return;
+    auto_quality_ = word == "auto";
+    if (!auto_quality_ && word != "fixed")
+      root_.complain("quality", "\"" + word + "\" is no quality.",
+                     "Write \"auto\", and the grid is found here, or \"fixed\".");
+  }
   void read_clay(ClayDef& clay) {
     read_table("clay", [&] {
       integer("rows", clay.rows);
@@ -188,6 +199,7 @@ class SceneReader {
 
   Table root_, table_;
   SceneDef& def_;
+  bool auto_quality_ = false;
   std::string name_;
   std::map<std::string, std::function<void()>> put_back_;  // by "table.key"
 };
@@ -201,6 +213,7 @@ SceneRead read_scene(const std::filesystem::path& file) {
     SceneReader scene(reader, read.def);
     scene.read();
     scene.check();
+    read.auto_quality = scene.auto_quality() && !read.def.paper;
   }
   read.problems = reader.problems();
   read.keys_checked = reader.keys_checked();

@@ -12,6 +12,10 @@ struct SceneRead {
   SceneDef def;
   std::vector<Problem> problems;  ///< With file, line and column, in file order.
   int keys_checked = 0;
+  /// quality = "auto": the grid is to be found on the machine that the scene runs on
+  /// (kiosk/tuning); until it is, clay.rows and clay.sectors hold. Never of the printed model's
+  /// scenes.
+  bool auto_quality = false;
 };
 
 /// Reads a scene: tables [clay] [tool] [contact] [wheel] [guard], whose keys are SceneDef's own,

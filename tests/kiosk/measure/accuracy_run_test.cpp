@@ -78,25 +78,5 @@ TEST(AccuracyOrders, InTheTickTheMiddleRuleIsOfSecondOrderAndThePrintedOneOfNone
   EXPECT_FALSE(tick_orders(script, law, AccuracyPlan::kRates).back().order.asymptotic);
 }
 
-TEST(AccuracyRun, APresetComesNearerToItsFinestSelfOnFinerGrids) {
-  const auto rows =
-      measure_preset("bare", lab::accuracy_scripts()[0].def, {{50, 45}, {200, 180}}, 400, 1e-3, 2);
-  ASSERT_TRUE(rows);
-  ASSERT_EQ(rows->size(), 4u);  // one hand, and two
-  for (const std::size_t n : {0u, 2u}) {
-    EXPECT_LT((*rows)[n + 1].errors.shape_rms, 0.3 * (*rows)[n].errors.shape_rms);
-    EXPECT_GT((*rows)[n].p999, 0.0);
-    EXPECT_GE((*rows)[n].worst, (*rows)[n].p999);
-    EXPECT_GE((*rows)[n].p999, (*rows)[n].p50);
-  }
-  SceneDef none;
-  none.clay.height = -1.0;
-  EXPECT_FALSE(measure_preset("none", none, {{50, 45}}, 100, 1e-3, 1));
-}
-
-TEST(AccuracyRun, TheMachineHasANameAndCores) {
-  EXPECT_NE(machine_name().find("core"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace onggi::measure

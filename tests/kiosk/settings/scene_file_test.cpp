@@ -160,6 +160,17 @@ TEST(scene, an_effect_beside_the_papers_model_is_told_and_left_out) {
   EXPECT_TRUE(validate(r.def));
 }
 
+TEST(scene, quality_is_auto_or_fixed_and_never_of_the_printed_model) {
+  EXPECT_TRUE(read("quality = \"auto\"\n[clay]\nrows = 200\n").auto_quality);
+  EXPECT_EQ(read("quality = \"auto\"\n[clay]\nrows = 200\n").def.clay.rows, 200);
+  EXPECT_FALSE(read("").auto_quality);
+  EXPECT_FALSE(read("quality = \"fixed\"\n").auto_quality);
+  EXPECT_FALSE(read("quality = \"auto\"\n[paper]\n").auto_quality);
+  const SceneRead wrong = read("quality = \"best\"\n");
+  ASSERT_THAT(wrong.problems, SizeIs(1));
+  EXPECT_NE(wrong.problems[0].remedy.find("auto"), std::string::npos);
+}
+
 TEST(scene, every_number_is_read_into_its_own_field) {
   const SceneRead r = read(R"([clay]
 rows = 100
