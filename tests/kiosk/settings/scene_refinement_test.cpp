@@ -18,7 +18,7 @@ SceneDef shipped(const std::string& name) {
 TEST(SceneRefinement, APotIsTheSameAtAnyTickAndOnAnyGridInEveryScene) {
   for (const char* name : {"first_touch", "studio", "master"})
     for (const refinement::Work& work : refinement::scene_works(name, shipped(name)))
-      for (const Refined& r : {refine_ticks(work), refine_grids(work)}) {
+      for (const Refined& r : {refinement::refine_ticks(work), refinement::refine_grids(work)}) {
         EXPECT_TRUE(r.order.shape > 0.9 || r.finest.shape < refinement::kFloor.shape) << work.name;
         EXPECT_TRUE(r.order.force > 0.9 || r.finest.force < refinement::kFloor.force) << work.name;
         EXPECT_TRUE(r.order.impulse > 0.9 || r.finest.impulse < refinement::kFloor.impulse)
@@ -29,8 +29,8 @@ TEST(SceneRefinement, APotIsTheSameAtAnyTickAndOnAnyGridInEveryScene) {
 
 TEST(SceneRefinement, ThePrintedModelIsAnotherAtEveryTickAndOnEveryGrid) {
   for (const refinement::Work& work : refinement::scene_works("paper", shipped("paper"))) {
-    EXPECT_GT(refine_ticks(work).impulse_off, 0.5);
-    EXPECT_GT(refine_grids(work).impulse_off, 0.5);
+    EXPECT_GT(refinement::refine_ticks(work).impulse_off, 0.5);
+    EXPECT_GT(refinement::refine_grids(work).impulse_off, 0.5);
   }
 }
 
