@@ -59,6 +59,13 @@ constexpr ToolShape kTools[] = {
      .hold = {.along = {0.8, 0.6, 0.0}, .across = kTurn},
      .relaxation = 0.2,
      .cuts = true},
+    // The soft side of a hand, laid to the wall: broad, so that what it passes over stays even.
+    {.name = "palm",
+     .body = BodyKind::ball,
+     .usual = {.radius = 0.018},
+     .least = {.radius = 0.01},
+     .most = {.radius = 0.05},
+     .smooths = true},
     // The paper's own tool (Lee, Han & Choi 2008).
     {.name = "sphere",
      .body = BodyKind::ball,
