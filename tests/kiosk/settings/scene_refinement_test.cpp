@@ -7,6 +7,8 @@
 namespace onggi::settings {
 namespace {
 
+using refinement::refine_grids;
+using refinement::refine_ticks;
 using refinement::Refined;
 
 SceneDef shipped(const std::string& name) {
