@@ -1,64 +1,123 @@
 #include "kiosk/device/pointer_lead.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace onggi::device {
 
 namespace {
-constexpr double kFurthest = 0.25;  // Metres from the axis: clear of any clay.
+constexpr double kFurthest = 0.25;    // m from the axis: clear of any clay
+constexpr double kSettingDown = 0.3;  // s: clay is met at any moment
+
+double seconds_to(double reach, double height, double press, double rise) {
+  return std::max(std::abs(reach) / press, std::abs(height) / rise);
+}
+}  // namespace
+
+PointerLead::At PointerLead::within(At at) const {
+  return {std::clamp(at.reach, 0.0, kFurthest), std::clamp(at.height, lowest_, highest_)};
 }
 
-void PointerLead::touch(const ClayView& clay, WallSide face, double height) {
-  face_ = face;
-  lowest_ = tool_radius_ * 0.3;
-  // Inside, the floor is as low as a hand can go.
-  if (face == WallSide::inside) lowest_ += clay.floor_top();
-  highest_ = std::max(lowest_, clay.rim_height() + tool_radius_);
-  height_ = std::clamp(height, lowest_, highest_);
-  const double wall = clay.radius_at(height_, face);
-  radius_ = std::max(0.0, face == WallSide::outside ? wall + tool_radius_ : wall - tool_radius_);
+void PointerLead::touch(const ClayView& clay, Grip grip, double height) {
+  hold_.take(clay, grip, height);
+  drawn_.clear();
   active_ = true;
+  grabbed_ = finishing_ = false;
+  down_for_ = 0;
+  lowest_ = hold_.lowest(clay);
+  highest_ = hold_.highest(clay);
+  at_ = within({0, height});
+  at_.reach = hold_.face(clay, at_.height);
+  hands_ = hold_.stand(clay, at_.reach, at_.height);
 }
 
-void PointerLead::grab(Vec2 at, const ClayView& clay, WallSide face) {
+void PointerLead::grab(Vec2 at, const ClayView& clay, Grip grip) {
   sign_ = at.x < 0 ? -1 : 1;
-  grab_x_ = at.x;
-  touch(clay, face, at.y);
+  touch(clay, grip, at.y);
   grabbed_ = true;
+  scrolled_ = 0;
+  drag(at);
 }
 
 void PointerLead::drag(Vec2 at) {
-  if (!grabbed_) return;
-  radius_ += sign_ * (at.x - grab_x_);
-  grab_x_ = at.x;
-  height_ = at.y;
-  clamp();
+  if (grabbed_) drawn_.push_back(within({sign_ * at.x + scrolled_, at.y}));
 }
 
-void PointerLead::begin_by_keys(const ClayView& clay, WallSide face, double sign) {
+void PointerLead::release() {
+  if (!grabbed_) return;
+  grabbed_ = false;
+  finishing_ = true;
+  left_ = kFinish;
+}
+
+void PointerLead::lift() {
+  active_ = grabbed_ = finishing_ = false;
+  drawn_.clear();
+}
+
+void PointerLead::begin_by_keys(const ClayView& clay, Grip grip, double sign) {
   if (active_) return;
   sign_ = sign;
-  touch(clay, face, clay.rim_height() * 0.5);
+  touch(clay, grip, clay.rim_height() * 0.5);
 }
 
 void PointerLead::move(double outward, double up) {
   if (!active_) return;
-  radius_ += outward;
-  height_ += up;
-  clamp();
+  if (grabbed_) scrolled_ += outward;
+  const At last = drawn_.empty() ? at_ : drawn_.back();
+  drawn_.push_back(within({last.reach + outward, last.height + up}));
 }
 
-void PointerLead::clamp() {
-  radius_ = std::clamp(radius_, 0.0, kFurthest);
-  height_ = std::clamp(height_, lowest_, highest_);
+double PointerLead::behind() const {
+  double sum = 0;
+  At from = at_;
+  for (const At& to : drawn_) {
+    sum += seconds_to(to.reach - from.reach, to.height - from.height, kPress, kRise);
+    from = to;
+  }
+  return sum;
 }
 
-HandInput PointerLead::input(Vec3 right) const {
-  HandInput hand;
-  hand.active = active_;
-  hand.side = face_ == WallSide::outside ? SideWish::outside : SideWish::inside;
-  hand.position = {right.x * sign_ * radius_, height_, right.z * sign_ * radius_};
-  return hand;
+void PointerLead::go_along(double seconds, double press, double rise) {
+  while (!drawn_.empty() && seconds > 0) {
+    const At to = drawn_.front();
+    const double needs = seconds_to(to.reach - at_.reach, to.height - at_.height, press, rise);
+    const double share = needs <= seconds ? 1.0 : seconds / needs;
+    at_.reach += share * (to.reach - at_.reach);
+    at_.height += share * (to.height - at_.height);
+    seconds -= needs;
+    if (share == 1.0) drawn_.pop_front();
+  }
+}
+
+void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
+  if (!active_ || clay.rows() == 0) return;
+  down_for_ += dt;
+  const bool in_clay = pressing || down_for_ < kSettingDown;
+  const double hurry = std::max(1.0, behind() / kBehind);
+  const bool solid = hold_.solid(clay, at_.height);
+  if (solid && drawn_.size() > 1) drawn_.erase(drawn_.begin(), drawn_.end() - 1);
+  go_along(dt * hurry, solid ? kSolid : in_clay ? kPress : kAir, in_clay ? kRise : kAir);
+  if (finishing_ && (drawn_.empty() || (left_ -= dt) < 0)) return lift();
+  lowest_ = hold_.lowest(clay);
+  highest_ = hold_.highest(clay);
+  at_ = within(at_);
+  hands_ = hold_.stand(clay, at_.reach, at_.height);
+}
+
+std::array<HandInput, kMaxHands> PointerLead::input(Vec3 right) const {
+  std::array<HandInput, kMaxHands> hands;
+  const auto place = [&](HandInput& hand, SideWish side, const WallHold::Stand& stand) {
+    hand.active = active_ && stand.there;
+    hand.side = side;
+    hand.tool = stand.part.tool;
+    const double away = sign_ * stand.radius;
+    hand.position = {right.x * away, stand.height, right.z * away};
+  };
+  const bool both = hold_.grip() != Grip::inside;
+  if (both) place(hands[0], SideWish::outside, hands_.outside);
+  place(hands[both ? 1 : 0], SideWish::inside, hands_.inside);
+  return hands;
 }
 
 }  // namespace onggi::device

@@ -1,47 +1,76 @@
 #pragma once
 
-#include "engine/clay/clay_view.h"
+#include <array>
+#include <deque>
+
 #include "engine/math/vec.h"
 #include "engine/scene/hands.h"
+#include "kiosk/device/wall_hold.h"
 
 namespace onggi::device {
 
-/// A finger, a mouse or arrow keys as the potter's hand, the screens' half: where the tool is to be
-/// (PointerHand glides there). The tool stands in the plane through the
-/// axis that faces the camera, on the side of the pot where the pointer went down. Going down sets
-/// it so that it just touches the chosen face at the pointer's height; from there it moves as far
-/// as the pointer does, millimetre for millimetre as seen.
+/// A finger, a mouse or arrow keys as the potter's hands, the screens' half: where the tools are to
+/// be (PointerHand glides there). The hands stand in the plane through the axis that faces the
+/// camera, on the side of the pot where the pointer went down. Going down sets them on the clay at
+/// the pointer's height, so that they just touch. From then on they follow the line that the
+/// pointer draws, at a potter's pace, corners and all: the face they work comes to be where it was
+/// drawn. What is still to be followed when the pointer lifts, they finish. Main thread.
 class PointerLead {
  public:
-  explicit PointerLead(double tool_radius) : tool_radius_(tool_radius) {}
+  /// m/s along the wall and towards the axis or away, in clay and in the air. A pointer crosses the
+  /// pot in a tenth of a second; hands as quick as that cut a screw thread.
+  static constexpr double kRise = 0.1, kPress = 0.05, kAir = 0.35;
+  /// m/s into the solid foot, where a hand only goes towards the pointer.
+  static constexpr double kSolid = 0.01;
+  /// s that the hands may be behind before they hurry, and go on for when the pointer has lifted.
+  static constexpr double kBehind = 4.0, kFinish = 2.0;
+
+  PointerLead(WallHold::Part broad, WallHold::Part fine) : hold_(broad, fine) {}
 
   /// `at`: x right of the axis, y height, metres (Camera::on_axis_plane).
-  void grab(Vec2 at, const ClayView& clay, WallSide face);
+  void grab(Vec2 at, const ClayView& clay, Grip grip);
   void drag(Vec2 at);
+  /// The pointer lifts.
+  void release();
   /// Keys: begins half-way up at `sign` (+1 right of the axis, -1 left) when not yet working.
-  void begin_by_keys(const ClayView& clay, WallSide face, double sign);
+  void begin_by_keys(const ClayView& clay, Grip grip, double sign);
   /// Metres away from the axis (negative: towards it) and upwards.
   void move(double outward, double up);
-  void lift() { active_ = grabbed_ = false; }
+  /// The hands come off the clay at once.
+  void lift();
+  /// Once a frame: `dt` seconds' way along what was drawn, and the hands keep to the wall as it now
+  /// stands. `pressing`: they meet clay.
+  void follow(const ClayView& clay, double dt, bool pressing);
 
+  /// The hands work.
   bool active() const { return active_; }
+  /// The pointer is down.
   bool grabbed() const { return grabbed_; }
-  double height() const { return height_; }
-  double radius() const { return radius_; }
-  /// `right`: of the visitor who looks at the pot, level, unit, studio frame.
-  HandInput input(Vec3 right) const;
+  double height() const { return at_.height; }
+  /// Where the worked face is to be by now, m from the axis.
+  double reach() const { return at_.reach; }
+  /// Seconds until the hands are where the pointer is.
+  double behind() const;
+  /// Hand 0 and hand 1. `right`: of the visitor who looks at the pot, level, unit, studio frame.
+  std::array<HandInput, kMaxHands> input(Vec3 right) const;
 
  private:
-  void touch(const ClayView& clay, WallSide face, double height);
-  void clamp();
+  struct At {
+    double reach = 0, height = 0;
+  };
+  void touch(const ClayView& clay, Grip grip, double height);
+  void go_along(double seconds, double press, double rise);
+  At within(At at) const;
 
-  double tool_radius_;
-  bool active_ = false, grabbed_ = false;
-  WallSide face_ = WallSide::outside;
+  WallHold hold_;
+  WallHold::Hands hands_;
+  std::deque<At> drawn_;  ///< And not yet followed.
+  At at_;
+  bool active_ = false, grabbed_ = false, finishing_ = false;
   double sign_ = 1;
-  double radius_ = 0, height_ = 0;  ///< Of the tool's centre.
-  double grab_x_ = 0;               ///< Of the pointer when last seen.
+  double scrolled_ = 0;  ///< m, by which the wheel of a mouse set the reach off.
   double lowest_ = 0, highest_ = 1;
+  double down_for_ = 0, left_ = 0;  ///< s since they were set down; until they must be done.
 };
 
 }  // namespace onggi::device

@@ -98,9 +98,16 @@ screens::Wheel Scenes::wheel_of(const std::string& id) const {
   const SceneDef& def = of(id);
   screens::Wheel wheel{def.wheel.max_speed,
                        def.tool.radius,
+                       0,
+                       def.tool.radius,
                        std::nullopt,
                        {},
                        def.walls ? def.walls->tear_thickness : 0.0};
+  for (std::size_t n = 0; n < def.tools.size() && !def.paper; ++n)
+    if (const ToolShape* palm = find_tool_shape("palm"); palm->name == def.tools[n].name) {
+      wheel.palm = static_cast<std::uint8_t>(n + 1);
+      wheel.palm_radius = sized(*palm, def.tools[n].size).radius;
+    }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);
         info != nullptr && (info->needs.target || shows_its_effect(*info, def)))

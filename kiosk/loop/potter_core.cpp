@@ -10,6 +10,9 @@ constexpr std::size_t kCommandDepth = 256;
 constexpr std::size_t kReturnDepth = 512;
 constexpr std::size_t kRecordDepth = 16384;
 constexpr int kRowsPerTick = 16;
+// s in which a hand that comes off slowly (PointerHand) is off: a fresh lump, or a stroke taken
+// back, is no clay that it was at.
+constexpr double kOff = 0.4;
 constexpr double kCalmDown = 0.05;  // s from all of a force to none while ticks come late,
 constexpr double kCalmUp = 0.5;     // s and back.
 
@@ -132,6 +135,9 @@ void PotterCore::read_hands(double dt, Hands& hands) noexcept {
   }
   for (std::size_t h = 0; h < taken_.size(); ++h)
     if (taken_[h]) hands.hand[h].tool = *taken_[h];
+  off_ = asked_.renew || asked_.restore ? kOff : std::max(0.0, off_ - dt);
+  if (off_ > 0)
+    for (HandInput& hand : hands.hand) hand.active = false;
 }
 
 void PotterCore::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept {

@@ -101,7 +101,8 @@ class PotterCore {
   std::size_t attached_ = 0;
   std::array<device::HandDevice*, kMaxHands> leads_{};  ///< Whose word the last tick took.
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
-  Hands asked_;  ///< Wheel, water and the one-tick wishes; hands come from the devices.
+  double off_ = 0;  ///< s for which all hands stay off the clay that was just laid.
+  Hands asked_;     ///< Wheel, water and the one-tick wishes; hands come from the devices.
   bool paused_ = false;
   bool strained_ = false;
   double calm_ = 1.0;  ///< Share of the force that hands feel.

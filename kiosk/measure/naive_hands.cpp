@@ -197,7 +197,8 @@ NaiveHands::Move NaiveHands::step(double now, const screens::Sight& sight, int w
       return move;
     }
     if (now < wait_until_) return move;
-    const bool other = sight.hint.key == "hint.go_inside" || sight.hint.key == "hint.go_outside";
+    const bool in = sight.hint.key == "hint.go_inside";
+    const bool other = in || sight.hint.key == "hint.go_outside";
     if (!other)
       wrong_side_since_ = -1;
     else if (wrong_side_since_ < 0)
@@ -205,7 +206,7 @@ NaiveHands::Move NaiveHands::step(double now, const screens::Sight& sight, int w
     if (other && now - wrong_side_since_ > kReadHint && random_.uniform() < 0.7) {
       wrong_side_since_ = -1;
       wait_until_ = now + random_.uniform(0.6, 1.2);  // The way to the button and back.
-      move.control = "throw.side";
+      move.control = in ? "throw.inside" : "throw.outside";
       return move;
     }
     choose(sight);

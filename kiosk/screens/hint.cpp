@@ -7,6 +7,8 @@
 
 namespace onggi::screens {
 
+using device::Grip;
+
 namespace {
 
 constexpr const char* kPlaces[] = {"place.foot", "place.low",  "place.belly", "place.middle",
@@ -63,9 +65,11 @@ Hint next_hint(const HintInput& in) {
   const bool inward = d.off > 0;
   Hint hint{"", place_at(*in.target, d.height), Hint::Press{d.height, inward}};
   if (inward)
-    hint.key = in.inside ? "hint.go_outside" : in.touched ? "hint.press_in" : "hint.first_in";
+    hint.key = in.grip == Grip::inside ? "hint.go_outside"
+               : in.touched            ? "hint.press_in"
+                                       : "hint.first_in";
   else
-    hint.key = in.inside ? "hint.press_out" : "hint.go_inside";
+    hint.key = in.grip == Grip::outside ? "hint.go_inside" : "hint.press_out";
   return hint;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/device/wall_hold.h"
 #include "kiosk/screens/desk.h"
 
 namespace onggi::screens {
@@ -13,7 +14,7 @@ struct HintInput {
   const Profile* target = nullptr;
   const Profile* made = nullptr;
   bool wheel_turns = true;
-  bool inside = false;        ///< The tool works the inside.
+  device::Grip grip = device::Grip::both;
   bool touched = false;       ///< The visitor has touched this pot.
   bool dry_too_long = false;  ///< Long rubbed without water.
   double tool_radius = 0.008;

@@ -12,6 +12,7 @@
 
 namespace onggi::screens {
 
+using device::Grip;
 using view::Face;
 using view::InputEvent;
 using view::Key;
@@ -19,7 +20,7 @@ using view::Key;
 namespace {
 
 constexpr double kFirstSpeed =
-    15.0;                           // rad/s: some 143 turns a minute, so that touch works at once.
+    25.0;                           // rad/s: some 240 turns a minute, so that touch works at once.
 constexpr double kSpeedStep = 2.5;  // rad/s
 constexpr double kNotch = 0.002;    // m a scroll notch or a key press.
 constexpr double kSoakHold = 0.6;   // s: a press this long on Water is a sponge held, not a switch.
@@ -29,7 +30,7 @@ class Throwing final : public Screen {
  public:
   explicit Throwing(Desk& d)
       : Screen(d),
-        hand_(d.wheel().tool_radius),
+        hand_({d.wheel().palm, d.wheel().palm_radius}, {0, d.wheel().tool_radius}),
         speed_(std::min(kFirstSpeed, d.wheel().max_speed)) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
@@ -52,14 +53,17 @@ class Throwing final : public Screen {
 
     bool contact = false;
     for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
+    if (hand_.active() && desk.pot_ready()) {
+      hand_.follow(desk.world.wheel->clay, dt, contact);
+      send_hand();
+    }
     if (contact) {
       touched_ = true;
       dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
     }
     if (water_) dry_ = 0;
-    hint_.update(desk.now,
-                 {target, &picture_.made(), std::abs(speed_) > 0.5, face_ == WallSide::inside,
-                  touched_, dry_ > 20.0, desk.wheel().tool_radius});
+    hint_.update(desk.now, {target, &picture_.made(), std::abs(speed_) > 0.5, grip_, touched_,
+                            dry_ > 20.0, desk.wheel().tool_radius});
   }
 
   std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
@@ -100,11 +104,12 @@ class Throwing final : public Screen {
   }
 
   void press(const std::string& control) override {
-    if (control == "throw.side") {
-      face_ = face_ == WallSide::outside ? WallSide::inside : WallSide::outside;
-      // Inside a closed wall nobody sees the hand.
-      if (!cut_chosen_) cut_ = face_ == WallSide::inside;
-      let_go();
+    if (control == "throw.both") {
+      hold_with(Grip::both);
+    } else if (control == "throw.outside") {
+      hold_with(Grip::outside);
+    } else if (control == "throw.inside") {
+      hold_with(Grip::inside);
     } else if (control == "throw.faster" || control == "throw.slower") {
       speed_ = std::clamp(speed_ + (control == "throw.faster" ? kSpeedStep : -kSpeedStep), 0.0,
                           desk.wheel().max_speed);
@@ -153,7 +158,8 @@ class Throwing final : public Screen {
       case InputEvent::Kind::pointer_down:
         if (page.where().words.contains(e.x, e.y)) return;
         mishap_.stay();
-        hand_.grab(at, desk.world.wheel->clay, face_);
+        let_go();  // Hands that still finish a stroke would go to the next through the pot.
+        hand_.grab(at, desk.world.wheel->clay, grip_);
         break;
       case InputEvent::Kind::pointer_move:
         if (!hand_.grabbed()) return;
@@ -161,7 +167,7 @@ class Throwing final : public Screen {
         break;
       case InputEvent::Kind::pointer_up:
         if (!hand_.grabbed()) return;
-        hand_.lift();
+        hand_.release();
         break;
       case InputEvent::Kind::scroll:
         if (!hand_.active()) return;
@@ -176,7 +182,8 @@ class Throwing final : public Screen {
   bool key(Key key, bool repeat) override {
     switch (key) {
       case Key::side:
-        return repeat || (press("throw.side"), true);
+        if (!repeat) hold_with(next_grip());
+        return true;
       case Key::water:
         return repeat || (set_water(!water_), true);
       case Key::cut:
@@ -228,7 +235,18 @@ class Throwing final : public Screen {
   void send_hand() {
     Vec3 right, up, back;
     camera_.basis(right, up, back);
-    desk.world.potter->hand(0, hand_.input(right));
+    const auto hands = hand_.input(right);
+    for (int n = 0; n < kMaxHands; ++n)
+      desk.world.potter->hand(n, hands[static_cast<std::size_t>(n)]);
+  }
+  Grip next_grip() const {
+    return grip_ == Grip::both ? Grip::outside : grip_ == Grip::outside ? Grip::inside : Grip::both;
+  }
+  void hold_with(Grip grip) {
+    grip_ = grip;
+    // Inside a closed wall nobody sees a hand that works alone.
+    if (!cut_chosen_) cut_ = grip_ == Grip::inside;
+    let_go();
   }
   void send_wheel() { desk.world.potter->wheel(desk.screen().left_handed ? -speed_ : speed_); }
   void set_water(bool on) {
@@ -243,7 +261,7 @@ class Throwing final : public Screen {
     if (hand_.active())
       hand_.move(outward, up);
     else
-      hand_.begin_by_keys(desk.world.wheel->clay, face_, key_sign());
+      hand_.begin_by_keys(desk.world.wheel->clay, grip_, key_sign());
     send_hand();
   }
 
@@ -298,7 +316,7 @@ class Throwing final : public Screen {
   device::PointerLead hand_;
   view::Camera camera_;
   double speed_;
-  WallSide face_ = WallSide::outside;
+  Grip grip_ = Grip::both;
   bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
        menu_ = false, done_ = false;
   double soaked_at_ = -1, dry_ = 0;
@@ -332,12 +350,12 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
                       wheel, captions);
   column.foot_space(t.gap);
   const bool back = desk.status.can_restore && !mishap_;  // After a mishap it stands above.
-  column.foot_buttons({{"throw.side",
-                        desk.say("throw.outside"),
-                        Look::outline,
-                        {},
-                        desk.say("throw.inside"),
-                        face_ == WallSide::inside},
+  const auto grip = [&](const char* id, Grip which) {
+    return Button{id, desk.say(id), grip_ == which ? Look::solid : Look::outline};
+  };
+  column.foot_buttons({grip("throw.both", Grip::both),
+                       grip("throw.outside", Grip::outside),
+                       grip("throw.inside", Grip::inside),
                        {back ? "throw.restore" : "", desk.say("throw.restore"),
                         back ? Look::outline : Look::plain}},
                       hand, captions);

@@ -35,8 +35,10 @@ struct Kiln {
 
 /// What a visitor meets of the scene in which a vessel is thrown.
 struct Wheel {
-  double max_speed = 31.4;  ///< rad/s
-  double tool_radius = 0.008;
+  double max_speed = 31.4;     ///< rad/s
+  double tool_radius = 0.008;  ///< m, of the ball: tool 0.
+  std::uint8_t palm = 0;       ///< The tool that a hand outside works with,
+  double palm_radius = 0.008;  ///< and its radius, m.
   std::optional<Kiln> kiln;
   std::vector<std::string> shown{"follow"};  ///< Scripts of attract mode, pot by pot; at least one.
   double tear_thickness = 0;  ///< Metres: a wall that gets thinner tears; 0 where none does.
@@ -121,9 +123,9 @@ class Visit {
   ///   choose    "choose.card.N" (N counts the whole shelf; only this page's are there),
   ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
   ///             "choose.more" (a long label read on), "back" to the shelf
-  ///   throw     "throw.side", "throw.slower", "throw.faster", "throw.water", "throw.cut",
-  ///             "throw.renew", "throw.restore" (while there is a stroke to take back),
-  ///             "throw.done"
+  ///   throw     "throw.both", "throw.outside", "throw.inside", "throw.slower", "throw.faster",
+  ///             "throw.water", "throw.cut", "throw.renew", "throw.restore" (while there is a
+  ///             stroke to take back), "throw.done"
   ///   result    "result.keep", "result.again", "result.other"
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
   ///   keepsake  "keepsake.done"        fault  "fault.on"

@@ -29,7 +29,7 @@ RubricRead read_rubric(const std::filesystem::path& file) {
       for (std::size_t i = 0; i < 4; ++i) r.stars[i] = stars[i];
     else
       root.complain("stars", "stars is not four rising numbers up to 100.",
-                    "Write the points for two, three, four and five stars: [40, 60, 75, 90].");
+                    "Write the points for two, three, four and five stars: [40, 60, 80, 97].");
   }
   read_part(root.child("outline"), r.outline, 1.0, "");
   read_part(root.child("volume"), r.volume, 1.0, "");

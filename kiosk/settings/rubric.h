@@ -32,7 +32,7 @@ struct Rubric {
     friend bool operator==(const Worst&, const Worst&) = default;
   } worst;
   bool size_counts = false;  ///< False: the pot is first scaled to the vessel's height.
-  std::array<double, 4> stars{40.0, 60.0, 75.0, 90.0};  ///< Points for two to five stars, rising.
+  std::array<double, 4> stars{40.0, 60.0, 80.0, 97.0};  ///< Points for two to five stars, rising.
   friend bool operator==(const Rubric&, const Rubric&) = default;
 };
 

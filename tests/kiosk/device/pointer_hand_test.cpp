@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
+
 namespace onggi::device {
 namespace {
 
@@ -76,12 +78,61 @@ TEST(PointerHand, AToolThatWasLiftedAndSetDownWithinATickDoesNotPloughOnItsWay) 
   EXPECT_EQ(hand.read(1e-3), at(-0.05));
 }
 
-TEST(PointerHand, ALiftedToolTouchesNothing) {
+TEST(PointerHand, AToolLiftedInTheAirTouchesNothing) {
   PointerHand hand;
   hand.lead(at(0.05));
-  hand.read(1e-3);
+  for (int n = 0; n < 1000; ++n) hand.read(1e-3);
   hand.lead(at(0.05, false));
   EXPECT_FALSE(hand.read(1e-3).active);
+}
+
+HandFeedback touching() {
+  HandFeedback felt;
+  felt.contact = true;
+  return felt;
+}
+
+TEST(PointerHand, InClayItKeepsToAPottersPace) {
+  const PointerHandDef def;
+  PointerHand hand(def);
+  hand.lead(at(0.06));
+  double x = hand.read(1e-3).position.x;
+  HandInput goal = at(0.03);
+  goal.position.y = 0.2;
+  hand.lead(goal);
+  double y = 0.1;
+  for (int n = 0; n < 300; ++n) {
+    hand.feel(touching());
+    const Vec3 next = hand.read(1e-3).position;
+    EXPECT_LE(std::abs(next.x - x), def.press_speed * 1e-3 * (1 + 1e-9));
+    EXPECT_LE(std::abs(next.y - y), def.rise_speed * 1e-3 * (1 + 1e-9));
+    x = next.x, y = next.y;
+  }
+  EXPECT_LT(x, 0.05);
+}
+
+TEST(PointerHand, LiftedFromClayItComesOffSlowlyAwayFromTheWallAndIsOffInTime) {
+  for (const SideWish side : {SideWish::outside, SideWish::inside}) {
+    const PointerHandDef def;
+    PointerHand hand(def);
+    HandInput down = at(0.06);
+    down.side = side;
+    hand.lead(down);
+    hand.read(1e-3);
+    hand.feel(touching());
+    down.active = false;
+    hand.lead(down);
+    double x = 0.06;
+    int still = 0;
+    for (HandInput read = hand.read(1e-3); read.active; read = hand.read(1e-3), ++still) {
+      ASSERT_LT(still, 1000);
+      EXPECT_EQ(read.side, side);
+      EXPECT_EQ(read.position.x > x, side == SideWish::outside);
+      EXPECT_NEAR(read.position.x, x, 2e-5);
+      x = read.position.x;
+    }
+    EXPECT_NEAR(still * 1e-3, def.letting_go, 0.01);
+  }
 }
 
 }  // namespace

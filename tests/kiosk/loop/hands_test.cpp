@@ -361,6 +361,7 @@ TEST(Faults, AForceThatIsNoNumberIsToldAndForgottenLikeTheOthers) {
   EXPECT_NE(force[0].find("no number"), std::string::npos);
   EXPECT_TRUE(log.news(potter.view().status).empty());
   potter.hand(0, HandInput{});
+  for (int n = 0; n < 400; ++n) potter.tick(1e-3);  // It comes off slowly.
   potter.clear_faults(kFaultForce);
   potter.tick(1e-3);
   potter.collect();

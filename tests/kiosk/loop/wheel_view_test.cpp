@@ -30,7 +30,7 @@ TEST(WheelView, WhatAHandPressesIntoTheClayReachesTheViewRowForRow) {
   potter.hand(0, press_at(def, 0.004));
   potter.advance(800);
   potter.hand(0, HandInput{});
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 30; ++i) {  // It comes off slowly.
     potter.advance(20);
     potter.collect();
   }
@@ -54,7 +54,7 @@ TEST(WheelView, ARimThatIsPressedDownReachesTheView) {
     potter.collect();
   }
   potter.hand(0, HandInput{});
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 30; ++i) {  // It comes off slowly.
     potter.advance(20);
     potter.collect();
   }
@@ -106,7 +106,7 @@ TEST(WheelView, ASettledViewIsTheClayToTheBitThoughRowsWereOnTheirWay) {
   // What was on its way when it was settled does not come after it.
   potter.advance(1);
   potter.hand(0, HandInput{});
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 30; ++i) {  // It comes off slowly.
     potter.advance(20);
     potter.collect();
   }

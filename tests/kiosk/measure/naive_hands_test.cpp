@@ -118,7 +118,7 @@ TEST(NaiveHands, AskedForTheOtherSideTheyTouchItsButtonAfterAMoment) {
   wheel.sight.hint = {"hint.go_inside", "place.belly", screens::Hint::Press{0.1, false}};
   NaiveHands hands(5, 60, NaiveHands::Pointer::mouse);
   const Seen seen = watch(hands, wheel, 90);
-  EXPECT_EQ(seen.controls.count("throw.side"), 1u);
+  EXPECT_EQ(seen.controls.count("throw.inside"), 1u);
 }
 
 TEST(NaiveHands, TheirTremorIsOfPixelsNotOfCentimetres) {

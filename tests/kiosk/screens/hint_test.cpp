@@ -25,13 +25,15 @@ TEST(Hint, AWheelThatStandsStillComesBeforeAllElse) {
 TEST(Hint, ABellyTooNarrowWantsTheHandInside) {
   const Profile target = jar(0.08), made = jar(0.06);
   HintInput in = seen(target, made);
+  EXPECT_EQ(next_hint(in).key, "hint.press_out");  // Two hands: one is inside.
+  in.grip = device::Grip::outside;
   const Hint hint = next_hint(in);
   EXPECT_EQ(hint.key, "hint.go_inside");
   EXPECT_EQ(hint.place, "place.belly");
   ASSERT_TRUE(hint.press);
   EXPECT_FALSE(hint.press->inward);
   EXPECT_NEAR(hint.press->height, 0.1, 0.03);
-  in.inside = true;
+  in.grip = device::Grip::inside;
   EXPECT_EQ(next_hint(in).key, "hint.press_out");
 }
 
@@ -41,7 +43,7 @@ TEST(Hint, ANeckTooWideWantsTheHandOutside) {
   const Hint hint = next_hint(in);
   EXPECT_EQ(hint.key, "hint.press_in");
   EXPECT_TRUE(hint.press->inward);
-  in.inside = true;
+  in.grip = device::Grip::inside;
   EXPECT_EQ(next_hint(in).key, "hint.go_outside");
 }
 

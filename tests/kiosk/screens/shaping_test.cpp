@@ -115,14 +115,14 @@ class Studio {
   PlainMeasure measure_;
 };
 
-TEST(Shaping, AFingerDraggedInwardsNarrowsThePotThereByAsMuch) {
+TEST(Shaping, AFingerDraggedInwardsBringsTheWallToWhereItIs) {
   Studio studio;
   const Profile before = studio.potter.view().clay.profile();
   const double r = before.outer_at(0.14);
-  // One centimetre in, held for two turns of the wheel.
+  // Two centimetres in, held for two turns of the wheel.
   studio.stroke({{r - 0.01, 0.14}, {r - 0.02, 0.14}, {r - 0.02, 0.14}}, 1.0);
   const Profile after = studio.potter.view().clay.profile();
-  EXPECT_NEAR(before.outer_at(0.14) - after.outer_at(0.14), 0.01, 0.002);
+  EXPECT_NEAR(after.outer_at(0.14), r - 0.02, 0.001);
   EXPECT_NEAR(after.outer_at(0.05), before.outer_at(0.05), 2e-4);
 }
 
@@ -141,7 +141,7 @@ TEST(Shaping, AStrokeUpwardsDrawsAnEvenGroove) {
 
 TEST(Shaping, FromInsideAFingerDraggedOutwardsWidensThePot) {
   Studio studio;
-  studio.press("throw.side");
+  studio.press("throw.inside");
   const Profile before = studio.potter.view().clay.profile();
   const double r = before.inner_at(0.1);
   studio.stroke({{r, 0.1}, {r + 0.03, 0.1}, {r + 0.03, 0.1}}, 1.5);

@@ -277,7 +277,7 @@ TEST(Visit, TheWholeVisitGoesByKeyboardAlone) {
   v.key(Key::up);
   EXPECT_GT(v.potter.hands.back().position.y, low);
   v.key(Key::enter);
-  ASSERT_TRUE(v.key_to("throw.side"));
+  ASSERT_TRUE(v.key_to("throw.inside"));
   ASSERT_TRUE(v.key_to("throw.done"));
   ASSERT_EQ(v.visit->screen(), ScreenId::result);
   ASSERT_TRUE(v.key_to("result.keep"));

@@ -241,7 +241,7 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.touch("choose.throw");
   v.frames(3);
   with_help("throw");
-  v.touch("throw.side");
+  v.touch("throw.inside");
   v.frames(3);
   v.touch("throw.renew");
   v.status.can_restore = true;
