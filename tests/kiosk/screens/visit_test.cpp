@@ -166,7 +166,7 @@ TEST(Visit, TheWheelTurnsByItselfAndCanBeMadeSlowerUntilItStands) {
   Visitor v;
   v.throw_a_pot();
   ASSERT_FALSE(v.potter.wheels.empty());
-  EXPECT_NEAR(v.potter.wheels.back(), 15, 0.1);
+  EXPECT_NEAR(v.potter.wheels.back(), 25, 0.1);
   for (int i = 0; i < 20; ++i) v.touch("throw.slower");
   EXPECT_EQ(v.potter.wheels.back(), 0);
   v.frames(3);
