@@ -18,6 +18,7 @@ exit 0: at least nine of ten were caught, 1: fewer, 2: it could not be tried
 """
 
 import argparse
+import filecmp
 import fnmatch
 import glob
 import hashlib
@@ -26,6 +27,7 @@ import os
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -107,7 +109,9 @@ def copied(tree):
         if os.path.isfile(source):
             target = os.path.join(tree, name)
             os.makedirs(os.path.dirname(target), exist_ok=True)
-            shutil.copy2(source, target)
+            # What differs is new to the build, though it be older than what was made of a changed one.
+            if not os.path.exists(target) or not filecmp.cmp(source, target, shallow=False):
+                shutil.copy(source, target)
     shared = os.path.join(os.path.dirname(ROOT), "shared")
     beside = os.path.join(os.path.dirname(tree), "shared")
     if os.path.isdir(shared) and not os.path.exists(beside):
@@ -232,6 +236,7 @@ def main():
     parser.add_argument("--keep")
     parser.add_argument("--list", action="store_true")
     a = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(2))  # a changed file is put back all the same
     if a.list:
         for room, name, number, begin, end, new in chosen(ROOT, a.each, a.seed, a.files):
             print(f"{name}:{number + 1}:{begin + 1}: {new.strip()}")

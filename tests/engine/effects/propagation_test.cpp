@@ -116,7 +116,7 @@ TEST(Propagation, WithVolumeNoClayIsLostWhateverHandsDo) {
     for (int n = 0; n < 10000; ++n) {
       scene.step(hands.next(), hands.seconds());
       if (n % 500 != 0) continue;
-      ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6) << n;
+      ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
       ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
     }
   }

@@ -133,7 +133,7 @@ double after_tool(const char* tool) {
     hands.hand[0].position = {0.0549 + off + 1e-3 * std::max(0.0, 1.0 - n / 500.0), 0.1, 0};
     scene.step(hands, 0.001);
   }
-  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9);
   EXPECT_NO_FATAL_FAILURE(expect_whole(scene.clay()));
   return unevenness(scene.clay());
 }
@@ -156,7 +156,7 @@ TEST(Smoothing, WithVolumeNoClayIsLostWhateverARibDoes) {
       if (scene.def().tools[k].name == "sponge") hands.hand[0].tool = k + 1;
     scene.step(hands, random.seconds());
     if (n % 500 != 0) continue;
-    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6) << n;
+    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
     ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
   }
 }

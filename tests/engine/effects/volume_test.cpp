@@ -47,7 +47,7 @@ TEST(Volume, PullingUpTheWallMakesThePotTallerAndThinner) {
   for (const double gap : {0.021, 0.018, 0.015, 0.012}) pull(scene, gap);
   EXPECT_GT(scene.clay().rim_height(), 1.3 * 0.2);
   EXPECT_LT(wall_at(scene, 0.5), 0.018);
-  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9);
   SceneDef without = small();
   without.volume.reset();
   Scene lost = made(without);
@@ -95,7 +95,7 @@ TEST(Volume, AHundredRowsPressedDownAtOnceGetTheirGirthTickByTickAndAllOfIt) {
     widened = now;
   }
   EXPECT_EQ(widened, 100);
-  EXPECT_NEAR(clay.volume() / total, 1.0, 1e-6);
+  EXPECT_NEAR(clay.volume() / total, 1.0, 2e-9);
   EXPECT_NEAR(clay.rim_height(), def.height - 100 * 0.2 * each, 1e-6);
 }
 
@@ -110,7 +110,7 @@ TEST(Volume, ARimThatIsPressedDownGetsThicker) {
   }
   EXPECT_LT(scene.clay().rim_height(), 0.199);
   EXPECT_GT(wall_at(scene, 0.995), 0.0255);
-  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9);
 }
 
 TEST(Volume, OpeningALumpRaisesIt) {
@@ -128,7 +128,7 @@ TEST(Volume, OpeningALumpRaisesIt) {
   }
   EXPECT_LT(scene.clay().floor_top(), 0.06);
   EXPECT_GT(scene.clay().rim_height(), 0.0805);
-  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9);
   expect_whole(scene.clay());
 }
 
@@ -149,7 +149,7 @@ TEST(Volume, AFreshLumpHoldsTheLumpsClayAgainAndTheOldOneItsOwn) {
   wait();
   EXPECT_NEAR(scene.clay().rim_height(), pulled, 1e-12);  // stacked anew, from another row
   pull(scene, 0.018, 1.0);
-  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9);
 }
 
 TEST(Volume, WhatALoopTrimmerCutsOffIsGoneAndThePotNoTaller) {
@@ -178,7 +178,7 @@ void knead(std::uint64_t seed, int ticks) {
   for (int n = 0; n < ticks; ++n) {
     scene.step(hands.next(), hands.seconds());
     if (n % 500 != 0) continue;
-    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6) << n;
+    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
     ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
   }
   EXPECT_NE(scene.clay().rim_height(), 0.2);
