@@ -15,7 +15,7 @@ namespace column_kernels {
 /// Eights of columns that are worked together: a few cache lines of each row, so that a fine grid's
 /// long rows are not gone through once for every eight; and few enough for what is carried from row
 /// to row to stay near.
-inline constexpr int kMostBlocks = 8;
+inline constexpr int kMostBlocks = 4;
 
 /// Where the elements are: of stored row 0, and which stored row stands at each place.
 struct Columns {
