@@ -5,6 +5,7 @@
 
 #include "engine/clay/wall_side.h"
 #include "engine/contact/place.h"
+#include "engine/force/tool_touch.h"
 #include "engine/math/vec.h"
 
 namespace onggi {
@@ -52,6 +53,7 @@ struct HandFeedback {
   WallSide side = WallSide::outside;  ///< Face of the wall; on the rim, the one it came from.
   Place place = Place::outside;       ///< Where it works, or stands while it is clear.
   double depth = 0.0;                 ///< Deepest press of this tick, metres.
+  force::Touch touch;  ///< The same before the guard, for devices that feel it through a coupling.
 };
 
 /// What a tick gives back.

@@ -14,6 +14,20 @@ constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
 constexpr double kPart = 0.001;  // s
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
+constexpr double kOfAQuadratic = 2.0;  // d F / d l of F ~ l^2, which is a round body's, in F / l
+
+// Elements are pressed by `depth` at the most, so that they are at least `normal` / `depth` stiff;
+// a flat body is that, a round one twice.
+force::Touch touch_of(const Press& press, double normal, bool severs) {
+  force::Touch touch;
+  if (severs) {
+    touch.grip = length(press.force);
+  } else {
+    touch.push = press.force;
+    if (press.depth > 0.0) touch.stiffness = kOfAQuadratic * normal / press.depth;
+  }
+  return touch;
+}
 
 }  // namespace
 
@@ -236,16 +250,28 @@ void Scene::State::feel(Tick& tick) noexcept {
     const Press& press = tick.press[n];
     Vec3 force = press.force;
     const double strength = length(press.force);
+    force::Touch& touch = tick.touch[n];
+    touch = touch_of(press, std::max(press.normal, strength), shape.severs());
+    touch.relaxation = shape.relaxation * yielding_at(h.at.y).relaxation_time;
     if (effects::kBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
       const double mu = effects::friction_coefficient(friction, wetness_at(h.at.y));
       const body::Ball ball = shape.support(place, size, (-1.0 / strength) * press.force);
-      const Vec3 touch = ball.middle - (ball.radius / strength) * press.force;
-      const Vec3 slip = velocity - effects::clay_velocity(touch, tick.turn / tick.dt);
+      touch.clay = effects::clay_velocity(ball.middle - (ball.radius / strength) * press.force,
+                                          tick.turn / tick.dt);
+      touch.grip = mu * press.normal;
+      const Vec3 slip = velocity - touch.clay;
       force += effects::friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
     const body::Ball lowest = shape.support(place, size, kDown);
-    force.y += stop_force(lowest.radius - lowest.middle.y, lowest.radius, def.contact.stiffness);
+    const double below = lowest.radius - lowest.middle.y;
+    const double stop = stop_force(below, lowest.radius, def.contact.stiffness);
+    if (stop > 0.0) {
+      touch.push.y += stop;
+      touch.relaxation = 0.0;
+      touch.stiffness += kOfAQuadratic * stop / below;
+      force.y += stop;
+    }
     tick.wanted[n] = force;
   }
 }
@@ -265,7 +291,10 @@ void Scene::State::press_as_printed(Tick& tick) noexcept {
                                                  angle, tick.turn, printed->coefficients);
     tick.press[n] = {touch.force, 0.0, touch.depth, touch.visited, touch.touched};
     const Vec3 filtered = filter.filter(touch.force);
-    if (!tick.held[n]) tick.wanted[n] = filtered;
+    if (tick.held[n]) continue;
+    tick.wanted[n] = filtered;
+    tick.touch[n] = touch_of(tick.press[n], length(filtered), false);
+    tick.touch[n].push = filtered;
   }
 }
 
@@ -284,6 +313,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
     felt.side = tick.side[n];
     felt.place = tick.place[n];
     felt.depth = h.present ? press.depth : 0.0;
+    felt.touch = tick.touch[n];
     counters.visited_elements += static_cast<std::uint64_t>(press.visited);
     counters.touched_elements += static_cast<std::uint64_t>(press.touched);
   }

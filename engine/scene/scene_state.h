@@ -55,6 +55,7 @@ struct Scene::State {
     std::array<bool, kMaxHands> held{};
     std::array<Vec3, kMaxHands> wanted{};
     std::array<Press, kMaxHands> press{};
+    std::array<force::Touch, kMaxHands> touch{};
     std::array<WallSide, kMaxHands> side{};
     std::array<Place, kMaxHands> place{};
     std::array<double, kMaxHands> along{};

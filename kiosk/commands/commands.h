@@ -17,6 +17,9 @@ Command soak_command();
 Command lab_command();
 Command devices_command();
 
+/// Of `onggi lab`.
+Command lab_loop_command();
+
 /// Of `onggi vessel`.
 Command make_command();
 Command inspect_command();

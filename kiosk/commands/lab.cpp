@@ -170,9 +170,9 @@ Command lab_command() {
           .help = "Measure the engine on this machine",
           .examples =
               "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
-              "         onggi lab timing",
+              "         onggi lab timing\n         onggi lab loop",
           .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
-                       tune_command()}};
+                       tune_command(), lab_loop_command()}};
 }
 
 }  // namespace onggi::commands

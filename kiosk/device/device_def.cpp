@@ -17,6 +17,7 @@ DeviceDef default_def(DeviceKind kind) {
       def.home = kHandleHome;
       break;
     case DeviceKind::onggi_hid:
+      def.damps = true;
       def.smoothing = 0.0;
       def.home = kHandleHome;
       break;

@@ -20,6 +20,20 @@ struct DeviceAxis {
 /// howl, enough to be felt.
 inline constexpr double kUnmeasuredCap = 1.0;
 
+/// And how stiff its coupling is, N/m: what the least of the devices bears that `onggi lab loop`
+/// looks at.
+inline constexpr double kUnmeasuredStiffness = 19.0;
+
+/// What a force device is, as far as its loop asks. As it stands, the least of them all.
+struct DeviceBody {
+  double mass = 0.045;     ///< Of the handle as it is felt, kg, 0.005..5.
+  double damping = 0.1;    ///< Its own, N s/m, 0..20.
+  double friction = 0.0;   ///< Its own, N, 0..5.
+  double step = 0.000055;  ///< What its encoders tell apart at the handle, m, 0..0.001.
+  int delay = 3;  ///< Ticks from where it is to the force that this makes, 0..8, the wire included.
+  friend bool operator==(const DeviceBody&, const DeviceBody&) = default;
+};
+
 /// How one device is used: config/devices/*.toml, or default_def(). SI.
 struct DeviceDef {
   std::array<DeviceAxis, 3> axes{{{0, 1.0}, {1, 1.0}, {2, 1.0}}};  ///< Studio x, y, z.
@@ -34,15 +48,21 @@ struct DeviceDef {
   double max_force = 3.3;       ///< N, 0..22.2.
   double max_slew = 600.0;      ///< N/s, 10..1e5.
   double engage_time = 0.5;     ///< s, 0.05..5.
-  double damping = 0.0;         ///< N s/m, 0..20: made in the device, where it can.
-  /// N/m that it renders without howling, as measured. None: no more than kUnmeasuredCap.
+  double damping = 0.0;         ///< N s/m, 0..20: made in the device, where it `damps`.
+  bool damps = false;           ///< A kind that can.
+  /// N/m that its coupling may have, as `onggi lab loop --write` derived it from its body. None: no
+  /// more than kUnmeasuredCap and kUnmeasuredStiffness.
   std::optional<double> stiffness_limit;
+  DeviceBody body;
   ArmDef arm;  ///< Of Polhem and WoodenHaptics.
   friend bool operator==(const DeviceDef&, const DeviceDef&) = default;
 
   double cap() const {
     return stiffness_limit || max_force < kUnmeasuredCap ? max_force : kUnmeasuredCap;
   }
+  /// What it takes by itself, N s/m.
+  double own_damping() const { return body.damping + (damps ? damping : 0.0); }
+  double coupling() const { return stiffness_limit.value_or(kUnmeasuredStiffness); }
 };
 
 /// Of a device without a file of its own.

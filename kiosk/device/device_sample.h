@@ -57,7 +57,8 @@ enum class LinkFault : std::uint8_t {
   bad_report,    ///< It sent a short report, or one with a wrong check.
   jump,          ///< The handle was elsewhere at once.
   deaf,          ///< The device does not answer to what it is sent.
+  too_fast,      ///< The handle runs away, or was let go of (force::Overspeed).
 };
-inline constexpr int kLinkFaults = 9;
+inline constexpr int kLinkFaults = 10;
 
 }  // namespace onggi::device

@@ -39,7 +39,16 @@ Vec3 turned(Vec3 v, Vec3 by) {
 }  // namespace
 
 HidHand::HidHand(std::shared_ptr<HidLink> link, bool left_handed)
-    : link_(std::move(link)), def_(link_->def()), home_(def_.home) {
+    : link_(std::move(link)),
+      def_(link_->def()),
+      home_(def_.home),
+      pushes_(info_of(link_->kind()).force) {
+  // A tool that goes `scale` times as far as the handle pulls that much harder for it.
+  limits_.stiffness = def_.coupling() / def_.scale;
+  limits_.mass = def_.body.mass / def_.scale;
+  limits_.own_damping = def_.own_damping() / def_.scale;
+  limits_.max_force = link_->cap();
+  limits_.delay = def_.body.delay;
   if (left_handed) home_.x = -home_.x;
   at_ = home_;
 }
@@ -104,7 +113,12 @@ HandInput HidHand::read(double dt) noexcept {
   hand.active = in_use(dt);
   at_ = sample_.has_place ? handle_place(dt) : glide(dt);
   used_ = hand.active;
-  hand.position = at_;
+  if (!used_) haptics_.release();
+  if (!pushes_ || !used_)
+    tool_ = at_;
+  else if (!clutched_)
+    tool_ = haptics_.tool(at_, dt, limits_);
+  hand.position = tool_;
   turn_tool(dt, hand);
   return hand;
 }
@@ -117,7 +131,12 @@ double HidHand::age() const noexcept {
 void HidHand::feel(const HandFeedback& feedback) noexcept {
   ++wish_.ticks;
   const double share = clutched_ ? 0.0 : share_.load(std::memory_order_relaxed);
-  const Vec3 force = share * feedback.force;
+  Vec3 force = share * feedback.force;
+  if (pushes_) {
+    force = used_ && !clutched_ ? haptics_.feel(feedback.touch, share, limits_) : Vec3{};
+    // The gate is told: it ends the force at once, and counts.
+    if (!is_finite(feedback.touch.push)) force = feedback.touch.push;
+  }
   wish_.force = to_device(def_, force);
   wish_.strength = length(force);
   wish_.contact = feedback.contact && share > 0.0;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 
+#include "engine/force/haptics.h"
 #include "kiosk/device/hand_device.h"
 #include "kiosk/device/hid_link.h"
 
@@ -10,8 +11,8 @@ namespace onggi::device {
 
 /// A visitor's hand at a HID device, the loop's half: samples to where the tool is, the clay's
 /// force to a wish. A handle's place is mapped from its workspace to the vessel, with a clutch
-/// where that is too small; a puck or stick is how fast the tool goes, and a puck that is let go of
-/// lifts it.
+/// where that is too small, and the tool hangs on it by the coupling that the device bears; a puck
+/// or stick is how fast the tool goes, and a puck that is let go of lifts it.
 class HidHand final : public HandDevice {
  public:
   /// `left_handed`: it begins on the other side of the wheel.
@@ -35,8 +36,12 @@ class HidHand final : public HandDevice {
   Vec3 home_;
   DeviceSample sample_;
   FeelWish wish_;
+  bool pushes_;  ///< A force device.
+  force::HapticLimits limits_;
+  force::Haptics haptics_;
   std::atomic<double> share_{1.0};
-  Vec3 at_;       ///< The tool, as last read.
+  Vec3 at_;       ///< The hand, or a puck's tool, as last read.
+  Vec3 tool_;     ///< What hangs on a hand that feels.
   Vec3 speed_;    ///< Of a puck's tool, m/s.
   Vec3 slipped_;  ///< What the clutch has added, metres.
   Vec3 handle_;   ///< HandInput::handle, once it was turned.

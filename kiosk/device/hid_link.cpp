@@ -117,6 +117,9 @@ LinkFault HidLink::listen(int timeout_ms) noexcept {
       case Heard::news:
         if (sample_.has_place && sample_.reports > 0 && length(sample_.place - before) > kJump)
           fault = LinkFault::jump;
+        if (force_device_ && sample_.has_place && sample_.reports > 0 &&
+            overspeed_.look(sample_.place, static_cast<double>(now_ns() - sample_.at_ns) * 1e-9))
+          fault = fault == LinkFault::none ? LinkFault::too_fast : fault;
         ++sample_.reports;
         sample_.at_ns = now_ns();
         news_ = true;

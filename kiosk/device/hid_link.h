@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "engine/force/overspeed.h"
 #include "kiosk/device/driver.h"
 #include "kiosk/device/force_gate.h"
 #include "kiosk/device/mailbox.h"
@@ -96,6 +97,7 @@ class HidLink {
   FeelWish wish_;
   ForceGate gate_;
   Presence presence_;
+  force::Overspeed overspeed_;
   LinkStatus said_;
   std::int64_t turned_ns_ = 0, answered_ns_ = 0;
   bool news_ = false;

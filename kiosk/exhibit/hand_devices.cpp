@@ -30,7 +30,8 @@ constexpr const char* kFaultWords[device::kLinkFaults] = {
     "sent nothing new for 10 ms",
     "sent a broken report",
     "was elsewhere at once",
-    "did not answer to what it was sent"};
+    "did not answer to what it was sent",
+    "ran away faster than a hand goes"};
 
 InputEvent key_event(InputEvent::Kind kind, Key key) {
   InputEvent event;

@@ -145,6 +145,9 @@ void PotterCore::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept 
     const auto h = static_cast<std::size_t>(devices_[n].hand);
     HandFeedback mine = leads_[h] == devices_[n].device ? felt[h] : HandFeedback{};
     mine.force = calm_ * mine.force;
+    mine.touch.push = calm_ * mine.touch.push;
+    mine.touch.stiffness *= calm_;
+    mine.touch.grip *= calm_;
     devices_[n].device->feel(mine);
   }
 }

@@ -11,6 +11,9 @@ namespace {
 
 using Table = TomlReader::Table;
 
+// Colgate's b > K (T / 2 + delay T), with what onggi lab loop keeps in hand (engine/lab).
+constexpr double kTick = 0.001, kMargin = 1.5, kRounding = 1.01;
+
 /// "x", "+y" or "-z".
 std::optional<device::DeviceAxis> axis_of(const std::string& text) {
   const bool has_sign = !text.empty() && (text[0] == '+' || text[0] == '-');
@@ -51,6 +54,17 @@ void read_place(Table& root, const char* key, Vec3& out, double most) {
                   "Write right, up and towards the visitor in mm: [60, 100, 20].");
 }
 
+/// Nobody types a limit in: one that theory does not bear out is none.
+void check_limit(Table table, device::DeviceDef& def) {
+  if (!def.stiffness_limit) return;
+  const double bears = def.own_damping() / ((0.5 + def.body.delay) * kTick);
+  if (*def.stiffness_limit <= bears / kMargin * kRounding) return;
+  def.stiffness_limit.reset();
+  table.complain("stiffness_limit",
+                 "stiffness_limit is more than a device with this [body] bears, so it is left out.",
+                 "Run onggi lab loop --write with this file, which derives and writes it.");
+}
+
 template <class Value>
 void read_three(Table& table, const char* key, std::array<Value, 3>& out, double low, double high,
                 double unit) {
@@ -70,7 +84,17 @@ void read_force(Table table, device::DeviceDef& def) {
   table.number("ramp", def.engage_time, 0.05, 5.0, "s");
   table.number("damping", def.damping, 0.0, 20.0, "N s/m");
   double limit = 0.0;
-  if (table.number("stiffness_limit", limit, 10.0, 1e5, "N/m")) def.stiffness_limit = limit;
+  if (table.number("stiffness_limit", limit, 5.0, 1e5, "N/m")) def.stiffness_limit = limit;
+  table.finish();
+}
+
+void read_body(Table table, device::DeviceBody& body) {
+  table.number("mass", body.mass, 0.005, 5.0, "kg");
+  table.number("damping", body.damping, 0.0, 20.0, "N s/m");
+  table.number("friction", body.friction, 0.0, 5.0, "N");
+  double step_mm = 1e3 * body.step;
+  if (table.number("step_mm", step_mm, 0.0, 1.0, "mm")) body.step = 1e-3 * step_mm;
+  table.integer("delay", body.delay, 0, 8, "ticks");
   table.finish();
 }
 
@@ -102,6 +126,8 @@ DeviceRead read_device(const std::filesystem::path& file, const device::DeviceDe
   root.number("smoothing", read.def.smoothing, 0.0, 0.05, "s");
   root.number("lifts_after", read.def.lifts_after, 0.1, 30.0, "s");
   read_force(root.child("force"), read.def);
+  read_body(root.child("body"), read.def.body);
+  check_limit(root.child("force"), read.def);
   read_arm(root.child("arm"), read.def.arm);
   root.finish();
   read.problems = reader.problems();

@@ -196,6 +196,36 @@ TEST(HidHand, WithTheClutchHeldTheToolStaysUnpushedWhileTheHandleIsMovedBack) {
   EXPECT_LT(length(rig.tick(100).position - then), 1e-4) << "it goes on from where it is";
 }
 
+// A wall of 2000 N/m, which no device of this list bears: the hand feels what its own bears.
+TEST(HidHand, AWallIsNoStifferToTheHandThanItsDeviceBearsAndTheToolStaysAtIt) {
+  const Vec3 home = default_def(DeviceKind::onggi_hid).home;
+  std::vector<stand_in::TrackPoint> points;
+  for (int ms = 0; ms < 4000; ++ms)
+    points.push_back({home - Vec3{1e-5 * std::clamp(ms - 1000, 0, 1500), 0.0, 0.0}, true});
+  auto owned = std::make_unique<SimulatedHandle>(stand_in::Track(points));
+  SimulatedHandle& handle = *owned;
+  Rig rig(std::move(owned));
+  DeviceDef def = default_def(DeviceKind::onggi_hid);
+  def.stiffness_limit = 150.0;
+  ASSERT_TRUE(rig.open(&def));
+  double tool = 0.0;
+  for (int ms = 0; ms < 3900; ++ms) {
+    rig.link->heartbeat();
+    const HandInput in = rig.hand->read(1e-3);
+    tool = in.position.x - home.x;
+    HandFeedback felt;
+    felt.contact = tool < 0.0;
+    felt.touch.push.x = std::max(0.0, -2000.0 * tool);
+    felt.touch.stiffness = 2000.0;
+    rig.hand->feel(felt);
+  }
+  const double pressed = -handle.place().x;
+  EXPECT_GT(pressed, 0.01);
+  const double series = 150.0 * 2000.0 / 2150.0;
+  EXPECT_NEAR(handle.force().x, series * pressed, 0.02 * series * pressed);
+  EXPECT_NEAR(tool, -handle.force().x / 2000.0, 1e-5);
+}
+
 TEST(HidHand, NobodyAtTheHandleIsNoHandAtTheClay) {
   const Vec3 home = default_def(DeviceKind::onggi_hid).home;
   Rig rig(std::make_unique<SimulatedHandle>(still(home, 1000)));

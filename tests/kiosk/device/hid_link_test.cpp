@@ -194,6 +194,23 @@ TEST(HidLink, AHandleThatIsElsewhereAtOnceIsNotBelieved) {
   EXPECT_EQ(rig.faults(LinkFault::jump), 1u);
 }
 
+TEST(HidLink, AHandleThatRunsAwayIsLetGoOf) {
+  // It goes 2 mm each millisecond, from one moment on: no leap is as far as 20 mm.
+  std::vector<stand_in::TrackPoint> points(3000, {kHome, true});
+  for (std::size_t n = 1000; n < points.size(); ++n)
+    points[n] = {
+        kHome + Vec3{0.002 * static_cast<double>(std::min<std::size_t>(n - 1000, 40)), 0, 0},
+        n == 1000 || n > 1040};
+  Rig rig(std::make_unique<SimulatedHandle>(stand_in::Track(points)));
+  ASSERT_TRUE(rig.open());
+  rig.tick(990);
+  EXPECT_EQ(rig.faults(LinkFault::too_fast), 0u);
+  rig.tick(30, {1.0, 0.0, 0.0});
+  EXPECT_GE(rig.faults(LinkFault::too_fast), 10u);
+  EXPECT_EQ(rig.faults(LinkFault::jump), 0u);
+  EXPECT_EQ(rig.link->status().force, Vec3{});
+}
+
 TEST(HidLink, UnpluggedAtFullForceItsMotorsStopAndTheLinkSaysThatItIsLost) {
   ForceRig rig({{1200, 5000, Fault::unplug}});
   rig.tick(700);
@@ -238,7 +255,7 @@ TEST(HidLink, TenThousandTimesUnpluggedAndPluggedInAgainNoForceIsAboveItsLimits)
     // Unplugged somewhere on the way up, or at full force.
     const int lives = 40 + cycle * 37 % 160;
     for (int ms = 0; ms < lives; ++ms) {
-      felt.force = {ms < 20 ? 0.0 : 9.0, ms < 20 ? 0.0 : -3.0, 0.0};
+      felt.force = felt.touch.push = {ms < 20 ? 0.0 : 9.0, ms < 20 ? 0.0 : -3.0, 0.0};
       hand.read(1e-3);
       hand.feel(felt);
       strongest = std::max(strongest, length(handle.force()));

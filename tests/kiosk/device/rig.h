@@ -40,7 +40,7 @@ class Rig {
       if (beats) link->heartbeat();
       in = hand->read(1e-3);
       HandFeedback felt;
-      felt.force = force;
+      felt.force = felt.touch.push = force;
       felt.contact = contact;
       if (feels) hand->feel(felt);
     }

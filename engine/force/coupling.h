@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/force/tool_touch.h"
+
+namespace onggi::force {
+
+/// What a coupling may do.
+struct CouplingLimits {
+  double stiffness = 0;  ///< N/m, > 0: of the spring between hand and tool.
+  double max_force = 0;  ///< N, >= 0: the tool is never farther from the hand than this stretches.
+};
+
+/// A virtual coupling: a spring between a hand and the tool in the clay (Colgate, Stanley & Brown,
+/// Issues in the Haptic Display of Tool Use, 1995). The hand feels that spring and nothing else, so
+/// no clay, floor or wheel head is stiffer to it than its device bears; and as a spring in series
+/// leaves a dashpot as it is, clay that gives way is as heavy as it was.
+///
+/// The tool has no mass: each tick it goes to where spring and clay balance. Along the push that is
+/// one Newton step with the clay's stiffness (at the most, so that it comes from one side); across
+/// it clay carries it along until the spring pulls harder than `grip` (return mapping: Simo &
+/// Hughes, Computational Inelasticity, 1998), so that no velocity is asked for and nothing turns
+/// round at rest. Clear of the clay hand and tool are one. No allocation; the same bits everywhere;
+/// one thread.
+class Coupling {
+ public:
+  /// A tool that nothing holds any more comes back to its hand in that time, s, and no faster than
+  /// that, m/s.
+  static constexpr double kReturnTime = 0.005, kReturn = 1.0;
+
+  /// Before the tick: the hand went to `hand` (m) in `seconds` (> 0). Where the tool is to be.
+  Vec3 tool(Vec3 hand, double seconds, const CouplingLimits& limits) noexcept;
+  /// After it: what the tool met there. The force on the hand, N. A touch that is no number lets
+  /// go.
+  Vec3 feel(const Touch& touch, const CouplingLimits& limits) noexcept;
+  /// Lifted: hand and tool are one again.
+  void release() noexcept { *this = Coupling(); }
+  /// From the hand to the tool, m.
+  Vec3 stretch() const { return stretch_; }
+
+ private:
+  void balance(const CouplingLimits& limits) noexcept;
+
+  Vec3 hand_, stretch_;
+  Touch touch_;
+  double push_ = 0.0;  ///< |touch_.push|, as it is guessed to be now.
+  bool known_ = false;
+};
+
+}  // namespace onggi::force

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/force/coupling.h"
+#include "engine/force/passivity.h"
+
+namespace onggi::force {
+
+/// What a device is, as far as its loop asks.
+struct HapticLimits {
+  double stiffness = 0;    ///< N/m, > 0: derived for the device (`onggi lab loop`).
+  double max_force = 0;    ///< N, >= 0.
+  double mass = 0.045;     ///< Of the handle as it is felt, kg, > 0.
+  double own_damping = 0;  ///< N s/m, >= 0.
+  int delay = 0;           ///< Ticks from a place to the force that it made, >= 0.
+
+  /// N s/m that a damper made of sampled places may have: its lag is the delay, half a tick of the
+  /// hold, and the window in which a velocity is told; a quarter of what would make it swing.
+  double most_damping(double seconds) const {
+    return 0.25 * mass / ((delay + 0.5) * seconds + 0.5 * HandVelocity::kWindow);
+  }
+};
+
+/// A hand at a force device, from its place to its force: coupling, then passivity. What comes out
+/// goes through a guard last, always. The kiosk and the laboratory have the same one. One thread.
+class Haptics {
+ public:
+  Vec3 tool(Vec3 hand, double seconds, const HapticLimits& limits) noexcept {
+    hand_ = hand;
+    seconds_ = seconds;
+    return coupling_.tool(hand, seconds, {limits.stiffness, limits.max_force});
+  }
+  /// `share` of the force is to be felt, 0..1.
+  Vec3 feel(const Touch& touch, double share, const HapticLimits& limits) noexcept {
+    const Vec3 force = share * coupling_.feel(touch, {limits.stiffness, limits.max_force});
+    return passivity_.step(
+        hand_, force, touch, seconds_,
+        {limits.stiffness, limits.own_damping, limits.most_damping(seconds_), limits.delay});
+  }
+  void release() noexcept {
+    coupling_.release();
+    passivity_.release();
+  }
+  const Coupling& coupling() const { return coupling_; }
+  const PassivityControl& passivity() const { return passivity_; }
+
+ private:
+  Coupling coupling_;
+  PassivityControl passivity_;
+  Vec3 hand_;
+  double seconds_ = 0.001;
+};
+
+}  // namespace onggi::force

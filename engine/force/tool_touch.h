@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/math/vec.h"
+
+namespace onggi::force {
+
+/// What one tool met in a tick, before any guard: all that a device's coupling asks of the clay.
+/// Studio frame.
+struct Touch {
+  Vec3 push;                ///< Of clay, floor and wheel head on the tool, without friction, N.
+  double stiffness = 0.0;   ///< N/m, >= 0: how much harder they push a metre deeper, at the most.
+  double relaxation = 0.0;  ///< s in which the push falls to 1/e if nothing moves; 0: it stays.
+  double grip = 0.0;        ///< N, >= 0: all that friction (or a wire's cut) holds.
+  Vec3 clay;                ///< Velocity of the clay where it touches, m/s.
+};
+
+}  // namespace onggi::force

@@ -1,0 +1,64 @@
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/measure/force_loop.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct LoopArguments {
+  std::string json, plot, write;
+};
+
+Result<int> write_limit(const std::string& file) {
+  const auto limit = measure::write_stiffness_limit(file);
+  if (!limit) return tl::unexpected(limit.error());
+  std::printf(
+      "%s: stiffness_limit %.1f N/m. The clay's stiffest, the wheel head, is about 500 N/m under "
+      "half a newton, so it is %s.\nIts loop is stable up to %.0f and passive up to %.0f N/m "
+      "(100000: any), by theory to %.0f; its encoder is not felt up to %.0f.\n",
+      file.c_str(), limit->allowed, limit->allowed < 500.0 ? "felt softer" : "felt as it is",
+      limit->stable, limit->passive, limit->colgate, limit->quiet);
+  return 0;
+}
+
+Result<int> loop(const LoopArguments& arguments) {
+  if (!arguments.write.empty()) return write_limit(arguments.write);
+  const auto report = measure::measure_force_loop(stderr);
+  if (!report) return tl::unexpected(report.error());
+  const auto put = put_report(measure::json_of(*report), arguments.json);
+  if (!put) return tl::unexpected(put.error());
+  if (*put) std::cout << measure::text_of(*report);
+  if (!arguments.plot.empty())
+    if (const auto kept = files::write_durably(
+            arguments.plot, drawing::draw_plot(measure::plot_of(*report), arguments.plot));
+        !kept)
+      return tl::unexpected(kept.error());
+  return report->good() ? 0 : 1;
+}
+
+}  // namespace
+
+Command lab_loop_command() {
+  const auto a = std::make_shared<LoopArguments>();
+  return {.name = "loop",
+          .help = "How stiff a force a device bears: hand, device and clay in a closed loop",
+          .examples =
+              "Example: onggi lab loop --json loop.json --plot loop.svg\n"
+              "         onggi lab loop --write config/devices/onggi_hid.toml\n"
+              "Exit: 0 what ships is stable and passive on every device with 1.5 to spare, 1 not.",
+          .options = {{"--json", &a->json, "Write every loop as JSON (- for standard output)"},
+                      {"--plot", &a->plot, "Draw them into this PNG or SVG"},
+                      {"--write", &a->write,
+                       "Only derive the stiffness limit of the device in this file from its "
+                       "[body], and write it there"}},
+          .run = [a] { return loop(*a); }};
+}
+
+}  // namespace onggi::commands
