@@ -41,7 +41,7 @@ class Drawn(unittest.TestCase):
                             ("edges", ["sharpest turn of the outline in 0.5 mm, degrees", "with"]),
                             ("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
                             ("glossary", ["element: one", "interval, or span:"]),
-                            ("loop", ["stiffness, N/m", "the wheel head under 0.5 N"]),
+                            ("loop", ["stiffness, N/m", "the wheel head"]),
                             ("marks", ["eight facets, flat rib", "a trimmed foot"]),
                             ("push", ["force, N", "mean depth, mm", "elements in collision"]),
                             ("rows", ["rows only grow", "rows divide", "the thickest row, mm"]),

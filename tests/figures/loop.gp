@@ -4,11 +4,11 @@ data = ARG2
 eval svg(880, 560)
 set output ARG3
 
-set lmargin at screen 0.085
-set rmargin at screen 0.70
-set tmargin at screen 0.88
+set lmargin at screen 0.105
+set rmargin at screen 0.83
+set tmargin at screen 0.86
 set bmargin at screen 0.12
-set label 1 "How stiff a wall a device bears at 1 kHz" at screen 0.085,0.95 font "sans-serif,18" textcolor rgb ink
+set label 1 "How stiff a wall a device bears at 1 kHz" at screen 0.105,0.95 font "sans-serif,18" textcolor rgb ink
 set logscale y
 set xrange [-0.15:3.15]
 set yrange [2:4000]
@@ -17,16 +17,12 @@ set xlabel "ticks from a place to the force that it makes" textcolor rgb ink
 set ylabel "stiffness, N/m" textcolor rgb ink
 green = "#009E73"
 of(b) = b < 0.3 ? paper : b < 0.7 ? corrected : green
-# Each line is named at its end.
-set label 10 "the wheel head under 0.5 N" at 3.2,501 textcolor rgb published
-set label 11 "given, 1.0 N s/m" at 3.2,165 textcolor rgb green
-set label 12 "a spring is passive" at 3.2,300 textcolor rgb green
-set label 13 "given, 0.5 N s/m" at 3.2,92 textcolor rgb corrected
-set label 14 "passive" at 3.2,143 textcolor rgb corrected offset 9,0
-set label 15 "passive, 0.1 N s/m" at 3.2,31 textcolor rgb paper
-set label 16 "given" at 3.2,18 textcolor rgb paper
-set label 17 "stable behind the" at 3.2,6.8 textcolor rgb published
-set label 18 "paper's 10 Hz filter" at 3.2,5 textcolor rgb published
+# A colour is a device, a kind of line what is asked of it.
+set label 2 "dashed: up to here a spring is passive; dots: what a device is given; triangles: stable behind the paper's filter" at screen 0.105,0.905 textcolor rgb published
+set label 10 "the wheel head" at 3.2,501 textcolor rgb published
+set label 11 "1.0 N s/m" at 3.2,232 textcolor rgb green
+set label 12 "0.5 N s/m" at 3.2,116 textcolor rgb corrected
+set label 13 "0.1 N s/m" at 3.2,23 textcolor rgb paper
 is(b) = abs(column("damping") - b) < 0.01
 plot data using "delay":"head" with lines linecolor rgb published dashtype 3 linewidth 1.5, \
      for [b in "0.1 0.5 1.0"] data using "delay":(is(b + 0) ? column("passive") : 1/0) with lines linecolor rgb of(b + 0) dashtype 2 linewidth 1.5, \
