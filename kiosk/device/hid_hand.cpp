@@ -49,13 +49,20 @@ HidHand::HidHand(std::shared_ptr<HidLink> link, bool left_handed)
   limits_.own_damping = def_.own_damping() / def_.scale;
   limits_.max_force = link_->cap();
   limits_.delay = def_.body.delay;
-  if (left_handed) home_.x = -home_.x;
+  // The mirror image of what the right hand has: where it begins, and what of the workspace is the
+  // middle. The device's own right stays right.
+  if (left_handed) {
+    home_.x = -home_.x;
+    def_.middle.x = -def_.middle.x;
+  }
   at_ = home_;
 }
 
 Vec3 HidHand::handle_place(double dt) noexcept {
-  const Vec3 mapped =
-      home_ + def_.scale * (to_studio(def_, sample_.place) - def_.middle) + slipped_;
+  const Vec3 place = def_.smoothing > 0.0 ? join_.at(sample_.place, sample_.reports, sample_.at_ns,
+                                                     link_->time_ns(), dt, def_.smoothing)
+                                          : sample_.place;
+  const Vec3 mapped = home_ + def_.scale * (to_studio(def_, place) - def_.middle) + slipped_;
   const bool clutch = (sample_.buttons & kClutch) != 0;
   if (clutch || clutched_) {
     // The tool stays where it was; what the handle does meanwhile is what it slips.
@@ -63,7 +70,7 @@ Vec3 HidHand::handle_place(double dt) noexcept {
     clutched_ = clutch;
     return at_;
   }
-  return def_.smoothing > 0.0 && used_ ? towards(at_, mapped, def_.smoothing, dt) : mapped;
+  return mapped;
 }
 
 Vec3 HidHand::glide(double dt) noexcept {
@@ -113,6 +120,7 @@ HandInput HidHand::read(double dt) noexcept {
   hand.active = in_use(dt);
   at_ = sample_.has_place ? handle_place(dt) : glide(dt);
   used_ = hand.active;
+  moves_.store(used_, std::memory_order_relaxed);
   if (!used_) haptics_.release();
   if (!pushes_ || !used_)
     tool_ = at_;

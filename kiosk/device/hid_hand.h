@@ -6,6 +6,7 @@
 #include "engine/force/haptics.h"
 #include "kiosk/device/hand_device.h"
 #include "kiosk/device/hid_link.h"
+#include "kiosk/device/place_join.h"
 
 namespace onggi::device {
 
@@ -22,6 +23,8 @@ class HidHand final : public HandDevice {
   double age() const noexcept override;
 
   HidLink& link() { return *link_; }
+  /// Anybody's: it moves the hand now.
+  bool in_use() const { return moves_.load(std::memory_order_relaxed); }
   /// Main's: the visitor's share of the force, 0 (off) .. 1.
   void share(double of_force) { share_.store(of_force, std::memory_order_relaxed); }
 
@@ -39,7 +42,9 @@ class HidHand final : public HandDevice {
   bool pushes_;  ///< A force device.
   force::HapticLimits limits_;
   force::Haptics haptics_;
+  PlaceJoin join_;
   std::atomic<double> share_{1.0};
+  std::atomic<bool> moves_{false};
   Vec3 at_;       ///< The hand, or a puck's tool, as last read.
   Vec3 tool_;     ///< What hangs on a hand that feels.
   Vec3 speed_;    ///< Of a puck's tool, m/s.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "kiosk/device/last_word.h"
+
 namespace onggi::device {
 
 namespace {
@@ -153,7 +155,7 @@ void HidLink::answer(LinkFault fault, std::int64_t now) noexcept {
   saying.cap = limits_.cap;
   saying.damping = def_.damping;
   if (force_device_) {
-    const bool ready = sample_.held && wish_.ticks > 0 && limits_.cap > 0.0;
+    const bool ready = sample_.held && wish_.ticks > 0 && limits_.cap > 0.0 && !program_ends();
     const double seconds = static_cast<double>(now - turned_ns_) * 1e-9;
     if (ready && sample_.armed) {
       saying.force = whole_millinewtons(gate_.step(wish_.force, seconds, limits_, fault));

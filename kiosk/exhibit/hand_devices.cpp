@@ -72,7 +72,7 @@ void HandDevices::take(std::unique_ptr<device::HidLink> link) {
         used.index = hand;
     if (used.index >= 0) {
       auto hand = std::make_unique<device::HidHand>(used.link, options_.left_handed);
-      hand->share(options_.force);
+      hand->share(share_ * options_.force);
       used.hand = hand.get();
       if (potter_.attach(std::move(hand), used.index) == nullptr) {
         used.hand = nullptr;
@@ -125,6 +125,12 @@ void HandDevices::add_input(InUse& used, const device::DeviceSample& sample,
     events.push_back(key_event(InputEvent::Kind::key_down, Key::slower));
 }
 
+void HandDevices::share(double of_force) {
+  share_ = of_force;
+  for (const InUse& used : used_)
+    if (used.hand != nullptr) used.hand->share(share_ * options_.force);
+}
+
 /// A dial that lies under the other hand says when the first one meets clay.
 void HandDevices::buzz_at_a_touch(double now) {
   bool touching = false;
@@ -149,7 +155,8 @@ std::vector<InputEvent> HandDevices::frame(double now) {
   }
   for (auto& link : watch_.arrived()) take(std::move(link));
   std::vector<InputEvent> events;
-  bool hold = false;
+  bool hold = false, pushes = false;
+  std::optional<device::DeviceKind> first_hand;
   std::erase_if(used_, [&](InUse& used) {
     used.link->heartbeat();
     if (options_.by_hand && used.hand == nullptr) used.link->pump(now - last_frame_);
@@ -161,11 +168,16 @@ std::vector<InputEvent> HandDevices::frame(double now) {
     }
     add_input(used, status.sample, events);
     if (status.asks_to_be_held) hold = true;
+    if (used.hand != nullptr) {
+      pushes = pushes || device::info_of(used.link->kind()).force;
+      if (used.index == 0 && used.hand->in_use()) first_hand = used.link->kind();
+    }
     return false;
   });
   buzz_at_a_touch(now);
   last_frame_ = now;
   news_.update(now, hold);
+  news_.use(first_hand, pushes);
   return events;
 }
 

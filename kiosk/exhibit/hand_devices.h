@@ -27,6 +27,8 @@ class HandDevices {
 
   /// Once a frame: what dials and buttons did.
   std::vector<view::InputEvent> frame(double now);
+  /// The visitor's share of the exhibit's force, 0 (off) .. 1, from now on.
+  void share(double of_force);
   /// What visitors are told.
   const screens::DeviceNews& news() const { return news_; }
   /// What staff should know, a line each, once.
@@ -57,6 +59,7 @@ class HandDevices {
   screens::DeviceNews news_;
   std::vector<std::string> remarks_;
   double looked_at_ = -1.0, buzzed_at_ = -1.0, last_frame_ = 0.0;
+  double share_ = 1.0;  ///< The visitor's.
   bool touching_ = false;
   std::uint32_t buzzes_ = 0;
 };

@@ -74,7 +74,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   if (options.devices)
     kiosk->devices_ = std::make_unique<HandDevices>(
         *kiosk->potter_, device::hidapi_bus(), defined_devices(kiosk->exhibit_),
-        HandDevices::Options{options.stepped, kiosk->exhibit_.screen.left_handed, 1.0});
+        HandDevices::Options{options.stepped, kiosk->exhibit_.screen.left_handed,
+                             kiosk->exhibit_.screen.force});
   return kiosk;
 }
 
@@ -131,6 +132,7 @@ void Kiosk::look_after_devices(double now) {
   for (const std::string& line : devices_->remarks()) log_line(line);
   log_problems(devices_->problems());
   if (!visit_) return;
+  devices_->share(visit_->force_share());
   for (const view::InputEvent& event : events) visit_->input(event, now);
 }
 

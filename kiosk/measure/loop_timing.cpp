@@ -25,7 +25,8 @@ constexpr std::uint64_t kEnoughTicks = 100'000;
 // What a hand at a stiff wall forgives: a late tick is a force held a little too long.
 constexpr double kWakeAllowed = 300.0;     // us at 99.9 %
 constexpr double kComputeAllowed = 700.0;  // us at 99.9 %
-constexpr double kMissesAllowed = 1e-4;    // of all ticks
+constexpr double kTickUs = 1000.0;
+constexpr double kMissesAllowed = 1e-4;  // of all ticks
 
 constexpr std::pair<const char*, double> kShares[] = {
     {"p50", 0.5}, {"p99", 0.99}, {"p99.9", 0.999}, {"p99.99", 0.9999}, {"max", 1.0}};
@@ -38,6 +39,8 @@ TimingPhase phase_of(const char* name, const loop::LoopThread& loop, const loop:
           {now.wake_us.since(from.wake_us), now.compute_us.since(from.compute_us),
            now.device_us.since(from.device_us)},
           shown,
+          {},
+          0,
           seconds,
           loop.status().deadlines.overruns - missed_before};
 }
@@ -83,14 +86,23 @@ Result<TimingPhase> drawing_beside(exhibit::Kiosk& kiosk, double seconds) {
     if (!kiosk.frame(monotonic_seconds())) break;
   const loop::LoopTiming from = loop->timing();
   const std::uint64_t missed = loop->status().deadlines.overruns;
-  Histogram shown;
+  Histogram shown, frames;
+  std::uint64_t older = 0;
   begun = monotonic_seconds();
   while (monotonic_seconds() - begun < seconds) {
-    if (!kiosk.frame(monotonic_seconds()))
+    const double from_here = monotonic_seconds();
+    if (!kiosk.frame(from_here))
       return problem("the window", "It was closed.", "Leave it open.", 1);
-    shown.add(age_us(kiosk.potter().view().status));
+    const double age = age_us(kiosk.potter().view().status);
+    const double took = (monotonic_seconds() - from_here) * 1e6;
+    shown.add(age);
+    frames.add(took);
+    older += age > took + kTickUs ? 1 : 0;
   }
-  return phase_of("drawing", *loop, from, missed, monotonic_seconds() - begun, shown);
+  TimingPhase phase = phase_of("drawing", *loop, from, missed, monotonic_seconds() - begun, shown);
+  phase.frame_us = frames;
+  phase.older = older;
+  return phase;
 }
 
 void judge(TimingReport& report) {
@@ -192,7 +204,9 @@ files::Json json_of(const TimingReport& report) {
                                           {"wake_us", json_of(phase.timing.wake_us)},
                                           {"compute_us", json_of(phase.timing.compute_us)},
                                           {"device_age_us", json_of(phase.timing.device_us)},
-                                          {"shown_age_us", json_of(phase.shown_us)}}));
+                                          {"shown_age_us", json_of(phase.shown_us)},
+                                          {"frame_us", json_of(phase.frame_us)},
+                                          {"older_than_a_tick_and_a_frame", phase.older}}));
   return files::Json::object({{"fit_for_force", report.fit},
                               {"words", files::Json::list_of(report.words)},
                               {"software_drawing", report.software_drawing},
@@ -214,7 +228,13 @@ std::string text_of(const TimingReport& report) {
     text += row_of("late to wake", phase.timing.wake_us) +
             row_of("a tick's work", phase.timing.compute_us) +
             row_of("a device's news, age", phase.timing.device_us) +
-            row_of("what is shown, age", phase.shown_us);
+            row_of("what is shown, age", phase.shown_us) + row_of("a frame", phase.frame_us);
+    if (phase.frame_us.total() == 0) continue;
+    std::snprintf(head, sizeof head,
+                  "  %llu of %llu frames showed what was at most a tick and a frame old.\n",
+                  static_cast<unsigned long long>(phase.frame_us.total() - phase.older),
+                  static_cast<unsigned long long>(phase.frame_us.total()));
+    text += head;
   }
   for (const std::string& words : report.words) text += words + "\n";
   return text;

@@ -16,6 +16,8 @@ struct TimingPhase {
   std::string name;  ///< "idle", "drawing"
   loop::LoopTiming timing;
   loop::Histogram shown_us;  ///< Age of what a frame showed when it was on the screen.
+  loop::Histogram frame_us;  ///< What a frame takes, from looking at the wheel to the screen.
+  std::uint64_t older = 0;   ///< Frames that showed what was older than a tick and a frame.
   double seconds = 0.0;
   std::uint64_t misses = 0;  ///< Wakes that missed a whole tick.
 };

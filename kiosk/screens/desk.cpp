@@ -8,6 +8,7 @@ void Desk::forget() {
   made = {};
   score = {};
   glaze = -1;
+  force = {};
   kept = Kept::not_asked;
   kept_as.clear();
   postcard = 0;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kiosk/screens/fault_note.h"
+#include "kiosk/screens/force_slider.h"
 #include "kiosk/screens/visit.h"
 
 namespace onggi::screens {
@@ -29,6 +30,7 @@ class Desk {
   int card = -1;
   Profile made;
   score::Score score;
+  ForceSlider force;
   int glaze = -1;  ///< Chosen of its kiln's; -1: none yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
   std::string kept_as;

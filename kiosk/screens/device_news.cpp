@@ -16,6 +16,12 @@ constexpr std::pair<device::DeviceKind, const char*> kFound[] = {
     {device::DeviceKind::dual_sense, "throw.device_sticks"},
     {device::DeviceKind::polhem, "throw.device_force"},
     {device::DeviceKind::onggi_hid, "throw.device_force"}};
+
+constexpr std::pair<device::DeviceKind, const char*> kUsed[] = {
+    {device::DeviceKind::space_mouse, "throw.with_puck"},
+    {device::DeviceKind::dual_sense, "throw.with_sticks"},
+    {device::DeviceKind::polhem, "throw.with_force"},
+    {device::DeviceKind::onggi_hid, "throw.with_force"}};
 }  // namespace
 
 void DeviceNews::came(device::DeviceKind kind, bool force) {
@@ -41,6 +47,14 @@ void DeviceNews::update(double now, bool hold) {
     key_.clear();
   }
   if (!hold && key_.empty()) again_ = false;
+}
+
+void DeviceNews::use(std::optional<device::DeviceKind> first_hand, bool pushes) {
+  pushes_ = pushes;
+  in_use_.clear();
+  if (!first_hand) return;
+  for (const auto& [known, key] : kUsed)
+    if (known == *first_hand) in_use_ = key;
 }
 
 std::vector<std::string> DeviceNews::keys() {

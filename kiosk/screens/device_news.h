@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,21 @@ class DeviceNews {
 
   /// Of the languages: what to say now. Empty: nothing.
   const std::string& key() const { return key_; }
-  /// Every key that there can be, for reserving room.
+  /// Once a frame: what moves the first hand, and whether any device pushes.
+  void use(std::optional<device::DeviceKind> first_hand, bool pushes);
+  /// Of the languages: which device is in use. Empty: a finger, or nothing.
+  const std::string& in_use() const { return in_use_; }
+  /// A device that pushes is plugged in.
+  bool pushes() const { return pushes_; }
+  /// Every key of key() that there can be, for reserving room.
   static std::vector<std::string> keys();
 
  private:
-  std::string key_, next_;
+  std::string key_, next_, in_use_;
   double told_at_ = 0.0;
   bool had_force_ = false;  ///< A force device was here before,
-  bool again_ = false;      ///< and one has come back since.
+  bool pushes_ = false;
+  bool again_ = false;  ///< and one has come back since.
 };
 
 }  // namespace onggi::screens

@@ -89,6 +89,8 @@ class Throwing final : public Screen {
     column.foot_space(t.gap);
 
     column.text(desk.label(desk.card).title, t.body, Face::serif, view::kFaintInk);
+    if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
+      column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
     column.space(t.gap * 0.5f);
     if (mishap_) return lay_out_mishap(column, t);
     // The longest hint's room is kept, so that the controls never move under a finger.
@@ -130,6 +132,8 @@ class Throwing final : public Screen {
       mishap_.go_back(desk);
     } else if (control == "throw.done") {
       finish();
+    } else {
+      desk.force.press(control);
     }
   }
 
@@ -331,9 +335,10 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
     return desk.say("throw.rpm", {{"rpm", std::to_string(turns)}});
   };
   const std::string hand = desk.say("throw.hand"), wheel = desk.say("throw.wheel"),
-                    clay = desk.say("throw.clay");
+                    clay = desk.say("throw.clay"), force = desk.say("throw.force");
+  const std::vector<Button> feels = desk.force.buttons(desk);
   float captions = 0;
-  for (const std::string& words : {hand, wheel, clay})
+  for (const std::string& words : {hand, wheel, clay, feels.empty() ? clay : force})
     captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
 
   column.foot_buttons({{"throw.done", desk.say("throw.done"), Look::solid}});
@@ -349,6 +354,10 @@ void Throwing::lay_out_tools(Page& page, Column& column) const {
                        {"throw.faster", desk.say("throw.faster"), Look::outline}},
                       wheel, captions);
   column.foot_space(t.gap);
+  if (!feels.empty()) {
+    column.foot_buttons(feels, force, captions);
+    column.foot_space(t.gap);
+  }
   const bool back = desk.status.can_restore && !mishap_;  // After a mishap it stands above.
   const auto grip = [&](const char* id, Grip which) {
     return Button{id, desk.say(id), grip_ == which ? Look::solid : Look::outline};

@@ -151,6 +151,7 @@ void Visit::fail(const Problem&) {
 ScreenId Visit::screen() const { return state_->screen->id(); }
 bool Visit::idle_warning() const { return state_->over == Over::idle; }
 const std::string& Visit::language() const { return state_->desk.words().code(); }
+double Visit::force_share() const { return state_->desk.force.share(); }
 const score::Score& Visit::score() const { return state_->desk.score; }
 
 std::vector<std::pair<std::string, view::Rect>> Visit::controls() const {

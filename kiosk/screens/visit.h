@@ -115,6 +115,8 @@ class Visit {
   ScreenId screen() const;
   bool idle_warning() const;
   const std::string& language() const;  ///< Code in use.
+  /// How much of the force the visitor would feel, 0 (off) .. 1.
+  double force_share() const;
   /// Of the pot that was last called done, as the result screen tells it.
   const score::Score& score() const;
 
@@ -125,7 +127,8 @@ class Visit {
   ///             "choose.more" (a long label read on), "back" to the shelf
   ///   throw     "throw.both", "throw.outside", "throw.inside", "throw.slower", "throw.faster",
   ///             "throw.water", "throw.cut", "throw.renew", "throw.restore" (while there is a
-  ///             stroke to take back), "throw.done"
+  ///             stroke to take back), "throw.done"; with a device that pushes "throw.softer",
+  ///             "throw.stronger"
   ///   result    "result.keep", "result.again", "result.other"
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
   ///   keepsake  "keepsake.done"        fault  "fault.on"

@@ -60,7 +60,7 @@ std::string track_of(const Json& visit, const TemporaryFolder& folder) {
 
 Json visit(const TemporaryFolder& folder, const std::string& name, const std::string& hand,
            const std::string& first) {
-  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --hand " +
+  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 320x240 --hand " +
                                 hand + " --json - --out " + (folder / name).string(),
                             first);
   EXPECT_EQ(run.exit_code, 0) << run.err;

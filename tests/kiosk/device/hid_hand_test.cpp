@@ -226,6 +226,33 @@ TEST(HidHand, AWallIsNoStifferToTheHandThanItsDeviceBearsAndTheToolStaysAtIt) {
   EXPECT_NEAR(tool, -handle.force().x / 2000.0, 1e-5);
 }
 
+// What a left hand does at the left is what a right hand does at the right, in a mirror.
+TEST(HidHand, OfALeftHandedVisitorTheToolGoesTheMirroredWay) {
+  DeviceDef def = default_def(DeviceKind::onggi_hid);
+  def.middle = {0.03, 0.01, 0.0};
+  def.scale = 1.5;
+  std::vector<stand_in::TrackPoint> right, left;
+  for (int ms = 0; ms < 1500; ++ms) {
+    const double t = 1e-3 * ms;
+    const Vec3 at{0.02 * std::sin(5.0 * t), 0.01 * std::cos(3.0 * t), 0.015 * std::sin(2.0 * t)};
+    const Vec3 home = default_def(DeviceKind::onggi_hid).home;
+    right.push_back({home + at, true});
+    left.push_back({home + Vec3{-at.x, at.y, at.z}, true});
+  }
+  Rig one(std::make_unique<SimulatedHandle>(stand_in::Track(right)));
+  Rig other(std::make_unique<SimulatedHandle>(stand_in::Track(left)));
+  ASSERT_TRUE(one.open(&def));
+  ASSERT_TRUE(other.open(&def));
+  other.hand = std::make_unique<HidHand>(other.link, true);
+  for (int ms = 0; ms < 1400; ++ms) {
+    const HandInput a = one.tick(), b = other.tick();
+    ASSERT_EQ(a.active, b.active);
+    ASSERT_NEAR(a.position.x, -b.position.x, 1e-6) << ms;
+    ASSERT_NEAR(a.position.y, b.position.y, 1e-6);
+    ASSERT_NEAR(a.position.z, b.position.z, 1e-6);
+  }
+}
+
 TEST(HidHand, NobodyAtTheHandleIsNoHandAtTheClay) {
   const Vec3 home = default_def(DeviceKind::onggi_hid).home;
   Rig rig(std::make_unique<SimulatedHandle>(still(home, 1000)));

@@ -42,6 +42,19 @@ TEST(DeviceNews, AForceDevicePluggedInAgainAsksToBeHeldUntilItIs) {
   EXPECT_EQ(news.key(), "") << "somebody holds it";
 }
 
+TEST(DeviceNews, WhichDeviceMovesTheHandIsSaidForAsLongAsItDoes) {
+  DeviceNews news;
+  EXPECT_EQ(news.in_use(), "");
+  news.use(DeviceKind::onggi_hid, true);
+  EXPECT_EQ(news.in_use(), "throw.with_force");
+  EXPECT_TRUE(news.pushes());
+  news.use(DeviceKind::space_mouse, true);
+  EXPECT_EQ(news.in_use(), "throw.with_puck");
+  news.use(std::nullopt, false);
+  EXPECT_EQ(news.in_use(), "") << "a finger needs no words";
+  EXPECT_FALSE(news.pushes());
+}
+
 TEST(DeviceNews, EveryKeyThatCanBeSaidIsListed) {
   const auto keys = DeviceNews::keys();
   for (const device::KindInfo& info : device::device_kinds()) {

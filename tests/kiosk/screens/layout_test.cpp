@@ -26,6 +26,21 @@ void check_all(bool left_handed) {
 TEST(Layout, NothingIsCutAndNothingOverlapsAtAnySizeInEitherLanguage) { check_all(false); }
 TEST(Layout, NorForLeftHands) { check_all(true); }
 
+TEST(Layout, NorWithADeviceThatPushes) {
+  for (const auto& [width, height] : {kSizes[2], kSizes[3]})
+    for (const bool korean : {false, true}) {
+      Visitor v(9);
+      v.width = width;
+      v.height = height;
+      v.news.use(device::DeviceKind::onggi_hid, true);
+      v.show();
+      if (korean) v.touch("language");
+      v.throw_a_pot();
+      ASSERT_TRUE(v.visit->control("throw.softer"));
+      check_layout(v, v.plain, "throw, with force");
+    }
+}
+
 TEST(Layout, BodyTextHasCapitalsOfSevenTenthsOfADegreeWhereTheScreenHasRoom) {
   settings::Exhibit::Screen screen;
   screen.viewing_distance_mm = 500;

@@ -175,6 +175,29 @@ TEST(Visit, TheWheelTurnsByItselfAndCanBeMadeSlowerUntilItStands) {
   EXPECT_NEAR(v.potter.wheels.back(), 31.4, 1e-9);
 }
 
+TEST(Visit, AVisitorSetsHowMuchForceIsFeltDownToOffAndTheNextBeginsWithAll) {
+  Visitor v;
+  v.throw_a_pot();
+  EXPECT_FALSE(v.visit->control("throw.softer")) << "nothing pushes";
+  v.news.use(device::DeviceKind::onggi_hid, true);
+  v.show();
+  EXPECT_EQ(v.visit->force_share(), 1.0);
+  EXPECT_NE(words_in(v.frame).find("you feel the clay"), std::string::npos);
+  v.touch("throw.softer");
+  EXPECT_EQ(v.visit->force_share(), 0.75);
+  EXPECT_NE(words_in(v.frame).find("75"), std::string::npos);
+  for (int i = 0; i < 5; ++i) v.touch("throw.softer");
+  EXPECT_EQ(v.visit->force_share(), 0.0);
+  EXPECT_NE(words_in(v.frame).find("off"), std::string::npos);
+  v.touch("language");
+  EXPECT_NE(words_in(v.frame).find("끔"), std::string::npos);
+  v.touch("throw.stronger");
+  EXPECT_EQ(v.visit->force_share(), 0.25);
+  v.frames(600);  // and goes
+  EXPECT_EQ(v.visit->screen(), ScreenId::attract);
+  EXPECT_EQ(v.visit->force_share(), 1.0);
+}
+
 TEST(Visit, WaterIsASwitchForATapAndASpongeForALongPress) {
   Visitor v;
   v.throw_a_pot();

@@ -76,6 +76,7 @@ class Visitor {
   Wheel wheel;  // of every card
   PlainMeasure plain;
   RecordingPotter potter;
+  DeviceNews news;
   loop::WheelView view;
   ClayView& clay = view.clay;
   loop::LoopStatus& status = view.status;
