@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -10,7 +11,9 @@
 #include "kiosk/files/durable_file.h"
 #include "kiosk/measure/loop_timing.h"
 #include "kiosk/measure/price_list.h"
+#include "kiosk/measure/scene_bill.h"
 #include "kiosk/measure/stability.h"
+#include "kiosk/settings/scene_file.h"
 
 namespace onggi::commands {
 
@@ -19,11 +22,28 @@ namespace {
 constexpr int kPasses = 3;
 
 struct LabArguments {
-  std::string json, plot, count, grid = "400x360";
+  std::string json, plot, count, bill, grid = "400x360";
   bool quick = false;
 };
 
+Result<int> bill(const LabArguments& arguments) {
+  const settings::SceneRead read = settings::read_scene(arguments.bill);
+  if (!read.problems.empty()) return tl::unexpected(read.problems.front());
+  auto paid = measure::bill_of(std::filesystem::path(arguments.bill).stem().string(), read.def,
+                               arguments.quick ? 1 : kPasses);
+  if (!paid) return tl::unexpected(paid.error());
+  paid->command = "onggi lab effects --bill " + arguments.bill;
+  const auto put = put_report(measure::json_of(*paid), arguments.json);
+  if (!put) return tl::unexpected(put.error());
+  if (*put) std::fputs(measure::text_of(*paid).c_str(), stdout);
+  if (arguments.plot.empty()) return 0;
+  return files::write_durably(arguments.plot,
+                              drawing::draw_bill(measure::sheet_of(*paid), arguments.plot))
+      .map([] { return 0; });
+}
+
 Result<int> effects(const LabArguments& arguments) {
+  if (!arguments.bill.empty()) return bill(arguments);
   int rows = 0, sectors = 0;
   char rest = 0;
   if (std::sscanf(arguments.grid.c_str(), "%dx%d%c", &rows, &sectors, &rest) != 2)
@@ -55,13 +75,16 @@ Command effects_command() {
           .help = "The price list: what each effect and each scene costs",
           .examples =
               "Example: onggi lab effects --json prices.json --plot prices.png\n"
+              "         onggi lab effects --bill config/scenes/studio.toml --plot bill.png\n"
               "Bytes are those beyond the base scene's. Instructions are of a tick, under "
-              "valgrind.",
+              "valgrind.\n"
+              "A bill: what a scene pays for each of its effects, and what for.",
           .options =
               {{"--json", &a->json, "Write the list as JSON (- for standard output)"},
                {"--plot", &a->plot, "Draw it into this PNG or SVG"},
                {.name = "--grid", .field = &a->grid, .help = "ROWSxSECTORS", .shows_default = true},
-               {"--quick", &a->quick, "Count no instructions"},
+               {"--bill", &a->bill, "Only this scene's TOML: with each effect, and without"},
+               {"--quick", &a->quick, "Count no instructions, and time once"},
                {.name = "--count", .field = &a->count, .help = "", .hidden = true}},
           .run = [a] { return effects(*a); }};
 }

@@ -67,8 +67,8 @@ ChartPanel AccuracySheet::main_panel() const {
   for (const auto& t : chart_.thresholds) most = std::max(most, t.mm);
   return {kEdgeOfPaper + 96,
           1290,
-          226,
-          960,
+          300,
+          1030,
           decades(0.75 * least_us, 1.9 * most_us),
           decades(0.5 * least, 1.6 * most)};
 }

@@ -1,15 +1,20 @@
 #include "kiosk/measure/price_list.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 
+#include "engine/lab/scene_work.h"
 #include "kiosk/files/helper_process.h"
 #include "kiosk/measure/scene_presets.h"
 
 namespace onggi::measure {
 
 namespace {
+
+using files::Json;
 
 constexpr double kCountedWithin_s = 1800;  // valgrind is fifty times slower
 
@@ -30,6 +35,31 @@ std::int64_t counted(int rows, int sectors, const std::string& scene) {
   return at == std::string::npos ? 0
                                  : std::atoll(words.c_str() + at + before.size()) / kPricedTicks;
 }
+
+// What both hands leave and feel on a wall.
+Result<lab::SceneOutcome> left_by(const PricedScene& scene, int rows, int sectors) {
+  SceneDef def = lab::on_a_wall(scene.def);
+  def.guard = {22.0, 1e5, 0.05};  // forces as they are
+  lab::SceneWork work = lab::finger_work(scene.name, def, true, 0.001, true);
+  work.def.clay.rows = rows;
+  work.def.clay.sectors = sectors;
+  return lab::outcome_of(work, 1e-3, rows);
+}
+
+Result<void> say_what_changes(const PricedScene& scene, const lab::SceneOutcome& base,
+                              const PriceList& list, EffectPrice& price) {
+  price.shape = price.shape_max = price.force = std::numeric_limits<double>::quiet_NaN();
+  if (scene.def.paper) return {};
+  const auto left = left_by(scene, list.rows, list.sectors);
+  if (!left) return tl::unexpected(left.error());
+  const lab::Apart off = lab::apart(*left, base);
+  price.shape = off.shape;
+  price.shape_max = off.shape_max;
+  price.force = off.force;
+  return {};
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
 
@@ -53,18 +83,26 @@ Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int row
   const bool count =
       wanted && files::run_helper({.program = "valgrind", .arguments = {"--version"}});
   PriceList list{rows, sectors, {}};
-  std::fprintf(table, "A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n",
-               rows, sectors);
-  std::fprintf(table, "%-22s %10s %10s %10s %12s %12s\n", "", "median", "p99.9", "asleep", "bytes",
-               count ? "instructions" : "");
+  if (scenes.empty()) return list;
+  const auto base = left_by(scenes.front(), rows, sectors);
+  if (!base) return tl::unexpected(base.error());
+  std::fprintf(
+      table,
+      "A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n"
+      "Shape and force: by which what hands leave and feel differs from the first line's (rms).\n",
+      rows, sectors);
+  std::fprintf(table, "%-22s %10s %10s %10s %12s %10s %9s %12s\n", "", "median", "p99.9", "asleep",
+               "bytes", "shape", "force", count ? "instructions" : "");
   for (const PricedScene& scene : scenes) {
     auto price = price_of(scene, passes);
     if (!price) return tl::unexpected(price.error());
+    if (const auto said = say_what_changes(scene, *base, list, *price); !said)
+      return tl::unexpected(said.error());
     if (count) price->instructions = counted(rows, sectors, scene.name);
     if (!list.prices.empty()) price->bytes -= list.prices.front().bytes;
-    std::fprintf(table, "%-22s %7.0f ns %7.0f ns %7.0f ns %12lld", price->name.c_str(),
-                 price->median_ns, price->p999_ns, price->asleep_ns,
-                 static_cast<long long>(price->bytes));
+    std::fprintf(table, "%-22s %7.0f ns %7.0f ns %7.0f ns %12lld %7.4f mm %7.4f N",
+                 price->name.c_str(), price->median_ns, price->p999_ns, price->asleep_ns,
+                 static_cast<long long>(price->bytes), 1e3 * price->shape, price->force);
     if (price->instructions > 0)
       std::fprintf(table, " %12lld", static_cast<long long>(price->instructions));
     std::fprintf(table, "\n");
@@ -78,7 +116,6 @@ Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int row
 }
 
 files::Json json_of(const PriceList& list) {
-  using files::Json;
   Json prices = Json::list();
   for (const EffectPrice& p : list.prices)
     prices.push_back(
@@ -87,6 +124,9 @@ files::Json json_of(const PriceList& list) {
                       {"p999_ns", p.p999_ns},
                       {"asleep_ns", p.asleep_ns},
                       {"bytes", p.bytes},
+                      {"shape_mm_rms", finite(1e3 * p.shape)},
+                      {"shape_mm_max", finite(1e3 * p.shape_max)},
+                      {"force_n_rms", finite(p.force)},
                       {"instructions", p.instructions > 0 ? Json(p.instructions) : Json()}}));
   return Json::object({{"rows", list.rows}, {"sectors", list.sectors}, {"prices", prices}});
 }
