@@ -23,9 +23,9 @@ struct EffectPrice {
                                           ///< thread's own time, less the clock's.
   double asleep_ns = 0.0;                 ///< Median of ticks at the end, when nothing moves.
   std::int64_t bytes = 0;                 ///< What the heap holds of it, less what base does.
-  /// What it changes of what both hands leave and feel on a wall in the base scene: root mean
+  /// What it changes of what one hand leaves and feels on a wall in the base scene: root mean
   /// square of the outline, m, the most of it, and of the force, N. NaN of the printed model, which
-  /// has no wall for two.
+  /// has no wall.
   double shape = 0.0, shape_max = 0.0, force = 0.0;
   std::int64_t instructions = 0;  ///< A tick, mean of 200 in contact; 0: not counted.
 };

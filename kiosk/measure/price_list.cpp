@@ -36,11 +36,11 @@ std::int64_t counted(int rows, int sectors, const std::string& scene) {
                                  : std::atoll(words.c_str() + at + before.size()) / kPricedTicks;
 }
 
-// What both hands leave and feel on a wall.
+// What one hand leaves and feels on a wall: one that the other holds stays where it is.
 Result<lab::SceneOutcome> left_by(const PricedScene& scene, int rows, int sectors) {
   SceneDef def = lab::on_a_wall(scene.def);
   def.guard = {22.0, 1e5, 0.05};  // forces as they are
-  lab::SceneWork work = lab::finger_work(scene.name, def, true, 0.001, true);
+  lab::SceneWork work = lab::finger_work(scene.name, def, false, 0.0015, true);
   work.def.clay.rows = rows;
   work.def.clay.sectors = sectors;
   return lab::outcome_of(work, 1e-3, rows);
@@ -86,11 +86,11 @@ Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int row
   if (scenes.empty()) return list;
   const auto base = left_by(scenes.front(), rows, sectors);
   if (!base) return tl::unexpected(base.error());
-  std::fprintf(
-      table,
-      "A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n"
-      "Shape and force: by which what hands leave and feel differs from the first line's (rms).\n",
-      rows, sectors);
+  std::fprintf(table,
+               "A tick on %d x %d, both hands pulling up a wall; asleep: nothing touched.\n"
+               "Shape and force: by which what a hand leaves and feels differs from the first "
+               "line's (rms).\n",
+               rows, sectors);
   std::fprintf(table, "%-22s %10s %10s %10s %12s %10s %9s %12s\n", "", "median", "p99.9", "asleep",
                "bytes", "shape", "force", count ? "instructions" : "");
   for (const PricedScene& scene : scenes) {

@@ -31,8 +31,13 @@ Result<Worked> worked(const SceneDef& def, int passes) {
     if (pass == 0) least = outcome->tick_us;
     for (std::size_t n = 0; n < std::min(least.size(), outcome->tick_us.size()); ++n)
       least[n] = std::min(least[n], outcome->tick_us[n]);
-    out.outcome = std::move(*outcome);
   }
+  // What changes is asked of one hand: a wall that the other holds stays where it is.
+  lab::SceneWork alone = lab::finger_work("bill", wall, false, 0.0015, true);
+  alone.def.clay = work.def.clay;
+  auto left = lab::outcome_of(alone, 1e-3, def.clay.rows);
+  if (!left) return tl::unexpected(left.error());
+  out.outcome = std::move(*left);
   out.us = lab::percentile(std::move(least), 0.5);
   return out;
 }

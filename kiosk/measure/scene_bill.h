@@ -17,7 +17,7 @@ struct BillLine {
   double us = 0.0;            ///< Of a tick's median; noise may make it less than nothing.
   double shape_mm = 0.0;      ///< Root mean square of the outlines' difference.
   double shape_max_mm = 0.0;  ///< At the worst place.
-  double force_n = 0.0;       ///< Root mean square of the hands' force, N.
+  double force_n = 0.0;       ///< Root mean square of the hand's force, N.
 };
 /// A scene's bill.
 struct SceneBill {
@@ -27,9 +27,10 @@ struct SceneBill {
   std::vector<BillLine> lines;              ///< Dearest first.
 };
 
-/// Both hands on the scene's wall, wetted for the first half, on its own grid; `passes` times (at
-/// least once), of each tick the least counts. The kiln has no part in the tick. Seconds of work.
-/// Problem where the scene is none, or runs on the printed model, which has no effect.
+/// Time with both hands on the scene's wall, shape and force with one, wetted for the first half,
+/// on its own grid; timed `passes` times (at least once), of each tick the least counts. The kiln
+/// has no part in the tick. Seconds of work. Problem where the scene is none, or runs on the
+/// printed model, which has no effect.
 Result<SceneBill> bill_of(const std::string& name, const SceneDef& def, int passes);
 
 files::Json json_of(const SceneBill& bill);
