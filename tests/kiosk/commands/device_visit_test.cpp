@@ -89,13 +89,15 @@ TEST(DeviceVisit, APuckAndAForceDeviceThrowThePotThatTheMouseThrows) {
   const Json by_force = visit(
       folder, "force", "device",
       plugged_in(folder, "clock reads\nrecord " + record + "\ndevice onggi_hid track " + track));
-  EXPECT_LT(apart_mm(by_mouse, by_force), 0.1);
+  // The tool hangs back behind the handle by force / stiffness (engine/force/coupling.h), and the
+  // hand that holds it does not know.
+  EXPECT_LT(apart_mm(by_mouse, by_force), 0.2);
   // Nobody at the devices leaves the lump as it was: so they made it.
   const Json by_nobody =
       visit(folder, "nobody", "device", plugged_in(folder, "clock reads\ndevice onggi_hid\n"));
   EXPECT_GT(apart_mm(by_mouse, by_nobody), 0.5);
 
-  // The clay pushed back, and never with more than an unmeasured device gets.
+  // The clay pushed back, and never with more than the device's file allows.
   std::ifstream in(record);
   double strongest = 0.0;
   int forces = 0;
@@ -117,7 +119,7 @@ TEST(DeviceVisit, APuckAndAForceDeviceThrowThePotThatTheMouseThrows) {
   }
   EXPECT_GT(forces, 10'000);
   EXPECT_GT(strongest, 0.3);
-  EXPECT_LE(strongest, 1.0);
+  EXPECT_LE(strongest, 3.3);
 }
 
 }  // namespace
