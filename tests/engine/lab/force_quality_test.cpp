@@ -1,0 +1,45 @@
+#include "engine/lab/force_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace onggi::lab {
+namespace {
+
+/// `seconds` of a sine of `hertz` on a newton, late by `late` ms.
+std::vector<Vec3> sine(double hertz, double late, double size = 0.5) {
+  std::vector<Vec3> force;
+  for (int ms = 0; ms < 1600; ++ms)
+    force.push_back({1.0 + size * std::sin(2e-3 * 3.14159265358979 * hertz * (ms - late)), 0, 0});
+  return force;
+}
+
+TEST(ForceQuality, KnowsASineByItsIncrementItsSpectrumAndItsLag) {
+  const auto now = sine(3.0, 0.0), late = sine(3.0, 7.5);
+  const ForceQuality slow = quality_of(late, now);
+  EXPECT_NEAR(slow.lag, 7.5e-3, 2e-4);
+  EXPECT_NEAR(slow.mean, 1.0, 0.1);
+  EXPECT_NEAR(slow.increment, 0.5 * 2e-3 * 3.14159265 * 3.0 / std::sqrt(2.0), 4e-4);
+  EXPECT_LT(slow.above_50, 2e-3);
+  const auto fast = sine(200.0, 0.0, 0.01);
+  EXPECT_NEAR(quality_of(fast, fast).above_50, 0.01 / std::sqrt(2.0), 5e-4);
+}
+
+TEST(ForceQuality, ThePapersFilterIsTwentyTwoMillisecondsLate) {
+  const PrintedQuality printed = printed_quality();
+  EXPECT_NEAR(printed.raw.lag, 0.0, 1e-4);
+  EXPECT_NEAR(printed.filtered.lag, 0.0225, 0.001);
+  EXPECT_LT(printed.filtered.increment, printed.raw.increment);
+}
+
+TEST(ForceQuality, AScenesForceIsLateByLessThanTwoMilliseconds) {
+  SceneDef def;
+  def.clay.keep_undo = false;
+  const ForceQuality ours = scenes_quality(def, 0);
+  EXPECT_GT(ours.mean, 0.1);
+  EXPECT_LT(std::fabs(ours.lag), 0.002);
+}
+
+}  // namespace
+}  // namespace onggi::lab
