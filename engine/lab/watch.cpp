@@ -118,7 +118,6 @@ std::optional<Breach> Watch::look_at_row(const Clay& clay, int j) {
   // is not yet.
   const bool solid = j < clay.floor_rows();
   const bool settled = !laying_;
-  double sum = 0.0;
   float least = outer[0] - inner[0], most = outer[0], hole = inner[0], widest = inner[0];
   bool good = true;
   for (std::size_t i = 0; i < outer.size(); ++i) {
@@ -127,7 +126,6 @@ std::optional<Breach> Watch::look_at_row(const Clay& clay, int j) {
     most = std::max(most, outer[i]);
     hole = std::min(hole, inner[i]);
     widest = std::max(widest, inner[i]);
-    sum += static_cast<double>(outer[i]) * outer[i] - static_cast<double>(inner[i]) * inner[i];
   }
   if (!good) return breach(Invariant::finite, said("Row %d has a radius that is no number.", j));
   const double rounding = Watch::rounding(static_cast<double>(most));
