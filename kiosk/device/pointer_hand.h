@@ -8,7 +8,7 @@ namespace onggi::device {
 struct PointerHandDef {
   double max_speed = 0.35;     ///< m/s, the fastest glide through the air.
   double press_speed = 0.065;  ///< m/s towards the axis and away, while it presses clay.
-  double rise_speed = 0.13;    ///< m/s up, down and along the wall, while it presses clay.
+  double rise_speed = 0.065;   ///< m/s up, down and along the wall, while it presses clay.
   double letting_go = 0.3;  ///< s in which it comes off clay: all at once, it would leave a mark.
   double settle_time = 0.025;  ///< s, time constant towards the pointer; joins its 60 Hz steps.
 };

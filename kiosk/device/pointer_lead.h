@@ -19,11 +19,11 @@ class PointerLead {
  public:
   /// m/s along the wall and towards the axis or away, in clay and in the air. A pointer crosses the
   /// pot in a tenth of a second; hands as quick as that cut a screw thread.
-  static constexpr double kRise = 0.1, kPress = 0.05, kAir = 0.35;
+  static constexpr double kRise = 0.05, kPress = 0.05, kAir = 0.35;
   /// m/s into the solid foot, where a hand only goes towards the pointer.
   static constexpr double kSolid = 0.01;
   /// s that the hands may be behind before they hurry, and go on for when the pointer has lifted.
-  static constexpr double kBehind = 4.0, kFinish = 2.0;
+  static constexpr double kBehind = 6.0, kFinish = 4.0;
 
   PointerLead(WallHold::Part broad, WallHold::Part fine) : hold_(broad, fine) {}
 

@@ -106,7 +106,7 @@ TEST(PointerLead, AHandFarBehindHurries) {
   hand.grab({0.055, 0.05}, clay, Grip::both);
   for (int n = 0; n < 40; ++n) hand.drag({0.055, n % 2 == 0 ? 0.15 : 0.05});
   EXPECT_GT(hand.behind(), 30);
-  let_pass(hand, clay, 10);
+  let_pass(hand, clay, 20);
   EXPECT_LT(hand.behind(), PointerLead::kBehind);
 }
 
