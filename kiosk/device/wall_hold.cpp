@@ -83,9 +83,6 @@ WallHold::Hands WallHold::stand(const ClayView& clay, double reach, double heigh
   hands.outside = at(broad_, reach, broad_.radius);
   if (grip_ == Grip::outside || solid(clay, height)) return hands;
   const double least = kLeastGap + fine_.radius + kSpare;
-  reach = std::max(reach, least);
-  hands.outside = at(broad_, reach, broad_.radius);
-  // Where the ball lies, which on a slanted wall is not where it works.
   hands.outside.radius = std::max(hands.outside.radius, least + broad_.radius);
   const Stand inside = at(inner_, reach - gap, -inner_.radius);
   if (inside.height > clay.floor_top() + kFloat * inner_.radius &&

@@ -83,6 +83,8 @@ TEST(WallHold, WhereThereIsNoRoomInsideTheOuterHandWorksAlone) {
   hold.take(pot, Grip::both, 0.005);
   EXPECT_TRUE(hold.solid(pot, 0.005));
   EXPECT_FALSE(hold.stand(pot, 0.08, 0.005).inside.there);
+  // No finger is in the foot: it may be as slender as one likes.
+  EXPECT_NEAR(hold.stand(pot, 0.005, 0.005).outside.radius, 0.005 + kPalm.radius, 1e-9);
 }
 
 RC_GTEST_PROP(WallHold, HandsThatHoldAWallNeverCloseItOverTheFingerInside, ()) {
@@ -92,7 +94,8 @@ RC_GTEST_PROP(WallHold, HandsThatHoldAWallNeverCloseItOverTheFingerInside, ()) {
   hold.take(clay, Grip::both, 0.1);
   const double height = metres(12, 198);
   const auto hands = hold.stand(clay, metres(0, 150), height);
-  RC_ASSERT(hands.outside.radius - kPalm.radius >= kFinger.radius);
+  // A finger, the 3 mm of wall that two hands can hold, and a millimetre to spare.
+  RC_ASSERT(hands.outside.radius - kPalm.radius >= kFinger.radius + 0.004 - 1e-12);
 }
 
 RC_GTEST_PROP(WallHold, BallsNeverPassBetweenWheelAndRimNorOnTheAxisFarSide, ()) {
