@@ -1,11 +1,9 @@
 #include <cstdio>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
-#include "kiosk/files/durable_file.h"
 #include "kiosk/measure/accuracy_picture.h"
 #include "kiosk/measure/accuracy_report.h"
 
@@ -15,7 +13,9 @@ namespace {
 
 struct AccuracyArguments {
   measure::AccuracyPlan plan;
-  std::string json, csv, plot;
+  files::Output json{files::Output::Kind::json};
+  files::Output csv{files::Output::Kind::csv};
+  files::Output plot{files::Output::Kind::picture};
 };
 
 Result<int> accuracy(const AccuracyArguments& arguments) {
@@ -24,17 +24,13 @@ Result<int> accuracy(const AccuracyArguments& arguments) {
   report->command = arguments.plan.quick ? "onggi lab accuracy --quick" : "onggi lab accuracy";
   const auto put = put_report(measure::json_of(*report), arguments.json);
   if (!put) return tl::unexpected(put.error());
-  if (*put) std::fputs(measure::text_of(*report).c_str(), stdout);
-  if (!arguments.csv.empty()) {
-    const std::string rows = measure::csv_of(*report);
-    if (const auto kept = files::write_durably(arguments.csv, std::as_bytes(std::span(rows)));
-        !kept)
-      return tl::unexpected(kept.error());
-  }
-  if (arguments.plot.empty()) return 0;
-  return files::write_durably(arguments.plot,
-                              drawing::draw_accuracy(measure::chart_of(*report), arguments.plot))
-      .map([] { return 0; });
+  if (*put && !arguments.csv.to_stdout() && !arguments.plot.to_stdout())
+    std::fputs(measure::text_of(*report).c_str(), stdout);
+  if (const auto kept = arguments.csv.write(measure::csv_of(*report)); !kept)
+    return tl::unexpected(kept.error());
+  if (!arguments.plot.wanted()) return 0;
+  const auto drawn = drawing::draw_accuracy(measure::chart_of(*report), arguments.plot.where());
+  return arguments.plot.write(drawn).map([] { return 0; });
 }
 
 }  // namespace
@@ -49,7 +45,8 @@ Command accuracy_command() {
               "Shape in mm, force in N and volume in %, against a reference in doubles; "
               "time is the thread's own.",
           .options = {{"--quick", &a->plan.quick, "Fewer combinations: a minute or so"},
-                      {"--json", &a->json, "Write everything as JSON (- for standard output)"},
+                      {"--json", &a->json,
+                       "Write everything as JSON (- for standard output, here and below)"},
                       {"--csv", &a->csv, "Write the rows as CSV"},
                       {"--plot", &a->plot, "Draw the picture into this PNG or SVG"},
                       {"--seed", &a->plan.seed, "Of the random hands that try to break it [1]"}},

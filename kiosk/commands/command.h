@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/files/output.h"
 
 namespace onggi::commands {
 
 /// An option ("--json", "-o,--out"), a flag (its field is a bool) or a positional ("file") of a
-/// command, and the field that it fills. Whoever describes it keeps the field alive.
+/// command, and the field that it fills. Whoever describes it keeps the field alive. An Output is
+/// checked before the command runs, and brings the option --force to it.
 struct Option {
-  using Field = std::variant<std::string*, bool*, int*, double*, std::uint64_t*>;
+  using Field = std::variant<std::string*, bool*, int*, double*, std::uint64_t*, files::Output*>;
   std::string name;
   Field field;
   std::string help;

@@ -58,7 +58,7 @@ void print(const Found& found) {
     std::cout << "  " << found.problem->what << "\n  " << found.problem->remedy << '\n';
 }
 
-Result<int> devices(const std::string& json) {
+Result<int> devices(const files::Output& json) {
   std::vector<Found> all;
   int hands = 0, others = 0;
   // Nothing is opened: a kiosk that runs has these devices in use.
@@ -93,7 +93,7 @@ Result<int> devices(const std::string& json) {
 }  // namespace
 
 Command devices_command() {
-  const auto json = std::make_shared<std::string>();
+  const auto json = std::make_shared<files::Output>(files::Output::Kind::json);
   return {.name = "devices",
           .help = "List the hand devices that are plugged in, and what keeps one from being used",
           .examples =

@@ -60,6 +60,10 @@ Result<int> import_vessel(const ImportArguments& arguments) {
   if (auto good = check_id(arguments.id); !good) return tl::unexpected(good.error());
   const fs::path folder = fs::path(arguments.shelf) / arguments.id;
   std::error_code ignored;
+  if (!fs::is_directory(arguments.shelf, ignored))
+    return problem("--shelf " + arguments.shelf,
+                   "There is no such folder, and none is made unasked.",
+                   "Make it first: mkdir -p '" + arguments.shelf + "'. Or name another shelf.");
   if (fs::exists(folder, ignored))
     return problem(folder.string(), "it is there already, and nothing is written over it.",
                    "Choose another --id, or move the folder away.");

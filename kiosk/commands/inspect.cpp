@@ -7,7 +7,6 @@
 #include "kiosk/commands/put_report.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/drawing/sheet_painter.h"
-#include "kiosk/files/durable_file.h"
 #include "kiosk/souvenir/encode.h"
 
 namespace onggi::commands {
@@ -17,7 +16,9 @@ namespace {
 using files::Json;
 
 struct InspectArguments {
-  std::string file, node, json, plot;
+  std::string file, node;
+  files::Output json{files::Output::Kind::json};
+  files::Output plot{files::Output::Kind::picture};
 };
 
 const char* name_of(InnerWall wall) {
@@ -83,7 +84,7 @@ void print_summary(const content::Vessel& vessel) {
   for (const std::string& warning : e.warnings) std::printf("  note: %s\n", warning.c_str());
 }
 
-Result<void> plot(const content::Vessel& vessel, const std::string& file) {
+Result<void> plot(const content::Vessel& vessel, const files::Output& output) {
   const drawing::VesselSheet sheet = drawing::sheet_of(vessel);
   souvenir::Caption caption;
   caption.title = sheet.title;
@@ -91,7 +92,7 @@ Result<void> plot(const content::Vessel& vessel, const std::string& file) {
   caption.description = "Section and view, drawn by Onggi from " + vessel.file.filename().string();
   const auto png = souvenir::encode(drawing::draw_sheet(sheet), souvenir::Format::png, caption);
   if (!png) return tl::unexpected(png.error());
-  return files::write_durably(file, *png);
+  return output.write(*png);
 }
 
 Result<int> inspect(const InspectArguments& arguments) {
@@ -99,11 +100,11 @@ Result<int> inspect(const InspectArguments& arguments) {
   options.node = arguments.node;
   const auto vessel = content::load_vessel(arguments.file, options);
   if (!vessel) return tl::unexpected(vessel.error());
-  if (!arguments.plot.empty())
+  if (arguments.plot.wanted())
     if (auto good = plot(*vessel, arguments.plot); !good) return tl::unexpected(good.error());
   const auto free = put_report(json_of(*vessel), arguments.json);
   if (!free) return tl::unexpected(free.error());
-  if (*free) print_summary(*vessel);
+  if (*free && !arguments.plot.to_stdout()) print_summary(*vessel);
   return 0;
 }
 

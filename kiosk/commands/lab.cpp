@@ -8,7 +8,6 @@
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/replay_file.h"
 #include "kiosk/exhibit/paths.h"
-#include "kiosk/files/durable_file.h"
 #include "kiosk/measure/loop_timing.h"
 #include "kiosk/measure/price_list.h"
 #include "kiosk/measure/scene_bill.h"
@@ -22,7 +21,9 @@ namespace {
 constexpr int kPasses = 3;
 
 struct LabArguments {
-  std::string json, plot, count, bill, grid = "400x360";
+  files::Output json{files::Output::Kind::json};
+  files::Output plot{files::Output::Kind::picture};
+  std::string count, bill, grid = "400x360";
   bool quick = false;
 };
 
@@ -35,10 +36,9 @@ Result<int> bill(const LabArguments& arguments) {
   paid->command = "onggi lab effects --bill " + arguments.bill;
   const auto put = put_report(measure::json_of(*paid), arguments.json);
   if (!put) return tl::unexpected(put.error());
-  if (*put) std::fputs(measure::text_of(*paid).c_str(), stdout);
-  if (arguments.plot.empty()) return 0;
-  return files::write_durably(arguments.plot,
-                              drawing::draw_bill(measure::sheet_of(*paid), arguments.plot))
+  if (*put && !arguments.plot.to_stdout()) std::fputs(measure::text_of(*paid).c_str(), stdout);
+  if (!arguments.plot.wanted()) return 0;
+  return arguments.plot.write(drawing::draw_bill(measure::sheet_of(*paid), arguments.plot.where()))
       .map([] { return 0; });
 }
 
@@ -57,15 +57,14 @@ Result<int> effects(const LabArguments& arguments) {
     return problem("--count", "There is no scene of that name.",
                    "Choose one that onggi lab effects lists.");
   }
-  const auto list =
-      measure::measure_prices(*scenes, rows, sectors, arguments.quick ? 1 : kPasses,
-                              !arguments.quick, arguments.json == "-" ? stderr : stdout);
+  const bool taken = arguments.json.to_stdout() || arguments.plot.to_stdout();
+  const auto list = measure::measure_prices(*scenes, rows, sectors, arguments.quick ? 1 : kPasses,
+                                            !arguments.quick, taken ? stderr : stdout);
   if (!list) return tl::unexpected(list.error());
   if (const auto put = put_report(measure::json_of(*list), arguments.json); !put)
     return tl::unexpected(put.error());
-  if (arguments.plot.empty()) return 0;
-  return files::write_durably(arguments.plot,
-                              drawing::draw_plot(measure::plot_of(*list), arguments.plot))
+  if (!arguments.plot.wanted()) return 0;
+  return arguments.plot.write(drawing::draw_plot(measure::plot_of(*list), arguments.plot.where()))
       .map([] { return 0; });
 }
 
@@ -91,7 +90,8 @@ Command effects_command() {
 
 struct StabilityArguments {
   measure::StabilityPlan plan;
-  std::string out = plan.folder.string(), json, check;
+  std::string out = plan.folder.string(), check;
+  files::Output json{files::Output::Kind::json};
 };
 
 Result<int> stability(StabilityArguments& arguments) {
@@ -148,7 +148,9 @@ Command stability_command() {
 }
 
 struct TimingArguments {
-  std::string json, plot, config;
+  files::Output json{files::Output::Kind::json};
+  files::Output plot{files::Output::Kind::picture};
+  std::string config;
   double seconds = 101.0;
 };
 
@@ -159,10 +161,10 @@ Result<int> timing(const TimingArguments& arguments) {
   if (!report) return tl::unexpected(report.error());
   const auto put = put_report(measure::json_of(*report), arguments.json);
   if (!put) return tl::unexpected(put.error());
-  if (*put) std::cout << measure::text_of(*report);
-  if (!arguments.plot.empty())
-    if (const auto kept = files::write_durably(
-            arguments.plot, drawing::draw_plot(measure::plot_of(*report), arguments.plot));
+  if (*put && !arguments.plot.to_stdout()) std::cout << measure::text_of(*report);
+  if (arguments.plot.wanted())
+    if (const auto kept = arguments.plot.write(
+            drawing::draw_plot(measure::plot_of(*report), arguments.plot.where()));
         !kept)
       return tl::unexpected(kept.error());
   return report->fit ? 0 : 1;

@@ -5,7 +5,6 @@
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
-#include "kiosk/files/durable_file.h"
 #include "kiosk/measure/force_loop.h"
 
 namespace onggi::commands {
@@ -13,7 +12,9 @@ namespace onggi::commands {
 namespace {
 
 struct LoopArguments {
-  std::string json, plot, write;
+  files::Output json{files::Output::Kind::json};
+  files::Output plot{files::Output::Kind::picture};
+  std::string write;
 };
 
 Result<int> write_limit(const std::string& file) {
@@ -34,10 +35,10 @@ Result<int> loop(const LoopArguments& arguments) {
   if (!report) return tl::unexpected(report.error());
   const auto put = put_report(measure::json_of(*report), arguments.json);
   if (!put) return tl::unexpected(put.error());
-  if (*put) std::cout << measure::text_of(*report);
-  if (!arguments.plot.empty())
-    if (const auto kept = files::write_durably(
-            arguments.plot, drawing::draw_plot(measure::plot_of(*report), arguments.plot));
+  if (*put && !arguments.plot.to_stdout()) std::cout << measure::text_of(*report);
+  if (arguments.plot.wanted())
+    if (const auto kept = arguments.plot.write(
+            drawing::draw_plot(measure::plot_of(*report), arguments.plot.where()));
         !kept)
       return tl::unexpected(kept.error());
   return report->good() ? 0 : 1;

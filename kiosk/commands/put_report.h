@@ -1,15 +1,13 @@
 #pragma once
 
-#include <string>
-
 #include "engine/base/result.h"
 #include "kiosk/files/json.h"
+#include "kiosk/files/output.h"
 
 namespace onggi::commands {
 
-/// What --json asks for: writes `report` durably to the file `where`, to standard output where that
-/// is "-", and nowhere where it is empty. True where standard output is still free for a person's
-/// summary.
-Result<bool> put_report(const files::Json& report, const std::string& where);
+/// What --json asks for: `report`, indented and with a newline, to where `output` says. True where
+/// standard output is still free for a person's summary.
+Result<bool> put_report(const files::Json& report, const files::Output& output);
 
 }  // namespace onggi::commands

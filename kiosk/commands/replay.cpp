@@ -11,7 +11,7 @@ namespace onggi::commands {
 
 namespace {
 
-Result<int> replay(const std::string& name, const std::string& json_file) {
+Result<int> replay(const std::string& name, const files::Output& json_file) {
   const auto read = read_replay(name);
   if (!read) return tl::unexpected(read.error());
   const auto outcome = run_replay(*read);
@@ -46,7 +46,8 @@ Result<int> replay(const std::string& name, const std::string& json_file) {
 
 Command replay_command() {
   struct Arguments {
-    std::string file, json;
+    std::string file;
+    files::Output json{files::Output::Kind::json};
   };
   const auto a = std::make_shared<Arguments>();
   return {

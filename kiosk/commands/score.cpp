@@ -22,7 +22,8 @@ namespace {
 using files::Json;
 
 struct ScoreArguments {
-  std::string target, pot, target_node, pot_node, json, rubric, language = "en";
+  files::Output json{files::Output::Kind::json};
+  std::string target, pot, target_node, pot_node, rubric, language = "en";
   bool size_counts = false;
 };
 

@@ -15,7 +15,8 @@ namespace onggi::commands {
 namespace {
 
 struct TuneArguments {
-  std::string scene, write, json;
+  std::string scene, write;
+  files::Output json{files::Output::Kind::json};
 };
 
 files::Json json_of(const tuning::TunedGrid& grid) {

@@ -35,8 +35,9 @@ constexpr double kFilmSeconds = 5.0;  // between the pictures of a film
 constexpr const char* kNaive = "naive";
 
 struct VisitArguments {
-  std::string config, script = "follow", vessel, out, json, window = "1280x720", language, shelf,
-                      glaze, hand = "script", film, pointer = "mouse";
+  std::string config, script = "follow", vessel, out, window = "1280x720", language, shelf, glaze,
+                      hand = "script", film, pointer = "mouse";
+  files::Output json{files::Output::Kind::json};
   double seconds = 90;
   std::uint64_t seed = 1;
   bool realtime = false;
@@ -104,7 +105,9 @@ class ScreenAlbum {
   void take(const std::string& name) { pages_.push_back({name, kiosk_.picture()}); }
 
   Result<std::vector<fs::path>> write() const {
-    std::vector<fs::path> files;
+    std::vector<fs::path> written;
+    if (pages_.empty()) return written;
+    if (auto good = files::make_folder(folder_); !good) return tl::unexpected(good.error());
     for (std::size_t i = 0; i < pages_.size(); ++i) {
       const std::string number = (i < 9 ? "0" : "") + std::to_string(i + 1);
       const fs::path file = folder_ / (number + "_" + pages_[i].name + ".png");
@@ -113,9 +116,9 @@ class ScreenAlbum {
       if (!bytes) return tl::unexpected(bytes.error());
       if (auto good = files::write_durably(file, *bytes); !good)
         return tl::unexpected(good.error());
-      files.push_back(file);
+      written.push_back(file);
     }
-    return files;
+    return written;
   }
 
  private:
@@ -248,7 +251,8 @@ Result<int> visit(const VisitArguments& arguments) {
 
   files::Json report = measure::visit_report(*kiosk.kept(), *pages, visitor.looks());
   report["first_tick"] = first_tick;
-  const auto kept = put_report(report, (fs::path(arguments.out) / "visit.json").string());
+  const auto kept = put_report(
+      report, files::Output(files::Output::Kind::json, fs::path(arguments.out) / "visit.json"));
   if (!kept) return tl::unexpected(kept.error());
   const auto free = put_report(report, arguments.json);
   if (!free) return tl::unexpected(free.error());

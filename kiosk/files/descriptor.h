@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace onggi::files {
@@ -24,5 +27,17 @@ class Descriptor {
  private:
   int fd_;
 };
+
+/// Writes all of `bytes` to `fd`, however often the system takes only a part. False, with errno,
+/// where it does not.
+inline bool write_all(int fd, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+  }
+  return true;
+}
 
 }  // namespace onggi::files

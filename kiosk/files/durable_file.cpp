@@ -21,16 +21,6 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-bool write_all(int fd, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
 bool sync(int fd) {
   while (::fsync(fd) != 0) {
     if (errno == EINVAL || errno == ENOTSUP) return true;  // a disk that knows no fsync here
@@ -48,13 +38,23 @@ Result<void> sync_folder(const fs::path& folder) {
   return {};
 }
 
+/// The new file is whose the old one was, and as open to others: root may write for the museum's
+/// user. Who may not give files away keeps the file as their own.
+void keep_rights(int fd, const struct stat& before) {
+  const bool given = ::fchown(fd, before.st_uid, before.st_gid) == 0;
+  ::fchmod(fd, before.st_mode & (given ? 07777 : 0777));
+}
+
 }  // namespace
 
 Problem disk_problem(const fs::path& path, const char* doing, int error) {
   const std::string where = path.string(), folder = folder_of(path).string();
+  std::error_code ignored;
   const auto told = [&](const std::string& what, const std::string& remedy) {
     return Problem{where, what, remedy, 1};
   };
+  if (error == ENOENT && !fs::exists(folder, ignored))
+    return told("There is no folder " + folder + ".", "Make it, or name another folder.");
   switch (error) {
     case ENOSPC:
     case EDQUOT:
@@ -111,9 +111,23 @@ Result<void> rename_durably(const fs::path& from, const fs::path& to) {
 }
 
 Result<void> write_durably(const fs::path& file, std::span<const std::byte> bytes) {
-  const fs::path folder = folder_of(file);
-  if (Result<void> made = make_folder(folder); !made) return made;
+  struct stat before {};
+  const bool there = ::lstat(file.c_str(), &before) == 0;
+  if (there && S_ISLNK(before.st_mode)) {
+    // The link stays, and what it leads to is written: whoever laid it wants it so.
+    std::error_code lost;
+    const fs::path target = fs::canonical(file, lost);
+    if (lost)
+      return problem(file.string(), "It is a link to what is not there.",
+                     "Make what it leads to, or take the link away.", 1);
+    return write_durably(target, bytes);
+  }
+  if (there && S_ISDIR(before.st_mode)) return tl::unexpected(disk_problem(file, "write", EISDIR));
+  if (there && !S_ISREG(before.st_mode))
+    return problem(file.string(), "It is a device, a pipe or a socket, and is not replaced.",
+                   "Name a file.", 1);
 
+  const fs::path folder = folder_of(file);
   // In the same folder, as a rename is whole only within one disk; with a name of its own, so that
   // two writers never share it.
   static std::atomic<unsigned> count{0};
@@ -123,6 +137,7 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
   Descriptor fd(
       ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (!fd.open()) return tl::unexpected(disk_problem(file, "write", errno));
+  if (there) keep_rights(fd.get(), before);
   if (!write_all(fd.get(), bytes) || !sync(fd.get()) || !fd.close()) {
     const int error = errno;
     ::unlink(temporary.c_str());

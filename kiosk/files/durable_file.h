@@ -9,9 +9,11 @@
 namespace onggi::files {
 
 /// Writes all of `bytes` or nothing: temporary file in the same folder, fsync, rename, fsync of the
-/// folder. Makes the folder if need be. After a power cut `file` holds either what it held before
-/// or all of `bytes`. Problem (exit 1) for a full disk, a read-only folder and the like, with what
-/// to do; the temporary file is gone then. Blocks on the disk; any thread.
+/// folder. After a power cut `file` holds either what it held before or all of `bytes`. A file that
+/// was there gives its owner and rights to the new one; a link stays, and what it leads to is
+/// written. Problem (exit 1) for a device, a pipe or a folder in its place, a folder that is not
+/// there (make_folder()), a full disk, a read-only folder and the like, with what to do; the
+/// temporary file is gone then. Blocks on the disk; any thread.
 Result<void> write_durably(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 /// Makes `folder` and what is missing above it, so that they outlast a power cut. Problem (exit 1).

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "kiosk/files/descriptor.h"
+#include "kiosk/files/read_ledger.h"
 
 namespace onggi::files {
 namespace {
@@ -30,6 +31,7 @@ tl::expected<Bytes, ReadFault> read_open(const Descriptor& file, std::size_t mos
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) return fault(Kind::unreadable, errno);
   if (!S_ISREG(info.st_mode)) return fault(S_ISDIR(info.st_mode) ? Kind::folder : Kind::special);
+  note_read(info);
   const auto size = static_cast<std::size_t>(info.st_size);
   if (size > most) return tl::unexpected(ReadFault{Kind::too_large, size, ""});
   // A byte more than it says it has: a file that is still being written is read to its end.

@@ -136,6 +136,7 @@ std::filesystem::path progress_of(const StabilityPlan& plan) {
 
 Result<void> keep(const StabilityPlan& plan, const StabilityTally& tally) {
   const std::string text = text_of(tally);
+  if (auto good = files::make_folder(plan.folder); !good) return good;
   return files::write_durably(progress_of(plan), std::as_bytes(std::span(text)));
 }
 

@@ -217,6 +217,9 @@ TEST(Vessel, AScanBecomesAPackThatTheKioskOpens) {
   const std::string shelf = (folder / "shelf").string();
   const std::string command =
       "vessel import content/vessels/tea_bowl/vessel.glb --id my_bowl --shelf " + shelf;
+  EXPECT_EQ(onggi(command).exit_code, 2) << "a shelf that nobody asked for";
+  EXPECT_FALSE(std::filesystem::exists(shelf));
+  std::filesystem::create_directory(shelf);
   ASSERT_EQ(onggi(command).exit_code, 0);
   EXPECT_EQ(text_of(shelf + "/my_bowl/vessel.glb"), text_of("content/vessels/tea_bowl/vessel.glb"));
   EXPECT_EQ(onggi("vessel inspect " + shelf + "/my_bowl").exit_code, 0);

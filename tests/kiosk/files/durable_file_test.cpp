@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 
@@ -20,6 +21,9 @@ using ::testing::IsEmpty;
 TEST(durable_file, what_was_written_is_there_and_nothing_beside_it) {
   const ScratchFolder scratch;
   const fs::path file = scratch.path() / "a/b/postcard.png";
+  EXPECT_FALSE(write_durably(file, bytes("first")));  // it makes no folder unasked
+  EXPECT_THAT(names_in(scratch.path()), IsEmpty());
+  ASSERT_TRUE(make_folder(file.parent_path()));
   ASSERT_TRUE(write_durably(file, bytes("first")));
   ASSERT_TRUE(write_durably(file, bytes("second, and longer")));
   EXPECT_EQ(content(file), "second, and longer");
@@ -38,7 +42,7 @@ TEST(durable_file, an_empty_file_and_a_bare_name_are_files_too) {
 TEST(durable_file, a_file_where_a_folder_should_be_is_told_with_a_remedy) {
   const ScratchFolder scratch;
   ASSERT_TRUE(write_durably(scratch.path() / "keepsakes", bytes("not a folder")));
-  const auto written = write_durably(scratch.path() / "keepsakes/visit/postcard.png", bytes("x"));
+  const auto written = make_folder(scratch.path() / "keepsakes/visit");
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().where, (scratch.path() / "keepsakes").string());
   EXPECT_THAT(written.error().what, HasSubstr("A file stands where a folder is wanted"));
@@ -51,6 +55,19 @@ TEST(durable_file, a_folder_in_the_files_place_is_left_alone) {
   EXPECT_FALSE(write_durably(scratch.path() / "postcard.png", bytes("x")));
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("postcard.png"));
   EXPECT_TRUE(fs::exists(scratch.path() / "postcard.png/inside"));
+}
+
+TEST(durable_file, a_link_stays_and_what_is_no_file_is_not_replaced) {
+  const ScratchFolder scratch;
+  const fs::path scene = scratch.path() / "scene.toml", link = scratch.path() / "link.toml";
+  ASSERT_TRUE(write_durably(scene, bytes("old")));
+  fs::create_symlink("scene.toml", link);
+  ASSERT_TRUE(write_durably(link, bytes("new")));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content(scene), "new");
+  ASSERT_EQ(::mkfifo((scratch.path() / "pipe").c_str(), 0600), 0);
+  EXPECT_FALSE(write_durably(scratch.path() / "pipe", bytes("x")));
+  EXPECT_TRUE(fs::is_fifo(scratch.path() / "pipe"));
 }
 
 TEST(durable_file, a_limit_on_size_leaves_the_old_file_and_no_temporary_one) {
@@ -103,7 +120,7 @@ TEST(durable_file, a_full_disk_is_told_and_keeps_the_old_file) {
 TEST(durable_file, a_disk_that_is_read_only_is_told) {
   const ScratchFolder scratch;
   const int status = on_a_disk(scratch.path(), MS_RDONLY, "size=64k", [&] {
-    const auto written = write_durably(scratch.path() / "visit/postcard.png", bytes("x"));
+    const auto written = write_durably(scratch.path() / "postcard.png", bytes("x"));
     return !written && written.error().what == "The disk is mounted read-only.";
   });
   if (WEXITSTATUS(status) == kNoMounts) GTEST_SKIP() << "a disk of our own is not allowed here";
