@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <string>
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/exhibit/check_exhibit.h"
@@ -8,10 +9,15 @@ namespace onggi::commands {
 
 namespace {
 
-Result<int> check(const std::string& path) {
-  const auto report = exhibit::check_path(path);
+struct CheckArguments {
+  std::string path, config;
+};
+
+Result<int> check(const CheckArguments& arguments) {
+  const auto report = exhibit::check_path(arguments.path, arguments.config);
   if (!report) return tl::unexpected(report.error());
   for (const Problem& p : report->problems) std::cerr << to_text(p) << '\n';
+  for (const auto& file : report->files) std::cout << "looked at " << file.string() << '\n';
   std::cout << report->summary() << '\n';
   return report->problems.empty() ? 0 : 2;
 }
@@ -19,14 +25,18 @@ Result<int> check(const std::string& path) {
 }  // namespace
 
 Command check_command() {
-  const auto path = std::make_shared<std::string>();
+  const auto a = std::make_shared<CheckArguments>();
   return {.name = "check",
           .help = "Find every problem of an exhibit, a shelf, a vessel or a drawing",
-          .examples = "Example: onggi check config/exhibit.toml",
-          .options = {{"path", path.get(),
+          .examples =
+              "Example: onggi check config/exhibit.toml\n"
+              "Every file that was looked at is named, and counted at the end.",
+          .options = {{"path", &a->path,
                        "An exhibit's, scene's, drawing's or language's TOML, a vessel, or a shelf "
-                       "[config/exhibit.toml]"}},
-          .run = [path] { return check(*path); }};
+                       "[the exhibit]"},
+                      {"--config", &a->config,
+                       "The exhibit's TOML [that of the folder you stand in, else the program's]"}},
+          .run = [a] { return check(*a); }};
 }
 
 }  // namespace onggi::commands

@@ -81,8 +81,9 @@ Result<int> import_vessel(const ImportArguments& arguments) {
   if (auto good = files::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
       !good)
     return tl::unexpected(good.error());
-  std::cout << folder.string() << ": vessel.glb, " << glb->size() / 1024
-            << " kB, and vessel.toml for you to finish. Then: onggi check " << folder.string()
+  std::cout << (folder / "vessel.glb").string() << ": the shape, " << glb->size() / 1024 << " kB\n"
+            << (folder / "vessel.toml").string()
+            << ": for you to finish; what it lacks is told by: onggi check " << folder.string()
             << '\n';
   for (const std::string& warning : vessel->extracted.warnings)
     std::cout << "  note: " << warning << '\n';

@@ -65,6 +65,20 @@ std::vector<Entry> entries_of(const fs::path& shelf, std::error_code& error) {
   return out;
 }
 
+/// Folders of a shelf that brought it nothing.
+std::vector<fs::path> empty_folders(const fs::path& shelf, const std::vector<Entry>& entries) {
+  std::vector<fs::path> out;
+  std::error_code ignored;
+  if (fs::exists(shelf / "vessel.toml", ignored)) return out;
+  for (const fs::path& path : listed(shelf, ignored))
+    if (fs::is_directory(path, ignored) &&
+        std::none_of(entries.begin(), entries.end(), [&path](const Entry& entry) {
+          return entry.path == path || entry.path.parent_path() == path;
+        }))
+      out.push_back(path);
+  return out;
+}
+
 Problem no_shelf(const fs::path& folder, const std::error_code& error) {
   return {folder.string(), "the shelf cannot be opened: " + error.message() + ".",
           "Name a folder of vessels that the kiosk may read."};
@@ -84,26 +98,28 @@ void check_sizes(const fs::path& toml, const Pack& pack, const Vessel& vessel, S
          "Correct the figure, or the mesh; a diameter measured over handles is left out."});
 }
 
-void check_pack(const fs::path& folder, const LoadOptions& options, ShelfCheck& check) {
+void check_pack(const fs::path& folder, const LoadOptions& options,
+                const std::vector<std::string>& languages, ShelfCheck& check) {
   const fs::path toml = folder / "vessel.toml";
-  const PackRead read = read_pack(toml);
-  ++check.files;
+  const PackRead read = read_pack(toml, languages);
+  check.files.push_back(toml);
   check.keys_checked += read.keys_checked;
   check.problems.insert(check.problems.end(), read.problems.begin(), read.problems.end());
   check.problems.insert(check.problems.end(), read.advice.begin(), read.advice.end());
   if (!read.pack.drawing.empty()) {
     const DrawingRead drawing = check_drawing(folder / read.pack.drawing);
-    ++check.files;
+    check.files.push_back(folder / read.pack.drawing);
     check.keys_checked += drawing.keys_checked;
     check.problems.insert(check.problems.end(), drawing.problems.begin(), drawing.problems.end());
   }
   if (!read.problems.empty()) return;  // load_vessel would say the first of them again
   const auto vessel = load_vessel(folder, options);
-  ++check.files;
-  if (!vessel)
+  if (!vessel) {
     check.problems.push_back(vessel.error());
-  else
-    check_sizes(toml, read.pack, *vessel, check);
+    return;
+  }
+  check.files.push_back(vessel->file);
+  check_sizes(toml, read.pack, *vessel, check);
 }
 
 }  // namespace
@@ -154,7 +170,8 @@ Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const st
   return out;
 }
 
-ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits) {
+ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits,
+                       const std::vector<std::string>& languages) {
   ShelfCheck check;
   LoadOptions options;
   options.limits = limits;
@@ -165,13 +182,17 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
   else
     entries = entries_of(path, error);
   if (error) check.problems.push_back(no_shelf(path, error));
+  for (const fs::path& folder : empty_folders(path, entries))
+    check.problems.push_back(
+        {folder.string(), "This folder of the shelf holds no vessel.",
+         "Put its vessel.glb and vessel.toml there, or take the folder away."});
   for (const Entry& entry : entries) {
     if (fs::is_directory(entry.path, ignored)) {
       check.ids.push_back(entry.id);
-      check_pack(entry.path, options, check);
+      check_pack(entry.path, options, languages, check);
       continue;
     }
-    ++check.files;
+    check.files.push_back(entry.path);
     LoadOptions own = options;
     own.id = entry.id;
     const auto vessels = load_vessels(entry.path, own);

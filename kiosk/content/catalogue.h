@@ -27,13 +27,13 @@ Catalogue open_shelf(const std::filesystem::path& folder,
 /// the same, such as a label of more than 100 words or a size that contradicts the drawing.
 struct ShelfCheck {
   std::vector<Problem> problems;
-  std::vector<std::string> ids;  ///< Of the vessels, good or not.
-  int files = 0;
+  std::vector<std::string> ids;              ///< Of the vessels, good or not.
+  std::vector<std::filesystem::path> files;  ///< Each that was read, in order.
   int keys_checked = 0;
 };
 
-/// Checks a shelf, one pack, or one GLB/glTF file.
-ShelfCheck check_shelf(const std::filesystem::path& path,
-                       const settings::ReaderLimits& limits = {});
+/// Checks a shelf, one pack, or one GLB/glTF file. Labels have to be in `languages` (read_pack()).
+ShelfCheck check_shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {},
+                       const std::vector<std::string>& languages = {});
 
 }  // namespace onggi::content

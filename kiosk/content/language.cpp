@@ -1,7 +1,6 @@
 #include "kiosk/content/language.h"
 
-#include <algorithm>
-
+#include "kiosk/content/language_words.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::content {
@@ -22,7 +21,7 @@ std::string brace_fault(const std::string& text) {
 
 /// Reads every text of `table` and of the tables in it: a.b = "x" and "a.b" = "x" are the same.
 void read_texts(settings::TomlReader::Table table, const std::string& prefix,
-                std::map<std::string, std::string>& out) {
+                std::vector<WrittenText>& out) {
   for (const std::string& key : table.keys()) {
     if (table.has_table(key)) {
       read_texts(table.child(key), prefix + key + ".", out);
@@ -36,7 +35,7 @@ void read_texts(settings::TomlReader::Table table, const std::string& prefix,
     if (const std::string fault = brace_fault(words); !fault.empty())
       table.complain(key, "in " + full + ", " + fault + ".",
                      "Mark a place to fill as {name}, in one pair of braces.");
-    out[full] = std::move(words);
+    out.push_back({full, std::move(words), table, key});
   }
   table.finish();
 }
@@ -60,9 +59,13 @@ LanguageRead check_language(const std::filesystem::path& file) {
                   "Give the file the code's name: " + read.language.code_ + ".toml.");
   if (reader.ok() && !text.present())
     root.complain("", "the language has no words.", "Add a table [text] with key = \"words\".");
-  if (text.present()) read_texts(text, "", read.language.texts_);
+  std::vector<WrittenText> written;
+  if (text.present()) read_texts(text, "", written);
   root.finish();
   read.problems = reader.problems();
+  if (text.present()) compare_with_english(text, written);
+  read.advice = reader.problems_since(read.problems);
+  for (WrittenText& one : written) read.language.texts_[one.key] = std::move(one.words);
   read.keys_checked = reader.keys_checked();
   return read;
 }
@@ -96,16 +99,8 @@ std::string Language::say(const std::string& key,
 bool Language::has(const std::string& key) const { return texts_.count(key) != 0; }
 
 std::vector<std::string> Language::places(const std::string& key) const {
-  std::vector<std::string> out;
   const auto found = texts_.find(key);
-  if (found == texts_.end()) return out;
-  const std::string& text = found->second;
-  for (std::size_t i = text.find('{'); i != std::string::npos; i = text.find('{', i + 1))
-    if (const std::size_t close = text.find('}', i); close != std::string::npos)
-      out.push_back(text.substr(i + 1, close - i - 1));
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
-  return out;
+  return found == texts_.end() ? std::vector<std::string>{} : places_in(found->second);
 }
 
 std::vector<std::string> Language::keys() const {

@@ -39,7 +39,8 @@ class Language {
 /// A language and everything found wrong in its file, with line and column.
 struct LanguageRead {
   Language language;
-  std::vector<Problem> problems;
+  std::vector<Problem> problems;  ///< What keeps it from being spoken.
+  std::vector<Problem> advice;    ///< Where it does not say what the program says in English.
   int keys_checked = 0;
 };
 LanguageRead check_language(const std::filesystem::path& file);

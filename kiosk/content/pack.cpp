@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kiosk/content/pack_advice.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::content {
@@ -57,6 +58,8 @@ void read_labels(settings::TomlReader::Table& root, PackRead& read) {
     Label label;
     table.require("title", "Give the vessel's name in this language.");
     table.text("title", label.title);
+    if (table.has("title") && is_blank(label.title))
+      table.complain("title", "the title is empty.", "Give the vessel's name in this language.");
     table.text("culture", label.culture);
     table.text("date", label.date);
     table.text("made", label.made);
@@ -70,17 +73,6 @@ void read_labels(settings::TomlReader::Table& root, PackRead& read) {
 
 }  // namespace
 
-int count_words(const std::string& text) {
-  int words = 0;
-  bool inside = false;
-  for (const char c : text) {
-    const bool space = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-    if (!space && !inside) ++words;
-    inside = !space;
-  }
-  return words;
-}
-
 std::string Pack::credit_line() const {
   std::string out = institution;
   if (!accession.empty()) out += (out.empty() ? "" : ", ") + accession;
@@ -88,7 +80,7 @@ std::string Pack::credit_line() const {
   return out;
 }
 
-PackRead read_pack(const std::filesystem::path& toml) {
+PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::string>& languages) {
   PackRead read;
   Pack& pack = read.pack;
   settings::TomlReader reader(toml);
@@ -105,6 +97,13 @@ PackRead read_pack(const std::filesystem::path& toml) {
   root.text("source", pack.source);
   root.text("credit", pack.credit);
   root.text("licence", pack.licence);
+  // A key without words is no answer; require() has named one that is not there at all.
+  for (const auto& [key, text] : {std::pair{"licence", &pack.licence}, {"credit", &pack.credit}})
+    if (root.has(key) && is_blank(*text))
+      root.complain(key, std::string(key) + " is empty.",
+                    key == std::string("licence")
+                        ? "Say under which licence the shape is shown: licence = \"CC0-1.0\"."
+                        : "Say whom to thank: credit = \"Museum, drawn by ...\".");
   read_color(root, pack);
   read_labels(root, read);
   root.finish();
@@ -112,24 +111,8 @@ PackRead read_pack(const std::filesystem::path& toml) {
     root.complain("drawing", "drawing names a file outside the vessel's folder.",
                   "Put the drawing beside vessel.toml and give its name alone.");
   read.problems = reader.problems();
-
-  // What follows is worth saying, but no reason to leave the vessel off the shelf.
-  if (pack.licence == kLicenceNotKnown)
-    root.complain("licence", "the licence is not known.",
-                  "Ask the owner of the scan, and write it: licence = \"CC-BY-4.0\".");
-  for (const auto& [language, label] : pack.labels)
-    if (const int words = count_words(label.text); words > kMostLabelWords)
-      root.child("label").child(language).complain(
-          "text",
-          "the label has " + std::to_string(words) + " words, and visitors read " +
-              std::to_string(kMostLabelWords) + " at most.",
-          "Shorten it to what one sees in the vessel.");
-  for (const Problem& p : reader.problems()) {
-    bool known = false;
-    for (const Problem& other : read.problems)
-      known = known || (other.where == p.where && other.what == p.what);
-    if (!known) read.advice.push_back(p);
-  }
+  ask_for_the_rest(root, pack, languages);
+  read.advice = reader.problems_since(read.problems);
   read.keys_checked = reader.keys_checked();
   return read;
 }

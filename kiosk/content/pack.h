@@ -32,15 +32,12 @@ struct PackRead {
   std::vector<Problem> advice;    ///< What should be put right, and does not.
   int keys_checked = 0;
 };
-PackRead read_pack(const std::filesystem::path& toml);
+/// Reads it; `languages` are those that its label has to be in, as far as advice goes: none given,
+/// one of any language will do.
+PackRead read_pack(const std::filesystem::path& toml,
+                   const std::vector<std::string>& languages = {});
 
 /// What an imported pack says where the file names no licence; `onggi check` asks for a real one.
 inline constexpr const char* kLicenceNotKnown = "not known";
-
-/// A visitor reads a label of this length in under a minute, standing.
-inline constexpr int kMostLabelWords = 100;
-
-/// Words between spaces, as a reader counts them.
-int count_words(const std::string& text);
 
 }  // namespace onggi::content

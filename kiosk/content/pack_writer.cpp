@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "kiosk/content/pack.h"
+#include "kiosk/content/pack_advice.h"
 
 namespace onggi::content {
 

@@ -27,33 +27,41 @@ void note(CheckReport& report, int keys, std::vector<Problem> problems) {
   std::move(problems.begin(), problems.end(), std::back_inserter(report.problems));
 }
 
-void add(CheckReport& report, int keys, std::vector<Problem> problems) {
-  ++report.files;
+void look(CheckReport& report, const fs::path& file) {
+  const fs::path plain = file.lexically_normal();
+  if (std::find(report.files.begin(), report.files.end(), plain) == report.files.end())
+    report.files.push_back(plain);
+}
+
+void add(CheckReport& report, const fs::path& file, int keys, std::vector<Problem> problems) {
+  look(report, file);
   note(report, keys, std::move(problems));
 }
 
 void check_scene(CheckReport& report, const fs::path& file) {
   auto scene = settings::read_scene(file);
-  add(report, scene.keys_checked, std::move(scene.problems));
+  add(report, file, scene.keys_checked, std::move(scene.problems));
 }
 
 void check_language(CheckReport& report, const fs::path& file) {
   auto language = content::check_language(file);
   ++report.languages;
-  add(report, language.keys_checked, std::move(language.problems));
+  add(report, file, language.keys_checked, std::move(language.problems));
+  note(report, 0, std::move(language.advice));
 }
 
 void check_glazes(CheckReport& report, const fs::path& file,
                   const std::vector<std::string>& languages = {}) {
   auto glazes = content::read_glazes(file, languages);
-  add(report, glazes.keys_checked, std::move(glazes.problems));
+  add(report, file, glazes.keys_checked, std::move(glazes.problems));
 }
 
 std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
+                                       const std::vector<std::string>& languages,
                                        const settings::ReaderLimits& limits = {}) {
-  auto shelf = content::check_shelf(path, limits);
+  auto shelf = content::check_shelf(path, limits, languages);
   report.vessels += static_cast<int>(shelf.ids.size());
-  report.files += shelf.files;
+  for (const fs::path& file : shelf.files) look(report, file);
   if (shelf.ids.empty() && shelf.problems.empty())
     shelf.problems.push_back({path.string(), "There is no vessel here.",
                               "Name a shelf, a vessel, an exhibit or one of their files."});
@@ -62,12 +70,12 @@ std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path
 }
 
 void check_whole_exhibit(CheckReport& report, const fs::path& file) {
-  const auto root = program_root();
-  const fs::path languages = root ? *root / "content" / "languages" : fs::path();
+  const fs::path languages = language_folder(file);
   auto read = settings::read_exhibit(file, languages);
   const settings::Exhibit exhibit = read.exhibit;
-  add(report, read.keys_checked, std::move(read.problems));
+  add(report, file, read.keys_checked, std::move(read.problems));
   std::error_code ignored;
+  if (fs::is_regular_file(exhibit.rubric_file, ignored)) look(report, exhibit.rubric_file);
   // What is missing has been named by read_exhibit; here goes what is there.
   std::set<fs::path> scenes{exhibit.scene};
   for (const auto& [vessel, scene] : exhibit.vessel_scenes) scenes.insert(scene);
@@ -78,14 +86,15 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file) {
   for (const device::KindInfo& kind : device::device_kinds())
     if (fs::is_regular_file(device_file(exhibit, kind.kind), ignored)) {
       auto device = device_of(exhibit, kind.kind);
-      add(report, device.keys_checked, std::move(device.problems));
+      add(report, device_file(exhibit, kind.kind), device.keys_checked, std::move(device.problems));
     }
   for (const std::string& code : exhibit.languages)
     if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
       check_language(report, words);
   if (fs::is_directory(exhibit.shelf, ignored))
     note(report, 0,
-         names_of_nothing(exhibit, check_vessels(report, exhibit.shelf, exhibit.reader)));
+         names_of_nothing(exhibit,
+                          check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader)));
 }
 
 bool is_scene_table(const std::string& key) {
@@ -99,29 +108,40 @@ bool is_scene_table(const std::string& key) {
 }
 
 // Tells by what only one kind of file has; an exhibit where nothing tells.
-void check_toml(CheckReport& report, const fs::path& file) {
+void check_toml(CheckReport& report, const fs::path& file,
+                const std::vector<std::string>& languages) {
   settings::TomlReader reader(file);
   auto keys = reader.ok() ? reader.root().keys() : std::vector<std::string>{};
   const auto has = [&keys](const char* key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
   if (file.filename() == "vessel.toml" || has("label"))
-    check_vessels(report, fs::absolute(file).parent_path());
+    check_vessels(report, file.has_parent_path() ? file.parent_path() : fs::path("."), languages);
   else if (has("outer") || has("inner")) {
     auto drawing = content::check_drawing(file);
-    add(report, drawing.keys_checked, std::move(drawing.problems));
+    add(report, file, drawing.keys_checked, std::move(drawing.problems));
   } else if (has("glaze")) {
     check_glazes(report, file);
   } else if (has("text") && has("code")) {
     check_language(report, file);
   } else if (has("outline") || has("stars") || has("size_counts")) {
     auto rubric = settings::read_rubric(file);
-    add(report, rubric.keys_checked, std::move(rubric.problems));
+    add(report, file, rubric.keys_checked, std::move(rubric.problems));
   } else if (std::ranges::any_of(keys, is_scene_table)) {
     check_scene(report, file);
   } else {
     check_whole_exhibit(report, file);
   }
+}
+
+/// Those of the exhibit `config`, else of the site that `path` lies in; none where there is none.
+std::vector<std::string> languages_for(const fs::path& path, const std::string& config) {
+  std::error_code ignored;
+  fs::path file = site_exhibit(path);
+  if (!config.empty())
+    if (const auto named = exhibit_file(config)) file = *named;
+  if (!fs::is_regular_file(file, ignored)) return {};
+  return settings::read_exhibit(file).exhibit.languages;
 }
 
 std::string count(int n, const std::string& one, const std::string& many) {
@@ -131,20 +151,23 @@ std::string count(int n, const std::string& one, const std::string& many) {
 }  // namespace
 
 std::string CheckReport::summary() const {
-  std::string counts = count(files, "file", "files") + ", " + count(keys, "key", "keys") + ", " +
-                       count(vessels, "vessel", "vessels") + ", " +
-                       count(languages, "language", "languages");
+  std::string counts = count(static_cast<int>(files.size()), "file", "files") + ", " +
+                       count(keys, "key", "keys") + ", " + count(vessels, "vessel", "vessels") +
+                       ", " + count(languages, "language", "languages");
   if (problems.empty()) return "All good: checked " + counts + ".";
   return count(static_cast<int>(problems.size()), "problem", "problems") + ": checked " + counts +
          ".";
 }
 
-Result<CheckReport> check_path(const std::string& path) {
+Result<CheckReport> check_path(const std::string& path, const std::string& config) {
   CheckReport report;
   std::error_code ignored;
   if (path.empty()) {
-    const auto exhibit = exhibit_file("");
+    const auto exhibit = exhibit_file(config);
     if (!exhibit) return tl::unexpected(exhibit.error());
+    if (!fs::exists(*exhibit, ignored))
+      return problem(exhibit->string(), "There is no such exhibit.",
+                     "Name an exhibit.toml, or a folder that holds one.");
     check_whole_exhibit(report, *exhibit);
     return report;
   }
@@ -155,16 +178,16 @@ Result<CheckReport> check_path(const std::string& path) {
         check_whole_exhibit(report, inside);
         return report;
       }
-    check_vessels(report, path);
+    check_vessels(report, path, languages_for(path, config));
     return report;
   }
   if (!fs::exists(path, ignored))
     return problem(path, "There is nothing of this name.",
                    "Name an exhibit, a scene, a language, glazes, a drawing, a vessel or a shelf.");
   if (fs::path(path).extension() == ".toml")
-    check_toml(report, path);
+    check_toml(report, path, languages_for(path, config));
   else
-    check_vessels(report, path);
+    check_vessels(report, path, languages_for(path, config));
   return report;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@ namespace onggi::exhibit {
 
 /// What a check went through, and everything it found.
 struct CheckReport {
-  int files = 0, keys = 0, vessels = 0, languages = 0;
+  std::vector<std::filesystem::path> files;  ///< Each that was looked at, in order, once.
+  int keys = 0, vessels = 0, languages = 0;
   std::vector<Problem> problems;
 
   /// "All good: checked ..." or "2 problems: checked ...", with the counts.
@@ -17,8 +19,10 @@ struct CheckReport {
 };
 
 /// Checks what `path` names: an exhibit and all that it leads to (scene, languages, shelf with
-/// every pack), or a single scene, language, drawing, vessel or shelf. Empty: config/exhibit.toml
-/// of the program. A Problem only when there is nothing at `path`. Allocates; reads files.
-Result<CheckReport> check_path(const std::string& path);
+/// every pack), or a single scene, language, drawing, vessel or shelf. Empty: the exhibit `config`
+/// (exhibit_file(), so that of the folder one stands in). Labels of vessels have to be in the
+/// languages of `config`, where that is given, else of the exhibit of the site that `path` lies in.
+/// A Problem only when there is nothing at `path`. Allocates; reads files.
+Result<CheckReport> check_path(const std::string& path, const std::string& config = "");
 
 }  // namespace onggi::exhibit

@@ -35,9 +35,27 @@ Result<fs::path> exhibit_file(const std::string& given) {
     if (fs::is_directory(given, error)) return fs::path(given) / "exhibit.toml";
     return fs::path(given);
   }
+  std::error_code ignored;
+  if (const fs::path site = root_at_or_above(fs::current_path(ignored)); !site.empty())
+    return site / "config" / "exhibit.toml";
   auto root = program_root();
   if (!root) return tl::unexpected(root.error());
   return *root / "config" / "exhibit.toml";
+}
+
+fs::path site_exhibit(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path site = root_at_or_above(fs::absolute(path, ignored).lexically_normal());
+  return site.empty() ? site : site / "config" / "exhibit.toml";
+}
+
+fs::path language_folder(const fs::path& file) {
+  std::error_code ignored;
+  if (const fs::path own = site_exhibit(file).parent_path().parent_path() / "content" / "languages";
+      own.is_absolute() && fs::is_directory(own, ignored))
+    return own;
+  const auto root = program_root();
+  return root ? *root / "content" / "languages" : fs::path();
 }
 
 }  // namespace onggi::exhibit

@@ -11,7 +11,15 @@ namespace onggi::exhibit {
 /// then at or above the current folder.
 Result<std::filesystem::path> program_root();
 
-/// `given`, or config/exhibit.toml of program_root() when empty.
+/// `given` (a folder: exhibit.toml in it). When empty, config/exhibit.toml of the site that the
+/// current folder stands in, at or above it; else of program_root().
 Result<std::filesystem::path> exhibit_file(const std::string& given);
+
+/// config/exhibit.toml of the site that `path` lies in; empty where it lies in none.
+std::filesystem::path site_exhibit(const std::filesystem::path& path);
+
+/// Where the languages of the exhibit `file` lie: content/languages of its own site, else of the
+/// program's. Empty where neither has any.
+std::filesystem::path language_folder(const std::filesystem::path& file);
 
 }  // namespace onggi::exhibit

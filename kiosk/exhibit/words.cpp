@@ -11,15 +11,13 @@ namespace onggi::exhibit {
 
 Result<std::vector<content::Language>> read_languages(const settings::Exhibit& exhibit,
                                                       const std::string& first) {
-  auto root = program_root();
-  if (!root) return tl::unexpected(root.error());
+  const auto folder = language_folder(exhibit.file);
   std::vector<content::Language> languages;
   for (const std::string& code : exhibit.languages) {
-    auto language = content::Language::read(*root / "content" / "languages" / (code + ".toml"));
-    if (language)
-      languages.push_back(std::move(*language));
-    else
-      log_problem(language.error());
+    auto read = content::check_language(folder / (code + ".toml"));
+    log_problems(read.problems);
+    log_problems(read.advice);
+    if (read.problems.empty()) languages.push_back(std::move(read.language));
   }
   if (languages.empty())
     return problem(exhibit.file.string(), "None of the exhibit's languages could be read.",

@@ -20,18 +20,29 @@ TomlReader::Table TomlReader::Impl::table(const std::string& path, const TomlNod
   return out;
 }
 
-TomlReader::TomlReader(const std::filesystem::path& file) : impl_(std::make_shared<Impl>()) {
+TomlReader::TomlReader() : impl_(std::make_shared<Impl>()) {}
+
+TomlReader::TomlReader(const std::filesystem::path& file) : TomlReader() {
   impl_->name = file.string();
-  const Result<std::string> text = read_toml_text(file);
-  if (!text) {
+  if (const Result<std::string> text = read_toml_text(file))
+    parse(*text);
+  else
     impl_->problems.push_back(text.error());
-    return;
-  }
-  if (const Result<void> depth = check_depth(*text, impl_->name); !depth) {
+}
+
+TomlReader TomlReader::of_text(const std::string& text, const std::string& name) {
+  TomlReader reader;
+  reader.impl_->name = name;
+  reader.parse(text);
+  return reader;
+}
+
+void TomlReader::parse(const std::string& text) {
+  if (const Result<void> depth = check_depth(text, impl_->name); !depth) {
     impl_->problems.push_back(depth.error());
     return;
   }
-  Result<TomlNode::Table> parsed = parse_toml(*text, impl_->name);
+  Result<TomlNode::Table> parsed = parse_toml(text, impl_->name);
   if (!parsed) {
     impl_->problems.push_back(parsed.error());
     return;
@@ -45,6 +56,16 @@ TomlReader::TomlReader(TomlReader&&) noexcept = default;
 
 bool TomlReader::ok() const { return impl_->ok; }
 const std::vector<Problem>& TomlReader::problems() const { return impl_->problems; }
+std::vector<Problem> TomlReader::problems_since(const std::vector<Problem>& before) const {
+  // By what they say: a new one stands between the old ones, where its line is.
+  std::vector<Problem> out;
+  for (const Problem& p : impl_->problems)
+    if (std::none_of(before.begin(), before.end(), [&p](const Problem& old) {
+          return old.where == p.where && old.what == p.what;
+        }))
+      out.push_back(p);
+  return out;
+}
 int TomlReader::keys_checked() const { return impl_->keys_checked; }
 TomlReader::Table TomlReader::root() {
   return impl_->table("", impl_->ok ? &impl_->root : nullptr, Place{});

@@ -29,6 +29,8 @@ class TomlReader {
   /// Parses; a syntax error or unreadable file becomes the only Problem and ok() is false.
   /// Files over 4 MiB and anything but regular files are refused.
   explicit TomlReader(const std::filesystem::path& file);
+  /// The same of a text in memory; `name` is what its Problems call it.
+  static TomlReader of_text(const std::string& text, const std::string& name);
   ~TomlReader();
   TomlReader(TomlReader&&) noexcept;
 
@@ -83,11 +85,15 @@ class TomlReader {
 
   /// In file order. Every `where` is "file:line:column", or "file" where it could not be read.
   const std::vector<Problem>& problems() const;
+  /// Those that problems() did not have yet when it was `before`.
+  std::vector<Problem> problems_since(const std::vector<Problem>& before) const;
   /// Keys that are present and were asked for, tables not counted.
   int keys_checked() const;
 
  private:
   struct Impl;
+  TomlReader();
+  void parse(const std::string& text);
   std::shared_ptr<Impl> impl_;
 };
 

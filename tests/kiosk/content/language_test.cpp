@@ -1,6 +1,7 @@
 #include "kiosk/content/language.h"
 
 #include "tests/kiosk/content/temporary.h"
+#include "tests/kiosk/files/disk.h"
 
 namespace onggi::content {
 namespace {
@@ -40,6 +41,48 @@ TEST_F(LanguageTest, what_is_wrong_is_said_with_its_line) {
   for (const char* words :
        {"en.toml:1:8", "name is missing", "no } after", "no { before", "c is 3", "d is empty"})
     EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
+}
+
+TEST_F(LanguageTest, what_differs_from_the_programs_english_is_named_and_still_spoken) {
+  const std::string english = files::test::content("content/languages/en.toml");
+  const auto changed = [&](const std::string& what, const std::string& with) {
+    std::string text = english;
+    text.replace(text.find(what), what.size(), with);
+    const auto read = check_language(write("en.toml", text));
+    EXPECT_TRUE(read.problems.empty()) << to_text(read.problems[0]);
+    EXPECT_TRUE(Language::read(folder_ / "en.toml"));
+    std::string all;
+    for (const Problem& p : read.advice) all += to_text(p) + "\n";
+    EXPECT_EQ(read.advice.size(), all.empty() ? 0u : 1u) << all;
+    return all;
+  };
+  EXPECT_EQ(changed("Touch to begin", "Begin here"), "");
+  const std::pair<std::pair<const char*, const char*>, std::vector<const char*>> slips[] = {
+      {{"begin = \"Touch to begin\"\n", ""},
+       {"en.toml:10:", "attract.begin is missing", "begin = \"Touch to begin\""}},
+      {{"begin = ", "beginn = "}, {"attract.beginn", "Call it attract.begin"}},
+      {{"help = \"Help\"\n", "help = \"Help\"\nnonsense = \"x\"\n"},
+       {"all.nonsense", "Take it out"}},
+      {{"rpm = \"{rpm} rpm\"", "rpm = \"{turns} rpm\""}, {"{turns}", "Its places are {rpm}"}},
+      {{"rpm = \"{rpm} rpm\"", "rpm = \"turning\""}, {"throw.rpm lacks {rpm}"}},
+      {{"back = \"Back\"", "back = \"{way} back\""}, {"{way}", "Take the braces"}}};
+  for (const auto& [slip, words] : slips) {
+    const std::string all = changed(slip.first, slip.second);
+    for (const char* word : words)
+      EXPECT_NE(all.find(word), std::string::npos) << word << " in\n" << all;
+  }
+}
+
+TEST_F(LanguageTest, a_key_below_the_wrong_table_is_sent_to_the_right_one) {
+  std::string text = files::test::content("content/languages/ko.toml");
+  const std::size_t from = text.find("\nreduced = ") + 1, to = text.find('\n', from) + 1;
+  const std::string line = text.substr(from, to - from);
+  text.erase(from, to - from);
+  text.insert(text.find('\n', text.find("[text.throw]")) + 1, line);
+  const auto read = check_language(write("ko.toml", text));
+  ASSERT_EQ(read.advice.size(), 1u);
+  EXPECT_NE(read.advice[0].what.find("throw.reduced"), std::string::npos);
+  EXPECT_NE(read.advice[0].remedy.find("choose.reduced"), std::string::npos);
 }
 
 }  // namespace

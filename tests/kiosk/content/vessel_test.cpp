@@ -32,6 +32,14 @@ const std::string kToml =
     "credit = \"Drawn for a test\"\nlicence = \"CC0-1.0\"\nsource = \"A book\"\n"
     "color = [1, 0.5, 0]\n[label.en]\ntitle = \"Moon jar\"\n[label.ko]\ntitle = \"달항아리\"\n";
 
+/// Nothing is left to ask for but, where more is written behind it, the text.
+const std::string kWholeToml =
+    "true_height_mm = 305\ninstitution = \"A museum\"\ncredit = \"Drawn for a test\"\n"
+    "licence = \"CC0-1.0\"\nsource = \"A book\"\n[label.ko]\ntitle = \"달항아리\"\n"
+    "culture = \"한국\"\ndate = \"18세기\"\nmade = \"물레\"\ntext = \"굽\"\n"
+    "[label.en]\ntitle = \"Moon jar\"\nculture = \"Korea\"\ndate = \"undated\"\nmade = "
+    "\"Thrown.\"\n";
+
 TEST_F(VesselTest, a_pack_brings_its_label_credit_and_true_size) {
   write_mesh("jar/vessel.glb", shapes::jar(), 100.0);  // modelled in centimetres
   write("jar/vessel.toml", kToml);
@@ -103,20 +111,21 @@ TEST_F(VesselTest, a_broken_pack_is_named_and_the_rest_of_the_shelf_opens) {
 
 TEST_F(VesselTest, check_counts_what_it_saw_and_says_more_than_opening_does) {
   write_mesh("shelf/jar/vessel.glb", shapes::jar());
-  write("shelf/jar/vessel.toml", kToml);
+  write("shelf/jar/vessel.toml", kWholeToml + "text = \"Look at its foot.\"\n");
   ShelfCheck good = check_shelf(folder_ / "shelf");
   EXPECT_TRUE(good.problems.empty()) << to_text(good.problems[0]);
   EXPECT_EQ(good.ids.size(), 1u);
-  EXPECT_EQ(good.files, 2);
+  const fs::path jar = folder_ / "shelf" / "jar";
+  EXPECT_EQ(good.files, (std::vector<fs::path>{jar / "vessel.toml", jar / "vessel.glb"}));
   EXPECT_GE(good.keys_checked, 9);
 
   write("shelf/jar/vessel.toml",
-        "true_diameter_mm = 500\n" + kToml + "text = \"" + words(101) + "\"\n");
+        "true_diameter_mm = 500\n" + kWholeToml + "text = \"" + words(101) + "\"\n");
   EXPECT_TRUE(open_shelf(folder_ / "shelf").problems.empty());
   const ShelfCheck strict = check_shelf(folder_ / "shelf" / "jar");
   ASSERT_EQ(strict.problems.size(), 2u);
   EXPECT_NE(strict.problems[0].what.find("101 words"), std::string::npos);
-  EXPECT_NE(strict.problems[0].where.find("vessel.toml:13:"), std::string::npos);
+  EXPECT_NE(strict.problems[0].where.find("vessel.toml:18:"), std::string::npos);
   EXPECT_NE(strict.problems[1].what.find("wide"), std::string::npos);
 }
 
