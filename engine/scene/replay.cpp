@@ -121,11 +121,14 @@ std::vector<std::byte> ReplayWriter::finish(std::uint64_t state_hash, const std:
   std::uint8_t tag = kEnd;
   io(tag);
   io(state_hash);
+  seal(bytes_);
   return std::move(bytes_);
 }
 
 Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string& name) {
-  Reader io(bytes);
+  // A flipped byte among the ticks reads as another visit: only the checksum tells it from one.
+  const std::span<const std::byte> body = unsealed(bytes);
+  Reader io(body.empty() ? bytes : body);
   const auto malformed = [&](const char* what) {
     return problem(name + ", byte " + std::to_string(io.at()), what,
                    "Use a replay file that this program wrote, whole.");
@@ -134,7 +137,9 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
   std::uint32_t version = 0;
   if (!io(magic) || magic != kMagic) return malformed("This is no replay.");
   if (!io(version) || version != kVersion)
-    return malformed("The replay was written by another version of the engine.");
+    return malformed("The replay was written by another version of the engine, or is damaged.");
+  if (body.empty())
+    return malformed("The replay is damaged or cut short: its checksum is of other bytes.");
   Replay replay;
   if (!scene_def(io, replay.def) || !io(replay.seed) || !io.text(replay.vessel_id, kLongestId))
     return malformed("The replay's beginning is cut short or damaged.");

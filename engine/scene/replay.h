@@ -21,7 +21,8 @@ struct TickRecord {
 /// Writes a replay: header (magic, version, SceneDef, vessel id), then each tick as the fields that
 /// changed since the one before (an unchanged tick is one byte); every simulated second a state
 /// hash may be noted; at the end the glaze that was chosen and the last hash. Bit for bit, NaN and
-/// -0 included. Little-endian everywhere. Allocates; not for the tick.
+/// -0 included. Little-endian everywhere; at the very end a CRC-64 of all before it. Allocates; not
+/// for the tick.
 class ReplayWriter {
  public:
   ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed);
@@ -48,8 +49,8 @@ struct ReplayOutcome {
   std::int64_t first_difference_tick = -1;  ///< -1: every hash agreed.
 };
 
-/// A replay read whole; refuses anything malformed (wrong magic, version, cut short, bad def, more
-/// than 4 million ticks).
+/// A replay read whole; refuses anything malformed: wrong magic or version, a byte that is not as
+/// it was written, cut short, bad def, more than 4 million ticks (exit 2).
 struct Replay {
   SceneDef def;
   std::string vessel_id;

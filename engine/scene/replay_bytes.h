@@ -13,7 +13,7 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 9;
+inline constexpr std::uint32_t kVersion = 10;
 
 /// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
 enum Tag : std::uint8_t {
@@ -27,8 +27,15 @@ enum Tag : std::uint8_t {
   kAllFields = kHand0 | kHand1 | kSwitches | kWheel | kTime | kHold0 | kHold1,
   kNote = 0x80,   // a hash of the state here
   kGlaze = 0x82,  // the glaze's id: its size and its letters
-  kEnd = 0x81,    // the last hash, and nothing after it
+  kEnd = 0x81,    // the last hash, and after it the checksum of all before
 };
+
+inline constexpr std::size_t kSealBytes = 8;
+
+/// Puts the checksum of `bytes` behind them.
+void seal(std::vector<std::byte>& bytes);
+/// `bytes` without their checksum; empty where it is not theirs.
+std::span<const std::byte> unsealed(std::span<const std::byte> bytes);
 
 /// Appends little-endian values.
 class Writer {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/math/random.h"
+#include "engine/scene/replay_bytes.h"
 
 namespace onggi {
 namespace {
@@ -109,8 +110,8 @@ RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSam
   RC_ASSERT(outcome->hashes_checked == 3u);
 }
 
-RC_GTEST_PROP(ReplayProperty, ADamagedFileIsRefusedOrReadAndNeverCrashes, (std::uint64_t seed)) {
-  auto bytes = recorded(5, 60, small());
+/// `bytes` with up to four of them changed, put in or cut off at random.
+std::vector<std::byte> damaged(std::vector<std::byte> bytes, std::uint64_t seed) {
   Random random(seed);
   const int changes = 1 + static_cast<int>(random.bits() % 4);
   for (int n = 0; n < changes; ++n) {
@@ -126,6 +127,23 @@ RC_GTEST_PROP(ReplayProperty, ADamagedFileIsRefusedOrReadAndNeverCrashes, (std::
                      static_cast<std::byte>(random.bits()));
     }
   }
+  return bytes;
+}
+
+RC_GTEST_PROP(ReplayProperty, ADamagedFileIsRefused, (std::uint64_t seed)) {
+  static const auto whole = recorded(5, 60, small());
+  const auto bytes = damaged(whole, seed);
+  const Result<Replay> replay = Replay::read(bytes, "damaged");
+  RC_ASSERT(replay.has_value() == (bytes == whole));
+  if (!replay) RC_ASSERT(replay.error().exit_code == 2);
+}
+
+RC_GTEST_PROP(ReplayProperty, DamageUnderARightChecksumIsRefusedOrReadAndNeverCrashes,
+              (std::uint64_t seed)) {
+  static const auto whole = recorded(5, 60, small());
+  auto bytes = damaged(whole, seed);
+  bytes.resize(bytes.size() - std::min<std::size_t>(bytes.size(), 8));
+  replay_bytes::seal(bytes);
   const Result<Replay> replay = Replay::read(bytes, "damaged");
   if (!replay) {
     RC_ASSERT(!replay.error().where.empty() && !replay.error().remedy.empty());
@@ -147,6 +165,22 @@ TEST(Replay, CarriesTheGlazeThatWasChosenAndNoneWhereThereWasNone) {
     for (std::size_t n = 0; n < bytes.size(); ++n)
       EXPECT_FALSE(Replay::read(std::span(bytes).first(n), "cut"));
   }
+}
+
+TEST(Replay, NoFlippedByteIsEverTakenForAnotherPot) {
+  auto bytes = recorded(9, 40, small());
+  for (std::size_t n = 0; n < bytes.size(); ++n)
+    for (const unsigned flip : {0x01u, 0x80u, 0xFFu}) {
+      bytes[n] ^= static_cast<std::byte>(flip);
+      const Result<Replay> replay = Replay::read(bytes, "visit.onggi");
+      ASSERT_FALSE(replay) << n;
+      EXPECT_EQ(replay.error().exit_code, 2);
+      const bool behind_the_version = n >= 12;
+      EXPECT_TRUE(!behind_the_version || replay.error().what.find("damaged") != std::string::npos)
+          << replay.error().what;
+      bytes[n] ^= static_cast<std::byte>(flip);
+    }
+  EXPECT_TRUE(Replay::read(bytes, "visit.onggi"));
 }
 
 TEST(Replay, EveryShorterFileIsRefused) {
