@@ -17,6 +17,8 @@ class HandDevice {
   virtual void feel(const HandFeedback& feedback) noexcept = 0;
   /// How old the newest news from it is, s; below 0 where it has none of its own.
   virtual double age() const noexcept { return -1.0; }
+  /// It has no hand of its own, and goes where lead() says.
+  virtual bool led() const noexcept { return false; }
   /// Where the screens would have it. Only devices that follow a finger or keys have an ear for it.
   virtual void lead(const HandInput& /*target*/) noexcept {}
 };

@@ -22,6 +22,7 @@ class PointerHand final : public HandDevice {
   PointerHand() = default;
   explicit PointerHand(const PointerHandDef& def) : def_(def) {}
   void lead(const HandInput& target) noexcept override;
+  bool led() const noexcept override { return true; }
   HandInput read(double dt) noexcept override;
   void feel(const HandFeedback& felt) noexcept override;
 

@@ -14,11 +14,26 @@ constexpr double kSpare = 0.001;     // m about a finger inside
 constexpr double kLeastGap = 0.003, kMostGap = 0.04;
 // m up and down over which the wall's slant is taken: a groove is no slant.
 constexpr double kSpan = 0.01;
+// m up and down over which its thickness is taken: where hands thin it as they rise, the thickness
+// just there, which they are changing, would draw them to and fro.
+constexpr double kThickSpan = 0.012;
 constexpr double kSteepest = 2.5;  // run over rise: flatter walls have no inside and outside
 
 double mean_radius(const ClayView& clay, double height) {
   return 0.5 *
          (clay.radius_at(height, WallSide::outside) + clay.radius_at(height, WallSide::inside));
+}
+
+/// Of the wall about `height`, m.
+double thickness(const ClayView& clay, double height) {
+  constexpr int kLooks = 4;  // to either side
+  double sum = 0;
+  for (int n = -kLooks; n <= kLooks; ++n) {
+    const double at = std::clamp(height + n * kThickSpan / kLooks, clay.floor_top() + kSpare,
+                                 std::max(clay.floor_top() + kSpare, clay.rim_height()));
+    sum += clay.radius_at(at, WallSide::outside) - clay.radius_at(at, WallSide::inside);
+  }
+  return sum / (2 * kLooks + 1);
 }
 
 /// The slant at which a ball of `radius` that touches square on lies `room` off the level.
@@ -69,8 +84,7 @@ bool WallHold::solid(const ClayView& clay, double height) const {
 
 WallHold::Hands WallHold::stand(const ClayView& clay, double reach, double height) const {
   const double room = clay.radius_at(height, WallSide::inside);
-  const double wall = clay.radius_at(height, WallSide::outside);
-  const double gap = std::clamp(wall - room, kLeastGap, kMostGap);
+  const double gap = std::clamp(thickness(clay, height), kLeastGap, kMostGap);
   const double slant = slope(clay, height), cosine = 1 / std::sqrt(1 + slant * slant);
   const auto at = [&](const Part& part, double face, double away) {
     return Stand{true, std::max(0.0, face + away * cosine), height - away * cosine * slant, part};

@@ -24,9 +24,6 @@ namespace onggi::exhibit {
 
 namespace {
 
-// Attract mode shows a pot in about half a minute, the time a passer-by gives it.
-constexpr double kAttractPace = 3.0;
-
 constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
 
 void shrink(TriangleMesh& mesh, double size) {
@@ -208,7 +205,8 @@ void Kiosk::carry_out(const screens::StartPot& request) {
     potter_->record(card.vessel->id, seed_);
     return;
   }
-  auto script = make_script(request.script, {def, &card.target, seed_ + pots_, kAttractPace});
+  if (request.script.empty()) return;
+  auto script = make_script(request.script, {def, &card.target, seed_ + pots_});
   if (script)
     potter_->play(std::move(*script));
   else

@@ -96,18 +96,22 @@ const SceneDef& Scenes::of(const std::string& id) const {
 
 screens::Wheel Scenes::wheel_of(const std::string& id) const {
   const SceneDef& def = of(id);
-  screens::Wheel wheel{def.wheel.max_speed,
-                       def.tool.radius,
-                       0,
-                       def.tool.radius,
-                       std::nullopt,
-                       {},
-                       def.walls ? def.walls->tear_thickness : 0.0};
-  for (std::size_t n = 0; n < def.tools.size() && !def.paper; ++n)
-    if (const ToolShape* palm = find_tool_shape("palm"); palm->name == def.tools[n].name) {
-      wheel.palm = static_cast<std::uint8_t>(n + 1);
-      wheel.palm_radius = sized(*palm, def.tools[n].size).radius;
-    }
+  screens::Wheel wheel;
+  wheel.max_speed = def.wheel.max_speed;
+  wheel.tool_radius = wheel.palm_radius = def.tool.radius;
+  wheel.shown.clear();
+  wheel.keeps_clay = def.volume.has_value();
+  wheel.tear_thickness = def.walls ? def.walls->tear_thickness : 0.0;
+  for (std::size_t n = 0; n < def.tools.size() && !def.paper; ++n) {
+    const auto tool = static_cast<std::uint8_t>(n + 1);
+    const ToolShape& shape = *find_tool_shape(def.tools[n].name);
+    const ToolSize size = sized(shape, def.tools[n].size);
+    if (shape.name == "palm") wheel.palm = tool, wheel.palm_radius = size.radius;
+    if (shape.name == "flat_rib")
+      wheel.rib = screens::Wheel::Rib{tool, size.length, size.thickness};
+    if (shape.name == "loop_trimmer") wheel.trimmer = screens::Wheel::Trimmer{tool, size.radius};
+    if (shape.severs()) wheel.wire = tool;
+  }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);
         info != nullptr && (info->needs.target || shows_its_effect(*info, def)))

@@ -123,10 +123,13 @@ void PotterCore::read_hands(double dt, Hands& hands) noexcept {
   hands.hand = {};
   leads_ = {};
   device_age_ = -1.0;
+  status_.hands_taken = false;
   for (std::size_t n = 0; n < attached_; ++n) {
     const Attached& attached = devices_[n];
     const HandInput read = attached.device->read(dt);
     device_age_ = std::max(device_age_, attached.device->age());
+    // A hand that screens lead may be at work where nobody is.
+    status_.hands_taken = status_.hands_taken || (read.active && !attached.device->led());
     const auto h = static_cast<std::size_t>(attached.hand);
     // Of several for one hand the last that came and is in use has the word.
     if (!read.active && hands.hand[h].active) continue;
@@ -163,7 +166,6 @@ void PotterCore::take_commands() noexcept {
 void PotterCore::step(double dt) noexcept {
   Hands hands = asked_;
   read_hands(dt, hands);
-  status_.hands_taken = hands.hand[0].active || hands.hand[1].active;
   if (script_ != nullptr) {
     script_time_ += dt;
     hands = script_->at(script_time_, pot_->scene.clay());

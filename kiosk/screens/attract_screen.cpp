@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kiosk/screens/demonstration.h"
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
 
@@ -14,8 +15,8 @@ namespace {
 constexpr double kRest = 7.0;      // s that a finished pot is shown, with its name.
 constexpr double kNameFade = 1.2;  // s
 
-/// A pot throws itself by script; its name fades in at the end; then the next vessel. Between them
-/// now and then what clay does, with a line that says it.
+/// A pot is thrown by a potter's hands; its name fades in at the end; then the next vessel. Between
+/// them now and then what clay does, by script, with a line that says it.
 class Attract final : public Screen {
  public:
   using Screen::Screen;
@@ -25,12 +26,21 @@ class Attract final : public Screen {
     if (control == "attract.begin") desk.go(ScreenId::choose);
   }
   void back() override {}
+  void let_go() override {
+    if (show_ && desk.pot_ready()) show_->let_go(*desk.world.potter);
+  }
 
   void update(double dt) override {
     if (!asked_ || (done_at_ >= 0 && desk.now - done_at_ > kRest)) next_pot();
     const ShelfCard* card = desk.shelf_card(desk.attract_card);
     picture_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
-    if (asked_ && desk.pot_ready() && desk.status.script_done && done_at_ < 0) done_at_ = desk.now;
+    if (!asked_ || !desk.pot_ready() || card == nullptr) return;
+    if (show_) {
+      Vec3 right, up, back;
+      camera_.basis(right, up, back);
+      show_->update(dt, *desk.world.wheel, card->target, right, *desk.world.potter);
+    }
+    if (done_at_ < 0 && (show_ ? show_->done() : desk.status.script_done)) done_at_ = desk.now;
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -42,6 +52,7 @@ class Attract final : public Screen {
   }
 
   void lay_out(Page& page) override {
+    camera_ = picture_.camera(page);
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, false));
@@ -77,9 +88,12 @@ class Attract final : public Screen {
   void next_pot() {
     if (desk.cards() == 0) return;
     desk.attract_card = (desk.attract_card + 1) % desk.cards();
-    const auto& shown = desk.shelf_card(desk.attract_card)->wheel.shown;
-    script_ = shown[desk.attract_turn++ % shown.size()];
-    desk.start_pot(desk.attract_card, true, script_);
+    const Wheel& wheel = desk.shelf_card(desk.attract_card)->wheel;
+    script_ = wheel.shown[desk.attract_turn++ % wheel.shown.size()];
+    // Where clay is kept a pot's height has to be planned for; there the script throws it.
+    show_.reset();
+    if (follows() && !wheel.keeps_clay) show_.emplace(wheel, desk.screen().left_handed);
+    desk.start_pot(desk.attract_card, true, show_ ? "" : script_);
     asked_ = true;
     done_at_ = -1;
   }
@@ -94,6 +108,8 @@ class Attract final : public Screen {
   bool follows() const { return script_ == "follow"; }
 
   PotPicture picture_;
+  view::Camera camera_;
+  std::optional<Demonstration> show_;
   std::string script_ = "follow";
   bool asked_ = false;
   double done_at_ = -1;

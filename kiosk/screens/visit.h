@@ -39,8 +39,20 @@ struct Wheel {
   double tool_radius = 0.008;  ///< m, of the ball: tool 0.
   std::uint8_t palm = 0;       ///< The tool that a hand outside works with,
   double palm_radius = 0.008;  ///< and its radius, m.
+  struct Rib {
+    std::uint8_t tool = 0;                    ///< HandInput::tool.
+    double length = 0.09, thickness = 0.003;  ///< m
+  };
+  std::optional<Rib> rib;  ///< The flat rib, where the scene has it to hand.
+  struct Trimmer {
+    std::uint8_t tool = 0;
+    double radius = 0.008;  ///< m
+  };
+  std::optional<Trimmer> trimmer;    ///< Likewise the loop trimmer,
+  std::optional<std::uint8_t> wire;  ///< and the wire.
   std::optional<Kiln> kiln;
   std::vector<std::string> shown{"follow"};  ///< Scripts of attract mode, pot by pot; at least one.
+  bool keeps_clay = false;  ///< What is pressed away goes elsewhere, and the pot gets higher by it.
   double tear_thickness = 0;  ///< Metres: a wall that gets thinner tears; 0 where none does.
 };
 
@@ -58,7 +70,8 @@ struct StartPot {
   int card = 0;
   bool scripted = false;
   std::string script = "follow";
-};  ///< A fresh lump for this vessel; scripted: thrown so (attract).
+};  ///< A fresh lump for this vessel; scripted: thrown so (attract), by the screen where that is
+    ///< "".
 struct MakeKeepsake {
   int card = 0;
   score::Score score;

@@ -53,6 +53,23 @@ TEST(WallHold, BothHandsTouchAWallSquareOnWhateverItsSlant) {
   }
 }
 
+TEST(WallHold, WhereAWallIsBeingThinnedTheHandInsideGoesAlongSmoothly) {
+  // Thin below 0.1 m, where hands have been, and thick above.
+  ClayView clay = wall(0.08, 0.08);
+  std::vector<float> outer(16, 0.08f), inner(16, 0.05f);
+  for (int j = 0; j < clay.rows(); ++j)
+    if (clay.row_height(j) > 0.1) clay.shape(j, outer, inner);
+  WallHold hold(kPalm, kFinger);
+  hold.take(clay, Grip::both, 0.05);
+  double last = 0, widest = 0;
+  for (double h = 0.05; h < 0.15; h += 0.001) {
+    const double inside = hold.stand(clay, 0.08, h).inside.radius;
+    if (last > 0) widest = std::max(widest, std::abs(inside - last));
+    last = inside;
+  }
+  EXPECT_LT(widest, 0.004);  // of the 24 mm that the wall gets thicker by at once
+}
+
 TEST(WallHold, InABowlTheInnerHandLiesAboveTheOuterOneAndOnAShoulderBelow) {
   WallHold hold(kPalm, kFinger);
   const ClayView bowl = wall(0.05, 0.12), shoulder = wall(0.12, 0.05);

@@ -23,6 +23,38 @@ struct Stepped {
   SteppedPotter host;
 };
 
+/// A device that somebody holds.
+class HeldHand final : public device::HandDevice {
+ public:
+  explicit HeldHand(const bool& held) : held_(held) {}
+  HandInput read(double) noexcept override {
+    HandInput hand;
+    hand.position = {0.2, 0.2, 0.0};
+    hand.active = held_;
+    return hand;
+  }
+  void feel(const HandFeedback&) noexcept override {}
+
+ private:
+  const bool& held_;
+};
+
+TEST(Potter, AHandThatTheScreensLeadIsNoVisitorAndOneThatHoldsADeviceIs) {
+  const SceneDef def = small_scene();
+  Stepped wheel(def);
+  wheel.host.hand(0, press_at(def, 0.001));
+  wheel.host.advance(50);
+  ASSERT_TRUE(wheel.host.status().hands.hand[0].active);
+  EXPECT_FALSE(wheel.host.status().hands_taken);
+  bool held = true;
+  wheel.host.attach(std::make_unique<HeldHand>(held), 1);
+  wheel.host.advance(1);
+  EXPECT_TRUE(wheel.host.status().hands_taken);
+  held = false;
+  wheel.host.advance(1);
+  EXPECT_FALSE(wheel.host.status().hands_taken);
+}
+
 TEST(Potter, RowsThatAreWetAreSeenWetAndAPotWithoutSuchRowsHasNone) {
   SceneDef def = small_scene();
   Stepped plain(def);

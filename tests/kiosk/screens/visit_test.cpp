@@ -15,8 +15,26 @@ int count(const std::vector<Request>& all) {
       all.begin(), all.end(), [](const Request& r) { return std::holds_alternative<T>(r); }));
 }
 
-TEST(Visit, AttractThrowsAPotByScriptAndNamesItAtTheEnd) {
+TEST(Visit, AttractThrowsWithAPottersHandsWhichAreLiftedWhenSomebodyBegins) {
   Visitor v;
+  v.frames(1);
+  EXPECT_EQ(std::get<StartPot>(v.requests().front()).script, "");
+  v.frames(8);
+  ASSERT_FALSE(v.potter.wheels.empty());
+  EXPECT_GT(v.potter.wheels.back(), 10.0);
+  ASSERT_GE(v.potter.waters.size(), 2u);
+  EXPECT_TRUE(v.potter.waters.front());
+  EXPECT_TRUE(std::ranges::any_of(v.potter.hands, &HandInput::active));
+  v.potter.hands.clear();
+  v.touch("attract.begin");
+  EXPECT_EQ(v.visit->screen(), ScreenId::choose);
+  ASSERT_GE(v.potter.hands.size(), 2u);
+  EXPECT_FALSE(v.potter.hands[v.potter.hands.size() - 2].active);
+  EXPECT_FALSE(v.potter.hands.back().active);
+}
+
+TEST(Visit, WhereClayIsKeptAttractThrowsAPotByScriptAndNamesItAtTheEnd) {
+  Visitor v(9, nullptr, false, true);
   v.frames(1);
   const auto asked = v.requests();
   ASSERT_EQ(count<StartPot>(asked), 1);
@@ -32,7 +50,7 @@ TEST(Visit, AttractThrowsAPotByScriptAndNamesItAtTheEnd) {
 }
 
 TEST(Visit, AttractShowsWhatTheClayOfAVesselDoesWithALineOfWordsAndNoName) {
-  Visitor v;
+  Visitor v(9, nullptr, false, true);
   for (ShelfCard& card : v.shelf) card.wheel.shown = {"follow", "collapse"};
   v.frames(1);
   EXPECT_EQ(std::get<StartPot>(v.requests().front()).script, "follow");

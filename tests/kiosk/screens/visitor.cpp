@@ -62,7 +62,7 @@ Profile jar(double belly, double mouth, double foot) {
   return p;
 }
 
-Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln) {
+Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool keeps_clay) {
   for (const char* file : {"content/languages/en.toml", "content/languages/ko.toml"}) {
     auto language = content::Language::read(file);
     EXPECT_TRUE(language) << (language ? "" : to_text(language.error()));
@@ -97,6 +97,7 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln) {
     glazes = read.glazes;
     wheel.kiln = Kiln{0.9375, 0.875, 1.0, &glazes};
   }
+  wheel.keeps_clay = keeps_clay;
   for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65, wheel});
   clay.lay(kLump);
   VisitWorld world;
@@ -120,7 +121,7 @@ void Visitor::frames(double seconds) {
     while (auto request = visit->take_request()) {
       if (const auto* start = std::get_if<StartPot>(&*request)) {
         ++status.scene_serial;
-        status.scripted = start->scripted;
+        status.scripted = start->scripted && !start->script.empty();
         status.script_done = false;
         clay.lay(kLump);
       }

@@ -47,8 +47,9 @@ Profile jar(double belly, double mouth = 0.04, double foot = 0.04);
 /// A whole exhibit without window, loop or files, and someone who visits it.
 class Visitor {
  public:
-  /// `kiln`: with the exhibit's glazes, and stoneware's shrinkage.
-  explicit Visitor(int vessels = 9, const view::TextMeasure* measure = nullptr, bool kiln = false);
+  /// `kiln`: with the exhibit's glazes, and stoneware's shrinkage. `keeps_clay`: as Wheel's.
+  explicit Visitor(int vessels = 9, const view::TextMeasure* measure = nullptr, bool kiln = false,
+                   bool keeps_clay = false);
 
   void frames(double seconds);  ///< Time passes, thirty frames a second.
   void show() { frames(1.0 / 30); }

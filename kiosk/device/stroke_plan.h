@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/clay/clay_view.h"
+#include "engine/math/vec.h"
+#include "engine/profile/profile.h"
+#include "kiosk/device/wall_hold.h"
+
+namespace onggi::device {
+
+/// One stroke of a potter's hands on a pot as it stands, as somebody would draw it on a screen.
+struct Stroke {
+  /// What it is for, as potters name it: a hand inside makes a thick wall thinner; both bring it
+  /// outwards, or inwards; both only even it.
+  enum class Kind : std::uint8_t { open, belly, collar, smooth };
+  Kind kind = Kind::smooth;
+  Grip grip = Grip::both;
+  /// Where the worked face is to come, from the first to the last: x from the axis, y height, m.
+  std::vector<Vec2> path;
+  double speed = 0.02;  ///< m/s along it.
+};
+
+/// The next stroke from `clay` towards `target`'s outer outline: from the foot to the rim where the
+/// wall is off, no deeper than soft clay follows two hands without a ridge, and slower the nearer
+/// it is. Nothing once all that hands can reach is within `near_enough` metres. Pure; allocates.
+std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, double near_enough);
+
+/// One slow stroke of both hands along all of `target` that is on `clay`.
+Stroke last_stroke(const ClayView& clay, const Profile& target);
+
+}  // namespace onggi::device

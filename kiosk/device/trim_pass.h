@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/clay/clay_view.h"
+#include "engine/math/vec.h"
+#include "engine/profile/profile.h"
+#include "engine/scene/hands.h"
+
+namespace onggi::device {
+
+/// A round trimmer drawn down the foot of a pot from outside, again and again, as deep as clay
+/// comes away at once, until the foot is the target's. The foot is solid: two hands cannot shape
+/// it. Never cuts within the target. Reads the clay as it stands. Main thread; allocates nothing.
+class TrimPass {
+ public:
+  static constexpr double kDown = 0.016;   ///< m/s along the foot.
+  static constexpr double kDeep = 0.004;   ///< m that a pass takes at the most.
+  static constexpr double kAbove = 0.012;  ///< m over the floor where a pass begins.
+  static constexpr int kMostPasses = 12;
+
+  /// `tool`: HandInput::tool of a disc or ball of this radius, m.
+  TrimPass(std::uint8_t tool, double radius) : tool_(tool), radius_(radius) {}
+
+  void begin(const ClayView& clay, const Profile& target);
+  /// Once a frame.
+  void follow(const ClayView& clay, const Profile& target, double dt);
+  bool done() const { return stage_ == Stage::off; }
+  /// `right`: as PointerLead::input.
+  HandInput input(Vec3 right) const;
+
+ private:
+  enum class Stage : std::uint8_t { setting, cutting, leaving, off };
+  bool left_to_do(const ClayView& clay, const Profile& target) const;
+  void next_pass(const ClayView& clay, const Profile& target);
+  template <class Face>
+  double centre(double height, const Face& face) const;
+
+  std::uint8_t tool_;
+  double radius_;
+  Stage stage_ = Stage::off;
+  int passes_ = 0;
+  double height_ = 0, top_ = 0, clear_ = 0;
+  double at_ = 0;        ///< Of the tool's middle, m from the axis.
+  double was_[64] = {};  ///< Where it would touch as the pass began, by height.
+};
+
+}  // namespace onggi::device

@@ -1,0 +1,86 @@
+#include "kiosk/device/stroke_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace onggi::device {
+namespace {
+
+/// A wall `thick` metres thick, `radius` wide outside, 0.2 m high, on a floor of 10 mm.
+ClayView tube(double radius, double thick) {
+  ClayDef def;
+  def.rows = 100;
+  def.sectors = 16;
+  def.floor_thickness = 0.01;
+  ClayView clay;
+  clay.lay(def);
+  const std::vector<float> outer(16, static_cast<float>(radius));
+  const std::vector<float> inner(16, static_cast<float>(radius - thick));
+  for (int j = 0; j < clay.rows(); ++j) clay.shape(j, outer, inner);
+  return clay;
+}
+
+Profile jar(double radius, double belly) {
+  Profile p;
+  for (int n = 0; n <= 100; ++n) {
+    const double r = radius + belly * std::sin(3.14159265 * n / 100);
+    p.points.push_back({0.002 * n, r, r - 0.005});
+  }
+  return p;
+}
+
+TEST(StrokePlan, AThickWallIsOpenedFromInsideBeforeItIsBroughtAnywhere) {
+  const auto stroke = next_stroke(tube(0.055, 0.03), jar(0.055, 0.03), 0.001);
+  ASSERT_TRUE(stroke);
+  EXPECT_EQ(stroke->kind, Stroke::Kind::open);
+  EXPECT_EQ(stroke->grip, Grip::inside);
+  for (const Vec2& at : stroke->path) {
+    EXPECT_GE(at.x, 0.025 - 1e-6);
+    EXPECT_LE(at.x, 0.055 - 0.008 + 1e-6);  // never through the wall
+  }
+}
+
+TEST(StrokePlan, BothHandsWidenTowardsABellyAndNarrowTowardsANeckFromTheFootUp) {
+  const auto wide = next_stroke(tube(0.055, 0.006), jar(0.055, 0.03), 0.001);
+  const auto slim = next_stroke(tube(0.055, 0.006), jar(0.055, -0.02), 0.001);
+  ASSERT_TRUE(wide && slim);
+  EXPECT_EQ(wide->kind, Stroke::Kind::belly);
+  EXPECT_EQ(slim->kind, Stroke::Kind::collar);
+  for (const auto* stroke : {&*wide, &*slim}) {
+    EXPECT_EQ(stroke->grip, Grip::both);
+    for (std::size_t n = 1; n < stroke->path.size(); ++n)
+      EXPECT_GT(stroke->path[n].y, stroke->path[n - 1].y);
+  }
+  for (const Vec2& at : wide->path) EXPECT_TRUE(at.x > 0.0549 && at.x < 0.0641) << at.y;
+  for (const Vec2& at : slim->path) EXPECT_TRUE(at.x < 0.0551 && at.x > 0.0469) << at.y;
+}
+
+TEST(StrokePlan, TheFootIsLeftAloneAndNothingIsLeftToDoOnAPotThatIsThere) {
+  const auto stroke = next_stroke(tube(0.055, 0.006), jar(0.02, 0.06), 0.001);
+  ASSERT_TRUE(stroke);
+  EXPECT_GT(stroke->path.front().y, 0.01);
+  EXPECT_FALSE(next_stroke(tube(0.055, 0.006), jar(0.055, 0.0005), 0.001));
+}
+
+TEST(StrokePlan, StrokeAfterStrokeAWallThatFollowsComesToTheOutline) {
+  ClayView clay = tube(0.055, 0.006);
+  const Profile target = jar(0.06, 0.035);
+  int strokes = 0;
+  while (const auto stroke = next_stroke(clay, target, 0.001)) {
+    ASSERT_LT(++strokes, 12);
+    for (int j = 0; j < clay.rows(); ++j) {
+      const auto near = std::ranges::min_element(
+          stroke->path, {}, [&](const Vec2& at) { return std::abs(at.y - clay.row_height(j)); });
+      if (std::abs(near->y - clay.row_height(j)) > 0.0015) continue;
+      const auto face = static_cast<float>(near->x);
+      clay.shape(j, std::vector<float>(16, face), std::vector<float>(16, face - 0.006f));
+    }
+  }
+  EXPECT_NEAR(clay.radius_at(0.1, WallSide::outside), target.outer_at(0.1), 0.001);
+}
+
+}  // namespace
+}  // namespace onggi::device
