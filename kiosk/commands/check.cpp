@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/exhibit/check_exhibit.h"
 
@@ -17,7 +18,8 @@ Result<int> check(const CheckArguments& arguments) {
   const auto report = exhibit::check_path(arguments.path, arguments.config);
   if (!report) return tl::unexpected(report.error());
   for (const Problem& p : report->problems) std::cerr << to_text(p) << '\n';
-  for (const auto& file : report->files) std::cout << "looked at " << file.string() << '\n';
+  for (const auto& file : report->files)
+    std::cout << "looked at " << terminal::plain(file.string()) << '\n';
   std::cout << report->summary() << '\n';
   return report->problems.empty() ? 0 : 2;
 }

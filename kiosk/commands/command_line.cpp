@@ -1,6 +1,7 @@
 #include "kiosk/commands/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <exception>
 #include <iostream>
@@ -13,6 +14,16 @@ namespace {
 
 CLI::Option* add_field(CLI::App& to, const Option& option, bool* field) {
   return to.add_flag(option.name, *field, option.help);
+}
+/// Every comparison with "nan" is false, so no range keeps it out.
+std::string not_finite(const std::string& text) {
+  double value = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  return read.ec == std::errc() && !std::isfinite(value) ? text + " is no number to go by" : "";
+}
+
+CLI::Option* add_field(CLI::App& to, const Option& option, double* field) {
+  return to.add_option(option.name, *field, option.help)->check(not_finite);
 }
 CLI::Option* add_field(CLI::App& to, const Option& option, files::Output* field) {
   return to.add_option(option.name, field->where(), option.help);

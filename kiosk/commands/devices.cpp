@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/base/plain_text.h"
 #include "engine/scene/hands.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
@@ -55,7 +56,8 @@ void print(const Found& found) {
   if (!found.info.verified)
     std::cout << "  Its driver was written without the device at hand: not verified on hardware.\n";
   if (found.problem)
-    std::cout << "  " << found.problem->what << "\n  " << found.problem->remedy << '\n';
+    std::cout << "  " << terminal::plain(found.problem->what) << "\n  "
+              << terminal::plain(found.problem->remedy) << '\n';
 }
 
 Result<int> devices(const files::Output& json) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/content/glb.h"
 #include "kiosk/content/gltf_parts.h"
@@ -86,7 +87,7 @@ Result<int> import_vessel(const ImportArguments& arguments) {
             << ": for you to finish; what it lacks is told by: onggi check " << folder.string()
             << '\n';
   for (const std::string& warning : vessel->extracted.warnings)
-    std::cout << "  note: " << warning << '\n';
+    std::cout << "  note: " << terminal::plain(warning) << '\n';
   return 0;
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/plain_text.h"
 #include "engine/profile/measures.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
@@ -69,19 +70,20 @@ Json json_of(const content::Vessel& vessel) {
 }
 
 void print_summary(const content::Vessel& vessel) {
+  using terminal::plain;
   const ExtractedProfile& e = vessel.extracted;
   const Dimensions d = dimensions(e.profile);
   std::printf(
       "%s\n  height %.1f mm, widest %.1f mm at %.1f mm, mouth %.1f mm, foot %.1f mm\n"
       "  wall %.1f mm (%s), symmetry %.3f, %.1f %% masked\n",
-      vessel.file.c_str(), d.height * 1e3, d.belly * 1e3, d.belly_height * 1e3, d.mouth * 1e3,
-      d.foot * 1e3, d.wall_mean * 1e3, name_of(e.profile.inner_wall), e.symmetry,
+      plain(vessel.file.string()).c_str(), d.height * 1e3, d.belly * 1e3, d.belly_height * 1e3,
+      d.mouth * 1e3, d.foot * 1e3, d.wall_mean * 1e3, name_of(e.profile.inner_wall), e.symmetry,
       e.masked_fraction * 100);
   if (!vessel.credit.empty() || !vessel.licence.empty())
-    std::printf("  %s%s%s\n", vessel.credit.c_str(),
+    std::printf("  %s%s%s\n", plain(vessel.credit).c_str(),
                 vessel.credit.empty() || vessel.licence.empty() ? "" : ", ",
-                vessel.licence.c_str());
-  for (const std::string& warning : e.warnings) std::printf("  note: %s\n", warning.c_str());
+                plain(vessel.licence).c_str());
+  for (const std::string& warning : e.warnings) std::printf("  note: %s\n", plain(warning).c_str());
 }
 
 Result<void> plot(const content::Vessel& vessel, const files::Output& output) {

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/model.h"
@@ -20,8 +21,8 @@ Result<int> make(const MakeArguments& arguments) {
   const auto glb = content::make_glb(*drawing);
   if (auto good = arguments.out.write(glb); !good) return tl::unexpected(good.error());
   if (arguments.out.to_stdout()) return 0;
-  std::cout << arguments.out.where() << ": " << drawing->title << ", " << glb.size() / 1024
-            << " kB\n";
+  std::cout << arguments.out.where() << ": " << terminal::plain(drawing->title) << ", "
+            << glb.size() / 1024 << " kB\n";
   return 0;
 }
 

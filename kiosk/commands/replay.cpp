@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/replay_file.h"
@@ -33,8 +34,9 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
                  json_file);
   if (!free) return tl::unexpected(free.error());
   if (*free)
-    std::cout << name << ": " << outcome->ticks << " ticks of " << outcome->vessel_id << ", "
-              << (outcome->glaze.empty() ? "" : "glaze " + outcome->glaze + ", ")
+    std::cout << terminal::plain(name) << ": " << outcome->ticks << " ticks of "
+              << terminal::plain(outcome->vessel_id) << ", "
+              << (outcome->glaze.empty() ? "" : "glaze " + terminal::plain(outcome->glaze) + ", ")
               << (same ? "the same pot, bit for bit (" : "another pot than was recorded (")
               << measure::hash_text(outcome->replayed_hash) << ")\n";
   if (!same && outcome->first_difference_tick >= 0)

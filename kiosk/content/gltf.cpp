@@ -344,7 +344,7 @@ Result<GltfModel> Gatherer::result() {
                    "Export the vessel's mesh as triangles.");
   out_.credit = document_.credit;
   out_.warnings = document_.warnings;
-  out_.warnings.insert(out_.warnings.end(), reader_.warnings().begin(), reader_.warnings().end());
+  for (std::string& warning : reader_.warnings()) out_.warnings.push_back(std::move(warning));
   if (skipped_ > 0)
     out_.warnings.push_back(std::to_string(skipped_) + " sets of points or lines were left out.");
   const auto largest =

@@ -278,11 +278,17 @@ void GltfReader::check_bounds(int accessor, const std::array<double, 3>& low,
     if (low[k] >= declared->second.low[k] - slack * reach &&
         high[k] <= declared->second.high[k] + slack * reach)
       continue;
-    if (out_of_bounds_.insert(accessor).second)
-      warnings_.push_back("The numbers of accessor " + std::to_string(accessor) +
-                          " lie outside the bounds declared for them; they are used as they are.");
+    out_of_bounds_.insert(accessor);
     return;
   }
+}
+
+std::vector<std::string> GltfReader::warnings() const {
+  if (out_of_bounds_.empty()) return {};
+  const std::size_t more = out_of_bounds_.size() - 1;
+  return {"The numbers of accessor " + std::to_string(*out_of_bounds_.begin()) +
+          (more > 0 ? " and " + std::to_string(more) + " more" : "") +
+          " lie outside the bounds declared for them; they are used as they are."};
 }
 
 Result<std::vector<std::uint32_t>> GltfReader::indices(int accessor, const std::string& where) {

@@ -29,7 +29,8 @@ class GltfReader {
   /// more than `slack` of its extent.
   void check_bounds(int accessor, const std::array<double, 3>& low,
                     const std::array<double, 3>& high, double slack);
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What is to be said of the file, once for all of its accessors.
+  std::vector<std::string> warnings() const;
 
  private:
   Result<files::Bytes> decode_meshopt(const MeshoptView& view, const std::string& where);
@@ -38,7 +39,6 @@ class GltfReader {
   std::map<int, files::Bytes> decoded_;
   std::size_t decoded_bytes_ = 0;
   std::set<int> out_of_bounds_;
-  std::vector<std::string> warnings_;
 };
 
 }  // namespace onggi::content

@@ -8,6 +8,7 @@
 
 #include "kiosk/content/gltf_container.h"
 #include "kiosk/content/gltf_credit_reader.h"
+#include "kiosk/content/gltf_slips.h"
 #include "kiosk/content/vessel_file.h"
 
 namespace onggi::content {
@@ -78,6 +79,7 @@ std::optional<std::array<double, 3>> triple(const json* list) {
 /// Where the accessors of three numbers say that their elements lie.
 void note_bounds(const json& doc, GltfDocument& out) {
   const json* accessors = member(doc, "accessors");
+  std::size_t odd = 0, first_odd = 0;
   for (std::size_t i = 0; accessors != nullptr && accessors->is_array() && i < accessors->size();
        ++i) {
     const json *low = member((*accessors)[i], "min"), *high = member((*accessors)[i], "max");
@@ -85,10 +87,14 @@ void note_bounds(const json& doc, GltfDocument& out) {
     const auto a = triple(low), b = triple(high);
     if (a && b)
       out.bounds[static_cast<int>(i)] = {*a, *b};
-    else
-      out.warnings.push_back("The bounds declared for accessor " + std::to_string(i) +
-                             " are not three numbers each; its data is used as it is.");
+    else if (odd++ == 0)
+      first_odd = i;
   }
+  // One line a file: a scan in pieces has hundreds of accessors, all by the same exporter.
+  if (odd > 0)
+    out.warnings.push_back("The bounds declared for accessor " + std::to_string(first_odd) +
+                           (odd > 1 ? " and " + std::to_string(odd - 1) + " more" : "") +
+                           " are not three numbers each; the data is used as it is.");
 }
 
 /// Notes what the extensions say, which tinygltf does not act upon.
@@ -284,6 +290,8 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   if (asset == nullptr || !starts_with(words(*asset, "version"), "2."))
     return broken_gltf(out.name, "it does not say that it is glTF of version 2.");
   if (auto good = check_extensions(out.name, doc); !good)
+    return tl::unexpected<Problem>(good.error());
+  if (auto good = check_slips(out.name, doc, out.warnings); !good)
     return tl::unexpected<Problem>(good.error());
   note_compression(doc, out);
   note_bounds(doc, out);

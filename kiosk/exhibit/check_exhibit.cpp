@@ -24,7 +24,12 @@ namespace {
 
 void note(CheckReport& report, int keys, std::vector<Problem> problems) {
   report.keys += keys;
-  std::move(problems.begin(), problems.end(), std::back_inserter(report.problems));
+  // A file that two others lead to is read twice, and told of once.
+  for (Problem& p : problems)
+    if (std::none_of(report.problems.begin(), report.problems.end(), [&p](const Problem& known) {
+          return known.where == p.where && known.what == p.what;
+        }))
+      report.problems.push_back(std::move(p));
 }
 
 void look(CheckReport& report, const fs::path& file) {

@@ -3,6 +3,8 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "engine/base/plain_text.h"
+
 namespace onggi::exhibit {
 
 namespace {
@@ -17,7 +19,7 @@ spdlog::logger& logger() {
 }
 }  // namespace
 
-void log_line(const std::string& line) { logger().info("{}", line); }
+void log_line(const std::string& line) { logger().info("{}", terminal::plain(line)); }
 void log_problem(const Problem& p) { logger().warn("{}", to_text(p)); }
 void log_problems(const std::vector<Problem>& problems) {
   for (const Problem& p : problems) log_problem(p);

@@ -140,6 +140,60 @@ TEST_F(GltfTest, nodes_move_and_mirror_and_never_loop) {
   EXPECT_FALSE(with_nodes(R"([{"mesh":4}])"));
 }
 
+TEST_F(GltfTest, what_a_parser_reads_past_is_named) {
+  write("pack/a.bin", positions());
+  const auto with = [&](const std::string& what, const std::string& by) {
+    std::string text = triangle("a.bin");
+    text.replace(text.find(what), what.size(), by);
+    return text;
+  };
+  const std::string node = R"("nodes":[{"mesh":0}])";
+  expect_fault(with(node, R"("nodes":[{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0]}])"),
+               "node 0: its matrix has 15 numbers, and it takes 16");
+  expect_fault(with(node, R"("nodes":[{"mesh":0,"translation":[1,2]}])"), "takes 3");
+  expect_fault(with(node, R"("nodes":[{"mesh":0,"rotation":[0,0,"0",1]}])"), "has 3 numbers");
+  expect_fault(with(R"("count":3)", R"("count":3,"sparse":{"count":-1,"indices":{"bufferView":0,)"
+                                    R"("componentType":5125},"values":{"bufferView":0}})"),
+               "accessor 0: its sparse part has -1 elements");
+
+  const auto warning = [&](const std::string& text) {
+    const auto model = read_gltf(write("pack/a.gltf", text));
+    EXPECT_TRUE(model) << to_text(model.error());
+    return !model || model->warnings.size() != 1 ? "" : model->warnings[0];
+  };
+  EXPECT_NE(warning(with(R"("scene":0)", R"("scene":55)")).find("scene 55 and has 1"),
+            std::string::npos);
+  EXPECT_NE(warning(with(R"("scene":0)", R"("scene":-1)")).find("scene -1"), std::string::npos);
+  const std::string primitive = R"({"attributes":{"POSITION":0}}])";
+  const std::string morphed = R"({"attributes":{"POSITION":0},"targets":[{"POSITION":0}]}])";
+  EXPECT_NE(warning(with(primitive, morphed + R"(,"weights":[0.5])")).find("Morph weights"),
+            std::string::npos);
+  EXPECT_EQ(warning(with(primitive, morphed + R"(,"weights":[0])")), "");
+  EXPECT_EQ(warning(triangle("a.bin")), "");
+}
+
+TEST_F(GltfTest, what_is_wrong_with_all_accessors_is_said_once) {
+  write("pack/a.bin", positions());
+  for (const std::string bounds : {R"("min":[5,5,5],"max":[6,6,6])", R"("min":[0],"max":[1])"}) {
+    const std::string accessor =
+        R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":3,)" + bounds + "}";
+    std::string accessors = accessor, primitives = R"({"attributes":{"POSITION":0}})";
+    for (int i = 1; i < 200; ++i) {
+      accessors += "," + accessor;
+      primitives += R"(,{"attributes":{"POSITION":)" + std::to_string(i) + "}}";
+    }
+    std::string text = triangle("a.bin", "", bounds + R"(,"count":3)");
+    text.replace(text.find(R"({"attributes":{"POSITION":0}})"), 29, primitives);
+    const auto from = text.find(R"("accessors":[)") + 13, to = text.find("],\"bufferViews\"");
+    text.replace(from, to - from, accessors);
+    const auto model = read_gltf(write("pack/a.gltf", text));
+    ASSERT_TRUE(model) << to_text(model.error());
+    ASSERT_EQ(model->warnings.size(), 1u);
+    EXPECT_NE(model->warnings[0].find("accessor 0 and 199 more"), std::string::npos)
+        << model->warnings[0];
+  }
+}
+
 TEST_F(GltfTest, the_same_vase_quantised_and_compressed_has_the_same_shape) {
   const auto quantised = kVessels / "polyhaven_ceramic_vase_01_quant.glb";
   const auto compressed = kVessels / "polyhaven_ceramic_vase_01_meshopt.glb";
