@@ -19,6 +19,7 @@ struct HandView {
   Vec3 at;               ///< Middle of the working part.
   Vec3 along{0, 1, 0};   ///< Unit.
   Vec3 across{0, 0, 1};  ///< Unit, at a right angle to `along`.
+  friend bool operator==(const HandView&, const HandView&) = default;
 };
 
 }  // namespace onggi

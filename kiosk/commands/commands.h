@@ -19,6 +19,7 @@ Command devices_command();
 
 /// Of `onggi lab`.
 Command lab_loop_command();
+Command lab_frames_command();
 
 /// Of `onggi vessel`.
 Command make_command();

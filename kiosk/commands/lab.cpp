@@ -195,9 +195,9 @@ Command lab_command() {
           .help = "Measure the engine on this machine",
           .examples =
               "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
-              "         onggi lab timing\n         onggi lab loop",
+              "         onggi lab timing\n         onggi lab loop\n         onggi lab frames",
           .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
-                       tune_command(), lab_loop_command()}};
+                       tune_command(), lab_loop_command(), lab_frames_command()}};
 }
 
 }  // namespace onggi::commands

@@ -26,6 +26,7 @@ struct GlazeLook {
   LinearColor band{0.0284f, 0.0704f, 0.2016f};  ///< Painted round the pot, under the glass.
   float band_height = 0.0f;                     ///< Its middle, share of the pot's height, 0..1.
   float band_width = 0.0f;                      ///< Share of the height, 0..0.2; 0: no band.
+  friend bool operator==(const GlazeLook&, const GlazeLook&) = default;
 };
 
 /// A glaze that a visitor may choose.

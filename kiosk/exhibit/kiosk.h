@@ -60,6 +60,8 @@ class Kiosk {
   bool frame(double now, bool draw = true);
   /// Draws the last frame made and reads it back.
   view::Image picture();
+  /// The last frame made.
+  const view::Frame& shown() const { return last_frame_; }
   /// Stepped kiosks only: turns the wheel by `ticks` of 1 ms before the next frame.
   void advance(int ticks);
 

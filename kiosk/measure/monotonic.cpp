@@ -9,11 +9,19 @@
 
 namespace onggi::measure {
 
-double monotonic_seconds() {
+namespace {
+
+double seconds_on(clockid_t clock) {
   timespec t{};
-  clock_gettime(CLOCK_MONOTONIC, &t);
+  clock_gettime(clock, &t);
   return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
+
+}  // namespace
+
+double monotonic_seconds() { return seconds_on(CLOCK_MONOTONIC); }
+
+double thread_seconds() { return seconds_on(CLOCK_THREAD_CPUTIME_ID); }
 
 double since_exec_seconds() {
   std::ifstream file("/proc/self/stat");
@@ -27,10 +35,7 @@ double since_exec_seconds() {
   std::string field;
   for (int i = 0; i < 20; ++i) rest >> field;
   if (!rest) return 0;
-  timespec t{};
-  clock_gettime(CLOCK_BOOTTIME, &t);
-  const double now = static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-  return now - std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return seconds_on(CLOCK_BOOTTIME) - std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 long resident_bytes() {

@@ -5,6 +5,9 @@ namespace onggi::measure {
 /// Seconds on CLOCK_MONOTONIC: never goes back, whatever happens to the wall clock.
 double monotonic_seconds();
 
+/// Seconds of processor time that the calling thread has used.
+double thread_seconds();
+
 /// Seconds since this process began to exist (exec), from /proc; 10 ms fine. 0 when that cannot be
 /// read.
 double since_exec_seconds();

@@ -54,11 +54,16 @@ view::Rect reach_of(const view::PotView& pot, double height, double radius, int 
 }
 
 void Canvas::resize(int width, int height) {
-  if (picture_.width() == width && picture_.height() == height) return;
-  picture_ = Target(width, height, false, 0);
+  if (plaster_.width() == width && plaster_.height() == height) return;
   plaster_ = Target();
+  picture_ = Target();
   before_ = Target();
   has_before_ = painted_ = false;
+}
+
+const Target& Canvas::kept(Target& target) const {
+  if (target.width() == 0) target = Target(plaster_.width(), plaster_.height(), false, 0);
+  return target;
 }
 
 void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& quality,
@@ -76,65 +81,76 @@ void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& qu
   if (samples_ > 0) space_samples_.resolve_to(space_);
 }
 
-void Canvas::paint(Stage& stage, ItemPainter& items, const ItemPainter::Pictures& pictures,
-                   const view::Frame& frame, const Quality& quality, double scale) {
+void Canvas::turn_to(const view::Frame& frame, ItemPainter& items,
+                     const ItemPainter::Pictures& pictures) {
   resize(frame.width, frame.height);
-  if (painted_ && frame.screen_serial != serial_) {
-    if (before_.width() == 0) before_ = Target(frame.width, frame.height, false, 0);
-    picture_.resolve_to(before_);
-    has_before_ = true;
-  }
-  serial_ = frame.screen_serial;
-  painted_ = true;
+  if (!painted_ || frame.screen_serial == frame_.screen_serial) return;
+  frame_.fade = 0;
+  compose(kept(before_).framebuffer(), items, pictures);
+  has_before_ = true;
+  frame_.screen_serial = frame.screen_serial;  // Kept once.
+}
 
+void Canvas::paint(Stage& stage, ItemPainter& items, const ItemPainter::Pictures& pictures,
+                   const view::Frame& frame, const Quality& quality, double scale, Onto onto,
+                   Space space) {
+  turn_to(frame, items, pictures);
   // The plaster never changes: once per size.
   if (plaster_.width() == 0) {
     plaster_ = Target(frame.width, frame.height, false, 0);
     plaster_.bind();
     stage.draw_plaster(frame.width, frame.height);
   }
-  view::Rect reach;
-  if (frame.pot) {
-    reach = reach_of(*frame.pot, stage.clay().height(), stage.clay().max_radius(), frame.width,
-                     frame.height);
+  frame_ = frame;
+  painted_ = true;
+
+  if (frame.pot)
+    reach_ = reach_of(*frame.pot, stage.clay().height(), stage.clay().max_radius(), frame.width,
+                      frame.height);
+  if (frame.pot && space == Space::draw) {
     // Nothing outside can be touched, so nothing outside is cleared, resolved or laid over.
     glEnable(GL_SCISSOR_TEST);
     const auto s = static_cast<float>(scale);
-    glScissor(static_cast<int>(reach.x * s),
-              static_cast<int>((static_cast<float>(frame.height) - reach.y - reach.h) * s),
-              static_cast<int>(std::ceil(reach.w * s)) + 1,
-              static_cast<int>(std::ceil(reach.h * s)) + 1);
+    glScissor(static_cast<int>(reach_.x * s),
+              static_cast<int>((static_cast<float>(frame.height) - reach_.y - reach_.h) * s),
+              static_cast<int>(std::ceil(reach_.w * s)) + 1,
+              static_cast<int>(std::ceil(reach_.h * s)) + 1);
     paint_pot(stage, frame, quality, scale);
     glDisable(GL_SCISSOR_TEST);
   }
-  plaster_.resolve_to(picture_);
-  picture_.bind();
-  items.begin(frame.width, frame.height);
-  if (frame.pot) {
-    const auto w = static_cast<float>(frame.width), h = static_cast<float>(frame.height);
-    items.draw_layer(space_.color(), reach, {reach.x / w, reach.y / h, reach.w / w, reach.h / h},
-                     static_cast<float>(std::clamp(frame.pot->opacity, 0.0, 1.0)));
-  }
-  for (const view::Item& item : frame.items) items.draw(item, pictures);
-  if (frame.fade > 0 && has_before_) {
-    items.draw_layer(before_.color(),
-                     {0, 0, static_cast<float>(frame.width), static_cast<float>(frame.height)},
-                     {0, 0, 1, 1}, std::clamp(frame.fade, 0.0f, 1.0f));
-  }
+  compose(onto == Onto::window ? 0 : kept(picture_).framebuffer(), items, pictures);
 }
 
-void Canvas::show(int width, int height) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, picture_.width(), picture_.height(), 0, 0, width, height,
-                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+void Canvas::compose(GLuint framebuffer, ItemPainter& items,
+                     const ItemPainter::Pictures& pictures) {
+  const int width = frame_.width, height = frame_.height;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, plaster_.framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, width, height);
+  items.begin(width, height);
+  const auto w = static_cast<float>(width), h = static_cast<float>(height);
+  if (frame_.pot)
+    items.draw_layer(space_.color(), reach_,
+                     {reach_.x / w, reach_.y / h, reach_.w / w, reach_.h / h},
+                     static_cast<float>(std::clamp(frame_.pot->opacity, 0.0, 1.0)));
+  for (const view::Item& item : frame_.items) items.draw(item, pictures);
+  if (frame_.fade > 0 && has_before_)
+    items.draw_layer(before_.color(), {0, 0, w, h}, {0, 0, 1, 1},
+                     std::clamp(frame_.fade, 0.0f, 1.0f));
 }
 
-view::Image Canvas::read() const {
-  view::Image image{picture_.width(), picture_.height(), {}};
+void Canvas::show(ItemPainter& items, const ItemPainter::Pictures& pictures) {
+  if (painted_) compose(0, items, pictures);
+}
+
+view::Image Canvas::read(ItemPainter& items, const ItemPainter::Pictures& pictures) {
+  view::Image image{painted_ ? frame_.width : 0, painted_ ? frame_.height : 0, {}};
   const auto row = static_cast<std::size_t>(image.width) * 4;
   std::vector<std::uint8_t> rows(row * static_cast<std::size_t>(image.height));
   if (rows.empty()) return image;
+  compose(kept(picture_).framebuffer(), items, pictures);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());

@@ -47,6 +47,8 @@ class ClaySurface {
   const Levels& levels() const { return levels_; }
   /// Renews the levels where rows have changed; true when they did.
   bool refresh(Texture& levels_texture);
+  /// There are rows that no picture shows yet.
+  bool changed() const { return changed_; }
   double max_radius() const;  ///< Metres.
 
  private:

@@ -172,4 +172,22 @@ Mesh unit_grid(int columns, int rows) {
   return Mesh(places.data(), places.size(), indices.data(), indices.size(), {2});
 }
 
+Mesh unit_disc(int corners) {
+  std::vector<float> places;
+  for (int i = 0; i < corners; ++i) {
+    places.push_back(static_cast<float>(i) / static_cast<float>(corners));
+    places.push_back(1.0f);
+  }
+  // A triangle in the middle, and on each of its sides what is left of the circle, halved again and
+  // again.
+  std::vector<std::uint32_t> indices;
+  const auto third = static_cast<std::uint32_t>(corners) / 3;
+  indices = {0, third, 2 * third};
+  const auto count = static_cast<std::uint32_t>(corners);
+  for (std::uint32_t step = third; step > 1; step /= 2)
+    for (std::uint32_t from = 0; from < count; from += step)
+      indices.insert(indices.end(), {from, from + step / 2, (from + step) % count});
+  return Mesh(places.data(), places.size(), indices.data(), indices.size(), {2});
+}
+
 }  // namespace onggi::render

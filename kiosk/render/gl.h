@@ -131,5 +131,8 @@ class Mesh {
 
 /// `columns` x `rows` cells over the unit square: the place attribute of most programs.
 Mesh unit_grid(int columns, int rows);
+/// A disc whose rim has `corners` (3 times a power of two) corners, each (0..1 round, 1),
+/// out of few triangles as large as can be: no sliver of it reaches the middle.
+Mesh unit_disc(int corners);
 
 }  // namespace onggi::render

@@ -56,6 +56,15 @@ std::array<float, 2 * kLevels * 4> Levels::light() const {
   return out;
 }
 
+double apart(const Levels& a, const Levels& b) {
+  double most = std::abs(a.height - b.height);
+  for (std::size_t i = 0; i < kLevels; ++i)
+    most =
+        std::max({most, std::abs(static_cast<double>(a.outer[i]) - static_cast<double>(b.outer[i])),
+                  std::abs(static_cast<double>(a.inner[i]) - static_cast<double>(b.inner[i]))});
+  return most;
+}
+
 void upload(const Levels& levels, Texture& texture) {
   const auto texels = levels.light();
   if (!texture.name) {

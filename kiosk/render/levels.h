@@ -20,6 +20,9 @@ struct Levels {
   std::array<float, 2 * kLevels * 4> light() const;
 };
 
+/// The farthest that anything of one is from the other, metres: height or a radius.
+double apart(const Levels& a, const Levels& b);
+
 /// Makes or renews the kLevels x 2 texture that light.glsl reads.
 void upload(const Levels& levels, Texture& texture);
 

@@ -23,10 +23,11 @@ struct WindowOptions {
 
 /// Figures of the last second.
 struct RenderStatus {
-  double frame_ms = 0;      ///< Mean time to draw and present.
-  double render_scale = 1;  ///< Of the 3-D picture, 0.35..1, chosen from the measured frame time.
-  bool software = false;    ///< No GPU: llvmpipe or the like.
-  std::string device;       ///< GL_RENDERER.
+  double frame_ms = 0;        ///< Mean time to draw and present.
+  double render_scale = 1;    ///< Of the 3-D picture, 0.35..1, chosen from the measured frame time.
+  bool software = false;      ///< No GPU: llvmpipe or the like.
+  bool full_quality = false;  ///< The last frame was drawn as finely as a GPU would.
+  std::string device;         ///< GL_RENDERER.
   std::uint64_t frames = 0;
   std::uint64_t text_overflows = 0;  ///< Texts drawn that were larger than their box: 0 is right.
   std::string last_overflow;         ///< The latest of them.

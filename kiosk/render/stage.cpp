@@ -14,13 +14,16 @@ constexpr float kTable = -0.024f;      // the table's height under the wheel hea
 constexpr float kShadowReach = 0.62f;  // metres from the axis that the shadow texture covers
 constexpr int kShadowSize = 224;
 
-// Meshes of the walls, and the pot's height in pixels up to which each is fine enough: never finer
-// than the pixels, as slivers cost a software rasterizer more than all shading.
+// Meshes of the walls, and the pot's height in pixels up to which each is fine enough. Light and
+// grooves come from the radius textures at every pixel; a mesh only owes the outline, and a chord
+// of 6 pixels is within 0.2 of an arc of 25. Small triangles cost dearly: a software rasterizer
+// shades 4 x 4 pixels for each that it touches, whatever part of them is the triangle's.
 struct Wall {
   int columns, rows;
   float most_pixels;
 };
-constexpr std::array<Wall, 3> kWalls{{{72, 112, 280.0f}, {96, 192, 900.0f}, {192, 400, 1e9f}}};
+constexpr std::array<Wall, 4> kWalls{
+    {{44, 48, 280.0f}, {60, 96, 580.0f}, {96, 192, 1200.0f}, {192, 400, 1e9f}}};
 
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
@@ -91,7 +94,8 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   stage->lip_ = unit_grid(160, 12);
   stage->floor_ = unit_grid(96, 8);
   stage->section_ = unit_grid(16, 320);
-  stage->disc_ = unit_grid(160, 1);
+  stage->disc_ = unit_disc(96);
+  stage->edge_ = unit_grid(96, 1);
   stage->shadow_ = Target(kShadowSize, kShadowSize, false, 0);
   return stage;
 }
@@ -164,10 +168,11 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   const float wheel_radius = pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f;
   const auto size = static_cast<float>(std::clamp(pot.size, 0.5, 1.0));
-  if (clay_.refresh(clay_levels_) || !shadow_of_clay_ || shadow_wheel_ != wheel_radius ||
-      shadow_size_ != size) {
+  clay_.refresh(clay_levels_);
+  if (!shadow_of_ || shadow_wheel_ != wheel_radius || shadow_size_ != size ||
+      apart(*shadow_of_, clay_.levels()) > quality.shadow_apart) {
     cast_shadow(clay_.height(), wheel_radius, clay_levels_, target, size);
-    shadow_of_clay_ = true;
+    shadow_of_ = clay_.levels();
     shadow_wheel_ = wheel_radius;
     shadow_size_ = size;
   }
@@ -186,23 +191,8 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   draw_ground(clip, pot.wheel, pot.wheel ? wheel_radius : size * clay_.levels().outer[0],
               pot.wheel ? 0.9f : 1.0f);
 
-  // 2. The wheel head, and the pot mirrored in it.
+  // 2. The clay.
   glEnable(GL_CULL_FACE);
-  if (pot.wheel) {
-    glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_ALWAYS, 1, 1);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    glEnable(GL_DEPTH_TEST);
-    draw_wheel(pot, clip, pixel);
-    if (quality.reflection && shown && pot.cut_away < 0.01) {
-      glStencilFunc(GL_EQUAL, 1, 1);
-      glDisable(GL_DEPTH_TEST);
-      draw_reflection(pot, clip);
-    }
-    glDisable(GL_STENCIL_TEST);
-  }
-
-  // 3. The clay, then the tools, which fade into the air.
   glEnable(GL_DEPTH_TEST);
   if (shown) {
     // The edges of a tear are in the middle of triangles, where only alpha can smooth them.
@@ -213,6 +203,22 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
     for (const GLenum smooth : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
       if (soft) glDisable(smooth);
   }
+  // 3. The wheel head where the clay leaves it to be seen, and the pot mirrored in it.
+  if (pot.wheel) {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    draw_wheel(pot, clip, pixel);
+    if (quality.reflection && shown && pot.cut_away < 0.01) {
+      glStencilFunc(GL_EQUAL, 1, 1);
+      glDisable(GL_DEPTH_TEST);
+      draw_reflection(pot, clip);
+      glEnable(GL_DEPTH_TEST);
+    }
+    glDisable(GL_STENCIL_TEST);
+  }
+
+  // 4. The tools, which fade into the air.
   draw_hands(pot, clip);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
@@ -220,7 +226,8 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
 void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
   glFrontFace(GL_CW);
-  for (const Program& program : wheel_programs_) {
+  for (std::size_t part = 0; part < wheel_programs_.size(); ++part) {
+    const Program& program = wheel_programs_[part];
     program.use();
     set_light(program, pot.camera, clay_levels_);
     program.set("clip_from_studio", clip);
@@ -231,7 +238,7 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
     program.set("wetness", static_cast<float>(pot.wetness));
     program.set("pixel", pixel);
     program.set("opened", static_cast<float>(pot.cut_away));
-    disc_.draw();
+    (part == 0 ? disc_ : edge_).draw();
   }
   glFrontFace(GL_CCW);
 }
@@ -327,7 +334,7 @@ void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   upload(levels, mesh_levels_);
   cast_shadow(levels.height, 0.0f, mesh_levels_, target);
-  shadow_of_clay_ = false;
+  shadow_of_.reset();
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   const glm::mat4 clip = clip_of(camera);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "engine/base/result.h"
@@ -19,6 +20,9 @@ namespace onggi::render {
 struct Quality {
   int samples = 4;         ///< Multisampling.
   bool reflection = true;  ///< The pot mirrored in the wheel head.
+  /// How much the clay may have moved since its shadow was cast, metres. Soft edges begin at 2.5
+  /// mm.
+  double shadow_apart = 0.0;
 };
 
 /// Everything in space: the clay, the wheel head, the tools, their light and shadow. Draws into the
@@ -59,11 +63,11 @@ class Stage {
   std::unique_ptr<ToolPainter> tools_;
   std::array<Program, 2> wheel_programs_;
   Program solid_program_, shadow_program_, ground_program_, plaster_program_;
-  std::array<Mesh, 3> walls_;
-  Mesh quad_, lip_, floor_, section_, disc_;
+  std::array<Mesh, 4> walls_;
+  Mesh quad_, lip_, floor_, section_, disc_, edge_;
   Texture clay_levels_, mesh_levels_;
   Target shadow_;
-  bool shadow_of_clay_ = false;  // and still true
+  std::optional<Levels> shadow_of_;  // nothing: another mesh's is in it
   float shadow_wheel_ = 0, shadow_size_ = 1;
 };
 

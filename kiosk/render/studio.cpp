@@ -83,6 +83,10 @@ Texture make_grain() {
       Texture::create(GL_R8, kGrainSize, kGrainSize, GL_RED, GL_UNSIGNED_BYTE, texels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  // Levels, for who knows how large a pixel is: its finest octave is finer than one, and shimmers.
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 4);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  glGenerateMipmap(GL_TEXTURE_2D);
   return t;
 }
 

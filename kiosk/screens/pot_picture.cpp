@@ -6,9 +6,11 @@
 namespace onggi::screens {
 
 namespace {
-/// One step of an exponential approach with time constant `tau`.
+/// One step of an exponential approach with time constant `tau`, which arrives where nobody sees
+/// the rest.
 double eased(double from, double to, double dt, double tau) {
-  return to + (from - to) * std::exp(-dt / tau);
+  const double next = to + (from - to) * std::exp(-dt / tau);
+  return std::abs(next - to) < 2e-5 ? to : next;
 }
 }  // namespace
 

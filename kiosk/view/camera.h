@@ -20,6 +20,7 @@ struct Camera {
   double azimuth = 0.0;                  ///< Radians, turns about the axis.
   double fov = 0.42;                     ///< Vertical, radians.
 
+  friend bool operator==(const Camera&, const Camera&) = default;
   Vec3 eye() const;
   /// Right, up and backward (towards the eye) unit vectors.
   void basis(Vec3& right, Vec3& up, Vec3& back) const;

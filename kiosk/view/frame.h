@@ -49,6 +49,7 @@ struct Text {
   std::string text;
   TextStyle style;
   Color color;
+  friend bool operator==(const Text&, const Text&) = default;
 };
 
 /// A filled rectangle with round corners, and a border drawn inside its edge.
@@ -58,6 +59,7 @@ struct Box {
   Color fill;
   float border = 0;
   Color border_color;
+  friend bool operator==(const Box&, const Box&) = default;
 };
 
 /// An antialiased line; a colour for every point.
@@ -65,6 +67,7 @@ struct Line {
   std::vector<std::pair<float, float>> points;
   std::vector<Color> colors;  ///< One for all, or one a point.
   float width = 2;
+  friend bool operator==(const Line&, const Line&) = default;
 };
 
 /// Names a picture that the renderer keeps (made with Renderer::make_*). 0 is none.
@@ -74,6 +77,7 @@ struct Picture {
   Rect box;  ///< Fitted inside, aspect kept, centred.
   PictureId id = 0;
   float opacity = 1;
+  friend bool operator==(const Picture&, const Picture&) = default;
 };
 
 using Item = std::variant<Text, Box, Line, Picture>;
@@ -85,6 +89,7 @@ enum class Finish : std::uint8_t { clay, firing, fired };
 struct Glazing {
   content::GlazeLook look;
   double coat = 1.0;  ///< Its thickness as a share of 0.5 mm, 0 (bare) .. 4.
+  friend bool operator==(const Glazing&, const Glazing&) = default;
 };
 
 /// A pot on its way to its glaze.
@@ -92,6 +97,7 @@ struct FiringView {
   std::optional<Glazing> from;  ///< What it wore before; none: dry clay.
   double done = 0;              ///< 0 none .. 1 all of the new glaze.
   double glow = 0;              ///< 0 cold .. 1 white heat's red.
+  friend bool operator==(const FiringView&, const FiringView&) = default;
 };
 
 /// The pot in its studio. Its shape is the ClayView that the renderer was shown.
@@ -112,6 +118,7 @@ struct PotView {
   double wheel_radius = 0.175;      ///< Of its head, metres, 0.05..0.3.
   std::array<HandView, 2> hands{};  ///< Those present are drawn, with what they hold.
   double opacity = 1;               ///< 0..1, against the plaster, for fades.
+  friend bool operator==(const PotView&, const PotView&) = default;
 };
 
 /// One picture of the screen. Items are drawn in order over the pot.

@@ -288,7 +288,9 @@ void main() {
 #endif
 
   // The material under this point.
-  float fleck = textureLod(grain, vec2(u * 6.0, position.y * 22.0 + rho * 9.0), 0.0).r - 0.5;
+  // The level at which a texel of the grain is a pixel.
+  float level = max(log2(pixel * 22.0 * 256.0), 0.0);
+  float fleck = textureLod(grain, vec2(u * 6.0, position.y * 22.0 + rho * 9.0), level).r - 0.5;
   float groove = clamp(bend / 900.0, -1.0, 1.0);
 #if SKIN < 2
   Surface skin = of_clay(wet_at(t), groove, fleck);

@@ -1,0 +1,63 @@
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "kiosk/commands/commands.h"
+#include "kiosk/commands/put_report.h"
+#include "kiosk/commands/window_size.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/measure/frame_rate.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct FramesArguments {
+  std::string config, size;
+  files::Output json{files::Output::Kind::json}, plot{files::Output::Kind::picture};
+  measure::FrameRatePlan plan;
+};
+
+Result<int> frames(FramesArguments& arguments) {
+  const auto config = exhibit::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  arguments.plan.config = *config;
+  if (!arguments.size.empty()) {
+    render::WindowOptions window;
+    if (auto good = read_window_size(arguments.size, window); !good)
+      return tl::unexpected(good.error());
+    arguments.plan.sizes = {{window.width, window.height}};
+  }
+  const auto report = measure::measure_frames(arguments.plan, stderr);
+  if (!report) return tl::unexpected(report.error());
+  const auto put = put_report(measure::json_of(*report), arguments.json);
+  if (!put) return tl::unexpected(put.error());
+  if (*put && !arguments.plot.to_stdout()) std::cout << measure::text_of(*report);
+  if (!arguments.plot.wanted()) return 0;
+  return arguments.plot.write(drawing::draw_plot(measure::plot_of(*report), arguments.plot.where()))
+      .map([] { return 0; });
+}
+
+}  // namespace
+
+Command lab_frames_command() {
+  const auto a = std::make_shared<FramesArguments>();
+  return {.name = "frames",
+          .help = "Frames a second of the open exhibit, and how soon a drag is on the screen",
+          .examples =
+              "Example: onggi lab frames --json frames.json --plot frames.svg\n"
+              "         onggi lab frames --size 1080x1920 --seconds 5",
+          .options = {{"--size", &a->size, "Only this WIDTHxHEIGHT [1280x720, then 1920x1080]"},
+                      {.name = "--seconds",
+                       .field = &a->plan.seconds,
+                       .help = "Of each screen at each size [15]",
+                       .least = 2.0,
+                       .most = 600.0},
+                      {"--json", &a->json, "Write the figures as JSON (- for standard output)"},
+                      {"--plot", &a->plot, "Draw them into this PNG or SVG"},
+                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+          .run = [a] { return frames(*a); }};
+}
+
+}  // namespace onggi::commands
