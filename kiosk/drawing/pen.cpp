@@ -28,6 +28,10 @@ PangoLayout* laid_out(cairo_t* c, const std::string& words, const Lettering& how
   if (how.width > 0) {
     pango_layout_set_width(layout, static_cast<int>(how.width) * PANGO_SCALE);
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+    if (how.lines > 0) {
+      pango_layout_set_height(layout, -how.lines);
+      pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
+    }
   }
   pango_layout_set_text(layout, words.c_str(), static_cast<int>(words.size()));
   return layout;
@@ -61,6 +65,14 @@ void Pen::line(double x0, double y0, double x1, double y1, double width) {
   cairo_move_to(c_, x0, y0);
   cairo_line_to(c_, x1, y1);
   cairo_stroke(c_);
+}
+
+double Pen::height_of(const std::string& words, const Lettering& how) {
+  PangoLayout* layout = laid_out(c_, words, how);
+  int h = 0;
+  pango_layout_get_pixel_size(layout, nullptr, &h);
+  g_object_unref(layout);
+  return h;
 }
 
 double Pen::words(const std::string& words, double x, double y, const Lettering& how) {

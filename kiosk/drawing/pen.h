@@ -19,7 +19,8 @@ struct Lettering {
   double px = 24;  ///< Size of a letter.
   int side = 1;    ///< -1: they end at x, 0: they stand about it, +1: they begin there.
   view::Color color{};
-  double width = 0;    ///< They are broken at it; 0: one line.
+  double width = 0;  ///< They are broken at it; 0: one line.
+  int lines = 0;  ///< No more than these where they are broken, the last ending in "…"; 0: any.
   bool serif = false;  ///< As titles are.
   double turn = 0;     ///< Radians, clockwise, about the place they are put at.
   double halo = 0;     ///< Pixels of paper round each letter, so that no line runs into it.
@@ -40,6 +41,8 @@ class Pen {
   void line(double x0, double y0, double x1, double y1, double width);
   /// Sets `words` with their upper edge at y, and gives the height they take.
   double words(const std::string& words, double x, double y, const Lettering& how);
+  /// The height that words() would take.
+  double height_of(const std::string& words, const Lettering& how);
   /// How wide `words` are on one line.
   double width_of(const std::string& words, const Lettering& how);
   /// Lays `image` down with its upper left corner at x, y.

@@ -13,6 +13,10 @@ namespace onggi::drawing {
 namespace {
 
 constexpr double kWidth = 2400, kMargin = 130;
+/// A sheet is never taller than a page of its width: 1 to the square root of 2.
+constexpr double kPage = 3394;
+/// Below the foot's upper edge: what notes begin with, and what stays free for the credit.
+constexpr double kFootTop = 210, kFootEnd = 190;
 /// The drawing itself, with room for diameters and the height beside it.
 constexpr double kMostWide = 1560, kMostHigh = 1700;
 constexpr double kTitle = 68, kText = 33, kSmall = 29;
@@ -45,7 +49,45 @@ class Sheet : private Pen {
   const VesselSheet& s_;
   double scale_ = 1.0, axis_ = 0, base_ = 0, height_ = 0;
   double low_ = 0, high_ = 0, left_ = 0, right_ = 0;  // of all that is drawn, metres
+
+  /// Facts and notes as they stand in the foot, each with its height; what no page holds is
+  /// counted.
+  struct Said {
+    std::string words;
+    Lettering how;
+    double height = 0, gap = 0;
+  };
+  std::vector<Said> said_;
+  double gather_said(double room);
 };
+
+constexpr double kSaidLeft = kMargin + 1270;
+
+/// Fills said_ with what `room` pixels hold, and gives the height of it.
+double Sheet::gather_said(double room) {
+  Pen scratch;
+  scratch.begin(1, 1);
+  Lettering how{
+      .px = kSmall, .color = view::kInk, .width = kWidth - kMargin - kSaidLeft, .lines = 4};
+  double used = 0;
+  const auto take = [&](const std::string& words, double gap, double keep) {
+    const double height = scratch.height_of(words, how);
+    if (used + height + gap + keep > room) return false;
+    said_.push_back({words, how, height, gap});
+    used += height + gap;
+    return true;
+  };
+  for (const std::string& fact : s_.facts) take(fact, &fact == &s_.facts.back() ? 15 : 7, 0);
+  how.color = view::kFaintInk;
+  const double last_line = scratch.height_of("0", how) + 7;
+  for (std::size_t i = 0; i < s_.notes.size(); ++i) {
+    const std::size_t after = s_.notes.size() - i - 1;
+    if (take(s_.notes[i], 7, after > 0 ? last_line : 0)) continue;
+    take(std::to_string(after + 1) + " more notes: onggi vessel inspect tells them.", 7, 0);
+    break;
+  }
+  return used;
+}
 
 /// Whole figures above 10, a decimal below.
 std::string millimetres(double metres) {
@@ -76,8 +118,9 @@ void Sheet::measure() {
   scale_ = std::min(kMostWide / (left_ + right_), kMostHigh / (high_ - low_));
   axis_ = 0.5 * (kWidth + (left_ - right_) * scale_);
   base_ = 450 + high_ * scale_;
-  const double notes = 44.0 * static_cast<double>(s_.notes.size() + s_.facts.size());
-  height_ = std::ceil(base_ - low_ * scale_ + 170 + std::max(250.0, notes + 60) + 190);
+  const double foot = y(low_) + kFootTop - 12;
+  const double said = gather_said(kPage - kFootEnd - foot);
+  height_ = std::ceil(foot + std::max(222.0, said) + kFootEnd);
   begin(static_cast<int>(kWidth), static_cast<int>(height_));
 }
 
@@ -90,9 +133,11 @@ void Sheet::path(const std::vector<Vec2>& points, double side, bool closed) {
 
 void Sheet::draw_head() {
   const double inside = kWidth - 2 * kMargin;
-  const double used = words(s_.title, kMargin, 96,
-                            {.px = kTitle, .color = view::kInk, .width = inside, .serif = true});
-  words(s_.subtitle, kMargin, 104 + used, {.px = kText, .color = view::kFaintInk, .width = inside});
+  const double used =
+      words(s_.title, kMargin, 96,
+            {.px = kTitle, .color = view::kInk, .width = inside, .lines = 2, .serif = true});
+  words(s_.subtitle, kMargin, 104 + used,
+        {.px = kText, .color = view::kFaintInk, .width = inside, .lines = 2});
 }
 
 /// The right half as it is seen, and whatever was left out wherever it stands to the right.
@@ -307,21 +352,16 @@ double Sheet::draw_key(double left, double top) {
 }
 
 void Sheet::draw_foot() {
-  const double top = y(low_) + 210;
+  const double top = y(low_) + kFootTop;
   ink(view::kFaintInk, 0.5);
   line(kMargin, top - 48, kWidth - kMargin, top - 48, 1.5);
   draw_scale_bar(top);
   draw_key(kMargin + 760, top);
   double at = top - 12;
-  const double left = kMargin + 1270, room = kWidth - kMargin - left;
-  for (const std::string& fact : s_.facts)
-    at += words(fact, left, at, {.px = kSmall, .color = view::kInk, .width = room}) + 7;
-  at += 8;
-  for (const std::string& note : s_.notes)
-    at += words(note, left, at, {.px = kSmall, .color = view::kFaintInk, .width = room}) + 7;
+  for (const Said& said : said_) at += words(said.words, kSaidLeft, at, said.how) + said.gap;
   if (!s_.credit.empty())
     words(s_.credit, kMargin, height_ - 104,
-          {.px = kSmall, .color = view::kFaintInk, .width = kWidth - 2 * kMargin});
+          {.px = kSmall, .color = view::kFaintInk, .width = kWidth - 2 * kMargin, .lines = 2});
 }
 
 view::Image Sheet::draw() {

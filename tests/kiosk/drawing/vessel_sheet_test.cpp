@@ -114,5 +114,24 @@ TEST(VesselSheet, a_dish_and_a_bottle_both_fit_the_paper) {
   }
 }
 
+TEST(VesselSheet, no_number_of_notes_makes_it_taller_than_a_page) {
+  VesselSheet sheet = sheet_of(jug());
+  const int usual = draw_sheet(sheet).height;
+  std::string long_words;
+  for (int i = 0; i < 400; ++i) long_words += "word ";
+  sheet.title = sheet.subtitle = sheet.credit = long_words;
+  sheet.notes.assign(300, "The bounds declared for an accessor are not three numbers each.");
+  sheet.notes[1] = long_words;
+  const view::Image image = draw_sheet(sheet);
+  EXPECT_GE(image.height, usual);
+  EXPECT_LE(image.height, 3394);  // 2400 times the square root of 2
+  // Nothing runs over the lower edge or into the credit's place from the notes above it.
+  for (int x = 0; x < image.width; x += 3) EXPECT_GT(at(image, x, image.height - 8).r, 240) << x;
+  int inked = 0;
+  for (int y = image.height - 150; y < image.height - 112; ++y)
+    for (int x = 1400; x < image.width - 130; ++x) inked += at(image, x, y).r < 200 ? 1 : 0;
+  EXPECT_EQ(inked, 0);
+}
+
 }  // namespace
 }  // namespace onggi::drawing
