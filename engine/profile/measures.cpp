@@ -83,13 +83,24 @@ double outside(double value, const Radii& radii, std::size_t at) {
   return std::max({0.0, value - high, low - value});
 }
 
-/// Largest distance of two outlines that is no matter of a hair up or down. On a slope the window
-/// takes a little off every distance; at most the distance itself gives it back.
-double firm_worst(const Radii& a, const Radii& b) {
+/// The distance of two outlines at place `i` that is no matter of a hair up or down. On a slope the
+/// window takes a little off every distance; at most the distance itself gives it back.
+double firm_at(const Radii& a, const Radii& b, std::size_t i) {
+  const double firm = std::max(outside(a[i], b, i), outside(b[i], a, i));
+  return std::min(std::abs(a[i] - b[i]), kGivenBack * firm);
+}
+
+/// The largest such distance; and in `m` that of the places up to `shared`, `dh` apart.
+double firm_worst(const Radii& goal, const Radii& pot, double shared, double dh, Measures& m) {
   double worst = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double firm = std::max(outside(a[i], b, i), outside(b[i], a, i));
-    worst = std::max(worst, std::min(std::abs(a[i] - b[i]), kGivenBack * firm));
+  for (std::size_t i = 0; i < goal.size(); ++i) {
+    const double firm = firm_at(goal, pot, i);
+    worst = std::max(worst, firm);
+    const double h = std::clamp((static_cast<double>(i) - 0.5) * dh, 0.0, kSlices * dh);
+    if (h > shared || firm <= m.common_firm) continue;
+    m.common_firm = firm;
+    m.common_firm_at = h;
+    m.common_firm_sign = pot[i] > goal[i] ? 1.0 : -1.0;
   }
   return worst;
 }
@@ -186,11 +197,6 @@ Measures compare(const Profile& target, const Profile& made, bool scale_free) {
       m.outline_worst_at = h / goal.height();
       m.outline_worst_sign = sign;
     }
-    if (h <= shared && apart > m.common_worst) {
-      m.common_worst = apart;
-      m.common_worst_at = h / goal.height();
-      m.common_worst_sign = sign;
-    }
   };
   Radii goal_radii{}, pot_radii{};
   for (int i = 0; i < kSlices; ++i) {
@@ -211,11 +217,12 @@ Measures compare(const Profile& target, const Profile& made, bool scale_free) {
   pot_radii.front() = pot.outer(0.0);
   goal_radii.back() = goal.outer(top);
   pot_radii.back() = pot.outer(top);
-  m.outline_worst_firm = firm_worst(goal_radii, pot_radii) / goal.height();
+  m.outline_worst_firm = firm_worst(goal_radii, pot_radii, shared, dh, m) / goal.height();
+  m.common_firm /= goal.height();
+  m.common_firm_at /= goal.height();
   m.outline_overlap = either > 0.0 ? common / either : 1.0;
   m.outline_rms = std::sqrt(squares / kSlices) / goal.height();
   m.outline_worst /= goal.height();
-  m.common_worst /= goal.height();
   m.volume_overlap = either_volume > 0.0 ? common_volume / either_volume : 1.0;
   m.turning_rms = turning_apart(goal, pot);
   m.target = dimensions(target);

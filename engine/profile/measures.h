@@ -29,11 +29,12 @@ struct Measures {
   double outline_worst = 0.0;       ///< Largest such distance / target height.
   double outline_worst_at = 0.0;    ///< Height of it / target height, 0..1.
   double outline_worst_sign = 0.0;  ///< +1 made is too wide there, -1 too narrow, 0 equal.
-  /// The same among the heights that both reach; other than above only where sizes count.
-  double common_worst = 0.0, common_worst_at = 0.0, common_worst_sign = 0.0;
   /// The largest distance that a shift of 0.6 % of the height up or down does not explain: where a
   /// shelf or a flange begins a hair higher, the radial distance is a leap and this is none.
   double outline_worst_firm = 0.0;
+  /// That largest distance among the heights that both reach, with its height and sign as above:
+  /// the place to speak of. Smaller than above only where sizes count.
+  double common_firm = 0.0, common_firm_at = 0.0, common_firm_sign = 0.0;
   double volume_overlap = 0.0;  ///< Volume inside both outlines turned / inside either. 0..1.
   /// RMS difference of how far the outlines turn from one twelfth of their length to the next,
   /// radians: 0 where they bend alike, whatever their width.

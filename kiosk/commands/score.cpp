@@ -10,6 +10,7 @@
 #include "kiosk/content/language.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/measure/visit_report.h"
+#include "kiosk/score/likeness.h"
 #include "kiosk/score/score.h"
 #include "kiosk/settings/rubric.h"
 
@@ -52,6 +53,8 @@ Result<content::Language> words_for(const std::string& code) {
   return content::Language::read(file);
 }
 
+double degrees(double radians) { return radians * 57.29577951308232; }
+
 Json json_of(const score::Remark& remark, const content::Language& words) {
   Json out = Json::object({{"key", remark.key}});
   for (const auto& [place, value] : remark.places) out[place] = std::stol(value);
@@ -78,6 +81,8 @@ Json report_of(const Shape& target, const Shape& pot, const score::Score& score,
       {{"target", json_of(target)},
        {"pot", json_of(pot)},
        {"score", score.points},
+       {"likeness", score::likeness(target.profile, pot.profile)},
+       {"turning_apart_degrees", degrees(score::turning_apart(target.profile, pot.profile))},
        {"stars", score.stars},
        {"size_counts", size_counts},
        {"words", score.largest ? words.say(score.largest->key, score.largest->places) : ""},
@@ -97,11 +102,13 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
   if (score.largest)
     std::printf("  %s\n", words.say(score.largest->key, score.largest->places).c_str());
   if (m.scale != 1.0) std::printf("  The pot is compared at %.3g of its size.\n", m.scale);
+  std::printf("  likeness %.1f of 100: the outlines run %.1f degrees apart\n",
+              score::likeness(target.profile, pot.profile),
+              degrees(score::turning_apart(target.profile, pot.profile)));
   std::printf(
       "  outline: RMS %.1f mm, worst %.1f mm at %.0f %% of the height; %.1f %% of the volume is "
       "shared\n",
-      m.outline_rms * mm, m.outline_worst * mm, 100.0 * m.outline_worst_at,
-      100.0 * m.volume_overlap);
+      m.outline_rms * mm, m.common_firm * mm, 100.0 * m.common_firm_at, 100.0 * m.volume_overlap);
   const auto row = [true_scale](const char* name, double wanted, double made) {
     std::printf("  %-13s %7.1f mm, made %7.1f mm, %+.1f\n", name, 1000.0 * true_scale * wanted,
                 1000.0 * true_scale * made, 1000.0 * true_scale * (made - wanted));
@@ -112,7 +119,7 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
   row("neck", m.target.neck, m.made.neck);
   row("foot", m.target.foot, m.made.foot);
   std::printf("  wall evenness %.2f, made %.2f; turning %.1f degrees apart\n",
-              m.target.wall_evenness, m.made.wall_evenness, m.turning_rms * 57.29577951308232);
+              m.target.wall_evenness, m.made.wall_evenness, degrees(m.turning_rms));
 }
 
 Result<int> compare_files(const ScoreArguments& arguments) {

@@ -45,6 +45,7 @@ Json json_of(const Measures& m) {
                        {"outline_worst_at", m.outline_worst_at},
                        {"outline_worst_sign", m.outline_worst_sign},
                        {"outline_worst_firm", m.outline_worst_firm},
+                       {"outline_worst_firm_at", m.common_firm_at},
                        {"volume_overlap", m.volume_overlap},
                        {"turning_rms_degrees", m.turning_rms * 57.29577951308232},
                        {"target", json_of(m.target)},

@@ -15,8 +15,8 @@ constexpr double kWallUneven = 0.75;
 constexpr std::size_t kMost = 3;
 /// A named part is the largest difference where it is as much as this share of the worst place's.
 constexpr double kAsMuch = 0.9;
-/// A place this near to a part is that part, of the height.
-constexpr double kAtEnd = 0.06, kAtPart = 0.08;
+/// And where that place lies at the part, within this much of the height, this share is enough.
+constexpr double kAtPart = 0.08, kAsMuchThere = 0.6;
 /// A neck is a neck where it is this much narrower than the lip over it.
 constexpr double kNeck = 0.97;
 /// A belly this near to the rim is the mouth.
@@ -29,6 +29,7 @@ struct Feature {
   const char* more;  ///< Ending of the remark's key where `difference` is above 0...
   const char* less;  ///< ...and below.
   double weight;
+  double place;  ///< Height of it on the target, metres.
 };
 
 std::vector<Feature> features(const Measures& m) {
@@ -36,21 +37,32 @@ std::vector<Feature> features(const Measures& m) {
   const Dimensions &made = m.made, &target = m.target;
   const bool bellied = target.belly_height < kMouthHeight * target.height;
   if (bellied) {
-    out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0});
+    out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0, target.belly_height});
     // Where the belly is hardly one, its height says little.
     const double pronounced =
         std::min(1.0, 4.0 * (target.belly - std::max(target.foot, target.mouth)) / target.belly);
     out.push_back({"belly", made.belly_height - target.belly_height, "high", "low",
-                   std::max(0.0, 0.5 * pronounced)});
+                   std::max(0.0, 0.5 * pronounced), target.belly_height});
   }
   if (target.neck < kNeck * target.mouth)
-    out.push_back({"neck", made.neck - target.neck, "wide", "narrow", 1.0});
-  out.push_back({"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0});
-  out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9});
+    out.push_back({"neck", made.neck - target.neck, "wide", "narrow", 1.0, target.neck_height});
+  out.push_back({"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height});
+  out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0});
   return out;
 }
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
+
+/// A place on the wall, 1 to 99: at 0 and at 100 percent there is a foot and a rim.
+std::string percent_of_height(double at) {
+  return std::to_string(std::clamp(std::lround(100.0 * at), 1L, 99L));
+}
+
+/// The part that a remark is about: "mouth" of "difference.mouth_wide" and of "alike.mouth".
+std::string part_of(const std::string& key) {
+  const std::string ending = key.substr(key.find('.') + 1);
+  return ending.substr(0, ending.find('_'));
+}
 
 struct Ranked {
   double rank;
@@ -93,7 +105,7 @@ std::vector<Remark> alike(const Measures& m, bool scale_free) {
 }
 
 std::optional<Remark> largest_difference(const Measures& m, bool scale_free, double true_scale) {
-  const double worst = 2.0 * m.common_worst * m.target.height;  // as a diameter
+  const double worst = 2.0 * m.common_firm * m.target.height;  // as a diameter
   const auto mm = [&](double apart) { return std::lround(1000.0 * true_scale * std::abs(apart)); };
   const auto told = [&](const std::string& ending, double apart) -> std::optional<Remark> {
     if (mm(apart) == 0) return std::nullopt;
@@ -107,7 +119,11 @@ std::optional<Remark> largest_difference(const Measures& m, bool scale_free, dou
   for (const Feature& f : parts) {
     // How high the belly sits counts where there is one to speak of, and it is out by more.
     const bool height = std::string(f.more) == "high";
-    if (std::abs(f.difference) < (height ? 1.0 : kAsMuch) * worst || f.weight < 0.2) continue;
+    const bool there =
+        f.difference * m.common_firm_sign > 0.0 &&
+        std::abs(f.place - m.common_firm_at * m.target.height) <= kAtPart * m.target.height;
+    const double share = height ? 1.0 : there ? kAsMuchThere : kAsMuch;
+    if (std::abs(f.difference) < share * worst || f.weight < 0.2) continue;
     if (largest == nullptr || std::abs(f.difference) > std::abs(largest->difference)) largest = &f;
   }
   if (largest != nullptr)
@@ -115,22 +131,10 @@ std::optional<Remark> largest_difference(const Measures& m, bool scale_free, dou
                     (largest->difference > 0.0 ? largest->more : largest->less),
                 largest->difference);
 
-  const std::string ending = m.common_worst_sign > 0.0 ? "wide" : "narrow";
-  const double at = m.common_worst_at;
-  const auto near = [&](double height, double reach) {
-    return std::abs(at - height / m.target.height) <= reach;
-  };
-  if (at <= kAtEnd) return told("foot_" + ending, worst);
-  if (at >= 1.0 - kAtEnd) return told("mouth_" + ending, worst);
-  for (const Feature& f : parts) {
-    if (std::string(f.more) != "wide") continue;
-    if (f.name == std::string("neck") && near(m.target.neck_height, kAtPart))
-      return told("neck_" + ending, worst);
-    if (f.name == std::string("belly") && near(m.target.belly_height, kAtPart))
-      return told("belly_" + ending, worst);
-  }
-  auto remark = told(ending, worst);
-  if (remark) remark->places["percent"] = whole(100.0 * at);
+  // A part is only ever said to be out by what callipers find at it. What lies beside a part, a lip
+  // that is rounded otherwise above a mouth of the right width, is a place on the wall.
+  auto remark = told(m.common_firm_sign > 0.0 ? "wide" : "narrow", worst);
+  if (remark) remark->places["percent"] = percent_of_height(m.common_firm_at);
   return remark;
 }
 
@@ -159,16 +163,21 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
          {"remark.wall_uneven", {{"percent", whole(100.0 * (1.0 - m.made.wall_evenness))}}}});
 
   // The place where the outlines are furthest apart, unless a named part already says as much.
-  const double worst = 2.0 * m.outline_worst * m.target.height;
+  const double worst = 2.0 * m.common_firm * m.target.height;
   double named = 0.0;
   for (const Ranked& r : found) named = std::max(named, r.rank);
-  if (m.outline_worst_sign != 0.0 && worst / size > 2.0 * named && m.outline_worst_at <= 1.0 &&
-      mm(worst) > 0)
+  if (worst / size > 2.0 * named && mm(worst) > 0)
     found.push_back(
         {worst / size,
-         {m.outline_worst_sign > 0.0 ? "remark.wide" : "remark.narrow",
-          {{"mm", std::to_string(mm(worst))}, {"percent", whole(100.0 * m.outline_worst_at)}}}});
+         {m.common_firm_sign > 0.0 ? "remark.wide" : "remark.narrow",
+          {{"mm", std::to_string(mm(worst))}, {"percent", percent_of_height(m.common_firm_at)}}}});
   return best(std::move(found));
+}
+
+void take_back(std::vector<Remark>& alike, const Remark& largest) {
+  const std::string part = part_of(largest.key);
+  if (alike.size() > 1)
+    std::erase_if(alike, [&part](const Remark& r) { return part_of(r.key) == part; });
 }
 
 std::vector<std::string> remark_keys() {

@@ -68,6 +68,7 @@ Score judge(const Profile& target, const Profile& made, bool scale_free, double 
   score.stars = stars_of(score.points, rubric);
   score.alike = alike(score.measures, scale_free);
   score.largest = largest_difference(score.measures, scale_free, true_scale);
+  if (score.largest) take_back(score.alike, *score.largest);
   if (score.points <= 97.0) score.try_next = try_next(score.measures, scale_free, true_scale);
   return score;
 }

@@ -23,7 +23,7 @@ namespace onggi::score {
 ///   remark.mouth_wide {mm}    remark.mouth_narrow {mm}   diameter at the rim
 ///   remark.foot_wide {mm}     remark.foot_narrow {mm}    diameter at the foot
 ///   remark.wide {mm} {percent}, remark.narrow {mm} {percent}   diameter at {percent} of the height
-///                             from the foot, where no part of those above is
+///                             from the foot, 1 to 99, where no part of those above is out as much
 ///   remark.tall {mm}          remark.short {mm}          height; never when scale-free
 ///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
 /// The largest difference, said as it is and not as advice, with the same endings and places:

@@ -224,6 +224,8 @@ TEST(ScoreProperties, the_words_name_the_place_and_the_millimetres) {
   const Dimensions d = dimensions(bottle);
   ASSERT_GT(d.neck_height, 0.6 * d.height);
   ASSERT_LT(d.neck_height, 0.9 * d.height);
+  // The part is named, and by what callipers find of it: a bump may move the narrowest place.
+  Dimensions made;
   const auto said = [&](double at, double wide, double by) {
     Profile spoilt = bottle;
     for (ProfilePoint& p : spoilt.points) {
@@ -232,19 +234,104 @@ TEST(ScoreProperties, the_words_name_the_place_and_the_millimetres) {
       if (p.inner > 0.0) p.inner += change;
     }
     const Score s = judge(bottle, spoilt);
+    made = s.measures.made;
     return s.largest ? s.largest->key + " " + s.largest->places.at("mm") : std::string("nothing");
   };
-  EXPECT_EQ(said(d.neck_height / d.height, 0.12, 0.004), "difference.neck_wide 8");
+  // Where the narrowest place is widened, the neck is narrowest beside it, and widened by half.
+  EXPECT_EQ(said(d.neck_height / d.height, 0.12, 0.004), "difference.wide 8");
+  EXPECT_LT(made.neck - d.neck, 0.0048);
   EXPECT_EQ(said(d.neck_height / d.height, 0.12, -0.004), "difference.neck_narrow 8");
+  EXPECT_NEAR(made.neck - d.neck, -0.008, 0.0005);
   EXPECT_EQ(said(d.belly_height / d.height, 0.12, 0.006), "difference.belly_wide 12");
+  EXPECT_NEAR(made.belly - d.belly, 0.012, 0.0005);
   EXPECT_EQ(said(0.0, 0.15, 0.005), "difference.foot_wide 10");
+  EXPECT_NEAR(made.foot - d.foot, 0.010, 0.0005);
   EXPECT_EQ(said(1.0, 0.10, -0.005), "difference.mouth_narrow 10");
+  EXPECT_NEAR(made.mouth - d.mouth, -0.010, 0.0005);
   EXPECT_EQ(said(0.58, 0.06, 0.006), "difference.wide 12");
   EXPECT_EQ(said(0.5, 0.1, 0.0), "nothing");
   const Score taller = judge(bottle, scaled(bottle, 1.1), false);
   ASSERT_TRUE(taller.largest);
   EXPECT_EQ(taller.largest->key, "difference.tall");
   EXPECT_EQ(taller.largest->places.at("mm"), "33");
+}
+
+/// What callipers find of `part`, in metres.
+double figure(const std::string& part, const Dimensions& d) {
+  return part == "belly" ? d.belly : part == "neck" ? d.neck : part == "mouth" ? d.mouth : d.foot;
+}
+
+/// Does `remark` say what the figures beside it say?
+void expect_true(const Remark& remark, const Profile& wanted, const Profile& made,
+                 const Measures& m, const std::string& pair) {
+  SCOPED_TRACE(pair + ": " + remark.key);
+  const std::string ending = remark.key.substr(remark.key.find('.') + 1);
+  if (ending == "wall_uneven") return;
+  const long mm = std::stol(remark.places.at("mm"));
+  EXPECT_GT(mm, 0);
+  const auto shown = [](double metres) { return std::lround(1000.0 * std::abs(metres)); };
+  const bool more = ending.ends_with("wide") || ending.ends_with("high") || ending == "tall";
+  if (ending == "tall" || ending == "short") {
+    EXPECT_EQ(more, m.made.height > m.target.height);
+    EXPECT_EQ(mm, shown(m.made.height - m.target.height));
+  } else if (ending.ends_with("high") || ending.ends_with("low")) {
+    EXPECT_EQ(more, m.made.belly_height > m.target.belly_height);
+    EXPECT_EQ(mm, shown(m.made.belly_height - m.target.belly_height));
+  } else if (ending == "wide" || ending == "narrow") {
+    const double percent = std::stod(remark.places.at("percent"));
+    EXPECT_GE(percent, 1.0);
+    EXPECT_LE(percent, 99.0);
+    // There, within what a percent is rounded by, the wall is out to that side by that much.
+    double most = 0.0;
+    for (double t = percent - 1.2; t <= percent + 1.2; t += 0.05) {
+      const double h = std::clamp(0.01 * t, 0.0, 1.0) * wanted.height();
+      const double out = m.scale * made.outer_at(h / m.scale) - wanted.outer_at(h);
+      most = std::max(most, more ? out : -out);
+    }
+    EXPECT_GE(2000.0 * most, static_cast<double>(mm) - 0.6);
+  } else {
+    const std::string part = ending.substr(0, ending.find('_'));
+    const double out = figure(part, m.made) - figure(part, m.target);
+    EXPECT_EQ(more, out > 0.0);
+    EXPECT_EQ(mm, shown(out));
+  }
+}
+
+TEST(ScoreProperties, no_remark_contradicts_the_figures_beside_it) {
+  for (const bool scale_free : {true, false})
+    for (const auto& a : vessels())
+      for (const auto& b : vessels()) {
+        const Score s = judge(profile(a), profile(b), scale_free);
+        const std::string pair = b.id + " for " + a.id;
+        if (s.largest) expect_true(*s.largest, profile(a), profile(b), s.measures, pair);
+        for (const Remark& r : s.try_next) expect_true(r, profile(a), profile(b), s.measures, pair);
+        for (const Remark& r : s.alike) {
+          const std::string part = r.key.substr(6);
+          const bool called_wrong =
+              s.largest && s.largest->key.starts_with("difference." + part + "_");
+          EXPECT_FALSE(called_wrong && s.alike.size() > 1) << pair << " " << r.key;
+          for (const Remark& t : s.try_next) EXPECT_NE(t.key, "remark." + part + "_wide") << pair;
+        }
+      }
+}
+
+TEST(ScoreProperties, a_lip_that_is_rounded_otherwise_makes_no_mouth_too_narrow) {
+  for (const auto& v : vessels()) {
+    Profile lipped = resampled(profile(v), 600);
+    const double height = lipped.height();
+    // The last half percent of the height draws in by a twentieth, as a turned lip does.
+    for (ProfilePoint& p : lipped.points) {
+      const double t = p.height / height;
+      if (t > 0.995) p.outer -= 0.05 * height * (t - 0.995) / 0.005 * 0.9;
+      p.inner = std::min(p.inner, 0.9 * p.outer);
+    }
+    if (lipped.points.back().outer <= 0.02 * height) continue;
+    const Score s = judge(resampled(profile(v), 600), lipped);
+    const Dimensions &made = s.measures.made, &wanted = s.measures.target;
+    if (std::abs(made.mouth - wanted.mouth) > 0.0005) continue;
+    EXPECT_TRUE(!s.largest || s.largest->key.find("mouth") == std::string::npos)
+        << v.id << ": " << s.points << " " << s.largest->key << " " << s.largest->places.at("mm");
+  }
 }
 
 }  // namespace
