@@ -6,7 +6,7 @@
 
 #include "engine/profile/axis.h"
 #include "engine/profile/ends.h"
-#include "engine/profile/opening.h"
+#include "engine/profile/up.h"
 #include "engine/profile/wall_slice.h"
 
 namespace onggi {
@@ -17,8 +17,8 @@ constexpr int kRays = 96;
 /// More of the surface than this stands off any circle: not a body of revolution.
 constexpr double kMostMasked = 0.25;
 constexpr double kMostCost = 0.30;
-/// Ends whose views differ by less than this are equally open, or equally closed.
-constexpr double kUndecided = 0.02;
+/// One looks through a tube where nothing stops this share of the looks.
+constexpr double kTube = 0.5;
 /// Less than this mean depth is a flat or domed end, not a mouth.
 constexpr double kOpen = 0.03;
 /// Surfaces further from the axis than this many times the body's radius are other objects.
@@ -35,6 +35,24 @@ std::string percent(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
+std::string words_of(UpFrom from) {
+  switch (from) {
+    case UpFrom::opening:
+      return "the opening";
+    case UpFrom::file:
+      return "the file's own upright";
+    case UpFrom::foot:
+      return "the foot, wider than the other end";
+    case UpFrom::handles:
+      return "the handles";
+    case UpFrom::mass:
+      return "where most of it lies";
+    case UpFrom::given:
+      break;
+  }
+  return "what was given";
+}
+
 class Extractor {
  public:
   Extractor(const TriangleMesh& mesh, const ExtractionOptions& options, const std::string& name)
@@ -44,7 +62,7 @@ class Extractor {
  private:
   Result<void> check_mesh() const;
   Result<void> find_body();
-  void stand_upright();
+  void stand();
   void read_slices();
   Result<void> judge_roundness();
   void fill_gaps();
@@ -67,6 +85,7 @@ class Extractor {
   std::vector<double> heights_;
   std::vector<WallSlice> slices_;
   EndView mouth_;
+  bool tube_ = false;  // one looks through it
   ExtractedProfile out_;
 };
 
@@ -113,40 +132,18 @@ Result<void> Extractor::find_body() {
   return {};
 }
 
-/// Up is where one can look in. A foot may be hollow, but a mouth is deeper.
-void Extractor::stand_upright() {
-  const Slicer slicer(mesh_, frame_);
-  const double inset = 0.004 * (body_.top - body_.bottom);
-  const auto radius_at = [&](double height) {
-    const auto outline = slicer.cut(std::span(&height, 1));
-    const double radius = read_wall(outline[0], rays_, body_.size, body_.facing_known).outer;
-    return radius > 0.0 ? radius : 0.3 * body_.size;
-  };
-  const EndView above =
-      look_into(slicer, body_.bottom, body_.top, radius_at(body_.top - inset), true);
-  const EndView below =
-      look_into(slicer, body_.bottom, body_.top, radius_at(body_.bottom + inset), false);
-  const Vec3 up = frame_.up;
-  bool turn = false;
-  if (options_.up) {
-    out_.up_from = UpFrom::given;
-    turn = dot(*options_.up, up) < 0.0;
-  } else if (std::abs(above.openness - below.openness) > kUndecided &&
-             std::max(above.openness, below.openness) > kOpen) {
-    turn = below.openness > above.openness;
-  } else {
-    out_.up_from = UpFrom::file;
-    // glTF stands on y; files that come from drawing boards stand on z.
-    const double y = std::abs(up.y), z = std::abs(up.z), x = std::abs(up.x);
-    turn = (y >= z && y >= x ? up.y : z >= x ? up.z : up.x) < 0.0;
-    warn("Neither end is open; it is taken to stand as the file has it.");
-  }
-  mouth_ = turn ? below : above;
-  if (!turn) return;
-  frame_ = axis_frame(frame_.origin, -up);
-  std::swap(body_.bottom, body_.top);
-  body_.bottom = -body_.bottom;
-  body_.top = -body_.top;
+void Extractor::stand() {
+  const Standing found = stand_upright(mesh_, frame_, body_, options_.up, rays_);
+  frame_ = found.frame;
+  body_ = found.body;
+  mouth_ = found.mouth;
+  tube_ = found.mouth.through > kTube && found.base.through > kTube;
+  out_.up_from = found.choice.from;
+  out_.up_sure = found.choice.sure;
+  if (out_.up_sure >= ExtractedProfile::kSureUp) return;
+  warn("It could be read the other way up: what told is " + words_of(out_.up_from) + ", " +
+       percent(out_.up_sure) + " sure. If the rim is at the other end, write up = \"" +
+       axis_name(-frame_.up) + "\" in vessel.toml.");
 }
 
 void Extractor::read_slices() {
@@ -233,7 +230,9 @@ void Extractor::read_inside() {
   if (open && !deep)
     warn("The inside is modelled only " + percent(mouth_.floor / height) +
          " deep; below that the wall is a guess.");
-  if (mouth_.through > 0.02 && open)
+  if (tube_)
+    warn("Both ends are open: it is a tube, and its base is taken as closed.");
+  else if (mouth_.through > 0.02 && open)
     warn("There is a hole through the base; it is taken as closed.");
   if (!deep || floor <= 0.0) floor = guess;
   floor = std::min(floor, 0.5 * height);
@@ -282,7 +281,7 @@ void Extractor::read_inside() {
 Result<ExtractedProfile> Extractor::run() {
   if (auto good = check_mesh(); !good) return tl::unexpected<Problem>(good.error());
   if (auto good = find_body(); !good) return tl::unexpected<Problem>(good.error());
-  stand_upright();
+  stand();
   read_slices();
   if (auto good = judge_roundness(); !good) return tl::unexpected<Problem>(good.error());
   fill_gaps();

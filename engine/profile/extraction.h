@@ -15,19 +15,24 @@ struct ExtractionOptions {
   std::optional<Vec3> up;  ///< Up in the mesh's own axes; absent = decided from the shape.
 };
 
-/// What told which end is up.
+/// What told most about which end is up.
 enum class UpFrom {
-  opening,  ///< One end can be looked into deeper.
-  file,     ///< Neither is open, or both are: as the file stands.
+  opening,  ///< One end can be looked into, and holds more.
+  file,     ///< As the file stands.
+  foot,     ///< It stands on the wider closed end.
+  handles,  ///< They sit above the middle.
+  mass,     ///< Most of it lies below the middle.
   given,    ///< ExtractionOptions::up.
 };
 
 /// A profile read from triangles, and how far it can be trusted.
 struct ExtractedProfile {
-  Profile profile;               ///< Mesh units are taken as metres.
-  Vec3 axis_origin;              ///< A point on the axis (at the foot), mesh units.
-  Vec3 axis_direction{0, 1, 0};  ///< Unit, foot to rim, mesh axes.
+  static constexpr double kSureUp = 0.95;  ///< Less sure of its upright, a warning says so.
+  Profile profile;                         ///< Mesh units are taken as metres.
+  Vec3 axis_origin;                        ///< A point on the axis (at the foot), mesh units.
+  Vec3 axis_direction{0, 1, 0};            ///< Unit, foot to rim, mesh axes.
   UpFrom up_from = UpFrom::opening;
+  double up_sure = 1.0;          ///< 0.5..1; below kSureUp a warning names the line to write.
   std::vector<bool> inner_seen;  ///< By point of `profile`: its inner radius was measured.
   double inferred_wall = 0.0;    ///< Thickness put where no wall was seen, metres; 0: nowhere.
   double symmetry = 0.0;         ///< 0..1: 1 - spread of outer radius round the axis / mean radius.

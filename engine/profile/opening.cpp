@@ -12,6 +12,8 @@ constexpr int kGrid = 40;
 constexpr double kWithin = 0.8;
 /// The deepest surface that is not a stray splinter: this share of the looks goes deeper.
 constexpr double kDeepest = 0.03;
+/// Where nothing stops this share of the looks there is no floor.
+constexpr double kThrough = 0.5;
 
 }  // namespace
 
@@ -22,6 +24,7 @@ EndView look_into(const Slicer& slicer, double bottom, double top, double radius
   if (!(half > 0.0) || !(height > 0.0)) return out;
   const double none = 1e300;
   std::vector<double> depth(static_cast<std::size_t>(kGrid) * kGrid, none);
+  std::vector<bool> from_behind(depth.size(), false);
 
   // Draw every triangle into a square of looks, keeping the nearest surface of each.
   const auto first_at = [&](double low) {
@@ -41,27 +44,36 @@ EndView look_into(const Slicer& slicer, double bottom, double top, double radius
         if (wa < 0.0 || wb < 0.0 || wc < 0.0) continue;
         const double h =
             wa * slicer.height(t[0]) + wb * slicer.height(t[1]) + wc * slicer.height(t[2]);
-        double& nearest = depth[static_cast<std::size_t>(y) * kGrid + static_cast<std::size_t>(x)];
-        nearest = std::min(nearest, from_top ? top - h : h - bottom);
+        const auto at = static_cast<std::size_t>(y) * kGrid + static_cast<std::size_t>(x);
+        const double deep = from_top ? top - h : h - bottom;
+        if (!(deep < depth[at])) continue;
+        depth[at] = deep;
+        // across x along points down the axis, so that a surface that looks up turns to the right.
+        from_behind[at] = (area > 0.0) == from_top;
       }
   }
 
   std::vector<double> seen;
   double sum = 0.0;
-  int looks = 0, through = 0;
+  int looks = 0, through = 0, behind = 0;
   for (int y = 0; y < kGrid; ++y)
     for (int x = 0; x < kGrid; ++x) {
       const Vec2 p{(x + 0.5) * step - half, (y + 0.5) * step - half};
       if (dot(p, p) > half * half) continue;
       ++looks;
-      const double d = depth[static_cast<std::size_t>(y) * kGrid + static_cast<std::size_t>(x)];
+      const auto at = static_cast<std::size_t>(y) * kGrid + static_cast<std::size_t>(x);
+      const double d = depth[at];
       if (d == none) ++through;
+      if (from_behind[at]) ++behind;
       sum += d == none ? 1.0 : std::clamp(d / height, 0.0, 1.0);
       if (d != none) seen.push_back(d);
     }
   out.openness = sum / looks;
   out.through = static_cast<double>(through) / looks;
-  if (!seen.empty()) {
+  out.behind = static_cast<double>(behind) / looks;
+  if (out.through > kThrough) {
+    out.floor = height;
+  } else if (!seen.empty()) {
     std::sort(seen.begin(), seen.end());
     out.floor =
         seen[static_cast<std::size_t>((1.0 - kDeepest) * static_cast<double>(seen.size() - 1))];

@@ -8,7 +8,10 @@ namespace onggi::extraction {
 struct EndView {
   double openness = 0.0;  ///< Mean depth seen within the end's circle / height, 0..1.
   double through = 0.0;   ///< Share of that circle where nothing stops the view.
-  double floor = 0.0;     ///< Distance from the end to the deepest surface seen, frame units.
+  double behind = 0.0;    ///< Share where a surface is seen from its back.
+  /// Distance from the end to the deepest surface seen, frame units; the whole height where one
+  /// looks through.
+  double floor = 0.0;
 };
 
 /// Looks into the circle of `radius` about the axis, from above (`from_top`) or from below, between

@@ -29,7 +29,21 @@ const char* name_of(InnerWall wall) {
 }
 
 const char* name_of(UpFrom from) {
-  return from == UpFrom::opening ? "opening" : from == UpFrom::file ? "file" : "given";
+  switch (from) {
+    case UpFrom::opening:
+      return "opening";
+    case UpFrom::file:
+      return "file";
+    case UpFrom::foot:
+      return "foot";
+    case UpFrom::handles:
+      return "handles";
+    case UpFrom::mass:
+      return "mass";
+    case UpFrom::given:
+      break;
+  }
+  return "given";
 }
 
 Json json_of(const content::Vessel& vessel) {
@@ -52,10 +66,12 @@ Json json_of(const content::Vessel& vessel) {
                        {"triangles", vessel.mesh.triangles.size()},
                        {"height_m", e.profile.height()},
                        {"metres_per_unit", vessel.unit},
+                       {"size_from", content::name_of(vessel.size_from)},
                        {"axis", Json::object({{"origin", vec(e.axis_origin)},
                                               {"direction", vec(e.axis_direction)}})},
                        {"up", vec(e.axis_direction)},
                        {"up_from", name_of(e.up_from)},
+                       {"up_sure", e.up_sure},
                        {"symmetry", e.symmetry},
                        {"masked_fraction", e.masked_fraction},
                        {"inner", name_of(e.profile.inner_wall)},

@@ -96,7 +96,11 @@ Json report_of(const Shape& target, const Shape& pot, const score::Score& score,
 void print_summary(const Shape& target, const Shape& pot, const score::Score& score,
                    double true_scale, const content::Language& words) {
   const Measures& m = score.measures;
-  const double mm = 1000.0 * true_scale * m.target.height;
+  // What has no known size is told in parts of its height.
+  const bool known = target.true_size;
+  const double each = known ? 1000.0 * true_scale : 100.0 / m.target.height;
+  const double high = each * m.target.height;
+  const char* unit = known ? "mm" : "% of the height";
   std::printf("%s\n  as an answer to %s: %.1f of 100, %d of 5 stars\n", pot.file.c_str(),
               target.file.c_str(), score.points, score.stars);
   if (score.largest)
@@ -106,12 +110,13 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
               score::likeness(target.profile, pot.profile),
               degrees(score::turning_apart(target.profile, pot.profile)));
   std::printf(
-      "  outline: RMS %.1f mm, worst %.1f mm at %.0f %% of the height; %.1f %% of the volume is "
+      "  outline: RMS %.1f %s, worst %.1f %s at %.0f %% of the height; %.1f %% of the volume is "
       "shared\n",
-      m.outline_rms * mm, m.common_firm * mm, 100.0 * m.common_firm_at, 100.0 * m.volume_overlap);
-  const auto row = [true_scale](const char* name, double wanted, double made) {
-    std::printf("  %-13s %7.1f mm, made %7.1f mm, %+.1f\n", name, 1000.0 * true_scale * wanted,
-                1000.0 * true_scale * made, 1000.0 * true_scale * (made - wanted));
+      m.outline_rms * high, unit, m.common_firm * high, unit, 100.0 * m.common_firm_at,
+      100.0 * m.volume_overlap);
+  const auto row = [each, unit](const char* name, double wanted, double made) {
+    std::printf("  %-13s %7.1f %s, made %7.1f %s, %+.1f\n", name, each * wanted, unit, each * made,
+                unit, each * (made - wanted));
   };
   row("height", m.target.height, m.made.height);
   row("belly", m.target.belly, m.made.belly);
@@ -135,8 +140,9 @@ Result<int> compare_files(const ScoreArguments& arguments) {
   const bool size_counts = arguments.size_counts || rubric->size_counts;
   // A kept pot was thrown, and judged, against the vessel at a size that a hand can reach.
   const double scale = pot->kind == "replay" ? workspace_scale(target->profile) : 1.0;
-  const score::Score score = score::judge(scaled(target->profile, scale), pot->profile,
-                                          !size_counts, 1.0 / scale, *rubric);
+  const score::Score score =
+      score::judge(scaled(target->profile, scale), pot->profile, !size_counts,
+                   target->true_size ? 1.0 / scale : 0.0, *rubric);
   const auto free =
       put_report(report_of(*target, *pot, score, size_counts, *words), arguments.json);
   if (!free) return tl::unexpected(free.error());

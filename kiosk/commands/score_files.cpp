@@ -24,8 +24,7 @@ Result<Shape> read_vessel(const fs::path& path, const std::string& node) {
   shape.node = vessel->node;
   shape.kind = "vessel";
   shape.profile = vessel->extracted.profile;
-  // What was made a third of a metre tall for want of a better figure has no size of its own.
-  shape.true_size = vessel->unit == 1.0 || vessel->true_height > 0.0;
+  shape.true_size = content::is_known(vessel->size_from);
   return shape;
 }
 

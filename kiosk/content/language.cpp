@@ -90,7 +90,10 @@ std::string Language::say(const std::string& key,
     }
     // A place that nobody fills stays visible, so that a test or a reader notices it.
     const auto place = places.find(text.substr(i + 1, close - i - 1));
-    out += place != places.end() ? place->second : text.substr(i, close - i + 1);
+    if (place == places.end())
+      out += text.substr(i, close - i + 1);
+    else
+      out += place->first == "part" ? say("part." + place->second) : place->second;
     i = close;
   }
   return out;

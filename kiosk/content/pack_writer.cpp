@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "engine/profile/up.h"
 #include "kiosk/content/pack_advice.h"
 
 namespace onggi::content {
@@ -57,9 +58,9 @@ std::string pack_toml(const Vessel& vessel) {
         vessel.extracted.profile.height() / vessel.unit);
   out += text;
   out += "# units = \"mm\"                 # of the mesh, where the height is not known\n";
-  if (vessel.extracted.up_from == UpFrom::file)
-    out +=
-        "# up = \"y\"                     # neither end is open: which of the mesh's axes is up?\n";
+  if (vessel.extracted.up_sure < ExtractedProfile::kSureUp)
+    out += "# up = " + quoted(extraction::axis_name(-vessel.extracted.axis_direction)) +
+           "                    # if it now stands on its head\n";
   out += line("institution", "", "The museum that has it");
   out += line("accession", "", "Its number there");
   out += line("source", vessel.source, "Where the figures are published");

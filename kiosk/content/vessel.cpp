@@ -16,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A vessel outside these heights was not modelled in metres.
-constexpr double kLowest = 0.02, kHighest = 2.0;
-constexpr double kAssumedHeight = 0.3;
-
 /// The file's mesh, turned so that its axis is y and its foot stands at 0, times `scale`.
 TriangleMesh upright(const TriangleMesh& mesh, const ExtractedProfile& found, double scale) {
   const extraction::AxisFrame f = extraction::axis_frame(found.axis_origin, found.axis_direction);
@@ -53,21 +49,10 @@ std::string metres(double value) {
   return text;
 }
 
-/// What file units are worth in metres, for a vessel `height` units tall.
-double unit_for(Vessel& vessel, double unit, double height) {
-  if (vessel.true_height > 0.0) return vessel.true_height / vessel.extracted.profile.height();
-  if (unit > 0.0) return unit;
-  if (height >= kLowest && height <= kHighest) return 1.0;
-  vessel.extracted.warnings.push_back("It is " + metres(height) +
-                                      " units tall, so they are not metres; shown " +
-                                      metres(kAssumedHeight) + " m tall, its true size unknown.");
-  return kAssumedHeight / height;
-}
-
 /// What is known before the file is read: `vessel` has what the pack says.
 struct Order {
   Vessel vessel;
-  double unit = 0.0;                          ///< Metres in a unit of the file; 0: not known.
+  ToldSize told;
   std::optional<std::array<float, 3>> color;  ///< Of the pack.
   LoadOptions options;
 };
@@ -92,13 +77,21 @@ Result<Vessel> measured(const Order& order, const GltfModel& model, const Triang
   return vessel;
 }
 
-/// Turns and scales a measured vessel; `height` is that by which its file's units are judged.
-void set_upright(Vessel& vessel, const TriangleMesh& mesh, double unit, double height) {
+FileSize size_of(const Vessel& measured) {
+  const Profile& p = measured.extracted.profile;
+  return {p.height(), 2.0 * p.max_radius()};
+}
+
+/// Turns and scales a measured vessel.
+void set_upright(Vessel& vessel, const TriangleMesh& mesh, const TrueSize& size) {
   ExtractedProfile& found = vessel.extracted;
-  vessel.unit = unit_for(vessel, unit, height);
+  vessel.unit = size.unit;
+  vessel.size_from = size.from;
+  if (!size.doubt.empty()) found.warnings.push_back(size.doubt);
   vessel.mesh = upright(mesh, found, vessel.unit);
   found.profile = scaled(found.profile, vessel.unit);
   found.inferred_wall *= vessel.unit;
+  if (size.from == SizeFrom::diameter) vessel.true_height = found.profile.height();
   if (found.inferred_wall > 0.0)
     found.warnings.push_back("Where no inner wall was seen it is drawn " +
                              metres(1000.0 * found.inferred_wall) + " mm inside the outer one.");
@@ -124,7 +117,9 @@ Result<Vessel> load_one(const Order& order, const GltfModel& model, const GltfPa
   auto vessel = measured(order, model, mesh, name);
   if (!vessel) return vessel;
   name_nodes(*vessel, model, part);
-  set_upright(*vessel, mesh, order.unit, vessel->extracted.profile.height());
+  const auto size = true_size(size_of(*vessel), order.told, name);
+  if (!size) return tl::unexpected<Problem>(size.error());
+  set_upright(*vessel, mesh, *size);
   return vessel;
 }
 
@@ -197,11 +192,16 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   if (out.empty()) return tl::unexpected<Problem>(several_objects(order, objects));
   if (!others.empty())
     out.front().extracted.warnings.push_back("In the same file, and no vessels: " + others + ".");
-  // A set was modelled in one unit, which its tallest piece tells.
-  double tallest = 0.0;
-  for (const Vessel& v : out) tallest = std::max(tallest, v.extracted.profile.height());
+  // A set was modelled in one unit, which its largest piece tells.
+  FileSize largest;
+  for (const Vessel& v : out) {
+    const FileSize own = size_of(v);
+    if (std::max(own.height, own.widest) > std::max(largest.height, largest.widest)) largest = own;
+  }
+  const auto size = true_size(largest, order.told, order.vessel.file.string());
+  if (!size) return tl::unexpected<Problem>(size.error());
   for (std::size_t i = 0; i < out.size(); ++i)
-    set_upright(out[i], mesh_of(model, *parts[i]), order.unit, tallest);
+    set_upright(out[i], mesh_of(model, *parts[i]), *size);
   return out;
 }
 
@@ -229,7 +229,9 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
   vessel.source = pack.source;
   vessel.true_height = pack.true_height;
   vessel.node = pack.node;
-  order.unit = pack.unit;
+  order.told.height = pack.true_height;
+  order.told.diameter = pack.true_diameter;
+  order.told.unit = pack.unit;
   order.options = options;
   if (!pack.node.empty()) order.options.node = pack.node;
   if (pack.up) order.options.up = pack.up;

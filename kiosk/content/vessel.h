@@ -11,6 +11,7 @@
 #include "engine/profile/extraction.h"
 #include "engine/profile/mesh.h"
 #include "kiosk/content/gltf_credit.h"
+#include "kiosk/content/true_size.h"
 #include "kiosk/settings/reader_limits.h"
 
 namespace onggi::content {
@@ -38,8 +39,8 @@ struct Vessel {
   std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
   GltfCredit given;                     ///< What the file says of itself.
   std::string credit, licence, source;
-  double true_height = 0.0;    ///< Metres, from the TOML; 0 = unknown: file units are metres, or,
-                               ///< where that is absurd, it is made 0.3 m tall with a warning.
+  double true_height = 0.0;  ///< Metres, by the TOML's height or diameter; 0: not told.
+  SizeFrom size_from = SizeFrom::file;
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
   ExtractedProfile extracted;  ///< Its profile in metres; the axis as the file has it, file units.
   double unit = 1.0;           ///< Metres that one unit of the file was taken for.

@@ -236,6 +236,16 @@ void Sheet::draw_axis() {
   cairo_set_dash(c_, dash, 4, 0);
   line(axis_, y(high_) - 64, axis_, y(low_) + 64, 2.5);
   cairo_set_dash(c_, nullptr, 0, 0);
+  if (!s_.up_doubted) return;
+  // Perhaps it stands on its head: the arrow is what was chosen.
+  const double tip = y(high_) - 152, foot = y(high_) - 104;
+  ink(view::kIron);
+  line(axis_, foot, axis_, tip, 4);
+  line(axis_ - 13, tip + 18, axis_, tip, 4);
+  line(axis_ + 13, tip + 18, axis_, tip, 4);
+  char text[48];
+  std::snprintf(text, sizeof text, "up? %.0f %% sure", 100.0 * s_.up_sure);
+  words(text, axis_ - 26, tip - 4, {.px = kSmall, .side = -1, .color = view::kIron});
 }
 
 /// A diameter above or below the vessel: a thin line with a tick at each end and its figure.
@@ -302,7 +312,7 @@ double Sheet::draw_scale_bar(double top) {
   words("0", kMargin, top + 28, {.px = kSmall, .side = 0, .color = view::kInk});
   words(text, kMargin + wide, top + 28, {.px = kSmall, .side = 0, .color = view::kInk});
   if (!s_.true_size)
-    return 120 + words("The vessel's true size is not given.", kMargin, top + 76,
+    return 120 + words("The vessel's true size is not known.", kMargin, top + 76,
                        {.px = kSmall, .color = view::kIron});
   return 76;
 }

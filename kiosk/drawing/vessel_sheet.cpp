@@ -142,14 +142,10 @@ VesselSheet sheet_of(const content::Vessel& vessel) {
   sheet.mouth = d.mouth;
   sheet.foot = d.foot;
   sheet.masked_fraction = e.masked_fraction;
-  sheet.true_size = vessel.true_height > 0.0;
-  for (const std::string& warning : e.warnings) {
-    // These two are said in figures.
-    if (warning.find("size unknown") != std::string::npos)
-      sheet.true_size = false;
-    else if (warning.rfind("Left out as", 0) != 0)
+  sheet.true_size = content::is_known(vessel.size_from);
+  for (const std::string& warning : e.warnings)
+    if (warning.rfind("Left out as", 0) != 0)  // said in figures
       sheet.notes.push_back(warning);
-  }
 
   add_wall(sheet, e);
   sheet.edges = sharp_turns(0.0, p.height(), [&](double h) { return p.outer_at(h); });
@@ -172,6 +168,8 @@ VesselSheet sheet_of(const content::Vessel& vessel) {
                                                             : "not known";
   sheet.facts.push_back("Inner wall " + std::string(inner) + ", " +
                         text("%.1f", 1000.0 * d.wall_mean) + " mm thick on average");
+  sheet.up_sure = e.up_sure;
+  sheet.up_doubted = e.up_sure < ExtractedProfile::kSureUp;
   sheet.facts.push_back(count(vessel.mesh.triangles.size()) + " triangles");
   sheet.credit = vessel.credit;
   if (!vessel.licence.empty()) sheet.credit += (sheet.credit.empty() ? "" : ". ") + vessel.licence;

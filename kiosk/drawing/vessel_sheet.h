@@ -34,6 +34,8 @@ struct VesselSheet {
 
   double height = 0.0, belly = 0.0, belly_height = 0.0, mouth = 0.0, foot = 0.0;
   bool true_size = true;  ///< The size is the vessel's, not assumed.
+  double up_sure = 1.0;   ///< That the foot is below, 0.5..1.
+  bool up_doubted = false;
 };
 
 /// The sheet of `vessel`; its words in English, since curators read them. Allocates.

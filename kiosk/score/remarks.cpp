@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/score/parts.h"
+
 namespace onggi::score {
 
 namespace {
@@ -189,6 +191,7 @@ std::vector<std::string> remark_keys() {
                                "neck_narrow", "mouth_wide", "mouth_narrow", "foot_wide",
                                "foot_narrow", "wide", "narrow", "tall", "short"})
       keys.push_back(std::string(family) + ending);
+  for (std::string& key : part_keys()) keys.push_back(std::move(key));
   return keys;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "kiosk/score/parts.h"
 #include "kiosk/score/remarks.h"
 
 namespace onggi::score {
@@ -67,9 +68,14 @@ Score judge(const Profile& target, const Profile& made, bool scale_free, double 
   score.points = std::clamp(points_of(score.measures, target, scale_free, rubric), 0.0, 100.0);
   score.stars = stars_of(score.points, rubric);
   score.alike = alike(score.measures, scale_free);
-  score.largest = largest_difference(score.measures, scale_free, true_scale);
+  const bool known = true_scale > 0.0;
+  const double scale = known ? true_scale : 1.0;
+  score.largest = largest_difference(score.measures, scale_free, scale);
   if (score.largest) take_back(score.alike, *score.largest);
-  if (score.points <= 97.0) score.try_next = try_next(score.measures, scale_free, true_scale);
+  if (score.points <= 97.0) score.try_next = try_next(score.measures, scale_free, scale);
+  if (known) return score;
+  if (score.largest) score.largest = in_parts(*score.largest, score.measures, scale);
+  for (Remark& remark : score.try_next) remark = in_parts(remark, score.measures, scale);
   return score;
 }
 

@@ -28,6 +28,8 @@ namespace onggi::score {
 ///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
 /// The largest difference, said as it is and not as advice, with the same endings and places:
 ///   difference.belly_wide ... difference.narrow, difference.tall, difference.short
+/// Where the true size is not known, {part} in place of {mm}, in percent of the same length (of the
+/// height for tall, short, high and low): remark_part.belly_wide ... difference_part.short.
 struct Remark {
   std::string key;                            ///< "remark.neck_wide"
   std::map<std::string, std::string> places;  ///< {"mm", "8"}
@@ -49,7 +51,8 @@ struct Score {
 
 /// What `rubric` makes of the measures; its size_counts is not asked, `scale_free` is. Both
 /// profiles valid, metres. `true_scale` is true metres for one metre of `target` (1 / the workspace
-/// scale), so that remarks speak of the real vessel; > 0. Deterministic: the same bits on every
+/// scale), so that remarks speak of the real vessel; 0 where its true size is not known: then they
+/// speak in parts. Deterministic: the same bits on every
 /// machine. Allocates.
 Score judge(const Profile& target, const Profile& made, bool scale_free = true,
             double true_scale = 1.0, const settings::Rubric& rubric = {});

@@ -281,8 +281,9 @@ class Throwing final : public Screen {
     if (done_) return;
     desk.made = desk.world.wheel->clay.profile();
     const settings::Rubric& rubric = desk.world.exhibit->rubric;
-    desk.score = score::judge(card->target, desk.made, !rubric.size_counts,
-                              card->scale > 0 ? 1 / card->scale : 1, rubric);
+    const bool known = card->vessel == nullptr || content::is_known(card->vessel->size_from);
+    const double true_scale = !known ? 0 : card->scale > 0 ? 1 / card->scale : 1;
+    desk.score = score::judge(card->target, desk.made, !rubric.size_counts, true_scale, rubric);
     desk.kept = Desk::Kept::not_asked;
     desk.glaze = -1;
     desk.postcard = 0;
