@@ -14,6 +14,7 @@ namespace {
 constexpr int kJudgeSlices = 24;
 constexpr int kRefineSlices = 48;
 constexpr int kAxisRays = 48;
+constexpr int kCrowdSlices = 7, kCrowdRays = 12;
 /// A radius counts as agreeing within this share of the vessel's largest radius...
 constexpr double kAgree = 0.03;
 /// ...and as entirely elsewhere beyond this one.
@@ -86,11 +87,10 @@ void improve_circle(std::span<const Vec2> points, double scale, FittedCircle& c)
 std::vector<Vec2> outermost(const std::vector<CutSegment>& outline, Vec2 centre,
                             RayCrossings& rays) {
   std::vector<Vec2> out;
-  rays.meet(outline, centre);
-  out.reserve(rays.fan().count());
-  for (std::size_t k = 0; k < rays.fan().count(); ++k)
-    if (!rays.ray(k).empty())
-      out.push_back(centre + rays.fan().direction(k) * rays.ray(k).front().radius);
+  const std::span<const double> radii = rays.outermost(outline, centre);
+  out.reserve(radii.size());
+  for (std::size_t k = 0; k < radii.size(); ++k)
+    if (radii[k] > 0.0) out.push_back(centre + rays.fan().direction(k) * radii[k]);
   return out;
 }
 
@@ -199,6 +199,19 @@ Vec3 middle_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
+int surfaces_met(const TriangleMesh& mesh) {
+  const RayFan fan(kCrowdRays);
+  RayCrossings rays(fan);
+  const Slicer slicer(mesh, axis_frame(middle_of(mesh), {0, 1, 0}));
+  std::vector<double> met;
+  for (const auto& outline : slicer.cut(even_heights(slicer, kCrowdSlices))) {
+    rays.meet(outline, {});
+    for (std::size_t k = 0; k < fan.count(); ++k)
+      met.push_back(static_cast<double>(rays.ray(k).size()));
+  }
+  return static_cast<int>(median(met));
+}
+
 FittedCircle fit_circle(std::span<const Vec2> points, double tolerance) {
   FittedCircle best;
   const std::size_t n = points.size();
@@ -227,6 +240,12 @@ FittedCircle fit_circle(std::span<const Vec2> points, double tolerance) {
     if (std::abs(length(p - best.centre) - best.radius) <= tolerance) ++close;
   best.support = static_cast<double>(close) / static_cast<double>(n);
   return best;
+}
+
+FoundAxis axis_along(const TriangleMesh& mesh, Vec3 direction) {
+  const RayFan fan(kAxisRays);
+  RayCrossings rays(fan);
+  return judge(mesh, middle_of(mesh), direction, kRefineSlices, false, rays).axis;
 }
 
 FoundAxis find_axis(const TriangleMesh& mesh) {

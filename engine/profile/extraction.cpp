@@ -14,17 +14,31 @@ namespace extraction {
 namespace {
 
 constexpr int kRays = 96;
-/// More of the surface than this stands off any circle: not a body of revolution.
-constexpr double kMostMasked = 0.25;
-constexpr double kMostCost = 0.30;
+/// What a body of revolution may have at the most: surface away from any circle about its axis, all
+/// that is masked, what is missing or lies within the circle; and how true the rest must be.
+struct Allowed {
+  double cost, masked, lacking, symmetry;
+};
+constexpr Allowed kUsual{0.30, 0.25, 0.25, 0.0};
+/// Upright in its file, a jug may have more handle and spout on what is else a true circle.
+constexpr Allowed kWithHandles{1.0, 0.40, 0.05, 0.995};
+/// An oval has this share of its surface within the circle, on two sides as opposite as this.
+constexpr double kOval = 0.04, kOpposite = 0.5, kOneSided = 0.3;
 /// One looks through a tube where nothing stops this share of the looks.
 constexpr double kTube = 0.5;
 /// Less than this mean depth is a flat or domed end, not a mouth.
 constexpr double kOpen = 0.03;
 /// Surfaces further from the axis than this many times the body's radius are other objects.
 constexpr double kFarAway = 3.0;
+/// A ray that meets more surfaces than this on its way out is in no vessel.
+constexpr int kMostSurfaces = 64;
 /// A cavity shallower than this share of the height is a modelled mouth over a solid body.
 constexpr double kDeepEnough = 0.5;
+
+/// Looks along the axis for a floor under a lid go this far from it, of the largest radius.
+constexpr double kOnAxis = 0.15;
+/// A wall seen on less of its height than this is said to be.
+constexpr double kAllSeen = 0.95;
 
 /// Thickness of a wall that cannot be seen, over the body's largest radius.
 constexpr double kInferredWall = 0.04;
@@ -61,12 +75,14 @@ class Extractor {
 
  private:
   Result<void> check_mesh() const;
-  Result<void> find_body();
+  Result<void> find_body(const FoundAxis& axis);
+  Result<ExtractedProfile> read_about(const FoundAxis& axis, const Allowed& allowed);
   void stand();
   void read_slices();
   Result<void> judge_roundness();
   void fill_gaps();
   void square_foot();
+  double find_floor();
   void read_inside();
   tl::unexpected<Problem> not_round(const std::string& why) const {
     return problem(name_, "it is no body of revolution: " + why,
@@ -80,6 +96,7 @@ class Extractor {
   const std::string& name_;
   RayFan fan_;
   RayCrossings rays_;
+  Allowed allowed_ = kUsual;
   AxisFrame frame_;
   BodyEnds body_;
   std::vector<double> heights_;
@@ -112,9 +129,8 @@ Result<void> Extractor::check_mesh() const {
   return {};
 }
 
-Result<void> Extractor::find_body() {
-  const FoundAxis axis = find_axis(mesh_);
-  if (axis.cost > kMostCost)
+Result<void> Extractor::find_body(const FoundAxis& axis) {
+  if (axis.cost > allowed_.cost)
     return not_round("about its best axis " + percent(axis.cost) +
                      " of the surface lies away from a circle.");
   frame_ = axis_frame(axis.origin, axis.direction);
@@ -161,24 +177,38 @@ void Extractor::read_slices() {
 }
 
 Result<void> Extractor::judge_roundness() {
-  double spread = 0.0, mean = 0.0, masked = 0.0;
+  double spread = 0.0, mean = 0.0, beyond = 0.0, lacking = 0.0, within = 0.0;
+  Vec2 side, sides;
   int round = 0;
   for (const WallSlice& s : slices_) {
-    masked += s.outer > 0.0 ? s.masked + (kRays - s.present) : kRays;
+    lacking += s.outer > 0.0 ? s.within + (kRays - s.present) : kRays;
     if (s.outer <= 0.0) continue;
+    beyond += s.masked - s.within;
+    within += s.within;
+    side = side + s.side;
+    sides = sides + s.sides;
     spread += s.spread;
     mean += s.outer;
     ++round;
   }
   const auto n = static_cast<double>(slices_.size());
-  out_.masked_fraction = masked / (n * kRays);
-  if (out_.masked_fraction > kMostMasked || round < 0.8 * n)
+  beyond /= n * kRays;
+  lacking /= n * kRays;
+  out_.masked_fraction = beyond + lacking;
+  out_.symmetry = std::clamp(1.0 - spread / mean, 0.0, 1.0);
+  if (out_.masked_fraction > allowed_.masked || lacking > allowed_.lacking || round < 0.8 * n ||
+      out_.symmetry < allowed_.symmetry)
     return not_round(percent(out_.masked_fraction) +
                      " of it stands off the circle that the rest agrees on.");
-  out_.symmetry = std::clamp(1.0 - spread / mean, 0.0, 1.0);
   if (out_.masked_fraction > 0.01)
     warn("Left out as handle, spout or damage: " + percent(out_.masked_fraction) +
          " of the surface.");
+  // Two opposite sides lie within the circle: a slanted or squeezed vessel, no dent and no lobes.
+  if (within > kOval * n * kRays && length(sides) > kOpposite * within &&
+      length(side) < kOneSided * within)
+    warn("It leans or is oval: " + percent(within / (n * kRays)) +
+         " of it lies within the circle that was read, on two opposite sides. If it was sheared or "
+         "stretched in a modelling tool, undo that and export it again.");
   return {};
 }
 
@@ -219,39 +249,69 @@ void Extractor::square_foot() {
     slices_[i].outer = std::max(slices_[i].outer, near - slope * static_cast<double>(reach - i));
 }
 
+/// Height of the floor above the foot; 0 where none is seen.
+double Extractor::find_floor() {
+  const std::size_t n = slices_.size();
+  const double height = heights_.back();
+  const bool open = mouth_.openness > kOpen;
+  // A hollow that holds as much as all below it is worth is the inside, however tall the stem.
+  const auto is_inside = [&](double floor) {
+    double held = 0.0, below = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      if (heights_[i] <= floor)
+        below += slices_[i].outer * slices_[i].outer;
+      else
+        held += slices_[i].inner * slices_[i].inner;
+    return held > 0.0 && held >= below;
+  };
+  if (open) {
+    const double floor = height - mouth_.floor;
+    if (mouth_.floor >= kDeepEnough * height) return std::min(floor, kDeepEnough * height);
+    if (is_inside(floor)) return floor;
+    warn("The inside is modelled only " + percent(mouth_.floor / height) +
+         " deep; below that the wall is a guess.");
+    return 0.0;
+  }
+  warn("No opening is seen at the top; lid or stopper are part of the outline.");
+  if (!body_.facing_known) return 0.0;
+  const Slicer slicer(mesh_, frame_);
+  const Hollow hollow = find_hollow(slicer, body_.bottom, body_.top, kOnAxis * body_.size);
+  const double floor = hollow.floor - body_.bottom;
+  return hollow.ceiling > hollow.floor && is_inside(floor) ? floor : 0.0;
+}
+
 void Extractor::read_inside() {
   const std::size_t n = slices_.size();
   const double height = heights_.back();
   const double guess = kInferredWall * body_.size;
   const bool open = mouth_.openness > kOpen;
-  double floor = height - mouth_.floor;
-  const bool deep = open && mouth_.floor >= kDeepEnough * height;
-  if (!open) warn("No opening is seen at the top; lid or stopper are part of the outline.");
-  if (open && !deep)
-    warn("The inside is modelled only " + percent(mouth_.floor / height) +
-         " deep; below that the wall is a guess.");
   if (tube_)
     warn("Both ends are open: it is a tube, and its base is taken as closed.");
   else if (mouth_.through > 0.02 && open)
     warn("There is a hole through the base; it is taken as closed.");
-  if (!deep || floor <= 0.0) floor = guess;
-  floor = std::min(floor, 0.5 * height);
+  double floor = find_floor();
+  const bool closed = !open && floor > 0.0;  // a lid over a hollow that is there
+  const double lowest = closed ? floor : open ? height - mouth_.floor : height;
+  if (floor <= 0.0) floor = guess;
 
   // Thickness where both sides are seen; elsewhere the nearest seen one, or the guess.
-  std::vector<double> thickness(n, 0.0);
+  std::vector<double> thickness(n, 0.0), hollow(n, 0.0);
   std::size_t seen = 0, wanted = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (heights_[i] <= floor) continue;
     ++wanted;
-    const bool trusted = open && slices_[i].inner > 0.0 && heights_[i] > height - mouth_.floor;
-    if (!trusted) continue;
+    // Both sides of one wall, or it is not measured: behind a skirt lies air, and then the wall.
+    if (heights_[i] <= lowest || slices_[i].inner <= 0.0) continue;
+    hollow[i] = slices_[i].inner;
+    if (!slices_[i].one_wall) continue;
     thickness[i] = slices_[i].outer - slices_[i].inner;
     ++seen;
   }
   const double share = wanted > 0 ? static_cast<double>(seen) / static_cast<double>(wanted) : 0.0;
   out_.profile.inner_wall = share >= 0.75 ? InnerWall::measured : InnerWall::inferred;
-  if (share < 0.75)
-    warn("The inner wall is seen on " + percent(share) + " of the height; the rest is inferred.");
+  if (share < kAllSeen)
+    warn("The wall is measured, both sides of it seen, on " + percent(share) +
+         " of the height; the rest is inferred.");
 
   for (std::size_t i = 0; i < n; ++i) {
     ProfilePoint p{heights_[i], slices_[i].outer, 0.0};
@@ -263,7 +323,7 @@ void Extractor::read_inside() {
         if (i + d < n && thickness[i + d] > 0.0) t = thickness[i + d];
         if (i >= d && t <= 0.0 && thickness[i - d] > 0.0) t = thickness[i - d];
       }
-      if (t <= 0.0) {
+      if (t <= 0.0 && hollow[i] <= 0.0) {
         out_.inferred_wall = guess;
         // Across a leaning wall, the horizontal section is longer than the wall is thick.
         const std::size_t a = i > 0 ? i - 1 : i, b = std::min(i + 1, n - 1);
@@ -271,16 +331,19 @@ void Extractor::read_inside() {
         t = guess * std::min(3.0, std::sqrt(1.0 + lean * lean));
       }
       p.inner = std::clamp(p.outer - t, 0.05 * p.outer, 0.98 * p.outer);
-      if (thickness[i] > 0.0) p.inner = slices_[i].inner;
+      if (hollow[i] > 0.0) p.inner = hollow[i];
     }
     out_.profile.points.push_back(p);
     out_.inner_seen.push_back(thickness[i] > 0.0);
   }
 }
 
-Result<ExtractedProfile> Extractor::run() {
-  if (auto good = check_mesh(); !good) return tl::unexpected<Problem>(good.error());
-  if (auto good = find_body(); !good) return tl::unexpected<Problem>(good.error());
+Result<ExtractedProfile> Extractor::read_about(const FoundAxis& axis, const Allowed& allowed) {
+  allowed_ = allowed;
+  out_ = {};
+  heights_.clear();
+  slices_.clear();
+  if (auto good = find_body(axis); !good) return tl::unexpected<Problem>(good.error());
   stand();
   read_slices();
   if (auto good = judge_roundness(); !good) return tl::unexpected<Problem>(good.error());
@@ -292,6 +355,19 @@ Result<ExtractedProfile> Extractor::run() {
   if (auto good = validate(out_.profile, name_); !good)
     return tl::unexpected<Problem>(good.error());
   return std::move(out_);
+}
+
+Result<ExtractedProfile> Extractor::run() {
+  if (auto good = check_mesh(); !good) return tl::unexpected<Problem>(good.error());
+  if (const int met = surfaces_met(mesh_); met > kMostSurfaces)
+    return not_round("a ray from its middle meets " + std::to_string(met) +
+                     " surfaces; it is a heap of loose triangles.");
+  auto found = read_about(find_axis(mesh_), kUsual);
+  if (found) return found;
+  // Wide handles can make another axis look better than the one a jug was thrown about.
+  for (const Vec3& up : {Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+    if (auto jug = read_about(axis_along(mesh_, up), kWithHandles)) return jug;
+  return found;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct ExtractedProfile {
   Vec3 axis_direction{0, 1, 0};            ///< Unit, foot to rim, mesh axes.
   UpFrom up_from = UpFrom::opening;
   double up_sure = 1.0;          ///< 0.5..1; below kSureUp a warning names the line to write.
-  std::vector<bool> inner_seen;  ///< By point of `profile`: its inner radius was measured.
+  std::vector<bool> inner_seen;  ///< By point of `profile`: both sides of one wall were met there.
   double inferred_wall = 0.0;    ///< Thickness put where no wall was seen, metres; 0: nowhere.
   double symmetry = 0.0;         ///< 0..1: 1 - spread of outer radius round the axis / mean radius.
   double masked_fraction = 0.0;  ///< Share of (height, angle) cells left out as handle, spout, lid.

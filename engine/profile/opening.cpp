@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/profile/median.h"
 
 namespace onggi::extraction {
 
@@ -14,6 +18,8 @@ constexpr double kWithin = 0.8;
 constexpr double kDeepest = 0.03;
 /// Where nothing stops this share of the looks there is no floor.
 constexpr double kThrough = 0.5;
+/// Looks along the axis, each way.
+constexpr int kColumns = 9;
 
 }  // namespace
 
@@ -79,6 +85,48 @@ EndView look_into(const Slicer& slicer, double bottom, double top, double radius
         seen[static_cast<std::size_t>((1.0 - kDeepest) * static_cast<double>(seen.size() - 1))];
   }
   return out;
+}
+
+Hollow find_hollow(const Slicer& slicer, double bottom, double top, double radius) {
+  const double step = 2.0 * radius / kColumns;
+  std::vector<std::vector<std::pair<double, bool>>> columns(kColumns * kColumns);
+  const auto first_at = [&](double low) {
+    return static_cast<int>(
+        std::clamp(std::ceil((low + radius) / step - 0.5), 0.0, 1.0 * kColumns));
+  };
+  for (const auto& t : slicer.mesh().triangles) {
+    const Vec2 a = slicer.plane(t[0]), b = slicer.plane(t[1]), c = slicer.plane(t[2]);
+    const double area = cross(b - a, c - a);
+    if (area == 0.0) continue;
+    const int x0 = first_at(std::min({a.x, b.x, c.x})), x1 = first_at(std::max({a.x, b.x, c.x}));
+    const int y0 = first_at(std::min({a.y, b.y, c.y})), y1 = first_at(std::max({a.y, b.y, c.y}));
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) {
+        const Vec2 p{(x + 0.5) * step - radius, (y + 0.5) * step - radius};
+        const double wa = cross(b - p, c - p) / area, wb = cross(c - p, a - p) / area;
+        const double wc = 1.0 - wa - wb;
+        if (wa < 0.0 || wb < 0.0 || wc < 0.0) continue;
+        columns[static_cast<std::size_t>(y * kColumns + x)].push_back(
+            {wa * slicer.height(t[0]) + wb * slicer.height(t[1]) + wc * slicer.height(t[2]),
+             area < 0.0});  // looks up, as in look_into
+      }
+  }
+  std::vector<double> floors, ceilings;
+  for (auto& column : columns) {
+    std::sort(column.begin(), column.end());
+    Hollow best;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      if (!column[i].second) continue;
+      const double floor = std::max(bottom, column[i].first);
+      const double ceiling = i + 1 < column.size() ? std::min(top, column[i + 1].first) : top;
+      if (ceiling - floor > best.ceiling - best.floor) best = {floor, ceiling};
+    }
+    if (best.ceiling <= best.floor) continue;
+    floors.push_back(best.floor);
+    ceilings.push_back(best.ceiling);
+  }
+  if (2 * floors.size() < columns.size()) return {};
+  return {median(floors), median(ceilings)};
 }
 
 }  // namespace onggi::extraction

@@ -18,4 +18,14 @@ struct EndView {
 /// the heights `bottom` and `top`. O(triangles). Allocates.
 EndView look_into(const Slicer& slicer, double bottom, double top, double radius, bool from_top);
 
+/// The hollow on the axis, by looks along it: the longest stretch of air that stands on a surface
+/// which looks up. Heights of the frame; equal where there is none. A lid may close it.
+struct Hollow {
+  double floor = 0.0, ceiling = 0.0;
+};
+
+/// Looks along the axis within `radius` of it, from `bottom` to `top`. Needs surfaces that know
+/// their outside. O(triangles). Allocates.
+Hollow find_hollow(const Slicer& slicer, double bottom, double top, double radius);
+
 }  // namespace onggi::extraction

@@ -129,10 +129,10 @@ std::size_t RayFan::first_after(Vec2 p) const {
   return ray;
 }
 
-void RayCrossings::meet(std::span<const CutSegment> outline, Vec2 centre) {
+/// Every crossing, in the order of the outline: take(ray, radius, dot of the ray and the facing).
+template <class Take>
+void RayCrossings::each(std::span<const CutSegment> outline, Vec2 centre, const Take& take) const {
   const std::size_t n = fan_->count();
-  met_.clear();
-  begin_.assign(n + 1, 0);
   for (const CutSegment& s : outline) {
     Vec2 a = s.a - centre, b = s.b - centre;
     // Seen from the centre a straight piece spans less than half a turn; let it run to the left.
@@ -156,11 +156,27 @@ void RayCrossings::meet(std::span<const CutSegment> outline, Vec2 centre) {
       // Without this a coarse mesh comes out narrower than what it was made from.
       const double bulge =
           (1.0 - share) * bulge_a + share * bulge_b + 0.5 * share * (1.0 - share) * chord;
-      const double radius = flat + std::min(bulge / flat, kHighestArc * flat);
-      met_.push_back({k, {radius, dot(d, s.facing) > 0.0}});
-      ++begin_[k + 1];
+      take(k, flat + std::min(bulge / flat, kHighestArc * flat), dot(d, s.facing));
     }
   }
+}
+
+std::span<const double> RayCrossings::outermost(std::span<const CutSegment> outline, Vec2 centre) {
+  furthest_.assign(fan_->count(), 0.0);
+  each(outline, centre, [this](std::size_t k, double radius, double) {
+    furthest_[k] = std::max(furthest_[k], radius);
+  });
+  return furthest_;
+}
+
+void RayCrossings::meet(std::span<const CutSegment> outline, Vec2 centre) {
+  const std::size_t n = fan_->count();
+  met_.clear();
+  begin_.assign(n + 1, 0);
+  each(outline, centre, [this](std::size_t k, double radius, double facing) {
+    met_.push_back({k, {radius, facing > 0.0}});
+    ++begin_[k + 1];
+  });
   for (std::size_t k = 0; k < n; ++k) begin_[k + 1] += begin_[k];
   next_.assign(begin_.begin(), begin_.end() - 1);
   sorted_.resize(met_.size());

@@ -79,13 +79,19 @@ class RayCrossings {
   explicit RayCrossings(const RayFan& fan) : fan_(&fan) {}
   /// Meets `outline` from `centre`. Allocates only where it needs more than ever before.
   void meet(std::span<const CutSegment> outline, Vec2 centre);
+  /// The outermost crossing's radius by ray, 0 where there is none: meet() without the sorting.
+  std::span<const double> outermost(std::span<const CutSegment> outline, Vec2 centre);
   std::span<const Crossing> ray(std::size_t k) const {
     return std::span(sorted_).subspan(begin_[k], begin_[k + 1] - begin_[k]);
   }
   const RayFan& fan() const { return *fan_; }
 
  private:
+  template <class Take>
+  void each(std::span<const CutSegment> outline, Vec2 centre, const Take& take) const;
+
   const RayFan* fan_;
+  std::vector<double> furthest_;
   std::vector<std::pair<std::size_t, Crossing>> met_;
   std::vector<Crossing> sorted_;
   std::vector<std::size_t> begin_, next_;

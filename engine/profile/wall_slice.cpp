@@ -9,10 +9,14 @@ namespace {
 
 /// At least this share of all rays must agree about a radius.
 constexpr double kShare = 0.5;
+/// As many are enough on a smaller and much truer circle: handles stand outside of a wall.
+constexpr double kHidden = 0.3;
 /// Radii further than this share of the vessel's size from the agreed one are something else.
 constexpr double kStandsOff = 0.025;
 /// Scanned surfaces are rough: crossings this near to each other are one surface, met thrice.
 constexpr double kRough = 0.008;
+/// What stands free inside, narrower than this share of the hollow, is a post or funnel, no wall.
+constexpr double kPost = 0.5;
 
 /// Mean of the values near the agreed radius, once those beyond three of their own deviations are
 /// left out too.
@@ -51,6 +55,29 @@ double surface(std::span<const Crossing> ray, std::size_t& from, double rough) {
   return radius;
 }
 
+/// What lies behind the outer surface of a ray, of which `next` is the first crossing.
+struct Behind {
+  double inner = 0.0;  ///< Of the innermost wall, 0: none.
+  int walls = 0;
+};
+Behind look_behind(std::span<const Crossing> ray, std::size_t next, double rough,
+                   bool facing_known) {
+  Behind out;
+  if (!facing_known) {
+    if (next < ray.size()) out = {surface(ray, next, rough), 1};
+    return out;
+  }
+  for (;;) {
+    // A wall ends with the next surface that looks towards the axis.
+    while (next < ray.size() && ray[next].outward) ++next;
+    if (next >= ray.size()) return out;
+    out.inner = surface(ray, next, rough);
+    ++out.walls;
+    while (next < ray.size() && !ray[next].outward) ++next;
+    if (next >= ray.size() || ray[next].radius < kPost * out.inner) return out;
+  }
+}
+
 }  // namespace
 
 WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, double size,
@@ -69,8 +96,16 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, 
     outer.push_back(outer_of[k]);
   }
   out.present = static_cast<int>(outer.size());
-  const Agreement mode = agreement(outer, n, kShare);
+  Agreement mode = agreement(outer, n, kShare);
   if (!mode.found) return out;
+  // Where handles hide most of a circle, what agrees better further in is the wall.
+  std::vector<double> further_in;
+  for (const double r : outer)
+    if (r < mode.low) further_in.push_back(r);
+  const Agreement tight = agreement(further_in, n, kHidden);
+  if (tight.found && tight.high - tight.low < kStandsOff * size &&
+      tight.high - tight.low < 0.5 * (mode.high - mode.low))
+    mode = tight;
   const double off = std::max(kStandsOff * size, 0.75 * (mode.high - mode.low));
   const double low = mode.middle() - off, high = mode.middle() + off;
   const Near wall = near(outer, low, high);
@@ -80,19 +115,24 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, 
 
   std::vector<double> inner;
   inner.reserve(n);
-  int looked = 0;
+  int looked = 0, single = 0;
   for (std::size_t k = 0; k < n; ++k) {
     if (outer_of[k] <= 0.0) continue;
     if (outer_of[k] < low || outer_of[k] > high) {
       ++out.masked;
+      if (outer_of[k] < low) {
+        const Vec2 d = rays.fan().direction(k);
+        ++out.within;
+        out.side = out.side + d;
+        out.sides = out.sides + Vec2{d.x * d.x - d.y * d.y, 2.0 * d.x * d.y};
+      }
       continue;
     }
     ++looked;
-    // Behind the outer surface the next one that looks towards the axis is the inner wall.
-    std::size_t next = behind[k];
-    const auto ray = rays.ray(k);
-    while (facing_known && next < ray.size() && ray[next].outward) ++next;
-    if (next < ray.size()) inner.push_back(surface(ray, next, rough));
+    const Behind found = look_behind(rays.ray(k), behind[k], rough, facing_known);
+    if (found.walls == 0) continue;
+    inner.push_back(found.inner);
+    if (found.walls == 1) ++single;
   }
   if (2 * inner.size() < static_cast<std::size_t>(looked)) return out;
   const Agreement inside = agreement(inner, inner.size(), kShare);
@@ -100,6 +140,7 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, 
   const double slack = std::max(kStandsOff * size, 0.75 * (inside.high - inside.low));
   const Near hollow = near(inner, inside.middle() - slack, inside.middle() + slack);
   if (hollow.mean < out.outer) out.inner = hollow.mean;
+  out.one_wall = 2 * static_cast<std::size_t>(single) > inner.size();
   return out;
 }
 

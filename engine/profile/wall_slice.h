@@ -8,11 +8,15 @@ namespace onggi::extraction {
 
 /// What one slice of a vessel says: radii on which most of its circle agrees.
 struct WallSlice {
-  double outer = 0.0;   ///< 0 where too little of the circle was there.
-  double inner = 0.0;   ///< 0 where the slice is solid or its inside was not seen.
+  double outer = 0.0;  ///< 0 where too little of the circle was there.
+  double inner = 0.0;  ///< Of the hollow; 0 where the slice is solid or its inside was not seen.
+  /// Nothing but one wall lies between inner and outer: no skirt, collar or lid with air behind it.
+  bool one_wall = true;
   double spread = 0.0;  ///< Standard deviation of the outer radii that agree.
   int present = 0;      ///< Rays that met a surface...
-  int masked = 0;       ///< ...and of those, what stands off: handle, spout, damage.
+  int masked = 0;       ///< ...and of those, what stands off: handle, spout, damage...
+  int within = 0;    ///< ...and of those, what lies within the circle, as on the sides of an oval.
+  Vec2 side, sides;  ///< Sums of unit vectors at the angles of `within`, and at twice them.
 };
 
 /// Reads one outline cut about the origin of its plane. `size` is the vessel's largest radius, for

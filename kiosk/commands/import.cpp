@@ -49,12 +49,13 @@ Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole)
   }
   const auto model = content::read_gltf(vessel.file, limits);
   if (!model) return tl::unexpected(model.error());
-  const content::GltfPart* part =
-      vessel.node.empty() ? nullptr : content::find_part(*model, vessel.node);
+  content::NamedPart named;
+  if (!vessel.node.empty()) named = content::find_part(*model, vessel.node);
   std::string rights = vessel.credit;
   if (!vessel.licence.empty()) rights += (rights.empty() ? "" : ". ") + vessel.licence;
-  return content::write_glb(part == nullptr ? model->mesh : content::mesh_of(*model, *part),
-                            vessel.label("en").title, rights);
+  return content::write_glb(
+      named.part == nullptr ? model->mesh : content::mesh_of(*model, *named.part, named.reach),
+      vessel.label("en").title, rights);
 }
 
 Result<int> import_vessel(const ImportArguments& arguments) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -49,14 +50,17 @@ const char* name_of(UpFrom from) {
 Json json_of(const content::Vessel& vessel) {
   const ExtractedProfile& e = vessel.extracted;
   Json outer = Json::list(), inner = Json::list(), nodes = Json::list();
+  Json seen_list = Json::list();
   std::size_t seen = 0, walled = 0;
   for (std::size_t i = 0; i < e.profile.points.size(); ++i) {
     const ProfilePoint& p = e.profile.points[i];
     outer.push_back(Json::list({p.height, p.outer}));
     if (p.inner <= 0) continue;
+    const bool both = i < e.inner_seen.size() && e.inner_seen[i];
     inner.push_back(Json::list({p.height, p.inner}));
+    seen_list.push_back(both);
     ++walled;
-    if (i < e.inner_seen.size() && e.inner_seen[i]) ++seen;
+    if (both) ++seen;
   }
   for (const auto& node : vessel.nodes)
     nodes.push_back(Json::object({{"name", node.name}, {"triangles", node.triangles}}));
@@ -78,6 +82,7 @@ Json json_of(const content::Vessel& vessel) {
                        {"inner_measured_share",
                         walled > 0 ? static_cast<double>(seen) / static_cast<double>(walled) : 0.0},
                        {"inferred_wall_m", e.inferred_wall},
+                       {"inner_seen", seen_list},
                        {"outer", outer},
                        {"inner_profile", inner},
                        {"warnings", Json::list_of(e.warnings)},
@@ -99,6 +104,12 @@ void print_summary(const content::Vessel& vessel) {
     std::printf("  %s%s%s\n", plain(vessel.credit).c_str(),
                 vessel.credit.empty() || vessel.licence.empty() ? "" : ", ",
                 plain(vessel.licence).c_str());
+  if (vessel.nodes.size() > 1) {
+    std::printf("  of %zu objects:", vessel.nodes.size());
+    for (std::size_t i = 0; i < std::min<std::size_t>(vessel.nodes.size(), 8); ++i)
+      std::printf("%s \"%s\"", i == 0 ? "" : ",", plain(vessel.nodes[i].name).c_str());
+    std::printf("%s; --node NAME reads one alone\n", vessel.nodes.size() > 8 ? " ..." : "");
+  }
   for (const std::string& warning : e.warnings) std::printf("  note: %s\n", plain(warning).c_str());
 }
 
@@ -140,7 +151,8 @@ Command inspect_command() {
                        .help = "A GLB, a glTF or a vessel pack",
                        .required = true},
                       {"--node", &a->node,
-                       "The node that is the vessel, by name or number [all of the file]"},
+                       "The node that is the vessel, by name or number, alone; NAME/* with what "
+                       "hangs on it [all of the file]"},
                       {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
                       {"--plot", &a->plot,
                        "Draw section and view, as archaeologists do, into this PNG"}},

@@ -130,27 +130,26 @@ const Vessel* Catalogue::find(const std::string& id) const {
   return nullptr;
 }
 
-Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const std::string&, void*),
-                     void* user, const settings::ReaderLimits& limits) {
-  Catalogue out;
+Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
+                        const settings::ReaderLimits& limits) {
   LoadOptions options;
   options.limits = limits;
   std::error_code error;
   const std::vector<Entry> entries = entries_of(folder, error);
-  if (error) out.problems.push_back(no_shelf(folder, error));
-
-  std::vector<std::optional<Result<std::vector<Vessel>>>> loaded(entries.size());
+  if (error) return tl::unexpected<Problem>(no_shelf(folder, error));
   std::atomic<std::size_t> next{0};
   std::mutex one_at_a_time;
   const auto work = [&] {
     for (std::size_t i = next++; i < entries.size(); i = next++) {
-      if (progress != nullptr) {
+      {
         const std::lock_guard lock(one_at_a_time);
-        progress(static_cast<int>(i), static_cast<int>(entries.size()), entries[i].id, user);
+        watcher.begins(i, entries.size(), entries[i].id);
       }
       LoadOptions own = options;
       own.id = entries[i].id;
-      loaded[i] = load_vessels(entries[i].path, own);
+      auto read = load_vessels(entries[i].path, own);
+      const std::lock_guard lock(one_at_a_time);
+      watcher.has_read(i, std::move(read));
     }
   };
   const std::size_t helpers =
@@ -159,13 +158,34 @@ Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const st
   for (std::size_t i = 1; i < helpers; ++i) threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
+  return {};
+}
 
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (!*loaded[i]) {
-      out.problems.push_back(loaded[i]->error());
+Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const std::string&, void*),
+                     void* user, const settings::ReaderLimits& limits) {
+  struct Collector : ShelfWatcher {
+    void begins(std::size_t at, std::size_t total, const std::string& id) override {
+      if (tell != nullptr) tell(static_cast<int>(at), static_cast<int>(total), id, told);
+      loaded.resize(total);
+    }
+    void has_read(std::size_t at, Result<std::vector<Vessel>> read) override {
+      loaded[at] = std::move(read);
+    }
+    void (*tell)(int, int, const std::string&, void*) = nullptr;
+    void* told = nullptr;
+    std::vector<std::optional<Result<std::vector<Vessel>>>> loaded;
+  } collector;
+  collector.tell = progress;
+  collector.told = user;
+  Catalogue out;
+  if (auto good = read_shelf(folder, collector, limits); !good)
+    out.problems.push_back(good.error());
+  for (auto& loaded : collector.loaded) {
+    if (!*loaded) {
+      out.problems.push_back(loaded->error());
       continue;
     }
-    for (Vessel& vessel : **loaded[i]) out.vessels.push_back(std::move(vessel));
+    for (Vessel& vessel : **loaded) out.vessels.push_back(std::move(vessel));
   }
   return out;
 }

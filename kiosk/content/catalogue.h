@@ -15,6 +15,21 @@ struct Catalogue {
   const Vessel* find(const std::string& id) const;
 };
 
+/// Told of each entry of a shelf as it is read, from any thread but one at a time.
+class ShelfWatcher {
+ public:
+  virtual ~ShelfWatcher() = default;
+  /// Entry `at` of `total`, in the order of their ids, is about to be read.
+  virtual void begins(std::size_t at, std::size_t total, const std::string& id) = 0;
+  /// What was in it, or why it cannot be used.
+  virtual void has_read(std::size_t at, Result<std::vector<Vessel>> read) = 0;
+};
+
+/// Reads a folder's entries on as many threads as there are processors, and tells `watcher` of
+/// each. A folder that cannot be listed is the Problem.
+Result<void> read_shelf(const std::filesystem::path& folder, ShelfWatcher& watcher,
+                        const settings::ReaderLimits& limits = {});
+
 /// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
 /// folder down). A file of several objects that stand apart brings each that is a vessel. Sorted by
 /// id. Reads on as many threads as there are processors. `progress(done, total, name)` is called

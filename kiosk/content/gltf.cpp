@@ -165,6 +165,8 @@ Result<void> Gatherer::add_part(int node, const std::string& name, int mesh, con
     if (auto added = add_mesh(mesh, world); !added) return added;
   part.positions = out_.mesh.positions.size() - part.first_position;
   part.triangles = out_.mesh.triangles.size() - part.first_triangle;
+  part.own_positions = part.positions;
+  part.own_triangles = part.triangles;
   part.mesh = part.triangles > 0;
   out_.parts.push_back(std::move(part));
   parents_.push_back(above);

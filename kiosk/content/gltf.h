@@ -19,6 +19,7 @@ struct GltfPart {
   std::string name;   ///< Its own, else its mesh's; may be empty.
   bool mesh = false;  ///< It carries a surface itself.
   std::size_t first_position = 0, positions = 0, first_triangle = 0, triangles = 0;
+  std::size_t own_positions = 0, own_triangles = 0;  ///< Of the node alone: the first of those.
 };
 
 /// What a glTF file holds that Onggi uses: one mesh of all nodes in world space, the file's own

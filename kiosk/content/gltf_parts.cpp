@@ -13,7 +13,7 @@ struct Extent {
 
 Extent extent_of(const GltfModel& model, const GltfPart& part) {
   Extent out;
-  for (std::size_t i = 0; i < part.positions; ++i)
+  for (std::size_t i = 0; i < part.own_positions; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const float v = model.mesh.positions[part.first_position + i][k];
       out.low[k] = i == 0 ? v : std::min(out.low[k], v);
@@ -31,29 +31,39 @@ bool touch(const Extent& a, const Extent& b) {
 
 }  // namespace
 
-TriangleMesh mesh_of(const GltfModel& model, const GltfPart& part) {
+TriangleMesh mesh_of(const GltfModel& model, const GltfPart& part, Reach reach) {
+  const bool alone = reach == Reach::alone && part.own_triangles > 0;
+  const std::size_t positions = alone ? part.own_positions : part.positions;
+  const std::size_t triangles = alone ? part.own_triangles : part.triangles;
   TriangleMesh out;
-  const auto run = [&part](const auto& all) {
+  const auto run = [&](const auto& all) {
     const auto first = all.begin() + static_cast<std::ptrdiff_t>(part.first_position);
-    return std::decay_t<decltype(all)>(first, first + static_cast<std::ptrdiff_t>(part.positions));
+    return std::decay_t<decltype(all)>(first, first + static_cast<std::ptrdiff_t>(positions));
   };
   out.positions = run(model.mesh.positions);
   if (!model.mesh.normals.empty()) out.normals = run(model.mesh.normals);
-  out.triangles.reserve(part.triangles);
+  out.triangles.reserve(triangles);
   const auto base = static_cast<std::uint32_t>(part.first_position);
-  for (std::size_t i = 0; i < part.triangles; ++i) {
+  for (std::size_t i = 0; i < triangles; ++i) {
     const auto& t = model.mesh.triangles[part.first_triangle + i];
     out.triangles.push_back({t[0] - base, t[1] - base, t[2] - base});
   }
   return out;
 }
 
-const GltfPart* find_part(const GltfModel& model, const std::string& name) {
-  for (const GltfPart& part : model.parts)
-    if (part.name == name) return &part;
-  for (const GltfPart& part : model.parts)
-    if (std::to_string(part.node) == name) return &part;
-  return nullptr;
+NamedPart find_part(const GltfModel& model, const std::string& name) {
+  const auto named = [&model](const std::string& wanted) -> const GltfPart* {
+    for (const GltfPart& part : model.parts)
+      if (part.name == wanted) return &part;
+    for (const GltfPart& part : model.parts)
+      if (std::to_string(part.node) == wanted) return &part;
+    return nullptr;
+  };
+  if (const GltfPart* part = named(name)) return {part, Reach::alone};
+  const std::string all = "/*";
+  if (name.size() > all.size() && name.compare(name.size() - all.size(), all.size(), all) == 0)
+    return {named(name.substr(0, name.size() - all.size())), Reach::all};
+  return {};
 }
 
 std::vector<const GltfPart*> separate_objects(const GltfModel& model) {

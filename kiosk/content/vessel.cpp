@@ -101,22 +101,48 @@ std::string called(const GltfPart& part) {
   return part.name.empty() ? std::to_string(part.node) : part.name;
 }
 
-void name_nodes(Vessel& vessel, const GltfModel& model, const GltfPart* whole) {
-  for (const GltfPart& part : model.parts)
-    if (part.mesh &&
-        (whole == nullptr || (part.first_triangle >= whole->first_triangle &&
-                              part.first_triangle < whole->first_triangle + whole->triangles)))
-      vessel.nodes.push_back({called(part), part.triangles});
+void name_nodes(Vessel& vessel, const GltfModel& model, const NamedPart& whole) {
+  for (const GltfPart& part : model.parts) {
+    if (!part.mesh) continue;
+    const bool within = whole.part == nullptr ||
+                        (part.first_triangle >= whole.part->first_triangle &&
+                         part.first_triangle < whole.part->first_triangle + whole.part->triangles);
+    const bool other = whole.part != nullptr && whole.part->mesh && whole.reach == Reach::alone &&
+                       &part != whole.part;
+    if (within && !other) vessel.nodes.push_back({called(part), part.own_triangles});
+  }
 }
 
-Result<Vessel> load_one(const Order& order, const GltfModel& model, const GltfPart* part) {
-  const TriangleMesh own = part == nullptr ? TriangleMesh{} : mesh_of(model, *part);
-  const TriangleMesh& mesh = part == nullptr ? model.mesh : own;
+/// "a", "b" ... of the parts that carry a surface, a dozen at most.
+std::string names_of(const std::vector<const GltfPart*>& parts) {
+  constexpr std::size_t kMost = 12;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(parts.size(), kMost); ++i)
+    names += (i == 0 ? "\"" : ", \"") + called(*parts[i]) + "\"";
+  return names + (parts.size() > kMost ? " ..." : "");
+}
+
+/// `problem` of a whole file, with what its objects are called where it has several.
+Problem with_nodes(Problem problem, const GltfModel& model) {
+  std::vector<const GltfPart*> parts;
+  for (const GltfPart& part : model.parts)
+    if (part.mesh) parts.push_back(&part);
+  if (parts.size() > 1)
+    problem.remedy += " The file holds " + std::to_string(parts.size()) +
+                      " objects: " + names_of(parts) +
+                      "; --node NAME, or node in vessel.toml, reads one alone.";
+  return problem;
+}
+
+Result<Vessel> load_one(const Order& order, const GltfModel& model, const NamedPart& named) {
+  const bool whole = named.part == nullptr;
+  const TriangleMesh own = whole ? TriangleMesh{} : mesh_of(model, *named.part, named.reach);
+  const TriangleMesh& mesh = whole ? model.mesh : own;
   std::string name = order.vessel.file.string();
-  if (part != nullptr) name += ", node \"" + called(*part) + "\"";
+  if (!whole) name += ", node \"" + called(*named.part) + "\"";
   auto vessel = measured(order, model, mesh, name);
-  if (!vessel) return vessel;
-  name_nodes(*vessel, model, part);
+  if (!vessel) return whole ? tl::unexpected<Problem>(with_nodes(vessel.error(), model)) : vessel;
+  name_nodes(*vessel, model, named);
   const auto size = true_size(size_of(*vessel), order.told, name);
   if (!size) return tl::unexpected<Problem>(size.error());
   set_upright(*vessel, mesh, *size);
@@ -124,13 +150,9 @@ Result<Vessel> load_one(const Order& order, const GltfModel& model, const GltfPa
 }
 
 Problem several_objects(const Order& order, const std::vector<const GltfPart*>& objects) {
-  std::string names;
-  for (std::size_t i = 0; i < std::min<std::size_t>(objects.size(), 12); ++i)
-    names += (i == 0 ? "\"" : ", \"") + called(*objects[i]) + "\"";
-  if (objects.size() > 12) names += " ...";
   return {order.vessel.file.string(),
           "it holds " + std::to_string(objects.size()) +
-              " objects that do not all touch: " + names + ".",
+              " objects that do not all touch: " + names_of(objects) + ".",
           "Name the one that is the vessel: --node NAME, or node = \"NAME\" in vessel.toml."};
 }
 
@@ -139,15 +161,15 @@ Result<Vessel> load_named(const Order& order, const GltfModel& model) {
   if (wanted.empty()) {
     if (const auto objects = separate_objects(model); !objects.empty())
       return tl::unexpected<Problem>(several_objects(order, objects));
-    return load_one(order, model, nullptr);
+    return load_one(order, model, {});
   }
-  if (const GltfPart* part = find_part(model, wanted)) return load_one(order, model, part);
-  std::string names;
-  for (std::size_t i = 0; i < std::min<std::size_t>(model.parts.size(), 12); ++i)
-    names += (i == 0 ? "\"" : ", \"") + called(model.parts[i]) + "\"";
+  if (const NamedPart named = find_part(model, wanted); named.part != nullptr)
+    return load_one(order, model, named);
+  std::vector<const GltfPart*> parts;
+  for (const GltfPart& part : model.parts) parts.push_back(&part);
   return problem(order.vessel.file.string(),
                  "it has no node \"" + wanted.substr(0, 80) + "\" that carries a surface.",
-                 "Name one of these: " + names + (model.parts.size() > 12 ? " ..." : "") + ".");
+                 "Name one of these: " + names_of(parts) + ".");
 }
 
 /// Letters, digits and _ of a node's name, for an id.
@@ -173,21 +195,28 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
                        std::to_string(most) + ".",
                    "Export the vessels one by one, or a few to a file.");
   std::vector<Vessel> out;
-  std::vector<const GltfPart*> parts;
+  std::vector<NamedPart> parts;
   std::string others;
   for (const GltfPart* part : objects) {
-    auto vessel = measured(order, model, mesh_of(model, *part), called(*part));
+    NamedPart named{part, Reach::all};
+    auto vessel = measured(order, model, mesh_of(model, *part, named.reach), called(*part));
+    if (!vessel && part->own_triangles < part->triangles) {  // without its bail, say
+      named.reach = Reach::alone;
+      vessel = measured(order, model, mesh_of(model, *part, named.reach), called(*part));
+    }
     if (!vessel) {
       others += (others.empty() ? "\"" : ", \"") + called(*part) + "\"";
       continue;
     }
     vessel->node = called(*part);
     vessel->id += "_" + plain(vessel->node);
+    // So that a pack made of it reads the same.
+    if (named.reach == Reach::all && part->own_triangles < part->triangles) vessel->node += "/*";
     for (const Vessel& other : out)
       if (other.id == vessel->id) vessel->id += "_" + std::to_string(part->node);
-    vessel->nodes.push_back({called(*part), part->triangles});
+    name_nodes(*vessel, model, named);
     out.push_back(std::move(*vessel));
-    parts.push_back(part);
+    parts.push_back(named);
   }
   if (out.empty()) return tl::unexpected<Problem>(several_objects(order, objects));
   if (!others.empty())
@@ -201,7 +230,7 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   const auto size = true_size(largest, order.told, order.vessel.file.string());
   if (!size) return tl::unexpected<Problem>(size.error());
   for (std::size_t i = 0; i < out.size(); ++i)
-    set_upright(out[i], mesh_of(model, *parts[i]), *size);
+    set_upright(out[i], mesh_of(model, *parts[i].part, parts[i].reach), *size);
   return out;
 }
 
@@ -263,7 +292,8 @@ Label Vessel::label(const std::string& language) const {
   for (const std::string& wanted : {language, std::string("en")})
     if (const auto found = labels.find(wanted); found != labels.end()) return found->second;
   Label made;
-  made.title = title_of(!node.empty() ? node : !given.title.empty() ? given.title : id);
+  const std::string name = node.substr(0, node.find("/*"));
+  made.title = title_of(!name.empty() ? name : !given.title.empty() ? given.title : id);
   return made;
 }
 

@@ -63,6 +63,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     kiosk->potter_ = std::move(stepped);
     kiosk->renderer_->set_full_quality(true);
     kiosk->shelf_->wait();
+    kiosk->note_shelf();
   } else {
     auto loop = std::make_unique<loop::LoopThread>();
     for (const std::string& remark : loop->remarks()) log_line(remark);
@@ -103,9 +104,6 @@ void Kiosk::begin_visit(double now) {
   world.wheel = &potter_->view();
   world.potter = potter_.get();
   if (devices_) world.devices = &devices_->news();
-  std::vector<std::string> ids;
-  for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
-  log_problems(names_of_nothing(exhibit_, ids));
   visit_ = std::make_unique<screens::Visit>(world);
   if (shelf_->cards().empty())
     visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
@@ -117,6 +115,20 @@ void Kiosk::begin_visit(double now) {
                            ? view::InputEvent::Kind::key_up
                            : view::InputEvent::Kind::pointer_up;
   visit_->input(*early_touch_, now);
+}
+
+/// The rest of the shelf may still be read while the first visitor is here.
+bool Kiosk::look_at_shelf(double now) {
+  const bool complete = shelf_->complete();
+  const bool ready = shelf_->look(now);
+  if (!complete && shelf_->complete()) note_shelf();
+  return ready;
+}
+
+void Kiosk::note_shelf() {
+  std::vector<std::string> ids;
+  for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
+  log_problems(names_of_nothing(exhibit_, ids));
 }
 
 void Kiosk::advance(int ticks) {
@@ -136,7 +148,7 @@ void Kiosk::look_after_devices(double now) {
 bool Kiosk::frame(double now, bool draw) {
   bool open = true;
   const auto events = renderer_->poll();
-  if (!visit_ && shelf_->ready()) begin_visit(now);
+  if (look_at_shelf(now) && !visit_) begin_visit(now);
   for (const view::InputEvent& event : events) {
     if (event.kind == view::InputEvent::Kind::close) open = false;
     if (visit_)
@@ -179,7 +191,7 @@ view::Image Kiosk::picture() {
 }
 
 view::Frame Kiosk::opening_frame() const {
-  const Shelf::Progress progress = shelf_->progress();
+  const Arrivals::Progress progress = shelf_->progress();
   return make_opening_frame(languages_.front(), renderer_->width(), renderer_->height(),
                             progress.done, progress.total);
 }

@@ -76,12 +76,14 @@ class Kiosk {
   const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
   const std::optional<KeptVisit>& kept() const { return kept_; }
   bool saving() const { return keepsakes_->busy(); }
-  /// The shelf is read and attract has begun.
+  /// A vessel of the shelf is read and attract has begun.
   bool open_to_visitors() const { return visit_ != nullptr; }
 
  private:
   Kiosk() = default;
   Result<void> read_settings(const KioskOptions& options);
+  bool look_at_shelf(double now);
+  void note_shelf();
   void begin_visit(double now);
   void carry_out(const screens::StartPot& request);
   void carry_out(const screens::MakeKeepsake& request);

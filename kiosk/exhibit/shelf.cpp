@@ -1,6 +1,6 @@
 #include "kiosk/exhibit/shelf.h"
 
-#include <chrono>
+#include <functional>
 #include <utility>
 
 #include "engine/scene/lump.h"
@@ -14,69 +14,61 @@ namespace {
 
 constexpr int kPictureWidth = 480, kPictureHeight = 600;
 
-struct Counters {
-  std::atomic<int>* done;
-  std::atomic<int>* total;
-};
-
-content::Catalogue read_shelf(const fs::path& path, Counters counters,
-                              settings::ReaderLimits limits) {
+void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limits) {
   std::error_code ignored;
   const bool one = fs::is_regular_file(path, ignored) || fs::exists(path / "vessel.toml", ignored);
-  if (!one)
-    return content::open_shelf(
-        path,
-        [](int done, int total, const std::string&, void* user) {
-          const auto* to = static_cast<Counters*>(user);
-          to->total->store(total);
-          to->done->store(done);
-        },
-        &counters, limits);
-  content::Catalogue catalogue;
-  content::LoadOptions options;
-  options.limits = limits;
-  if (auto vessels = content::load_vessels(path, options))
-    catalogue.vessels = std::move(*vessels);
-  else
-    catalogue.problems.push_back(vessels.error());
-  return catalogue;
+  if (one) {
+    arrivals.begins(0, 1, path.filename().string());
+    content::LoadOptions options;
+    options.limits = limits;
+    arrivals.has_read(0, content::load_vessels(path, options));
+  } else if (auto good = content::read_shelf(path, arrivals, limits); !good) {
+    arrivals.begins(0, 1, path.filename().string());
+    arrivals.has_read(0, tl::unexpected<Problem>(good.error()));
+  }
+  arrivals.finish();
 }
 
 }  // namespace
 
 Shelf::Shelf(const fs::path& path, const Scenes& scenes, const settings::ReaderLimits& limits)
     : scenes_(scenes),
-      reading_(
-          std::async(std::launch::async, read_shelf, path, Counters{&done_, &total_}, limits)) {}
+      reading_(std::async(std::launch::async, read, path, std::ref(arrivals_), limits)) {}
 
 Shelf::~Shelf() = default;
 
-bool Shelf::ready() {
-  if (!reading_.valid()) return true;
-  if (reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-  fill_cards();
-  return true;
+bool Shelf::look(double now) {
+  if (!complete_) take(now);
+  return complete_ || !cards_.empty();
 }
 
 void Shelf::wait() {
-  if (reading_.valid()) fill_cards();
+  if (reading_.valid()) reading_.get();
+  look(0.0);
 }
 
-void Shelf::fill_cards() {
-  catalogue_ = reading_.get();
-  log_problems(catalogue_.problems);
-  log_line("The shelf holds " + std::to_string(catalogue_.vessels.size()) + " vessels; " +
-           std::to_string(catalogue_.problems.size()) + " could not be used.");
-  cards_.reserve(catalogue_.vessels.size());
-  for (const content::Vessel& vessel : catalogue_.vessels) {
-    screens::ShelfCard card;
-    card.vessel = &vessel;
-    const Profile& own = vessel.extracted.profile;
-    card.scale = workspace_scale(own);
-    card.target = scaled(own, card.scale);
-    card.wheel = scenes_.wheel_of(vessel.id);
-    cards_.push_back(std::move(card));
+void Shelf::take(double now) {
+  for (Arrivals::Read& read : arrivals_.take(now)) {
+    if (!read) {
+      problems_.push_back(read.error());
+      log_problem(read.error());
+      continue;
+    }
+    for (content::Vessel& vessel : *read) {
+      vessels_.push_back(std::move(vessel));
+      screens::ShelfCard card;
+      card.vessel = &vessels_.back();
+      const Profile& own = card.vessel->extracted.profile;
+      card.scale = workspace_scale(own);
+      card.target = scaled(own, card.scale);
+      card.wheel = scenes_.wheel_of(card.vessel->id);
+      cards_.push_back(std::move(card));
+    }
   }
+  complete_ = arrivals_.over();
+  if (complete_)
+    log_line("The shelf holds " + std::to_string(cards_.size()) + " vessels; " +
+             std::to_string(problems_.size()) + " could not be used.");
 }
 
 bool Shelf::draw_next_picture(render::Renderer& renderer) {

@@ -1,20 +1,21 @@
 #pragma once
 
-#include <atomic>
+#include <deque>
 #include <filesystem>
 #include <future>
 #include <string>
 #include <vector>
 
-#include "kiosk/content/catalogue.h"
+#include "kiosk/exhibit/arrivals.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/render/renderer.h"
 #include "kiosk/screens/visit.h"
 
 namespace onggi::exhibit {
 
-/// The shelf while it is being opened and after: vessels read on a worker, their pictures drawn on
-/// the main thread a few at a time, so that the first pot turns before the last picture is made.
+/// The shelf while it is being opened and after: vessels read on a worker and shown as they come,
+/// their pictures drawn on the main thread one at a time, so that the first pot turns before the
+/// last vessel is read.
 class Shelf {
  public:
   /// Starts reading `path` (a shelf folder, a pack, or a single GLB/glTF) on a worker.
@@ -23,29 +24,31 @@ class Shelf {
         const settings::ReaderLimits& limits = {});
   ~Shelf();
 
-  struct Progress {
-    int done = 0, total = 0;
-  };
-  Progress progress() const { return {done_.load(), total_.load()}; }
+  Arrivals::Progress progress() const { return arrivals_.progress(); }
 
-  /// True once the vessels are there; logs what did not load, once, and fills cards().
-  bool ready();
-  /// Waits for ready().
+  /// Takes what has been read into cards(), which only grows, at its end; logs what did not load.
+  /// Call once a frame; `now` in seconds. True once there is a vessel, or nothing more to come.
+  bool look(double now);
+  /// Nothing more will come, and what was wrong is all in problems().
+  bool complete() const { return complete_; }
+  /// Waits until complete().
   void wait();
   const std::vector<screens::ShelfCard>& cards() const { return cards_; }
-  const std::vector<Problem>& problems() const { return catalogue_.problems; }
+  const std::vector<Problem>& problems() const { return problems_; }
 
   /// Draws the next missing picture; false when none is missing.
   bool draw_next_picture(render::Renderer& renderer);
 
  private:
-  void fill_cards();
+  void take(double now);
 
   const Scenes& scenes_;
-  std::atomic<int> done_{0}, total_{0};
-  std::future<content::Catalogue> reading_;
-  content::Catalogue catalogue_;
+  Arrivals arrivals_;
+  std::future<void> reading_;
+  std::deque<content::Vessel> vessels_;  // stay where they are: cards point at them
+  std::vector<Problem> problems_;
   std::vector<screens::ShelfCard> cards_;
+  bool complete_ = false;
 };
 
 }  // namespace onggi::exhibit

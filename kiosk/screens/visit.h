@@ -86,7 +86,7 @@ struct VisitWorld {
   const settings::Exhibit* exhibit = nullptr;
   const std::vector<content::Language>* languages =
       nullptr;                                    ///< In the exhibit's order, at least one.
-  const std::vector<ShelfCard>* shelf = nullptr;  ///< May grow until the first choose.
+  const std::vector<ShelfCard>* shelf = nullptr;  ///< May grow, at its end.
   const view::TextMeasure* measure = nullptr;
   const loop::WheelView* wheel = nullptr;
   loop::PotterCommands* potter = nullptr;

@@ -48,7 +48,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& t : model->mesh.triangles)
     for (const std::uint32_t corner : t)
       if (corner >= model->mesh.positions.size()) std::abort();
-  for (const auto& part : model->parts) onggi::content::mesh_of(*model, part);
+  for (const auto& part : model->parts)
+    for (const auto reach : {onggi::content::Reach::alone, onggi::content::Reach::all})
+      onggi::content::mesh_of(*model, part, reach);
   onggi::content::separate_objects(*model);
   if (model->mesh.triangles.size() > 20'000) return 0;
   const auto found = onggi::extract_profile(model->mesh, {}, "fuzz");

@@ -5,8 +5,9 @@
 
 #include <limits>
 
+#include "engine/profile/axis.h"
 #include "engine/profile/measures.h"
-#include "tests/engine/profile/poses.h"
+#include "tests/engine/profile/mean_shapes.h"
 
 namespace onggi {
 namespace {
@@ -166,6 +167,23 @@ TEST(Extraction, what_is_not_turned_is_refused_by_name) {
   TriangleMesh point = revolve(section_of(shapes::jar()), 16);
   for (auto& p : point.positions) p = {0, 0, 0};
   EXPECT_NE(refused(point).find("no extent"), std::string::npos);
+}
+
+TEST(Extraction, a_heap_of_loose_triangles_is_refused_before_an_axis_is_sought) {
+  const auto found = extract_profile(shapes::soup(5000, 3), {}, "heap");
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error().what.find("heap of loose triangles"), std::string::npos)
+      << found.error().what;
+  // A vessel whose triangles share no corner is none.
+  TriangleMesh loose, whole = revolve(section_of(shapes::jar()), 96);
+  for (const auto& t : whole.triangles) {
+    const auto n = static_cast<std::uint32_t>(loose.positions.size());
+    for (const std::uint32_t i : t) loose.positions.push_back(whole.positions[i]);
+    loose.triangles.push_back({n, n + 1, n + 2});
+  }
+  EXPECT_TRUE(extract_profile(loose, {}, "loose"));
+  EXPECT_EQ(extraction::surfaces_met(loose), extraction::surfaces_met(whole));
+  EXPECT_LT(extraction::surfaces_met(shapes::teapot(0.1)), 8);
 }
 
 TEST(Extraction, the_same_mesh_gives_the_same_bits) {

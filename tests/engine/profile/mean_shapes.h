@@ -92,6 +92,58 @@ inline TriangleMesh tube(double height, double outer, double inner) {
   return mesh;
 }
 
+/// A pot of 0.2 m whose rim is folded outwards and down: air between skirt and wall from 0.15 m to
+/// 0.185 m. Inside it runs straight from 0.088 m at 0.012 m to 0.094 m at the rim.
+inline TriangleMesh skirted_pot() {
+  Section s;
+  s.outline = {{0, 0},         {0.090, 0},     {0.100, 0.185}, {0.108, 0.185}, {0.108, 0.150},
+               {0.113, 0.150}, {0.113, 0.200}, {0.094, 0.200}, {0.088, 0.012}, {0, 0.012}};
+  return revolve(s, 96);
+}
+
+/// A crock of 0.2 m with a collar round its neck that holds water, open upwards from 0.165 m to its
+/// rim at 0.190 m. Its inside is a cylinder of 0.09 m.
+inline TriangleMesh moated_crock() {
+  Section s;
+  s.outline = {{0, 0},         {0.095, 0},     {0.100, 0.150}, {0.120, 0.155},
+               {0.120, 0.190}, {0.115, 0.190}, {0.115, 0.165}, {0.097, 0.165},
+               {0.097, 0.200}, {0.090, 0.200}, {0.090, 0.012}, {0, 0.012}};
+  return revolve(s, 96);
+}
+
+/// lidded_pot() with the hollow inside that a modeller made and no eye sees: walls 5 mm thick, the
+/// floor at 0.02 m, the lid's underside at kTall.
+inline TriangleMesh hollow_lidded_pot() {
+  Section inside;
+  inside.outline = {{0, 0.02}};
+  for (const ProfilePoint& p : resampled(pot_body(), 40).points)
+    if (p.height >= 0.02) inside.outline.push_back({p.outer - 0.005, p.height});
+  inside.outline.push_back({0, kTall});
+  TriangleMesh air = revolve(inside, 96);
+  for (auto& t : air.triangles) std::swap(t[1], t[2]);
+  return joined(lidded_pot(0.05), air);
+}
+
+/// A bowl of 0.09 m outer radius on a solid stem; its floor lies at 0.11 m of 0.18 m.
+inline TriangleMesh goblet() {
+  Section s;
+  s.outline = {{0, 0},         {0.045, 0},     {0.045, 0.005}, {0.010, 0.020}, {0.010, 0.100},
+               {0.060, 0.115}, {0.085, 0.140}, {0.090, 0.180}, {0.086, 0.180}, {0.080, 0.144},
+               {0.055, 0.120}, {0.020, 0.110}, {0, 0.110}};
+  return revolve(s, 96);
+}
+
+/// `count` loose triangles with corners anywhere in a cube of a metre.
+inline TriangleMesh soup(std::uint32_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> anywhere(-0.5f, 0.5f);
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 3 * count; ++i)
+    mesh.positions.push_back({anywhere(random), anywhere(random), anywhere(random)});
+  for (std::uint32_t i = 0; i < count; ++i) mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  return mesh;
+}
+
 /// On its head: y down.
 inline TriangleMesh overturned(const TriangleMesh& mesh) {
   return moved(mesh, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {}});

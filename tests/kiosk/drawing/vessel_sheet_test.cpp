@@ -82,6 +82,7 @@ TEST(VesselSheet, a_wall_that_was_not_seen_is_drawn_as_inferred_and_one_that_was
   content::Vessel bare;
   bare.id = "jar";
   bare.file = "jar.glb";
+  bare.size_from = content::SizeFrom::guess;
   bare.mesh = revolve(section_of(solid), 64);
   bare.extracted = *extract_profile(bare.mesh, {}, "jar");
   const VesselSheet sheet = sheet_of(bare);
