@@ -27,6 +27,8 @@ class PointerLead {
 
   PointerLead(WallHold::Part broad, WallHold::Part fine) : hold_(broad, fine) {}
 
+  /// What the hands hold from the next time they are set down: as the constructor's.
+  void take_up(WallHold::Part broad, WallHold::Part fine) { hold_ = WallHold(broad, fine); }
   /// `at`: x right of the axis, y height, metres (Camera::on_axis_plane).
   void grab(Vec2 at, const ClayView& clay, Grip grip);
   void drag(Vec2 at);
@@ -44,6 +46,8 @@ class PointerLead {
 
   /// The hands work.
   bool active() const { return active_; }
+  /// One of them works inside the pot.
+  bool inside() const { return active_ && hands_.inside.there; }
   /// The pointer is down.
   bool grabbed() const { return grabbed_; }
   double height() const { return at_.height; }

@@ -52,7 +52,9 @@ void WallHold::take(const ClayView& clay, Grip grip, double height) {
 }
 
 double WallHold::lowest(const ClayView& clay) const {
-  return grip_ == Grip::inside ? clay.floor_top() + kFloat * inner_.radius : kFloat * broad_.radius;
+  return grip_ == Grip::inside          ? clay.floor_top() + kFloat * inner_.radius
+         : broad_.below > broad_.radius ? broad_.below + kSpare
+                                        : kFloat * broad_.radius;
 }
 
 double WallHold::highest(const ClayView& clay) const {

@@ -17,10 +17,12 @@ enum class Grip : std::uint8_t { both, outside, inside };
 /// allocates nothing.
 class WallHold {
  public:
-  /// What a hand works with: HandInput::tool, and the radius of that ball, m.
+  /// What a hand works with: HandInput::tool, and the radius of that ball, m; of another tool, how
+  /// far the face it works is from its middle, and how far it reaches down (0: as a ball).
   struct Part {
     std::uint8_t tool = 0;
     double radius = 0.008;
+    double below = 0;
   };
   struct Stand {
     bool there = false;

@@ -14,7 +14,17 @@
 namespace onggi::exhibit {
 namespace {
 
+constexpr double kAway = 0.5;          // m from the axis and the wheel: any tool has room there
 constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
+
+/// In the order in which a pot needs them; the wire last, as it ends the throwing.
+std::size_t place_in_tray(std::string_view tool) {
+  constexpr std::string_view kOrder[] = {"palm",       "fingertip",    "sponge", "flat_rib",
+                                         "curved_rib", "loop_trimmer", "needle"};
+  return static_cast<std::size_t>(std::find(std::begin(kOrder), std::end(kOrder), tool) -
+                                  std::begin(kOrder)) +
+         (tool == "wire" ? 1 : 0);
+}
 
 }  // namespace
 
@@ -111,7 +121,16 @@ screens::Wheel Scenes::wheel_of(const std::string& id) const {
       wheel.rib = screens::Wheel::Rib{tool, size.length, size.thickness};
     if (shape.name == "loop_trimmer") wheel.trimmer = screens::Wheel::Trimmer{tool, size.radius};
     if (shape.severs()) wheel.wire = tool;
+    const Vec3 at{kAway, kAway, 0};
+    const ToolPlace held = hold_tool(shape, at, {}, 0.0, false);
+    const body::Ball inmost = shape.support(held, size, {-1, 0, 0});
+    const body::Ball lowest = shape.support(held, size, {0, -1, 0});
+    wheel.tools.push_back({tool, def.tools[n].name, kAway - inmost.middle.x + inmost.radius,
+                           kAway - lowest.middle.y + lowest.radius});
   }
+  std::stable_sort(wheel.tools.begin(), wheel.tools.end(), [](const auto& a, const auto& b) {
+    return place_in_tray(a.name) < place_in_tray(b.name);
+  });
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);
         info != nullptr && (info->needs.target || shows_its_effect(*info, def)))

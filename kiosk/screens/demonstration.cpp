@@ -12,9 +12,7 @@ constexpr double kWetting = 0.7;        // s of the sponge, at first and every t
 constexpr double kBreath = 0.5;         // s between two strokes
 constexpr double kNearEnough = 0.0013;  // m
 constexpr int kMostStrokes = 16;
-constexpr double kWireSpeed = 0.08;   // m/s
-constexpr double kWireHigh = 0.0015;  // m over the wheel head
-constexpr double kStand = 2.5;        // s in which the wheel comes to rest
+constexpr double kStand = 2.5;  // s in which the wheel comes to rest
 }  // namespace
 
 Demonstration::Demonstration(const Wheel& wheel, bool left_handed)
@@ -22,6 +20,7 @@ Demonstration::Demonstration(const Wheel& wheel, bool left_handed)
       hands_({wheel.palm, wheel.palm_radius}, {0, wheel.tool_radius}),
       side_(left_handed ? -1 : 1) {
   if (wheel.rib) rib_.emplace(wheel.rib->tool, wheel.rib->length, wheel.rib->thickness);
+  if (wheel.wire) wire_.emplace(*wheel.wire);
   if (wheel.trimmer) trimmer_.emplace(wheel.trimmer->tool, wheel.trimmer->radius);
 }
 
@@ -89,29 +88,16 @@ void Demonstration::next_stage(const loop::WheelView& wheel, const Profile& targ
   }
 }
 
-void Demonstration::draw_wire(double dt, const loop::WheelView& wheel, Vec3 right,
-                              loop::PotterCommands& potter) {
-  const double beyond = wheel.clay.radius_at(0.01, WallSide::outside) + 0.03;
-  if (for_ == 0) wire_ = beyond;
-  for_ += dt;
-  wire_ -= kWireSpeed * dt;
-  HandInput hand;
-  hand.active = wire_ > -beyond;
-  hand.side = SideWish::outside;
-  hand.tool = *wheel_.wire;
-  hand.position = {right.x * wire_, kWireHigh, right.z * wire_};
-  hand.handle = {-right.z, 0, right.x};
-  potter.hand(0, hand);
-  if (!hand.active) enter(Stage::done);
-}
-
 void Demonstration::update(double dt, const loop::WheelView& wheel, const Profile& target,
                            Vec3 right, loop::PotterCommands& potter) {
   if (wheel.clay.rows() == 0 || done()) return;
-  if (stage_ == Stage::wire) return draw_wire(dt, wheel, right, potter);
+  if (stage_ == Stage::wire) {
+    if (wire_->update(dt, wheel, right, potter)) enter(Stage::done);
+    return;
+  }
   if (stage_ == Stage::stand) {
     for_ += dt;
-    if (for_ > kStand) enter(wheel_.wire ? Stage::wire : Stage::done);
+    if (for_ > kStand) enter(wire_ ? Stage::wire : Stage::done);
     return;
   }
   double widest = 0;

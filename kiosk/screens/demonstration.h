@@ -9,6 +9,7 @@
 #include "kiosk/loop/potter.h"
 #include "kiosk/loop/wheel_view.h"
 #include "kiosk/screens/visit.h"
+#include "kiosk/screens/wire_cut.h"
 
 namespace onggi::screens {
 
@@ -37,17 +38,16 @@ class Demonstration {
   void next_stage(const loop::WheelView& wheel, const Profile& target);
   void throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
                 loop::PotterCommands& potter);
-  void draw_wire(double dt, const loop::WheelView& wheel, Vec3 right, loop::PotterCommands& potter);
 
   Wheel wheel_;
   device::PointerLead hands_;
   device::GhostFinger finger_;
   std::optional<device::RibPass> rib_;
   std::optional<device::TrimPass> trimmer_;
+  std::optional<WireCut> wire_;
   double side_;  ///< +1 right of the axis, -1 left.
   Stage stage_ = Stage::wet;
   double for_ = 0;    ///< s in the stage, or since the last stroke.
-  double wire_ = 0;   ///< m of the wire's middle from the axis.
   double turns_ = 0;  ///< rad/s, as the wheel was last asked.
   int strokes_ = 0;
   bool water_ = false;

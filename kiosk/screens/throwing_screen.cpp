@@ -9,10 +9,14 @@
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
 #include "kiosk/screens/target_line.h"
+#include "kiosk/screens/throwing_controls.h"
+#include "kiosk/screens/tool_tray.h"
+#include "kiosk/screens/wire_cut.h"
 
 namespace onggi::screens {
 
 using device::Grip;
+using device::WallHold;
 using view::Face;
 using view::InputEvent;
 using view::Key;
@@ -23,6 +27,7 @@ constexpr double kFirstSpeed =
     25.0;                           // rad/s: some 240 turns a minute, so that touch works at once.
 constexpr double kSpeedStep = 2.5;  // rad/s
 constexpr double kNotch = 0.002;    // m a scroll notch or a key press.
+constexpr double kLookIn = 0.8;     // s that the pot stays cut away after a hand was inside.
 constexpr double kSoakHold = 0.6;   // s: a press this long on Water is a sponge held, not a switch.
 
 /// The wheel, the clay and the visitor's hand.
@@ -46,10 +51,15 @@ class Throwing final : public Screen {
       desk.world.potter->water(water_);
     }
     if (done_) return finish();
+    // Cut free, by whatever wire: there is nothing more to throw.
+    if (desk.status.feedback.cut_free >= 1 && !cut_off_) return finish();
+    if (cut_off_) draw_wire(dt);
     look_for_mishaps();
     const ShelfCard* card = desk.shelf_card(desk.card);
     const Profile* target = card != nullptr ? &card->target : nullptr;
-    picture_.update(desk, dt, target, cut_, hand_.grabbed());
+    inside_until_ = hand_.inside() ? desk.now + kLookIn : inside_until_;
+    picture_.update(desk, dt, target, cut_chosen_ ? cut_ : cut_ || desk.now < inside_until_,
+                    hand_.grabbed());
 
     bool contact = false;
     for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
@@ -75,7 +85,9 @@ class Throwing final : public Screen {
   }
 
   void lay_out(Page& page) override {
+    picture_.leave_room(ToolTray::room(desk.wheel(), page.type()));
     camera_ = picture_.camera(page);
+    if (!mishap_) ToolTray::lay_out(page, desk, held_);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
       draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press; press && !hand_.grabbed() && !mishap_)
@@ -85,14 +97,15 @@ class Throwing final : public Screen {
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap);
-    lay_out_tools(page, column);
+    const bool back = desk.status.can_restore && !mishap_;  // After a mishap it stands above.
+    lay_out_controls(page, column, desk, {speed_, grip(), water_, cut_, back});
     column.foot_space(t.gap);
 
     column.text(desk.label(desk.card).title, t.body, Face::serif, view::kFaintInk);
     if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
       column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
     column.space(t.gap * 0.5f);
-    if (mishap_) return lay_out_mishap(column, t);
+    if (mishap_) return lay_out_mishap(column, t, desk, mishap_.now());
     // The longest hint's room is kept, so that the controls never move under a finger.
     const auto style = page.style(Face::sans, t.lead);
     const view::Rect room = column.rest();
@@ -132,6 +145,8 @@ class Throwing final : public Screen {
       mishap_.go_back(desk);
     } else if (control == "throw.done") {
       finish();
+    } else if (const auto tool = ToolTray::of_control(control)) {
+      take_up(*tool);
     } else {
       desk.force.press(control);
     }
@@ -156,14 +171,14 @@ class Throwing final : public Screen {
 
   void pointer(const InputEvent& e, const Page& page) override {
     menu_ = false;
-    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
+    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     const Vec2 at = camera_.on_axis_plane(e.x, e.y);
     switch (e.kind) {
       case InputEvent::Kind::pointer_down:
         if (page.where().words.contains(e.x, e.y)) return;
         mishap_.stay();
         let_go();  // Hands that still finish a stroke would go to the next through the pot.
-        hand_.grab(at, desk.world.wheel->clay, grip_);
+        hand_.grab(at, desk.world.wheel->clay, grip());
         break;
       case InputEvent::Kind::pointer_move:
         if (!hand_.grabbed()) return;
@@ -248,9 +263,37 @@ class Throwing final : public Screen {
   }
   void hold_with(Grip grip) {
     grip_ = grip;
+    if (grip == Grip::both) take_up(0);
     // Inside a closed wall nobody sees a hand that works alone.
     if (!cut_chosen_) cut_ = grip_ == Grip::inside;
     let_go();
+  }
+  /// A tool is one hand's.
+  Grip grip() const { return held_ > 0 && grip_ == Grip::both ? Grip::outside : grip_; }
+  void take_up(std::size_t which) {
+    const Wheel wheel = desk.wheel();
+    if (which > wheel.tools.size() || cut_off_) return;
+    let_go();
+    const WallHold::Part fine{0, wheel.tool_radius};
+    if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
+      desk.world.potter->wheel(0);
+      set_water(false);
+      cut_off_.emplace(*wheel.wire);
+      return;
+    }
+    held_ = which;
+    if (which == 0) return hand_.take_up({wheel.palm, wheel.palm_radius}, fine);
+    const Wheel::Tool& tool = wheel.tools[which - 1];
+    hand_.take_up({tool.tool, tool.reach, tool.below}, fine);
+  }
+  /// The wheel comes to rest, the wire passes under the pot, and the pot is done.
+  void draw_wire(double dt) {
+    if (!desk.pot_ready() || std::abs(desk.status.feedback.wheel_speed) > 0.5) return;
+    Vec3 right, up, back;
+    camera_.basis(right, up, back);
+    if (!cut_off_->update(dt, *desk.world.wheel, right, *desk.world.potter)) return;
+    cut_off_.reset();
+    finish();
   }
   void send_wheel() { desk.world.potter->wheel(desk.screen().left_handed ? -speed_ : speed_); }
   void set_water(bool on) {
@@ -259,13 +302,13 @@ class Throwing final : public Screen {
   }
 
   void move_by_keys(double outward, double up) {
-    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
+    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     menu_ = false;
     mishap_.stay();
     if (hand_.active())
       hand_.move(outward, up);
     else
-      hand_.begin_by_keys(desk.world.wheel->clay, grip_, key_sign());
+      hand_.begin_by_keys(desk.world.wheel->clay, grip(), key_sign());
     send_hand();
   }
 
@@ -300,76 +343,20 @@ class Throwing final : public Screen {
     set_water(false);
   }
 
-  void lay_out_mishap(Column& column, const TypeScale& t) const {
-    const bool fell = mishap_.now() == Mishap::fell;
-    column.text(desk.say(fell ? "throw.fallen" : "throw.torn"), t.lead);
-    column.space(t.gap);
-    if (!fell) {
-      const bool thin = mishap_.now() == Mishap::tore_thin;
-      column.text(desk.say(thin ? "throw.torn_thin" : "throw.torn_wide"), t.body);
-      column.space(t.gap);
-    }
-    const std::string back = desk.say(fell ? "throw.before_fall" : "throw.before_tear");
-    if (desk.status.can_restore) column.buttons({{"throw.restore", back, Look::solid}});
-  }
-
-  void lay_out_tools(Page& page, Column& column) const;
-
   PotPicture picture_;
   HintLine hint_;
   MishapWatch mishap_;
   device::PointerLead hand_;
+  std::size_t held_ = 0;  ///< Of the tray: 0 the hands.
+  std::optional<WireCut> cut_off_;
   view::Camera camera_;
   double speed_;
   Grip grip_ = Grip::both;
   bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
        menu_ = false, done_ = false;
-  double soaked_at_ = -1, dry_ = 0;
+  double soaked_at_ = -1, dry_ = 0, inside_until_ = -1;
   std::uint32_t serial_ = 0;
 };
-
-/// From the foot up: done, the clay, the wheel, the hand.
-void Throwing::lay_out_tools(Page& page, Column& column) const {
-  const TypeScale& t = page.type();
-  const auto rpm = [&](double speed) {
-    const auto turns = static_cast<int>(std::lround(speed * 60.0 / (2 * 3.14159265358979)));
-    return desk.say("throw.rpm", {{"rpm", std::to_string(turns)}});
-  };
-  const std::string hand = desk.say("throw.hand"), wheel = desk.say("throw.wheel"),
-                    clay = desk.say("throw.clay"), force = desk.say("throw.force");
-  const std::vector<Button> feels = desk.force.buttons(desk);
-  float captions = 0;
-  for (const std::string& words : {hand, wheel, clay, feels.empty() ? clay : force})
-    captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
-
-  column.foot_buttons({{"throw.done", desk.say("throw.done"), Look::solid}});
-  column.foot_space(t.gap);
-  column.foot_buttons(
-      {{"throw.water", desk.say("throw.water"), water_ ? Look::solid : Look::outline},
-       {"throw.cut", desk.say("throw.cut"), cut_ ? Look::solid : Look::outline},
-       {"throw.renew", desk.say("throw.renew"), Look::outline}},
-      clay, captions);
-  column.foot_space(t.gap);
-  column.foot_buttons({{"throw.slower", desk.say("throw.slower"), Look::outline},
-                       {"", rpm(speed_), Look::plain, rpm(desk.wheel().max_speed)},
-                       {"throw.faster", desk.say("throw.faster"), Look::outline}},
-                      wheel, captions);
-  column.foot_space(t.gap);
-  if (!feels.empty()) {
-    column.foot_buttons(feels, force, captions);
-    column.foot_space(t.gap);
-  }
-  const bool back = desk.status.can_restore && !mishap_;  // After a mishap it stands above.
-  const auto grip = [&](const char* id, Grip which) {
-    return Button{id, desk.say(id), grip_ == which ? Look::solid : Look::outline};
-  };
-  column.foot_buttons({grip("throw.both", Grip::both),
-                       grip("throw.outside", Grip::outside),
-                       grip("throw.inside", Grip::inside),
-                       {back ? "throw.restore" : "", desk.say("throw.restore"),
-                        back ? Look::outline : Look::plain}},
-                      hand, captions);
-}
 
 }  // namespace
 

@@ -50,6 +50,14 @@ struct Wheel {
   };
   std::optional<Trimmer> trimmer;    ///< Likewise the loop trimmer,
   std::optional<std::uint8_t> wire;  ///< and the wire.
+  /// A tool that lies to hand, as a hand works with it.
+  struct Tool {
+    std::uint8_t tool = 0;  ///< HandInput::tool.
+    std::string name;       ///< Of its shape: "flat_rib"; "tool.flat_rib" in the languages.
+    double reach = 0;       ///< m from the middle of its working part to the face it works,
+    double below = 0;       ///< and down to its lowest point.
+  };
+  std::vector<Tool> tools;  ///< All of the scene's, in the order of the tray.
   std::optional<Kiln> kiln;
   std::vector<std::string> shown{"follow"};  ///< Scripts of attract mode, pot by pot; at least one.
   bool keeps_clay = false;  ///< What is pressed away goes elsewhere, and the pot gets higher by it.
@@ -140,7 +148,8 @@ class Visit {
   ///             "choose.more" (a long label read on), "back" to the shelf
   ///   throw     "throw.both", "throw.outside", "throw.inside", "throw.slower", "throw.faster",
   ///             "throw.water", "throw.cut", "throw.renew", "throw.restore" (while there is a
-  ///             stroke to take back), "throw.done"; with a device that pushes "throw.softer",
+  ///             stroke to take back), "throw.done", "throw.tool.N" (0 the hands, then the
+  ///             scene's; the wire ends the throwing); with a device that pushes "throw.softer",
   ///             "throw.stronger"
   ///   result    "result.keep", "result.again", "result.other"
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)

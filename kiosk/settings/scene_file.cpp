@@ -1,5 +1,6 @@
 #include "kiosk/settings/scene_file.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
@@ -25,7 +26,10 @@ class SceneReader {
   void read() {
     read_quality();
     read_clay(def_.clay);
-    read_table("tool", [&] { number("radius", def_.tool.radius); });
+    read_table("tool", [&] {
+      number("radius", def_.tool.radius);
+      read_to_hand();
+    });
     for (ToolToHand& tool : def_.tools) read_tool(tool);
     read_table("contact", [&] {
       number("relaxation_time", def_.contact.relaxation_time);
@@ -122,6 +126,25 @@ class SceneReader {
     table_.complain("body", "\"" + name + "\" is no clay body.",
                     nearest.empty() ? "Write one of " + listed + "."
                                     : "Write " + nearest + ", if that is meant.");
+  }
+  /// The tools that lie there, by name; all where the scene names none. The order is the engine's.
+  void read_to_hand() {
+    std::vector<std::string> named;
+    if (!table_.texts("to_hand", named)) return;
+    std::vector<std::string> all;
+    for (const ToolToHand& tool : def_.tools) all.push_back(tool.name);
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      if (std::find(all.begin(), all.end(), named[i]) != all.end()) continue;
+      const std::string nearest = nearest_name(named[i], all);
+      std::string listed;
+      for (const std::string& name : all) listed += (listed.empty() ? "" : ", ") + name;
+      table_.complain_at("to_hand", i, "\"" + named[i] + "\" is no tool.",
+                         nearest.empty() ? "Write some of " + listed + "."
+                                         : "Write " + nearest + ", if that is meant.");
+    }
+    std::erase_if(def_.tools, [&](const ToolToHand& tool) {
+      return std::find(named.begin(), named.end(), tool.name) == named.end();
+    });
   }
   void read_tool(ToolToHand& tool) {
     read_table(tool.name, [&] {

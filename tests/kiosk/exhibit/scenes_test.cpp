@@ -67,5 +67,23 @@ TEST_F(TunedScenes, WhatIsRememberedHoldsAtOnceAndAFixedSceneStaysAsItIsWritten)
   EXPECT_EQ(fixed.of("").clay.rows, 321);
 }
 
+// Sizes of engine/docs/tools.md: half a rib's thickness, the radius of what is round.
+TEST(Scenes, ToolsLieInTheOrderOfTheWorkAndReachAsFarAsTheyAreMade) {
+  settings::Exhibit exhibit;
+  exhibit.scene = "config/scenes/studio.toml";
+  const screens::Wheel wheel = Scenes(exhibit).wheel_of("");
+  std::string order;
+  for (const auto& tool : wheel.tools) order += tool.name + " ";
+  EXPECT_EQ(order, "palm fingertip sponge flat_rib curved_rib loop_trimmer needle wire ");
+  const auto reach = [&](std::size_t n) { return wheel.tools[n].reach; };
+  EXPECT_NEAR(reach(0), 0.018, 1e-9);
+  EXPECT_NEAR(reach(1), 0.008, 1e-9);
+  EXPECT_NEAR(reach(2), 0.030, 1e-9);
+  EXPECT_NEAR(reach(3), 0.0015, 1e-9);
+  EXPECT_NEAR(wheel.tools[3].below, 0.045, 1e-9);
+  EXPECT_NEAR(reach(6), 0.0006, 1e-9);
+  EXPECT_EQ(wheel.tools[7].tool, *wheel.wire);
+}
+
 }  // namespace
 }  // namespace onggi::exhibit

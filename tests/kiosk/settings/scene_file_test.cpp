@@ -160,6 +160,28 @@ TEST(scene, an_effect_beside_the_papers_model_is_told_and_left_out) {
   EXPECT_TRUE(validate(r.def));
 }
 
+TEST(scene, the_tools_to_hand_are_those_that_it_names_and_all_where_it_names_none) {
+  const auto names = [](const SceneDef& def) {
+    std::string all;
+    for (const ToolToHand& tool : def.tools) all += tool.name + " ";
+    return all;
+  };
+  const SceneRead few =
+      read("[tool]\nto_hand = [\"wire\", \"needle\"]\n[needle]\nradius = 0.0004\n");
+  EXPECT_THAT(few.problems, IsEmpty()) << all(few.problems);
+  EXPECT_EQ(names(few.def), "needle wire ");
+  EXPECT_EQ(few.def.tools[0].size.radius, 0.0004);
+  EXPECT_EQ(names(read("[tool]\nto_hand = []\n").def), "");
+  EXPECT_EQ(names(read("[tool]\nradius = 0.008\n").def), names(SceneDef{}));
+}
+
+TEST(scene, a_tool_that_nobody_makes_is_told_at_its_place_with_the_nearest) {
+  const SceneRead scene = read("[tool]\nto_hand = [\"wire\", \"neddle\"]\n");
+  ASSERT_THAT(scene.problems, SizeIs(1));
+  EXPECT_THAT(all(scene.problems), HasSubstr("\"neddle\" is no tool.\n  Write needle"));
+  EXPECT_THAT(all(scene.problems), HasSubstr(":2"));
+}
+
 TEST(scene, quality_is_auto_or_fixed_and_never_of_the_printed_model) {
   EXPECT_TRUE(read("quality = \"auto\"\n[clay]\nrows = 200\n").auto_quality);
   EXPECT_EQ(read("quality = \"auto\"\n[clay]\nrows = 200\n").def.clay.rows, 200);
