@@ -6,8 +6,9 @@
 namespace onggi::device {
 
 namespace {
-constexpr double kFurthest = 0.25;    // m from the axis: clear of any clay
-constexpr double kSettingDown = 0.3;  // s: clay is met at any moment
+constexpr double kLeastSpread = 0.01;  // m on the pot: two fingers beside each other
+constexpr double kFurthest = 0.25;     // m from the axis: clear of any clay
+constexpr double kSettingDown = 0.3;   // s: clay is met at any moment
 
 double seconds_to(double reach, double height, double press, double rise) {
   return std::max(std::abs(reach) / press, std::abs(height) / rise);
@@ -23,6 +24,9 @@ void PointerLead::touch(const ClayView& clay, Grip grip, double height) {
   drawn_.clear();
   active_ = true;
   grabbed_ = finishing_ = false;
+  first_.reset();
+  second_.reset();
+  wall_ = 0;
   down_for_ = 0;
   lowest_ = hold_.lowest(clay);
   highest_ = hold_.highest(clay);
@@ -40,12 +44,33 @@ void PointerLead::grab(Vec2 at, const ClayView& clay, Grip grip) {
 }
 
 void PointerLead::drag(Vec2 at) {
-  if (grabbed_) drawn_.push_back(within({sign_ * at.x + scrolled_, at.y}));
+  if (!grabbed_) return;
+  first_ = at;
+  double reach = sign_ * at.x, height = at.y;
+  if (second_) {
+    reach = std::max(reach, sign_ * second_->x);
+    height = 0.5 * (height + second_->y);
+    const double apart = length(*second_ - at);
+    wall_ = thick_ * apart / spread_;
+  }
+  drawn_.push_back(within({reach + scrolled_, height}));
+}
+
+void PointerLead::pinch(std::optional<Vec2> at, const ClayView& clay) {
+  if (!grabbed_ || !first_) return;
+  if (at && !second_) {
+    spread_ = std::max(length(*at - *first_), kLeastSpread);
+    thick_ = WallHold::thickness(clay, at_.height);
+  }
+  second_ = at;
+  if (!at) wall_ = 0;
+  drag(*first_);
 }
 
 void PointerLead::release() {
   if (!grabbed_) return;
   grabbed_ = false;
+  second_.reset();
   finishing_ = true;
   left_ = kFinish;
 }
@@ -102,7 +127,7 @@ void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
   lowest_ = hold_.lowest(clay);
   highest_ = hold_.highest(clay);
   at_ = within(at_);
-  hands_ = hold_.stand(clay, at_.reach, at_.height);
+  hands_ = hold_.stand(clay, at_.reach, at_.height, wall_);
 }
 
 std::array<HandInput, kMaxHands> PointerLead::input(Vec3 right) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 
 #include "engine/math/vec.h"
 #include "engine/scene/hands.h"
@@ -32,6 +33,10 @@ class PointerLead {
   /// `at`: x right of the axis, y height, metres (Camera::on_axis_plane).
   void grab(Vec2 at, const ClayView& clay, Grip grip);
   void drag(Vec2 at);
+  /// A second pointer, as `at`, while the first is down: the one farther out draws the outside, and
+  /// the wall between both hands follows the distance between the two, in proportion, from what it
+  /// was when the second went down. Nothing: it has lifted.
+  void pinch(std::optional<Vec2> at, const ClayView& clay);
   /// The pointer lifts.
   void release();
   /// Keys: begins half-way up at `sign` (+1 right of the axis, -1 left) when not yet working.
@@ -74,6 +79,9 @@ class PointerLead {
   double sign_ = 1;
   double scrolled_ = 0;  ///< m, by which the wheel of a mouse set the reach off.
   double lowest_ = 0, highest_ = 1;
+  std::optional<Vec2> first_, second_;  ///< Where the pointers are.
+  double spread_ = 0, thick_ = 0;   ///< m between them, and the wall, when the second went down.
+  double wall_ = 0;                 ///< m that it is to be; 0 as it is.
   double down_for_ = 0, left_ = 0;  ///< s since they were set down; until they must be done.
 };
 

@@ -24,8 +24,14 @@ double mean_radius(const ClayView& clay, double height) {
          (clay.radius_at(height, WallSide::outside) + clay.radius_at(height, WallSide::inside));
 }
 
-/// Of the wall about `height`, m.
-double thickness(const ClayView& clay, double height) {
+/// The slant at which a ball of `radius` that touches square on lies `room` off the level.
+double slant_within(double room, double radius) {
+  const double sine = std::clamp(room / radius, 0.0, 0.99);
+  return sine / std::sqrt(1 - sine * sine);
+}
+}  // namespace
+
+double WallHold::thickness(const ClayView& clay, double height) {
   constexpr int kLooks = 4;  // to either side
   double sum = 0;
   for (int n = -kLooks; n <= kLooks; ++n) {
@@ -35,13 +41,6 @@ double thickness(const ClayView& clay, double height) {
   }
   return sum / (2 * kLooks + 1);
 }
-
-/// The slant at which a ball of `radius` that touches square on lies `room` off the level.
-double slant_within(double room, double radius) {
-  const double sine = std::clamp(room / radius, 0.0, 0.99);
-  return sine / std::sqrt(1 - sine * sine);
-}
-}  // namespace
 
 void WallHold::take(const ClayView& clay, Grip grip, double height) {
   grip_ = grip;
@@ -84,9 +83,12 @@ bool WallHold::solid(const ClayView& clay, double height) const {
   return grip_ != Grip::inside && height < clay.floor_top();
 }
 
-WallHold::Hands WallHold::stand(const ClayView& clay, double reach, double height) const {
+WallHold::Hands WallHold::stand(const ClayView& clay, double reach, double height,
+                                double wall) const {
   const double room = clay.radius_at(height, WallSide::inside);
-  const double gap = std::clamp(thickness(clay, height), kLeastGap, kMostGap);
+  const double thick = thickness(clay, height);
+  const double asked = wall > 0 ? std::min(thick, std::max(wall, thick - kBite)) : thick;
+  const double gap = std::clamp(asked, kLeastGap, kMostGap);
   const double slant = slope(clay, height), cosine = 1 / std::sqrt(1 + slant * slant);
   const auto at = [&](const Part& part, double face, double away) {
     return Stand{true, std::max(0.0, face + away * cosine), height - away * cosine * slant, part};

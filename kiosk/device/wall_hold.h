@@ -51,7 +51,12 @@ class WallHold {
   bool solid(const ClayView& clay, double height) const;
   /// Where the hands are for that face to be `reach` from the axis at `height`. Holding a wall they
   /// never close it over the finger inside: the outer hand alone can.
-  Hands stand(const ClayView& clay, double reach, double height) const;
+  /// `wall`: how thick the wall between both is to be, m; as thick as it is (0) otherwise. They
+  /// close on a thicker one by kBite at the most, so that a pass thins it and does not cut.
+  static constexpr double kBite = 0.002;
+  Hands stand(const ClayView& clay, double reach, double height, double wall = 0) const;
+  /// Of the wall about `height`, m.
+  static double thickness(const ClayView& clay, double height);
 
  private:
   double slope(const ClayView& clay, double height) const;

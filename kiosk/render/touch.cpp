@@ -13,6 +13,13 @@ namespace {
 
 constexpr double kEchoSeconds = 0.25;  // emulated mouse events trail the touch by less
 
+/// A device was unplugged or switched off; whose fingers were on it cannot be told any more.
+bool glass_left(const XGenericEventCookie& cookie) {
+  if (cookie.evtype != XI_HierarchyChanged) return false;
+  const auto* change = static_cast<const XIHierarchyEvent*>(cookie.data);
+  return (change->flags & (XISlaveRemoved | XIDeviceDisabled)) != 0;
+}
+
 }  // namespace
 
 struct Touch::Connection {
@@ -35,14 +42,19 @@ std::unique_ptr<Touch> Touch::listen(GLFWwindow* window) {
       XIQueryVersion(connection->display, &major, &minor) != Success || (major == 2 && minor < 2)) {
     return nullptr;
   }
-  unsigned char mask[XIMaskLen(XI_TouchEnd)] = {};
+  unsigned char mask[XIMaskLen(XI_LASTEVENT)] = {};
   XISetMask(mask, XI_TouchBegin);
   XISetMask(mask, XI_TouchUpdate);
   XISetMask(mask, XI_TouchEnd);
+  XISetMask(mask, XI_FocusOut);
   XIEventMask wanted{XIAllMasterDevices, sizeof mask, mask};
   // The window must be known to the server before another connection may name it.
   XSync(theirs, False);
   XISelectEvents(connection->display, glfwGetX11Window(window), &wanted, 1);
+  unsigned char devices[XIMaskLen(XI_LASTEVENT)] = {};
+  XISetMask(devices, XI_HierarchyChanged);
+  XIEventMask comings{XIAllDevices, sizeof devices, devices};
+  XISelectEvents(connection->display, DefaultRootWindow(connection->display), &comings, 1);
   XFlush(connection->display);
   std::unique_ptr<Touch> touch(new Touch);
   touch->connection_ = std::move(connection);
@@ -52,13 +64,13 @@ std::unique_ptr<Touch> Touch::listen(GLFWwindow* window) {
 Touch::~Touch() = default;
 
 bool Touch::active() const {
-  return finger_ >= 0 || (last_time_ > 0 && glfwGetTime() - last_time_ < kEchoSeconds);
+  return fingers_.any() || (last_time_ > 0 && glfwGetTime() - last_time_ < kEchoSeconds);
 }
 
 std::vector<view::InputEvent> Touch::poll() {
-  using Kind = view::InputEvent::Kind;
   std::vector<view::InputEvent> out;
   Display* display = connection_->display;
+  const double now = glfwGetTime();
   while (XPending(display) > 0) {
     XEvent event;
     XNextEvent(display, &event);
@@ -67,21 +79,20 @@ std::vector<view::InputEvent> Touch::poll() {
         !XGetEventData(display, cookie)) {
       continue;
     }
-    const auto* touch = static_cast<const XIDeviceEvent*>(cookie->data);
-    const bool begins = cookie->evtype == XI_TouchBegin;
-    if (begins && finger_ < 0) finger_ = touch->detail;
-    if (touch->detail == finger_) {
-      const bool ends = cookie->evtype == XI_TouchEnd;
-      out.push_back({.kind = begins ? Kind::pointer_down
-                             : ends ? Kind::pointer_up
-                                    : Kind::pointer_move,
-                     .x = static_cast<float>(touch->event_x),
-                     .y = static_cast<float>(touch->event_y)});
-      if (ends) finger_ = -1;
-      last_time_ = glfwGetTime();
+    if (cookie->evtype == XI_FocusOut || glass_left(*cookie)) {
+      fingers_.let_go(out);
+    } else if (cookie->evtype >= XI_TouchBegin && cookie->evtype <= XI_TouchEnd) {
+      const auto* touch = static_cast<const XIDeviceEvent*>(cookie->data);
+      const auto id = static_cast<std::uint32_t>(touch->detail);
+      const auto x = static_cast<float>(touch->event_x), y = static_cast<float>(touch->event_y);
+      if (cookie->evtype == XI_TouchBegin) fingers_.down(id, x, y, now, out);
+      if (cookie->evtype == XI_TouchUpdate) fingers_.move(id, x, y, now, out);
+      if (cookie->evtype == XI_TouchEnd) fingers_.up(id, x, y, now, out);
+      last_time_ = now;
     }
     XFreeEventData(display, cookie);
   }
+  fingers_.look_after(now, out);
   return out;
 }
 

@@ -3,15 +3,16 @@
 #include <memory>
 #include <vector>
 
+#include "kiosk/view/fingers.h"
 #include "kiosk/view/input.h"
 
 struct GLFWwindow;
 
 namespace onggi::render {
 
-/// Touches on the window by XInput2, which GLFW does not know. The first finger down is the
-/// pointer; others are let be until it lifts (a visitor leaning a hand on the screen does not
-/// disturb the pot). On a connection of its own, so that GLFW's events stay GLFW's.
+/// Touches on the window by XInput2, which GLFW does not know: ten fingers, told apart
+/// (view::Fingers). All lift when the window loses the glass or the glass the machine. On a
+/// connection of its own, so that GLFW's events stay GLFW's.
 class Touch {
  public:
   /// Nothing where the display is not X11 or has no XInput 2.2: then X's own emulated mouse serves.
@@ -28,7 +29,7 @@ class Touch {
   Touch() = default;
   struct Connection;
   std::unique_ptr<Connection> connection_;
-  int finger_ = -1;
+  view::Fingers fingers_;
   double last_time_ = 0;
 };
 

@@ -173,6 +173,7 @@ class Throwing final : public Screen {
     menu_ = false;
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     const Vec2 at = camera_.on_axis_plane(e.x, e.y);
+    if (e.finger != 0) return second_finger(e, at);
     switch (e.kind) {
       case InputEvent::Kind::pointer_down:
         if (page.where().words.contains(e.x, e.y)) return;
@@ -257,6 +258,12 @@ class Throwing final : public Screen {
     const auto hands = hand_.input(right);
     for (int n = 0; n < kMaxHands; ++n)
       desk.world.potter->hand(n, hands[static_cast<std::size_t>(n)]);
+  }
+  /// Two fingers hold the wall between them; more of them rest on the glass.
+  void second_finger(const InputEvent& e, Vec2 at) {
+    if (e.finger != 1 || held_ > 0 || grip_ != Grip::both) return;
+    const bool up = e.kind == InputEvent::Kind::pointer_up;
+    hand_.pinch(up ? std::nullopt : std::optional(at), desk.world.wheel->clay);
   }
   Grip next_grip() const {
     return grip_ == Grip::both ? Grip::outside : grip_ == Grip::outside ? Grip::inside : Grip::both;

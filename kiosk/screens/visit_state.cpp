@@ -96,6 +96,12 @@ std::string Visit::State::control_at(float x, float y) const {
 
 void Visit::State::pointer(const InputEvent& e) {
   using Kind = InputEvent::Kind;
+  if (e.finger != 0) {
+    // Beside the first, fingers mean something at the wheel alone: a second hand.
+    if (screen->id() == ScreenId::throwing && over == Over::nothing && page && pressed.empty())
+      screen->pointer(e, *page);
+    return;
+  }
   by_keys = false;
   focused.clear();
   const std::string on = e.kind == Kind::pointer_down || e.kind == Kind::pointer_up

@@ -73,5 +73,59 @@ TEST(Pointer, AScrollNotchPressesTwoMillimetresFurther) {
   EXPECT_NEAR(outer(v).position.x, before - 0.002, 1e-9);
 }
 
+/// Of the wall that both hands were last asked to hold between them, metres.
+double held_wall(const Visitor& v, double radius) {
+  double outside = 0, inside = 0;
+  for (const HandInput& hand : v.potter.hands) {
+    if (!hand.active) continue;
+    (hand.side == SideWish::outside ? outside : inside) = hand.position.x;
+  }
+  return outside - radius - (inside + radius);
+}
+
+TEST(Pointer, TwoFingersThatCloseThinTheWallBetweenTheHands) {
+  Visitor v;
+  v.throw_a_pot();
+  v.frames(2);
+  const view::Camera camera = v.frame.pot->camera;
+  const auto on = [&](double x, double y) { return *camera.project({x, y, 0}); };
+  const auto finger = [&](view::InputEvent::Kind kind, int which, double x, double y) {
+    const auto [px, py] = on(x, y);
+    v.visit->input({.kind = kind, .x = px, .y = py, .finger = static_cast<std::uint8_t>(which)},
+                   v.now);
+    v.show();
+  };
+  using Kind = view::InputEvent::Kind;
+  finger(Kind::pointer_down, 0, 0.055, 0.1);
+  v.frames(1);
+  const double alone = held_wall(v, kTool);
+  EXPECT_NEAR(alone, 0.033, 1e-3);  // the lump's own wall
+  finger(Kind::pointer_down, 1, 0.015, 0.1);
+  v.frames(1);
+  EXPECT_NEAR(held_wall(v, kTool), alone, 1e-4);
+  finger(Kind::pointer_move, 1, 0.035, 0.1);  // Half as far: no more than a bite at a time.
+  v.frames(1);
+  EXPECT_NEAR(held_wall(v, kTool), alone - 0.002, 1e-4);
+  finger(Kind::pointer_move, 1, 0.016, 0.1);  // A fortieth closer.
+  v.frames(1);
+  EXPECT_NEAR(held_wall(v, kTool), alone * 39 / 40, 1e-4);
+  finger(Kind::pointer_up, 1, 0.016, 0.1);
+  v.frames(1);
+  EXPECT_NEAR(held_wall(v, kTool), alone, 1e-4);
+}
+
+TEST(Pointer, AFingerBesideTheFirstPressesNoButtonAndEndsNoScreen) {
+  Visitor v;
+  v.throw_a_pot();
+  v.frames(2);
+  for (const auto& [name, rect] : v.visit->controls())
+    for (const auto kind :
+         {view::InputEvent::Kind::pointer_down, view::InputEvent::Kind::pointer_up})
+      v.visit->input({.kind = kind, .x = rect.x + 3, .y = rect.y + 3, .finger = 1}, v.now);
+  v.frames(1);
+  EXPECT_EQ(v.visit->screen(), ScreenId::throwing);
+  EXPECT_TRUE(v.potter.waters.empty() || !v.potter.waters.back());
+}
+
 }  // namespace
 }  // namespace onggi::screens
