@@ -180,17 +180,18 @@ Result<std::span<const unsigned char>> GltfReader::view(int index, const std::st
   const tinygltf::BufferView& view = views[static_cast<std::size_t>(index)];
   if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= document_.buffers.size())
     return unsound(here, "there is no such buffer as " + std::to_string(view.buffer) + ".");
-  const files::Bytes& buffer = document_.buffers[static_cast<std::size_t>(view.buffer)];
+  const std::span<const unsigned char> buffer =
+      document_.buffers[static_cast<std::size_t>(view.buffer)];
   if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset)
     return unsound(here, "it reaches over the end of its buffer of " +
                              std::to_string(buffer.size()) + " bytes.");
-  return std::span<const unsigned char>(buffer).subspan(view.byteOffset, view.byteLength);
+  return buffer.subspan(view.byteOffset, view.byteLength);
 }
 
 Result<files::Bytes> GltfReader::decode_meshopt(const MeshoptView& view, const std::string& where) {
   if (view.buffer >= document_.buffers.size())
     return unsound(where, "its compressed data is in no buffer of the file.");
-  const files::Bytes& buffer = document_.buffers[view.buffer];
+  const std::span<const unsigned char> buffer = document_.buffers[view.buffer];
   if (view.offset > buffer.size() || view.length > buffer.size() - view.offset)
     return unsound(where, "its compressed data reaches over the end of its buffer.");
   const bool attributes = view.mode == "ATTRIBUTES";

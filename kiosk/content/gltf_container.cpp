@@ -1,7 +1,9 @@
 #include "kiosk/content/gltf_container.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "kiosk/content/data_uri.h"
 #include "kiosk/content/glb.h"
 
 namespace onggi::content {
@@ -14,12 +16,14 @@ std::uint32_t u32_at(const files::Bytes& bytes, std::size_t at) {
          static_cast<std::uint32_t>(bytes[at + 3]) << 24;
 }
 
-Result<GltfContainer> split(const std::string& name, const files::Bytes& bytes) {
-  GltfContainer out;
-  if (bytes.size() < 4 || u32_at(bytes, 0) != kGlbMagic) {
-    out.json.assign(bytes.begin(), bytes.end());
-    return out;
-  }
+/// Where JSON and BIN lie in the file.
+struct Chunks {
+  ByteRange json;
+  std::optional<ByteRange> bin;
+};
+
+Result<Chunks> split(const std::string& name, const files::Bytes& bytes) {
+  if (bytes.size() < 4 || u32_at(bytes, 0) != kGlbMagic) return Chunks{{0, bytes.size()}, {}};
   if (bytes.size() < 20) return broken_gltf(name, "this GLB ends within its header.");
   if (u32_at(bytes, 4) != 2)
     return broken_gltf(name, "this GLB is of version " + std::to_string(u32_at(bytes, 4)) +
@@ -28,52 +32,93 @@ Result<GltfContainer> split(const std::string& name, const files::Bytes& bytes) 
   if (total > bytes.size())
     return broken_gltf(name, "this GLB says it has " + std::to_string(total) + " bytes, and has " +
                                  std::to_string(bytes.size()) + ".");
+  Chunks out;
   std::size_t at = 12;
   for (int chunk = 0; at + 8 <= total; ++chunk) {
     const std::size_t length = u32_at(bytes, at);
     const std::uint32_t kind = u32_at(bytes, at + 4);
     at += 8;
     if (length > total - at) return broken_gltf(name, "a chunk of this GLB runs over its end.");
-    const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto last = first + static_cast<std::ptrdiff_t>(length);
     if (chunk == 0 && kind != kGlbJson)
       return broken_gltf(name, "the first chunk of this GLB is not JSON.");
-    if (chunk == 0) out.json.assign(first, last);
-    if (chunk == 1 && kind == kGlbBin) out.bin = files::Bytes(first, last);
+    if (chunk == 0) out.json = {at, length};
+    if (chunk == 1 && kind == kGlbBin) out.bin = ByteRange{at, length};
     at += length;
   }
   return out;
 }
 
-/// Size, depth and number of values before any parser with a stack or a heap meets them.
-Result<void> measure_json(const std::string& name, const std::string& text,
-                          const settings::ReaderLimits& limits) {
-  const auto most = static_cast<std::size_t>(limits.json_mb) << 20;
-  if (text.size() > most)
-    return broken_gltf(name, "its JSON has " + std::to_string(text.size() >> 20) +
-                                 " MiB, and the most is " + std::to_string(limits.json_mb) + ".");
-  int depth = 0, values = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\') ++i;
-      if (c == '"') quoted = false;
-      continue;
+/// Copies JSON without its data URIs, and counts it, before any parser with a stack or a heap meets
+/// it.
+class JsonSieve {
+ public:
+  JsonSieve(const std::string& name, const files::Bytes& bytes, ByteRange json,
+            const settings::ReaderLimits& limits)
+      : name_(name),
+        bytes_(bytes),
+        at_(json.at),
+        end_(json.at + json.length),
+        limits_(limits),
+        most_(static_cast<std::size_t>(limits.json_mb) << 20) {}
+
+  Result<void> run(GltfContainer& out) {
+    while (at_ < end_) {
+      const unsigned char c = bytes_[at_];
+      if (c == '"') {
+        if (auto good = string(out); !good) return good;
+        continue;
+      }
+      if (c == '{' || c == '[') ++depth_;
+      if (c == '}' || c == ']') --depth_;
+      if (c == '{' || c == '[' || c == ',' || c == ':') ++values_;
+      if (depth_ > limits_.json_depth)
+        return broken_gltf(
+            name_, "its JSON is nested more than " + std::to_string(limits_.json_depth) + " deep.");
+      if (values_ > limits_.json_values)
+        return broken_gltf(
+            name_, "its JSON has more than " + std::to_string(limits_.json_values) + " values.");
+      if (auto good = copy(at_, at_ + 1, out); !good) return good;
+      ++at_;
     }
-    if (c == '"') quoted = true;
-    if (c == '{' || c == '[') ++depth;
-    if (c == '}' || c == ']') --depth;
-    if (c == '{' || c == '[' || c == ',' || c == ':') ++values;
-    if (depth > limits.json_depth)
-      return broken_gltf(
-          name, "its JSON is nested more than " + std::to_string(limits.json_depth) + " deep.");
-    if (values > limits.json_values)
-      return broken_gltf(
-          name, "its JSON has more than " + std::to_string(limits.json_values) + " values.");
+    return {};
   }
-  return {};
-}
+
+ private:
+  /// From one quote to behind the other, or to the end where there is none.
+  Result<void> string(GltfContainer& out) {
+    const std::size_t from = at_ + 1;
+    std::size_t to = from;
+    while (to < end_ && bytes_[to] != '"') to += bytes_[to] == '\\' ? 2 : 1;
+    to = std::min(to, end_);
+    const ByteRange inside{from, to - from};
+    const std::size_t behind = std::min(to + 1, end_);
+    if (to < end_ && is_data_uri(std::span(bytes_).subspan(inside.at, inside.length))) {
+      out.json += "\"data:#" + std::to_string(out.data.size()) + "\"";
+      out.data.push_back(inside);
+    } else if (auto good = copy(at_, behind, out); !good) {
+      return good;
+    }
+    at_ = behind;
+    return {};
+  }
+
+  Result<void> copy(std::size_t from, std::size_t to, GltfContainer& out) {
+    if (out.json.size() + (to - from) > most_)
+      return broken_gltf(name_,
+                         "its JSON has " + std::to_string((end_ - at_ + out.json.size()) >> 20) +
+                             " MiB, and the most is " + std::to_string(limits_.json_mb) + ".");
+    out.json.append(reinterpret_cast<const char*>(bytes_.data()) + from, to - from);
+    return {};
+  }
+
+  const std::string& name_;
+  const files::Bytes& bytes_;
+  std::size_t at_;
+  const std::size_t end_;
+  const settings::ReaderLimits& limits_;
+  const std::size_t most_;
+  int depth_ = 0, values_ = 0;
+};
 
 }  // namespace
 
@@ -84,11 +129,13 @@ tl::unexpected<Problem> broken_gltf(const std::string& name, std::string what) {
 
 Result<GltfContainer> split_gltf(const std::string& name, const files::Bytes& bytes,
                                  const settings::ReaderLimits& limits) {
-  auto container = split(name, bytes);
-  if (!container) return container;
-  if (auto good = measure_json(name, container->json, limits); !good)
+  const auto chunks = split(name, bytes);
+  if (!chunks) return tl::unexpected<Problem>(chunks.error());
+  Result<GltfContainer> out;
+  out->bin = chunks->bin;
+  if (auto good = JsonSieve(name, bytes, chunks->json, limits).run(*out); !good)
     return tl::unexpected<Problem>(good.error());
-  return container;
+  return out;
 }
 
 }  // namespace onggi::content

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "kiosk/files/read_file.h"
@@ -9,15 +12,26 @@
 
 namespace onggi::content {
 
-/// A glTF file taken apart: its JSON, and the BIN chunk where it is a GLB that has one.
+/// A run of a file's bytes.
+struct ByteRange {
+  std::size_t at = 0, length = 0;
+  std::span<unsigned char> in(files::Bytes& bytes) const {
+    return std::span(bytes).subspan(at, length);
+  }
+};
+
+/// A glTF file taken apart. What is large stays where it is, in the file's bytes: the BIN chunk
+/// where it is a GLB that has one, and data URIs, in whose place `json` has the string
+/// "data:#0", "data:#1", ... by their place in `data`.
 struct GltfContainer {
   std::string json;
-  std::optional<files::Bytes> bin;
+  std::optional<ByteRange> bin;
+  std::vector<ByteRange> data;
 };
 
 /// glTF 2.0, section 4.4: header, a JSON chunk, an optional BIN chunk, others skipped; or JSON
-/// alone. The JSON is within the limits' size, depth and number of values: no parser has met it
-/// yet.
+/// alone. The JSON, data URIs not counted, is within the limits' size, depth and number of values:
+/// no parser has met it yet, and no more of it than allowed was copied.
 Result<GltfContainer> split_gltf(const std::string& name, const files::Bytes& bytes,
                                  const settings::ReaderLimits& limits);
 

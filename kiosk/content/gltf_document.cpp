@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "kiosk/content/data_uri.h"
 #include "kiosk/content/gltf_container.h"
 #include "kiosk/content/gltf_credit_reader.h"
 #include "kiosk/content/gltf_slips.h"
@@ -158,7 +161,7 @@ void keep(json& doc, const char* key, std::initializer_list<const char*> wanted)
 
 /// The document cut down to what is used. Every buffer becomes a "file" of one byte: the accessor
 /// reader looks into our own copies, and tinygltf need not hold a second one.
-json cut_down(const json& doc, const std::vector<files::Bytes>& buffers) {
+json cut_down(const json& doc, std::size_t buffers) {
   json out = json::object();
   for (const char* key :
        {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "materials"})
@@ -193,46 +196,63 @@ json cut_down(const json& doc, const std::vector<files::Bytes>& buffers) {
       keep(mesh, "primitives", {"attributes", "indices", "material", "mode"});
     }
   out["buffers"] = json::array();
-  for (std::size_t i = 0; i < buffers.size(); ++i)
+  for (std::size_t i = 0; i < buffers; ++i)
     out["buffers"].push_back({{"byteLength", 1}, {"uri", std::to_string(i)}});
   return out;
 }
 
-Result<std::vector<files::Bytes>> load_buffers(const std::string& name,
-                                               const std::filesystem::path& folder, const json& doc,
-                                               const std::optional<files::Bytes>& bin,
-                                               std::size_t most) {
-  std::vector<files::Bytes> out;
+/// Which data URI of the container stands behind `uri`; none where it is a file's name.
+std::optional<std::size_t> data_behind(const std::string& uri, const GltfContainer& container) {
+  constexpr std::string_view kMark = "data:#";
+  if (!starts_with(uri, kMark.data())) return std::nullopt;
+  std::size_t number = 0;
+  const char* const end = uri.data() + uri.size();
+  const auto read = std::from_chars(uri.data() + kMark.size(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || number >= container.data.size())
+    return std::nullopt;
+  return number;
+}
+
+Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
+                          GltfContainer& container, std::size_t most, GltfDocument& out) {
   const json* list = member(doc, "buffers");
-  if (list == nullptr || !list->is_array()) return out;
+  if (list == nullptr || !list->is_array()) return {};
   std::size_t left = most;
   for (std::size_t i = 0; i < list->size(); ++i) {
     const json& buffer = (*list)[i];
     const std::string uri = words(buffer, "uri");
-    const std::string here = name + ", buffer " + std::to_string(i);
-    files::Bytes bytes;
-    if (starts_with(uri, "data:")) {
-      std::string mime;
-      if (!tinygltf::DecodeDataURI(&bytes, mime, uri, 0, false))
-        return broken_gltf(here, "its data within the file cannot be decoded.");
+    const std::string here = out.name + ", buffer " + std::to_string(i);
+    const std::size_t wanted = whole(buffer, "byteLength", 0);
+    const auto too_few = [&](std::size_t there) {
+      return broken_gltf(here, "it should have " + std::to_string(wanted) + " bytes, and has " +
+                                   std::to_string(there) + ".");
+    };
+    std::span<const unsigned char> bytes;
+    if (const auto data = data_behind(uri, container)) {
+      const auto text = std::exchange(container.data[*data], {}).in(out.file);
+      if (wanted > left) return broken_gltf(here, "the buffers together are too large.");
+      if (most_bytes_in(text) < wanted) return too_few(most_bytes_in(text));
+      const auto decoded = decode_data_uri(text, wanted);
+      if (!decoded) return broken_gltf(here, "its data within the file cannot be decoded.");
+      bytes = *decoded;
+    } else if (starts_with(uri, "data:")) {
+      return broken_gltf(here, "its data within the file cannot be decoded.");
     } else if (!uri.empty()) {
       auto read = read_vessel_file_beneath(folder, uri, left, here);
       if (!read) return tl::unexpected<Problem>(read.error());
-      bytes = std::move(*read);
-    } else if (i == 0 && bin) {
-      bytes = *bin;
+      bytes = out.beside.emplace_back(std::move(*read));
+    } else if (i == 0 && container.bin) {
+      bytes = container.bin->in(out.file);
     }
     // Without uri or chunk it is the fallback of compressed views, which is never read.
-    const std::size_t wanted = whole(buffer, "byteLength", 0);
-    if (bytes.size() < wanted && !(uri.empty() && !(i == 0 && bin)))
-      return broken_gltf(here, "it should have " + std::to_string(wanted) + " bytes, and has " +
-                                   std::to_string(bytes.size()) + ".");
-    if (bytes.size() > wanted) bytes.resize(wanted);
+    if (bytes.size() < wanted && !(uri.empty() && !(i == 0 && container.bin)))
+      return too_few(bytes.size());
+    bytes = bytes.first(std::min(bytes.size(), wanted));
     if (bytes.size() > left) return broken_gltf(here, "the buffers together are too large.");
     left -= bytes.size();
-    out.push_back(std::move(bytes));
+    out.buffers.push_back(bytes);
   }
-  return out;
+  return {};
 }
 
 std::string first_line(const std::string& text) {
@@ -240,28 +260,26 @@ std::string first_line(const std::string& text) {
   return line.size() > 160 ? line.substr(0, 160) + "..." : line;
 }
 
-bool serves(const std::string& path, const std::vector<files::Bytes>& buffers, std::size_t& index) {
-  index = 0;
+bool serves(const std::string& path, std::size_t buffers) {
+  std::size_t index = 0;
   if (path.empty() || path.size() > 6) return false;
   for (const char c : path) {
     if (c < '0' || c > '9') return false;
     index = 10 * index + static_cast<std::size_t>(c - '0');
   }
-  return index < buffers.size();
+  return index < buffers;
 }
 
-/// tinygltf's way to files: there are none but the buffers' stand-ins.
-tinygltf::FsCallbacks memory_files(std::vector<files::Bytes>* buffers) {
+/// tinygltf's way to files: there are none but the stand-ins of `buffers` buffers.
+tinygltf::FsCallbacks memory_files(std::size_t* buffers) {
   tinygltf::FsCallbacks fs{};
   fs.FileExists = [](const std::string& path, void* user) {
-    std::size_t index;
-    return serves(path, *static_cast<std::vector<files::Bytes>*>(user), index);
+    return serves(path, *static_cast<const std::size_t*>(user));
   };
   fs.ExpandFilePath = [](const std::string& path, void*) { return path; };
   fs.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& path,
                         void* user) {
-    std::size_t index;
-    if (!serves(path, *static_cast<std::vector<files::Bytes>*>(user), index)) return false;
+    if (!serves(path, *static_cast<const std::size_t*>(user))) return false;
     out->assign(1, 0);
     return true;
   };
@@ -278,9 +296,10 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   GltfDocument out;
   out.name = file.string();
   const auto most = static_cast<std::size_t>(limits.file_mb) << 20;
-  const auto bytes = read_vessel_file(file, most);
+  auto bytes = read_vessel_file(file, most);
   if (!bytes) return tl::unexpected<Problem>(bytes.error());
-  const auto container = split_gltf(out.name, *bytes, limits);
+  out.file = std::move(*bytes);
+  auto container = split_gltf(out.name, out.file, limits);
   if (!container) return tl::unexpected<Problem>(container.error());
 
   const json doc = json::parse(container->json, nullptr, false);
@@ -296,17 +315,17 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   note_compression(doc, out);
   note_bounds(doc, out);
   out.credit = read_credit(doc);
-  auto buffers = load_buffers(out.name, file.parent_path(), doc, container->bin, most);
-  if (!buffers) return tl::unexpected<Problem>(buffers.error());
-  out.buffers = std::move(*buffers);
+  if (auto good = load_buffers(file.parent_path(), doc, *container, most, out); !good)
+    return tl::unexpected<Problem>(good.error());
+  std::size_t buffers = out.buffers.size();
 
   std::string error, warning;
   out.model = std::make_shared<tinygltf::Model>();
   try {
     const std::string text =
-        cut_down(doc, out.buffers).dump(-1, ' ', false, json::error_handler_t::replace);
+        cut_down(doc, buffers).dump(-1, ' ', false, json::error_handler_t::replace);
     tinygltf::TinyGLTF loader;
-    loader.SetFsCallbacks(memory_files(&out.buffers));
+    loader.SetFsCallbacks(memory_files(&buffers));
     loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
                              const unsigned char*, int, void*) { return true; },
                           nullptr);

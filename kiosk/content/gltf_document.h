@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,16 @@ struct DracoPrimitive {
 /// A glTF 2.0 file whose JSON has been measured, whose required extensions are known, whose buffers
 /// are in memory, and which tinygltf has parsed. Indices and ranges inside are still unchecked.
 struct GltfDocument {
+  GltfDocument() = default;
+  GltfDocument(GltfDocument&&) = default;  // a copy's buffers would be the original's
+  GltfDocument& operator=(GltfDocument&&) = default;
+
   std::string name;  ///< For Problems.
   std::shared_ptr<tinygltf::Model> model;
-  std::vector<files::Bytes> buffers;  ///< One a buffer; empty for a meshopt fallback.
+  files::Bytes file;                 ///< The file itself,
+  std::vector<files::Bytes> beside;  ///< and those that it names.
+  /// Of these, what each buffer has; empty for a meshopt fallback.
+  std::vector<std::span<const unsigned char>> buffers;
   std::map<int, MeshoptView> meshopt;
   std::map<std::pair<int, int>, DracoPrimitive> draco;  ///< By (mesh, primitive).
   std::vector<bool> textured;                           ///< By material: its colour is an image.

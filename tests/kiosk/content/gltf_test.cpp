@@ -140,6 +140,48 @@ TEST_F(GltfTest, nodes_move_and_mirror_and_never_loop) {
   EXPECT_FALSE(with_nodes(R"([{"mesh":4}])"));
 }
 
+/// `bytes` in base64, RFC 4648.
+std::string base64(const std::string& bytes) {
+  const char* const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned three = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (int k = 3; k >= 0; --k) out += letters[three >> (6 * k) & 63u];
+  }
+  return out;
+}
+
+TEST_F(GltfTest, data_within_the_file_is_decoded_in_its_place_and_refused_by_its_length) {
+  const std::string head = "data:application/octet-stream;base64,";
+  const auto same = read_gltf(write("pack/a.gltf", triangle(head + base64(positions()))));
+  ASSERT_TRUE(same) << to_text(same.error());
+  EXPECT_EQ(same->mesh.positions[1][0], 1.0f);
+  EXPECT_EQ(same->mesh.positions[2][1], 1.0f);
+  expect_fault(triangle(head + base64(positions().substr(0, 30))), "should have 36 bytes");
+  expect_fault(triangle(head + "AAAA*" + base64(positions())), "cannot be decoded");
+  expect_fault(triangle("data:,abc"), "cannot be decoded");
+  expect_fault(triangle("data:#7"), "cannot be decoded");
+  std::string claims = triangle(head + base64(positions()));
+  claims.replace(claims.find("\"byteLength\":36,\"uri\""), 16, "\"byteLength\":99999999999");
+  expect_fault(claims, "too large");
+
+  // A long one is no JSON: it counts with the file, and what of it no buffer wants is not decoded.
+  settings::ReaderLimits tight;
+  tight.json_mb = 1;
+  const std::string longer = head + base64(positions()) + std::string(3 << 20, 'A');
+  const auto file = write("pack/a.gltf", triangle(longer));
+  const auto read = read_gltf(file, tight);
+  ASSERT_TRUE(read) << to_text(read.error());
+  EXPECT_EQ(read->mesh.positions, same->mesh.positions);
+  const auto words =
+      write("pack/b.gltf", triangle("a.bin", ",\"x\":\"" + std::string(2 << 20, 'A') + "\""));
+  const auto refused = read_gltf(words, tight);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find("the most is 1"), std::string::npos);
+}
+
 TEST_F(GltfTest, what_a_parser_reads_past_is_named) {
   write("pack/a.bin", positions());
   const auto with = [&](const std::string& what, const std::string& by) {
