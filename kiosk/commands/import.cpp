@@ -9,6 +9,7 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/content/glb.h"
 #include "kiosk/content/gltf_parts.h"
+#include "kiosk/content/mesh_file.h"
 #include "kiosk/content/pack_writer.h"
 #include "kiosk/content/vessel_file.h"
 #include "kiosk/files/durable_file.h"
@@ -47,7 +48,7 @@ Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole)
       return std::vector<std::byte>(span.begin(), span.end());
     }
   }
-  const auto model = content::read_gltf(vessel.file, limits);
+  const auto model = content::read_mesh_file(vessel.file, limits);
   if (!model) return tl::unexpected(model.error());
   content::NamedPart named;
   if (!vessel.node.empty()) named = content::find_part(*model, vessel.node);

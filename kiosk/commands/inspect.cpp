@@ -148,7 +148,7 @@ Command inspect_command() {
               "What cannot be a target ends with 2, and is told with place, meaning and remedy.",
           .options = {{.name = "file",
                        .field = &a->file,
-                       .help = "A GLB, a glTF or a vessel pack",
+                       .help = "A GLB, glTF, OBJ, PLY or STL, or a vessel pack",
                        .required = true},
                       {"--node", &a->node,
                        "The node that is the vessel, by name or number, alone; NAME/* with what "

@@ -9,6 +9,7 @@
 
 #include "engine/profile/measures.h"
 #include "kiosk/content/drawing.h"
+#include "kiosk/content/mesh_file.h"
 #include "kiosk/content/pack.h"
 
 namespace onggi::content {
@@ -27,7 +28,7 @@ bool is_mesh(const fs::path& file) {
   std::string ending = file.extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   std::error_code ignored;
-  return (ending == ".glb" || ending == ".gltf") && fs::is_regular_file(file, ignored);
+  return is_mesh_ending(ending) && fs::is_regular_file(file, ignored);
 }
 
 std::vector<fs::path> listed(const fs::path& folder, std::error_code& error) {

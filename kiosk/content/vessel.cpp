@@ -8,6 +8,7 @@
 #include "engine/profile/measures.h"
 #include "engine/profile/slices.h"
 #include "kiosk/content/gltf_parts.h"
+#include "kiosk/content/mesh_file.h"
 #include "kiosk/content/pack.h"
 
 namespace onggi::content {
@@ -277,6 +278,7 @@ Result<Order> order_of(const fs::path& path, const LoadOptions& options) {
   order.vessel.id = options.id.empty() ? named.stem().string() : options.id;
   order.vessel.file = named;
   order.vessel.node = options.node;
+  order.told.format_unit = format_unit(named);
   order.options = options;
   return order;
 }
@@ -301,7 +303,7 @@ Result<Vessel> load_vessel(const fs::path& path, const LoadOptions& options) {
   try {
     const auto order = order_of(path, options);
     if (!order) return tl::unexpected<Problem>(order.error());
-    const auto model = read_gltf(order->vessel.file, options.limits);
+    const auto model = read_mesh_file(order->vessel.file, options.limits);
     if (!model) return tl::unexpected<Problem>(model.error());
     return load_named(*order, *model);
   } catch (const std::bad_alloc&) {
@@ -313,7 +315,7 @@ Result<std::vector<Vessel>> load_vessels(const fs::path& path, const LoadOptions
   try {
     const auto order = order_of(path, options);
     if (!order) return tl::unexpected<Problem>(order.error());
-    const auto model = read_gltf(order->vessel.file, options.limits);
+    const auto model = read_mesh_file(order->vessel.file, options.limits);
     if (!model) return tl::unexpected<Problem>(model.error());
     // One label, size and number cannot be those of ten vessels: a pack names its object.
     if (order->options.node.empty() && order->vessel.labels.empty())

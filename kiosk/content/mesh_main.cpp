@@ -1,0 +1,158 @@
+// onggi-mesh: the only program that links Assimp. It reads one OBJ, PLY or STL from standard input.
+//
+//   onggi-mesh ENDING VERTICES TRIANGLES MEMORY_MIB SECONDS < file > parts
+//
+// Assimp was never written for files of nobody's making in particular, so it has a process of its
+// own: with no more memory and time than it is given, no file but its three streams, and no
+// importer but these three. What it writes is told in mesh_parts.h; the kiosk checks every number
+// of it. Exit 0, also where the file is refused; 1 with the reason on standard error.
+
+#include <sys/resource.h>
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <array>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "kiosk/content/mesh_parts.h"
+
+namespace {
+
+using onggi::content::MeshPart;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;  // their shadow memory is larger than any limit
+#else
+constexpr bool kSanitized = false;
+#endif
+
+void confine(rlim_t memory_mib, rlim_t seconds) {
+  const auto limit = [](auto what, rlim_t most) {
+    const rlimit both{most, most};
+    return setrlimit(what, &both) == 0;
+  };
+  bool good = limit(RLIMIT_CPU, seconds) && limit(RLIMIT_CORE, 0) && limit(RLIMIT_FSIZE, 0) &&
+              limit(RLIMIT_NOFILE, 3);
+  if (!kSanitized) good = good && limit(RLIMIT_AS, memory_mib << 20);
+  if (good) return;
+  std::fputs("the limits of memory and time could not be set", stderr);
+  std::exit(1);
+}
+
+/// An OBJ names further files, and Assimp opens whatever it is told to: here is none.
+class NoFiles : public Assimp::IOSystem {
+ public:
+  bool Exists(const char*) const override { return false; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
+  void Close(Assimp::IOStream*) override {}
+};
+
+std::vector<char> standard_input() {
+  std::vector<char> bytes;
+  std::array<char, 1 << 16> block;
+  for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), stdin)) > 0;)
+    bytes.insert(bytes.end(), block.data(), block.data() + n);
+  return bytes;
+}
+
+/// Importers that guess by a file's first bytes would read a hundred formats.
+void leave_only(Assimp::Importer& importer, const std::string& ending) {
+  std::vector<Assimp::BaseImporter*> others;
+  for (std::size_t i = 0; i < importer.GetImporterCount(); ++i)
+    if (importer.GetImporter(ending.c_str()) != importer.GetImporter(i))
+      others.push_back(importer.GetImporter(i));
+  for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);
+}
+
+/// What Assimp says, without the name that it gives to a file without one.
+std::string without_its_name(std::string words) {
+  const auto name = words.find("$$$___magic___$$$");
+  if (name == std::string::npos) return words;
+  const auto end = words.find_first_of(" :", name);
+  return words.replace(name, end == std::string::npos ? end : end - name, "this file");
+}
+
+/// The triangles of one node's meshes.
+MeshPart part_of(const aiScene& scene, const aiNode& node) {
+  MeshPart part;
+  part.name = node.mName.C_Str();
+  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
+    const auto base = static_cast<std::uint32_t>(part.positions.size());
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+      part.positions.push_back({mesh.mVertices[i].x, mesh.mVertices[i].y, mesh.mVertices[i].z});
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+      const aiFace& face = mesh.mFaces[i];
+      if (face.mNumIndices != 3) continue;
+      part.triangles.push_back(
+          {base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]});
+    }
+  }
+  return part;
+}
+
+int read(const std::string& ending, std::size_t vertices, std::size_t triangles) {
+  const std::vector<char> bytes = standard_input();
+  Assimp::Importer importer;
+  importer.SetIOHandler(new NoFiles);  // owned by the importer
+  leave_only(importer, ending);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* scene =
+      bytes.empty() ? nullptr
+                    : importer.ReadFileFromMemory(bytes.data(), bytes.size(),
+                                                  aiProcess_Triangulate | aiProcess_SortByPType |
+                                                      aiProcess_JoinIdenticalVertices,
+                                                  ending.c_str());
+  const auto answer = [](const std::vector<std::byte>& out) {
+    return std::fwrite(out.data(), 1, out.size(), stdout) == out.size() && std::fflush(stdout) == 0
+               ? 0
+               : 1;
+  };
+  if (scene == nullptr || scene->mRootNode == nullptr)
+    return answer(onggi::content::refusal_bytes(
+        bytes.empty() ? "it is empty" : without_its_name(importer.GetErrorString())));
+  std::vector<MeshPart> parts;
+  std::vector<const aiNode*> stack{scene->mRootNode};
+  std::size_t all_vertices = 0, all_triangles = 0;
+  while (!stack.empty()) {
+    const aiNode& node = *stack.back();
+    stack.pop_back();
+    for (unsigned i = node.mNumChildren; i-- > 0;) stack.push_back(node.mChildren[i]);
+    for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+      all_vertices += scene->mMeshes[node.mMeshes[m]]->mNumVertices;
+      all_triangles += scene->mMeshes[node.mMeshes[m]]->mNumFaces;
+    }
+    if (all_vertices > vertices || all_triangles > triangles)
+      return answer(onggi::content::refusal_bytes("it has more than " + std::to_string(vertices) +
+                                                  " vertices or " + std::to_string(triangles) +
+                                                  " triangles, which is the most"));
+    MeshPart part = part_of(*scene, node);
+    if (!part.triangles.empty()) parts.push_back(std::move(part));
+  }
+  return answer(onggi::content::parts_bytes(parts));
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 6) {
+    std::fputs("usage: onggi-mesh ENDING VERTICES TRIANGLES MEMORY_MIB SECONDS", stderr);
+    return 1;
+  }
+  confine(std::strtoul(words[4], nullptr, 10), std::strtoul(words[5], nullptr, 10));
+  try {
+    return read(words[1], std::strtoul(words[2], nullptr, 10), std::strtoul(words[3], nullptr, 10));
+  } catch (const std::bad_alloc&) {
+    std::fputs("it needs more memory than it may have", stderr);
+  }
+  return 1;
+}

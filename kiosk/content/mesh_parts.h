@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+
+namespace onggi::content {
+
+/// An object of a mesh file without a scene: OBJ, PLY, STL.
+struct MeshPart {
+  std::string name;
+  std::vector<std::array<float, 3>> positions;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// How onggi-mesh answers, in this machine's own byte order: "ONGP", how many parts, and for each
+/// the sizes of its name, positions and triangles and then those themselves; or "ONGE" and why not.
+/// Sizes are 32 bits. Allocates.
+std::vector<std::byte> parts_bytes(const std::vector<MeshPart>& parts);
+std::vector<std::byte> refusal_bytes(const std::string& why);
+
+/// Reads that back, believing nothing: every size is held against what is there, every index
+/// against its positions. Problem, by `name`, for a refusal and for an answer that is none.
+/// Allocates in proportion to `bytes`.
+Result<std::vector<MeshPart>> parts_of(std::span<const std::byte> bytes, const std::string& name);
+
+}  // namespace onggi::content
