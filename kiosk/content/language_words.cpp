@@ -77,9 +77,10 @@ std::vector<std::string> places_in(const std::string& words) {
 
 void compare_with_english(settings::TomlReader::Table text, std::vector<WrittenText>& written) {
   std::vector<std::string> missing;
-  for (const auto& [key, words] : english())
-    if (std::none_of(written.begin(), written.end(), [&](const auto& w) { return w.key == key; }))
-      missing.push_back(key);
+  for (const auto& wanted : english())
+    if (std::none_of(written.begin(), written.end(),
+                     [&wanted](const WrittenText& one) { return one.key == wanted.first; }))
+      missing.push_back(wanted.first);
   for (WrittenText& one : written) {
     const auto wanted = english().find(one.key);
     if (wanted != english().end()) {
