@@ -6,6 +6,7 @@
 
 #include "engine/profile/axis.h"
 #include "engine/profile/ends.h"
+#include "engine/profile/median.h"
 #include "engine/profile/up.h"
 #include "engine/profile/wall_slice.h"
 
@@ -22,8 +23,8 @@ struct Allowed {
 constexpr Allowed kUsual{0.30, 0.25, 0.25, 0.0};
 /// Upright in its file, a jug may have more handle and spout on what is else a true circle.
 constexpr Allowed kWithHandles{1.0, 0.40, 0.05, 0.995};
-/// An oval has this share of its surface within the circle, on two sides as opposite as this.
-constexpr double kOval = 0.04, kOpposite = 0.5, kOneSided = 0.3;
+/// A rim this far aside of the foot, of the largest radius, or as much longer than wide, is told.
+constexpr double kSlanted = 0.04;
 /// One looks through a tube where nothing stops this share of the looks.
 constexpr double kTube = 0.5;
 /// Less than this mean depth is a flat or domed end, not a mouth.
@@ -80,6 +81,7 @@ class Extractor {
   void stand();
   void read_slices();
   Result<void> judge_roundness();
+  void note_slant();
   void fill_gaps();
   void square_foot();
   double find_floor();
@@ -177,16 +179,12 @@ void Extractor::read_slices() {
 }
 
 Result<void> Extractor::judge_roundness() {
-  double spread = 0.0, mean = 0.0, beyond = 0.0, lacking = 0.0, within = 0.0;
-  Vec2 side, sides;
+  double spread = 0.0, mean = 0.0, beyond = 0.0, lacking = 0.0;
   int round = 0;
   for (const WallSlice& s : slices_) {
     lacking += s.outer > 0.0 ? s.within + (kRays - s.present) : kRays;
     if (s.outer <= 0.0) continue;
     beyond += s.masked - s.within;
-    within += s.within;
-    side = side + s.side;
-    sides = sides + s.sides;
     spread += s.spread;
     mean += s.outer;
     ++round;
@@ -203,13 +201,31 @@ Result<void> Extractor::judge_roundness() {
   if (out_.masked_fraction > 0.01)
     warn("Left out as handle, spout or damage: " + percent(out_.masked_fraction) +
          " of the surface.");
-  // Two opposite sides lie within the circle: a slanted or squeezed vessel, no dent and no lobes.
-  if (within > kOval * n * kRays && length(sides) > kOpposite * within &&
-      length(side) < kOneSided * within)
-    warn("It leans or is oval: " + percent(within / (n * kRays)) +
-         " of it lies within the circle that was read, on two opposite sides. If it was sheared or "
-         "stretched in a modelling tool, undo that and export it again.");
+  note_slant();
   return {};
+}
+
+/// Circles whose centres run aside, or that are all longer one way, come of a modelling tool.
+void Extractor::note_slant() {
+  const std::size_t n = slices_.size(), half = n / 2;
+  std::vector<double> across, along, x, y;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (slices_[i].outer <= 0.0) continue;
+    x.push_back(slices_[i].oval.x);
+    y.push_back(slices_[i].oval.y);
+    if (i + half >= n || slices_[i + half].outer <= 0.0) continue;
+    across.push_back(slices_[i + half].centre.x - slices_[i].centre.x);
+    along.push_back(slices_[i + half].centre.y - slices_[i].centre.y);
+  }
+  if (across.empty()) return;
+  const double lean = 2.0 * length(Vec2{median(across), median(along)}) / body_.size;
+  const double oval = 2.0 * length(Vec2{median(x), median(y)}) / body_.size;
+  if (std::max(lean, oval) < kSlanted) return;
+  warn(
+      (lean > oval
+           ? "It leans: its rim lies " + percent(lean) + " of its largest radius aside of its foot."
+           : "It is oval: longer than wide by " + percent(oval) + " of its largest radius.") +
+      " If it was sheared or stretched in a modelling tool, undo that and export it again.");
 }
 
 /// A slice without a wall takes it from its neighbours.

@@ -13,6 +13,8 @@ constexpr double kShare = 0.5;
 constexpr double kHidden = 0.3;
 /// Radii further than this share of the vessel's size from the agreed one are something else.
 constexpr double kStandsOff = 0.025;
+/// What stands further off than this share of it says nothing about the circle's centre.
+constexpr double kFarOff = 0.15;
 /// Scanned surfaces are rough: crossings this near to each other are one surface, met thrice.
 constexpr double kRough = 0.008;
 /// What stands free inside, narrower than this share of the hollow, is a post or funnel, no wall.
@@ -78,6 +80,23 @@ Behind look_behind(std::span<const Crossing> ray, std::size_t next, double rough
   }
 }
 
+/// First and second harmonic of the radii, but for what stands far off.
+void find_form(const std::vector<double>& outer_of, const RayFan& fan, double size,
+               WallSlice& out) {
+  double count = 0.0;
+  for (std::size_t k = 0; k < outer_of.size(); ++k) {
+    const double off = outer_of[k] - out.outer;
+    if (outer_of[k] <= 0.0 || std::abs(off) > kFarOff * size) continue;
+    const Vec2 d = fan.direction(k);
+    out.centre = out.centre + d * off;
+    out.oval = out.oval + Vec2{d.x * d.x - d.y * d.y, 2.0 * d.x * d.y} * off;
+    count += 1.0;
+  }
+  if (count <= 0.0) return;
+  out.centre = out.centre * (2.0 / count);
+  out.oval = out.oval * (2.0 / count);
+}
+
 }  // namespace
 
 WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, double size,
@@ -112,6 +131,7 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, 
   if (mode.high - mode.low > 6.0 * kStandsOff * size) return out;  // they agree on nothing
   out.outer = wall.mean;
   out.spread = wall.spread;
+  find_form(outer_of, rays.fan(), size, out);
 
   std::vector<double> inner;
   inner.reserve(n);
@@ -120,12 +140,7 @@ WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, 
     if (outer_of[k] <= 0.0) continue;
     if (outer_of[k] < low || outer_of[k] > high) {
       ++out.masked;
-      if (outer_of[k] < low) {
-        const Vec2 d = rays.fan().direction(k);
-        ++out.within;
-        out.side = out.side + d;
-        out.sides = out.sides + Vec2{d.x * d.x - d.y * d.y, 2.0 * d.x * d.y};
-      }
+      if (outer_of[k] < low) ++out.within;
       continue;
     }
     ++looked;

@@ -15,8 +15,9 @@ struct WallSlice {
   double spread = 0.0;  ///< Standard deviation of the outer radii that agree.
   int present = 0;      ///< Rays that met a surface...
   int masked = 0;       ///< ...and of those, what stands off: handle, spout, damage...
-  int within = 0;    ///< ...and of those, what lies within the circle, as on the sides of an oval.
-  Vec2 side, sides;  ///< Sums of unit vectors at the angles of `within`, and at twice them.
+  int within = 0;       ///< ...and of those, what lies within the circle, not beyond it.
+  Vec2 centre;          ///< Of the surface that is near the circle, masked or not.
+  Vec2 oval;  ///< Half of how much longer than wide it is, at twice the angle of its length.
 };
 
 /// Reads one outline cut about the origin of its plane. `size` is the vessel's largest radius, for
