@@ -9,6 +9,7 @@
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
+#include "kiosk/content/lesson.h"
 #include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/scenes.h"
@@ -61,6 +62,12 @@ void check_glazes(CheckReport& report, const fs::path& file,
   add(report, file, glazes.keys_checked, std::move(glazes.problems));
 }
 
+void check_lesson(CheckReport& report, const fs::path& file,
+                  const std::vector<std::string>& languages = {}) {
+  auto lesson = content::read_lesson(file, languages);
+  add(report, file, lesson.keys_checked, std::move(lesson.problems));
+}
+
 std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
                                        const std::vector<std::string>& languages,
                                        const settings::ReaderLimits& limits = {}) {
@@ -88,6 +95,7 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file) {
     if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
   if (fs::is_regular_file(exhibit.glazes, ignored))
     check_glazes(report, exhibit.glazes, exhibit.languages);
+  if (exhibit.lesson) check_lesson(report, *exhibit.lesson, exhibit.languages);
   for (const device::KindInfo& kind : device::device_kinds())
     if (fs::is_regular_file(device_file(exhibit, kind.kind), ignored)) {
       auto device = device_of(exhibit, kind.kind);
@@ -127,6 +135,8 @@ void check_toml(CheckReport& report, const fs::path& file,
     add(report, file, drawing.keys_checked, std::move(drawing.problems));
   } else if (has("glaze")) {
     check_glazes(report, file);
+  } else if (has("step")) {
+    check_lesson(report, file, languages);
   } else if (has("text") && has("code")) {
     check_language(report, file);
   } else if (has("outline") || has("stars") || has("size_counts")) {

@@ -92,6 +92,11 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   auto languages = read_languages(exhibit_, options.language);
   if (!languages) return tl::unexpected(languages.error());
   languages_ = std::move(*languages);
+  if (exhibit_.lesson) {
+    auto lesson = content::read_lesson(*exhibit_.lesson, exhibit_.languages);
+    log_problems(lesson.problems);
+    lesson_ = std::move(lesson.steps);
+  }
   return {};
 }
 
@@ -100,6 +105,7 @@ void Kiosk::begin_visit(double now) {
   world.exhibit = &exhibit_;
   world.languages = &languages_;
   world.shelf = &shelf_->cards();
+  world.lesson = &lesson_;
   world.measure = &renderer_->measure();
   world.wheel = &potter_->view();
   world.potter = potter_.get();

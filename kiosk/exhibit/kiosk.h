@@ -96,6 +96,7 @@ class Kiosk {
   std::unique_ptr<Scenes> scenes_;
   SceneDef pot_def_;
   std::vector<content::Language> languages_;
+  std::vector<content::LessonStep> lesson_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::PotterHost> potter_;
   loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.

@@ -8,6 +8,7 @@ void Desk::forget() {
   made = {};
   score = {};
   glaze = -1;
+  lesson_step = 0;
   force = {};
   kept = Kept::not_asked;
   kept_as.clear();

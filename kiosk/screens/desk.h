@@ -31,7 +31,8 @@ class Desk {
   Profile made;
   score::Score score;
   ForceSlider force;
-  int glaze = -1;  ///< Chosen of its kiln's; -1: none yet.
+  std::size_t lesson_step = 0;  ///< Of the exhibit's lesson: the one that comes next, or is shown.
+  int glaze = -1;               ///< Chosen of its kiln's; -1: none yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
   std::string kept_as;
   view::PictureId postcard = 0;

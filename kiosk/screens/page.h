@@ -98,6 +98,7 @@ class Column {
   Column(Page& page, const view::Rect& box)
       : page_(page), box_(box), top_(box.y), foot_(box.y + box.h) {}
 
+  Page& page() const { return page_; }
   void space(float px) { top_ += px; }
   void foot_space(float px) { foot_ -= px; }
   /// A paragraph, at most 55 characters wide.

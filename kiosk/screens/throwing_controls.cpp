@@ -22,9 +22,11 @@ void lay_out_controls(Page& page, Column& column, const Desk& desk, const Throwi
   for (const std::string& words : {hand, wheel, clay, feels.empty() ? clay : force})
     captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
 
-  column.foot_buttons({{"throw.done", desk.say("throw.done"), Look::solid},
-                       {now.restore ? "throw.restore" : "", desk.say("throw.restore"),
-                        now.restore ? Look::outline : Look::plain}});
+  std::vector<Button> onward{{"throw.done", desk.say("throw.done"), Look::solid},
+                             {now.restore ? "throw.restore" : "", desk.say("throw.restore"),
+                              now.restore ? Look::outline : Look::plain}};
+  if (now.skip) onward.push_back({"throw.skip", desk.say("throw.skip"), Look::quiet});
+  column.foot_buttons(onward);
   column.foot_space(t.gap);
   column.foot_buttons(
       {{"throw.water", desk.say("throw.water"), now.water ? Look::solid : Look::outline},
@@ -45,7 +47,7 @@ void lay_out_controls(Page& page, Column& column, const Desk& desk, const Throwi
     return Button{id, desk.say(id), now.grip == which ? Look::solid : Look::outline};
   };
   column.foot_buttons({grip("throw.both", Grip::both), grip("throw.outside", Grip::outside),
-                       grip("throw.inside", Grip::inside)},
+                       grip("throw.inside", Grip::inside), now.show},
                       hand, captions);
 }
 

@@ -13,6 +13,8 @@ struct ThrowingControls {
   device::Grip grip = device::Grip::both;
   bool water = false, cut = false;
   bool restore = false;  ///< There is a stroke to take back.
+  Button show = {};      ///< "Show me".
+  bool skip = false;     ///< There is a lesson to be skipped.
 };
 
 /// From the foot of `column` up: done, the clay, the wheel, what a device pushes with, the hands.

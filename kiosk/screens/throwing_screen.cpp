@@ -5,10 +5,13 @@
 
 #include "kiosk/device/pointer_lead.h"
 #include "kiosk/screens/hint.h"
+#include "kiosk/screens/lesson_line.h"
 #include "kiosk/screens/mishap.h"
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
+#include "kiosk/screens/show_me.h"
 #include "kiosk/screens/target_line.h"
+#include "kiosk/screens/telling.h"
 #include "kiosk/screens/throwing_controls.h"
 #include "kiosk/screens/tool_tray.h"
 #include "kiosk/screens/wire_cut.h"
@@ -64,6 +67,7 @@ class Throwing final : public Screen {
     bool contact = false;
     for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
     if (hand_.active() && desk.pot_ready()) {
+      show_.draw(dt, hand_);
       hand_.follow(desk.world.wheel->clay, dt, contact);
       send_hand();
     }
@@ -72,6 +76,8 @@ class Throwing final : public Screen {
       dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
     }
     if (water_) dry_ = 0;
+    if (desk.pot_ready() && !mishap_)
+      lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
     hint_.update(desk.now, {target, &picture_.made(), std::abs(speed_) > 0.5, grip_, touched_,
                             dry_ > 20.0, desk.wheel().tool_radius});
   }
@@ -90,7 +96,8 @@ class Throwing final : public Screen {
     if (!mishap_) ToolTray::lay_out(page, desk, held_);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
       draw_ghost(page, camera_, card->target, picture_.made());
-      if (const auto& press = hint_.shown().press; press && !hand_.grabbed() && !mishap_)
+      if (const auto& press = hint_.shown().press;
+          press && !hand_.grabbed() && !mishap_ && LessonLine::shown(desk) == nullptr)
         draw_press(page, camera_, card->target, press->height, press->inward);
     }
     const TypeScale& t = page.type();
@@ -98,7 +105,9 @@ class Throwing final : public Screen {
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap);
     const bool back = desk.status.can_restore && !mishap_;  // After a mishap it stands above.
-    lay_out_controls(page, column, desk, {speed_, grip(), water_, cut_, back});
+    lay_out_controls(page, column, desk,
+                     {speed_, grip(), water_, cut_, back, show_.button(desk, aim() == nullptr),
+                      !mishap_ && LessonLine::shown(desk) != nullptr});
     column.foot_space(t.gap);
 
     column.text(desk.label(desk.card).title, t.body, Face::serif, view::kFaintInk);
@@ -106,16 +115,7 @@ class Throwing final : public Screen {
       column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
     column.space(t.gap * 0.5f);
     if (mishap_) return lay_out_mishap(column, t, desk, mishap_.now());
-    // The longest hint's room is kept, so that the controls never move under a finger.
-    const auto style = page.style(Face::sans, t.lead);
-    const view::Rect room = column.rest();
-    std::vector<std::string> all = all_hints(desk);
-    for (const std::string& key : FaultNote::keys()) all.push_back(desk.say(key));
-    for (const std::string& key : DeviceNews::keys()) all.push_back(desk.say(key));
-    for (const std::string& words : all)
-      if (page.size(words, style, room.w).height > room.h) page.overflowed();
-    const std::string& told = desk.note();
-    column.text(told.empty() ? words_of(hint_.shown(), desk) : desk.say(told), t.lead);
+    lay_out_telling(column, desk, show_, hint_.shown());
   }
 
   void press(const std::string& control) override {
@@ -143,6 +143,12 @@ class Throwing final : public Screen {
     } else if (control == "throw.restore") {
       let_go();
       mishap_.go_back(desk);
+    } else if (control == "throw.show") {
+      if (held_ > 0) take_up(0);
+      if (const Profile* target = aim()) show_.press(desk, *target, key_sign(), hand_);
+      send_hand();
+    } else if (control == "throw.skip") {
+      LessonLine::skip(desk);
     } else if (control == "throw.done") {
       finish();
     } else if (const auto tool = ToolTray::of_control(control)) {
@@ -153,6 +159,11 @@ class Throwing final : public Screen {
   }
 
   void hold(const std::string& control) override {
+    if (control == "throw.show") {
+      if (held_ > 0) take_up(0);
+      if (const Profile* target = aim()) show_.hold(desk, *target, key_sign(), hand_);
+      send_hand();
+    }
     if (control != "throw.water") return;
     soaked_at_ = desk.now;
     was_wet_ = water_;
@@ -182,15 +193,15 @@ class Throwing final : public Screen {
         hand_.grab(at, desk.world.wheel->clay, grip());
         break;
       case InputEvent::Kind::pointer_move:
-        if (!hand_.grabbed()) return;
+        if (!hand_.grabbed() || show_.showing()) return;
         hand_.drag(at);
         break;
       case InputEvent::Kind::pointer_up:
-        if (!hand_.grabbed()) return;
+        if (!hand_.grabbed() || show_.showing()) return;
         hand_.release();
         break;
       case InputEvent::Kind::scroll:
-        if (!hand_.active()) return;
+        if (!hand_.active() || show_.showing()) return;
         hand_.move(-kNotch * static_cast<double>(e.scroll), 0);
         break;
       default:
@@ -245,6 +256,7 @@ class Throwing final : public Screen {
   }
 
   void let_go() override {
+    show_.stop(hand_);
     hand_.lift();
     send_hand();
   }
@@ -261,9 +273,14 @@ class Throwing final : public Screen {
   }
   /// Two fingers hold the wall between them; more of them rest on the glass.
   void second_finger(const InputEvent& e, Vec2 at) {
-    if (e.finger != 1 || held_ > 0 || grip_ != Grip::both) return;
+    if (e.finger != 1 || held_ > 0 || grip_ != Grip::both || show_.showing()) return;
     const bool up = e.kind == InputEvent::Kind::pointer_up;
     hand_.pinch(up ? std::nullopt : std::optional(at), desk.world.wheel->clay);
+  }
+  /// The outline to be met, where a hand may work towards it.
+  const Profile* aim() const {
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    return card != nullptr && desk.pot_ready() && !mishap_ && !cut_off_ ? &card->target : nullptr;
   }
   Grip next_grip() const {
     return grip_ == Grip::both ? Grip::outside : grip_ == Grip::outside ? Grip::inside : Grip::both;
@@ -312,6 +329,7 @@ class Throwing final : public Screen {
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     menu_ = false;
     mishap_.stay();
+    show_.stop(hand_);
     if (hand_.active())
       hand_.move(outward, up);
     else
@@ -356,6 +374,8 @@ class Throwing final : public Screen {
   device::PointerLead hand_;
   std::size_t held_ = 0;  ///< Of the tray: 0 the hands.
   std::optional<WireCut> cut_off_;
+  ShowMe show_;
+  LessonLine lesson_;
   view::Camera camera_;
   double speed_;
   Grip grip_ = Grip::both;

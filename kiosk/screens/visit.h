@@ -8,6 +8,7 @@
 
 #include "kiosk/content/glaze.h"
 #include "kiosk/content/language.h"
+#include "kiosk/content/lesson.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/loop/potter.h"
 #include "kiosk/loop/wheel_view.h"
@@ -98,6 +99,8 @@ struct VisitWorld {
   const view::TextMeasure* measure = nullptr;
   const loop::WheelView* wheel = nullptr;
   loop::PotterCommands* potter = nullptr;
+  const std::vector<content::LessonStep>* lesson =
+      nullptr;                          ///< Of the first minute at the wheel; may be absent.
   const DeviceNews* devices = nullptr;  ///< May be absent: nothing is told of devices then.
 };
 
@@ -149,8 +152,8 @@ class Visit {
   ///   throw     "throw.both", "throw.outside", "throw.inside", "throw.slower", "throw.faster",
   ///             "throw.water", "throw.cut", "throw.renew", "throw.restore" (while there is a
   ///             stroke to take back), "throw.done", "throw.tool.N" (0 the hands, then the
-  ///             scene's; the wire ends the throwing); with a device that pushes "throw.softer",
-  ///             "throw.stronger"
+  ///             scene's; the wire ends the throwing), "throw.show", "throw.skip" (while the lesson
+  ///             lasts); with a device that pushes "throw.softer", "throw.stronger"
   ///   result    "result.keep", "result.again", "result.other"
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
   ///   keepsake  "keepsake.done"        fault  "fault.on"

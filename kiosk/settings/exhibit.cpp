@@ -166,6 +166,21 @@ void read_shelf_and_scene(Table& root, const fs::path& folder, Exhibit& exhibit)
   }
 }
 
+/// Without the key there is a lesson where its file is.
+void read_lesson_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
+  const bool named = root.has("lesson");
+  fs::path lesson = "../content/lessons/first_minute.toml";
+  read_path(root, "lesson", folder, lesson);
+  std::error_code error;
+  if (fs::is_regular_file(lesson, error))
+    exhibit.lesson = lesson;
+  else if (named)
+    root.complain(
+        "lesson", "There is no lesson " + lesson.string() + ".",
+        "Write lesson = \"FILE\" with a file such as content/lessons/first_minute.toml; for "
+        "no lesson, one without steps.");
+}
+
 /// Reads the rubric too; without the key and without the file the defaults stand.
 void read_rubric_of(Table& root, const fs::path& folder, ExhibitRead& read) {
   const bool named = root.has("rubric");
@@ -249,6 +264,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_title(root, exhibit.languages, exhibit.title);
   read_shelf_and_scene(root, folder, exhibit);
   read_vessel_scenes(root.child("vessel_scenes"), folder, exhibit);
+  read_lesson_of(root, folder, exhibit);
   read_rubric_of(root, folder, read);
   read_attract(root.child("attract"), exhibit.attract_scripts);
   read_idle(root.child("idle"), exhibit.idle);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct Exhibit {
   Rubric rubric;                                      ///< What it says, or the defaults.
   std::filesystem::path glazes =
       "../content/glazes.toml";  ///< The glazes to choose from; used where the scene has a kiln.
+  /// TOML of the lesson of the first minute; nothing where there is none.
+  std::optional<std::filesystem::path> lesson;
   struct Keepsake {
     std::filesystem::path folder = "../keepsakes";  ///< Where postcards go; made when first needed.
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.

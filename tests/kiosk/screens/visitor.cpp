@@ -106,6 +106,7 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
   world.shelf = &shelf;
   world.measure = measure ? measure : &plain;
   world.wheel = &view;
+  world.lesson = &lesson;
   world.potter = &potter;
   world.devices = &news;
   visit = std::make_unique<Visit>(world);

@@ -74,7 +74,8 @@ class Visitor {
   std::vector<content::Vessel> vessels;
   std::vector<ShelfCard> shelf;
   std::vector<content::Glaze> glazes;
-  Wheel wheel;  // of every card
+  std::vector<content::LessonStep> lesson;  // none as it comes
+  Wheel wheel;                              // of every card
   PlainMeasure plain;
   RecordingPotter potter;
   DeviceNews news;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "kiosk/device/ghost_finger.h"
+#include "kiosk/device/pointer_lead.h"
+#include "kiosk/screens/desk.h"
+#include "kiosk/screens/page.h"
+
+namespace onggi::screens {
+
+/// "Show me": the next stroke on the visitor's own pot, by the visitor's own two hands, led by
+/// nobody's finger. It is a stroke like any other: recorded, and taken back like any. It goes on to
+/// its end unless it is pressed again, or the pot is touched.
+class ShowMe {
+ public:
+  static constexpr double kHold = 0.6;  ///< s: pressed longer, it ends when it is let go.
+
+  /// The button goes down: the stroke begins, or ends.
+  void hold(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
+  /// The button comes up, or was pressed by a key.
+  void press(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
+  /// Once a frame, before PointerLead::follow.
+  void draw(double dt, device::PointerLead& hands);
+  /// The visitor takes over.
+  void stop(device::PointerLead& hands);
+
+  /// As it stands now; `away`: nothing can be shown.
+  Button button(const Desk& desk, bool away) const;
+  bool showing() const { return finger_.down(); }
+  /// Of the stroke under way: "show.open", "show.belly", "show.collar", "show.smooth".
+  std::string key() const;
+  content::HandsDrawn drawing() const;
+  static constexpr const char* kKeys[] = {"show.open", "show.belly", "show.collar", "show.smooth"};
+
+ private:
+  void begin(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
+
+  device::GhostFinger finger_;
+  double held_since_ = -1;  ///< s, by the desk's clock; below 0: the button is up.
+  bool ended_ = false;      ///< It was pressed to end a stroke.
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,63 @@
+#include "kiosk/screens/telling.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "kiosk/screens/hands_drawing.h"
+#include "kiosk/screens/hint.h"
+#include "kiosk/screens/lesson_line.h"
+
+namespace onggi::screens {
+
+using view::Face;
+
+namespace {
+
+constexpr float kDrawing = 0.22f;  // of the pot's room
+
+std::vector<std::string> all_that_may_be_told(const Desk& desk) {
+  std::vector<std::string> all = all_hints(desk);
+  for (const std::string& key : FaultNote::keys()) all.push_back(desk.say(key));
+  for (const std::string& key : DeviceNews::keys()) all.push_back(desk.say(key));
+  for (const char* key : ShowMe::kKeys) all.push_back(desk.say(key));
+  if (desk.world.lesson != nullptr)
+    for (const content::LessonStep& step : *desk.world.lesson)
+      all.push_back(step.words_in(desk.words().code()));
+  return all;
+}
+
+}  // namespace
+
+void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint) {
+  Page& page = column.page();
+  const TypeScale& t = page.type();
+  const auto style = page.style(Face::sans, t.lead);
+  const view::Rect room = column.rest();
+  float longest = 0;
+  for (const std::string& words : all_that_may_be_told(desk))
+    longest = std::max(longest, page.size(words, style, room.w).height);
+  if (longest > room.h) page.overflowed();
+
+  const content::LessonStep* step = LessonLine::shown(desk);
+  const std::string& news = desk.note();
+  const bool told = !news.empty();
+  column.text(told              ? desk.say(news)
+              : show.showing()  ? desk.say(show.key())
+              : step != nullptr ? step->words_in(desk.words().code())
+                                : words_of(hint, desk),
+              t.lead);
+  if (told) return;
+  // In the corner that is farthest from the words, where no pot is.
+  const view::Rect &pot = page.where().pot, &all = page.where().page;
+  const float side = kDrawing * std::min(pot.w, pot.h);
+  const view::Rect slip{page.where().mirrored ? all.x : all.x + all.w - side, all.y, side, side};
+  if (show.showing())
+    draw_hands(page, slip, show.drawing());
+  else if (step != nullptr)
+    draw_hands(page, slip, step->hands);
+  else if (hint.press)
+    draw_pressing_hand(page, slip, hint.press->inward);
+}
+
+}  // namespace onggi::screens
