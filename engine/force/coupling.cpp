@@ -31,15 +31,37 @@ void Coupling::balance(const CouplingLimits& limits) noexcept {
                             limits.max_force / limits.stiffness);
 }
 
+Vec3 Coupling::felt_stretch(const CouplingLimits& limits) noexcept {
+  places_[static_cast<std::size_t>(next_)] = hand_ + stretch_;
+  next_ = (next_ + 1) % kMost;
+  held_ = std::min(held_ + 1, kMost);
+  const int ticks = static_cast<int>(std::min(kMean / seconds_ + 0.5, double{kMost}));
+  const int count = std::clamp(ticks, 1, held_);
+  Vec3 sum;
+  for (int n = 1; n <= count; ++n)
+    sum += places_[static_cast<std::size_t>((next_ + kMost - n) % kMost)] - hand_;
+  const Vec3 mean = (1.0 / count) * sum;
+  Vec3 along;
+  if (const double strength = length(touch_.push); strength > 0.0) {
+    const Vec3 normal = (1.0 / strength) * touch_.push;
+    along = dot(mean, normal) * normal;
+  }
+  // A hand that slides is ahead of the mean, which must not make friction more than it is.
+  return no_longer_than(along + no_longer_than(mean - along, touch_.grip / limits.stiffness),
+                        limits.max_force / limits.stiffness);
+}
+
 Vec3 Coupling::tool(Vec3 hand, double seconds, const CouplingLimits& limits) noexcept {
   if (!known_) hand_ = hand;
+  seconds_ = seconds;
   known_ = true;
   const Vec3 way = hand - hand_;
   hand_ = hand;
   if (length(touch_.push) > 0.0 || touch_.grip > 0.0) {
     const double strength = length(touch_.push);
     // Implicit Euler: what clay gives way in the tick to come, or the tool would follow it late.
-    if (touch_.relaxation > 0.0) push_ *= touch_.relaxation / (touch_.relaxation + seconds);
+    if (touch_.relaxation > 0.0)
+      push_ *= touch_.relaxation / (touch_.relaxation + gives_ * seconds);
     Vec3 carried = seconds * touch_.clay;
     if (strength > 0.0) {
       const Vec3 normal = (1.0 / strength) * touch_.push;
@@ -61,9 +83,20 @@ Vec3 Coupling::feel(const Touch& touch, const CouplingLimits& limits) noexcept {
     release();
     return {};
   }
+  const double met = length(touch.push);
+  if (met > 0.0 && push_ > 0.0) {
+    const double share = (met - push_) / push_ * touch.relaxation / (kLearns + seconds_);
+    gives_ = std::clamp(gives_ - share, 0.0, 1.0);
+  } else {
+    gives_ = 1.0;
+  }
   touch_ = touch;
-  push_ = length(touch.push);
-  if (push_ > 0.0 || touch.grip > 0.0) balance(limits);
+  push_ = met;
+  if (push_ > 0.0 || touch.grip > 0.0) {
+    balance(limits);
+    return limits.stiffness * felt_stretch(limits);
+  }
+  held_ = 0;
   return limits.stiffness * stretch_;
 }
 

@@ -60,18 +60,19 @@ double above_50(std::span<const Vec3> force) {
   return std::sqrt(sum / (n_of * weight));
 }
 
-/// How many ms later `force` is than `sooner`: where the two differ least, to a tenth by a
-/// parabola.
+/// How many ms later `force` is than `sooner`: where it is most like some share of it, to a tenth
+/// by a parabola. A force that is a little smaller is not late.
 double lag_of(std::span<const Vec3> force, std::span<const Vec3> sooner) {
   const auto off = [&](int ms) {
-    double sum = 0.0;
+    double own = 0.0, both = 0.0, others = 0.0;
     for (std::size_t n = kMostLag; n + 1 < std::min(force.size(), sooner.size()); ++n) {
       const auto from = static_cast<std::size_t>(static_cast<int>(n) - ms);
       if (from >= sooner.size()) continue;
-      const Vec3 d = force[n] - sooner[from];
-      sum += dot(d, d);
+      own += dot(force[n], force[n]);
+      both += dot(force[n], sooner[from]);
+      others += dot(sooner[from], sooner[from]);
     }
-    return sum;
+    return others > 0.0 ? own - both * both / others : own;
   };
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -121,7 +122,9 @@ std::vector<Vec3> push_slowly(const SceneDef& given, const SlowPush& push) {
   hands.wheel_speed = kWheelSpeed;
   hands.hand[0].tool = push.tool;
   hands.hand[0].side = SideWish::outside;
+  hands.water = push.wet;
   for (double t = 0.0; t < kRunUp; t += push.seconds) scene->step(hands, push.seconds);
+  hands.water = false;
   hands.hand[0].active = true;
   const auto count = static_cast<int>(kPushed / 0.001 + 0.5);
   for (int n = 0; n < count; ++n) {

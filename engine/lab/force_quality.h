@@ -25,6 +25,7 @@ struct SlowPush {
   std::uint8_t tool = 0;   ///< HandInput::tool
   double seconds = 0.001;  ///< Of a tick.
   double coupling = 0.0;   ///< N/m between hand and tool; 0: none, the scene's own force.
+  bool wet = false;        ///< A sponge was held to the clay for a second before.
 };
 /// Force on the tool, N, a value a millisecond: what a hand would feel of `scene` without its
 /// guard's ramp. Empty where the scene is none. Allocates.

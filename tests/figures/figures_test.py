@@ -9,6 +9,7 @@ import argparse
 import csv
 import math
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -40,6 +41,7 @@ class Drawn(unittest.TestCase):
         for name, words in (("bodies", ["section with a row", "hull of balls"]),
                             ("edges", ["sharpest turn of the outline in 0.5 mm, degrees", "with"]),
                             ("effects", ["walls and volume, pulled", "wobble, mm off the middle"]),
+                            ("feel", ["at the hand, through 257 N/m", "over the rim's edge, 2 mm deep"]),
                             ("glossary", ["element: one", "interval, or span:"]),
                             ("loop", ["stiffness, N/m", "the wheel head"]),
                             ("marks", ["eight facets, flat rib", "a trimmed foot"]),
@@ -105,6 +107,25 @@ class Edges(unittest.TestCase):
                 self.assertLess(soft, 0.75 * sharp, depth)
         deepest = [min(r for r, _ in of["outline", w]) for w in ("without", "with")]
         self.assertAlmostEqual(*deepest, delta=0.05)
+
+
+class Feel(unittest.TestCase):
+    def test_a_hand_feels_a_smoother_force_and_what_clay_is_like(self):
+        rows = table("feel.csv")
+        spread = {which: statistics.pstdev(float(r["b"]) for r in rows
+                                           if r["kind"] == "trace" and r["which"] == which)
+                  for which in ("a scene's own", "at the hand")}
+        self.assertLess(spread["at the hand"], 0.25 * spread["a scene's own"])
+        clay = {r["which"]: [float(r[k]) for k in "abc"] for r in rows if r["kind"] == "clay"}
+        for k in (0, 1, 2):
+            self.assertLess(clay["wet"][k], 0.85 * clay["dry"][k])
+            self.assertGreater(clay["twice the stiffness"][k], 1.2 * clay["dry"][k])
+        self.assertGreater(clay["gives way in twice the time"][0], 1.2 * clay["dry"][0])
+        rim = {round(float(r["a"])): (float(r["b"]), float(r["c"])) for r in rows
+               if r["kind"] == "rim"}
+        self.assertGreater(rim[-12][0], 3 * rim[2][0])
+        self.assertGreater(rim[0][1], 0.01)
+        self.assertEqual(rim[9], (0.0, 0.0))
 
 
 class Glossary(unittest.TestCase):

@@ -48,7 +48,7 @@ TEST(Coupling, IsASpringInSeriesWithTheWallAtBothEndsOfItsRange) {
 
 TEST(Coupling, LeavesClayThatGivesWayAsHeavyAsItWas) {
   // A dashpot of 4 N s/m behind 500 N/m: Maxwell's clay. At 20 mm/s it takes 0.08 N, however soft
-  // the spring before it.
+  // the spring before it, but for the 1 ms that the tool is felt late.
   for (const double stiffness : {20.0, 2000.0}) {
     Coupling coupling;
     const CouplingLimits limits{stiffness, 3.3};
@@ -62,7 +62,7 @@ TEST(Coupling, LeavesClayThatGivesWayAsHeavyAsItWas) {
       push = std::max(0.0, keeps * push + 4.0 * (1.0 - keeps) * way / kTick);
       force = coupling.feel({{0.0, push, 0.0}, 500.0, 4.0 / 500.0, 0.0, {}}, limits);
     }
-    EXPECT_NEAR(force.y, 0.08, 0.002) << stiffness;
+    EXPECT_NEAR(force.y, 0.02 * (4.0 + stiffness * 0.001), 0.002) << stiffness;
   }
 }
 
@@ -130,6 +130,44 @@ TEST(Coupling, AToolThatNothingHoldsAnyMoreComesBackWithoutALeap) {
     last = tool.y;
   }
   EXPECT_NEAR(tool.y, -0.04, 1e-6);
+}
+
+TEST(Coupling, AToolThatTremblesIsFeltByTheMeanOfThreeTicks) {
+  // A wall that pushes 0.3 N and trembles by a twentieth three ticks long: the hand feels none of
+  // it.
+  for (const double seconds : {0.001, 0.0005}) {
+    Coupling coupling;
+    const CouplingLimits limits{200.0, 3.3};
+    const int period = static_cast<int>(0.003 / seconds + 0.5);
+    double least = 1e9, most = 0.0, reach = 0.0;
+    for (int n = 0; n < 3000; ++n) {
+      coupling.tool({}, seconds, limits);
+      const double tremble = n % period == 0 ? 1.05 : 1.0;
+      const Vec3 force = coupling.feel({{0.3 * tremble, 0.0, 0.0}, 600.0, 0.0, 0.0, {}}, limits);
+      if (n < 2000) continue;
+      least = std::min(least, force.x);
+      most = std::max(most, force.x);
+      reach = std::max(reach, std::fabs(200.0 * coupling.stretch().x - force.x));
+    }
+    EXPECT_LT(most - least, 1e-9) << seconds;
+    EXPECT_GT(reach, 1e-3) << "the tool itself trembles";
+  }
+}
+
+TEST(Coupling, LearnsThatATurningWheelBringsFreshClay) {
+  // The push is told to fade within 10 ms and never does, as of clay that comes anew: the force is
+  // the push itself, not a twentieth less.
+  Coupling coupling;
+  const CouplingLimits limits{257.0, 3.3};
+  double depth = 0.001;  // m, of the tool in clay of 600 N/m
+  Vec3 force;
+  for (int n = 0; n < 500; ++n) {
+    const double out = coupling.tool({}, kTick, limits).x;
+    depth = 0.001 - out;
+    force = coupling.feel({{600.0 * depth, 0.0, 0.0}, 600.0, 0.01, 0.0, {}}, limits);
+  }
+  EXPECT_NEAR(force.x / (600.0 * depth), 1.0, 1e-3);
+  EXPECT_NEAR(force.x, 1e-3 * 600.0 * 257.0 / 857.0, 1e-3);
 }
 
 TEST(Coupling, IsNeverStretchedBeyondTheGreatestForce) {

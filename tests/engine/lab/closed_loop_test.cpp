@@ -127,6 +127,10 @@ TEST(ClosedLoop, AToolHeldInAWallThatTurnsDoesNotHopOnItsOwnMarks) {
     for (const HandModel& hand : {kLightHand, kFirmHand}) {
       LoopPlan plan = on_the_wheel_head(d, hand, LoopWall::rendered);
       plan.coupling = d.delay == 3 ? 19.0 : 257.0;
+      // The loop's own scene is coarse, for speed: its elements are four times those of a scene
+      // that is played, and shake a tool sixteen times as much.
+      plan.scene.clay.rows = 400;
+      plan.scene.clay.sectors = 360;
       plan.begins = {plan.scene.clay.outer_radius + plan.scene.tool.radius, 0.06, 0.0};
       plan.rest = plan.begins - Vec3{0.003, 0.0, 0.0};
       plan.push = {};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace onggi::lab {
@@ -39,6 +40,23 @@ TEST(ForceQuality, AScenesForceIsLateByLessThanTwoMilliseconds) {
   const ForceQuality ours = scenes_quality(def, 0);
   EXPECT_GT(ours.mean, 0.1);
   EXPECT_LT(std::fabs(ours.lag), 0.002);
+}
+
+TEST(ForceQuality, AtTheHandOfADeviceItIsSmootherThanThePapersBehindItsFilterAndInTime) {
+  const PrintedQuality printed = printed_quality();
+  SceneDef def;
+  def.clay.keep_undo = false;
+  const std::size_t last = def.tools.size();
+  for (const std::size_t tool : {std::size_t{0}, std::size_t{1}, std::size_t{3}, last - 1}) {
+    const ForceQuality ours = scenes_quality(def, static_cast<std::uint8_t>(tool), 257.0);
+    EXPECT_GT(ours.mean, 0.1) << tool;
+    // In newtons, or where the force is larger than the paper's as a share of it.
+    const double share = std::max(1.0, ours.mean / printed.filtered.mean);
+    EXPECT_LT(ours.increment, share * printed.filtered.increment) << tool;
+    EXPECT_LT(ours.above_50, 0.5 * printed.raw.above_50) << tool;
+    // And 1 ms for the mean of three ticks, which its own reference has too.
+    EXPECT_LT(std::fabs(ours.lag), 0.001) << tool;
+  }
 }
 
 }  // namespace
