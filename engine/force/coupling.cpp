@@ -32,15 +32,18 @@ void Coupling::balance(const CouplingLimits& limits) noexcept {
 }
 
 Vec3 Coupling::felt_stretch(const CouplingLimits& limits) noexcept {
-  places_[static_cast<std::size_t>(next_)] = hand_ + stretch_;
+  past_[static_cast<std::size_t>(next_)] = {hand_, stretch_};
   next_ = (next_ + 1) % kMost;
   held_ = std::min(held_ + 1, kMost);
   const int ticks = static_cast<int>(std::min(kMean / seconds_ + 0.5, double{kMost}));
   const int count = std::clamp(ticks, 1, held_);
+  // In this order a hand that lies still feels its spring to the last digit.
   Vec3 sum;
-  for (int n = 1; n <= count; ++n)
-    sum += places_[static_cast<std::size_t>((next_ + kMost - n) % kMost)] - hand_;
-  const Vec3 mean = (1.0 / count) * sum;
+  for (int n = 1; n <= count; ++n) {
+    const Past& past = past_[static_cast<std::size_t>((next_ + kMost - n) % kMost)];
+    sum += (past.hand - hand_) + past.stretch;
+  }
+  const Vec3 mean{sum.x / count, sum.y / count, sum.z / count};
   Vec3 along;
   if (const double strength = length(touch_.push); strength > 0.0) {
     const Vec3 normal = (1.0 / strength) * touch_.push;

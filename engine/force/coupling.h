@@ -57,7 +57,10 @@ class Coupling {
 
   Vec3 hand_, stretch_;
   Touch touch_;
-  std::array<Vec3, kMost> places_;  ///< Of the tool in the last ticks of this touch, a ring.
+  struct Past {
+    Vec3 hand, stretch;
+  };
+  std::array<Past, kMost> past_;  ///< Of the last ticks of this touch, a ring.
   int next_ = 0, held_ = 0;
   double seconds_ = 0.001;
   double gives_ = 1.0;  ///< Of the push that a touch says fades, the share that does.

@@ -37,6 +37,8 @@ class AccuracySheet : private ChartPen {
   void line_of(const ChartPanel& p, const AccuracyChart::Line& of);
   void name_mark(const ChartPanel& p, const AccuracyChart::Mark& mark, view::Color color,
                  bool above);
+  bool free(const std::array<double, 4>& box) const;
+  void pots_beside_marks(const ChartPanel& p);
   void legend();
   void star(double x, double y, double size);
   void forces(const ChartPanel& p);
@@ -69,7 +71,7 @@ ChartPanel AccuracySheet::main_panel() const {
           1290,
           300,
           1030,
-          decades(0.75 * least_us, 1.9 * most_us),
+          decades((chart_.pots.empty() ? 0.75 : 0.3) * least_us, 1.9 * most_us),
           decades(0.5 * least, 1.6 * most)};
 }
 
@@ -94,9 +96,10 @@ void AccuracySheet::no_time(const ChartPanel& p) {
   ink(kNoTime);
   line(at, p.top, at, p.bottom, 2.5);
   const Lettering how{.px = kSmallLetter, .side = 0, .color = kNoTime, .turn = -0.25 * kFullCircle};
-  words("no time left: a tick is 1 ms", 0.5 * (at + p.right) - 14, 0.4 * p.bottom + 0.6 * p.top,
-        how);
-  taken_.push_back({at, p.top, p.right, p.bottom});
+  const std::string text = "no time left: a tick is 1 ms";
+  const double middle = 0.5 * (p.top + p.bottom), half = 0.5 * width_of(text, how);
+  words(text, at + 8, middle, how);
+  taken_.push_back({at - 2, middle - half, at + 36, middle + half});
 }
 
 /// What is said of less than the reference is sure of means nothing.
@@ -176,6 +179,40 @@ void AccuracySheet::line_of(const ChartPanel& p, const AccuracyChart::Line& of) 
   }
 }
 
+bool AccuracySheet::free(const std::array<double, 4>& box) const {
+  return std::ranges::none_of(taken_, [&](const auto& other) {
+    return box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3];
+  });
+}
+
+/// Small, each tied to its mark, on the side where no line is.
+void AccuracySheet::pots_beside_marks(const ChartPanel& p) {
+  constexpr int kSmall = 82;
+  for (const AccuracyChart::Pot& pot : chart_.pots) {
+    if (!pot.at) continue;
+    const view::Image image =
+        paint_pot({pot.columns, pot.rows, pot.height, pot.radius, pot.off}, kSmall);
+    const double x = p.x(pot.at->us), y = p.y(pot.at->mm), w = image.width, h = image.height;
+    const double beside = x - 42 - w, under = x - 0.5 * w;
+    const std::array<std::array<double, 2>, 6> places{{{beside, y - 0.5 * h},
+                                                       {beside, y + 8},
+                                                       {under, y + 30},
+                                                       {under, y + 64},
+                                                       {under, y - 26 - h},
+                                                       {beside, y - 8 - h}}};
+    for (const auto& [left, top] : places) {
+      const std::array<double, 4> box{left - 3, top - 3, left + w + 3, top + h + 3};
+      if (box[0] < p.left || box[2] > p.right || box[1] < p.top || box[3] > p.bottom || !free(box))
+        continue;
+      ink(view::kFaintInk, 0.6);
+      line(std::clamp(x, left, left + w), std::clamp(y, top, top + h), x, y, 1.5);
+      picture(image, std::round(left), std::round(top));
+      taken_.push_back(box);
+      break;
+    }
+  }
+}
+
 /// Beside its mark, at the first place where nothing else is.
 void AccuracySheet::name_mark(const ChartPanel& p, const AccuracyChart::Mark& mark,
                               view::Color color, bool above) {
@@ -183,17 +220,15 @@ void AccuracySheet::name_mark(const ChartPanel& p, const AccuracyChart::Mark& ma
   Lettering how{.px = kSmallLetter, .color = color, .halo = 4};
   const double wide = width_of(mark.name, how), high = 27;
   const double x = p.x(mark.us), y = p.y(mark.mm);
-  constexpr std::array<std::pair<int, int>, 5> kAbove{{{0, -1}, {1, -1}, {-1, -1}, {0, 1}, {1, 0}}};
-  constexpr std::array<std::pair<int, int>, 5> kBelow{{{-1, 1}, {0, 1}, {-1, 0}, {1, 0}, {1, 1}}};
+  using Ways = std::array<std::pair<int, int>, 7>;
+  constexpr Ways kAbove{{{0, -1}, {1, -1}, {-1, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, 1}}};
+  constexpr Ways kBelow{{{1, -1}, {1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {1, 1}, {0, -1}}};
   for (const auto& [across, down] : above ? kAbove : kBelow) {
     const double left = across > 0 ? x + 18 : across < 0 ? x - 14 - wide : x - 0.5 * wide;
     const double top = down == 0 ? y - 0.5 * high : down < 0 ? y - 22 - high : y + 12;
     const std::array<double, 4> box{left, top, left + wide, top + high};
     const bool inside = box[0] > p.left && box[2] < p.right && box[1] > p.top && box[3] < p.bottom;
-    const bool free = std::ranges::none_of(taken_, [&](const auto& other) {
-      return box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3];
-    });
-    if (!inside || !free) continue;
+    if (!inside || !free(box)) continue;
     words(mark.name, left, top, how);
     taken_.push_back(box);
     return;
@@ -275,8 +310,8 @@ void AccuracySheet::forces(const ChartPanel& p) {
     cairo_stroke(c_);
     for (std::size_t n = 0; n < force.force.size(); ++n)
       disc(p.x(force.elements[n]), p.y(force.force[n]), 8, force.color, force.hollow);
-    words(force.name, p.x(force.elements.front()) - 8,
-          p.y(force.force.front()) + (force.hollow ? 14 : -44),
+    words(force.name, p.x(force.elements.front()) + (force.hollow ? 22 : -8),
+          p.y(force.force.front()) + (force.hollow ? -14 : -44),
           {.px = kSmallLetter, .color = force.color, .halo = 4});
   }
   const std::string told =
@@ -344,6 +379,7 @@ std::vector<std::byte> AccuracySheet::draw() {
   if (chart_.chosen) star(p.x(chart_.chosen->us), p.y(chart_.chosen->mm), 25);
   for (const auto& of : chart_.lines)
     for (const auto& mark : of.marks) name_mark(p, mark, of.color, of.above);
+  pots_beside_marks(p);
   legend();
   const ChartPanel force = force_panel(p);
   axes(force, "millions of elements", "");

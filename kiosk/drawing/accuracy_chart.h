@@ -53,6 +53,7 @@ struct AccuracyChart {
     std::vector<float> radius;  ///< m, row by row, foot first.
     std::vector<float> off;     ///< m
     bool chosen = false;
+    std::optional<Mark> at{};  ///< Its setting's mark, beside which it is drawn small as well.
   };
   std::vector<Pot> pots;
 

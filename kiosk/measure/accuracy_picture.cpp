@@ -128,6 +128,8 @@ drawing::AccuracyChart chart_of(const AccuracyReport& report) {
     out.off = pot.off;
     out.chosen = report.recommended && pot.setting.model == Model::shipped &&
                  pot.setting.rows == report.recommended->chosen.setting.rows;
+    for (const lab::SettingSummary& one : report.settings)
+      if (one.setting == pot.setting) out.at = mark_of(one);
     chart.pots.push_back(std::move(out));
   }
   return chart;

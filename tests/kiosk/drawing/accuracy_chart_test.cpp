@@ -42,5 +42,39 @@ TEST(AccuracyChart, ARingIsDrawnWhereRandomHandsBrokeASettingAndAStarWhereOneIsR
   EXPECT_GT(drawn(chart).size(), whole.size());
 }
 
+TEST(AccuracyChart, APotStandsBesideItsMarkToo) {
+  AccuracyChart chart = some_chart();
+  AccuracyChart::Pot pot{.name = "50 × 45",
+                         .below = "0.2 mm off",
+                         .columns = 2,
+                         .rows = 2,
+                         .height = 0.1,
+                         .radius = {0.05f, 0.05f, 0.05f, 0.05f},
+                         .off = {1e-4f, 1e-4f, 1e-3f, 1e-3f}};
+  const auto images = [](const AccuracyChart& drawn) {
+    const std::string svg = text_of(draw_accuracy(drawn, "a.svg"));
+    std::size_t count = 0;
+    for (std::size_t at = svg.find("<image"); at != std::string::npos;
+         at = svg.find("<image", at + 1))
+      ++count;
+    return count;
+  };
+  chart.pots = {pot};
+  EXPECT_EQ(images(chart), 1u);
+  chart.pots[0].at = chart.lines[0].marks[0];
+  EXPECT_EQ(images(chart), 2u);
+}
+
+TEST(AccuracyChart, ASettingBeyondATicksTimeHasItsName) {
+  AccuracyChart chart = some_chart();
+  const auto glyphs = [](const AccuracyChart& drawn) {
+    return draw_accuracy(drawn, "a.svg").size();
+  };
+  chart.lines[0].marks.push_back({1600.0, 0.01, ""});
+  const auto without = glyphs(chart);
+  chart.lines[0].marks.back().name = "6400 × 2880";
+  EXPECT_GT(glyphs(chart), without + 200);
+}
+
 }  // namespace
 }  // namespace onggi::drawing
