@@ -112,8 +112,8 @@ class Edges(unittest.TestCase):
 class Feel(unittest.TestCase):
     def test_a_hand_feels_a_smoother_force_and_what_clay_is_like(self):
         rows = table("feel.csv")
-        spread = {which: statistics.pstdev(float(r["b"]) for r in rows
-                                           if r["kind"] == "trace" and r["which"] == which)
+        spread = {which: statistics.pstdev(steps([float(r["b"]) for r in rows
+                                                  if r["kind"] == "trace" and r["which"] == which]))
                   for which in ("a scene's own", "at the hand")}
         self.assertLess(spread["at the hand"], 0.25 * spread["a scene's own"])
         clay = {r["which"]: [float(r[k]) for k in "abc"] for r in rows if r["kind"] == "clay"}
