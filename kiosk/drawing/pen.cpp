@@ -2,6 +2,7 @@
 
 #include <cairo/cairo-svg.h>
 #include <pango/pangocairo.h>
+#include <algorithm>
 
 #include <cstdint>
 #include <span>
@@ -126,8 +127,13 @@ void Pen::picture(const view::Image& image, double x, double y) {
       to[2] = scaled(from[0]);
       to[3] = from[3];
     }
-  cairo_surface_t* laid = cairo_image_surface_create_for_data(bytes.data(), CAIRO_FORMAT_ARGB32,
-                                                              image.width, image.height, stride);
+  // Cairo's own, since a vector's page reads it when it is finished.
+  cairo_surface_t* laid =
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height);
+  cairo_surface_flush(laid);
+  if (unsigned char* const own = cairo_image_surface_get_data(laid); own != nullptr)
+    std::ranges::copy(bytes, own);
+  cairo_surface_mark_dirty(laid);
   cairo_set_source_surface(c_, laid, x, y);
   cairo_paint(c_);
   cairo_surface_destroy(laid);
