@@ -96,6 +96,14 @@ void ChildProcess::end(int signal) {
   pid_ = -1;
 }
 
+double ChildProcess::processor_seconds() const {
+  clockid_t clock{};
+  timespec used{};
+  if (pid_ <= 0 || ::clock_getcpuclockid(pid_, &clock) != 0 || ::clock_gettime(clock, &used) != 0)
+    return 0;
+  return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
+}
+
 bool ChildProcess::wait_until(Clock::time_point deadline) {
   for (;;) {
     const pid_t ended = ::waitpid(pid_, &status_, WNOHANG);

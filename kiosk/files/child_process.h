@@ -43,6 +43,8 @@ class ChildProcess {
   void end(int signal);
   /// True once it has ended; false at `deadline`.
   bool wait_until(Clock::time_point deadline);
+  /// Seconds of processor time that it has had so far; 0 once it has been waited for.
+  double processor_seconds() const;
   /// As waitpid() tells it, once it has ended.
   int status() const { return status_; }
 

@@ -20,25 +20,47 @@ namespace {
 
 using Clock = ChildProcess::Clock;
 
+constexpr int kLook = 100;                // ms between two looks at how it gets on
 constexpr std::size_t kLastWords = 2000;  // of standard error that a Problem carries
 
 enum class Talk { done, late, too_much, broken };
 
+/// Tells a helper that hangs from one that has to wait for its turn on a busy machine: by the
+/// processor time it has had.
+class Patience {
+ public:
+  Patience(const ChildProcess& child, double seconds)
+      : child_(child), seconds_(seconds), seen_at_(Clock::now()) {}
+
+  bool over() {
+    const double used = child_.processor_seconds();
+    const auto now = Clock::now();
+    if (used - seen_ > kStill * seconds_) {
+      seen_ = used;
+      seen_at_ = now;
+    }
+    return used > seconds_ || std::chrono::duration<double>(now - seen_at_).count() > seconds_;
+  }
+
+ private:
+  static constexpr double kStill = 1e-3;  // of the patience: less work than that is none
+  const ChildProcess& child_;
+  double seconds_, seen_ = 0;
+  Clock::time_point seen_at_;
+};
+
 /// Writes head and body, reads out and err, until the helper has closed both.
 Talk talk(Descriptor& in, Descriptor& out, Descriptor& err, std::span<const std::byte> head,
-          std::span<const std::byte> body, std::size_t most_bytes, Clock::time_point deadline,
+          std::span<const std::byte> body, std::size_t most_bytes, Patience& patience,
           std::vector<std::byte>& output, std::string& words) {
   std::vector<std::byte> buffer(1 << 16);
   while (out.open() || err.open()) {
     if (head.empty()) head = std::exchange(body, {});
     if (head.empty()) in.close();
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) return Talk::late;
+    if (patience.over()) return Talk::late;
     std::array<pollfd, 3> ready{
         {{in.get(), POLLOUT, 0}, {out.get(), POLLIN, 0}, {err.get(), POLLIN, 0}}};
-    const int count =
-        ::poll(ready.data(), ready.size(), static_cast<int>(std::min<long long>(left, 1000)));
+    const int count = ::poll(ready.data(), ready.size(), kLook);
     if (count < 0 && errno != EINTR) return Talk::broken;
     if (count <= 0) continue;
     if (ready[0].revents != 0) {
@@ -82,8 +104,6 @@ Result<std::vector<std::byte>> run_helper(const Helper& helper) {
   const auto told = [&](std::string what, std::string remedy) {
     return problem(helper.program, std::move(what), std::move(remedy), 1);
   };
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(helper.timeout_s));
   Channel in, out, err;
   if (!in.open_for_writing() || !out.open_for_reading() || !err.open_for_reading()) {
     return told(std::string("No pipe to the helper could be opened: ") + std::strerror(errno) + ".",
@@ -100,8 +120,9 @@ Result<std::vector<std::byte>> run_helper(const Helper& helper) {
 
   std::vector<std::byte> output;
   std::string words;
+  Patience patience(*child, helper.timeout_s);
   const Talk talked = talk(in.ours, out.ours, err.ours, std::as_bytes(std::span(helper.head)),
-                           std::as_bytes(helper.body), helper.most_bytes, deadline, output, words);
+                           std::as_bytes(helper.body), helper.most_bytes, patience, output, words);
   if (talked == Talk::too_much) {
     return told(std::string("The helper wrote more than any such ") + helper.answer + " needs.",
                 "Build the kiosk again, so that both come from the same version.");
@@ -109,12 +130,12 @@ Result<std::vector<std::byte>> run_helper(const Helper& helper) {
   if (talked == Talk::broken) {
     return told("The helper could not be listened to.", "Restart the kiosk if this returns.");
   }
-  if (talked == Talk::late || !child->wait_until(deadline)) {
+  if (talked == Talk::late || !child->wait_until(Clock::now() + std::chrono::seconds(1))) {
     child->end(SIGKILL);
-    return told("The helper had not ended after " +
+    return told("The helper worked or stood still for " +
                     std::to_string(static_cast<int>(helper.timeout_s + 0.5)) +
-                    " s and was stopped. " + last_words(words),
-                "The machine may be overloaded or its disk failing: look at what else runs on it.");
+                    " s without an end and was stopped. " + last_words(words),
+                "Its disk may be failing: look into the system's log.");
   }
   if (child->status() != 0) {
     return told("The helper " + how_it_ended(child->status()) + ". " + last_words(words),

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string>
 
@@ -29,6 +30,24 @@ std::string text_of(const Result<std::vector<std::byte>>& bytes) {
 TEST(helper_process, its_arguments_arrive_as_they_are_whatever_a_shell_would_make_of_them) {
   const std::string odd = "a b; $HOME 'c' \"d\" *";
   EXPECT_EQ(text_of(run_helper({.program = "printf", .arguments = {"%s|%s", odd, ""}})), odd + "|");
+}
+
+// As one among many on a busy machine: a little work, a long wait for the next turn.
+TEST(helper_process, one_that_gets_on_slowly_is_waited_for) {
+  const std::string slow =
+      "for i in 1 2 3 4 5 6 7 8 9 10 11 12; do for j in $(seq 1500); do :; done; sleep 0.1; done; "
+      "echo done";
+  EXPECT_EQ(text_of(run_helper({.program = "bash", .arguments = {"-c", slow}, .timeout_s = 0.6})),
+            "done\n");
+}
+
+TEST(helper_process, one_that_stands_still_or_works_without_end_is_stopped) {
+  for (const char* words : {"sleep 60", "while :; do :; done"}) {
+    const auto begun = std::chrono::steady_clock::now();
+    const auto out = run_helper({.program = "bash", .arguments = {"-c", words}, .timeout_s = 0.5});
+    EXPECT_THAT(text_of(out), HasSubstr("was stopped")) << words;
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(30)) << words;
+  }
 }
 
 TEST(helper_process, what_it_is_given_comes_back_from_cat_head_first) {
