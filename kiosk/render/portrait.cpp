@@ -51,6 +51,21 @@ TriangleMesh standing(const TriangleMesh& mesh) {
   return out;
 }
 
+/// Mean height of what faces up about the axis: the floor of an open vessel, the top of a shut one.
+/// The vessel's own where nothing does.
+float floor_of(const TriangleMesh& mesh, float widest, float top) {
+  double sum = 0, weight = 0;
+  for (const auto& t : mesh.triangles) {
+    const Point &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const Point m{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
+    if (mesh.normals[t[0]][1] < 0.6f || std::hypot(m[0], m[2]) > 0.5f * widest) continue;
+    const double seen = std::abs((c[0] - a[0]) * (b[2] - a[2]) - (b[0] - a[0]) * (c[2] - a[2]));
+    sum += seen * static_cast<double>(m[1]);
+    weight += seen;
+  }
+  return weight > 0 ? static_cast<float>(sum / weight) : top;
+}
+
 }  // namespace
 
 Levels levels_of(const TriangleMesh& mesh) {
@@ -100,6 +115,14 @@ Levels levels_of(const TriangleMesh& mesh) {
     for (std::size_t k = kLevels - 1; k > 0; --k) {
       into[k - 1] = into[k - 1] > 0 ? into[k - 1] : into[k];
     }
+  }
+  // A plate is open from its floor up, though nothing of it is steep enough for an inner wall.
+  const float widest = *std::max_element(levels.outer.begin(), levels.outer.end());
+  float above = 0.98f * levels.outer[kLevels - 1];
+  for (int l = kLevels - 1; l >= level_at(floor_of(mesh, widest, top)); --l) {
+    float& inner = levels.inner[static_cast<std::size_t>(l)];
+    if (inner <= 0) inner = above;
+    above = inner;
   }
   return levels;
 }

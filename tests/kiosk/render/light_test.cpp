@@ -71,5 +71,22 @@ TEST(LevelsOf, ATurnedTubeHasItsOwnRadii) {
   }
 }
 
+TEST(LevelsOf, APlateIsOpenFromItsFloorUpThoughNothingOfItIsSteep) {
+  Section plate;
+  plate.outline = {{0, 0},        {0.06, 0},      {0.11, 0.016}, {0.114, 0.019},
+                   {0.11, 0.019}, {0.06, 0.0045}, {0, 0.004}};
+  const Levels levels = levels_of(revolve(plate, 128));
+  const auto level = static_cast<std::size_t>(0.006 / 0.019 * kLevels);
+  for (std::size_t k = level; k < kLevels; ++k) EXPECT_GT(levels.inner[k], 0.04f) << k;
+  EXPECT_EQ(levels.inner[0], 0.0f);
+}
+
+TEST(LevelsOf, ASolidLumpHasNoInside) {
+  Section lump;
+  lump.outline = {{0, 0}, {0.05, 0}, {0.05, 0.2}, {0, 0.2}};
+  const Levels levels = levels_of(revolve(lump, 128));
+  for (std::size_t k = 0; k + 1 < kLevels; ++k) EXPECT_EQ(levels.inner[k], 0.0f) << k;
+}
+
 }  // namespace
 }  // namespace onggi::render
