@@ -100,9 +100,13 @@ Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int row
       return tl::unexpected(said.error());
     if (count) price->instructions = counted(rows, sectors, scene.name);
     if (!list.prices.empty()) price->bytes -= list.prices.front().bytes;
-    std::fprintf(table, "%-22s %7.0f ns %7.0f ns %7.0f ns %12lld %7.4f mm %7.4f N",
-                 price->name.c_str(), price->median_ns, price->p999_ns, price->asleep_ns,
-                 static_cast<long long>(price->bytes), 1e3 * price->shape, price->force);
+    std::fprintf(table, "%-22s %7.0f ns %7.0f ns %7.0f ns %12lld", price->name.c_str(),
+                 price->median_ns, price->p999_ns, price->asleep_ns,
+                 static_cast<long long>(price->bytes));
+    if (std::isfinite(price->shape))
+      std::fprintf(table, " %7.4f mm %7.4f N", 1e3 * price->shape, price->force);
+    else
+      std::fprintf(table, " %10s %9s", "no wall", "");
     if (price->instructions > 0)
       std::fprintf(table, " %12lld", static_cast<long long>(price->instructions));
     std::fprintf(table, "\n");
