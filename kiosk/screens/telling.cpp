@@ -27,6 +27,16 @@ std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   return all;
 }
 
+/// In the corner that is farthest from the words, where no pot is; upright the pot is everywhere
+/// above, and it lies under the words, of which the longest leave `taken` of their `room`.
+view::Rect slip_for(const Page& page, const view::Rect& room, float taken) {
+  const view::Rect &pot = page.where().pot, &all = page.where().page;
+  const float side = kDrawing * std::min(pot.w, pot.h);
+  if (page.where().portrait && room.h - taken >= side)
+    return {room.x + (room.w - side) / 2, room.y + taken + (room.h - taken - side) / 2, side, side};
+  return {page.where().mirrored ? all.x : all.x + all.w - side, all.y, side, side};
+}
+
 }  // namespace
 
 void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint) {
@@ -48,10 +58,7 @@ void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const
                                 : words_of(hint, desk),
               t.lead);
   if (told) return;
-  // In the corner that is farthest from the words, where no pot is.
-  const view::Rect &pot = page.where().pot, &all = page.where().page;
-  const float side = kDrawing * std::min(pot.w, pot.h);
-  const view::Rect slip{page.where().mirrored ? all.x : all.x + all.w - side, all.y, side, side};
+  const view::Rect slip = slip_for(page, room, longest + t.gap);
   if (show.showing())
     draw_hands(page, slip, show.drawing());
   else if (step != nullptr)
