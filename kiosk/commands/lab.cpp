@@ -1,6 +1,5 @@
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -159,15 +158,9 @@ Result<int> timing(const TimingArguments& arguments) {
   if (!config) return tl::unexpected(config.error());
   const auto report = measure::measure_loop(*config, arguments.seconds);
   if (!report) return tl::unexpected(report.error());
-  const auto put = put_report(measure::json_of(*report), arguments.json);
-  if (!put) return tl::unexpected(put.error());
-  if (*put && !arguments.plot.to_stdout()) std::cout << measure::text_of(*report);
-  if (arguments.plot.wanted())
-    if (const auto kept = arguments.plot.write(
-            drawing::draw_plot(measure::plot_of(*report), arguments.plot.where()));
-        !kept)
-      return tl::unexpected(kept.error());
-  return report->fit ? 0 : 1;
+  return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
+                    arguments.json, arguments.plot)
+      .map([&report] { return report->fit ? 0 : 1; });
 }
 
 Command timing_command() {

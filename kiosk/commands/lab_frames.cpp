@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -31,11 +30,8 @@ Result<int> frames(FramesArguments& arguments) {
   }
   const auto report = measure::measure_frames(arguments.plan, stderr);
   if (!report) return tl::unexpected(report.error());
-  const auto put = put_report(measure::json_of(*report), arguments.json);
-  if (!put) return tl::unexpected(put.error());
-  if (*put && !arguments.plot.to_stdout()) std::cout << measure::text_of(*report);
-  if (!arguments.plot.wanted()) return 0;
-  return arguments.plot.write(drawing::draw_plot(measure::plot_of(*report), arguments.plot.where()))
+  return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
+                    arguments.json, arguments.plot)
       .map([] { return 0; });
 }
 

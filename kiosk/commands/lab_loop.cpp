@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -33,15 +32,9 @@ Result<int> loop(const LoopArguments& arguments) {
   if (!arguments.write.empty()) return write_limit(arguments.write);
   const auto report = measure::measure_force_loop(stderr);
   if (!report) return tl::unexpected(report.error());
-  const auto put = put_report(measure::json_of(*report), arguments.json);
-  if (!put) return tl::unexpected(put.error());
-  if (*put && !arguments.plot.to_stdout()) std::cout << measure::text_of(*report);
-  if (arguments.plot.wanted())
-    if (const auto kept = arguments.plot.write(
-            drawing::draw_plot(measure::plot_of(*report), arguments.plot.where()));
-        !kept)
-      return tl::unexpected(kept.error());
-  return report->good() ? 0 : 1;
+  return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
+                    arguments.json, arguments.plot)
+      .map([&report] { return report->good() ? 0 : 1; });
 }
 
 }  // namespace

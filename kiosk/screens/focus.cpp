@@ -6,6 +6,10 @@
 
 namespace onggi::screens {
 
+namespace {
+constexpr float kAnotherRow = 1e5f;  // pixels: farther than anything on a screen
+}  // namespace
+
 std::string step_focus(const std::vector<Control>& controls, const std::string& from,
                        Direction direction) {
   if (controls.empty()) return {};
@@ -36,7 +40,10 @@ std::string step_focus(const std::vector<Control>& controls, const std::string& 
         break;
     }
     if (along < 2.0f) continue;
-    const float cost = along + 2.0f * std::abs(across);
+    // Left and right keep to the row while there is anything in it.
+    const bool level = direction == Direction::left || direction == Direction::right;
+    const bool elsewhere = level && std::abs(across) > 0.25f * (at->rect.h + c.rect.h);
+    const float cost = along + 2.0f * std::abs(across) + (elsewhere ? kAnotherRow : 0.0f);
     if (cost < least) least = cost, nearest = &c;
   }
   if (nearest) return nearest->id;

@@ -22,10 +22,10 @@ void lay_out_controls(Page& page, Column& column, const Desk& desk, const Throwi
   for (const std::string& words : {hand, wheel, clay, feels.empty() ? clay : force})
     captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
 
-  std::vector<Button> onward{{"throw.done", desk.say("throw.done"), Look::solid},
-                             {now.restore ? "throw.restore" : "", desk.say("throw.restore"),
-                              now.restore ? Look::outline : Look::plain}};
+  // What comes and goes stands last, so that nothing else moves under a finger.
+  std::vector<Button> onward{{"throw.done", desk.say("throw.done"), Look::solid}, now.show};
   if (now.skip) onward.push_back({"throw.skip", desk.say("throw.skip"), Look::quiet});
+  if (now.restore) onward.push_back({"throw.restore", desk.say("throw.restore"), Look::outline});
   column.foot_buttons(onward);
   column.foot_space(t.gap);
   column.foot_buttons(
@@ -47,7 +47,7 @@ void lay_out_controls(Page& page, Column& column, const Desk& desk, const Throwi
     return Button{id, desk.say(id), now.grip == which ? Look::solid : Look::outline};
   };
   column.foot_buttons({grip("throw.both", Grip::both), grip("throw.outside", Grip::outside),
-                       grip("throw.inside", Grip::inside), now.show},
+                       grip("throw.inside", Grip::inside)},
                       hand, captions);
 }
 
