@@ -43,6 +43,17 @@ TEST(Fingers, AFingerOfWhomNothingIsHeardLiftsWhereItWas) {
   EXPECT_EQ(out.back().x, 11);
 }
 
+TEST(Fingers, OneThatIsToldTwiceWasLiftedUnheard) {
+  Fingers fingers;
+  std::vector<InputEvent> out;
+  fingers.down(7, 1, 2, 0, out);
+  fingers.down(7, 3, 4, 1, out);
+  ASSERT_EQ(out.size(), 3u);
+  EXPECT_EQ(out[1].kind, Kind::pointer_up);
+  EXPECT_EQ(out[2].kind, Kind::pointer_down);
+  EXPECT_EQ(out[2].finger, 0);
+}
+
 TEST(Fingers, AnEleventhIsLetBe) {
   Fingers fingers;
   std::vector<InputEvent> out;
