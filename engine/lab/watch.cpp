@@ -7,6 +7,7 @@
 #include "engine/effects/volume.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
+#include "engine/scene/long_tick.h"
 
 namespace onggi::lab {
 namespace {
@@ -103,7 +104,10 @@ std::optional<Breach> Watch::look_at_feedback(const Scene& scene, double dt, con
       return breach(Invariant::force,
                     said("The force changed by %.9g N in a tick that allows %.9g.", change, most));
     force_[n] = hand.force;
-    const double large = std::max({def.clay.radius_max, rim_, scene.clay().rim_height()});
+    double large = std::max({def.clay.radius_max, rim_, scene.clay().rim_height()});
+    // Between the parts of a long tick nobody sees how high clay has risen and sagged again.
+    if (def.volume && scene::parts_of(seconds_of(dt)) > 1)
+      large = std::max(large, effects::Volume::kTallest * def.clay.height);
     if (hand.depth < 0.0 || hand.depth > large + kSettled)
       return breach(Invariant::depth,
                     said("A press of %.9g m in clay of %.9g m.", hand.depth, large));
@@ -189,12 +193,12 @@ std::optional<Breach> Watch::look_at_volume(const Scene& scene, double seconds) 
     sum += area_[static_cast<std::size_t>(j)] * clay.row_thickness(j);
   const double off = sum / lump_ - 1.0;
   const bool good = off < kSameVolume && (cut_ || off > -kSameVolume);
-  // Girth after a pressed rim comes at a bounded pace: in a tick that is shorter than that takes,
-  // it is late for as long as the rim is pressed, and a round more.
+  // Girth after a pressed rim comes at a bounded pace: in a tick, or in a long one's parts, that is
+  // shorter than that takes, it is late for as long as the rim is pressed, and a round more.
   constexpr double kElementsPerSecond = 16384e3;
   constexpr double kLongestWait = 0.1;  // s
   const double late = std::min(kLongestWait, clay.rows() * clay.stride() / kElementsPerSecond);
-  const bool waits = !good && !(pressed_ && seconds < late);
+  const bool waits = !good && !(pressed_ && seconds / scene::parts_of(seconds) < late);
   off_ = waits ? off_ + 1 : 0;
   off_seconds_ = waits ? off_seconds_ + seconds : 0.0;
   if (off_ > 2 && off_seconds_ > 2.0 * late)

@@ -6,13 +6,13 @@
 #include "engine/contact/stops.h"
 #include "engine/effects/built.h"
 #include "engine/math/portable.h"
+#include "engine/scene/long_tick.h"
 
 namespace onggi {
 namespace {
 
 constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
-constexpr double kPart = 0.001;  // s
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
 constexpr double kOfAQuadratic = 2.0;  // d F / d l of F ~ l^2, which is a round body's, in F / l
 
@@ -163,12 +163,10 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   }
 }
 
-// Stages 5 and 6. Effects on rows come after the press and not during it, which is wrong by as much
-// as clay moves in between: a long tick, of a thread that came late, is worked in parts of about a
-// millisecond, each as a tick of that length would be.
+// Stages 5 and 6. The long tick of a thread that came late is worked in parts.
 void Scene::State::press_and_work(Tick& tick) noexcept {
   if (!row_effects) return press_clay(tick);
-  const int parts = std::max(1, static_cast<int>(tick.dt / kPart + 0.5));
+  const int parts = scene::parts_of(tick.dt);
   if (parts == 1) {
     press_clay(tick);
     return work_on_rows(tick);

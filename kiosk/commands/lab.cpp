@@ -90,6 +90,7 @@ Command effects_command() {
 struct StabilityArguments {
   measure::StabilityPlan plan;
   std::string out = plan.folder.string(), check;
+  int trial = -1;
   files::Output json{files::Output::Kind::json};
 };
 
@@ -103,7 +104,10 @@ Result<int> stability(StabilityArguments& arguments) {
     return 0;
   }
   arguments.plan.folder = arguments.out;
-  const auto tally = measure::measure_stability(arguments.plan, stderr);
+  const auto tally =
+      arguments.trial < 0
+          ? measure::measure_stability(arguments.plan, stderr)
+          : measure::measure_trial(arguments.plan, static_cast<std::uint64_t>(arguments.trial));
   if (!tally) return tl::unexpected(tally.error());
   const auto free = put_report(measure::json_of(*tally), arguments.json);
   if (!free) return tl::unexpected(free.error());
@@ -127,6 +131,7 @@ Command stability_command() {
           .examples =
               "Example: onggi lab stability --ticks 1e9 --json night.json\n"
               "         onggi lab stability --ticks 1e7 --seed 7 --threads 1\n"
+              "         onggi lab stability --seed 7 --trial 1234\n"
               "         onggi lab stability --check keepsakes/stability/7_1234.onggi\n"
               "Interrupted, it goes on where it was when it is run again with the same seed.",
           .options = {{.name = "--ticks",
@@ -140,6 +145,11 @@ Command stability_command() {
                        .help = "0: one a core [0]",
                        .least = 0,
                        .most = 256},
+                      {.name = "--trial",
+                       .field = &a->trial,
+                       .help = "Only this one of the seed, by its number; no progress is kept",
+                       .least = 0,
+                       .excludes = "--check"},
                       {"--out", &a->out, "Where progress and replays go [keepsakes/stability]"},
                       {"--json", &a->json, "Write what came as JSON (- for standard output)"},
                       {"--check", &a->check, "Only look at every tick of this replay"}},

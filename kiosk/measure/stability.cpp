@@ -61,14 +61,18 @@ class Night {
       : plan_(plan), tally_(std::move(tally)), next_(tally_.trials) {}
 
   void work() {
-    for (std::uint64_t number = 0; take(number);) {
-      const lab::Trial trial = trial_of(plan_.seed, number);
-      const lab::TrialChecks checks{.twice = true, .give_up = [] { return stop_asked.load(); }};
-      const lab::TrialResult result = lab::run_trial(trial, checks);
-      if (stop_asked && !result.breach) return;  // not all of it was run
-      if (result.breach) found(number, trial, *result.breach, checks);
-      done(number, result.ticks);
-    }
+    for (std::uint64_t number = 0; take(number);)
+      if (!run(number)) return;
+  }
+  // False where it was asked to stop before all of the trial was run.
+  bool run(std::uint64_t number) {
+    const lab::Trial trial = trial_of(plan_.seed, number);
+    const lab::TrialChecks checks{.twice = true, .give_up = [] { return stop_asked.load(); }};
+    const lab::TrialResult result = lab::run_trial(trial, checks);
+    if (stop_asked && !result.breach) return false;
+    if (result.breach) found(number, trial, *result.breach, checks);
+    done(number, result.ticks);
+    return true;
   }
 
   // A copy, as it is now.
@@ -138,6 +142,11 @@ Result<void> keep(const StabilityPlan& plan, const StabilityTally& tally) {
   const std::string text = text_of(tally);
   if (auto good = files::make_folder(plan.folder); !good) return good;
   return files::write_durably(progress_of(plan), std::as_bytes(std::span(text)));
+}
+
+tl::unexpected<Problem> not_kept(const StabilityPlan& plan, const Night& night) {
+  return problem(plan.folder.string(), "A replay could not be kept: " + night.trouble(),
+                 "Choose another folder: --out DIR.", 1);
 }
 
 void tell(std::FILE* told, const StabilityPlan& plan, std::uint64_t ticks, std::size_t finds,
@@ -236,12 +245,25 @@ Result<StabilityTally> measure_stability(const StabilityPlan& plan, std::FILE* t
   }
   for (std::thread& thread : threads) thread.join();
   if (!good) return tl::unexpected(good.error());
-  if (!night.trouble().empty())
-    return problem(plan.folder.string(), "A replay could not be kept: " + night.trouble(),
-                   "Choose another folder: --out DIR.", 1);
+  if (!night.trouble().empty()) return not_kept(plan, night);
   tally = night.tally();
   tally.interrupted = stop_asked;
   if (good = keep(plan, tally); !good) return tl::unexpected(good.error());
+  return tally;
+}
+
+Result<StabilityTally> measure_trial(const StabilityPlan& plan, std::uint64_t number) {
+  if (auto good = files::make_folder(plan.folder); !good) return tl::unexpected(good.error());
+  StabilityTally tally;
+  tally.seed = plan.seed;
+  tally.trials = number;
+  const StopOnSignal signals;
+  Night night(plan, tally);
+  const bool whole = night.run(number);
+  if (!night.trouble().empty()) return not_kept(plan, night);
+  tally = night.tally();
+  tally.trials -= number;
+  tally.interrupted = !whole;
   return tally;
 }
 

@@ -50,6 +50,12 @@ Result<StabilityTally> measure_stability(const StabilityPlan& plan, std::FILE* t
 /// Does a replay again and looks at every tick. Problem (exit 1) where something does not hold.
 Result<std::string> check_replay(const Replay& replay);
 
+/// Runs trial `number` of `plan.seed` and no other; what it breaks is made small and kept in the
+/// folder. No progress is read or kept, and `plan.ticks` and `plan.threads` do not matter. The
+/// tally is of this trial alone. Problem where the replay cannot be kept. Main thread; blocks,
+/// until SIGINT or SIGTERM at the latest.
+Result<StabilityTally> measure_trial(const StabilityPlan& plan, std::uint64_t number);
+
 files::Json json_of(const StabilityTally& tally);
 
 /// The progress file's text, and what such a text says; Problem with `name` where it makes no

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Are the tests awake? Changes a sign or a constant in the engine, one at a time, and runs the tests.
 
-  tests/mutation/mutate.py [--each 3] [--seed 1] [--files engine/contact/*] [--json F] [--keep DIR]
+  tests/mutation/mutate.py [--each 3] [--most N] [--seed 1] [--files engine/contact/*] [--json F]
+                             [--keep DIR]
   tests/mutation/mutate.py --list
 
 Works on a copy of the tracked tree, built without the kiosk. In every file of the rooms contact, effects and
@@ -11,6 +12,7 @@ that do not compile, or that compile to the same code, are not counted. What nob
 It takes half a minute a change: an hour and more for all.
 
 --each N   changes a file (default 3)
+--most N   of those, N from all files by lot, in the order drawn: what is stopped early is still a fair sample
 --list     print the changes and make none
 --keep DIR the folder to work in, which then stays, so that a second run goes on where the first was stopped
 --json F   every change and what became of it
@@ -82,7 +84,7 @@ def places(path):
     return sorted(out)
 
 
-def chosen(tree, each, seed, patterns):
+def chosen(tree, each, most, seed, patterns):
     changes = []
     for room in ROOMS:
         found = sorted(glob.glob(f"{tree}/engine/{room}/**/*", recursive=True))
@@ -99,7 +101,9 @@ def chosen(tree, each, seed, patterns):
                     changes.append((room, name, *place))
                 if len(lines) == each:
                     break
-    return changes
+    if most:
+        random.Random(f"{seed} of all").shuffle(changes)
+    return changes[:most or len(changes)]
 
 
 def copied(tree):
@@ -230,6 +234,7 @@ def told(results):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--each", type=int, default=3)
+    parser.add_argument("--most", type=int)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--files", nargs="+", default=["engine/*"])
     parser.add_argument("--json")
@@ -238,13 +243,13 @@ def main():
     a = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(2))  # a changed file is put back all the same
     if a.list:
-        for room, name, number, begin, end, new in chosen(ROOT, a.each, a.seed, a.files):
+        for room, name, number, begin, end, new in chosen(ROOT, a.each, a.most, a.seed, a.files):
             print(f"{name}:{number + 1}:{begin + 1}: {new.strip()}")
         return 0
     with tempfile.TemporaryDirectory(prefix="onggi-mutation") as temporary:
         tree = os.path.join(os.path.realpath(a.keep or temporary), "tree")
         copied(tree)
-        changes = chosen(tree, a.each, a.seed, a.files)
+        changes = chosen(tree, a.each, a.most, a.seed, a.files)
         if not changes:
             print(f"no file matches {' '.join(a.files)}: try engine/contact/*", file=sys.stderr)
             return 2

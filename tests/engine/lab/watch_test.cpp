@@ -81,6 +81,20 @@ TEST(Watch, TellsOfAPressDeeperThanTheClayAndOfAWheelBeyondItsSpeed) {
   EXPECT_EQ(wet.told(), Invariant::range);
 }
 
+TEST(Watch, AllowsAPressWithinALongTickWhatClayThatRisesMayComeTo) {
+  const auto told = [](bool rises, double depth, double dt) {
+    SceneDef def = small();
+    if (rises) def.volume.emplace();
+    Watched watched(def);
+    watched.felt.hand[0].depth = depth;
+    return watched.told(dt);
+  };
+  EXPECT_EQ(told(true, 0.59, 0.005), std::nullopt);
+  EXPECT_EQ(told(true, 0.61, 0.005), Invariant::depth);
+  EXPECT_EQ(told(true, 0.59, 0.0014), Invariant::depth);
+  EXPECT_EQ(told(false, 0.59, 0.005), Invariant::depth);
+}
+
 TEST(Watch, TellsOfClayThatCameFromNowhere) {
   SceneDef def = small();
   def.volume.emplace();

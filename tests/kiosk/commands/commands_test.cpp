@@ -126,6 +126,10 @@ TEST(Lab, ANightOfTrialsLeavesItsTallyAndGoesOnWhereItWas) {
   EXPECT_EQ(next.exit_code, 0) << next.err;
   EXPECT_NE(next.err.find("Goes on from trial"), std::string::npos);
   EXPECT_NE(next.out.find("seed 3"), std::string::npos);
+  const Outcome one = onggi("lab stability --trial 1" + out);
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_NE(one.out.find("seed 3, 1 trials"), std::string::npos);
+  EXPECT_EQ(onggi("lab stability --trial -1").exit_code, 2);
   EXPECT_EQ(onggi("lab stability --ticks 0").exit_code, 2);
   EXPECT_EQ(onggi("lab stability --check /nowhere.onggi").exit_code, 2);
 }

@@ -105,6 +105,25 @@ TEST(StabilityNight, RefusesProgressThatIsNoneAndAnotherSeeds) {
   EXPECT_NE(put(good.substr(0, good.size() - 8)).what.find("make no sense"), std::string::npos);
 }
 
+TEST(StabilityNight, OneTrialAloneIsWhatItIsAmongTheOthersAndKeepsNoProgress) {
+  const Folder folder;
+  StabilityPlan plan = short_night(folder, 1.0);
+  plan.threads = 1;
+  const auto first = measure_trial(plan, 0);
+  const auto second = measure_trial(plan, 1);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->trials, 1u);
+  EXPECT_EQ(second->trials, 1u);
+  EXPECT_NE(first->ticks, second->ticks);
+  EXPECT_FALSE(second->interrupted);
+  EXPECT_EQ(progress(folder), "");
+  plan.ticks = static_cast<double>(first->ticks) + 1.0;
+  const auto night = measure_stability(plan, stderr);
+  ASSERT_TRUE(night);
+  EXPECT_EQ(night->trials, 2u);
+  EXPECT_EQ(night->ticks, first->ticks + second->ticks);
+}
+
 TEST(StabilityTallyText, IsReadBackWithAllThatWasFound) {
   StabilityTally tally;
   tally.seed = 12345678901234567890u;
