@@ -30,6 +30,7 @@ struct DeviceSample {
   Vec3 place;       ///< Of its handle, metres, the device's own frame.
   Vec3 push;        ///< A puck's or sticks' deflection, -1..1: x right, y up, z to the visitor.
   Vec3 twist;       ///< The same of turning, right-handed about those axes.
+  Vec3 turning;     ///< How fast the device itself is being turned, rad/s, about the same axes.
   double dial = 0;  ///< A dial's turn since it was plugged in, rad, clockwise.
   std::uint32_t buttons = 0;  ///< SampleButton.
   bool held = false;          ///< A person is at it.

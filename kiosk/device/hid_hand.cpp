@@ -11,6 +11,8 @@ namespace {
 constexpr double kFurthestOut = 0.25;  // m from the axis: clear of any clay.
 constexpr double kHighest = 0.45;      // m
 constexpr double kGoesHome = 3.0;      // s after which a puck begins anew.
+constexpr double kPickedUp = 0.75;     // rad/s: more than a shaken table does.
+constexpr double kTilted = 0.1;        // rad/s of a hand that is at it already.
 constexpr double kStale = 0.1;         // s: a puck that is pushed speaks every 16 ms at the most.
 
 /// Nothing within `dead`, then from nothing to 1: gently at first.
@@ -94,11 +96,13 @@ Vec3 HidHand::glide(double dt) noexcept {
 }
 
 void HidHand::turn_tool(double dt, HandInput& hand) noexcept {
-  const Vec3 twist = to_studio(def_, shaped(sample_.twist, 2.0 * def_.dead));
-  if (twist != Vec3{} && rested_ <= 0.0) {
+  // A puck is twisted as fast as the tool is to turn; what is tilted itself turns it as it turns.
+  const Vec3 speed = def_.turn_speed * to_studio(def_, shaped(sample_.twist, 2.0 * def_.dead)) +
+                     to_studio(def_, sample_.turning);
+  if (speed != Vec3{} && rested_ <= 0.0) {
     if (handle_ == Vec3{}) handle_ = {0.0, 1.0, 0.0};
-    handle_ = turned(handle_, (def_.turn_speed * dt) * twist);
-    roll_ += def_.turn_speed * dt * dot(twist, handle_);
+    handle_ = turned(handle_, dt * speed);
+    roll_ += dt * dot(speed, handle_);
   }
   hand.handle = handle_;
   hand.roll = roll_;
@@ -109,7 +113,8 @@ bool HidHand::in_use(double dt) noexcept {
   if (sample_.has_place) return sample_.held;
   const bool stale = static_cast<double>(link_->time_ns() - sample_.at_ns) > kStale * 1e9;
   const Vec3 push = shaped(sample_.push, def_.dead), twist = shaped(sample_.twist, 2.0 * def_.dead);
-  rested_ = !stale && (push != Vec3{} || twist != Vec3{}) ? 0.0 : rested_ + dt;
+  const bool turns = length(sample_.turning) > (rested_ < def_.lifts_after ? kTilted : kPickedUp);
+  rested_ = !stale && (push != Vec3{} || twist != Vec3{} || turns) ? 0.0 : rested_ + dt;
   return rested_ < def_.lifts_after;
 }
 

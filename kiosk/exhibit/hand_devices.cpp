@@ -40,6 +40,13 @@ InputEvent key_event(InputEvent::Kind kind, Key key) {
   return event;
 }
 
+/// A hand's device is turned by every tick of the wheel; one without a hand gets its milliseconds
+/// here.
+void turn_through(device::HidLink& link, double seconds) {
+  constexpr double kTurn = 1e-3;
+  for (; seconds > 0.5 * kTurn; seconds -= kTurn) link.pump(kTurn);
+}
+
 std::string newtons(double force) {
   char text[24];
   std::snprintf(text, sizeof text, "%.1f N", force);
@@ -134,9 +141,11 @@ void HandDevices::share(double of_force) {
 /// A dial that lies under the other hand says when the first one meets clay.
 void HandDevices::buzz_at_a_touch(double now) {
   bool touching = false;
-  for (const HandFeedback& felt : potter_.view().status.feedback.hand)
-    touching = touching || felt.contact;
-  const bool begins = touching && !std::exchange(touching_, touching);
+  const loop::LoopStatus& status = potter_.view().status;
+  for (const HandFeedback& felt : status.feedback.hand)
+    touching = touching || (felt.contact && !status.shown);
+  const bool before = std::exchange(touching_, touching);
+  const bool begins = touching && !before;
   if (!begins || now - buzzed_at_ < kBetweenBuzzes) return;
   buzzed_at_ = now;
   ++buzzes_;
@@ -159,7 +168,7 @@ std::vector<InputEvent> HandDevices::frame(double now) {
   std::optional<device::DeviceKind> first_hand;
   std::erase_if(used_, [&](InUse& used) {
     used.link->heartbeat();
-    if (options_.by_hand && used.hand == nullptr) used.link->pump(now - last_frame_);
+    if (options_.by_hand && used.hand == nullptr) turn_through(*used.link, now - last_frame_);
     const device::LinkStatus status = used.link->status();
     note_faults(used, status);
     if (status.sample.lost) {

@@ -223,6 +223,7 @@ void Kiosk::carry_out(const screens::StartPot& request) {
     potter_->record(card.vessel->id, seed_);
     return;
   }
+  potter_->show();
   if (request.script.empty()) return;
   auto script = make_script(request.script, {def, &card.target, seed_ + pots_});
   if (script)

@@ -48,6 +48,7 @@ struct Restore {};
 struct Pause {
   bool on = false;
 };
+struct Show {};  ///< The pot on the wheel is shown: no visitor's device works on it.
 struct ClearFaults {
   std::uint32_t which = 0;
 };
@@ -56,7 +57,7 @@ struct ClearFaults {
 using Command =
     std::variant<command::GiveBack, command::Put, command::Play, command::Attach, command::Detach,
                  command::Lead, command::Take, command::TurnWheel, command::Water, command::Renew,
-                 command::Restore, command::Pause, command::ClearFaults>;
+                 command::Restore, command::Pause, command::Show, command::ClearFaults>;
 static_assert(std::is_trivially_copyable_v<Command>, "the queue moves it without a thought");
 
 }  // namespace onggi::loop

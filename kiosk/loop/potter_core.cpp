@@ -63,7 +63,7 @@ void PotterCore::apply(const command::Put& wish) noexcept {
   lift_hands();
   taken_ = {};
   status_.scene_serial = pot_->serial;
-  paused_ = false;
+  paused_ = shown_ = false;
 }
 
 void PotterCore::apply(const command::GiveBack&) noexcept {
@@ -129,7 +129,10 @@ void PotterCore::read_hands(double dt, Hands& hands) noexcept {
     const HandInput read = attached.device->read(dt);
     device_age_ = std::max(device_age_, attached.device->age());
     // A hand that screens lead may be at work where nobody is.
-    status_.hands_taken = status_.hands_taken || (read.active && !attached.device->led());
+    const bool visitors = !attached.device->led();
+    status_.hands_taken = status_.hands_taken || (read.active && visitors);
+    // Somebody who leans on a device while a pot is shown is not moved by it.
+    if (shown_ && visitors) continue;
     const auto h = static_cast<std::size_t>(attached.hand);
     // Of several for one hand the last that came and is in use has the word.
     if (!read.active && hands.hand[h].active) continue;
@@ -186,6 +189,7 @@ void PotterCore::tick(double dt) noexcept {
   take_commands();
   calm_ = std::clamp(calm_ + (strained_ ? -dt / kCalmDown : dt / kCalmUp), 0.0, 1.0);
   status_.scripted = script_ != nullptr;
+  status_.shown = shown_ || script_ != nullptr;
   if (pot_ != nullptr && !paused_) {
     step(dt);
   } else {

@@ -84,6 +84,7 @@ class PotterCore {
   void apply(const command::Renew&) noexcept { asked_.renew = true; }
   void apply(const command::Restore&) noexcept { asked_.restore = true; }
   void apply(const command::Pause& wish) noexcept;
+  void apply(const command::Show&) noexcept { shown_ = true; }
   void apply(const command::ClearFaults& wish) noexcept;
 
   void hand_back(const Returned& done) noexcept;
@@ -104,6 +105,7 @@ class PotterCore {
   double off_ = 0;  ///< s for which all hands stay off the clay that was just laid.
   Hands asked_;     ///< Wheel, water and the one-tick wishes; hands come from the devices.
   bool paused_ = false;
+  bool shown_ = false;
   bool strained_ = false;
   double calm_ = 1.0;  ///< Share of the force that hands feel.
   double device_age_ = -1.0;

@@ -32,6 +32,9 @@ class PotterHost : public PotterCommands {
   void pause(bool on) override { send(command::Pause{on}); }
   void clear_faults(std::uint32_t which) override { send(command::ClearFaults{which}); }
   bool settle() override;
+  /// What is on the wheel is shown, to the next pot: devices that visitors hold neither work on it
+  /// nor feel it. Those that the screens lead do.
+  void show() { send(command::Show{}); }
 
   /// From the next tick on the loop reads `device` for hand `hand`. Of several for one hand the
   /// last that came and is in use leads. Eight in all; one too many, or one for a hand that there

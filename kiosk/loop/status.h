@@ -28,6 +28,7 @@ struct LoopStatus {
   std::array<HandView, kMaxHands> hand{};  ///< At the pot, after it.
   Feedback feedback;
   bool scripted = false;       ///< A script moves the hands.
+  bool shown = false;          ///< No visitor works on the pot: it is shown, or a script's.
   bool hands_taken = false;    ///< A visitor holds a device of their own, whoever moves the hands.
   double script_progress = 0;  ///< 0..1
   bool script_done = false;

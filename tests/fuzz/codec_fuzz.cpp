@@ -51,7 +51,7 @@ class FuzzSurfaceDial {
   void report(Report bytes) {
     const std::int64_t before = state_.turned;
     surface_dial::read(bytes, state_);
-    require(std::llabs(state_.turned - before) <= 16384);
+    require(std::llabs(state_.turned - before) <= 32768);
   }
 
  private:

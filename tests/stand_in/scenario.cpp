@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/stand_in/simulated_handle.h"
 #include "tests/stand_in/simulated_others.h"
@@ -28,8 +29,9 @@ void plug_one(World& world, std::istringstream& words) {
   std::string kind, word;
   words >> kind;
   Track track;
-  long plugged = 0;
-  int x = 128, y = 128, tenths = 0;
+  long plugged = 0, from = 1000, click = 0;
+  int x = 128, y = 128, tenths = 0, tilt = 0, counts = 3600;
+  std::vector<long> clicks;
   bool combined = false, bluetooth = false;
   while (words >> word) {
     std::string file;
@@ -40,7 +42,13 @@ void plug_one(World& world, std::istringstream& words) {
       continue;
     else if (word == "stick" && words >> x >> y)
       continue;
-    else if (word == "turn" && words >> tenths)
+    else if (word == "turn" && words >> tenths >> from)
+      continue;
+    else if (word == "click" && words >> click)
+      clicks.push_back(click);
+    else if (word == "counts" && words >> counts)
+      continue;
+    else if (word == "tilt" && words >> tilt >> from)
       continue;
     else if (word == "combined")
       combined = true;
@@ -54,9 +62,9 @@ void plug_one(World& world, std::istringstream& words) {
     made = std::make_unique<SimulatedPuck>(
         combined ? SimulatedPuck::Reports::combined : SimulatedPuck::Reports::split, track);
   else if (kind == "surface_dial")
-    made = std::make_unique<SimulatedDial>(tenths);
+    made = std::make_unique<SimulatedDial>(tenths, from, clicks, counts);
   else if (kind == "dual_sense")
-    made = std::make_unique<SimulatedController>(bluetooth, x, y);
+    made = std::make_unique<SimulatedController>(bluetooth, x, y, tilt, from);
   else if (kind == "polhem")
     made = std::make_unique<SimulatedArm>(track);
   else if (kind == "onggi_hid")

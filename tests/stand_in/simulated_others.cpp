@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kiosk/device/codecs/crc32.h"
 #include "kiosk/device/device_def.h"
@@ -17,11 +18,27 @@ device::HidListing SimulatedDial::listing() const {
 
 std::optional<Bytes> SimulatedDial::tick() {
   ++ms_;
-  const long second = ms_ / 1000;
-  if (tenths_ == 0 || ms_ % 10 != 0 || second % 3 != 1) return std::nullopt;
-  const bool pressed = ms_ % 3000 >= 1900;
-  const auto word = static_cast<std::uint16_t>((tenths_ / 100) << 1 | (pressed ? 1 : 0));
-  return Bytes{1, static_cast<std::uint8_t>(word & 0xff), static_cast<std::uint8_t>(word >> 8), 0,
+  const long turning = std::clamp(ms_ - from_, 0L, 1000L);
+  const bool pressed = std::any_of(clicks_.begin(), clicks_.end(),
+                                   [this](long at) { return ms_ >= at && ms_ < at + 100; });
+  const long counts = ms_ % 10 == 0 ? tenths_ * turning / 1000 * counts_ / 3600 : told_;
+  if (counts == told_ && pressed == pressed_) return std::nullopt;
+  // Button and touch, the turn, no place on a screen, and 58 mm across.
+  Bytes report{1, static_cast<std::uint8_t>(pressed ? 3 : 0), 0, 0, 0, 0, 0, 0, 58};
+  put_i16(report, 2, static_cast<std::int16_t>(counts - std::exchange(told_, counts)));
+  pressed_ = pressed;
+  return report;
+}
+
+std::optional<Bytes> SimulatedDial::feature(std::uint8_t id) {
+  if (id != 1) return std::nullopt;
+  return Bytes{1,
+               static_cast<std::uint8_t>(counts_ & 0xff),
+               static_cast<std::uint8_t>(counts_ >> 8),
+               0,
+               2,
+               0,
+               0,
                0};
 }
 
@@ -46,6 +63,7 @@ std::optional<Bytes> SimulatedController::tick() {
   for (std::size_t n = 0; n < 4; ++n) report[at + n] = static_cast<std::uint8_t>(sticks[n]);
   report[at + 6] = sequence_++;
   report[at + 7] = 8;
+  put_i16(report, at + 15, static_cast<std::int16_t>(ms_ > from_ && ms_ <= to_ ? tilt_ : 0));
   if (bluetooth_) {
     Bytes all{0xA1};
     all.insert(all.end(), report.begin(), report.end() - 4);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/math/portable.h"
+
 namespace onggi::device {
 
 namespace {
@@ -13,16 +15,15 @@ constexpr std::int64_t kBetween = 10 * kMs;  // Its motors follow no quicker, an
 constexpr std::int64_t kTap = 40 * kMs;      // What a first touch feels like.
 constexpr std::uint8_t kTapStrength = 160;
 constexpr double kStrongest = 200.0;
-constexpr double kFullForce = 3.0;          // N that make it tremble all it does.
-constexpr double kFullTurn = 180.0;         // Degrees a second that count as a full twist.
-constexpr double kStillTurn = 3.0;          // Below that the hand is only alive.
-constexpr double kGyro = 2000.0 / 32768.0;  // Degrees a second, of an uncalibrated count.
+constexpr double kFullForce = 3.0;  // N that make it tremble all it does.
+constexpr double kDegree = portable::kPi / 180.0;
+constexpr double kStillTurn = 3.0 * kDegree;          // rad/s; below that the hand is only alive.
+constexpr double kGyro = 2000.0 / 32768.0 * kDegree;  // rad/s, of an uncalibrated count.
 
 double stick(std::uint8_t value) { return std::clamp((value - 127.5) / 127.5, -1.0, 1.0); }
 
-double twist(std::int16_t rate) {
-  const double degrees = rate * kGyro;
-  return std::fabs(degrees) < kStillTurn ? 0.0 : std::clamp(degrees / kFullTurn, -1.0, 1.0);
+double turning(std::int16_t rate) {
+  return std::fabs(rate * kGyro) < kStillTurn ? 0.0 : rate * kGyro;
 }
 
 std::uint32_t buttons_of(std::uint32_t raw) {
@@ -52,7 +53,7 @@ Heard DualSenseDriver::take(Report report, DeviceSample& sample) noexcept {
   const Heard heard = dual_sense::read(report, bus_, state_);
   if (heard != Heard::news) return heard;
   sample.push = {stick(state_.left[0]), -stick(state_.left[1]), stick(state_.right[1])};
-  sample.twist = {twist(state_.turn[0]), twist(state_.turn[1]), twist(state_.turn[2])};
+  sample.turning = {turning(state_.turn[0]), turning(state_.turn[1]), turning(state_.turn[2])};
   sample.buttons = buttons_of(state_.buttons);
   return heard;
 }

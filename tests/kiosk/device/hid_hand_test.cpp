@@ -98,6 +98,23 @@ TEST(HidHand, AStickMovesTheToolAndThePushOfTheClayMakesItTremble) {
   }
 }
 
+// However fast: a gyroscope is no stick that has a dead middle.
+TEST(HidHand, AControllerThatIsTiltedByAQuarterTurnsTheToolByAQuarter) {
+  for (const double seconds : {1.0, 0.4}) {
+    const int counts = static_cast<int>(90.0 / seconds * 32768.0 / 2000.0);
+    auto owned = std::make_unique<SimulatedController>(false, 255, 128, counts, 200, seconds);
+    Rig rig(std::move(owned));
+    ASSERT_TRUE(rig.open());
+    EXPECT_EQ(rig.tick(150).handle, Vec3{}) << "nobody tilts it yet";
+    const Vec3 handle = rig.tick(1500).handle;
+    EXPECT_NEAR(handle.y, 0.0, 0.02) << seconds;
+    EXPECT_NEAR(handle.z, 1.0, 0.01) << seconds;
+  }
+  Rig still(std::make_unique<SimulatedController>(false, 255, 128, 40, 0, 100.0));
+  ASSERT_TRUE(still.open());
+  EXPECT_EQ(still.tick(2000).handle, Vec3{}) << "2.4 degrees a second is a hand that is alive";
+}
+
 // Reports come every 8 ms, and the wheel ticks every one: no tick may see a step, and what smooths
 // them may cost no more than 10 ms.
 TEST(HidHand, SlowReportsBecomeSmoothMotionAtMostTenMillisecondsLater) {

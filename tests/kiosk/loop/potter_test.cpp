@@ -26,17 +26,26 @@ struct Stepped {
 /// A device that somebody holds.
 class HeldHand final : public device::HandDevice {
  public:
-  explicit HeldHand(const bool& held) : held_(held) {}
-  HandInput read(double) noexcept override {
+  /// At `hand`; what it feels of the clay goes to `contact`.
+  explicit HeldHand(const bool& held, const HandInput& hand = away(), bool* contact = nullptr)
+      : held_(held), hand_(hand), contact_(contact) {}
+  static HandInput away() {
     HandInput hand;
     hand.position = {0.2, 0.2, 0.0};
-    hand.active = held_;
     return hand;
   }
-  void feel(const HandFeedback&) noexcept override {}
+  HandInput read(double) noexcept override {
+    hand_.active = held_;
+    return hand_;
+  }
+  void feel(const HandFeedback& felt) noexcept override {
+    if (contact_ != nullptr) *contact_ = felt.contact;
+  }
 
  private:
   const bool& held_;
+  HandInput hand_;
+  bool* contact_;
 };
 
 TEST(Potter, AHandThatTheScreensLeadIsNoVisitorAndOneThatHoldsADeviceIs) {
@@ -53,6 +62,34 @@ TEST(Potter, AHandThatTheScreensLeadIsNoVisitorAndOneThatHoldsADeviceIs) {
   held = false;
   wheel.host.advance(1);
   EXPECT_FALSE(wheel.host.status().hands_taken);
+}
+
+// Attract throws with the pointers' own hands, beside whatever somebody leans on.
+TEST(Potter, OnAPotThatIsShownADeviceThatSomebodyLeansOnNeitherWorksNorFeels) {
+  const SceneDef def = small_scene();
+  Stepped wheel(def);
+  bool held = true, contact = false;
+  auto leaned_on = std::make_unique<HeldHand>(held, press_at(def, 0.002), &contact);
+  wheel.host.attach(std::move(leaned_on), 0);
+  wheel.host.advance(50);
+  ASSERT_TRUE(contact) << "a visitor's pot it works on";
+  wheel.host.start(pot(def));
+  wheel.host.show();
+  wheel.host.hand(1, press_at(def, 0.001));
+  bool shows = false;
+  for (int n = 0; n < 200; ++n) {
+    wheel.host.advance(1);
+    shows = shows || wheel.host.status().feedback.hand[1].contact;
+    ASSERT_FALSE(contact);
+    ASSERT_FALSE(wheel.host.status().hands.hand[0].active);
+  }
+  EXPECT_TRUE(wheel.host.status().hands_taken) << "somebody is there";
+  EXPECT_TRUE(wheel.host.status().shown);
+  EXPECT_TRUE(shows) << "the hand that the screens lead";
+  wheel.host.start(pot(def));
+  wheel.host.advance(50);
+  EXPECT_TRUE(contact) << "the next visitor's";
+  EXPECT_FALSE(wheel.host.status().shown);
 }
 
 TEST(Potter, RowsThatAreWetAreSeenWetAndAPotWithoutSuchRowsHasNone) {
