@@ -170,10 +170,6 @@ class Bench:
         return total.hexdigest()
 
     def fate(self, room):
-        if not self.made("engine/all"):
-            return "does not compile"
-        if self.code_now() == self.code:
-            return "same code"
         for program in PROGRAMS[room]:
             if not self.made(target_of(program)):
                 return "does not compile"
@@ -182,6 +178,10 @@ class Bench:
                     return f"caught by engine/{program}"
             except subprocess.TimeoutExpired:
                 return f"caught by engine/{program}, which did not end"
+        if not self.made("engine/all"):
+            return "does not compile"
+        if self.code_now() == self.code:
+            return "same code"
         return "not noticed"
 
 
