@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "engine/clay/ray.h"
+#include "engine/clay/row_area.h"
 #include "engine/clay/row_means.h"
 #include "engine/math/hash.h"
 #include "engine/math/portable.h"
@@ -130,21 +131,8 @@ void Clay::mark_dirty(int first, std::uint64_t which) {
 }
 
 double Clay::measured_area(int j) const {
-  const float* out = outer(j).data();
-  const float* in = inner(j).data();
-  // Eight sums, so that they can be worked on together; and always the same eight.
-  double sums[8] = {};
-  for (std::size_t i = 0; i + 8 <= width(); i += 8)
-    for (std::size_t k = 0; k < 8; ++k) {
-      const double o = double{out[i + k]};
-      const double n = double{in[i + k]};
-      sums[k] += (o - n) * (o + n);
-    }
-  double rest = 0.0;
-  for (std::size_t i = width() / 8 * 8; i < width(); ++i)
-    rest += (double{out[i]} - double{in[i]}) * (double{out[i]} + double{in[i]});
-  const double all = ((sums[0] + sums[4]) + (sums[2] + sums[6])) +
-                     ((sums[1] + sums[5]) + (sums[3] + sums[7])) + rest;
+  const double all = clay::area_kernel(vectors_).squares(static_cast<int>(width()), outer(j).data(),
+                                                         inner(j).data());
   return portable::kPi / def_.sectors * all;
 }
 

@@ -30,7 +30,7 @@ class Plan {
       stands_ = body.upright();
       if (!stands_) return;
       const double y = 0.5 * (window_.heights.low + window_.heights.high);
-      outline_ = body.outline(y);
+      alike_ = contact::AlikeRows(body.outline(y));
       section_ = body.section(y);
     }
   }
@@ -49,9 +49,12 @@ class Plan {
       for (int k = 0; k < few; ++k) {
         contact::SolidReach& row = rows_[n + k];
         covered[k] = contact::cover_row(clay_, window_, side_, first + n + k, row);
-        if (covered[k]) row.outline = stands_ ? outline_ : body_.outline(row.y);
+        if (covered[k] && !stands_) row.outline = body_.outline(row.y);
       }
-      contact::plan_rows(clay_, window_, side_, first + n, few, covered, rows_ + n);
+      if (stands_)
+        contact::plan_alike_rows(clay_, window_, side_, alike_, first + n, few, covered, rows_ + n);
+      else
+        contact::plan_rows(clay_, window_, side_, first + n, few, covered, rows_ + n);
       for (int k = 0; k < few; ++k) reached |= std::uint32_t{rows_[n + k].used > 0} << (n + k);
     }
     return reached;
@@ -62,7 +65,7 @@ class Plan {
       row.section = stands_ ? body_.section_like(section_, found.y) : body_.section(found.y);
     else
       row.section = body_.section(found.y);
-    row.outline = &found.outline;
+    row.outline = stands_ ? &alike_.outline : &found.outline;
     row.sector = sector_;
     row.share = found.share;
     row.used = found.used;
@@ -80,7 +83,7 @@ class Plan {
   float sector_;
   contact::SolidWindow window_;
   bool stands_ = false;
-  body::Outline outline_;
+  contact::AlikeRows alike_;
   typename Body::Section section_;
   contact::SolidReach rows_[kPlannedRows];
 };

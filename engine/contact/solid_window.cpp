@@ -22,6 +22,10 @@ struct Circles {
   bool reaches(int k) const { return half[k] >= 0.0f; }
 };
 
+float extent_of(const Clay& clay, WallSide side, int j) {
+  return side == WallSide::outside ? clay.outer_most(j) : clay.inner_least(j);
+}
+
 Circles circles_of(const Clay& clay, WallSide side, int first, int count, const bool* covered,
                    const SolidReach* rows) {
   Circles out;
@@ -36,8 +40,7 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
     radius[k] = -1.0f;
     if (!covered[k]) continue;
     if (like >= 0 && rows[k].outline == rows[like].outline) {
-      out.extent[k] =
-          side == WallSide::outside ? clay.outer_most(first + k) : clay.inner_least(first + k);
+      out.extent[k] = extent_of(clay, side, first + k);
       out.angle[k] = last_angle;
       distance[k] = distance[like];
       radius[k] = radius[like];
@@ -46,8 +49,7 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
     }
     const body::Circle circle = rows[k].outline.circle();
     if (circle.radius <= 0.0) continue;
-    out.extent[k] =
-        side == WallSide::outside ? clay.outer_most(first + k) : clay.inner_least(first + k);
+    out.extent[k] = extent_of(clay, side, first + k);
     if (circle.x != last.x || circle.z != last.z) {
       last = circle;
       last_angle = portable::atan2(circle.z, circle.x);
@@ -70,6 +72,21 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
 double margin_of(const Clay& clay, const SolidWindow& window, WallSide side, double face) {
   if (side == WallSide::inside || window.nearest >= face) return 0.5;
   return window.nearest * clay.sectors() > face ? 0.5 * face / window.nearest : clay.sectors();
+}
+
+// The blocks of elements at those angles, and `margin` elements beyond. Gives how many runs they
+// are.
+int blocks_within(const Clay& clay, const RowShape& shape, const body::Turn& turn, double margin,
+                  BlockRun* ranges) {
+  if (turn.half < 0.0) return 0;
+  const double per_radian = clay.sectors() / (2.0 * portable::kPi);
+  // Between a turn below and a turn above: a hull's angle is reckoned from a point in it.
+  const double beyond = turn.middle * per_radian - 0.5;
+  const double middle = beyond < 0.0 ? beyond + clay.sectors() : beyond;
+  // One element more for the rounding.
+  const double reach = turn.half * per_radian + margin;
+  return wrapped_blocks(shape, static_cast<int>(std::floor(middle - reach)),
+                        static_cast<int>(std::floor(middle + reach)) + 1, ranges);
 }
 
 }  // namespace
@@ -104,7 +121,7 @@ bool cover_row(const Clay& clay, const SolidWindow& window, WallSide side, int j
 void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int first, int count,
                const bool* covered, SolidReach* rows) noexcept {
   const Circles circles = circles_of(clay, side, first, count, covered, rows);
-  // Rows where an upright body is cut alike are given the angles of the one that it reaches
+  // Rows where a rod is cut alike are given the angles of the one that it reaches
   // farthest, and worked out once: an element more there costs less than its own arc tangents.
   const RowShape shape(clay);
   int like = -1;
@@ -126,15 +143,57 @@ void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int f
                            body::overlap({circles.angle[k], widest}, window.turn));
       margin = margin_of(clay, window, side, most);
     }
-    if (both.half < 0.0) continue;
-    const double per_radian = clay.sectors() / (2.0 * portable::kPi);
-    // Between a turn below and a turn above: a hull's angle is reckoned from a point in it.
-    const double beyond = both.middle * per_radian - 0.5;
-    const double middle = beyond < 0.0 ? beyond + clay.sectors() : beyond;
-    // One element more for the rounding.
-    const double reach = both.half * per_radian + margin;
-    rows[k].used = wrapped_blocks(shape, static_cast<int>(std::floor(middle - reach)),
-                                  static_cast<int>(std::floor(middle + reach)) + 1, rows[k].ranges);
+    rows[k].used = blocks_within(clay, shape, both, margin, rows[k].ranges);
+  }
+}
+
+AlikeRows::AlikeRows(const body::Outline& of) noexcept : outline(of) {
+  const body::Circle circle = of.circle();
+  if (circle.radius <= 0.0) return;
+  angle = portable::atan2(circle.z, circle.x);
+  const double away = std::sqrt(circle.x * circle.x + circle.z * circle.z);
+  distance = static_cast<float>(away);
+  radius = static_cast<float>(circle.radius);
+  tangent = std::max(static_cast<float>(body::cross_section(away, circle.radius)), 0.0f);
+}
+
+// They are given the angles of the one that the body reaches farthest, worked out once: an element
+// more in the others costs less than their own arc tangents.
+void plan_alike_rows(const Clay& clay, const SolidWindow& window, WallSide side,
+                     const AlikeRows& alike, int first, int count, const bool* covered,
+                     SolidReach* rows) noexcept {
+  if (alike.radius <= 0.0f) return;
+  float distance[kFew];
+  float radius[kFew];
+  float tangent[kFew];
+  float extent[kFew] = {};
+  float half[kFew];
+  std::fill_n(distance, kFew, alike.distance);
+  std::fill_n(radius, kFew, alike.radius);
+  std::fill_n(tangent, kFew, alike.tangent);
+  for (int k = 0; k < count; ++k)
+    if (covered[k]) extent[k] = extent_of(clay, side, first + k);
+  kernels(clay.vectors()).half_windows(side, distance, radius, tangent, extent, half);
+  const bool outside = side == WallSide::outside;
+  float farthest = outside ? 0.0f : 1e9f;
+  float widest = -1.0f;
+  for (int k = 0; k < count; ++k) {
+    if (!covered[k] || half[k] < 0.0f) continue;
+    farthest = outside ? std::max(farthest, extent[k]) : std::min(farthest, extent[k]);
+    widest = std::max(widest, half[k]);
+  }
+  if (widest < 0.0f) return;
+  const double most = double{farthest};
+  const body::Turn both = body::turn_of(alike.outline, side, most,
+                                        body::overlap({alike.angle, double{widest}}, window.turn));
+  BlockRun ranges[2];
+  const int used =
+      blocks_within(clay, RowShape(clay), both, margin_of(clay, window, side, most), ranges);
+  for (int k = 0; k < count; ++k) {
+    if (!covered[k] || half[k] < 0.0f) continue;
+    rows[k].used = used;
+    rows[k].ranges[0] = ranges[0];
+    rows[k].ranges[1] = ranges[1];
   }
 }
 

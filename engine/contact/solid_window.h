@@ -29,6 +29,17 @@ struct SolidReach {
   int used;  ///< Of `ranges`.
 };
 
+/// What rows have in common that a body stands upright in: they cut it alike.
+struct AlikeRows {
+  AlikeRows() = default;
+  explicit AlikeRows(const body::Outline& outline) noexcept;
+
+  body::Outline outline;
+  float distance = 0, radius = 0,
+        tangent = 0;  ///< Of the circle about it, m; radius <= 0: nothing.
+  double angle = 0;   ///< Of its middle.
+};
+
 /// The middle of the part of row `j` that the body covers, and how much of the row that is; false
 /// where it cannot reach the row's `side` face.
 bool cover_row(const Clay& clay, const SolidWindow& window, WallSide side, int j,
@@ -38,5 +49,9 @@ bool cover_row(const Clay& clay, const SolidWindow& window, WallSide side, int j
 /// which of their elements the outlines can reach. Never too few.
 void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int first, int count,
                const bool* covered, SolidReach* rows) noexcept;
+/// The same where all of them are alike: their outlines are not asked.
+void plan_alike_rows(const Clay& clay, const SolidWindow& window, WallSide side,
+                     const AlikeRows& alike, int first, int count, const bool* covered,
+                     SolidReach* rows) noexcept;
 
 }  // namespace onggi::contact

@@ -239,15 +239,20 @@ double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   float* outer = clay.pressable_outer(j).data();
   float* inner = clay.pressable_inner(j).data();
   const row_kernels::Table& kernels = row_kernels::of(clay.vectors());
-  const row_kernels::WallBounds now = kernels.bounds(clay.stride(), outer, inner);
-  const double farthest = double{now.farthest};
-  const double thinnest = double{now.thinnest};
-  if (thickness < 1.0 && thickness * thinnest < def.wall_min) {
-    thickness = std::min(def.wall_min / thinnest, 1.0);
-    girth = more / thickness;
+  // A wall that gets no thinner, of a ring that is known to stay within its largest radius, need
+  // not be looked at.
+  const double within = double{clay.outer_most(j)};
+  if (thickness < 1.0 || within * std::max(girth, thickness) > def.radius_max) {
+    const row_kernels::WallBounds now = kernels.bounds(clay.stride(), outer, inner);
+    const double farthest = double{now.farthest};
+    const double thinnest = double{now.thinnest};
+    if (thickness < 1.0 && thickness * thinnest < def.wall_min) {
+      thickness = std::min(def.wall_min / thinnest, 1.0);
+      girth = more / thickness;
+    }
+    if (farthest * std::max(girth, thickness) > def.radius_max)
+      girth = thickness = std::clamp(def.radius_max / farthest, 1.0, std::sqrt(more));
   }
-  if (farthest * std::max(girth, thickness) > def.radius_max)
-    girth = thickness = std::clamp(def.radius_max / farthest, 1.0, std::sqrt(more));
   // outer = middle + half, inner = middle - half.
   const auto same = static_cast<float>(0.5 * (girth + thickness));
   const auto cross = static_cast<float>(0.5 * (girth - thickness));

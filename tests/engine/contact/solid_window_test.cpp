@@ -60,5 +60,50 @@ TEST(SolidWindow, HoldsWhatTheToolPressesWhicheverWayItIsFromTheAxis) {
   EXPECT_GT(pressed, 2000);
 }
 
+TEST(SolidWindow, PlansRowsThatAnUprightBlockCutsAlikeAsIfEachWereAsked) {
+  constexpr int kCount = 8;
+  ClayDef def;
+  def.rows = 40;
+  def.sectors = 90;
+  Clay clay = std::move(*Clay::create(def));
+  Random random(5);
+  for (int j = 0; j < def.rows; ++j)  // no two rows reach as far
+    clay.set_extent(j, static_cast<float>(random.uniform(0.04, 0.06)),
+                    static_cast<float>(random.uniform(0.02, 0.03)));
+  int planned = 0;
+  for (int n = 0; n < 400; ++n) {
+    const double turn = random.uniform(0.0, 2.0 * portable::kPi);
+    const Vec3 middle = turned({random.uniform(0.005, 0.07), 0.1, 0.0}, turn);
+    const double tilt = turn + random.uniform(-0.5, 0.5);
+    const body::Box box{middle,
+                        {Vec3{0, 1, 0}, turned({1, 0, 0}, tilt), turned({0, 0, 1}, tilt)},
+                        {0.05, random.uniform(0.0005, 0.02), random.uniform(0.0005, 0.02)}};
+    ASSERT_TRUE(box.upright());
+    const WallSide side = n % 2 == 0 ? WallSide::outside : WallSide::inside;
+    const SolidWindow window(clay, box.heights(), box.hull(), middle);
+    const int first = 10 + n % 15;
+    bool covered[kCount];
+    SolidReach each[kCount];
+    SolidReach alike[kCount];
+    for (int k = 0; k < kCount; ++k) {
+      covered[k] = cover_row(clay, window, side, first + k, each[k]);
+      each[k].outline = box.outline(middle.y);
+      cover_row(clay, window, side, first + k, alike[k]);
+    }
+    plan_rows(clay, window, side, first, kCount, covered, each);
+    plan_alike_rows(clay, window, side, AlikeRows(box.outline(middle.y)), first, kCount, covered,
+                    alike);
+    for (int k = 0; k < kCount; ++k) {
+      ASSERT_EQ(alike[k].used, each[k].used) << n << ' ' << k;
+      planned += each[k].used > 0 ? 1 : 0;
+      for (int r = 0; r < each[k].used; ++r) {
+        EXPECT_EQ(alike[k].ranges[r].begin, each[k].ranges[r].begin) << n << ' ' << k;
+        EXPECT_EQ(alike[k].ranges[r].end, each[k].ranges[r].end) << n << ' ' << k;
+      }
+    }
+  }
+  EXPECT_GT(planned, 1000);
+}
+
 }  // namespace
 }  // namespace onggi::contact

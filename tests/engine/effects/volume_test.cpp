@@ -205,6 +205,29 @@ TEST(Volume, TheClayThatThePrintedModelLosesAtATouchIsKept) {
   EXPECT_NEAR(lost(false), 0.0, 1e-6);
 }
 
+TEST(ReshapedRow, StopsAtItsThinnestWallAndAtTheLargestRadius) {
+  ClayDef def;
+  def.rows = 20;
+  def.sectors = 27;
+  def.inner_radius = 0.045;
+  Clay clay = std::move(*Clay::create(def));
+  clay.keep_areas();
+  const auto wall = [&](int j) { return clay.outer(j)[5] - clay.inner(j)[5]; };
+  const auto round = [&](int j) { return double{clay.outer(j)[5]}; };
+  // Three tenths of 10 mm are less than a wall may be: it gets its area, and is narrower.
+  EXPECT_NEAR(reshape_row(clay, 5, 3.5, 0.3), 1.05, 1e-5);
+  EXPECT_NEAR(wall(5), def.wall_min, 1e-8);
+  EXPECT_NEAR(round(5), 0.05 * 1.05 / 0.4 + 0.002, 1e-7);
+  // Nine times the area would lie beyond radius_max: it gets there, and that is all it gives.
+  const double most = def.radius_max / def.outer_radius;
+  EXPECT_NEAR(reshape_row(clay, 6, 9.0, 1.0), most * most, 1e-5);
+  EXPECT_NEAR(round(6), def.radius_max, 1e-7);
+  // Its limits are those of what is there, though it may be known to have been wider.
+  clay.set_extent(7, 0.15f, 0.03f);
+  EXPECT_NEAR(reshape_row(clay, 7, 1.2, 1.1), 1.32, 1e-6);
+  EXPECT_NEAR(round(7), 0.05 * 1.2 + 0.005 * 1.1, 1e-7);
+}
+
 TEST(Volume, IsTheSameToAMillionthWhateverHandsDoToIt) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) knead(seed, 20000);
 }
