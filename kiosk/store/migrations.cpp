@@ -1,0 +1,75 @@
+#include "kiosk/store/migrations.h"
+
+#include <array>
+#include <string>
+
+namespace onggi::store {
+
+namespace {
+
+// Each was shipped: never change one, add the next.
+constexpr std::array<const char*, 3> kSteps{
+    // 1: visits, and what a hub is to be told of them. `left` is a word of SQL.
+    R"sql(
+CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+INSERT INTO about VALUES ('epoch', lower(hex(randomblob(16))));
+CREATE TABLE visits (
+  seq INTEGER PRIMARY KEY AUTOINCREMENT,
+  start INTEGER NOT NULL,
+  day TEXT NOT NULL,
+  hour INTEGER NOT NULL,
+  vessel TEXT NOT NULL,
+  scene TEXT NOT NULL,
+  language TEXT NOT NULL,
+  way TEXT NOT NULL,
+  reached TEXT NOT NULL,
+  left_at TEXT NOT NULL,
+  ended TEXT NOT NULL,
+  active_s REAL NOT NULL,
+  throwing_s REAL NOT NULL,
+  pots INTEGER NOT NULL,
+  likeness REAL,
+  kept INTEGER NOT NULL
+);
+CREATE INDEX visits_by_day ON visits (day);
+CREATE TABLE outbox (
+  seq INTEGER PRIMARY KEY AUTOINCREMENT,
+  kind TEXT NOT NULL,
+  body TEXT NOT NULL
+);
+)sql",
+    // 2: keepsakes and the replays in them.
+    R"sql(
+CREATE TABLE keepsakes (
+  name TEXT PRIMARY KEY,
+  bytes INTEGER NOT NULL,
+  kept_at INTEGER NOT NULL,
+  expires_at INTEGER NOT NULL,
+  replay_hash TEXT NOT NULL
+) WITHOUT ROWID;
+CREATE INDEX keepsakes_by_age ON keepsakes (kept_at);
+)sql",
+    // 3: settings of this machine.
+    R"sql(
+CREATE TABLE settings (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+)sql"};
+
+}  // namespace
+
+int newest_version() { return static_cast<int>(kSteps.size()); }
+
+bool migrate(Database& database, int version) {
+  const auto now = database.number("PRAGMA user_version");
+  if (!now || *now > newest_version() || *now < 0) return false;
+  for (auto n = static_cast<int>(*now); n < version; ++n) {
+    const std::string step = std::string("BEGIN IMMEDIATE;") + kSteps[static_cast<std::size_t>(n)] +
+                             "PRAGMA user_version=" + std::to_string(n + 1) + ";COMMIT;";
+    if (database.run(step)) continue;
+    Database& failed = database;
+    failed.run("ROLLBACK");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace onggi::store
