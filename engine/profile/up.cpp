@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kSlices = 24;
 
+constexpr double kAlong = 0.5;  ///< Cosine: an up within 60 degrees of the axis is meant.
+
 /// What each sign is worth at its most, as log odds.
 constexpr double kHollow = 6.0, kFile = 1.5, kStands = 1.0, kHandles = 0.8, kMass = 0.5;
 /// A hollow that holds this much of the cylinder round the vessel is worth all of kHollow.
@@ -138,7 +140,9 @@ Standing stand_upright(const TriangleMesh& mesh, const AxisFrame& frame, const B
   signs.mass = by_mass(slicer, body);
   out.choice = weigh(signs);
   if (given) {
-    out.choice = {dot(*given, frame.up) < 0.0, 1.0, UpFrom::given};
+    const double along = dot(*given, frame.up);
+    // Across the axis it would turn by what little the axis leans: no word at all.
+    if (std::abs(along) > kAlong * length(*given)) out.choice = {along < 0.0, 1.0, UpFrom::given};
   }
 
   out.frame = frame;

@@ -42,7 +42,8 @@ struct Standing {
   UpChoice choice;
 };
 
-/// Weighs which end of `body` is up, or obeys `given`. Looks into both ends and cuts two dozen
+/// Weighs which end of `body` is up, or obeys `given` where it lies within 60 degrees of the axis.
+/// Looks into both ends and cuts two dozen
 /// slices: O(triangles). Allocates.
 Standing stand_upright(const TriangleMesh& mesh, const AxisFrame& frame, const BodyEnds& body,
                        const std::optional<Vec3>& given, RayCrossings& rays);

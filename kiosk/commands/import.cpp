@@ -7,6 +7,7 @@
 
 #include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
+#include "kiosk/commands/up_option.h"
 #include "kiosk/content/glb.h"
 #include "kiosk/content/gltf_parts.h"
 #include "kiosk/content/mesh_file.h"
@@ -21,7 +22,7 @@ namespace onggi::commands {
 namespace {
 
 struct ImportArguments {
-  std::string file, id, node, shelf = ".";
+  std::string file, id, node, up, shelf = ".";
 };
 
 Result<void> check_id(const std::string& id) {
@@ -72,6 +73,7 @@ Result<int> import_vessel(const ImportArguments& arguments) {
                    "Choose another --id, or move the folder away.");
   content::LoadOptions options;
   options.node = arguments.node;
+  if (auto good = take_up(arguments.up, options); !good) return tl::unexpected(good.error());
   const auto vessel = content::load_vessel(arguments.file, options);
   if (!vessel) return tl::unexpected(vessel.error());
   const auto glb = glb_of(*vessel, arguments.node.empty());
@@ -97,23 +99,26 @@ Result<int> import_vessel(const ImportArguments& arguments) {
 
 Command import_command() {
   const auto a = std::make_shared<ImportArguments>();
-  return {.name = "import",
-          .help = "Make a vessel's folder from a scan, for you to finish",
-          .examples =
-              "Example: onggi vessel import scan.glb --id moon_jar --shelf content/vessels\n"
-              "Copyright, licence and credit are taken from the file where it names them.",
-          .options = {{.name = "file",
-                       .field = &a->file,
-                       .help = "A GLB or glTF of anyone's making",
-                       .required = true},
-                      {.name = "--id",
-                       .field = &a->id,
-                       .help = "The folder's name: a to z, 0 to 9, _ and -",
-                       .required = true},
-                      {"--shelf", &a->shelf, "The shelf to put it on [this folder]"},
-                      {"--node", &a->node,
-                       "The node that is the vessel, by name or number [all of the file]"}},
-          .run = [a] { return import_vessel(*a); }};
+  return {
+      .name = "import",
+      .help = "Make a vessel's folder from a scan, for you to finish",
+      .examples =
+          "Example: onggi vessel import scan.glb --id moon_jar --shelf content/vessels\n"
+          "Copyright, licence and credit are taken from the file where it names them.",
+      .options = {{.name = "file",
+                   .field = &a->file,
+                   .help = "A GLB, glTF, OBJ, PLY or STL of anyone's making, or a IIIF manifest or "
+                           "Smithsonian document beside one",
+                   .required = true},
+                  {.name = "--id",
+                   .field = &a->id,
+                   .help = "The folder's name: a to z, 0 to 9, _ and -",
+                   .required = true},
+                  {"--shelf", &a->shelf, "The shelf to put it on [this folder]"},
+                  {"--node", &a->node,
+                   "The node that is the vessel, by name or number [all of the file]"},
+                  up_option(a->up)},
+      .run = [a] { return import_vessel(*a); }};
 }
 
 }  // namespace onggi::commands

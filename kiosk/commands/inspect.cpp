@@ -7,6 +7,7 @@
 #include "engine/profile/measures.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
+#include "kiosk/commands/up_option.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/drawing/sheet_painter.h"
 #include "kiosk/souvenir/encode.h"
@@ -18,7 +19,7 @@ namespace {
 using files::Json;
 
 struct InspectArguments {
-  std::string file, node;
+  std::string file, node, up;
   files::Output json{files::Output::Kind::json};
   files::Output plot{files::Output::Kind::picture};
 };
@@ -127,6 +128,7 @@ Result<void> plot(const content::Vessel& vessel, const files::Output& output) {
 Result<int> inspect(const InspectArguments& arguments) {
   content::LoadOptions options;
   options.node = arguments.node;
+  if (auto good = take_up(arguments.up, options); !good) return tl::unexpected(good.error());
   const auto vessel = content::load_vessel(arguments.file, options);
   if (!vessel) return tl::unexpected(vessel.error());
   if (arguments.plot.wanted())
@@ -141,22 +143,25 @@ Result<int> inspect(const InspectArguments& arguments) {
 
 Command inspect_command() {
   const auto a = std::make_shared<InspectArguments>();
-  return {.name = "inspect",
-          .help = "Measure a vessel as a target",
-          .examples =
-              "Example: onggi vessel inspect scan.glb --plot scan.png\n"
-              "What cannot be a target ends with 2, and is told with place, meaning and remedy.",
-          .options = {{.name = "file",
-                       .field = &a->file,
-                       .help = "A GLB, glTF, OBJ, PLY or STL, or a vessel pack",
-                       .required = true},
-                      {"--node", &a->node,
-                       "The node that is the vessel, by name or number, alone; NAME/* with what "
-                       "hangs on it [all of the file]"},
-                      {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
-                      {"--plot", &a->plot,
-                       "Draw section and view, as archaeologists do, into this PNG"}},
-          .run = [a] { return inspect(*a); }};
+  return {
+      .name = "inspect",
+      .help = "Measure a vessel as a target",
+      .examples =
+          "Example: onggi vessel inspect scan.glb --plot scan.png\n"
+          "What cannot be a target ends with 2, and is told with place, meaning and remedy.",
+      .options = {{.name = "file",
+                   .field = &a->file,
+                   .help = "A GLB, glTF, OBJ, PLY or STL, a IIIF manifest or Smithsonian document "
+                           "beside one, or a vessel pack",
+                   .required = true},
+                  {"--node", &a->node,
+                   "The node that is the vessel, by name or number, alone; NAME/* with what "
+                   "hangs on it [all of the file]"},
+                  up_option(a->up),
+                  {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
+                  {"--plot", &a->plot,
+                   "Draw section and view, as archaeologists do, into this PNG"}},
+      .run = [a] { return inspect(*a); }};
 }
 
 }  // namespace onggi::commands

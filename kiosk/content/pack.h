@@ -19,12 +19,16 @@ struct Pack {
   std::optional<Vec3> up;                       ///< In the mesh's axes.
   std::string node;                             ///< The object of the file; empty: all of it.
   std::string institution, accession, source, credit, licence;
+  std::string address;                        ///< The museum's page on it; empty: none.
   std::optional<std::array<float, 3>> color;  ///< Linear.
   std::map<std::string, Label> labels;
 
   /// The credit line as it is printed: institution, accession number, credit.
   std::string credit_line() const;
 };
+
+/// The axis that `up = "-z"` and `--up -z` name; nothing for any other word than those six.
+std::optional<Vec3> axis_called(const std::string& name);
 
 struct PackRead {
   Pack pack;

@@ -72,6 +72,22 @@ TEST(Up, in_no_axis_of_the_file_the_foot_is_where_it_stands) {
   }
 }
 
+TEST(Up, given_across_the_axis_decides_nothing_and_is_told) {
+  const TriangleMesh mesh = shapes::footed_bowl();
+  const auto free = extract_profile(mesh, {}, "a bowl");
+  ASSERT_TRUE(free);
+  for (const Vec3 across : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+    ExtractionOptions options;
+    options.up = across;
+    const auto told = extract_profile(mesh, options, "a bowl");
+    ASSERT_TRUE(told);
+    EXPECT_GT(dot(told->axis_direction, free->axis_direction), 0.99);
+    EXPECT_EQ(told->up_from, free->up_from);
+    ASSERT_EQ(told->warnings.size(), free->warnings.size() + 1);
+    EXPECT_NE(told->warnings.front().find("y or -y"), std::string::npos) << told->warnings.front();
+  }
+}
+
 TEST(Up, given_is_given) {
   ExtractionOptions options;
   options.up = Vec3{0, -1, 0};
