@@ -63,4 +63,17 @@ double likeness(const Profile& a, const Profile& b) {
   return 100.0 / (1.0 + turning_apart(a, b) / (0.25 * portable::kPi));
 }
 
+std::optional<std::size_t> most_alike(const Profile& to, std::span<const Profile* const> among) {
+  std::optional<std::size_t> best;
+  double most = kAlikeEnough;
+  for (std::size_t i = 0; i < among.size(); ++i) {
+    if (among[i] == nullptr || among[i] == &to || among[i]->points.size() < 2) continue;
+    const double alike = likeness(to, *among[i]);
+    if (alike < most || (best && alike == most)) continue;
+    most = alike;
+    best = i;
+  }
+  return best;
+}
+
 }  // namespace onggi::score

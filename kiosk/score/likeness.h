@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
+
 #include "engine/profile/profile.h"
 
 namespace onggi::score {
@@ -18,5 +22,10 @@ double turning_apart(const Profile& a, const Profile& b);
 /// outlines run 45 degrees apart, and never level, so that unlike vessels are more or less unlike.
 /// A visitor's points (judge()) say how near an answer came, and are 0 for most pairs.
 double likeness(const Profile& a, const Profile& b);
+
+/// Which of `among` is most like `to` and at least kAlikeEnough so: the first of those that are
+/// equally so; nothing where none is. Null and `to` itself are passed over. Allocates.
+inline constexpr double kAlikeEnough = 65.0;
+std::optional<std::size_t> most_alike(const Profile& to, std::span<const Profile* const> among);
 
 }  // namespace onggi::score

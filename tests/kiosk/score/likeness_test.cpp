@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <initializer_list>
 #include <numeric>
 
 #include "engine/math/portable.h"
@@ -24,17 +25,15 @@ struct Named {
   Profile profile;
 };
 
-const std::vector<Named>& vessels() {
-  static const std::vector<Named> all = [] {
-    std::vector<Named> out{
-        {"jar", shapes::jar()}, {"bottle", shapes::bottle()}, {"bowl", shapes::bowl()}};
-    for (const char* shelf : {"content/vessels", "../shared/vessels"})
-      if (fs::exists(shelf))
-        for (const content::Vessel& v : content::open_shelf(shelf).vessels)
-          out.push_back({v.id, v.extracted.profile});
-    return out;
-  }();
-  return all;
+/// Three drawn ones and those of `shelves`.
+std::vector<Named> vessels_of(std::initializer_list<const char*> shelves) {
+  std::vector<Named> out{
+      {"jar", shapes::jar()}, {"bottle", shapes::bottle()}, {"bowl", shapes::bowl()}};
+  for (const char* shelf : shelves)
+    if (fs::exists(shelf))
+      for (const content::Vessel& v : content::open_shelf(shelf).vessels)
+        out.push_back({v.id, v.extracted.profile});
+  return out;
 }
 
 /// A polygon's turning function as steps: it runs in `direction` up to the share `until`.
@@ -79,11 +78,12 @@ TEST(Likeness, orders_all_pairs_as_the_published_measure_does) {
   struct Pair {
     double likeness, apart;
   };
+  const std::vector<Named> vessels = vessels_of({"content/vessels", "../shared/vessels"});
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < vessels().size(); ++i)
+  for (std::size_t i = 0; i < vessels.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      pairs.push_back({likeness(vessels()[i].profile, vessels()[k].profile),
-                       published(vessels()[i].profile, vessels()[k].profile)});
+      pairs.push_back({likeness(vessels[i].profile, vessels[k].profile),
+                       published(vessels[i].profile, vessels[k].profile)});
   std::size_t asked = 0, wrong = 0;
   for (const Pair& p : pairs)
     for (const Pair& q : pairs) {
@@ -97,17 +97,22 @@ TEST(Likeness, orders_all_pairs_as_the_published_measure_does) {
 }
 
 TEST(Likeness, is_a_metric_and_blind_to_size) {
-  for (const Named& a : vessels()) {
-    EXPECT_EQ(turning_apart(a.profile, a.profile), 0.0) << a.id;
-    EXPECT_EQ(likeness(a.profile, a.profile), 100.0) << a.id;
-    EXPECT_NEAR(turning_apart(a.profile, scaled(a.profile, 0.01)), 0.0, 1e-6) << a.id;
-    for (const Named& b : vessels()) {
-      const double ab = turning_apart(a.profile, b.profile);
-      EXPECT_EQ(ab, turning_apart(b.profile, a.profile));
-      EXPECT_LT(ab, portable::kPi);
-      for (const Named& c : vessels())
-        EXPECT_LE(
-            ab, turning_apart(a.profile, c.profile) + turning_apart(c.profile, b.profile) + 1e-12);
+  const std::vector<Named> vessels = vessels_of({"content/vessels"});
+  const std::size_t n = vessels.size();
+  std::vector<std::vector<double>> apart(n, std::vector<double>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k)
+      apart[i][k] = turning_apart(vessels[i].profile, vessels[k].profile);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Profile& p = vessels[i].profile;
+    EXPECT_EQ(apart[i][i], 0.0) << vessels[i].id;
+    EXPECT_EQ(likeness(p, p), 100.0) << vessels[i].id;
+    EXPECT_NEAR(turning_apart(p, scaled(p, 0.01)), 0.0, 1e-6) << vessels[i].id;
+    for (std::size_t k = 0; k < n; ++k) {
+      EXPECT_EQ(apart[i][k], apart[k][i]);
+      EXPECT_LT(apart[i][k], portable::kPi);
+      for (std::size_t by = 0; by < n; ++by)
+        EXPECT_LE(apart[i][k], apart[i][by] + apart[by][k] + 1e-12);
     }
   }
 }
@@ -126,14 +131,28 @@ TEST(Likeness, tells_apart_what_the_points_call_equally_far) {
 }
 
 TEST(Likeness, the_same_vessel_in_two_encodings_is_alike) {
-  const auto find = [](const std::string& id) {
-    return std::find_if(vessels().begin(), vessels().end(),
-                        [&](const Named& v) { return v.id == id; });
-  };
-  const auto a = find("polyhaven_ceramic_vase_01_quant");
-  const auto b = find("polyhaven_ceramic_vase_01_meshopt");
-  if (a == vessels().end() || b == vessels().end()) GTEST_SKIP() << "the vases are not there";
-  EXPECT_GT(likeness(a->profile, b->profile), 97.0);
+  const std::string vase = "../shared/vessels/polyhaven_ceramic_vase_01_";
+  if (!fs::exists(vase + "quant.glb")) GTEST_SKIP() << "the vases are not there";
+  const auto a = content::load_vessel(vase + "quant.glb");
+  const auto b = content::load_vessel(vase + "meshopt.glb");
+  ASSERT_TRUE(a && b);
+  EXPECT_GT(likeness(a->extracted.profile, b->extracted.profile), 97.0);
+}
+
+TEST(Likeness, names_the_neighbour_of_a_vessel_and_none_where_nothing_is_alike) {
+  const Profile jar = shapes::jar(), small = scaled(jar, 0.3), bottle = shapes::bottle(),
+                bowl = shapes::bowl();
+  const Profile* shelf[] = {&bottle, &jar, nullptr, &small, &bowl};
+  EXPECT_EQ(most_alike(jar, shelf), 3u);
+  EXPECT_EQ(most_alike(small, shelf), 1u);
+  ASSERT_LT(likeness(bowl, bottle), kAlikeEnough);
+  const Profile* unlike[] = {&bottle, &bowl};
+  EXPECT_FALSE(most_alike(bowl, unlike));
+  EXPECT_FALSE(most_alike(jar, {}));
+  // Of two that are the same the first, and never a vessel itself.
+  const Profile again = small;
+  const Profile* twice[] = {&jar, &again, &small};
+  EXPECT_EQ(most_alike(jar, twice), 1u);
 }
 
 }  // namespace
