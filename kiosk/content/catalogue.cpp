@@ -11,6 +11,7 @@
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/mesh_file.h"
 #include "kiosk/content/pack.h"
+#include "kiosk/content/scan_document.h"
 
 namespace onggi::content {
 
@@ -31,6 +32,21 @@ bool is_mesh(const fs::path& file) {
   return is_mesh_ending(ending) && fs::is_regular_file(file, ignored);
 }
 
+/// A folder's vessels without a vessel.toml: documents, and scans that no document of theirs names.
+std::vector<fs::path> loose_of(const std::vector<fs::path>& files) {
+  std::vector<fs::path> out, named;
+  for (const fs::path& file : files) {
+    if (!is_scan_document(file)) continue;
+    out.push_back(file);
+    if (const auto document = read_scan_document(file, {})) named.push_back(document->model);
+  }
+  for (const fs::path& file : files)
+    if (is_mesh(file) && std::find(named.begin(), named.end(), file) == named.end())
+      out.push_back(file);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 std::vector<fs::path> listed(const fs::path& folder, std::error_code& error) {
   std::vector<fs::path> out;
   for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator();
@@ -43,18 +59,18 @@ std::vector<fs::path> listed(const fs::path& folder, std::error_code& error) {
 /// A folder with a vessel.toml is a pack; a mesh beside it belongs to it.
 std::vector<Entry> entries_of(const fs::path& shelf, std::error_code& error) {
   std::vector<Entry> out;
-  for (const fs::path& path : listed(shelf, error)) {
+  const std::vector<fs::path> all = listed(shelf, error);
+  for (const fs::path& path : loose_of(all)) out.push_back({path.stem().string(), path});
+  for (const fs::path& path : all) {
     std::error_code ignored;
-    if (is_mesh(path)) out.push_back({path.stem().string(), path});
     if (!fs::is_directory(path, ignored)) continue;
     if (fs::exists(path / "vessel.toml", ignored)) {
       out.push_back({path.filename().string(), path});
       continue;
     }
     std::vector<Entry> loose;
-    for (const fs::path& file : listed(path, ignored))
-      if (is_mesh(file))
-        loose.push_back({path.filename().string() + "_" + file.stem().string(), file});
+    for (const fs::path& file : loose_of(listed(path, ignored)))
+      loose.push_back({path.filename().string() + "_" + file.stem().string(), file});
     if (loose.size() == 1) loose[0].id = path.filename().string();
     out.insert(out.end(), loose.begin(), loose.end());
   }

@@ -5,76 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "kiosk/content/gltf_credit_reader.h"
+#include "kiosk/content/json_words.h"
 
 namespace onggi::content {
 
 namespace {
 
+using json_words::first_of;
+using json_words::member;
+using json_words::page_of;
 using nlohmann::json;
-
-constexpr std::size_t kLongest = 1000;
-
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
-/// One line without control characters, cut between two characters of UTF-8.
-std::string tidy(std::string text) {
-  if (text.size() > kLongest) {
-    std::size_t end = kLongest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
-    text.resize(end);
-  }
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  const auto first = text.find_first_not_of(' ');
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-const json* member(const json& object, const std::string& key) {
-  if (!object.is_object()) return nullptr;
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
-}
-
-/// A JSON-LD value as words: a string, a list of them, one in a language, or a name inside an
-/// object. English goes before other languages.
-std::string words_of(const json& value, int depth = 0) {
-  if (depth > 8) return "";
-  if (value.is_string()) return tidy(value.get<std::string>());
-  if (value.is_array()) {
-    std::string all;
-    for (const json& entry : value) {
-      const json* language = member(entry, "@language");
-      const std::string one = words_of(entry, depth + 1);
-      if (language != nullptr && language->is_string()) {
-        // The same text in several languages, not several texts.
-        if (language->get<std::string>().rfind("en", 0) == 0) return one;
-        if (all.empty()) all = one;
-      } else if (!one.empty()) {
-        all += (all.empty() ? "" : ", ") + one;
-      }
-    }
-    return tidy(all);
-  }
-  for (const char* inside : {"@value", "@list", "@set", "rdf:Alt", "rdf:Seq", "rdf:Bag", "rdf:_1",
-                             "name", "foaf:name", "schema:name", "@id"})
-    if (const json* found = member(value, inside)) return words_of(*found, depth + 1);
-  return "";
-}
-
-/// The words of the first of `keys` (in lower case) that `object` has.
-std::string first_of(const json& object, std::initializer_list<const char*> keys) {
-  if (!object.is_object()) return "";
-  for (const char* key : keys)
-    for (auto at = object.begin(); at != object.end(); ++at)
-      if (lower(at.key()) == key)
-        if (std::string words = words_of(at.value()); !words.empty()) return words;
-  return "";
-}
 
 /// The packet that the asset names, else the first.
 const json* xmp_packet(const json& document) {
@@ -99,7 +39,7 @@ void fill(std::string& place, std::string words) {
 }  // namespace
 
 std::string licence_named_in(const std::string& text) {
-  const std::string all = lower(text);
+  const std::string all = json_words::lower(text);
   if (all.find("publicdomain/zero") != std::string::npos || all.find("cc0") != std::string::npos)
     return "CC0-1.0";
   // "CC-BY-NC-4.0", "CC BY 4.0", "creativecommons.org/licenses/by-sa/3.0/"
@@ -139,6 +79,17 @@ std::string GltfCredit::line() const {
   return out;
 }
 
+GltfCredit GltfCredit::after(const GltfCredit& first) const {
+  GltfCredit out = first;
+  for (const auto field :
+       {&GltfCredit::title, &GltfCredit::creator, &GltfCredit::copyright, &GltfCredit::licence,
+        &GltfCredit::source, &GltfCredit::date, &GltfCredit::description, &GltfCredit::institution,
+        &GltfCredit::accession, &GltfCredit::culture, &GltfCredit::address})
+    if ((out.*field).empty()) out.*field = this->*field;
+  if (out.titles.empty() && first.title.empty()) out.titles = titles;
+  return out;
+}
+
 GltfCredit read_credit(const json& document) {
   GltfCredit out;
   if (const json* xmp = xmp_packet(document)) {
@@ -150,6 +101,8 @@ GltfCredit read_credit(const json& document) {
         *xmp, {"dcterms:license", "cc:license", "xmprights:usageterms", "xmprights:webstatement"});
     out.source = first_of(*xmp, {"dc:source", "dcterms:source", "cc:attributionurl",
                                  "dc:identifier", "dcterms:identifier"});
+    out.address = page_of(*xmp, {"foaf:page", "foaf:homepage", "schema:url", "dc:identifier",
+                                 "dcterms:identifier", "dc:source", "dcterms:source"});
     out.date = first_of(*xmp, {"dcterms:created", "dc:date", "xmp:createdate"});
     out.description = first_of(*xmp, {"dc:description", "dcterms:description"});
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 namespace onggi::content {
@@ -9,9 +10,14 @@ namespace onggi::content {
 /// where the file is silent.
 struct GltfCredit {
   std::string title, creator, copyright, licence, source, date, description;
+  std::map<std::string, std::string> titles;  ///< By language; of a museum's document alone, as are
+  std::string institution, accession, culture;
+  std::string address;  ///< The page on it that its owner names, good (content/address.h), or "".
 
   /// "“pot” by vivikeram. Copyright 2020 ..." as it may be printed; "" where nothing is known.
   std::string line() const;
+  /// What `first` says, and where it is silent this.
+  GltfCredit after(const GltfCredit& first) const;
 };
 
 /// The short name of a Creative Commons licence that `text` names by name or address

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kiosk/content/address.h"
 #include "kiosk/content/pack_advice.h"
 #include "kiosk/settings/toml_reader.h"
 
@@ -40,12 +41,7 @@ void read_mesh_terms(settings::TomlReader::Table& root, Pack& pack) {
   }
   std::string up;
   if (!root.text("up", up)) return;
-  if (up == "x") pack.up = Vec3{1, 0, 0};
-  if (up == "y") pack.up = Vec3{0, 1, 0};
-  if (up == "z") pack.up = Vec3{0, 0, 1};
-  if (up == "-x") pack.up = Vec3{-1, 0, 0};
-  if (up == "-y") pack.up = Vec3{0, -1, 0};
-  if (up == "-z") pack.up = Vec3{0, 0, -1};
+  pack.up = axis_called(up);
   if (!pack.up)
     root.complain("up", "up is \"" + up + "\", which is no axis.",
                   "Write the mesh's axis that the rim lies towards: \"y\", \"z\", \"-z\" ...");
@@ -65,13 +61,48 @@ void read_labels(settings::TomlReader::Table& root, PackRead& read) {
     table.text("made", label.made);
     table.text("text", label.text);
     table.text("credit", label.credit);
+    table.text("address", label.address);
     table.finish();
     read.pack.labels[language] = std::move(label);
   }
   labels.finish();
 }
 
+/// A page that no phone opens is left off the label, and the vessel stays on the shelf.
+void keep_good_addresses(settings::TomlReader::Table& root, Pack& pack) {
+  const auto keep = [](settings::TomlReader::Table& table, std::string& address) {
+    const std::string fault = fault_of_address(address);
+    if (!table.has("address") || fault.empty()) return;
+    table.complain("address", fault,
+                   "Write the museum's page on this vessel as a browser shows it, best a short "
+                   "one: address = \"https://museum.org/12.3\". Or leave it out.");
+    address.clear();
+  };
+  keep(root, pack.address);
+  auto labels = root.child("label");
+  for (auto& [language, label] : pack.labels) {
+    auto table = labels.child(language);
+    keep(table, label.address);
+  }
+}
+
 }  // namespace
+
+std::optional<Vec3> axis_called(const std::string& name) {
+  const bool back = name.size() == 2 && name[0] == '-';
+  if (name.size() != 1 && !back) return std::nullopt;
+  const double to = back ? -1 : 1;
+  switch (name.back()) {
+    case 'x':
+      return Vec3{to, 0, 0};
+    case 'y':
+      return Vec3{0, to, 0};
+    case 'z':
+      return Vec3{0, 0, to};
+    default:
+      return std::nullopt;
+  }
+}
 
 std::string Pack::credit_line() const {
   std::string out = institution;
@@ -97,6 +128,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.text("source", pack.source);
   root.text("credit", pack.credit);
   root.text("licence", pack.licence);
+  root.text("address", pack.address);
   // A key without words is no answer; require() has named one that is not there at all.
   for (const auto& [key, text] : {std::pair{"licence", &pack.licence}, {"credit", &pack.credit}})
     if (root.has(key) && is_blank(*text))
@@ -111,6 +143,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
     root.complain("drawing", "drawing names a file outside the vessel's folder.",
                   "Put the drawing beside vessel.toml and give its name alone.");
   read.problems = reader.problems();
+  keep_good_addresses(root, pack);
   ask_for_the_rest(root, pack, languages);
   read.advice = reader.problems_since(read.problems);
   read.keys_checked = reader.keys_checked();

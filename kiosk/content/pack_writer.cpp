@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "engine/profile/up.h"
+#include "kiosk/content/address.h"
 #include "kiosk/content/pack_advice.h"
 
 namespace onggi::content {
@@ -40,6 +41,21 @@ double srgb(float linear) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
 }
 
+/// A label with what is known in that language; in English what the file says otherwise, too.
+std::string label_toml(const Vessel& vessel, const std::string& language) {
+  const bool english = language == "en";
+  const GltfCredit nothing;
+  const GltfCredit& given = english ? vessel.given : nothing;
+  std::string out = "[label." + language + "]\n";
+  out += "title = " + quoted(vessel.label(language).title) + "\n";
+  out += line("culture", given.culture, "Korea, Joseon dynasty");
+  out += line("date", given.date, "18th century");
+  out += line("made", "", "How it was made, in one sentence. If it was never thrown, say so.");
+  out += line("text", first_words(given.description, kMostLabelWords),
+              "At most 100 words. Short sentences: visitors stand while they read.");
+  return out;
+}
+
 }  // namespace
 
 std::string pack_toml(const Vessel& vessel) {
@@ -58,24 +74,27 @@ std::string pack_toml(const Vessel& vessel) {
         vessel.extracted.profile.height() / vessel.unit);
   out += text;
   out += "# units = \"mm\"                 # of the mesh, where the height is not known\n";
-  if (vessel.extracted.up_sure < ExtractedProfile::kSureUp)
+  if (vessel.extracted.up_from == UpFrom::given)
+    out += "up = " + quoted(extraction::axis_name(vessel.extracted.axis_direction)) + "\n";
+  else if (vessel.extracted.up_sure < ExtractedProfile::kSureUp)
     out += "# up = " + quoted(extraction::axis_name(-vessel.extracted.axis_direction)) +
            "                    # if it now stands on its head\n";
-  out += line("institution", "", "The museum that has it");
-  out += line("accession", "", "Its number there");
+  out += line("institution", vessel.given.institution, "The museum that has it");
+  out += line("accession", vessel.given.accession, "Its number there");
   out += line("source", vessel.source, "Where the figures are published");
+  // Where somebody put a scan is seldom the museum's page: it is offered, not taken.
+  const bool page = fault_of_address(vessel.given.source).empty();
+  out += line("address", vessel.address.empty() ? vessel.given.address : vessel.address,
+              page ? vessel.given.source.c_str() : "https://the.museum/its-page-on-this-vessel");
   out += "credit = " + quoted(vessel.credit.empty() ? "not known" : vessel.credit) + "\n";
   out += "licence = " + quoted(vessel.licence.empty() ? kLicenceNotKnown : vessel.licence) + "\n";
   std::snprintf(text, sizeof text, "color = [%.2f, %.2f, %.2f]      # as on a screen, 0 to 1\n",
                 srgb(vessel.color[0]), srgb(vessel.color[1]), srgb(vessel.color[2]));
   out += text;
-  out += "\n[label.en]                       # and one for each other language of the exhibit\n";
-  out += "title = " + quoted(vessel.label("en").title) + "\n";
-  out += line("culture", "", "Korea, Joseon dynasty");
-  out += line("date", vessel.given.date, "18th century");
-  out += line("made", "", "How it was made, in one sentence. If it was never thrown, say so.");
-  out += line("text", first_words(vessel.given.description, kMostLabelWords),
-              "At most 100 words. Short sentences: visitors stand while they read.");
+  out += "\n# A label in each language of the exhibit.\n";
+  out += label_toml(vessel, "en");
+  for (const auto& [language, title] : vessel.given.titles)
+    if (language != "en") out += "\n" + label_toml(vessel, language);
   return out;
 }
 

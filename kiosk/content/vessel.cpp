@@ -10,6 +10,7 @@
 #include "kiosk/content/gltf_parts.h"
 #include "kiosk/content/mesh_file.h"
 #include "kiosk/content/pack.h"
+#include "kiosk/content/scan_document.h"
 
 namespace onggi::content {
 
@@ -55,6 +56,7 @@ struct Order {
   Vessel vessel;
   ToldSize told;
   std::optional<std::array<float, 3>> color;  ///< Of the pack.
+  GltfCredit document;                        ///< What a document that names the file says.
   LoadOptions options;
 };
 
@@ -69,10 +71,12 @@ Result<Vessel> measured(const Order& order, const GltfModel& model, const Triang
   vessel.extracted = std::move(*found);
   vessel.extracted.warnings.insert(vessel.extracted.warnings.end(), model.warnings.begin(),
                                    model.warnings.end());
-  vessel.given = model.credit;
-  if (vessel.credit.empty()) vessel.credit = model.credit.line();
-  if (vessel.licence.empty()) vessel.licence = model.credit.licence;
-  if (vessel.source.empty()) vessel.source = model.credit.source;
+  vessel.given = model.credit.after(order.document);
+  if (vessel.credit.empty()) vessel.credit = vessel.given.line();
+  if (vessel.licence.empty()) vessel.licence = vessel.given.licence;
+  if (vessel.source.empty()) vessel.source = vessel.given.source;
+  // A museum's own document says which page is the museum's; a scan of anyone's may say anything.
+  if (vessel.address.empty()) vessel.address = order.document.address;
   if (model.colored) vessel.color = model.base_color;
   if (order.color) vessel.color = *order.color;
   return vessel;
@@ -257,6 +261,7 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
   vessel.credit = pack.credit_line();
   vessel.licence = pack.licence;
   vessel.source = pack.source;
+  vessel.address = pack.address;
   vessel.true_height = pack.true_height;
   vessel.node = pack.node;
   order.told.height = pack.true_height;
@@ -264,7 +269,7 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
   order.told.unit = pack.unit;
   order.options = options;
   if (!pack.node.empty()) order.options.node = pack.node;
-  if (pack.up) order.options.up = pack.up;
+  if (pack.up && !options.up) order.options.up = pack.up;
   if (pack.color) order.color = pack.color;
   return order;
 }
@@ -277,8 +282,16 @@ Result<Order> order_of(const fs::path& path, const LoadOptions& options) {
   Order order;
   order.vessel.id = options.id.empty() ? named.stem().string() : options.id;
   order.vessel.file = named;
+  if (is_document_ending(named)) {
+    auto document = read_scan_document(named, options.limits);
+    if (!document) return tl::unexpected<Problem>(document.error());
+    order.vessel.file = document->model;
+    if (options.id.empty()) order.vessel.id = document->model.stem().string();
+    order.told.unit = document->unit;
+    order.document = std::move(document->credit);
+  }
   order.vessel.node = options.node;
-  order.told.format_unit = format_unit(named);
+  order.told.format_unit = format_unit(order.vessel.file);
   order.options = options;
   return order;
 }
@@ -292,10 +305,20 @@ Problem no_memory(const fs::path& path) {
 
 Label Vessel::label(const std::string& language) const {
   for (const std::string& wanted : {language, std::string("en")})
-    if (const auto found = labels.find(wanted); found != labels.end()) return found->second;
+    if (const auto found = labels.find(wanted); found != labels.end()) {
+      Label label = found->second;
+      if (label.address.empty()) label.address = address;
+      return label;
+    }
   Label made;
+  made.address = address;
   const std::string name = node.substr(0, node.find("/*"));
-  made.title = title_of(!name.empty() ? name : !given.title.empty() ? given.title : id);
+  const auto in = given.titles.find(language);
+  made.title = !name.empty()              ? title_of(name)
+               : in != given.titles.end() ? in->second
+                                          : title_of(!given.title.empty() ? given.title : id);
+  made.culture = given.culture;
+  if (!given.culture.empty()) made.date = given.date;  // of a document; a scan's own is the scan's
   return made;
 }
 

@@ -18,12 +18,13 @@ namespace onggi::content {
 
 /// What the label says, in one language.
 struct Label {
-  std::string title;    ///< "Moon jar"
-  std::string culture;  ///< "Korea, Joseon dynasty"
-  std::string date;     ///< "18th century"
-  std::string made;     ///< How it was made, one sentence.
-  std::string text;     ///< At most 100 words.
-  std::string credit;   ///< The whole credit line in this language; empty: Vessel::credit.
+  std::string title;      ///< "Moon jar"
+  std::string culture;    ///< "Korea, Joseon dynasty"
+  std::string date;       ///< "18th century"
+  std::string made;       ///< How it was made, one sentence.
+  std::string text;       ///< At most 100 words.
+  std::string credit;     ///< The whole credit line in this language; empty: Vessel::credit.
+  std::string address{};  ///< The museum's page in this language, good (content/address.h), or "".
 };
 
 /// A vessel on the shelf: the mesh for its picture, the profile for its outline and score.
@@ -39,6 +40,7 @@ struct Vessel {
   std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
   GltfCredit given;                     ///< What the file says of itself.
   std::string credit, licence, source;
+  std::string address;       ///< The museum's page, good; a label may have one of its own.
   double true_height = 0.0;  ///< Metres, by the TOML's height or diameter; 0: not told.
   SizeFrom size_from = SizeFrom::file;
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
@@ -46,11 +48,13 @@ struct Vessel {
   double unit = 1.0;           ///< Metres that one unit of the file was taken for.
   std::array<float, 3> color{0.62f, 0.44f, 0.31f};  ///< Linear base colour for its picture.
 
-  /// The label in `language`, else English, else one made of the file's name.
+  /// The label in `language`, else English, else one made of the file's name; with the vessel's
+  /// address where it has none of its own.
   Label label(const std::string& language) const;
 };
 
-/// How a vessel's file is to be read. What a pack's TOML says goes before `node` and `up`.
+/// How a vessel's file is to be read. What a pack's TOML says goes before `node`, and `up` before
+/// what it says.
 struct LoadOptions {
   std::string id;    ///< On the shelf; empty: the file's or folder's name.
   std::string node;  ///< Name or number of the node that is the vessel; empty: all of the file.

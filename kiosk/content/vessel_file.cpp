@@ -30,26 +30,43 @@ Result<files::Bytes> read_vessel_file(const std::filesystem::path& file, std::si
   return tl::unexpected(not_read(file.string(), bytes.error(), most));
 }
 
+namespace {
+
+Problem not_read_beneath(const std::string& name, const std::string& uri,
+                         const files::ReadFault& fault, std::size_t most) {
+  const std::string shown = uri.substr(0, 80);
+  switch (fault.kind) {
+    case Kind::outside:
+      return {name, "it asks for \"" + shown + "\", which is not beneath its own folder.",
+              "Put every file of the vessel into its folder, or export it as one GLB."};
+    case Kind::link:
+      return {name, "it asks for \"" + shown + "\", which goes through a symbolic link.",
+              "Put the file itself into the vessel's folder."};
+    case Kind::missing:
+    case Kind::closed:
+      return {name, "its file \"" + shown + "\" is missing: " + fault.reason + ".",
+              "Put the file beside it, or export the vessel as one GLB."};
+    default:
+      return not_read(name + ", file \"" + shown + "\"", fault, most);
+  }
+}
+
+}  // namespace
+
 Result<files::Bytes> read_vessel_file_beneath(const std::filesystem::path& folder,
                                               const std::string& uri, std::size_t most,
                                               const std::string& name) {
   auto bytes = files::read_beneath(folder, uri, most);
   if (bytes) return std::move(*bytes);
-  const std::string shown = uri.substr(0, 80);
-  switch (bytes.error().kind) {
-    case Kind::outside:
-      return problem(name, "it asks for \"" + shown + "\", which is not beneath its own folder.",
-                     "Put every file of the vessel into its folder, or export it as one GLB.");
-    case Kind::link:
-      return problem(name, "it asks for \"" + shown + "\", which goes through a symbolic link.",
-                     "Put the file itself into the vessel's folder.");
-    case Kind::missing:
-    case Kind::closed:
-      return problem(name, "its file \"" + shown + "\" is missing: " + bytes.error().reason + ".",
-                     "Put the file beside it, or export the vessel as one GLB.");
-    default:
-      return tl::unexpected(not_read(name + ", file \"" + shown + "\"", bytes.error(), most));
-  }
+  return tl::unexpected(not_read_beneath(name, uri, bytes.error(), most));
+}
+
+Result<std::filesystem::path> find_vessel_file_beneath(const std::filesystem::path& folder,
+                                                       const std::string& uri,
+                                                       const std::string& name) {
+  auto found = files::find_beneath(folder, uri);
+  if (found) return std::move(*found);
+  return tl::unexpected(not_read_beneath(name, uri, found.error(), 0));
 }
 
 }  // namespace onggi::content

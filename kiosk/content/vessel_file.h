@@ -17,4 +17,9 @@ Result<files::Bytes> read_vessel_file_beneath(const std::filesystem::path& folde
                                               const std::string& uri, std::size_t most,
                                               const std::string& name);
 
+/// Where that file lies, for a reader of its own; by the same rules.
+Result<std::filesystem::path> find_vessel_file_beneath(const std::filesystem::path& folder,
+                                                       const std::string& uri,
+                                                       const std::string& name);
+
 }  // namespace onggi::content

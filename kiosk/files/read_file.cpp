@@ -87,6 +87,21 @@ std::vector<std::string> inner_parts(const std::string& path) {
   return parts;
 }
 
+/// Beneath `folder`, step by step, so that nobody can put a link in between.
+Descriptor open_beneath(const std::filesystem::path& folder,
+                        const std::vector<std::string>& parts) {
+  Descriptor at(::open(folder.empty() ? "." : folder.c_str(), kFlags | O_DIRECTORY));
+  for (std::size_t i = 0; at.open() && i < parts.size(); ++i) {
+    const int kind = i + 1 < parts.size() ? O_DIRECTORY : 0;
+    at = Descriptor(::openat(at.get(), parts[i].c_str(), kFlags | O_NOFOLLOW | kind));
+  }
+  return at;
+}
+
+tl::unexpected<ReadFault> not_beneath(int error) {
+  return error == ELOOP || error == ENOTDIR ? fault(Kind::link) : fault(Kind::missing, error);
+}
+
 }  // namespace
 
 tl::expected<Bytes, ReadFault> read_file(const std::filesystem::path& file, std::size_t most) {
@@ -99,14 +114,22 @@ tl::expected<Bytes, ReadFault> read_beneath(const std::filesystem::path& folder,
                                             const std::string& uri, std::size_t most) {
   const std::vector<std::string> parts = inner_parts(percent_decoded(uri));
   if (parts.empty()) return fault(Kind::outside);
-  Descriptor at(::open(folder.empty() ? "." : folder.c_str(), kFlags | O_DIRECTORY));
-  for (std::size_t i = 0; at.open() && i < parts.size(); ++i) {
-    const int kind = i + 1 < parts.size() ? O_DIRECTORY : 0;
-    at = Descriptor(::openat(at.get(), parts[i].c_str(), kFlags | O_NOFOLLOW | kind));
-  }
-  if (!at.open())
-    return errno == ELOOP || errno == ENOTDIR ? fault(Kind::link) : fault(Kind::missing, errno);
+  const Descriptor at = open_beneath(folder, parts);
+  if (!at.open()) return not_beneath(errno);
   return read_open(at, most);
+}
+
+tl::expected<std::filesystem::path, ReadFault> find_beneath(const std::filesystem::path& folder,
+                                                            const std::string& uri) {
+  const std::vector<std::string> parts = inner_parts(percent_decoded(uri));
+  if (parts.empty()) return fault(Kind::outside);
+  const Descriptor at = open_beneath(folder, parts);
+  if (!at.open()) return not_beneath(errno);
+  struct stat found {};
+  if (::fstat(at.get(), &found) != 0 || !S_ISREG(found.st_mode)) return fault(Kind::special);
+  std::filesystem::path out = folder;
+  for (const std::string& part : parts) out /= part;
+  return out;
 }
 
 }  // namespace onggi::files

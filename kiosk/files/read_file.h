@@ -37,4 +37,8 @@ tl::expected<Bytes, ReadFault> read_file(const std::filesystem::path& file, std:
 tl::expected<Bytes, ReadFault> read_beneath(const std::filesystem::path& folder,
                                             const std::string& uri, std::size_t most);
 
+/// Where that regular file lies, for a reader of its own; by the same rules.
+tl::expected<std::filesystem::path, ReadFault> find_beneath(const std::filesystem::path& folder,
+                                                            const std::string& uri);
+
 }  // namespace onggi::files
