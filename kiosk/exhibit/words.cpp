@@ -57,6 +57,7 @@ souvenir::PostcardWords postcard_words(const content::Language& language,
                              {"month", language.say("month." + std::to_string(local.tm_mon + 1))},
                              {"year", std::to_string(local.tm_year + 1900)}});
   words.language = language.code();
+  words.address = label.address;
   return words;
 }
 

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "kiosk/content/address.h"
+#include "kiosk/score/likeness.h"
 #include "kiosk/screens/label.h"
 #include "kiosk/screens/overlays.h"
+#include "kiosk/view/square_code.h"
 
 namespace onggi::screens {
 
@@ -32,8 +35,9 @@ class Choose final : public Screen {
     desk.turned = true;
     const std::string card = "choose.card.";
     if (control.starts_with(card)) {
-      open_ = std::stoi(control.substr(card.size()));
-      part_ = 0;
+      open(std::stoi(control.substr(card.size())));
+    } else if (control == "choose.alike") {
+      open(alike_);
     } else if (control == "choose.next") {
       first_ = (page_ + 1) * per_page_;
     } else if (control == "choose.previous") {
@@ -174,6 +178,20 @@ class Choose final : public Screen {
     }
   }
 
+  /// The label of `card`; which other vessel is most like it is asked once.
+  void open(int card) {
+    open_ = card;
+    part_ = 0;
+    parts_ = 1;
+    alike_ = -1;
+    const ShelfCard* shelf = desk.shelf_card(card);
+    if (shelf == nullptr) return;
+    std::vector<const Profile*> others;
+    for (int i = 0; i < desk.cards(); ++i) others.push_back(&desk.shelf_card(i)->target);
+    if (const auto found = score::most_alike(shelf->target, others))
+      alike_ = static_cast<int>(*found);
+  }
+
   void lay_out_label(Page& page) {
     const ShelfCard* shelf = desk.shelf_card(open_);
     if (shelf == nullptr) return;
@@ -196,8 +214,7 @@ class Choose final : public Screen {
       }
     }
     const content::Label label = desk.label(open_);
-    lay_out_picture(page, *shelf, label.credit.empty() ? shelf->vessel->credit : label.credit,
-                    picture);
+    lay_out_picture(page, *shelf, label, picture);
 
     Column column(page, words);
     column.foot_buttons(standing_buttons(desk, true));
@@ -208,6 +225,10 @@ class Choose final : public Screen {
       onward.push_back({"choose.more",
                         desk.say(part_ + 1 < parts_ ? "choose.more" : "choose.first"),
                         Look::outline});
+    if (alike_ >= 0)
+      onward.push_back({"choose.alike",
+                        desk.say("choose.alike", {{"vessel", desk.label(alike_).title}}),
+                        Look::quiet});
     column.foot_buttons(onward);
     column.foot_space(t.gap * 1.5f);
     column.text(label.title, t.title, Face::serif);
@@ -240,23 +261,56 @@ class Choose final : public Screen {
     parts_ = static_cast<int>(parts.size());
   }
 
-  /// The vessel, and under it whose picture it is.
-  void lay_out_picture(Page& page, const ShelfCard& shelf, const std::string& credit,
-                       Rect room) const {
-    if (!credit.empty()) {
-      const auto style = page.style(Face::sans, page.type().body, view::Align::centre);
-      const auto size = page.size(credit, style, room.w);
-      room.h -= size.height + page.type().gap;
-      if (room.h < page.type().body * 4) page.overflowed();
-      page.words({room.x, room.y + room.h + page.type().gap, room.w, size.height}, credit, style,
-                 view::kFaintInk);
+  /// The vessel, and under it whose picture it is; beside that, for a phone, the museum's page.
+  void lay_out_picture(Page& page, const ShelfCard& shelf, const content::Label& label, Rect room) {
+    const TypeScale& t = page.type();
+    const std::string& credit = label.credit.empty() ? shelf.vessel->credit : label.credit;
+    if (std::exchange(coded_, label.address) != label.address)
+      code_ = view::SquareCode(label.address);
+    const float wanted = t.body * 5.5f, side = code_.width(wanted);
+    const auto style =
+        page.style(Face::sans, t.body, code_.empty() ? view::Align::centre : view::Align::start);
+    struct Line {
+      std::string words;
+      view::Color color;
+      float height;
+    };
+    std::vector<Line> lines;
+    float height = 0;
+    const auto add = [&](const std::string& words, view::Color color) {
+      if (words.empty()) return;
+      const auto size = page.size(words, style, room.w - side);
+      if (size.width > room.w - side + 2) page.overflowed();
+      lines.push_back({words, color, size.height});
+      height += size.height;
+    };
+    add(credit, view::kFaintInk);
+    if (!code_.empty()) {
+      add(desk.say("choose.page_of"), view::kInk);
+      add(content::short_address(label.address), view::kInk);
+    }
+    const float strip = std::max(height, side);
+    if (strip > 0) room.h -= strip + t.gap;
+    if (room.h < t.body * 4) page.overflowed();
+    const float top = room.y + room.h + t.gap;
+    const bool from_right = desk.words().right_to_left();
+    code_.draw(page.items(), from_right ? room.x + room.w - side : room.x, top + (strip - side) / 2,
+               wanted);
+    float y = top + (strip - height) / 2;
+    for (const Line& line : lines) {
+      page.words({from_right ? room.x : room.x + side, y, room.w - side, line.height}, line.words,
+                 style, line.color);
+      y += line.height;
     }
     if (shelf.picture != 0) page.draw(view::Picture{room, shelf.picture, 1});
   }
 
-  int first_ = 0;  ///< A card of the page shown.
+  std::string coded_;      ///< The address that code_ is of.
+  view::SquareCode code_;  ///< Reckoned once for a label, not once a frame.
+  int first_ = 0;          ///< A card of the page shown.
   int page_ = 0, per_page_ = 1;
   int open_ = -1, part_ = 0, parts_ = 1;
+  int alike_ = -1;  ///< The card whose shape is most like the open one's; -1: none is alike.
 };
 
 }  // namespace

@@ -148,7 +148,8 @@ class Visit {
   ///   attract   "attract.begin" (any touch begins)
   ///   choose    "choose.card.N" (N counts the whole shelf; only this page's are there),
   ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
-  ///             "choose.more" (a long label read on), "back" to the shelf
+  ///             "choose.more" (a long label read on), "choose.alike" (the label of the vessel
+  ///             most like it, where one is), "back" to the shelf
   ///   throw     "throw.both", "throw.outside", "throw.inside", "throw.slower", "throw.faster",
   ///             "throw.water", "throw.cut", "throw.renew", "throw.restore" (while there is a
   ///             stroke to take back), "throw.done", "throw.tool.N" (0 the hands, then the

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kiosk/view/palette.h"
+#include "kiosk/view/square_code.h"
 
 namespace onggi::souvenir {
 
@@ -20,9 +21,11 @@ namespace {
 // One grid for the whole card, in pixels of 1500 x 2100.
 constexpr float kMargin = 120;
 constexpr Rect kPot{220, 250, 1060, 1090};  ///< The pot stands in it, air all round.
-constexpr float kTitleTop = 1560;
+constexpr float kTitleTop = 1560, kHighestTitle = 1400;
+constexpr float kCircle = 30, kStarsGap = 26;
 constexpr float kSectionWidth = 250, kSectionHeight = 290;
 constexpr float kFoot = kPostcardHeight - kMargin;
+constexpr float kCode = 200;  ///< Square code and its quiet zone: 17 mm where the card is 127.
 
 using Points = std::vector<std::pair<float, float>>;
 
@@ -138,31 +141,46 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   pot.wheel = false;
   card.pot = pot;
 
-  // Title and vessel under the pot.
+  // The museum's page, between the small print and the drawing: its ink ends on the same line.
   const float width = kPostcardWidth - 2 * kMargin;
-  float y = set(card, words.title, type(Face::serif, 78, words.language), view::kInk, kTitleTop,
-                width, 2, measure);
-  y = set(card, words.vessel, type(Face::sans, 38, words.language), view::kFaintInk, y + 10, width,
-          2, measure);
+  const view::SquareCode code(words.address);
+  const float code_width = code.width(kCode), code_left = kMargin + width - kSectionWidth -
+                                                          (code.empty() ? 60.0f : 30 + code_width);
+  code.draw(card.items, code_left,
+            kFoot - code_width + static_cast<float>(view::SquareCode::kQuiet * code.module(kCode)),
+            kCode);
 
-  // Five circles, as many filled as there are stars.
-  constexpr float kCircle = 30;
-  for (int i = 0; i < 5; ++i) {
-    const Rect circle{kMargin + static_cast<float>(i) * kCircle * 1.6f, y + 26, kCircle, kCircle};
-    const Color fill = i < words.stars ? view::kIron : Color{0, 0, 0, 0};
-    card.items.push_back(Box{circle, kCircle / 2, fill, 2.5f, view::kIron});
-  }
-
-  // Small print at the foot, left of the drawing.
-  const float print_width = width - kSectionWidth - 60;
+  // Small print at the foot, left of code and drawing.
+  const float print_width = code_left - kMargin;
   const auto print = type(Face::sans, 28, words.language);
   std::string small;
   for (const std::string& line : {words.glaze, words.credit, words.date})
     if (!line.empty()) small += (small.empty() ? "" : "\n") + line;
+  float print_top = kFoot;
   if (!small.empty()) {
     const auto size = measure.measure(small, print, print_width);
-    card.items.push_back(Text{
-        {kMargin, kFoot - size.height, print_width, size.height}, small, print, view::kFaintInk});
+    print_top -= size.height;
+    card.items.push_back(
+        Text{{kMargin, print_top, print_width, size.height}, small, print, view::kFaintInk});
+  }
+
+  // Title and vessel under the pot, nearer to it where the print below needs the room.
+  const auto told = [&](view::Frame& on, float top) {
+    const float y = set(on, words.title, type(Face::serif, 78, words.language), view::kInk, top,
+                        width, 2, measure);
+    return set(on, words.vessel, type(Face::sans, 38, words.language), view::kFaintInk, y + 10,
+               code.empty() ? width : print_width, 2, measure);
+  };
+  view::Frame aside;
+  const float room = print_top - kStarsGap - kCircle - kStarsGap - told(aside, 0);
+  const float y = told(card, std::clamp(room, kHighestTitle, kTitleTop));
+
+  // Five circles, as many filled as there are stars.
+  for (int i = 0; i < 5; ++i) {
+    const Rect circle{kMargin + static_cast<float>(i) * kCircle * 1.6f, y + kStarsGap, kCircle,
+                      kCircle};
+    const Color fill = i < words.stars ? view::kIron : Color{0, 0, 0, 0};
+    card.items.push_back(Box{circle, kCircle / 2, fill, 2.5f, view::kIron});
   }
 
   // The drawing in the corner: what was made, over the pale outline of what it answers.

@@ -140,5 +140,39 @@ TEST(Postcard, AnUnworkedLumpAndAMissingTargetStillMakeACard) {
   EXPECT_FALSE(all<view::Text>(card).empty());
 }
 
+TEST(Postcard, KeepsWordsStarsCodeAndDrawingApartHoweverMuchIsSaid) {
+  PostcardWords most = words();
+  most.vessel = "Greece, Athens, about 530 BCE; a long line of words that says whose it was";
+  most.credit = std::string(120, 'c');
+  most.glaze = "Celadon, 175 mm high";
+  for (const char* page : {"", "https://museum.org/12.3"}) {
+    most.address = page;
+    const auto card = compose_postcard(most, vase(0.05), vase(0.06), WideMeasure());
+    std::vector<view::Rect> texts, stars;
+    for (const view::Text& text : all<view::Text>(card)) texts.push_back(text.box);
+    float code_top = 2100, code_left = 1500;
+    for (const view::Box& box : all<view::Box>(card)) {
+      if (box.radius > 0) stars.push_back(box.rect);
+      // Modules are squares side by side; the drawing's strips are 2.2 high.
+      if (box.radius > 0 || box.rect.h < 3) continue;
+      code_top = std::min(code_top, box.rect.y);
+      code_left = std::min(code_left, box.rect.x);
+      EXPECT_LE(box.rect.y + box.rect.h, 2100 - 120 + 1);
+    }
+    ASSERT_EQ(texts.size(), 3u);
+    ASSERT_EQ(stars.size(), 5u);
+    EXPECT_EQ(code_top < 2100, page[0] != '\0');
+    const auto apart = [](const view::Rect& a, const view::Rect& b) {
+      return a.x + a.w <= b.x || b.x + b.w <= a.x || a.y + a.h <= b.y || b.y + b.h <= a.y;
+    };
+    for (const view::Rect& text : texts) {
+      EXPECT_GE(text.y, 1400);
+      EXPECT_TRUE(text.y + text.h <= code_top || text.x + text.w <= code_left) << page << text.y;
+      for (const view::Rect& star : stars) EXPECT_TRUE(apart(text, star)) << page << text.y;
+      for (const view::Rect& other : texts) EXPECT_TRUE(&text == &other || apart(text, other));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace onggi::souvenir

@@ -1,0 +1,184 @@
+#include <gtest/gtest.h>
+#include <zbar.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "kiosk/render/text.h"
+#include "kiosk/souvenir/postcard.h"
+#include "kiosk/view/palette.h"
+#include "kiosk/view/square_code.h"
+#include "tests/kiosk/render/studio_fixture.h"
+#include "tests/kiosk/screens/layout_check.h"
+
+// The museum's page on a label and on a postcard: a phone must read it off the picture, so zbar
+// does.
+
+namespace onggi::screens {
+namespace {
+
+const std::string kPage = "https://www.museum.go.kr/site/main/relic/search/view?relicId=305";
+const std::string kLongest = "https://museum.org/" + std::string(181, 'x');
+
+/// What a scanner finds in the whole picture.
+std::vector<std::string> codes_in(const view::Image& image) {
+  std::vector<std::uint8_t> grey;
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
+    grey.push_back(static_cast<std::uint8_t>(
+        (299 * image.rgba[i] + 587 * image.rgba[i + 1] + 114 * image.rgba[i + 2]) / 1000));
+  const std::unique_ptr<zbar::zbar_image_scanner_t, void (*)(zbar::zbar_image_scanner_t*)> scanner(
+      zbar::zbar_image_scanner_create(), zbar::zbar_image_scanner_destroy);
+  zbar::zbar_image_scanner_set_config(scanner.get(), zbar::ZBAR_NONE, zbar::ZBAR_CFG_ENABLE, 0);
+  zbar::zbar_image_scanner_set_config(scanner.get(), zbar::ZBAR_QRCODE, zbar::ZBAR_CFG_ENABLE, 1);
+  const std::unique_ptr<zbar::zbar_image_t, void (*)(zbar::zbar_image_t*)> seen(
+      zbar::zbar_image_create(), zbar::zbar_image_destroy);
+  zbar::zbar_image_set_format(seen.get(), 'Y' | '8' << 8 | '0' << 16 | '0' << 24);
+  zbar::zbar_image_set_size(seen.get(), static_cast<unsigned>(image.width),
+                            static_cast<unsigned>(image.height));
+  zbar::zbar_image_set_data(seen.get(), grey.data(), grey.size(), nullptr);
+  zbar::zbar_scan_image(scanner.get(), seen.get());
+  std::vector<std::string> found;
+  for (const auto* at = zbar::zbar_image_first_symbol(seen.get()); at != nullptr;
+       at = zbar::zbar_symbol_next(at))
+    found.emplace_back(zbar::zbar_symbol_get_data(at), zbar::zbar_symbol_get_data_length(at));
+  return found;
+}
+
+/// Somebody reading the first vessel's label, in the exhibit's own fonts.
+struct Reader {
+  Reader(int width, int height, bool korean, const std::string& address) : v(3, &fonts, true) {
+    v.vessels[0].address = address;
+    v.width = width;
+    v.height = height;
+    v.show();
+    if (korean) v.touch("language");
+    v.touch("attract.begin");
+    v.frames(1);
+    v.touch("choose.card.0");
+    v.frames(1);
+  }
+  render::Typesetter fonts;
+  Visitor v;
+};
+
+constexpr std::pair<int, int> kScreens[] = {{1280, 720}, {1024, 600}, {1920, 1080}, {1080, 1920}};
+
+class AMuseumsPage : public render::testing::StudioTest {};
+
+TEST_F(AMuseumsPage, IsReadOffTheLabelAtEverySizeInBothLanguages) {
+  for (const auto& [width, height] : kScreens)
+    for (const bool korean : {false, true})
+      for (const std::string& page : {kPage, kLongest}) {
+        Reader reader(width, height, korean, page);
+        check_layout(reader.v, reader.fonts, "label with a page");
+        const view::Image image = renderer().draw_offscreen(reader.v.frame);
+        const std::string name = "label_" + std::to_string(width) + (korean ? "_ko" : "_en") +
+                                 (page == kPage ? "" : "_longest");
+        render::testing::keep_for_looking(image, name);
+        EXPECT_EQ(codes_in(image), std::vector<std::string>{page}) << name;
+      }
+}
+
+TEST_F(AMuseumsPage, IsReadOffThePostcard) {
+  souvenir::PostcardWords words;
+  words.title = "My answer to: Panathenaic amphora";
+  words.vessel = "Greece, Athens, about 530 BCE; a long line of words that says whose it was";
+  words.stars = 4;
+  words.credit =
+      "The Museum of Pots, with a credit as long as a museum may have in its exhibit's file";
+  words.date = "4 May 2026";
+  words.glaze = "Celadon, 175 mm high";
+  for (const std::string& page : {kPage, kLongest, std::string()}) {
+    words.address = page;
+    const view::Frame card = souvenir::compose_postcard(words, jar(0.08), jar(0.09),
+                                                        render::Typesetter(), view::Glazing{});
+    const view::Image image = renderer().draw_offscreen(card);
+    render::testing::keep_for_looking(image, "postcard_" + std::to_string(page.size()));
+    EXPECT_EQ(codes_in(image),
+              page.empty() ? std::vector<std::string>{} : std::vector<std::string>{page});
+  }
+}
+
+/// Ink that is no word: the modules of a code.
+view::Rect code_in(const view::Frame& frame) {
+  float left = 1e9f, top = 1e9f, right = 0, bottom = 0;
+  for (const view::Item& item : frame.items)
+    if (const auto* box = std::get_if<view::Box>(&item);
+        box != nullptr && box->fill == view::kInk && box->radius == 0) {
+      left = std::min(left, box->rect.x);
+      top = std::min(top, box->rect.y);
+      right = std::max(right, box->rect.x + box->rect.w);
+      bottom = std::max(bottom, box->rect.y + box->rect.h);
+    }
+  return {left, top, right - left, bottom - top};
+}
+
+TEST(AVesselsLabel, KeepsTheQuietRoundItsCode) {
+  for (const auto& [width, height] : kScreens) {
+    const Reader reader(width, height, false, kPage);
+    const view::Rect code = code_in(reader.v.frame);
+    ASSERT_GT(code.w, 0);
+    const float quiet = code.w / static_cast<float>(view::SquareCode(kPage).side()) * 4;
+    for (const view::Item& item : reader.v.frame.items) {
+      const auto* text = std::get_if<view::Text>(&item);
+      const auto* picture = std::get_if<view::Picture>(&item);
+      if (text == nullptr && picture == nullptr) continue;
+      const view::Rect& r = text != nullptr ? text->box : picture->box;
+      const bool apart = r.x + r.w <= code.x - quiet || r.x >= code.x + code.w + quiet ||
+                         r.y + r.h <= code.y - quiet || r.y >= code.y + code.h + quiet;
+      EXPECT_TRUE(apart) << width << ": " << (text != nullptr ? text->text : "the picture");
+    }
+  }
+}
+
+TEST(AVesselsLabel, SaysTheMuseumsPageInWordsAndNothingWhereThereIsNone) {
+  const auto words_of = [](const view::Frame& frame) {
+    std::string all;
+    for (const view::Item& item : frame.items)
+      if (const auto* text = std::get_if<view::Text>(&item)) all += text->text + "\n";
+    return all;
+  };
+  const Reader with(1280, 720, false, "https://www.museum.org/12.3"), without(1280, 720, false, "");
+  EXPECT_NE(words_of(with.v.frame).find("\nmuseum.org/12.3\n"), std::string::npos);
+  EXPECT_NE(words_of(with.v.frame).find("The museum's page"), std::string::npos);
+  EXPECT_EQ(words_of(without.v.frame).find("The museum's page"), std::string::npos);
+  EXPECT_LT(code_in(without.v.frame).w, 0);
+}
+
+std::string title_of(const Visitor& v) {
+  for (const view::Item& item : v.frame.items)
+    if (const auto* text = std::get_if<view::Text>(&item);
+        text != nullptr && text->style.face == view::Face::serif)
+      return text->text;
+  return "";
+}
+
+TEST(AVesselsLabel, LeadsToTheVesselMostLikeItAndToNoneWhereNothingIs) {
+  Visitor v(4);
+  v.shelf[1].target = jar(0.05, 0.20, 0.02);  // a wide dish
+  v.shelf[2].target = jar(0.085);
+  v.shelf[3].target = jar(0.03, 0.02, 0.09);  // a spire on a broad foot
+  for (int i = 0; i < 4; ++i)
+    v.vessels[static_cast<std::size_t>(i)].labels["en"].title = "Vessel " + std::to_string(i);
+  v.touch("attract.begin");
+  v.frames(1);
+  v.touch("choose.card.0");
+  v.frames(1);
+  EXPECT_EQ(title_of(v), "Vessel 0");
+  v.touch("choose.alike");
+  v.frames(1);
+  EXPECT_EQ(title_of(v), "Vessel 2");
+  v.touch("choose.alike");
+  v.frames(1);
+  EXPECT_EQ(title_of(v), "Vessel 0");  // likeness is the same both ways
+  v.touch("back");
+  v.frames(1);
+  EXPECT_EQ(v.visit->focus().empty() || v.visit->focus() == "choose.card.0", true);
+  v.touch("choose.card.1");
+  v.frames(1);
+  EXPECT_EQ(title_of(v), "Vessel 1");
+  EXPECT_FALSE(v.visit->control("choose.alike"));
+}
+
+}  // namespace
+}  // namespace onggi::screens
