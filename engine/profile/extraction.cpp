@@ -159,9 +159,8 @@ void Extractor::stand() {
   out_.up_from = found.choice.from;
   out_.up_sure = found.choice.sure;
   if (options_.up && out_.up_from != UpFrom::given)
-    warn("The up that was given, " + axis_name(*options_.up) +
-         ", lies across the axis that it turns about: " + axis_name(frame_.up) + " or " +
-         axis_name(-frame_.up) + " would tell which end is up.");
+    warn("The up that was given, " + axis_name(*options_.up) + ", lies across the axis: " +
+         axis_name(frame_.up) + " or " + axis_name(-frame_.up) + " would tell which end is up.");
   if (out_.up_sure >= ExtractedProfile::kSureUp) return;
   warn("It could be read the other way up: what told is " + words_of(out_.up_from) + ", " +
        percent(out_.up_sure) + " sure. If the rim is at the other end, write up = \"" +
