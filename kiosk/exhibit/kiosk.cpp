@@ -13,6 +13,7 @@
 #include "kiosk/device/hidapi_bus.h"
 #include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/log.h"
+#include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/stepped_potter.h"
@@ -51,6 +52,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   // A stepped visit is the same wherever it is made: its grids are the scenes' own.
   if (!options.stepped) kiosk->scenes_->tune(kept_in);
   kiosk->keepsakes_ = std::make_unique<Keepsakes>(kept_in, kiosk->exhibit_.keepsake.quota_mb);
+  if (kiosk->exhibit_.store.count)
+    kiosk->counter_ = std::make_unique<VisitCounter>(store_file(kept_in), kiosk->exhibit_);
   auto renderer = render::Renderer::create(options.window);
   if (!renderer) return tl::unexpected(renderer.error());
   kiosk->renderer_ = std::move(*renderer);
@@ -174,6 +177,7 @@ bool Kiosk::frame(double now, bool draw) {
   potter_->collect();
   renderer_->update_clay(potter_->view().clay);
   note_saved();
+  if (counter_) log_problems(counter_->remarks());
   for (const std::string& line : fault_log_.news(potter_->view().status)) log_line(line);
   visit_->update(now);
   while (auto request = visit_->take_request())
@@ -288,7 +292,14 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   kept_ = std::move(kept);
 }
 
-void Kiosk::carry_out(const screens::ForgetVisitor&) {
+void Kiosk::carry_out(const screens::ForgetVisitor& request) {
+  if (counter_) {
+    const auto& cards = shelf_->cards();
+    const int card = request.notes.card;
+    const bool chosen = card >= 0 && card < static_cast<int>(cards.size());
+    const std::string vessel = chosen ? cards[static_cast<std::size_t>(card)].vessel->id : "";
+    counter_->visit_over(request.notes, vessel, saving_ticket_);
+  }
   potter_->stop_recording();
   saving_ticket_ = 0;
   if (postcard_ != 0) renderer_->drop_picture(std::exchange(postcard_, 0));
@@ -301,8 +312,10 @@ void Kiosk::note_saved() {
     log_line("Kept " + saved->outcome->folder.string());
   else
     log_problem(saved->outcome.error());
+  const bool present = saved->ticket == saving_ticket_;
+  if (counter_) counter_->saved(*saved, present && kept_ ? kept_->state_hash : 0);
   // A save that outlasted its visitor is none of the next one's business.
-  if (saved->ticket != saving_ticket_) return;
+  if (!present) return;
   if (kept_) kept_->saved = saved->outcome;
   // Date and time are enough to ask for at the desk, and short enough to remember.
   if (saved->outcome)

@@ -12,6 +12,7 @@
 #include "kiosk/exhibit/keepsakes.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
+#include "kiosk/exhibit/visit_counter.h"
 #include "kiosk/loop/fault_log.h"
 #include "kiosk/loop/potter_host.h"
 #include "kiosk/loop/stepped_potter.h"
@@ -103,6 +104,7 @@ class Kiosk {
   std::unique_ptr<HandDevices> devices_;    ///< Null where none are to be used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Keepsakes> keepsakes_;
+  std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
   std::unique_ptr<screens::Visit> visit_;
   std::uint64_t seed_ = 1;
   std::uint64_t pots_ = 0;

@@ -58,4 +58,6 @@ fs::path language_folder(const fs::path& file) {
   return root ? *root / "content" / "languages" : fs::path();
 }
 
+fs::path store_file(const fs::path& folder) { return folder / "onggi.sqlite"; }
+
 }  // namespace onggi::exhibit

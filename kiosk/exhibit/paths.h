@@ -22,4 +22,7 @@ std::filesystem::path site_exhibit(const std::filesystem::path& path);
 /// program's. Empty where neither has any.
 std::filesystem::path language_folder(const std::filesystem::path& file);
 
+/// Where visits are counted: beside the keepsakes that lie in `folder`.
+std::filesystem::path store_file(const std::filesystem::path& folder);
+
 }  // namespace onggi::exhibit

@@ -1,8 +1,13 @@
 #include "kiosk/screens/desk.h"
 
+#include <utility>
+
 namespace onggi::screens {
 
 void Desk::forget() {
+  VisitNotes counted = notes.finish(now, std::exchange(left_alone, false));
+  counted.language = words().code();
+  counted.card = card;
   language = 0;
   card = -1;
   made = {};
@@ -13,7 +18,7 @@ void Desk::forget() {
   kept = Kept::not_asked;
   kept_as.clear();
   postcard = 0;
-  requests.emplace_back(ForgetVisitor{});
+  requests.emplace_back(ForgetVisitor{std::move(counted)});
 }
 
 std::string Desk::title() const {
@@ -50,6 +55,7 @@ void Desk::keep_pot() {
 
 void Desk::start_pot(int index, bool scripted, const std::string& script) {
   requests.emplace_back(StartPot{index, scripted, script});
+  if (!scripted) notes.pot();
   awaited_ = status.scene_serial;
 }
 

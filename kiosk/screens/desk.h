@@ -25,6 +25,9 @@ class Desk {
   std::optional<ScreenId> next;  ///< Where to go once the present call is over.
   bool turned = false;           ///< The same screen now shows another picture: cross-fade.
 
+  NoteTaker notes;          ///< What may be counted of the visit.
+  bool left_alone = false;  ///< Nobody was there any more.
+
   /// Of the visitor.
   std::size_t language = 0;
   int card = -1;

@@ -52,7 +52,9 @@ void DeviceNews::update(double now, bool hold) {
 void DeviceNews::use(std::optional<device::DeviceKind> first_hand, bool pushes) {
   pushes_ = pushes;
   in_use_.clear();
+  hand_.clear();
   if (!first_hand) return;
+  hand_ = device::info_of(*first_hand).id;
   for (const auto& [known, key] : kUsed)
     if (known == *first_hand) in_use_ = key;
 }

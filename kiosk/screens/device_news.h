@@ -23,13 +23,15 @@ class DeviceNews {
   void use(std::optional<device::DeviceKind> first_hand, bool pushes);
   /// Of the languages: which device is in use. Empty: a finger, or nothing.
   const std::string& in_use() const { return in_use_; }
+  /// Its kind's name: "space_mouse". Empty likewise.
+  const std::string& hand() const { return hand_; }
   /// A device that pushes is plugged in.
   bool pushes() const { return pushes_; }
   /// Every key of key() that there can be, for reserving room.
   static std::vector<std::string> keys();
 
  private:
-  std::string key_, next_, in_use_;
+  std::string key_, next_, in_use_, hand_;
   double told_at_ = 0.0;
   bool had_force_ = false;  ///< A force device was here before,
   bool pushes_ = false;

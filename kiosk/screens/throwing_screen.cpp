@@ -352,6 +352,7 @@ class Throwing final : public Screen {
     const bool known = card->vessel == nullptr || content::is_known(card->vessel->size_from);
     const double true_scale = !known ? 0 : card->scale > 0 ? 1 / card->scale : 1;
     desk.score = score::judge(card->target, desk.made, !rubric.size_counts, true_scale, rubric);
+    desk.notes.judged(desk.score.points);
     desk.kept = Desk::Kept::not_asked;
     desk.glaze = -1;
     desk.postcard = 0;

@@ -13,26 +13,6 @@ constexpr double kFade = 0.3;           // s
 constexpr double kDeviceMoved = 0.002;  // m: more than a device at rest trembles.
 }  // namespace
 
-std::string_view name_of(ScreenId id) {
-  switch (id) {
-    case ScreenId::attract:
-      return "attract";
-    case ScreenId::choose:
-      return "choose";
-    case ScreenId::throwing:
-      return "throw";
-    case ScreenId::result:
-      return "result";
-    case ScreenId::kiln:
-      return "kiln";
-    case ScreenId::keepsake:
-      return "keepsake";
-    case ScreenId::fault:
-      return "fault";
-  }
-  return "";
-}
-
 Visit::Visit(const VisitWorld& world) : state_(std::make_unique<State>(world)) {}
 Visit::~Visit() = default;
 
@@ -43,6 +23,10 @@ void Visit::input(const InputEvent& event, double now) {
   s.idle.touched(now);
   const bool is_key =
       event.kind == InputEvent::Kind::key_down || event.kind == InputEvent::Kind::key_up;
+  s.desk.notes.touch(is_key        ? NoteTaker::By::keys
+                     : event.glass ? NoteTaker::By::glass
+                                   : NoteTaker::By::mouse,
+                     now);
   if (!is_key)
     s.pointer(event);
   else if (event.kind == InputEvent::Kind::key_down)
@@ -65,6 +49,8 @@ void Visit::update(double now) {
     if (length(hand.position - s.device_at[n]) <= kDeviceMoved) continue;
     s.device_at[n] = hand.position;
     s.idle.touched(now);
+    if (status.hands_taken && s.desk.world.devices != nullptr)
+      s.desk.notes.device(s.desk.world.devices->hand(), now);
     if (s.over == Over::idle) s.cover(Over::nothing);
   }
 
@@ -86,6 +72,7 @@ void Visit::update(double now) {
         s.cover(Over::idle);
         break;
       case IdleWatch::Word::over:
+        s.desk.left_alone = true;
         s.desk.go(ScreenId::attract);
         break;
     }

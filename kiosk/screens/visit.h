@@ -15,16 +15,13 @@
 #include "kiosk/score/score.h"
 #include "kiosk/screens/advice.h"
 #include "kiosk/screens/device_news.h"
+#include "kiosk/screens/visit_notes.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/view/frame.h"
 #include "kiosk/view/input.h"
 #include "kiosk/view/measure.h"
 
 namespace onggi::screens {
-
-enum class ScreenId { attract, choose, throwing, result, kiln, keepsake, fault };
-std::string_view name_of(
-    ScreenId id);  ///< "attract", "choose", "throw", "result", "kiln", "keepsake", "fault"
 
 /// What happens to a pot at the end, where its scene has a kiln.
 struct Kiln {
@@ -87,7 +84,10 @@ struct MakeKeepsake {
   Profile made;    ///< As thrown.
   int glaze = -1;  ///< Of Kiln::glazes; -1: not fired.
 };
-struct ForgetVisitor {};  ///< Idle or done: drop postcard, replay, everything of the visitor.
+struct ForgetVisitor {
+  VisitNotes notes;
+};  ///< Idle or done: drop postcard, replay, everything of the visitor. What may be counted is
+    ///< left.
 using Request = std::variant<StartPot, MakeKeepsake, ForgetVisitor>;
 
 /// What the visit may look at. All outlive it.

@@ -59,7 +59,10 @@ void Visit::State::settle() {
   desk.next.reset();
   screen->let_go();
   over = Over::nothing;
-  if (to == ScreenId::attract) desk.forget();
+  if (to == ScreenId::attract)
+    desk.forget();
+  else
+    desk.notes.enter(to, desk.now);
   screen = make_screen(to, desk);
   changed();
 }

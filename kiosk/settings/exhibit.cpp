@@ -226,6 +226,13 @@ void read_keepsake(Table table, const fs::path& folder, Exhibit::Keepsake& keeps
                    "Name another folder, or move the file away.");
   }
   table.integer("quota_mb", keepsake.quota_mb, 10, 1000000, "MB");
+  table.integer("days", keepsake.days, 0, 3650, "days");
+  table.finish();
+}
+
+void read_store(Table table, Exhibit::Store& store) {
+  table.boolean("count", store.count);
+  table.integer("months", store.months, 1, 240, "months");
   table.finish();
 }
 
@@ -269,6 +276,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_attract(root.child("attract"), exhibit.attract_scripts);
   read_idle(root.child("idle"), exhibit.idle);
   read_keepsake(root.child("keepsake"), folder, exhibit.keepsake);
+  read_store(root.child("store"), exhibit.store);
   read_screen(root.child("screen"), exhibit.screen);
   read_reader(root.child("reader"), exhibit.reader);
   root.finish();

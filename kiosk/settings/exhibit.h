@@ -43,7 +43,12 @@ struct Exhibit {
   struct Keepsake {
     std::filesystem::path folder = "../keepsakes";  ///< Where postcards go; made when first needed.
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.
+    int days = 0;         ///< After which a visit is removed, 1..3650; 0: only beyond the quota.
   } keepsake;
+  struct Store {
+    bool count = true;  ///< Visits are counted, beside the keepsakes.
+    int months = 36;    ///< After which a visit's count is forgotten, 1..240.
+  } store;
   struct Screen {
     double viewing_distance_mm = 600;  ///< Eye to screen, 200..5000.
     double diagonal_mm = 600;          ///< Of the picture, corner to corner, 100..5000.

@@ -1,6 +1,8 @@
 #include "kiosk/store/store_thread.h"
 
+#include <chrono>
 #include <ctime>
+#include <limits>
 #include <utility>
 
 namespace onggi::store {
@@ -12,6 +14,18 @@ std::string local_time(std::time_t at, const char* format) {
   localtime_r(&at, &local);
   char text[64];
   return {text, std::strftime(text, sizeof text, format, &local)};
+}
+
+std::int64_t bytes_in(const std::filesystem::path& folder) {
+  std::int64_t bytes = 0;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    std::error_code ignored;
+    const auto size = at->file_size(ignored);
+    if (!ignored) bytes += static_cast<std::int64_t>(size);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -48,18 +62,21 @@ void StoreThread::finish() {
 
 void StoreThread::run() {
   std::deque<Job> mine;
+  if (open()) sweep();
   for (;;) {
     {
       std::unique_lock lock(mutex_);
       working_ = false;
       idle_.notify_all();
-      wake_.wait(lock, [this] { return !jobs_.empty() || stop_; });
-      if (jobs_.empty()) return;
+      const bool woken = wake_.wait_for(lock, std::chrono::seconds(kSweep),
+                                        [this] { return !jobs_.empty() || stop_; });
+      if (jobs_.empty() && woken) return;
       working_ = true;
       for (Job& job : jobs_) mine.push_back(std::move(job));
       jobs_.clear();
     }
     write(mine);
+    sweep();
     if (mine.size() <= kMost) continue;
     const std::size_t over = mine.size() - kMost;
     mine.erase(mine.begin(), mine.begin() + static_cast<std::ptrdiff_t>(over));
@@ -92,6 +109,28 @@ bool StoreThread::open() {
   return true;
 }
 
+/// What has expired is removed, and what somebody else removed is not noted any longer.
+void StoreThread::sweep() {
+  if (!store_) return;
+  const std::filesystem::path folder = file_.parent_path();
+  constexpr auto kNever = std::numeric_limits<std::int64_t>::max();
+  const auto now = static_cast<std::int64_t>(std::time(nullptr));
+  const auto all = store_->due(kNever, 0);
+  if (!all) return say(all.error());
+  for (const KeepsakeRecord& k : *all) {
+    std::error_code error;
+    const bool expired = k.expires_at != 0 && k.expires_at <= now;
+    // A name is one folder's, and never leads out of this one.
+    if (k.name.empty() || k.name[0] == '.' || k.name.find('/') != std::string::npos) continue;
+    if (expired) std::filesystem::remove_all(folder / k.name, error);
+    if (error)
+      say({(folder / k.name).string(), "A keepsake that has expired could not be removed.",
+           "Make the folder writable.", 1});
+    else if (!std::filesystem::exists(folder / k.name, error) && !error)
+      store_->dropped(k.name);
+  }
+}
+
 /// What could be written is taken out of `jobs`. A file that turns out damaged is left for the one
 /// that open() begins in its place.
 void StoreThread::write(std::deque<Job>& jobs) {
@@ -105,7 +144,9 @@ void StoreThread::write(std::deque<Job>& jobs) {
     if (good)
       std::erase_if(jobs, [](const Job& job) { return std::holds_alternative<VisitRecord>(job); });
     while (good && !jobs.empty()) {
-      good = store_->keep(std::get<KeepsakeRecord>(jobs.front()));
+      auto& keepsake = std::get<KeepsakeRecord>(jobs.front());
+      if (keepsake.bytes == 0) keepsake.bytes = bytes_in(file_.parent_path() / keepsake.name);
+      good = store_->keep(keepsake);
       if (good) jobs.pop_front();
     }
     if (good) {

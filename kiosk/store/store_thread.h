@@ -22,8 +22,11 @@ namespace onggi::store {
 class StoreThread {
  public:
   static constexpr std::size_t kMost = 10'000;
+  static constexpr int kSweep = 600;  ///< s
 
-  /// `months` (of 30 days) that a visit is counted before it is forgotten; 0: for ever.
+  /// `months` (of 30 days) that a visit is counted before it is forgotten; 0: for ever. Keepsakes
+  /// lie beside `file`: those that have expired are removed from there, at the start, at each new
+  /// one and every kSweep; no other folder ever is.
   StoreThread(std::filesystem::path file, int months);
   /// Writes what is left, then ends.
   ~StoreThread();
@@ -44,6 +47,7 @@ class StoreThread {
   void run();
   bool open();
   void write(std::deque<Job>& jobs);
+  void sweep();
   void say(const Problem& problem);
 
   const std::filesystem::path file_;

@@ -29,8 +29,8 @@ struct VisitRecord {
 
 /// A keepsake's folder on the disk.
 struct KeepsakeRecord {
-  std::string name;  ///< Of the folder.
-  std::int64_t bytes = 0;
+  std::string name;             ///< Of the folder.
+  std::int64_t bytes = 0;       ///< 0, where it is handed over: what is in the folder.
   std::int64_t kept_at = 0;     ///< s since 1970, UTC.
   std::int64_t expires_at = 0;  ///< Likewise; 0: never by age.
   std::string replay_hash;      ///< Of the clay that its replay ends with; "": it has no replay.

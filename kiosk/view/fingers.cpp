@@ -10,6 +10,7 @@ InputEvent event(InputEvent::Kind kind, int place, float x, float y) {
   e.kind = kind;
   e.x = x;
   e.y = y;
+  e.glass = true;
   e.finger = static_cast<std::uint8_t>(place);
   return e;
 }

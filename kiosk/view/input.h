@@ -43,6 +43,7 @@ struct InputEvent {
   float scroll = 0;    ///< Notches; positive away from the visitor.
   Key key = Key::none;
   bool repeat = false;
+  bool glass = false;       ///< A finger on the glass, no mouse.
   std::uint8_t finger = 0;  ///< Which: 0 a mouse or the first on the glass, 1..9 those beside it.
 };
 

@@ -75,6 +75,10 @@ result_after = 90
 [keepsake]
 folder = "/var/lib/onggi/keepsakes"
 quota_mb = 10
+days = 30
+[store]
+count = false
+months = 12
 [screen]
 viewing_distance_mm = 800
 diagonal_mm = 1400
@@ -86,7 +90,7 @@ file_mb = 32
 vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 18);
+  EXPECT_EQ(r.keys_checked, 21);
   EXPECT_THAT(r.exhibit.attract_scripts, ElementsAre("follow", "collapse"));
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
@@ -94,6 +98,9 @@ vertices = 200000
   EXPECT_EQ(r.exhibit.shelf, museum_ / "jars");
   EXPECT_EQ(r.exhibit.keepsake.folder, "/var/lib/onggi/keepsakes");
   EXPECT_EQ(r.exhibit.keepsake.quota_mb, 10);
+  EXPECT_EQ(r.exhibit.keepsake.days, 30);
+  EXPECT_FALSE(r.exhibit.store.count);
+  EXPECT_EQ(r.exhibit.store.months, 12);
   EXPECT_EQ(r.exhibit.idle.warn_after, 30);
   EXPECT_EQ(r.exhibit.idle.countdown, 20.5);
   EXPECT_EQ(r.exhibit.idle.result_after, 90);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "kiosk/store/statistics.h"
 #include "tests/kiosk/store/visits.h"
 
@@ -15,13 +17,16 @@ TEST(StoreThread, WhatWasHandedOverLastIsOnTheDiskWhenItHasEnded) {
   for (int n = 0; n < 5; ++n) {
     StoreThread store(folder.file(), 0);
     for (const VisitRecord& visit : scripted_visits(7, 20)) store.visit(visit);
-    store.keepsake({"k" + std::to_string(n), 1, 2, 0, ""});
+    const std::string name = "k" + std::to_string(n);
+    fs::create_directory(folder.path() / name);
+    std::ofstream(folder.path() / name / "pot.glb") << std::string(1000, 'x');
+    store.keepsake({name, 0, 2, 0, ""});
   }
   const auto found = read_statistics(folder.file().string(), "", "");
   ASSERT_TRUE(found);
   EXPECT_EQ(found->all.visits + found->brief, 35);
   Database database = Database::open(folder.file(), Database::Mode::read);
-  EXPECT_EQ(database.number("SELECT count(*) FROM keepsakes"), 5);
+  EXPECT_EQ(database.number("SELECT sum(bytes) FROM keepsakes"), 5000);
 }
 
 TEST(StoreThread, ADamagedFileIsSaidInOneLineAndCountingGoesOn) {
@@ -59,6 +64,38 @@ TEST(StoreThread, WhatTheDiskDoesNotTakeIsSaidOnceAndCountedWhenItTakesItAgain) 
   const auto found = read_statistics((away / "onggi.sqlite").string(), "", "");
   ASSERT_TRUE(found) << found.error().what;
   EXPECT_EQ(found->all.visits + found->brief, 6);
+}
+
+TEST(StoreThread, AKeepsakeThatExpiredIsRemovedAndNoOtherFolderEverIs) {
+  const StoreFolder folder;
+  for (const char* name : {"old", "new", "for_ever", "not_noted", "gone"})
+    fs::create_directory(folder.path() / name);
+  fs::create_directory(folder.path().parent_path() /
+                       (folder.path().filename().string() + "-beside"));
+  const std::string outside = "../" + folder.path().filename().string() + "-beside";
+  const std::int64_t now = std::time(nullptr);
+  {
+    StoreThread store(folder.file(), 0);
+    store.keepsake({"old", 1, now - 100, now - 1, ""});
+    store.keepsake({"new", 1, now - 100, now + 1000, ""});
+    store.keepsake({"for_ever", 1, 1, 0, ""});
+    store.keepsake({"gone", 1, now, 0, ""});
+    store.keepsake({outside, 1, 1, 2, ""});
+    store.keepsake({".", 1, 1, 2, ""});
+    store.finish();
+    fs::remove(folder.path() / "gone");
+    store.visit(scripted_visits(1, 24)[0]);
+    store.finish();
+    EXPECT_TRUE(store.remarks().empty());
+  }
+  EXPECT_FALSE(fs::exists(folder.path() / "old"));
+  for (const char* name : {"new", "for_ever", "not_noted"})
+    EXPECT_TRUE(fs::exists(folder.path() / name)) << name;
+  EXPECT_TRUE(fs::exists(folder.path() / outside));
+  fs::remove(folder.path() / outside);
+  Database database = Database::open(folder.file(), Database::Mode::read);
+  EXPECT_EQ(database.number("SELECT count(*) FROM keepsakes WHERE name IN ('old', 'gone')"), 0);
+  EXPECT_EQ(database.number("SELECT count(*) FROM keepsakes WHERE name IN ('new', 'for_ever')"), 2);
 }
 
 TEST(StoreThread, VisitsOlderThanItsMonthsAreForgottenWhenItOpens) {

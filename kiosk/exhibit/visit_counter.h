@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kiosk/exhibit/keepsakes.h"
+#include "kiosk/screens/visit_notes.h"
+#include "kiosk/settings/exhibit.h"
+#include "kiosk/store/store_thread.h"
+
+namespace onggi::exhibit {
+
+/// Has visits counted: what the screens noted, with the names of things and the time of day. A
+/// visit whose keepsake is still being saved waits for it. Main thread; no call waits for a disk.
+class VisitCounter {
+ public:
+  VisitCounter(const std::filesystem::path& file, const settings::Exhibit& exhibit);
+  /// Visits whose keepsakes never came are counted without them.
+  ~VisitCounter();
+
+  /// `vessel`: its name on the shelf, "" where none was chosen. `ticket`: of the visitor's last
+  /// save; 0: nothing was to be kept.
+  void visit_over(const screens::VisitNotes& notes, const std::string& vessel, int ticket);
+  /// A save has ended, before its visit did or after.
+  void saved(const Keepsakes::Finished& save, std::uint64_t state_hash);
+  /// What staff should know, once.
+  std::vector<Problem> remarks() { return store_.remarks(); }
+
+ private:
+  std::string scene_of(const std::string& vessel) const;
+
+  std::string scene_;
+  std::map<std::string, std::string> vessel_scenes_;
+  int keepsake_days_;
+  std::map<int, bool> saved_;                  ///< By ticket: whether it was kept.
+  std::map<int, store::VisitRecord> waiting_;  ///< Likewise: visits that are over.
+  store::StoreThread store_;
+};
+
+}  // namespace onggi::exhibit
