@@ -16,6 +16,7 @@ Command score_command();
 Command soak_command();
 Command lab_command();
 Command devices_command();
+Command setup_command();
 
 /// Of `onggi lab`.
 Command lab_loop_command();

@@ -1,7 +1,10 @@
 #include <csignal>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "kiosk/commands/attendance.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/window_size.h"
 #include "kiosk/exhibit/kiosk.h"
@@ -19,6 +22,24 @@ struct RunArguments {
   std::string config, window, shelf;
 };
 
+Result<int> open_exhibit(exhibit::KioskOptions options, Attendance* attendance) {
+  auto kiosk = exhibit::Kiosk::open(options);
+  if (!kiosk) return tl::unexpected(kiosk.error());
+  if (attendance != nullptr) attendance->begin(**kiosk, options.config);
+  bool first = true;
+  while (asked_to_stop == 0 && (*kiosk)->frame(measure::monotonic_seconds())) {
+    if (attendance != nullptr) attendance->look(**kiosk);
+    if (first && (*kiosk)->open_to_visitors()) {
+      first = false;
+      exhibit::log_line("First picture " +
+                        std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
+                        " ms after the start of the program.");
+    }
+  }
+  if (attendance != nullptr) attendance->end();
+  return 0;
+}
+
 Result<int> run(const RunArguments& arguments) {
   const auto config = exhibit::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
@@ -31,18 +52,11 @@ Result<int> run(const RunArguments& arguments) {
 
   std::signal(SIGINT, [](int) { asked_to_stop = 1; });
   std::signal(SIGTERM, [](int) { asked_to_stop = 1; });
-  auto kiosk = exhibit::Kiosk::open(options);
-  if (!kiosk) return tl::unexpected(kiosk.error());
-  bool first = true;
-  while (asked_to_stop == 0 && (*kiosk)->frame(measure::monotonic_seconds())) {
-    if (first && (*kiosk)->open_to_visitors()) {
-      first = false;
-      exhibit::log_line("First picture " +
-                        std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
-                        " ms after the start of the program.");
-    }
-  }
-  return 0;
+  const std::optional<std::filesystem::path> state = Attendance::state_folder();
+  if (!state) return open_exhibit(options, nullptr);
+  Attendance attendance(*state);
+  attendance.choose(options);
+  return open_exhibit(options, &attendance);
 }
 
 }  // namespace

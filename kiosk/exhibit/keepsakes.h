@@ -28,6 +28,7 @@ class Keepsakes {
   /// The oldest save that has come to an end, once each.
   std::optional<Finished> finished();
   bool busy() const { return !saving_.empty(); }
+  const std::filesystem::path& folder() const { return folder_; }
 
  private:
   std::filesystem::path folder_;

@@ -308,6 +308,7 @@ void Kiosk::carry_out(const screens::ForgetVisitor& request) {
 void Kiosk::note_saved() {
   const auto saved = keepsakes_->finished();
   if (!saved) return;
+  ++(saved->outcome ? saved_.kept : saved_.refused);
   if (saved->outcome)
     log_line("Kept " + saved->outcome->folder.string());
   else

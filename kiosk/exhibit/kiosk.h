@@ -77,6 +77,12 @@ class Kiosk {
   const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
   const std::optional<KeptVisit>& kept() const { return kept_; }
   bool saving() const { return keepsakes_->busy(); }
+  /// Keepsakes that were kept since the kiosk opened, and those that the disk refused.
+  struct SavedCount {
+    std::uint64_t kept = 0, refused = 0;
+  };
+  const SavedCount& saved() const { return saved_; }
+  const std::filesystem::path& keepsake_folder() const { return keepsakes_->folder(); }
   /// A vessel of the shelf is read and attract has begun.
   bool open_to_visitors() const { return visit_ != nullptr; }
 
@@ -112,6 +118,7 @@ class Kiosk {
   view::PictureId postcard_ = 0;
   std::optional<KeptVisit> kept_;
   loop::FaultLog fault_log_;
+  SavedCount saved_;
   int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.
   std::optional<view::InputEvent>
       early_touch_;  ///< The first touch, while the shelf is being read.

@@ -1,0 +1,135 @@
+#include "kiosk/setup/machine_setup.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "kiosk/files/durable_file.h"
+#include "kiosk/files/read_file.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::setup {
+
+namespace {
+
+constexpr std::size_t kMostOfChanges = 1u << 20;
+constexpr std::array<const char*, 6> kKinds = {"folder", "tree",   "file",
+                                               "link",   "enable", "disable"};
+
+std::string line_of(const Step& step) {
+  return std::string(kKinds.at(static_cast<std::size_t>(step.kind))) + '\t' + step.to.string() +
+         '\t' + step.from.string() + '\n';
+}
+
+/// A line that is not one of ours is passed over: what it stands for cannot be taken back.
+std::vector<Step> remembered(const System& system) {
+  std::vector<Step> steps;
+  const auto bytes = files::read_file(system.at(kChanges), kMostOfChanges);
+  if (!bytes) return steps;
+  std::istringstream lines(std::string(bytes->begin(), bytes->end()));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    std::string kind, to, from;
+    std::getline(fields, kind, '\t');
+    std::getline(fields, to, '\t');
+    std::getline(fields, from, '\t');
+    const auto at = std::find(kKinds.begin(), kKinds.end(), kind);
+    if (at != kKinds.end() && !to.empty())
+      steps.push_back({static_cast<Step::Kind>(at - kKinds.begin()), to, from});
+  }
+  return steps;
+}
+
+Result<void> remember(const std::vector<Step>& steps, const System& system) {
+  std::string text;
+  for (const Step& step : steps) text += line_of(step);
+  const fs::path file = system.at(kChanges);
+  if (auto made = files::make_folder(file.parent_path()); !made) return made;
+  return files::write_durably(file, std::as_bytes(std::span(text)));
+}
+
+/// "gdm3.service", where a display manager starts with the machine.
+std::string display_manager(const System& system) {
+  std::error_code none;
+  return fs::read_symlink(system.at("/etc/systemd/system/display-manager.service"), none)
+      .filename()
+      .string();
+}
+
+Result<void> may_change(const System& system) {
+  if (::geteuid() == 0 || system.root != "/") return {};
+  return problem("onggi setup", "Only root may change what starts with this machine.",
+                 "Say: sudo onggi setup", 1);
+}
+
+}  // namespace
+
+Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
+  using Kind = Step::Kind;
+  const fs::path site = kSite, config = options.data / "config", content = options.data / "content",
+                 files = options.data / "system";
+  std::vector<Step> steps = {
+      {Kind::tree, site / "config", config, "the exhibit, its scenes and devices, yours to change"},
+      {Kind::tree, site / "content/vessels", content / "vessels", "the shelf, yours too"},
+      {Kind::tree, site / "content/lessons", content / "lessons", "what the first minute teaches"},
+      {Kind::tree, site / "content/glazes.toml", content / "glazes.toml", "the kiln's glazes"},
+      {Kind::folder, site / "keepsakes", {}, "what visitors made"},
+      {Kind::file, "/etc/X11/xorg.conf.d/90-onggi.conf", files / "90-onggi.conf",
+       "the screen stays on, and no keys leave it"},
+      {Kind::file, "/etc/systemd/journald.conf.d/onggi.conf", files / "journald.conf",
+       "the log takes 64 MB at most"},
+      {Kind::link, "/var/lib/prometheus/node-exporter/onggi.prom", "/run/onggi/onggi.prom",
+       "the kiosk's health, for node_exporter"},
+      {Kind::disable, "getty@tty1.service", {}, "the login on the first screen gives way"}};
+  if (const std::string manager = display_manager(options.system); !manager.empty()) {
+    if (!options.replace_desktop)
+      return problem(manager, "A desktop starts with this machine and would hold its screen.",
+                     "Say: sudo onggi setup --replace-desktop", 1);
+    steps.push_back({Kind::disable, manager, {}, "the desktop gives way to the kiosk"});
+  }
+  steps.push_back({Kind::enable, "onggi-display.service", {}, "the screen"});
+  steps.push_back({Kind::enable, "onggi.service", {}, "the kiosk"});
+  return steps;
+}
+
+Result<SetupReport> set_up(const SetupOptions& options) {
+  if (!options.dry)
+    if (auto may = may_change(options.system); !may) return tl::unexpected(may.error());
+  const auto steps = kiosk_steps(options);
+  if (!steps) return tl::unexpected(steps.error());
+  SetupReport report;
+  std::vector<Step> changed = remembered(options.system);
+  for (const Step& step : *steps) {
+    const auto change = apply(step, options.system, options.dry);
+    if (!change) return tl::unexpected(change.error());
+    (change->changed ? report.changed : report.stayed).push_back(change->told);
+    if (!change->changed || options.dry) continue;
+    changed.push_back(step);
+    if (auto good = remember(changed, options.system); !good) return tl::unexpected(good.error());
+  }
+  return report;
+}
+
+Result<SetupReport> undo_setup(const System& system) {
+  if (auto may = may_change(system); !may) return tl::unexpected(may.error());
+  std::vector<Step> steps = remembered(system);
+  if (steps.empty())
+    return problem(system.at(kChanges).string(), "There is no setup to take back.",
+                   "onggi setup makes a kiosk of this machine.");
+  SetupReport report;
+  while (!steps.empty()) {
+    const auto change = take_back(steps.back(), system);
+    if (!change) return tl::unexpected(change.error());
+    (change->changed ? report.changed : report.stayed).push_back(change->told);
+    steps.pop_back();
+    if (auto good = remember(steps, system); !good) return tl::unexpected(good.error());
+  }
+  std::error_code ignored;
+  fs::remove(system.at(kChanges), ignored);
+  return report;
+}
+
+}  // namespace onggi::setup

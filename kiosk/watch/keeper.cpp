@@ -1,0 +1,135 @@
+#include "kiosk/watch/keeper.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "kiosk/files/durable_file.h"
+#include "kiosk/watch/service.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::watch {
+
+namespace {
+
+/// systemd waits for the whole of WatchdogSec; fed at a third, one lost datagram harms nothing.
+constexpr double kFeedShare = 1.0 / 3.0;
+/// A part that stands for half of it is stuck, and is found so within WatchdogSec and a half.
+constexpr double kPatienceShare = 0.5;
+constexpr double kPatience = 5.0;  // where no systemd waits
+constexpr const char* kTrial = ".trial";
+
+std::span<const std::byte> as_bytes(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+/// A process can be well over a disk that is not.
+Result<void> trial_write(const fs::path& folder) {
+  if (auto made = files::make_folder(folder); !made) return made;
+  return files::write_durably(folder / kTrial, as_bytes("a trial\n"));
+}
+
+}  // namespace
+
+Keeper::Keeper(KeeperOptions options, RunLedger& ledger)
+    : options_(std::move(options)),
+      ledger_(ledger),
+      pulse_(options_.watchdog_s > 0 ? kPatienceShare * options_.watchdog_s : kPatience),
+      thread_([this] { attend(); }) {}
+
+Keeper::~Keeper() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Keeper::look(const Moves& moves, const Health& health, double now) {
+  if (began_ < 0) began_ = now;
+  const bool beats = pulse_.beats(moves, now);
+  if (const std::string stands = pulse_.standing(); stands != stood_) {
+    remark(stands.empty() ? "All moves again." : "Standing still: " + stands + ".");
+    stood_ = stands;
+  }
+  if (!said_ready_) {
+    said_ready_ = true;
+    Service::ready();
+  }
+  if (beats && options_.watchdog_s > 0 && now - fed_ >= kFeedShare * options_.watchdog_s) {
+    fed_ = now;
+    Service::alive();
+  }
+  // The thread may hold the lock for a copy of a few bytes, never for the disk.
+  const std::lock_guard lock(mutex_);
+  health_ = health;
+  now_ = now - began_;
+}
+
+std::vector<std::string> Keeper::remarks() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(remarks_, {});
+}
+
+void Keeper::remark(std::string line) {
+  const std::lock_guard lock(mutex_);
+  remarks_.push_back(std::move(line));
+}
+
+void Keeper::attend() {
+  const double least = std::min({options_.health_every, options_.trial_every, 1.0});
+  std::unique_lock lock(mutex_);
+  while (!ending_) {
+    const double now = now_;
+    lock.unlock();
+    attend_once(now);
+    lock.lock();
+    wake_.wait_for(lock, std::chrono::duration<double>(least), [this] { return ending_; });
+  }
+}
+
+void Keeper::attend_once(double now) {
+  if (!lasted_ && now >= RunLedger::kSteady) {
+    lasted_ = true;
+    if (auto good = ledger_.lasted(now); !good) remark(to_text(good.error()));
+  }
+  if (now - tried_ >= options_.trial_every) {
+    tried_ = now;
+    const auto written = trial_write(options_.keepsakes);
+    if (written) trial_good_ = now;
+    if (written.has_value() != disk_writes_) {
+      disk_writes_ = written.has_value();
+      remark(written ? "The disk takes writes again." : to_text(written.error()));
+    }
+  }
+  if (!kept_good_ && !options_.site.empty() && now >= options_.good_after) {
+    kept_good_ = true;
+    const auto kept = keep_last_good(options_.site, options_.keepsakes, options_.state);
+    remark(kept ? "This exhibit has proved itself: it is kept as the last good one."
+                : to_text(kept.error()));
+  }
+  if (options_.health.empty() || now - wrote_health_ < options_.health_every) return;
+  wrote_health_ = now;
+  Health health;
+  {
+    const std::lock_guard lock(mutex_);
+    health = health_;
+  }
+  health.version = options_.version;
+  health.safe_mode = ledger_.safe();
+  health.crashes = ledger_.crashes();
+  health.running_s = now;
+  health.disk_writes = disk_writes_;
+  health.disk_trial_age_s = trial_good_ < 0 ? now : now - trial_good_;
+  std::error_code unknown;
+  const auto space = fs::space(options_.keepsakes, unknown);
+  if (!unknown) health.disk_free_bytes = space.available;
+  Service::says(one_line(health));
+  const auto written = files::write_durably(options_.health, as_bytes(prometheus_text(health)));
+  if (!written && !health_failed_) remark(to_text(written.error()));
+  health_failed_ = !written;
+}
+
+}  // namespace onggi::watch

@@ -1,0 +1,173 @@
+#include "kiosk/watch/keeper.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+
+#include "kiosk/watch/service.h"
+#include "tests/kiosk/files/disk.h"
+
+namespace onggi::watch {
+namespace {
+
+using files::test::content;
+using files::test::ScratchFolder;
+using ::testing::Contains;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::Not;
+namespace fs = std::filesystem;
+
+/// systemd's end of sd_notify: a socket that takes what is said.
+class Systemd {
+ public:
+  Systemd() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string path = (folder_.path() / "notify").string();
+    path.copy(address.sun_path, sizeof address.sun_path - 1);
+    ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+    ::setenv("NOTIFY_SOCKET", path.c_str(), 1);
+    ::setenv("WATCHDOG_USEC", "9000000", 1);
+    ::setenv("WATCHDOG_PID", std::to_string(::getpid()).c_str(), 1);
+  }
+  ~Systemd() {
+    for (const char* name : {"NOTIFY_SOCKET", "WATCHDOG_USEC", "WATCHDOG_PID"}) ::unsetenv(name);
+    ::close(socket_);
+  }
+  /// What was said since the last call.
+  std::vector<std::string> heard() const {
+    std::vector<std::string> said;
+    char text[4096];
+    for (ssize_t n = 0; (n = ::recv(socket_, text, sizeof text, 0)) >= 0;)
+      said.emplace_back(text, static_cast<std::size_t>(n));
+    return said;
+  }
+
+ private:
+  ScratchFolder folder_;
+  int socket_;
+};
+
+struct Kept {
+  explicit Kept(const Systemd&) : ledger(folder.path() / "state") {
+    fs::create_directories(folder.path() / "site/config");
+    fs::create_directories(folder.path() / "site/content");
+    std::ofstream(folder.path() / "site/config/exhibit.toml") << "title";
+    EXPECT_TRUE(ledger.begin());
+    options.state = folder.path() / "state";
+    options.health = folder.path() / "onggi.prom";
+    options.site = folder.path() / "site";
+    options.keepsakes = folder.path() / "keepsakes";
+    options.version = "0.1.0";
+    options.watchdog_s = Service::watchdog_s();
+    options.health_every = 0.01;  // of the kiosk's time, which a test makes
+    options.trial_every = 0.01;
+  }
+  /// The keeper's thread has its own pace: waits for what it is to bring about.
+  static bool soon(const std::function<bool()>& good) {
+    for (int i = 0; i < 2000 && !good(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return good();
+  }
+  ScratchFolder folder;
+  RunLedger ledger;
+  KeeperOptions options;
+};
+
+TEST(keeper, systemd_hears_of_the_start_and_then_often_enough_while_all_moves) {
+  const Systemd systemd;
+  Kept kept(systemd);
+  EXPECT_DOUBLE_EQ(kept.options.watchdog_s, 9.0);
+  Keeper keeper(kept.options, kept.ledger);
+  keeper.look({1, 1}, {}, 100.0);
+  EXPECT_THAT(systemd.heard(), Contains("READY=1"));
+  double silent = 0.0, longest = 0.0;
+  for (std::uint64_t frame = 2; frame < 2000; ++frame) {
+    keeper.look({frame, 33 * frame}, {}, 100.0 + 0.033 * static_cast<double>(frame));
+    silent += 0.033;
+    for (const std::string& said : systemd.heard())
+      if (said == "WATCHDOG=1") silent = 0.0;
+    longest = std::max(longest, silent);
+  }
+  EXPECT_LT(longest, kept.options.watchdog_s / 2);
+}
+
+TEST(keeper, a_wheel_that_stands_is_told_and_systemd_hears_nothing_more) {
+  const Systemd systemd;
+  Kept kept(systemd);
+  Keeper keeper(kept.options, kept.ledger);
+  const auto frames = [&](std::uint64_t from, std::uint64_t to) {
+    for (std::uint64_t frame = from; frame < to; ++frame)
+      keeper.look({frame, 500}, {}, 0.1 * static_cast<double>(frame));
+  };
+  frames(0, 90);
+  systemd.heard();
+  frames(90, 1000);
+  EXPECT_THAT(systemd.heard(), Not(Contains("WATCHDOG=1")));
+  EXPECT_THAT(keeper.remarks(), Contains("Standing still: the wheel's loop."));
+  keeper.look({1000, 501}, {}, 100.0);
+  EXPECT_THAT(systemd.heard(), Contains("WATCHDOG=1"));
+}
+
+TEST(keeper, an_exhibit_that_ran_for_an_hour_is_kept_as_the_last_good_one_and_not_before) {
+  const Systemd systemd;
+  Kept kept(systemd);
+  Keeper keeper(kept.options, kept.ledger);
+  keeper.look({1, 1}, {}, 0.0);
+  keeper.look({2, 2}, {}, 3599.0);
+  EXPECT_TRUE(Kept::soon([&] { return fs::exists(kept.options.health); }));
+  EXPECT_FALSE(last_good(kept.options.state));
+  keeper.look({3, 3}, {}, 3600.0);
+  EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
+}
+
+TEST(keeper, the_health_says_what_the_kiosk_counted_and_that_the_disk_writes) {
+  const Systemd systemd;
+  Kept kept(systemd);
+  Keeper keeper(kept.options, kept.ledger);
+  Health health;
+  health.kept = 7;
+  keeper.look({1, 1}, health, 0.0);
+  EXPECT_TRUE(Kept::soon([&] {
+    keeper.look({1, 1}, health, 1.0);
+    return content(kept.options.health).find("\nonggi_keepsakes_total 7\n") != std::string::npos;
+  }));
+  EXPECT_THAT(content(kept.options.health), HasSubstr("\nonggi_disk_writes 1\n"));
+  EXPECT_THAT(content(kept.options.health), HasSubstr("onggi_info{version=\"0.1.0\"} 1"));
+}
+
+TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again) {
+  const Systemd systemd;
+  Kept kept(systemd);
+  std::ofstream(kept.options.keepsakes) << "a file where the folder has to be";
+  Keeper keeper(kept.options, kept.ledger);
+  std::vector<std::string> told;
+  double now = 0.0;
+  const auto hears = [&](const char* words) {
+    return Kept::soon([&] {
+      keeper.look({1, 1}, {}, now += 1.0);
+      for (std::string& line : keeper.remarks()) told.push_back(std::move(line));
+      return std::any_of(told.begin(), told.end(), [&](const std::string& line) {
+        return line.find(words) != std::string::npos;
+      });
+    });
+  };
+  EXPECT_TRUE(hears("A file stands where a folder is wanted"));
+  fs::remove(kept.options.keepsakes);
+  EXPECT_TRUE(hears("The disk takes writes again."));
+  EXPECT_EQ(std::count_if(told.begin(), told.end(),
+                          [](const std::string& line) {
+                            return line.find("A file stands") != std::string::npos;
+                          }),
+            1);
+}
+
+}  // namespace
+}  // namespace onggi::watch
