@@ -43,6 +43,12 @@ class Services(unittest.TestCase):
         self.assertEqual(ours, [])
         self.assertEqual(told.returncode, 0, told.stderr)
 
+    def test_a_screen_that_died_brings_the_kiosk_back_with_it(self):
+        kiosk, screen = ((PACKAGE / "system" / name).read_text()
+                         for name in ("onggi.service", "onggi-display.service"))
+        self.assertIn("\nBindsTo=onggi-display.service\n", kiosk)
+        self.assertIn("\nUpholds=onggi.service\n", screen)
+
     def test_the_kiosk_may_write_nowhere_but_where_keepsakes_go(self):
         text = (PACKAGE / "system/onggi.service").read_text()
         self.assertIn("ProtectSystem=strict", text)
