@@ -1,0 +1,73 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "kiosk/files/virtual_display.h"
+#include "tests/kiosk/commands/program.h"
+
+namespace onggi::commands {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+namespace fs = std::filesystem;
+
+/// A service's folders, as systemd gives them, and a display.
+class Service {
+ public:
+  Service() {
+    fs::create_directories(folder_ / "state");
+    fs::create_directories(folder_ / "run");
+    display_ = files::VirtualDisplay::ensure(640, 480);
+  }
+  bool has_display() const { return display_.has_value(); }
+  void remember(const std::string& runs) const { std::ofstream(folder_ / "state/runs") << runs; }
+  std::string remembered() const { return text_of(folder_ / "state/runs"); }
+  fs::path operator/(const std::string& name) const { return folder_ / name; }
+
+  /// Runs the kiosk, whose exhibit says `exhibit`, until `signal` some seconds later.
+  Outcome run(const std::string& exhibit, const std::string& signal, int seconds) const {
+    const std::string config = write_exhibit(folder_, "first_touch", exhibit);
+    const std::string err = (folder_ / "err").string();
+    const std::string command =
+        "STATE_DIRECTORY='" + (folder_ / "state").string() + "' RUNTIME_DIRECTORY='" +
+        (folder_ / "run").string() + "' timeout -s " + signal + " " + std::to_string(seconds) +
+        " '" ONGGI_PROGRAM "' run --window 320x240 --config '" + config + "' 2>'" + err + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, "", text_of(err)};
+  }
+
+ private:
+  TemporaryFolder folder_;
+  Result<std::unique_ptr<files::VirtualDisplay>> display_;
+};
+
+constexpr const char* kFourCrashes = "onggi-runs 1 running 1 crashes 3.\n";
+constexpr const char* kAnother = "languages = [\"ko\"]\n";
+
+TEST(Attendance, AKioskThatCrashedFourTimesShowsAnExhibitThatIsKnownToBeGood) {
+  const Service service;
+  if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
+  service.remember(kFourCrashes);
+  const Outcome run = service.run(kAnother, "TERM", 3);
+  EXPECT_THAT(run.err, HasSubstr("Safe mode"));
+  EXPECT_THAT(run.err, HasSubstr("The exhibit is " + fs::absolute("config/exhibit.toml").string()));
+  EXPECT_THAT(run.err, HasSubstr("First picture"));
+  EXPECT_THAT(text_of(service / "run/onggi.prom"), HasSubstr("\nonggi_safe_mode 1\n"));
+  EXPECT_EQ(service.remembered(), "onggi-runs 1 running 0 crashes 0.\n") << "it ended as asked";
+}
+
+TEST(Attendance, AKilledKioskIsACrashAndOneThatEndsAsAskedIsNone) {
+  const Service service;
+  if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
+  service.run("", "KILL", 1);
+  EXPECT_EQ(service.remembered(), "onggi-runs 1 running 1 crashes 0.\n");
+  EXPECT_THAT(service.run("", "TERM", 2).err, Not(HasSubstr("Safe mode")));
+  EXPECT_EQ(service.remembered(), "onggi-runs 1 running 0 crashes 0.\n");
+}
+
+}  // namespace
+}  // namespace onggi::commands
