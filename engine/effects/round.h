@@ -20,20 +20,24 @@ class Round {
   void begin() { done_ = 0.0; }
   void stop() { done_ = 1.0; }
   /// Goes on by `seconds`, of a round that lasts `whole`; what is beyond its end stays in
-  /// `seconds`. How many of `rows` have had their turn by then: all where it is over.
-  int go_on(double& seconds, double whole, int rows) noexcept {
+  /// `seconds`. The share that has had its turn by then, 0..1: 1 where it is over.
+  double go_on(double& seconds, double whole) noexcept {
     const double rest = (1.0 - done_) * whole;
     if (seconds >= rest * (1.0 - kRounding)) {
       seconds = std::max(seconds - rest, 0.0);
       if (seconds < kRounding * whole) seconds = 0.0;
       done_ = 1.0;
-      return rows;
+      return 1.0;
     }
     const double part = seconds / whole;
     done_ += part;
     seconds = 0.0;
     // At the nearest tick's end, before or after: on the mean no row is late by half a tick.
-    return std::min(static_cast<int>((done_ + 0.5 * part) * rows), rows);
+    return std::min(done_ + 0.5 * part, 1.0);
+  }
+  /// The same of so many rows that take turns one after the other.
+  int go_on(double& seconds, double whole, int rows) noexcept {
+    return static_cast<int>(go_on(seconds, whole) * rows);
   }
   void add_to(StateHash& hash) const { hash.add(done_); }
 

@@ -11,8 +11,12 @@ namespace onggi {
 namespace {
 
 constexpr double kRound = 0.02;       // s
-constexpr double kLeastShare = 1e-4;  // of what a ring is off: less is below a float's digits
+constexpr double kLeastShare = 2e-5;  // of what a ring is off: less is below a float's digits
 constexpr double kRest = 1e-6;        // m: centred
+constexpr double kStrip = 0.002;      // m: lower than what a tool touches
+constexpr double kAside = 1e-7;       // m
+constexpr double kTurn = 0.001;       // s
+constexpr double kGolden = 0.6180339887498949;
 
 // The face of a circle `radius` about (off, 0), along a ray whose cosine and sine are given.
 double circle_along(double radius, double off, double cosine, double sine) {
@@ -33,6 +37,8 @@ std::size_t direction_of(double x, double z) {
   if (z < 0.0) octant = 16 - octant;
   return octant % 16;
 }
+
+std::size_t slot(int k) { return static_cast<std::size_t>(k); }
 
 // Both faces of row `j` by what `face` says of a ray and a radius; held to what the clay may be.
 template <class Face>
@@ -113,8 +119,14 @@ void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noex
 void Wobble::begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept {
   sweep.now = std::exchange(sweep.next, {});
   sweep.height = sweep.now.raised / sweep.now.impulse;
-  sweep.first = sweep.row = clay.first_row_above(sweep.height - def.reach);
-  sweep.end = clay.first_row_above(sweep.height + def.reach);
+  // Strips follow from heights alone, so that no grid decides when a row has its turn.
+  // Rows' middles and hands are at round figures: a hair aside, or roundings would decide.
+  const double low = std::max(sweep.height - def.reach, 0.0) + kAside;
+  const double high = std::max(std::min(sweep.height + def.reach, clay.rim_height()) - low, 0.0);
+  sweep.strips = std::clamp(static_cast<int>(high / kStrip), 1, kMostStrips);
+  for (int k = 0; k <= sweep.strips; ++k)
+    sweep.bound[slot(k)] = clay.first_row_above(low + high * k / sweep.strips);
+  for (int k = 0; k < sweep.strips; ++k) sweep.edge[slot(k)] = sweep.bound[slot(k + k % 2)];
   sweep.round.begin();
 }
 
@@ -164,22 +176,37 @@ void Wobble::centre(const WobbleDef& def, Clay& clay, double seconds) noexcept {
 
 void Wobble::go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double seconds) noexcept {
   if (sweep.round.over()) return;
-  const int rows = sweep.end - sweep.first;
+  const int rows = sweep.bound[slot(sweep.strips)] - sweep.bound[0];
   const double whole = Round::lasting(kRound, 1.0 * rows * clay.stride());
-  const int till = sweep.first + sweep.round.go_on(seconds, whole, rows);
-  for (; sweep.row < till; ++sweep.row) centre_row(def, clay, sweep, sweep.row);
+  // Turns are taken at whole milliseconds, whatever the tick.
+  const int turns = static_cast<int>(whole / kTurn + 0.5);
+  const double share = 1.0 * static_cast<int>(sweep.round.go_on(seconds, whole) * turns) / turns;
+  for (int k = 0; k < sweep.strips; ++k) {
+    const int from = sweep.bound[slot(k)], to = sweep.bound[slot(k + 1)];
+    // Each strip at another part of a row, or all of them would take their turns in one tick.
+    const double ahead = kGolden * k - static_cast<int>(kGolden * k);
+    const int done = share < 1.0 ? static_cast<int>(share * (to - from) + ahead) : to - from;
+    int& edge = sweep.edge[slot(k)];
+    if (k % 2 == 0) {
+      for (; edge < from + done; ++edge) centre_row(def, clay, sweep, edge);
+    } else {
+      while (edge > to - done) centre_row(def, clay, sweep, --edge);
+    }
+  }
 }
 
 void Wobble::row_divided(int j) noexcept {
-  for (Sweep& sweep : sweeps_)
-    for (int* row : {&sweep.first, &sweep.row, &sweep.end})
-      if (j < *row) ++*row;
+  for (Sweep& sweep : sweeps_) {
+    for (int& row : sweep.bound) row += j < row ? 1 : 0;
+    for (int& row : sweep.edge) row += j < row ? 1 : 0;
+  }
 }
 
 void Wobble::rows_joined(int j) noexcept {
-  for (Sweep& sweep : sweeps_)
-    for (int* row : {&sweep.first, &sweep.row, &sweep.end})
-      if (j + 1 < *row) --*row;
+  for (Sweep& sweep : sweeps_) {
+    for (int& row : sweep.bound) row -= j + 1 < row ? 1 : 0;
+    for (int& row : sweep.edge) row -= j + 1 < row ? 1 : 0;
+  }
 }
 
 void Wobble::add_to(StateHash& hash) const {
@@ -192,8 +219,9 @@ void Wobble::add_to(StateHash& hash) const {
       hash.add(gathered->raised);
     }
     hash.add(sweep.height);
-    for (const int row : {sweep.first, sweep.row, sweep.end})
-      hash.add(static_cast<std::uint64_t>(row));
+    for (int k = 0; k < sweep.strips; ++k)
+      for (const int row : {sweep.bound[slot(k)], sweep.bound[slot(k + 1)], sweep.edge[slot(k)]})
+        hash.add(static_cast<std::uint64_t>(row));
     sweep.round.add_to(hash);
   }
 }

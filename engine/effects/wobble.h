@@ -45,8 +45,12 @@ struct CentringHand {
 /// Centres rows under the hands. A press is gathered while the rows near the hand take turns, and
 /// then given to each of them alike: a row that got another share than its neighbour would stand
 /// out as a disc. A round of turns lasts 20 ms, on the finest grids longer (Round::lasting): no
-/// press waits for more than two and 20 ms. One that is worth less than a ten-thousandth of what a
-/// ring is off is kept for the next. No allocation; one thread.
+/// press waits for more than two and 20 ms. One that is worth less than a fifty-thousandth of what
+/// a ring is off is kept for the next.
+///
+/// Turns go through many low strips at once, up in one and down in the next, so that under a tool
+/// some row moves in each tick: all of them within a few ticks would be a blow, fifty times a
+/// second. Neighbours follow each other all the same. No allocation; one thread.
 class Wobble {
  public:
   /// Stage 6.4: what hand `n` of kMostHands does in a tick of `seconds`. O(1).
@@ -77,13 +81,16 @@ class Wobble {
     double impulse = 0.0;  // N s
     double raised = 0.0;   // N s m: that times the hand's height
   };
+  static constexpr int kMostStrips = 48;
   struct Sweep {
     Gathered next, now;
     double height = 0.0;  // m, of the hand
-    int first = 0, row = 0, end = 0;
+    int strips = 0;
+    std::array<int, kMostStrips + 1> bound{};  // rows of strip k: from bound k to bound k + 1
+    std::array<int, kMostStrips> edge{};       // how far its turns have come, up or down
     Round round;
   };
-  void begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept;
+  static void begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept;
   void go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double seconds) noexcept;
   void centre_row(const WobbleDef& def, Clay& clay, const Sweep& sweep, int j) noexcept;
 

@@ -7,6 +7,8 @@ namespace onggi::force {
 
 namespace {
 
+constexpr double kStill = 1e-9;  // m: nothing that an encoder counts
+
 Vec3 no_longer_than(Vec3 v, double most) {
   const double long_is = length(v);
   return long_is > most ? (most / long_is) * v : v;
@@ -43,7 +45,14 @@ Vec3 Coupling::felt_stretch(const CouplingLimits& limits) noexcept {
     const Past& past = past_[static_cast<std::size_t>((next_ + kMost - n) % kMost)];
     sum += (past.hand - hand_) + past.stretch;
   }
-  const Vec3 mean{sum.x / count, sum.y / count, sum.z / count};
+  Vec3 mean{sum.x / count, sum.y / count, sum.z / count};
+  // A mean is as late as its middle. Where the tool goes steadily it is led by that, or the hand
+  // would feel a damper that is not the clay's.
+  const Vec3 place = hand_ + mean;
+  ahead_ = held_ == 1 ? Vec3{} : (kSlow / (kSlow + seconds_)) * (ahead_ + place - mean_);
+  mean_ = place;
+  if (dot(ahead_, ahead_) < kStill * kStill) ahead_ = {};
+  mean += (0.5 * (count - 1) * seconds_ / kSlow) * ahead_;
   Vec3 along;
   if (const double strength = length(touch_.push); strength > 0.0) {
     const Vec3 normal = (1.0 / strength) * touch_.push;

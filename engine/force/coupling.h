@@ -40,6 +40,9 @@ class Coupling {
   /// shorter than kMean / kMost, as many.
   static constexpr double kMean = 0.003;
   static constexpr int kMost = 64;
+  /// s behind the tool at which a slow mean of its places goes: what that tells of its speed leads
+  /// the mean of kMean, which is late.
+  static constexpr double kSlow = 0.01;
 
   /// Before the tick: the hand went to `hand` (m) in `seconds` (> 0). Where the tool is to be.
   Vec3 tool(Vec3 hand, double seconds, const CouplingLimits& limits) noexcept;
@@ -61,6 +64,7 @@ class Coupling {
     Vec3 hand, stretch;
   };
   std::array<Past, kMost> past_;  ///< Of the last ticks of this touch, a ring.
+  Vec3 mean_, ahead_;             ///< The tool's mean place, and how far before its slow mean.
   int next_ = 0, held_ = 0;
   double seconds_ = 0.001;
   double gives_ = 1.0;  ///< Of the push that a touch says fades, the share that does.

