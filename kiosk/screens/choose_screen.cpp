@@ -202,6 +202,8 @@ class Choose final : public Screen {
       words.y -= more;
       words.h += more;
       picture.h -= more;
+      picture.x = words.x;  // its credit and code stand above the words
+      picture.w = words.w;
     } else {
       // A label needs longer lines than a hint: half the page.
       const Rect whole = page.where().page;

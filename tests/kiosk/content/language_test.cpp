@@ -74,15 +74,22 @@ TEST_F(LanguageTest, what_differs_from_the_programs_english_is_named_and_still_s
 }
 
 TEST_F(LanguageTest, a_key_below_the_wrong_table_is_sent_to_the_right_one) {
-  std::string text = files::test::content("content/languages/ko.toml");
-  const std::size_t from = text.find("\nreduced = ") + 1, to = text.find('\n', from) + 1;
-  const std::string line = text.substr(from, to - from);
-  text.erase(from, to - from);
-  text.insert(text.find('\n', text.find("[text.throw]")) + 1, line);
-  const auto read = check_language(write("ko.toml", text));
-  ASSERT_EQ(read.advice.size(), 1u);
-  EXPECT_NE(read.advice[0].what.find("throw.reduced"), std::string::npos);
-  EXPECT_NE(read.advice[0].remedy.find("choose.reduced"), std::string::npos);
+  // The first is spelt nearly so; the second is only known by its last part.
+  const std::pair<std::string, std::string> moves[] = {{"choose.reduced", "throw.reduced"},
+                                                       {"throw.rpm", "attract.rpm"}};
+  for (const auto& [right, wrong] : moves) {
+    std::string text = files::test::content("content/languages/ko.toml");
+    const std::string key = right.substr(right.find('.') + 1);
+    const std::size_t from = text.find("\n" + key + " = ") + 1, to = text.find('\n', from) + 1;
+    const std::string line = text.substr(from, to - from);
+    text.erase(from, to - from);
+    const std::string table = "[text." + wrong.substr(0, wrong.find('.')) + "]";
+    text.insert(text.find('\n', text.find(table)) + 1, line);
+    const auto read = check_language(write("ko.toml", text));
+    ASSERT_EQ(read.advice.size(), 1u);
+    EXPECT_NE(read.advice[0].what.find(wrong), std::string::npos) << read.advice[0].what;
+    EXPECT_NE(read.advice[0].remedy.find(right), std::string::npos) << read.advice[0].remedy;
+  }
 }
 
 }  // namespace
