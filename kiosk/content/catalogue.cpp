@@ -238,6 +238,8 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
       check.problems.push_back(vessels.error());
       continue;
     }
+    // A document was looked at for the scan that it names.
+    if (vessels->front().file != entry.path) check.files.push_back(vessels->front().file);
     for (const Vessel& vessel : *vessels) check.ids.push_back(vessel.id);
   }
   return check;

@@ -175,6 +175,18 @@ TEST_F(Documents, onAShelfStandForTheirScanAndOtherJsonIsLeftAlone) {
   EXPECT_EQ(shelf.vessels[1].address, "https://museum.org/12.3");
 }
 
+TEST_F(Documents, areLookedOverWithTheirScan) {
+  const fs::path file = write("manifest.json", manifest(shown("jar.glb")));
+  for (const fs::path& path : {file, folder_}) {
+    const ShelfCheck check = check_shelf(path);
+    EXPECT_TRUE(check.problems.empty()) << to_text(check.problems.front());
+    EXPECT_EQ(check.files, (std::vector<fs::path>{file, folder_ / "jar.glb"}));
+  }
+  const ShelfCheck none = check_shelf(write("manifest.json", manifest(shown("bowl.glb"))));
+  ASSERT_EQ(none.problems.size(), 1u);
+  EXPECT_EQ(none.files.size(), 1u);
+}
+
 TEST_F(Documents, thatAreNoneOfThemAreRefusedWithARemedy) {
   const std::string image =
       R"j({"id":"a","type":"Annotation","body":{"id":"jar.png","type":"Image","format":"image/png"}})j";
