@@ -10,6 +10,7 @@
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/paths.h"
+#include "kiosk/exhibit/reload.h"
 #include "kiosk/measure/monotonic.h"
 
 namespace onggi::commands {
@@ -22,22 +23,41 @@ struct RunArguments {
   std::string config, window, shelf;
 };
 
-Result<int> open_exhibit(exhibit::KioskOptions options, Attendance* attendance) {
+enum class Ending { asked_to, reload };
+
+/// The exhibit until it is asked to end, or its files have changed and no visitor is here.
+Result<Ending> show_exhibit(const exhibit::KioskOptions& options, Attendance* attendance) {
   auto kiosk = exhibit::Kiosk::open(options);
   if (!kiosk) return tl::unexpected(kiosk.error());
   if (attendance != nullptr) attendance->begin(**kiosk, options.config);
+  std::optional<exhibit::Reload> reload;
   bool first = true;
   while (asked_to_stop == 0 && (*kiosk)->frame(measure::monotonic_seconds())) {
     if (attendance != nullptr) attendance->look(**kiosk);
-    if (first && (*kiosk)->open_to_visitors()) {
+    if (!(*kiosk)->open_to_visitors()) continue;
+    if (first) {
       first = false;
       exhibit::log_line("First picture " +
                         std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
                         " ms after the start of the program.");
     }
+    // Not before: the shelf is read once already.
+    if (!reload && (*kiosk)->shelf().complete()) reload.emplace(options.config);
+    if (!reload) continue;
+    reload->look(measure::monotonic_seconds());
+    if (reload->wanted() && (*kiosk)->nobody_is_here()) return Ending::reload;
   }
-  if (attendance != nullptr) attendance->end();
-  return 0;
+  return Ending::asked_to;
+}
+
+Result<int> open_exhibit(const exhibit::KioskOptions& options, Attendance* attendance) {
+  for (;;) {
+    const auto ending = show_exhibit(options, attendance);
+    if (!ending) return tl::unexpected(ending.error());
+    if (*ending == Ending::reload) continue;
+    if (attendance != nullptr) attendance->end();
+    return 0;
+  }
 }
 
 Result<int> run(const RunArguments& arguments) {

@@ -85,6 +85,11 @@ class Kiosk {
   const std::filesystem::path& keepsake_folder() const { return keepsakes_->folder(); }
   /// A vessel of the shelf is read and attract has begun.
   bool open_to_visitors() const { return visit_ != nullptr; }
+  /// Attract plays, and every keepsake is on the disk: the kiosk may be closed and nobody misses
+  /// it.
+  bool nobody_is_here() const {
+    return visit_ && visit_->screen() == screens::ScreenId::attract && !saving();
+  }
 
  private:
   Kiosk() = default;
