@@ -126,7 +126,8 @@ tl::expected<std::filesystem::path, ReadFault> find_beneath(const std::filesyste
   const Descriptor at = open_beneath(folder, parts);
   if (!at.open()) return not_beneath(errno);
   struct stat found {};
-  if (::fstat(at.get(), &found) != 0 || !S_ISREG(found.st_mode)) return fault(Kind::special);
+  if (::fstat(at.get(), &found) != 0) return fault(Kind::unreadable, errno);
+  if (!S_ISREG(found.st_mode)) return fault(S_ISDIR(found.st_mode) ? Kind::folder : Kind::special);
   std::filesystem::path out = folder;
   for (const std::string& part : parts) out /= part;
   return out;

@@ -71,6 +71,27 @@ TEST_F(ReadFile, beneath_a_folder_lies_what_is_in_it_and_nothing_else) {
   EXPECT_EQ(beneath("deep"), fault(Kind::folder));
 }
 
+TEST_F(ReadFile, where_a_file_lies_beneath_a_folder_is_told_by_the_same_rules) {
+  const std::filesystem::path in = scratch_.path() / "in";
+  const auto deep = find_beneath(in, "./deep//c");
+  ASSERT_TRUE(deep);
+  EXPECT_EQ(*deep, in / "deep" / "c");
+  EXPECT_EQ(read_file(*deep, 100)->size(), 4u);
+  EXPECT_EQ(*find_beneath(in, "a%20b.bin"), in / "a b.bin");
+  ASSERT_EQ(mkfifo((in / "pipe").c_str(), 0600), 0);
+  const std::pair<const char*, Kind> not_there[] = {
+      {"../secret", Kind::outside},   {"%2e%2e/secret", Kind::outside},
+      {"/etc/passwd", Kind::outside}, {"", Kind::outside},
+      {"link", Kind::link},           {"up/secret", Kind::link},
+      {"deep/gone", Kind::missing},   {"deep", Kind::folder},
+      {"pipe", Kind::special}};
+  for (const auto& [name, kind] : not_there) {
+    const auto found = find_beneath(in, name);
+    ASSERT_FALSE(found) << name;
+    EXPECT_EQ(found.error().kind, kind) << name;
+  }
+}
+
 TEST(ByteWriter, the_lowest_byte_of_a_number_comes_first_and_padding_fills_to_a_whole_step) {
   ByteWriter out;
   out.u16(0x0201);
