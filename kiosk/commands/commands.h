@@ -14,6 +14,7 @@ Command check_command();
 Command vessel_command();
 Command score_command();
 Command soak_command();
+Command stats_command();
 Command lab_command();
 Command devices_command();
 Command setup_command();

@@ -1,5 +1,6 @@
 #include "kiosk/store/statistics.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "kiosk/files/read_ledger.h"
 #include "kiosk/store/migrations.h"
 
 namespace fs = std::filesystem;
@@ -149,6 +151,9 @@ Result<Statistics> read_statistics(const std::string& file, const std::string& f
     return problem(file, "There is no store of visits.",
                    "It is made with the first visit, beside the keepsakes; name another one by "
                    "--store FILE.");
+  // No report is written over it.
+  struct stat read {};
+  if (stat(file.c_str(), &read) == 0) files::note_read(read);
   const CopyFolder folder;
   if (folder.path().empty())
     return problem(fs::temp_directory_path().string(), "No copy of the store can be made there.",
