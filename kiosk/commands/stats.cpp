@@ -32,20 +32,24 @@ Result<void> check_day(const std::string& option, const std::string& day) {
   return problem(option + " " + day, "That is no day.", "Write it as 2026-05-31.");
 }
 
-/// Visits a day; days that are left out are gaps.
+/// Visits a day, or a month where there are too many days to name; what is left out is a gap.
 drawing::Plot plot_of(const store::PublishedStatistics& s) {
+  constexpr std::size_t kMostDays = 45;
+  std::string step = "day";
+  for (const auto& table : s.tables)
+    if (table.name == "day" && table.lines.size() > kMostDays) step = "month";
   drawing::Plot plot;
-  plot.title = "Visits a day";
-  plot.subtitle = "Days of fewer than " + std::to_string(store::PublishedStatistics::kLeast) +
-                  " visits are left out, and those that would give them away.";
-  plot.x.label = "day";
+  plot.title = "Visits a " + step;
+  plot.subtitle = "Fewer than " + std::to_string(store::PublishedStatistics::kLeast) +
+                  " visits are left out, and what would give them away.";
+  plot.x.label = step;
   plot.y.label = "visits";
   drawing::PlotSeries visits{.name = "visits", .kind = drawing::PlotSeries::Kind::bars};
   drawing::PlotSeries kept{.name = "with a keepsake", .kind = drawing::PlotSeries::Kind::bars};
   for (const auto& table : s.tables) {
-    if (table.name != "day") continue;
+    if (table.name != step) continue;
     for (const auto& line : table.lines) {
-      plot.x.names.push_back(line.name.substr(5));
+      plot.x.names.push_back(step == "day" ? line.name.substr(5) : line.name);
       const double nothing = std::numeric_limits<double>::quiet_NaN();
       visits.y.push_back(line.visits ? static_cast<double>(*line.visits) : nothing);
       kept.y.push_back(line.kept ? static_cast<double>(*line.kept) : nothing);
@@ -102,7 +106,8 @@ Command stats_command() {
                   {"--to", &a->to, "Last day that is counted [all]"},
                   {"--csv", &a->csv, "Write the tables as CSV (- for standard output)"},
                   {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
-                  {"--plot", &a->plot, "Draw visits a day, as PNG or SVG (- for standard output)"},
+                  {"--plot", &a->plot,
+                   "Draw visits a day or month, as PNG or SVG (- for standard output)"},
                   {"--store", &a->store, "Another store than the exhibit's"},
                   {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
       .run = [a] { return stats(*a); }};

@@ -73,7 +73,7 @@ std::string put_table(const PublishedStatistics::Lines& table, const char* title
     if (!line.visits) continue;
     char row[160];
     std::snprintf(row, sizeof row, "  %-24.24s %7s visits %7s kept %9s min  likeness %s\n",
-                  line.name.empty() ? "(none)" : line.name.c_str(),
+                  line.name.empty() ? "(none chosen)" : line.name.c_str(),
                   text_or(line.visits, "-").c_str(), text_or(line.kept, "-").c_str(),
                   text_or(line.active_min, "-").c_str(), text_or(line.likeness, "-").c_str());
     text += row;
@@ -119,9 +119,10 @@ std::string words_of(const PublishedStatistics& s) {
   std::string text = "Visits, " + days_of(s) + ": ";
   if (!s.all.visits) return text + "too few to tell.\n";
   if (*s.all.visits == 0) return text + "none.\n";
-  text += std::to_string(*s.all.visits) + " visitors were at the wheel for " +
+  text += std::to_string(*s.all.visits) + " visitors were active for " +
           text_or(s.all.active_min, "-") + " minutes, half of them longer than " +
-          text_or(s.median_min, "-") + ". They began " + text_or(s.pots, "-") + " pots and kept " +
+          text_or(s.median_min, "-") + ", at the wheel " + text_or(s.throwing_min, "-") +
+          " of them. They began " + text_or(s.pots, "-") + " pots and kept " +
           text_or(s.all.kept, "a number that is too few to tell of") + " (likeness " +
           text_or(s.all.likeness, "-") + " of 100 on average). " + text_or(s.brief, "Few") +
           " more only touched the screen in passing.\n";

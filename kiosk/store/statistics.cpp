@@ -18,10 +18,15 @@ namespace onggi::store {
 
 namespace {
 
-constexpr std::pair<const char*, const char*> kTables[] = {
-    {"vessel", "vessel"}, {"reached", "reached"},          {"left", "left_at"},
-    {"ended", "ended"},   {"language", "language"},        {"way", "way"},
-    {"day", "day"},       {"hour", "printf('%02d', hour)"}};
+constexpr std::pair<const char*, const char*> kTables[] = {{"vessel", "vessel"},
+                                                           {"reached", "reached"},
+                                                           {"left", "left_at"},
+                                                           {"ended", "ended"},
+                                                           {"language", "language"},
+                                                           {"way", "way"},
+                                                           {"month", "substr(day, 1, 7)"},
+                                                           {"day", "day"},
+                                                           {"hour", "printf('%02d', hour)"}};
 
 constexpr const char* kSums =
     "count(*), total(kept), total(active_s), count(likeness), total(likeness)";
@@ -50,7 +55,7 @@ class Reader {
 
   Table table(const std::string& name, const std::string& column) {
     Table out{name, {}};
-    const bool in_order = name == "day" || name == "hour";
+    const bool in_order = name == "month" || name == "day" || name == "hour";
     Statement rows =
         ask(column + " AS name, " + kSums,
             " GROUP BY name ORDER BY " + std::string(in_order ? "name" : "2 DESC, name"));

@@ -22,7 +22,8 @@ struct Cell {
 };
 
 struct Table {
-  std::string name;  ///< "vessel", "left", "language", "way", "reached", "ended", "day", "hour".
+  std::string name;  ///< "vessel", "left", "language", "way", "reached", "ended",
+                     ///< "month", "day", "hour".
   std::vector<Cell> cells;
 };
 
@@ -40,8 +41,8 @@ struct Statistics {
   static constexpr double kBrief = 3.0;  ///< s
 };
 
-/// Reads the visits of `from` .. `to`. Each table is by visits, most first, days and hours in their
-/// order. Problem: the file is not what a store writes.
+/// Reads the visits of `from` .. `to`. Each table is by visits, most first, months, days and hours
+/// in their order. Problem: the file is not what a store writes.
 Result<Statistics> read_statistics(Database& database, const std::string& from,
                                    const std::string& to);
 

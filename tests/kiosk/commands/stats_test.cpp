@@ -45,7 +45,7 @@ TEST(Stats, ACuratorGetsWordsTablesAndAPictureAndNothingOfThree) {
   const std::string store = " --store " + written(folder);
   const Outcome words = onggi("stats" + store);
   ASSERT_EQ(words.exit_code, 0) << words.err;
-  EXPECT_NE(words.out.find("16 visitors were at the wheel for 32.0 minutes"), std::string::npos)
+  EXPECT_NE(words.out.find("16 visitors were active for 32.0 minutes"), std::string::npos)
       << words.out;
   EXPECT_EQ(words.out.find("cup"), std::string::npos) << "three are too few to tell";
 

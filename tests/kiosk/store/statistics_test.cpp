@@ -36,6 +36,7 @@ struct Tally {
     throwing_s += v.throwing_s;
     times.push_back(v.active_s);
     const std::string hour = (v.hour < 10 ? "0" : "") + std::to_string(v.hour);
+    const std::string month = v.day.substr(0, 7);
     for (const auto& [table, name] :
          {std::pair<const char*, const std::string&>{"vessel", v.vessel},
           {"reached", v.reached},
@@ -43,6 +44,7 @@ struct Tally {
           {"ended", v.ended},
           {"language", v.language},
           {"way", v.way},
+          {"month", month},
           {"day", v.day},
           {"hour", hour}})
       add(tables[table][name], v);
@@ -66,7 +68,7 @@ void expect_alike(const Statistics& found, Tally& by_hand) {
       expected[cell.name].name = cell.name;
       EXPECT_EQ(cell, expected[cell.name]) << table.name << ' ' << cell.name;
     }
-    const bool in_order = table.name == "day" || table.name == "hour";
+    const bool in_order = table.name == "month" || table.name == "day" || table.name == "hour";
     for (std::size_t k = 1; k < table.cells.size(); ++k)
       EXPECT_TRUE(in_order ? table.cells[k - 1].name < table.cells[k].name
                            : table.cells[k - 1].visits >= table.cells[k].visits);

@@ -110,7 +110,7 @@ TEST(StoreThread, VisitsOlderThanItsMonthsAreForgottenWhenItOpens) {
   const auto found = read_statistics(folder.file().string(), "", "");
   ASSERT_TRUE(found);
   EXPECT_EQ(found->all.visits, 1);
-  EXPECT_EQ(found->tables.at(6).cells.at(0).name, "2999-01-01");
+  EXPECT_EQ(found->tables.at(7).cells.at(0).name, "2999-01-01");
 }
 
 }  // namespace
