@@ -191,6 +191,7 @@ def main():
             if data is None:
                 with open(hurt, "rb") as file:
                     data = file.read()
+            before = (tries, refused, failed)
             for way in range(a.each):
                 rng = random.Random("%s/%d/%d" % (name, a.seed, way))
                 place = os.path.join(work, "pack")
@@ -230,6 +231,8 @@ def main():
                     shutil.rmtree(kept, ignore_errors=True)
                     shutil.copytree(place, kept)
                     print("%s, way %d: %s: %s" % (name, way, wrong, said[:300].decode("utf-8", "replace")), flush=True)
+            print("%s: %d looks, %d refused, %d wrong" % (
+                name, tries - before[0], refused - before[1], failed - before[2]), flush=True)
     print("%d looks, %d refused, %d wrong; the slowest took %.1f s of the processor (%s)." % (tries, refused, failed, *slowest))
     return 1 if failed else 0 if tries else 2
 
