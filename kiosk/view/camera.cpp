@@ -1,6 +1,7 @@
 #include "kiosk/view/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace onggi::view {
@@ -16,13 +17,50 @@ struct Extent {
   bool whole = true;
 };
 
+constexpr int kAround = 48;
+
+// A ring's points on the unit circle: every frame frames the pot anew, and asks for them 60 times.
+const std::array<Vec2, kAround>& ring() {
+  static const std::array<Vec2, kAround> kRing = [] {
+    std::array<Vec2, kAround> points;
+    for (int i = 0; i < kAround; ++i) {
+      const double a = 2.0 * kPi * i / kAround;
+      points[static_cast<std::size_t>(i)] = {std::cos(a), std::sin(a)};
+    }
+    return points;
+  }();
+  return kRing;
+}
+
+/// A camera's projection with what does not depend on the point worked out once.
+class Projection {
+ public:
+  explicit Projection(const Camera& c)
+      : centre_{c.centre_x, c.centre_y}, pixels_(pixels_per_slope(c)) {
+    c.basis(right_, up_, back_);
+    eye_ = c.target + back_ * c.distance;
+  }
+  std::optional<std::pair<float, float>> operator()(Vec3 p) const {
+    const Vec3 d = p - eye_;
+    const double depth = -dot(d, back_);
+    if (depth < kNearest) return std::nullopt;
+    return std::pair{static_cast<float>(centre_.x + pixels_ * dot(d, right_) / depth),
+                     static_cast<float>(centre_.y - pixels_ * dot(d, up_) / depth)};
+  }
+
+ private:
+  Vec3 right_, up_, back_, eye_;
+  Vec2 centre_;
+  double pixels_;
+};
+
 // Where the rings of a standing cylinder reach on the screen.
 Extent extent_of(const Camera& camera, double height, double radius) {
   Extent e;
-  for (int i = 0; i < 48; ++i) {
-    const double a = 2.0 * kPi * i / 48;
+  const Projection project(camera);
+  for (const Vec2 at : ring()) {
     for (const double y : {0.0, height}) {
-      const auto p = camera.project({radius * std::cos(a), y, radius * std::sin(a)});
+      const auto p = project({radius * at.x, y, radius * at.y});
       if (!p) {
         e.whole = false;
         return e;
@@ -53,14 +91,7 @@ void Camera::basis(Vec3& right, Vec3& up, Vec3& back) const {
 }
 
 std::optional<std::pair<float, float>> Camera::project(Vec3 p) const {
-  Vec3 right, up, back;
-  basis(right, up, back);
-  const Vec3 d = p - (target + back * distance);
-  const double depth = -dot(d, back);
-  if (depth < kNearest) return std::nullopt;
-  const double f = pixels_per_slope(*this);
-  return std::pair{static_cast<float>(centre_x + f * dot(d, right) / depth),
-                   static_cast<float>(centre_y - f * dot(d, up) / depth)};
+  return Projection(*this)(p);
 }
 
 Vec2 Camera::on_axis_plane(float px, float py) const {
