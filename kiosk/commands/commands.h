@@ -22,6 +22,7 @@ Command setup_command();
 /// Of `onggi lab`.
 Command lab_loop_command();
 Command lab_frames_command();
+Command lab_naive_command();
 
 /// Of `onggi vessel`.
 Command make_command();

@@ -1,0 +1,245 @@
+#include "kiosk/measure/quiet_visit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/nearest_name.h"
+#include "engine/scene/lump.h"
+#include "engine/scene/scene.h"
+#include "engine/script/script.h"
+#include "kiosk/exhibit/words.h"
+#include "kiosk/loop/stepped_potter.h"
+#include "kiosk/score/score.h"
+#include "kiosk/screens/visit.h"
+#include "kiosk/settings/scene_file.h"
+
+namespace onggi::measure {
+
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+constexpr int kFrameTicks = 20;     // of 1 ms: 50 frames a second
+constexpr double kMind = 1.5;       // s until a mishap is read and its button found
+constexpr double kOften = 0.5;      // s between two looks for a handsome pot
+constexpr double kOffLump = 0.004;  // m: it is no longer the lump
+constexpr double kGrace = 60.0;     // s for a last stroke, after which nobody throws any more
+constexpr double kLongest = 900.0;  // s of a script
+
+/// Letters of 0.4 em: only the room that buttons and tray take is asked of it.
+struct RoughMeasure final : view::TextMeasure {
+  Size measure(const std::string& text, const view::TextStyle& style, float) const override {
+    const auto letters = static_cast<float>(std::min<std::size_t>(text.size(), 40));
+    return {style.px * 0.4f * letters, style.px * style.line_height};
+  }
+};
+
+double out_of_round(const ClayView& clay) {
+  double squares = 0;
+  int count = 0;
+  for (int j = 0; j < clay.rows(); ++j) {
+    const double mean = clay.mean_outer(j);
+    for (const float r : clay.outer(j)) squares += (r - mean) * (r - mean);
+    count += clay.sectors();
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0.0;
+}
+
+/// A visit on a wheel of its own.
+class Walk {
+ public:
+  Walk(const settings::Exhibit& exhibit, const exhibit::Scenes& scenes,
+       const std::vector<screens::ShelfCard>& cards,
+       const std::vector<content::Language>& languages)
+      : exhibit_(exhibit), scenes_(scenes), cards_(cards), visit_([&] {
+          screens::VisitWorld world;
+          world.exhibit = &exhibit;
+          world.languages = &languages;
+          world.shelf = &cards_;
+          world.measure = &words_;
+          world.wheel = &potter.view();
+          world.potter = &potter;
+          return world;
+        }()) {}
+
+  void frame() {
+    potter.advance(kFrameTicks);
+    potter.collect();
+    visit_.update(now);
+    while (auto request = visit_.take_request())
+      if (const auto* start = std::get_if<screens::StartPot>(&*request)) begin(start->card);
+    visit_.frame(kWidth, kHeight);
+    now += kFrameTicks * 1e-3;
+  }
+  void frames(int count) {
+    for (int n = 0; n < count; ++n) frame();
+  }
+  void touch(float x, float y) {
+    for (const auto kind :
+         {view::InputEvent::Kind::pointer_down, view::InputEvent::Kind::pointer_up}) {
+      view::InputEvent event;
+      event.kind = kind;
+      event.x = x;
+      event.y = y;
+      visit_.input(event, now);
+    }
+  }
+  Result<void> touch(const std::string& id) {
+    const auto at = visit_.control(id);
+    if (!at) return problem("the visit", "No control " + id + " is on its screen.", "Report it.");
+    touch(at->x + at->w / 2, at->y + at->h / 2);
+    return {};
+  }
+  /// From attract to the wheel, as a visitor goes.
+  Result<void> go_to_wheel(int card) {
+    frames(50);
+    touch(0.5f * kWidth, 0.5f * kHeight);
+    frames(60);
+    const std::string wanted = "choose.card." + std::to_string(card);
+    for (std::size_t page = 0; page < cards_.size() && !visit_.control(wanted); ++page) {
+      if (auto good = touch("choose.next"); !good) return good;
+      frames(60);
+    }
+    if (auto good = touch(wanted); !good) return good;
+    frames(60);
+    if (auto good = touch("choose.throw"); !good) return good;
+    frames(80);
+    return {};
+  }
+  screens::Visit& visit() { return visit_; }
+
+  loop::SteppedPotter potter;
+  double now = 0;
+
+ private:
+  void begin(int card) {
+    const screens::ShelfCard& which = cards_[static_cast<std::size_t>(card)];
+    SceneDef def = scenes_.of(which.vessel->id);
+    def.clay = lump_for(which.target, def);
+    if (auto scene = Scene::create(def)) potter.start(std::make_unique<Scene>(std::move(*scene)));
+  }
+
+  const settings::Exhibit& exhibit_;
+  const exhibit::Scenes& scenes_;
+  const std::vector<screens::ShelfCard> cards_;
+  RoughMeasure words_;
+  screens::Visit visit_;
+};
+
+PotLook look_at(const screens::ShelfCard& card, const Profile& made, const ClayView& clay,
+                const settings::Rubric& rubric, double seconds) {
+  const auto score = score::judge(card.target, made, !rubric.size_counts,
+                                  card.scale > 0 ? 1 / card.scale : 1, rubric);
+  return {seconds, score.points, score.stars, smoothness(made), out_of_round(clay)};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<QuietVisits>> QuietVisits::open(const std::string& exhibit_file,
+                                                       const std::string& scene) {
+  auto read = settings::read_exhibit(exhibit_file);
+  if (!read.problems.empty()) return tl::unexpected(read.problems.front());
+  std::unique_ptr<QuietVisits> out(new QuietVisits);
+  out->exhibit_ = std::move(read.exhibit);
+  if (!scene.empty()) {
+    const settings::SceneRead scene_read = settings::read_scene(scene);
+    if (!scene_read.problems.empty()) return tl::unexpected(scene_read.problems.front());
+    out->exhibit_.scene = scene;
+    out->exhibit_.vessel_scenes.clear();
+  }
+  auto languages = exhibit::read_languages(out->exhibit_, "");
+  if (!languages) return tl::unexpected(languages.error());
+  out->languages_ = std::move(*languages);
+  out->scenes_ = std::make_unique<exhibit::Scenes>(out->exhibit_);
+  out->shelf_ =
+      std::make_unique<exhibit::Shelf>(out->exhibit_.shelf, *out->scenes_, out->exhibit_.reader);
+  out->shelf_->wait();
+  if (out->cards().empty())
+    return problem(out->exhibit_.shelf.string(), "No vessel there could be opened.",
+                   "Run onggi check.");
+  return out;
+}
+
+Result<int> QuietVisits::card_of(const std::string& vessel) const {
+  std::vector<std::string> ids;
+  for (const screens::ShelfCard& card : cards()) {
+    if (card.vessel->id == vessel) return static_cast<int>(ids.size());
+    ids.push_back(card.vessel->id);
+  }
+  const std::string nearest = nearest_name(vessel, ids);
+  return problem("--vessels " + vessel, "The shelf has no such vessel.",
+                 nearest.empty() ? "Run onggi check for what it has." : "Write " + nearest + ".");
+}
+
+Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed, NaiveHands::Pointer pointer,
+                                        const std::vector<double>& moments) const {
+  const screens::ShelfCard& which = cards()[static_cast<std::size_t>(card)];
+  Walk walk(exhibit_, *scenes_, cards(), languages_);
+  if (auto good = walk.go_to_wheel(card); !good) return tl::unexpected(good.error());
+  QuietOutcome out{which.vessel->id, seed, {}, std::nullopt, 0};
+  NaiveHands hands(seed, moments.back(), pointer);
+  const double begun = walk.now;
+  double looked = -kOften, trouble = -1;
+  Profile lump, made;
+  const auto note = [&](double seconds) {
+    out.looks.push_back(look_at(which, made, walk.potter.view().clay, exhibit_.rubric, seconds));
+  };
+  while (!hands.done() && walk.now < begun + moments.back() + kGrace) {
+    walk.frame();
+    const double since = walk.now - begun;
+    const auto sight = walk.visit().sight();
+    if (!sight) {  // A pot that fell or tore: the words are read, and the way back is taken.
+      if (trouble < 0) trouble = walk.now;
+      if (walk.now - trouble < kMind) continue;
+      trouble = -1;
+      ++out.mishaps;
+      if (!walk.visit().control("throw.restore")) break;
+      if (auto good = walk.touch("throw.restore"); !good) return tl::unexpected(good.error());
+      continue;
+    }
+    trouble = -1;
+    made = *sight->made;
+    if (lump.points.empty()) lump = made;
+    if (since - looked >= kOften) {
+      looked = since;
+      if (!out.handsome_at && handsome(smoothness(made)) && apart(made, lump) > kOffLump)
+        out.handsome_at = since;
+    }
+    while (out.looks.size() + 1 < moments.size() && since >= moments[out.looks.size()])
+      note(moments[out.looks.size()]);
+    const NaiveHands::Move move = hands.step(since, *sight, kWidth);
+    for (const view::InputEvent& event : move.events) walk.visit().input(event, walk.now);
+    if (!move.control.empty())
+      if (auto good = walk.touch(move.control); !good) return tl::unexpected(good.error());
+  }
+  while (out.looks.size() < moments.size()) note(moments[out.looks.size()]);
+  return out;
+}
+
+Result<QuietOutcome> QuietVisits::careful(int card, std::uint64_t seed) const {
+  const screens::ShelfCard& which = cards()[static_cast<std::size_t>(card)];
+  SceneDef def = scenes_->of(which.vessel->id);
+  def.clay = lump_for(which.target, def);
+  auto scene = Scene::create(def);
+  if (!scene) return tl::unexpected(scene.error());
+  auto script = make_script("follow", {def, &which.target, seed, 1.0});
+  if (!script) return tl::unexpected(script.error());
+  loop::SteppedPotter potter;
+  potter.start(std::make_unique<Scene>(std::move(*scene)));
+  potter.play(std::move(*script));
+  potter.advance(kFrameTicks);
+  double seconds = kFrameTicks * 1e-3;
+  for (; !potter.status().script_done && seconds < kLongest; seconds += kFrameTicks * 1e-3) {
+    potter.advance(kFrameTicks);
+    potter.collect();
+  }
+  potter.pause(true);
+  while (!potter.settle()) potter.advance(1);
+  potter.collect();
+  const ClayView& clay = potter.view().clay;
+  const Profile made = clay.profile();
+  QuietOutcome out{which.vessel->id, seed, {}, std::nullopt, 0};
+  out.looks.push_back(look_at(which, made, clay, exhibit_.rubric, seconds));
+  return out;
+}
+
+}  // namespace onggi::measure

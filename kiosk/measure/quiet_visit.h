@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "kiosk/exhibit/scenes.h"
+#include "kiosk/exhibit/shelf.h"
+#include "kiosk/measure/handsome.h"
+#include "kiosk/measure/naive_hands.h"
+#include "kiosk/settings/exhibit.h"
+
+namespace onggi::measure {
+
+/// What a pot came to at one moment of a visit.
+struct PotLook {
+  double seconds = 0;  ///< Since the first look at the wheel.
+  double points = 0;   ///< As the result screen would say, 0 to 100.
+  int stars = 0;
+  Smoothness smooth;        ///< Of the outline.
+  double out_of_round = 0;  ///< RMS of the outer face about its rows' own means, m.
+};
+
+/// What came of a visit.
+struct QuietOutcome {
+  std::string vessel;
+  std::uint64_t seed = 0;
+  std::vector<PotLook> looks;         ///< One for each moment asked for, in order.
+  std::optional<double> handsome_at;  ///< s: handsome(), and 4 mm off the lump it came from.
+  int mishaps = 0;                    ///< Falls and tears that were taken back.
+};
+
+/// Visits that nobody watches: the real screens (screens::Visit), clay and hands, stepped as fast
+/// as the machine can and never drawn, so that two hundred are made in the time of ten drawn ones.
+/// Words are measured roughly: nothing of them but the tray's room is used. One exhibit, read once;
+/// the visits are const and may be made on several threads at once.
+class QuietVisits {
+ public:
+  /// `scene`: instead of the exhibit's own scenes, for every vessel; empty for those. Problem where
+  /// exhibit, scene or languages cannot be read, or the shelf is empty.
+  static Result<std::unique_ptr<QuietVisits>> open(const std::string& exhibit_file,
+                                                   const std::string& scene = {});
+
+  const std::vector<screens::ShelfCard>& cards() const { return shelf_->cards(); }
+  /// The card of `vessel`. Problem with what there is, where it is not on the shelf.
+  Result<int> card_of(const std::string& vessel) const;
+  /// Naive hands at the wheel; `moments`: s, rising, at which the pot is looked at; they throw on
+  /// until the last. Problem where the screens lack a control that visitors need.
+  Result<QuietOutcome> naive(int card, std::uint64_t seed, NaiveHands::Pointer pointer,
+                             const std::vector<double>& moments) const;
+  /// The script `follow`, a potter who knows the vessel, to its end: one look, 0 mishaps.
+  Result<QuietOutcome> careful(int card, std::uint64_t seed) const;
+
+ private:
+  QuietVisits() = default;
+
+  settings::Exhibit exhibit_;
+  std::unique_ptr<exhibit::Scenes> scenes_;
+  std::unique_ptr<exhibit::Shelf> shelf_;
+  std::vector<content::Language> languages_;
+};
+
+}  // namespace onggi::measure
