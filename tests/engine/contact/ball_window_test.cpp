@@ -86,6 +86,25 @@ RC_GTEST_PROP(WindowProperty, HoldsEveryElementThatTheSpherePressesAndNoBlockTwi
   }
 }
 
+// Elements are looked at eight at a time, which hides a window that is an element off.
+TEST(Window, LiesAsFarToEitherSideOfTheTool) {
+  const Clay clay = lump(40, 360);
+  double off = 0.0;
+  constexpr int kPlaces = 1000;
+  for (int n = 0; n < kPlaces; ++n) {
+    const double place = 360.0 * n / kPlaces;  // in elements, of which the first's middle is at 0.5
+    const double angle = 2.0 * portable::kPi / 360.0 * place;
+    const Vec3 at{0.06 * portable::cos(angle), 0.1, 0.06 * portable::sin(angle)};
+    const BallWindow window(clay, at, 0.008);
+    BallWindows rows;
+    plan_rows(clay, window, WallSide::outside, 20, 1, rows);
+    ASSERT_EQ(rows.reached, 1u);
+    const double middle = 0.5 * (rows.low[0] + 1 + rows.high[0]);  // each rounded down
+    off += std::remainder(middle - (place - 0.5), 360.0);
+  }
+  EXPECT_NEAR(off / kPlaces, 0.0, 0.02);
+}
+
 TEST(Window, LooksAtNothingWhereTheToolIsClearAndAtLittleWhereItTouchesLightly) {
   const Clay clay = lump(400, 360);
   const auto blocks = [&](double x) {

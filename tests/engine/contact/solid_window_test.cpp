@@ -60,6 +60,41 @@ TEST(SolidWindow, HoldsWhatTheToolPressesWhicheverWayItIsFromTheAxis) {
   EXPECT_GT(pressed, 2000);
 }
 
+// How many elements are looked at for each that is pressed, over many poses of a tool deep in a
+// wall.
+double looked_at(const char* name) {
+  ClayDef def;
+  def.rows = 200;
+  def.sectors = 1440;
+  Clay clay = std::move(*Clay::create(def));
+  const ToolShape& shape = *find_tool_shape(name);
+  Random random(17);
+  double visited = 0.0;
+  double touched = 0.0;
+  for (int n = 0; n < 60; ++n) {
+    const Vec3 along = any_direction(random);
+    const Vec3 across = cross(along, any_direction(random));
+    const Vec3 at = turned({0.056, 0.1, 0.0}, random.uniform(0.0, 2.0 * portable::kPi));
+    const ToolPlace place{at, along, (1.0 / length(across)) * across};
+    // So quick that the wall stays as it is.
+    const Press press = shape.press(clay, WallSide::outside, place, shape.usual, 1e-9, {0.01, 5e6});
+    visited += static_cast<double>(press.visited);
+    touched += static_cast<double>(press.touched);
+  }
+  EXPECT_GT(touched, 1000.0) << name;
+  return visited / touched;
+}
+
+TEST(SolidWindow, LooksAtLittleMoreThanWhatIsPressed) {
+  // A needle is thinner than a block of eight elements is wide. The same on every machine: a bound
+  // that is passed says that a window has grown.
+  EXPECT_LT(looked_at("flat_rib"), 1.215);
+  EXPECT_LT(looked_at("curved_rib"), 1.12);
+  EXPECT_LT(looked_at("fingertip"), 1.385);
+  EXPECT_LT(looked_at("loop_trimmer"), 1.405);
+  EXPECT_LT(looked_at("needle"), 6.0);
+}
+
 TEST(SolidWindow, PlansRowsThatAnUprightBlockCutsAlikeAsIfEachWereAsked) {
   constexpr int kCount = 8;
   ClayDef def;
