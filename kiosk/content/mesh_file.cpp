@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a reading may take: MiB beside what its file needs by its size, seconds.
+/// What a reading may take beside what its file needs by its size: MiB, seconds of the processor.
 constexpr std::size_t kMemoryMib = 768, kMemoryTimesFile = 12, kMostMemoryMib = 6144;
-constexpr int kSeconds = 20;
+constexpr int kSeconds = 2, kSecondsMib = 1, kMostSeconds = 20;
 
 std::string ending_of(const fs::path& file) {
   std::string ending = file.extension().string();
@@ -60,14 +60,16 @@ Result<GltfModel> read_by_helper(const fs::path& file, const std::string& ending
                    1);
   const std::size_t mib =
       std::min(kMostMemoryMib, kMemoryMib + kMemoryTimesFile * (bytes->size() >> 20));
+  const int seconds = static_cast<int>(
+      std::min<std::size_t>(kMostSeconds, kSeconds + kSecondsMib * (bytes->size() >> 20)));
   const auto vertices = static_cast<std::size_t>(limits.vertices),
              triangles = static_cast<std::size_t>(limits.triangles);
   const auto answer = files::run_helper(
       {.program = (self.parent_path() / "onggi-mesh").string(),
        .arguments = {ending.substr(1), std::to_string(vertices), std::to_string(triangles),
-                     std::to_string(mib), std::to_string(kSeconds)},
+                     std::to_string(mib), std::to_string(seconds)},
        .body = std::span(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()),
-       .timeout_s = 2.0 * kSeconds,
+       .timeout_s = 2.0 * kMostSeconds,
        .most_bytes = 12 * (vertices + triangles) + (1u << 20),
        .answer = "mesh"});
   if (!answer)

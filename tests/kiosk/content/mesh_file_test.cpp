@@ -123,5 +123,18 @@ TEST_F(MeshFiles, limits_hold_and_damage_is_refused_by_name) {
   }
 }
 
+TEST_F(MeshFiles, one_that_never_ends_is_given_up_and_told_so) {
+  // A header cut within the type of its last list: Assimp looks for its end for ever.
+  const auto file = write("endless.ply",
+                          "ply\nformat binary_little_endian 1.0\nelement vertex 336\n"
+                          "property float x\nproperty float y\nproperty float z\n"
+                          "element face 576\nproperty list uc\x80"
+                          "ar in");
+  const auto read = read_mesh_file(file);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().what.find("found no end"), std::string::npos) << read.error().what;
+  EXPECT_FALSE(read.error().remedy.empty());
+}
+
 }  // namespace
 }  // namespace onggi::content
