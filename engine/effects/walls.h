@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/clay/clay.h"
 #include "engine/effects/effect_field.h"
 #include "engine/math/vec.h"
 
@@ -15,6 +16,8 @@ struct WallsDef {
                                 ///< does. Otherwise more than the clay's wall_min.
   double tear_strain = 0.0;  ///< 0..10: share by which a ring may get wider than the lump was; more
                              ///< tears it. 0: none does. Lower: bowls must be opened with care.
+  double yield_stress = 0.0;  ///< Pa, 0..1e6: of the clay as a wall that bends under a hand.
+                              ///< Higher: thin walls are felt as harder. 0: a wall bears any push.
 
   static constexpr const char* kName = "walls";
   static std::span<const EffectField<WallsDef>> fields();
@@ -29,6 +32,22 @@ inline bool tears(const WallsDef& def) { return def.tear_thickness > 0.0 || def.
 /// other face: 1 face to face, 0 beyond `def.support` along the wall. m, any one frame about the
 /// axis.
 double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept;
+
+/// What a wall bears of a hand's push before it bends, N: the plastic collapse load of a plate that
+/// is held all round under a point (four pi times its plastic moment, sigma t^2 / 4; Save,
+/// Massonnet & de Saxce, Plastic Limit Analysis of Plates, Shells and Disks, 1997). `strength` is
+/// the share that water leaves of the yield stress. Rises with the square of the thickness.
+double wall_bears(const WallsDef& def, double thickness, double strength) noexcept;
+
+/// The share of a push of `normal` N that a hand feels of a wall that bears `bears`, of which
+/// `along` (0..1, what the other hand does not hold) has to bear it: 1 / sqrt(1 + (along N / P)^2).
+/// Wall and clay under the finger give way one behind the other, so the push is never more than P,
+/// and far below it as it was.
+double wall_push(double normal, double bears, double along) noexcept;
+
+/// Mean thickness of the wall at `at` (clay frame, m) within 8 mm to each side, m; infinite where
+/// the clay is solid. O(elements there).
+double wall_thickness(const Clay& clay, Vec3 at) noexcept;
 
 }  // namespace effects
 }  // namespace onggi

@@ -198,6 +198,7 @@ void Scene::State::press_and_work(Tick& tick) noexcept {
     }
   }
   tick.press = sum;
+  tick.along = part.along;
   tick.side = part.side;
   tick.place = part.place;
 }
@@ -235,6 +236,18 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   row_effects->run(def, clay, rows);
 }
 
+// What is felt of a press on a wall that bends under it, as a share.
+double Scene::State::bends(const Tick& tick, std::size_t n) const noexcept {
+  const scene::HandState& h = hand[n];
+  if (tick.press[n].normal <= 0.0 || h.contact.place() != beside(h.contact.side())) return 1.0;
+  const double angle = tick.angle_from + tick.turn;
+  const double c = portable::cos(angle), s = portable::sin(angle);
+  const Vec3 at{c * h.at.x + s * h.at.z, h.at.y, c * h.at.z - s * h.at.x};
+  const double strong = moisture ? effects::strength(*def.moisture, wetness_at(h.at.y)) : 1.0;
+  const double bears = effects::wall_bears(*def.walls, effects::wall_thickness(clay, at), strong);
+  return effects::wall_push(tick.press[n].normal, bears, tick.along[n]);
+}
+
 // Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
 void Scene::State::feel(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
@@ -245,7 +258,12 @@ void Scene::State::feel(Tick& tick) noexcept {
     const ToolShape& shape = *tools[h.tool].shape;
     const ToolSize& size = tools[h.tool].size;
     const ToolPlace place{h.at, h.along, h.across};
-    const Press& press = tick.press[n];
+    Press press = tick.press[n];
+    if (effects::kBuilt && def.walls && def.walls->yield_stress > 0.0) {
+      const double share = bends(tick, n);
+      press.force = share * press.force;
+      press.normal *= share;
+    }
     Vec3 force = press.force;
     const double strength = length(press.force);
     force::Touch& touch = tick.touch[n];

@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   for (const char* name : {"first_touch", "studio", "master"}) {
     if (quick && std::strcmp(name, "first_touch") != 0) continue;
     const SceneDef def = scene_named(name);
+    quality(name, "printed behind 10 Hz", lab::printed_quality(def).filtered);
     for (std::size_t tool = 0; tool <= def.tools.size(); ++tool) {
       const std::string called = tool == 0 ? "ball" : def.tools[tool - 1].name;
       if (called == "wire" || (quick && tool > 1)) continue;
@@ -117,8 +118,15 @@ int main(int argc, char** argv) {
   other = first;
   other.clay.inner_radius = other.clay.outer_radius - 0.005;
   felt("a wall of 5 mm", other, false);
-  other.walls = WallsDef{};
-  felt("a wall of 5 mm that moves", other, false);
+  const SceneDef studio = scene_named("studio");
+  for (const double thickness : {0.033, 0.008, 0.005, 0.003}) {
+    other = studio;
+    other.clay.wall_min = 0.001;
+    other.clay.inner_radius = other.clay.outer_radius - thickness;
+    char name[40];
+    std::snprintf(name, sizeof name, "studio: a wall of %.0f mm", 1e3 * thickness);
+    felt(name, other, false);
+  }
   rim(first);
   lab::SlowPush push;
   std::vector<Vec3> own = lab::push_slowly(first, push);

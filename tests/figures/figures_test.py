@@ -121,6 +121,7 @@ class Feel(unittest.TestCase):
             self.assertLess(clay["wet"][k], 0.85 * clay["dry"][k])
             self.assertGreater(clay["twice the stiffness"][k], 1.2 * clay["dry"][k])
         self.assertGreater(clay["gives way in twice the time"][0], 1.2 * clay["dry"][0])
+        self.assertLess(clay["studio: a wall of 3 mm"][0], 0.5 * clay["studio: a wall of 33 mm"][0])
         rim = {round(float(r["a"])): (float(r["b"]), float(r["c"])) for r in rows
                if r["kind"] == "rim"}
         self.assertGreater(rim[-12][0], 3 * rim[2][0])

@@ -121,6 +121,62 @@ RC_GTEST_PROP(WallsProperty, SupportFadesWithDistanceAlongTheWallAndNeverLeavesZ
   }
 }
 
+// The greatest force on a finger that comes in by 3 mm in 0.3 s, N.
+double pushed(double thickness, double yield_stress, bool held) {
+  SceneDef def = small();
+  def.clay.rows = 200;
+  def.clay.sectors = 180;
+  def.clay.wall_min = 0.001;
+  def.clay.inner_radius = def.clay.outer_radius - thickness;
+  def.walls->yield_stress = yield_stress;
+  def.guard = {20.0, 1e5, 0.05};
+  Scene scene = made(def);
+  Hands hands;
+  hands.wheel_speed = 6.0;
+  double most = 0.0;
+  for (int n = 0; n < 300; ++n) {
+    const double out = def.clay.outer_radius + def.tool.radius - 1e-5 * n;
+    const double in = def.clay.inner_radius - def.tool.radius;
+    hands.hand[0] = {{out, 0.1, 0.0}, true, SideWish::outside};
+    if (held) hands.hand[1] = {{in, 0.1, 0.0}, true, SideWish::inside};
+    most = std::max(most, length(scene.step(hands, 0.001).hand[0].force));
+  }
+  return most;
+}
+
+TEST(Walls, AThinWallIsFeltAsSofterThanAThickOneUnlessTheOtherHandHoldsIt) {
+  const double thick = pushed(0.03, 9000.0, false);
+  EXPECT_NEAR(pushed(0.03, 0.0, false) / thick, 1.0, 0.01) << "a thick one is as it was";
+  double last = 1e9;
+  for (const double thickness : {0.03, 0.01, 0.005, 0.003}) {
+    const double force = pushed(thickness, 9000.0, false);
+    const double bears = portable::kPi * 9000.0 * thickness * thickness;
+    EXPECT_LT(force, 1.4 * bears) << "clay and wall give way one behind the other, and it thickens";
+    EXPECT_LT(force, last + 1e-3) << thickness;
+    last = force;
+  }
+  EXPECT_LT(last, 0.7 * thick);
+  EXPECT_GT(pushed(0.003, 9000.0, true), 0.9 * pushed(0.003, 0.0, true)) << "held from inside";
+}
+
+TEST(Walls, BearAPushByTheSquareOfTheirThicknessAndNeverMore) {
+  WallsDef def;
+  def.yield_stress = 8000.0;
+  const double bears = wall_bears(def, 0.004, 1.0);
+  EXPECT_NEAR(bears, 0.4021, 1e-4);
+  EXPECT_NEAR(wall_bears(def, 0.008, 0.5), 2.0 * bears, 1e-12);
+  double last = 0.0, steepest = 0.0;
+  for (double normal = 0.01; normal < 50.0; normal *= 1.1) {
+    const double felt = normal * wall_push(normal, bears, 1.0);
+    EXPECT_LT(felt, bears);
+    if (last > 0.0) steepest = std::max(steepest, (felt - last) / (normal / 11.0));
+    EXPECT_GT(felt, last);
+    EXPECT_EQ(wall_push(normal, bears, 0.0), 1.0) << "held";
+    last = felt;
+  }
+  EXPECT_LT(steepest, 1.0 + 1e-3) << "no stiffer than the clay, so what a device bears is enough";
+}
+
 TEST(Walls, WhateverHandsDoNoFaceCrossesTheOther) {
   SceneDef def = small();
   def.clay.wall_min = 0.002;
