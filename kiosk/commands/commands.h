@@ -23,6 +23,7 @@ Command setup_command();
 Command lab_loop_command();
 Command lab_frames_command();
 Command lab_naive_command();
+Command lab_scenes_command();
 
 /// Of `onggi vessel`.
 Command make_command();

@@ -1,0 +1,64 @@
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "kiosk/commands/commands.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/measure/scene_page.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct ScenesArguments {
+  std::string config, out;
+  int seeds = 2;
+  int threads = 1;
+};
+
+Result<int> scenes(const ScenesArguments& arguments) {
+  const auto config = exhibit::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  measure::NaivePlan plan;
+  plan.exhibit_file = config->string();
+  plan.seeds = arguments.seeds;
+  plan.threads = arguments.threads;
+  plan.moments = {90};
+  const auto entries = measure::measure_scenes(plan, stderr);
+  if (!entries) return tl::unexpected(entries.error());
+  const std::string page =
+      measure::page_of(*entries, "onggi lab scenes --seeds " + std::to_string(arguments.seeds));
+  if (arguments.out.empty()) {
+    std::fputs(page.c_str(), stdout);
+    return 0;
+  }
+  return files::write_durably(arguments.out, std::as_bytes(std::span(page))).map([] { return 0; });
+}
+
+}  // namespace
+
+Command lab_scenes_command() {
+  const auto a = std::make_shared<ScenesArguments>();
+  return {.name = "scenes",
+          .help = "The curators' page: what each scene simulates and why, costs, and gives",
+          .examples =
+              "Example: onggi lab scenes -o kiosk/docs/scenes.md\n"
+              "Naive hands for 90 s and the script's hand throw the whole shelf in each.",
+          .options = {{.name = "--seeds",
+                       .field = &a->seeds,
+                       .help = "Naive visits of each vessel [2]",
+                       .least = 1,
+                       .most = 1000},
+                      {.name = "--threads",
+                       .field = &a->threads,
+                       .help = "Visits at a time [1]",
+                       .least = 1,
+                       .most = 256},
+                      {"-o", &a->out, "Write the page there [standard output]"},
+                      {"--config", &a->config, "The exhibit whose shelf is thrown"}},
+          .run = [a] { return scenes(*a); }};
+}
+
+}  // namespace onggi::commands
