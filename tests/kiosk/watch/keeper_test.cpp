@@ -103,14 +103,13 @@ TEST(keeper, a_wheel_that_stands_is_told_and_systemd_hears_nothing_more) {
   const Systemd systemd;
   Kept kept(systemd);
   Keeper keeper(kept.options, kept.ledger);
-  const auto frames = [&](std::uint64_t from, std::uint64_t to) {
-    for (std::uint64_t frame = from; frame < to; ++frame)
-      keeper.look({frame, 500}, {}, 0.1 * static_cast<double>(frame));
-  };
-  frames(0, 90);
-  systemd.heard();
-  frames(90, 1000);
-  EXPECT_THAT(systemd.heard(), Not(Contains("WATCHDOG=1")));
+  std::vector<std::string> heard;
+  for (std::uint64_t frame = 0; frame < 1000; ++frame) {
+    keeper.look({frame, 500}, {}, 0.1 * static_cast<double>(frame));
+    for (std::string& said : systemd.heard())
+      if (frame >= 90) heard.push_back(std::move(said));
+  }
+  EXPECT_THAT(heard, Not(Contains("WATCHDOG=1")));
   EXPECT_THAT(keeper.remarks(), Contains("Standing still: the wheel's loop."));
   keeper.look({1000, 501}, {}, 100.0);
   EXPECT_THAT(systemd.heard(), Contains("WATCHDOG=1"));
@@ -160,6 +159,10 @@ TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again)
     });
   };
   EXPECT_TRUE(hears("A file stands where a folder is wanted"));
+  for (int more = 0; more < 20; ++more) {  // trials that fail as the first did
+    keeper.look({1, 1}, {}, now += 1.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
   fs::remove(kept.options.keepsakes);
   EXPECT_TRUE(hears("The disk takes writes again."));
   EXPECT_EQ(std::count_if(told.begin(), told.end(),
