@@ -18,6 +18,7 @@ class RowAreas {
   RowAreas(int rows, int stride)
       : area_(static_cast<std::size_t>(rows)),
         cut_(area_.size()),
+        given_(area_.size()),
         traded_(area_.size()),
         changed_(rows),
         unknown_(rows),
@@ -52,9 +53,11 @@ class RowAreas {
   }
   /// What row `j` has to give for nothing, m^2 of its cross-section.
   void keep_for(int j, double area) {
-    cut_[static_cast<std::size_t>(j)] += area;
+    given_[static_cast<std::size_t>(j)] += area;
     changed_.add(j);
   }
+  /// Takes what row `j` gave to other rows, m^2, since it was last taken; negative: it gained.
+  double take_given(int j) { return std::exchange(given_[static_cast<std::size_t>(j)], 0.0); }
   /// Takes what was cut from row `j`, m^2, since it was last taken.
   double take_cut(int j) { return std::exchange(cut_[static_cast<std::size_t>(j)], 0.0); }
   /// Row `j` is marked.
@@ -63,6 +66,7 @@ class RowAreas {
   void open(int j) {
     clay::open_place(area_, j);
     clay::open_place(cut_, j);
+    clay::open_place(given_, j);
     clay::open_place(traded_, j);
     for (RowSet* rows : {&changed_, &unknown_}) rows->open(j);
     if (torn_.room() > 0) torn_.open(j);
@@ -71,6 +75,7 @@ class RowAreas {
   void close(int j) {
     clay::close_place(area_, j);
     clay::close_place(cut_, j);
+    clay::close_place(given_, j);
     clay::close_place(traded_, j);
     for (RowSet* rows : {&changed_, &unknown_}) rows->close(j);
     if (torn_.room() > 0) torn_.close(j);
@@ -124,7 +129,7 @@ class RowAreas {
   int take_changed(int from) { return changed_.take(from); }
 
  private:
-  std::vector<double> area_, cut_;
+  std::vector<double> area_, cut_, given_;
   std::vector<double> traded_;  // m^2 lost or gained since the row was measured
   RowSet changed_, unknown_;
   RowSet torn_;  // none where no row can tear

@@ -56,6 +56,24 @@ TEST(Volume, PullingUpTheWallMakesThePotTallerAndThinner) {
   EXPECT_LT(lost.clay().volume(), 0.95 * clay);
 }
 
+// Found: rows that trade were held to the rule for what edges cut away, and a row that was pressed
+// and then gave over half of its clay gave more than its neighbour got.
+TEST(Volume, ARowThatGivesMostOfItsClayToAnotherGivesWhatTheOtherGets) {
+  for (const double share : {0.1, 0.49, 0.51, 0.8}) {
+    Clay clay = std::move(*Clay::create(small().clay));
+    Volume volume(clay);
+    RowAreas& areas = *clay.areas();
+    const double area = areas.of(5);
+    const double before = volume.of_row(5) + volume.of_row(6);
+    areas.lose(5, 0.1 * area);
+    areas.trade(5, -share * area);
+    areas.trade(6, share * area);
+    volume.keep(clay, 0.001);
+    EXPECT_NEAR((volume.of_row(5) + volume.of_row(6)) / before, 1.0, 1e-12) << share;
+    EXPECT_LT(volume.of_row(5), volume.of_row(6)) << share;
+  }
+}
+
 TEST(Volume, AHeldFingerRaisesTheRowsThatItPressesAndLiftsThoseAbove) {
   Scene scene = made(small());
   const Clay& clay = scene.clay();
