@@ -208,7 +208,7 @@ Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const st
 }
 
 ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits,
-                       const std::vector<std::string>& languages) {
+                       const std::vector<std::string>& languages, std::stop_token stop) {
   ShelfCheck check;
   LoadOptions options;
   options.limits = limits;
@@ -224,6 +224,7 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
         {folder.string(), "This folder of the shelf holds no vessel.",
          "Put its vessel.glb and vessel.toml there, or take the folder away."});
   for (const Entry& entry : entries) {
+    if (stop.stop_requested()) break;
     if (fs::is_directory(entry.path, ignored)) {
       check.ids.push_back(entry.id);
       check_pack(entry.path, options, languages, check);

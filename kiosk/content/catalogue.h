@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,8 @@ struct ShelfCheck {
 };
 
 /// Checks a shelf, one pack, or one GLB/glTF file. Labels have to be in `languages` (read_pack()).
+/// Asked to `stop`, it leaves out the vessels that it has not come to.
 ShelfCheck check_shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {},
-                       const std::vector<std::string>& languages = {});
+                       const std::vector<std::string>& languages = {}, std::stop_token stop = {});
 
 }  // namespace onggi::content

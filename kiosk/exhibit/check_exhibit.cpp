@@ -70,8 +70,9 @@ void check_lesson(CheckReport& report, const fs::path& file,
 
 std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
                                        const std::vector<std::string>& languages,
-                                       const settings::ReaderLimits& limits = {}) {
-  auto shelf = content::check_shelf(path, limits, languages);
+                                       const settings::ReaderLimits& limits = {},
+                                       const std::stop_token& stop = {}) {
+  auto shelf = content::check_shelf(path, limits, languages, stop);
   report.vessels += static_cast<int>(shelf.ids.size());
   for (const fs::path& file : shelf.files) look(report, file);
   if (shelf.ids.empty() && shelf.problems.empty())
@@ -81,7 +82,8 @@ std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path
   return std::move(shelf.ids);
 }
 
-void check_whole_exhibit(CheckReport& report, const fs::path& file) {
+void check_whole_exhibit(CheckReport& report, const fs::path& file,
+                         const std::stop_token& stop = {}) {
   const fs::path languages = language_folder(file);
   auto read = settings::read_exhibit(file, languages);
   const settings::Exhibit exhibit = read.exhibit;
@@ -106,8 +108,8 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file) {
       check_language(report, words);
   if (fs::is_directory(exhibit.shelf, ignored))
     note(report, 0,
-         names_of_nothing(exhibit,
-                          check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader)));
+         names_of_nothing(exhibit, check_vessels(report, exhibit.shelf, exhibit.languages,
+                                                 exhibit.reader, stop)));
 }
 
 bool is_scene_table(const std::string& key) {
@@ -174,7 +176,8 @@ std::string CheckReport::summary() const {
          ".";
 }
 
-Result<CheckReport> check_path(const std::string& path, const std::string& config) {
+Result<CheckReport> check_path(const std::string& path, const std::string& config,
+                               const std::stop_token& stop) {
   CheckReport report;
   std::error_code ignored;
   if (path.empty()) {
@@ -183,7 +186,7 @@ Result<CheckReport> check_path(const std::string& path, const std::string& confi
     if (!fs::exists(*exhibit, ignored))
       return problem(exhibit->string(), "There is no such exhibit.",
                      "Name an exhibit.toml, or a folder that holds one.");
-    check_whole_exhibit(report, *exhibit);
+    check_whole_exhibit(report, *exhibit, stop);
     return report;
   }
   if (fs::is_directory(path, ignored)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct CheckReport {
 /// every pack), or a single scene, language, drawing, vessel or shelf. Empty: the exhibit `config`
 /// (exhibit_file(), so that of the folder one stands in). Labels of vessels have to be in the
 /// languages of `config`, where that is given, else of the exhibit of the site that `path` lies in.
-/// A Problem only when there is nothing at `path`. Allocates; reads files.
-Result<CheckReport> check_path(const std::string& path, const std::string& config = "");
+/// A Problem only when there is nothing at `path`. Of an exhibit, asked to `stop`, the vessels that
+/// it has not come to are left out. Allocates; reads files.
+Result<CheckReport> check_path(const std::string& path, const std::string& config = "",
+                               const std::stop_token& stop = {});
 
 }  // namespace onggi::exhibit

@@ -42,12 +42,13 @@ std::vector<fs::path> folders_of(const CheckReport& report) {
 
 Reload::Reload(fs::path exhibit) : exhibit_(std::move(exhibit)) { begin_check(); }
 
-Reload::~Reload() = default;
+// The check is waited for: for a vessel at most, and not for the whole shelf.
+Reload::~Reload() { stop_.request_stop(); }
 
 void Reload::begin_check() {
-  check_ = std::async(std::launch::async, [file = exhibit_.string()] {
+  check_ = std::async(std::launch::async, [file = exhibit_.string(), stop = stop_.get_token()] {
     setpriority(PRIO_PROCESS, 0, 19);  // this thread alone: a visitor's picture comes first
-    return check_path(file);
+    return check_path("", file, stop);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ class Reload {
 
   std::filesystem::path exhibit_;
   std::unique_ptr<watch::FileWatch> files_;
+  std::stop_source stop_;
   std::future<Result<CheckReport>> check_;
   std::optional<std::set<std::string>> known_;  ///< Problems of the exhibit that is open,
   std::set<std::string> refused_;               ///< and of the change last refused.

@@ -30,7 +30,8 @@ class Service {
 
   /// Runs the kiosk, whose exhibit says `exhibit`, until `signal` some seconds later.
   Outcome run(const std::string& exhibit, const std::string& signal, int seconds) const {
-    const std::string config = write_exhibit(folder_, "first_touch", exhibit);
+    const std::string config =
+        write_exhibit(folder_, "first_touch", exhibit + "[keepsake]\nfolder = \"keepsakes\"\n");
     const std::string err = (folder_ / "err").string();
     const std::string command =
         "STATE_DIRECTORY='" + (folder_ / "state").string() + "' RUNTIME_DIRECTORY='" +
