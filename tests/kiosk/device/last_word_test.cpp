@@ -60,7 +60,9 @@ class WirePort final : public HidPort {
   auto link =
       std::shared_ptr<HidLink>(HidLink::begin(std::move(parts), HidLink::Turning::by_thread));
   HidHand hand(link);
-  for (int ms = 0; ms < 1500; ++ms) {
+  // Until the device pushes, however late a busy machine's threads are.
+  const auto pushes = [&] { return link->status().force.x > 0.35; };
+  for (int ms = 0; ms < 1500 || (ms < 30000 && !pushes()); ++ms) {
     hand.read(1e-3);
     HandFeedback felt;
     felt.contact = true;
