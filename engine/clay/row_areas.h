@@ -56,7 +56,8 @@ class RowAreas {
     given_[static_cast<std::size_t>(j)] += area;
     changed_.add(j);
   }
-  /// Takes what row `j` gave to other rows, m^2, since it was last taken; negative: it gained.
+  /// Takes what row `j` has to give, by trade() and keep_for() together, m^2, since it was last
+  /// taken; negative: it gains.
   double take_given(int j) { return std::exchange(given_[static_cast<std::size_t>(j)], 0.0); }
   /// Takes what was cut from row `j`, m^2, since it was last taken.
   double take_cut(int j) { return std::exchange(cut_[static_cast<std::size_t>(j)], 0.0); }

@@ -19,7 +19,7 @@ constexpr double kLongestWait = 0.1;  // s, of any row on any grid
 constexpr double kHeld = 0.95;
 constexpr double kFirm = 0.98;        // of that
 constexpr double kLittle = 1e-6;      // of an area: a float's rounding and what sums to it
-constexpr double kNeverEmpty = 1e-3;  // of a row's clay stays, whatever it is asked to give
+constexpr double kNeverEmpty = 1e-3;  // of a row's clay stays: V and h are divided by
 constexpr double kRaised = 1.25;      // of a fresh lump's rows: thinner ones nobody asks about
 
 // Row `j` gets `more` area (m^2), every element alike, outwards as far as it may and then inwards;
@@ -120,7 +120,8 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
     if (lowest < 0) lowest = j;
     double area = known_area(clay, j);
     const double now = clay.row_thickness(j);
-    // What rows trade is given and gained to the last bit, or the whole would change.
+    // What rows trade is given and gained to the last bit, or the whole would change; but for a row
+    // that is asked for more than it can give, which keeps a little that its neighbours have too.
     const double given = areas.take_given(j) * now;
     volume_[n] = std::max(volume_[n] - given, kNeverEmpty * volume_[n]);
     volume_[n] -= cut_off(volume_[n], areas.take_cut(j), area, now);

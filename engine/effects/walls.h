@@ -36,7 +36,8 @@ double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept;
 /// What a wall bears of a hand's push before it bends, N: the plastic collapse load of a plate that
 /// is held all round under a point (four pi times its plastic moment, sigma t^2 / 4; Save,
 /// Massonnet & de Saxce, Plastic Limit Analysis of Plates, Shells and Disks, 1997). `strength` is
-/// the share that water leaves of the yield stress. Rises with the square of the thickness.
+/// the share that water leaves of the yield stress. Rises with the square of the thickness. A free
+/// rim, which bears less, is not modelled.
 double wall_bears(const WallsDef& def, double thickness, double strength) noexcept;
 
 /// The share of a push of `normal` N that a hand feels of a wall that bears `bears`, of which
@@ -45,8 +46,8 @@ double wall_bears(const WallsDef& def, double thickness, double strength) noexce
 /// and far below it as it was.
 double wall_push(double normal, double bears, double along) noexcept;
 
-/// Mean thickness of the wall at `at` (clay frame, m) within 8 mm to each side, m; infinite where
-/// the clay is solid. O(elements there).
+/// Mean thickness of the wall at `at` (clay frame, m) within 8 mm to each side, in its row, m;
+/// infinite where the clay is solid. O(elements there).
 double wall_thickness(const Clay& clay, Vec3 at) noexcept;
 
 }  // namespace effects

@@ -48,9 +48,10 @@ struct CentringHand {
 /// press waits for more than two and 20 ms. One that is worth less than a fifty-thousandth of what
 /// a ring is off is kept for the next.
 ///
-/// Turns go through many low strips at once, up in one and down in the next, so that under a tool
-/// some row moves in each tick: all of them within a few ticks would be a blow, fifty times a
-/// second. Neighbours follow each other all the same. No allocation; one thread.
+/// Turns go through many low strips at once (2 mm, or a 48th of what the hand reaches), up in one
+/// and down in the next, so that under a tool some row moves in each tick: all of them within a few
+/// ticks would be a blow, fifty times a second. Neighbours follow each other all the same. No
+/// allocation; one thread.
 class Wobble {
  public:
   /// Stage 6.4: what hand `n` of kMostHands does in a tick of `seconds`. O(1).

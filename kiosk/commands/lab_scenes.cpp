@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,10 +14,18 @@ namespace onggi::commands {
 namespace {
 
 struct ScenesArguments {
-  std::string config, out;
+  std::string config, out, commit;
   int seeds = 2;
   int threads = 1;
 };
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[16];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%d", &utc)};
+}
 
 Result<int> scenes(const ScenesArguments& arguments) {
   const auto config = exhibit::exhibit_file(arguments.config);
@@ -28,8 +37,9 @@ Result<int> scenes(const ScenesArguments& arguments) {
   plan.moments = {90};
   const auto entries = measure::measure_scenes(plan, stderr);
   if (!entries) return tl::unexpected(entries.error());
-  const std::string page =
-      measure::page_of(*entries, "onggi lab scenes --seeds " + std::to_string(arguments.seeds));
+  const std::string page = measure::page_of(
+      *entries,
+      {"onggi lab scenes --seeds " + std::to_string(arguments.seeds), today(), arguments.commit});
   if (arguments.out.empty()) {
     std::fputs(page.c_str(), stdout);
     return 0;
@@ -44,7 +54,7 @@ Command lab_scenes_command() {
   return {.name = "scenes",
           .help = "The curators' page: what each scene simulates and why, costs, and gives",
           .examples =
-              "Example: onggi lab scenes -o kiosk/docs/scenes.md\n"
+              "Example: onggi lab scenes --commit $(git rev-parse --short HEAD) -o scenes.md\n"
               "Naive hands for 90 s and the script's hand throw the whole shelf in each.",
           .options = {{.name = "--seeds",
                        .field = &a->seeds,
@@ -56,6 +66,7 @@ Command lab_scenes_command() {
                        .help = "Visits at a time [1]",
                        .least = 1,
                        .most = 256},
+                      {"--commit", &a->commit, "What the program was built from, for the page"},
                       {"-o", &a->out, "Write the page there [standard output]"},
                       {"--config", &a->config, "The exhibit whose shelf is thrown"}},
           .run = [a] { return scenes(*a); }};

@@ -7,18 +7,12 @@
 #include <mutex>
 #include <thread>
 
+#include "kiosk/measure/middle.h"
 #include "kiosk/tuning/machine.h"
 
 namespace onggi::measure {
 
 namespace {
-
-double middle(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 NaiveLine line_of(const std::string& name, const std::vector<const QuietOutcome*>& visits,
                   std::size_t moment, double seconds) {
@@ -41,7 +35,6 @@ NaiveLine line_of(const std::string& name, const std::vector<const QuietOutcome*
   std::vector<double> when;
   for (const QuietOutcome* visit : visits) {
     line.five_stars += visit->looks[moment].stars >= 5 ? 1 : 0;
-    line.mishaps += visit->mishaps;
     if (visit->handsome_at && *visit->handsome_at <= seconds) when.push_back(*visit->handsome_at);
   }
   line.handsome = static_cast<int>(when.size());

@@ -9,6 +9,7 @@
 #include "engine/script/script.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/loop/stepped_potter.h"
+#include "kiosk/measure/tap.h"
 #include "kiosk/score/score.h"
 #include "kiosk/screens/visit.h"
 #include "kiosk/settings/scene_file.h"
@@ -22,7 +23,7 @@ constexpr int kFrameTicks = 20;     // of 1 ms: 50 frames a second
 constexpr double kMind = 1.5;       // s until a mishap is read and its button found
 constexpr double kOften = 0.5;      // s between two looks for a handsome pot
 constexpr double kOffLump = 0.004;  // m: it is no longer the lump
-constexpr double kGrace = 60.0;     // s for a last stroke, after which nobody throws any more
+constexpr double kGrace = 60.0;     // s that a last look waits for a fallen pot to be taken back
 constexpr double kLongest = 900.0;  // s of a script
 
 /// Letters of 0.4 em: only the room that buttons and tray take is asked of it.
@@ -73,26 +74,16 @@ class Walk {
   void frames(int count) {
     for (int n = 0; n < count; ++n) frame();
   }
-  void touch(float x, float y) {
-    for (const auto kind :
-         {view::InputEvent::Kind::pointer_down, view::InputEvent::Kind::pointer_up}) {
-      view::InputEvent event;
-      event.kind = kind;
-      event.x = x;
-      event.y = y;
-      visit_.input(event, now);
-    }
-  }
   Result<void> touch(const std::string& id) {
     const auto at = visit_.control(id);
     if (!at) return problem("the visit", "No control " + id + " is on its screen.", "Report it.");
-    touch(at->x + at->w / 2, at->y + at->h / 2);
+    tap(visit_, at->x + at->w / 2, at->y + at->h / 2, now);
     return {};
   }
   /// From attract to the wheel, as a visitor goes.
   Result<void> go_to_wheel(int card) {
     frames(50);
-    touch(0.5f * kWidth, 0.5f * kHeight);
+    tap(visit_, 0.5f * kWidth, 0.5f * kHeight, now);
     frames(60);
     const std::string wanted = "choose.card." + std::to_string(card);
     for (std::size_t page = 0; page < cards_.size() && !visit_.control(wanted); ++page) {
@@ -183,7 +174,7 @@ Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed, NaiveHands
   const auto note = [&](double seconds) {
     out.looks.push_back(look_at(which, made, walk.potter.view().clay, exhibit_.rubric, seconds));
   };
-  while (!hands.done() && walk.now < begun + moments.back() + kGrace) {
+  while (out.looks.size() < moments.size() && walk.now < begun + moments.back() + kGrace) {
     walk.frame();
     const double since = walk.now - begun;
     const auto sight = walk.visit().sight();
@@ -204,7 +195,7 @@ Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed, NaiveHands
       if (!out.handsome_at && handsome(smoothness(made)) && apart(made, lump) > kOffLump)
         out.handsome_at = since;
     }
-    while (out.looks.size() + 1 < moments.size() && since >= moments[out.looks.size()])
+    while (out.looks.size() < moments.size() && since >= moments[out.looks.size()])
       note(moments[out.looks.size()]);
     const NaiveHands::Move move = hands.step(since, *sight, kWidth);
     for (const view::InputEvent& event : move.events) walk.visit().input(event, walk.now);

@@ -7,6 +7,7 @@
 #include "engine/lab/scene_fields.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/files/read_file.h"
+#include "kiosk/measure/middle.h"
 #include "kiosk/measure/scene_presets.h"
 
 namespace onggi::measure {
@@ -14,6 +15,7 @@ namespace onggi::measure {
 namespace {
 
 constexpr std::size_t kMostText = 1 << 20;
+constexpr double kFirstPot = 60;  // points: the least that a first pot is to be worth
 
 std::string joined(const std::vector<std::string>& names) {
   std::string all;
@@ -22,7 +24,7 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string said(const char* format, double a, double b) {
-  char words[80];
+  char words[160];
   std::snprintf(words, sizeof words, format, a, b);
   return words;
 }
@@ -36,8 +38,7 @@ std::string careful_of(const NaiveTable& table) {
     five += one.looks.front().stars >= 5 ? 1 : 0;
   }
   if (points.empty()) return "not thrown";
-  std::ranges::sort(points);
-  return said("%.0f; five stars %.0f", points[points.size() / 2], five) + " of " +
+  return said("%.0f; five stars %.0f", middle(points), five) + " of " +
          std::to_string(points.size());
 }
 
@@ -96,14 +97,23 @@ Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE*
   return scenes;
 }
 
-std::string page_of(const std::vector<SceneEntry>& scenes, const std::string& command) {
-  std::string page = "# The scenes, and what each costs and gives\n\nMade by `" + command + "`";
+std::string page_of(const std::vector<SceneEntry>& scenes, const PageMade& made) {
+  std::string page =
+      "# The scenes, and what each costs and gives\n\nMade by `" + made.command + "`";
   if (!scenes.empty()) page += " on " + scenes.front().bill.machine;
-  page += "; write nothing here by hand.\n";
+  page += ", " + made.date + (made.commit.empty() ? "" : ", of commit " + made.commit) +
+          ". Write nothing here by hand.\n";
   for (const SceneEntry& scene : scenes) {
-    page += "\n## " + scene.name + "\n" + scene.words + "\n\n| | |\n|---|---|\n";
+    page += "\n## " + scene.name + "\n" + scene.words + "\n";
+    for (const NaiveLine& line : scene.visits.lines)
+      if (line.vessel == "all" && line.points < kFirstPot)
+        page += said(
+            "\n**Not for a first pot: half of those who never threw get %.0f points of 100 "
+            "or fewer in %.0f s.**\n",
+            line.points, line.seconds);
+    page += "\n| | |\n|---|---|\n";
     page += "| simulates | " + joined(scene.effects) + " |\n";
-    page += "| costs | " + said("%.1f us a tick of 1000, contact alone %.1f", scene.bill.whole_us,
+    page += "| costs | " + said("%.1f of a tick's 1000 us, contact alone %.1f", scene.bill.whole_us,
                                 scene.bill.contact_us);
     if (!scene.bill.lines.empty()) page += "; dearest " + scene.bill.lines.front().effect;
     page += " |\n";

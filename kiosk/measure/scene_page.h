@@ -24,7 +24,14 @@ std::string words_of_scene(const std::string& toml);
 /// Bills and visits of every preset of config/scenes but those on the printed model. `plan` says
 /// which visits; its scene is set. Minutes. Problem as bill_of's and measure_naive's.
 Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE* progress);
-/// A page in Markdown. `command`: by which it was made.
-std::string page_of(const std::vector<SceneEntry>& scenes, const std::string& command);
+/// How a page came about.
+struct PageMade {
+  std::string command;
+  std::string date;    ///< "2026-11-22"
+  std::string commit;  ///< That the program was built from; empty where nobody said.
+};
+/// A page in Markdown. Where naive hands do not come to 60 points in the median, which is what the
+/// default scene is held to, it says so in words.
+std::string page_of(const std::vector<SceneEntry>& scenes, const PageMade& made);
 
 }  // namespace onggi::measure

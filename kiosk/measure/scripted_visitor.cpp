@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/script/script.h"
+#include "kiosk/measure/tap.h"
 
 namespace onggi::measure {
 
@@ -20,24 +21,13 @@ ScriptedVisitor::ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan,
                                  std::function<void(const std::string&)> passed)
     : kiosk_(kiosk), plan_(std::move(plan)), passed_(std::move(passed)) {}
 
-void ScriptedVisitor::touch_at(float x, float y) {
-  for (const auto kind :
-       {view::InputEvent::Kind::pointer_down, view::InputEvent::Kind::pointer_up}) {
-    view::InputEvent event;
-    event.kind = kind;
-    event.x = x;
-    event.y = y;
-    kiosk_.visit().input(event, now_);
-  }
-}
-
 Result<void> ScriptedVisitor::touch(const std::string& control) {
   const auto rect = kiosk_.visit().control(control);
   if (!rect)
     return problem("screen " + std::string(screens::name_of(screen_)),
                    "The scripted visitor does not find the control " + control + ".",
                    "This is a fault of the program: please report it.", 1);
-  touch_at(rect->x + rect->w / 2, rect->y + rect->h / 2);
+  tap(kiosk_.visit(), rect->x + rect->w / 2, rect->y + rect->h / 2, now_);
   return {};
 }
 
@@ -69,8 +59,8 @@ Result<void> ScriptedVisitor::step(double now) {
       }
       touched_ = true;
       pass("attract");
-      touch_at(static_cast<float>(kiosk_.renderer().width()) / 2,
-               static_cast<float>(kiosk_.renderer().height()) / 2);
+      tap(kiosk_.visit(), static_cast<float>(kiosk_.renderer().width()) / 2,
+          static_cast<float>(kiosk_.renderer().height()) / 2, now_);
       return {};
     case ScreenId::choose:
       return on_choose();

@@ -63,7 +63,6 @@ class ScriptedVisitor {
   Result<void> on_kiln();
   Result<void> on_keepsake();
   Result<void> touch(const std::string& control);
-  void touch_at(float x, float y);
   void pass(const std::string& name) {
     if (passed_) passed_(name);
   }

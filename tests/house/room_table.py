@@ -27,7 +27,8 @@ def table_lines(root, table):
         libraries = dict.fromkeys(re.sub(r"(/\*|\.hp?p?)$", "", h) for h in table.headers[room])
         out.append(f"| {name} | {table.jobs[room]} | {'everyone' if '*' in others else sees} | "
                    f"{', '.join(libraries)} |")
-    return out + (["", f"Later: {' and '.join(later)} have their lines in the law already."]
+    has = 'has its line' if len(later) == 1 else 'have their lines'
+    return out + (["", f"Later: {' and '.join(later)} {has} in the law already."]
                   if later else [])
 
 

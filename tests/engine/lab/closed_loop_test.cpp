@@ -124,7 +124,7 @@ TEST(ClosedLoop, WhatEveryDeviceIsGivenIsStableAndPassiveWithAMarginInEveryHand)
 TEST(ClosedLoop, AToolHeldInAWallThatTurnsDoesNotHopOnItsOwnMarks) {
   // A ball held in the side of a turning lump by each hand, on a light and on a heavy device: 3 mm
   // deep, and 6 mm at 300 rpm, where its groove takes 8 s to come round without a seam, and of 19
-  // N/m thirty.
+  // N/m 24.
   struct Held {
     double deep, wheel, seconds;
   };

@@ -30,8 +30,12 @@ TEST(QuietVisits, TheSameSeedThrowsTheSamePotAndAnotherAnother) {
 TEST(QuietVisits, WhatIsSeenOnTheWayDoesNotDependOnHowLongTheVisitIs) {
   const int card = *visits().card_of("tea_bowl");
   const auto brief = visits().naive(card, 3, NaiveHands::Pointer::finger, {5, 6}).value();
-  const auto longer = visits().naive(card, 3, NaiveHands::Pointer::finger, {5, 9}).value();
-  EXPECT_EQ(brief.looks[0].points, longer.looks[0].points);
+  const auto longer = visits().naive(card, 3, NaiveHands::Pointer::finger, {5, 6, 9}).value();
+  for (std::size_t n = 0; n < 2; ++n) {
+    EXPECT_EQ(brief.looks[n].points, longer.looks[n].points);
+    EXPECT_EQ(brief.looks[n].out_of_round, longer.looks[n].out_of_round)
+        << "the last moment is one as any other, in the midst of a stroke";
+  }
 }
 
 TEST(QuietVisits, AVesselThatIsNotOnTheShelfIsNamedWithItsNearest) {
