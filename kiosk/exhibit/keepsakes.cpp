@@ -5,11 +5,16 @@
 
 namespace onggi::exhibit {
 
-Keepsakes::Keepsakes(std::filesystem::path folder, int quota_mb)
-    : folder_(std::move(folder)), quota_mb_(quota_mb) {}
+Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits)
+    : folder_(std::move(folder)), limits_(limits) {}
 
 Keepsakes::~Keepsakes() {
-  for (auto& save : saving_) save.wait();
+  wait();
+  if (tidying_.valid()) tidying_.wait();
+}
+
+void Keepsakes::wait() const {
+  for (const auto& save : saving_) save.wait();
 }
 
 int Keepsakes::save(souvenir::Keepsake keepsake) {
@@ -17,12 +22,36 @@ int Keepsakes::save(souvenir::Keepsake keepsake) {
   std::shared_future<Finished> before;
   if (!saving_.empty()) before = saving_.back();
   const int ticket = ++tickets_;
-  saving_.push_back(
-      std::async(std::launch::async, [this, ticket, before, kept = std::move(keepsake)] {
-        if (before.valid()) before.wait();
-        return Finished{ticket, souvenir::save(kept, folder_, quota_mb_)};
-      }).share());
+  saving_.push_back(std::async(std::launch::async, [this, ticket, before, tidying = tidying_,
+                                                    kept = std::move(keepsake)] {
+                      if (before.valid()) before.wait();
+                      if (tidying.valid()) tidying.wait();
+                      return Finished{ticket, souvenir::save(kept, folder_, limits_)};
+                    }).share());
   return ticket;
+}
+
+void Keepsakes::look(double now) {
+  if (tidied_at_ && now - *tidied_at_ < kTidy) return;
+  tidied_at_ = now;
+  std::shared_future<Finished> before;
+  if (!saving_.empty()) before = saving_.back();
+  told_ = false;
+  tidying_ = std::async(std::launch::async, [this, before, last = tidying_] {
+               if (before.valid()) before.wait();
+               if (last.valid()) last.wait();
+               return souvenir::tidy(folder_, limits_);
+             }).share();
+}
+
+std::optional<Problem> Keepsakes::untidy() {
+  if (told_ || !tidying_.valid() ||
+      tidying_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  told_ = true;
+  const Result<void>& good = tidying_.get();
+  if (good) return std::nullopt;
+  return good.error();
 }
 
 std::optional<Keepsakes::Finished> Keepsakes::finished() {

@@ -11,11 +11,14 @@
 
 namespace onggi::exhibit {
 
-/// Saves keepsakes on a worker, one at a time in order, so that the screen never waits for a disk.
-/// A save that has begun is finished even when the program ends.
+/// Saves keepsakes on a worker, one at a time in order, so that the screen never waits for a disk,
+/// and tidies their folder (souvenir::tidy) at once, at each save and every kTidy. A save that has
+/// begun is finished even when the program ends. Main thread.
 class Keepsakes {
  public:
-  Keepsakes(std::filesystem::path folder, int quota_mb);
+  static constexpr double kTidy = 24 * 3600.0;  ///< s
+
+  Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits);
   ~Keepsakes();
 
   /// Begins a save; the ticket (> 0) names it in finished().
@@ -28,13 +31,22 @@ class Keepsakes {
   /// The oldest save that has come to an end, once each.
   std::optional<Finished> finished();
   bool busy() const { return !saving_.empty(); }
+  /// Waits for all saves that have begun.
+  void wait() const;
+  /// Once a frame. `now` in seconds on a clock that never goes back.
+  void look(double now);
+  /// What the last tidying could not do; once.
+  std::optional<Problem> untidy();
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
   std::filesystem::path folder_;
-  int quota_mb_;
+  souvenir::KeepsakeLimits limits_;
   int tickets_ = 0;
   std::vector<std::shared_future<Finished>> saving_;
+  std::shared_future<Result<void>> tidying_;
+  std::optional<double> tidied_at_;
+  bool told_ = false;  ///< What tidying_ came to.
 };
 
 }  // namespace onggi::exhibit

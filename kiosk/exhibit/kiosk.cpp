@@ -15,6 +15,7 @@
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/words.h"
+#include "kiosk/files/local_time.h"
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/souvenir/postcard.h"
@@ -32,14 +33,6 @@ void shrink(TriangleMesh& mesh, double size) {
     for (float& x : at) x *= static_cast<float>(size);
 }
 
-std::string local_time(const char* format) {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[64];
-  return {text, std::strftime(text, sizeof text, format, &local)};
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
@@ -51,7 +44,9 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
   // A stepped visit is the same wherever it is made: its grids are the scenes' own.
   if (!options.stepped) kiosk->scenes_->tune(kept_in);
-  kiosk->keepsakes_ = std::make_unique<Keepsakes>(kept_in, kiosk->exhibit_.keepsake.quota_mb);
+  const auto& keep = kiosk->exhibit_.keepsake;
+  kiosk->keepsakes_ =
+      std::make_unique<Keepsakes>(kept_in, souvenir::KeepsakeLimits{keep.quota_mb, keep.days});
   if (kiosk->exhibit_.store.count)
     kiosk->counter_ = std::make_unique<VisitCounter>(store_file(kept_in), kiosk->exhibit_);
   auto renderer = render::Renderer::create(options.window);
@@ -156,6 +151,8 @@ void Kiosk::look_after_devices(double now) {
 
 bool Kiosk::frame(double now, bool draw) {
   bool open = true;
+  keepsakes_->look(now);
+  if (const auto untidy = keepsakes_->untidy()) log_problem(*untidy);
   const auto events = renderer_->poll();
   if (look_at_shelf(now) && !visit_) begin_visit(now);
   for (const view::InputEvent& event : events) {
@@ -284,7 +281,7 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   postcard_ = renderer_->make_picture(image);
   visit_->show_postcard(postcard_);
 
-  keepsake.name = local_time("%Y-%m-%d_%H%M%S_") + card.vessel->id;
+  keepsake.name = files::local_time(std::time(nullptr), files::kStamp) + '_' + card.vessel->id;
   keepsake.postcard = image;
   keepsake.caption = {words.title, exhibit_.credit, words.vessel};
   keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit_.credit, material);
@@ -314,7 +311,7 @@ void Kiosk::note_saved() {
   else
     log_problem(saved->outcome.error());
   const bool present = saved->ticket == saving_ticket_;
-  if (counter_) counter_->saved(*saved, present && kept_ ? kept_->state_hash : 0);
+  if (counter_) counter_->saved(*saved);
   // A save that outlasted its visitor is none of the next one's business.
   if (!present) return;
   if (kept_) kept_->saved = saved->outcome;

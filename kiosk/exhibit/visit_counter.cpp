@@ -1,28 +1,17 @@
 #include "kiosk/exhibit/visit_counter.h"
 
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <utility>
+
+#include "kiosk/files/local_time.h"
 
 namespace fs = std::filesystem;
 
 namespace onggi::exhibit {
 
-namespace {
-
-std::string in_hex(std::uint64_t value) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
-}  // namespace
-
 VisitCounter::VisitCounter(const fs::path& file, const settings::Exhibit& exhibit)
-    : scene_(exhibit.scene.stem().string()),
-      keepsake_days_(exhibit.keepsake.days),
-      store_(file, exhibit.store.months) {
+    : scene_(exhibit.scene.stem().string()), store_(file, exhibit.store.months) {
   for (const auto& [vessel, scene] : exhibit.vessel_scenes)
     vessel_scenes_[vessel] = scene.stem().string();
 }
@@ -41,11 +30,8 @@ void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::strin
                               int ticket) {
   store::VisitRecord visit;
   const std::time_t start = std::time(nullptr) - static_cast<std::time_t>(notes.since_s);
-  std::tm local{};
-  localtime_r(&start, &local);
-  char day[16];
-  visit.day = {day, std::strftime(day, sizeof day, "%Y-%m-%d", &local)};
-  visit.hour = local.tm_hour;
+  visit.day = files::local_time(start, files::kDay);
+  visit.hour = std::stoi(files::local_time(start, "%H"));
   visit.start = start;
   visit.vessel = vessel;
   visit.scene = scene_of(vessel);
@@ -69,17 +55,8 @@ void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::strin
   }
 }
 
-void VisitCounter::saved(const Keepsakes::Finished& save, std::uint64_t state_hash) {
+void VisitCounter::saved(const Keepsakes::Finished& save) {
   const bool kept = save.outcome.has_value();
-  if (kept) {
-    store::KeepsakeRecord keepsake;
-    keepsake.name = save.outcome->folder.filename().string();
-    keepsake.kept_at = std::time(nullptr);
-    if (keepsake_days_ > 0)
-      keepsake.expires_at = keepsake.kept_at + std::int64_t{86400} * keepsake_days_;
-    if (!save.outcome->replay.empty()) keepsake.replay_hash = in_hex(state_hash);
-    store_.keepsake(std::move(keepsake));
-  }
   const auto waits = waiting_.find(save.ticket);
   if (waits == waiting_.end()) {
     saved_[save.ticket] = kept;

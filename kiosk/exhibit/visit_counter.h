@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -25,7 +24,7 @@ class VisitCounter {
   /// save; 0: nothing was to be kept.
   void visit_over(const screens::VisitNotes& notes, const std::string& vessel, int ticket);
   /// A save has ended, before its visit did or after.
-  void saved(const Keepsakes::Finished& save, std::uint64_t state_hash);
+  void saved(const Keepsakes::Finished& save);
   /// What staff should know, once.
   std::vector<Problem> remarks() { return store_.remarks(); }
 
@@ -34,7 +33,6 @@ class VisitCounter {
 
   std::string scene_;
   std::map<std::string, std::string> vessel_scenes_;
-  int keepsake_days_;
   std::map<int, bool> saved_;                  ///< By ticket: whether it was kept.
   std::map<int, store::VisitRecord> waiting_;  ///< Likewise: visits that are over.
   store::StoreThread store_;

@@ -50,7 +50,8 @@ Result<std::string> take_name(const fs::path& folder, const std::string& wanted)
 
 }  // namespace
 
-Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder, int quota_mb) {
+Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
+                           const KeepsakeLimits& limits) {
   const std::string wanted = visit_name(keepsake.name);
   if (wanted.empty()) {
     return problem(keepsake.name, "A visit's name begins with its date and time.",
@@ -88,7 +89,8 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder, int
     return tl::unexpected(renamed.error());
   }
   partial.keep();
-  tidy(folder, quota_mb, *name);
+  // This visit is kept, whatever becomes of others.
+  (void)tidy(folder, limits, *name);
   return files;
 }
 

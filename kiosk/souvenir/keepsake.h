@@ -30,18 +30,28 @@ struct KeepsakeFiles {
   std::filesystem::path png, jpeg, glb, stl, replay;
 };
 
-/// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi}`, then removes
-/// the oldest visits beyond `quota_mb` (MB of 10^6 bytes; never the one just written). A visit is
-/// whole or absent, whenever the power goes: it is written as `<name>.partial` and renamed.
-/// Nothing is ever removed but folders that save() wrote. On a Problem (exit 1) nothing
-/// half-written is left. Blocks (worker thread); not two at once for the same folder.
-Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path& folder,
-                           int quota_mb);
+/// What a folder of keepsakes may hold. What goes is said at tidy().
+struct KeepsakeLimits {
+  int quota_mb = 0;  ///< MB of 10^6 bytes; the oldest go beyond it.
+  int days = 0;      ///< After which a visit goes, by the date in its name; 0: never by age.
+};
 
-/// Removes the oldest visits of `folder` until the rest is within `quota_mb`, but never the folder
-/// named `keep`, and what a power cut left of visits more than an hour ago. A visit is a folder
-/// whose name begins with a date and time and that holds nothing but save()'s files; all else
-/// stays.
-void tidy(const std::filesystem::path& folder, int quota_mb, const std::string& keep = {});
+/// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi}`, then
+/// tidies, never removing the one just written (what tidy() has to say waits for the next one that
+/// is asked for). A visit is whole or absent, whenever the power goes: it is written as
+/// `<name>.partial` and renamed. Nothing is ever removed but folders that save() wrote. On a
+/// Problem (exit 1) nothing half-written is left. Blocks (worker thread); not two at once for the
+/// same folder.
+Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path& folder,
+                           const KeepsakeLimits& limits);
+
+/// Removes from `folder` the visits that are older than `limits.days`, then the oldest until the
+/// rest is within the quota, but never the one named `keep`; and what a power cut left of visits
+/// more than an hour ago. A visit is a folder whose name begins with a date and time and that holds
+/// nothing but save()'s files; all else stays. A folder that is not there is tidy. Problem, exit 1:
+/// a visit that was to go is still there; the first of them, and the others were tried. Blocks, as
+/// save() does.
+Result<void> tidy(const std::filesystem::path& folder, const KeepsakeLimits& limits,
+                  const std::string& keep = {});
 
 }  // namespace onggi::souvenir

@@ -4,10 +4,12 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <system_error>
 #include <vector>
 
+#include "kiosk/files/local_time.h"
 #include "kiosk/souvenir/keepsake.h"
 
 namespace onggi::souvenir {
@@ -56,12 +58,24 @@ bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
 }
 
 /// Renamed first, so that a power cut in the middle leaves a leftover, not half a visit.
-void remove_visit(const fs::path& folder) {
+Result<void> remove_visit(const fs::path& folder) {
   fs::path going = folder;
   going += kPartial;
   std::error_code error;
   fs::rename(folder, going, error);
   if (!error) fs::remove_all(going, error);
+  if (!error) return {};
+  return problem(
+      folder.string(),
+      "A visit's keepsakes that were to go could not be removed: " + error.message() + ".",
+      "Make the folder writable for onggi, or remove it.", 1);
+}
+
+/// A visit whose name comes before this one is older than `days`.
+std::string oldest_name(int days) {
+  if (days <= 0) return {};
+  constexpr std::time_t kDayLength = 24 * 3600;  // s
+  return files::local_time(std::time(nullptr) - days * kDayLength, files::kStamp);
 }
 
 /// A .partial that no writer is still at: over an hour old. One from the future (a clock that was
@@ -92,7 +106,7 @@ std::string visit_name(std::string_view wanted) {
   return name;
 }
 
-void tidy(const fs::path& folder, int quota_mb, const std::string& keep) {
+Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const std::string& keep) {
   std::vector<Visit> visits;
   std::error_code error;
   fs::directory_iterator entry(folder, error);
@@ -111,15 +125,21 @@ void tidy(const fs::path& folder, int quota_mb, const std::string& keep) {
   // Names begin with the time, so the order of names is the order of visits.
   std::sort(visits.begin(), visits.end(),
             [](const Visit& a, const Visit& b) { return a.folder < b.folder; });
-  const auto quota = static_cast<std::uintmax_t>(std::max(quota_mb, 0)) * 1000000u;
+  const std::string oldest = oldest_name(limits.days);
+  const auto quota = static_cast<std::uintmax_t>(std::max(limits.quota_mb, 0)) * 1000000u;
   std::uintmax_t total = 0;
   for (const Visit& visit : visits) total += visit.bytes;
+  Result<void> good;
   for (const Visit& visit : visits) {
-    if (total <= quota) break;
-    if (visit.folder.filename() == keep) continue;
-    remove_visit(visit.folder);
-    total -= visit.bytes;
+    const std::string name = visit.folder.filename().string();
+    if (total <= quota && name >= oldest) break;
+    if (name == keep) continue;
+    if (auto removed = remove_visit(visit.folder); removed)
+      total -= visit.bytes;
+    else if (good)
+      good = removed;
   }
+  return good;
 }
 
 }  // namespace onggi::souvenir

@@ -15,6 +15,11 @@ Trouble trouble_of(int code) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       return Trouble::damaged;
+    case SQLITE_ERROR:
+    case SQLITE_SCHEMA:
+    case SQLITE_MISMATCH:
+    case SQLITE_CONSTRAINT:
+      return Trouble::unfit;
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return Trouble::in_use;
@@ -34,10 +39,17 @@ Trouble trouble_of(int code) {
 void Database::Close::operator()(sqlite3* db) const { sqlite3_close_v2(db); }
 
 bool Database::note(int code) {
-  trouble_ = trouble_of(code);
-  if (trouble_ == Trouble::none) return true;
+  const Trouble now = trouble_of(code);
+  if (now == Trouble::none) return true;
+  const bool worse = now == Trouble::damaged && trouble_ != Trouble::damaged;
+  if (trouble_ != Trouble::none && !worse) return false;
+  trouble_ = now;
   message_ = db_ != nullptr ? sqlite3_errmsg(db_.get()) : sqlite3_errstr(code);
   return false;
+}
+
+void Database::retry() {
+  if (trouble_ != Trouble::damaged) trouble_ = Trouble::none;
 }
 
 Database Database::open(const std::filesystem::path& file, Mode mode) {
@@ -53,7 +65,7 @@ Database Database::open(const std::filesystem::path& file, Mode mode) {
   if (mode == Mode::own)
     database.run(
         "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL;"
-        "PRAGMA foreign_keys=ON; BEGIN IMMEDIATE; COMMIT;");
+        "PRAGMA secure_delete=ON; BEGIN IMMEDIATE; COMMIT;");
   return database;
 }
 

@@ -15,13 +15,15 @@ namespace onggi::store {
 enum class Trouble : std::uint8_t {
   none,
   damaged,     ///< What is in the file is no database, or not the one that was written.
+  unfit,       ///< A database, but a table or a column is not there, or is another one.
   in_use,      ///< Another program has it.
   unwritable,  ///< A full or read-only disk, no permission, a failed write.
   other,
 };
 
-/// One connection to one SQLite file. No exceptions: what failed stays in trouble(). Any one
-/// thread; every call may wait for the disk.
+/// One connection to one SQLite file. No exceptions: the first failure stays in trouble(), whatever
+/// succeeds or fails after it (a rollback, say), until retry(). Any one thread; every call may wait
+/// for the disk.
 class Database {
  public:
   enum class Mode : std::uint8_t {
@@ -34,6 +36,8 @@ class Database {
   Trouble trouble() const { return trouble_; }
   /// SQLite's own words for it.
   const std::string& message() const { return message_; }
+  /// Forgets a trouble that may have passed. Damage does not pass.
+  void retry();
 
   /// Statements that give no rows, one after the other. False: see trouble().
   bool run(const std::string& sql);

@@ -1,16 +1,15 @@
 #include "kiosk/store/statistics.h"
 
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <array>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
 #include "kiosk/files/read_ledger.h"
 #include "kiosk/store/migrations.h"
+#include "kiosk/store/store_copy.h"
+#include "kiosk/store/visit_store.h"
 
 namespace fs = std::filesystem;
 
@@ -88,44 +87,6 @@ class Reader {
   std::string from_, to_;
 };
 
-/// A folder of its own, gone with the object.
-class CopyFolder {
- public:
-  CopyFolder() {
-    std::string name = (fs::temp_directory_path() / "onggi-stats-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~CopyFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  CopyFolder(const CopyFolder&) = delete;
-  CopyFolder& operator=(const CopyFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-/// How large and how old a file is, to see whether it changed under a copy.
-std::pair<std::uintmax_t, fs::file_time_type> age_of(const fs::path& file) {
-  std::error_code size, time;
-  return {fs::file_size(file, size), fs::last_write_time(file, time)};
-}
-
-/// The file and its log as they were at one moment; false where they changed meanwhile.
-bool copy_still(const std::string& file, const fs::path& to) {
-  const std::string log = file + "-wal", copy = to.string();
-  const auto before = age_of(file), log_before = age_of(log);
-  std::error_code error, ignored;
-  fs::remove(copy + "-wal", ignored);
-  fs::copy_file(file, to, fs::copy_options::overwrite_existing, error);
-  if (error) return false;
-  if (fs::exists(log, ignored))
-    fs::copy_file(log, copy + "-wal", fs::copy_options::overwrite_existing, error);
-  return !error && before == age_of(file) && log_before == age_of(log);
-}
-
 }  // namespace
 
 Result<Statistics> read_statistics(Database& database, const std::string& from,
@@ -169,6 +130,9 @@ Result<Statistics> read_statistics(const std::string& file, const std::string& f
     if (n > 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     if (!copy_still(file, copy)) continue;
     Database database = Database::open(copy, Database::Mode::read);
+    if (const auto version = database.number("PRAGMA user_version").value_or(0);
+        version > newest_version())
+      return tl::unexpected(newer_store(file, version, "Ask the onggi that wrote it.", 2));
     if (database.trouble() == Trouble::none && migrate(database))
       return read_statistics(database, from, to);
     if (database.trouble() == Trouble::damaged || n + 1 == kTries)

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
-#include <variant>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -22,44 +23,44 @@ namespace onggi::store {
 class StoreThread {
  public:
   static constexpr std::size_t kMost = 10'000;
-  static constexpr int kSweep = 600;  ///< s
+  static constexpr std::chrono::hours kDaily{24};
 
-  /// `months` (of 30 days) that a visit is counted before it is forgotten; 0: for ever. Keepsakes
-  /// lie beside `file`: those that have expired are removed from there, at the start, at each new
-  /// one and every kSweep; no other folder ever is.
-  StoreThread(std::filesystem::path file, int months);
+  /// `months` (of 30 days) that a visit is counted, and that a damaged file lies aside, before it
+  /// is forgotten; 0: for ever. That is seen to at the start and every `forget`.
+  StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget = kDaily);
   /// Writes what is left, then ends.
   ~StoreThread();
   StoreThread(const StoreThread&) = delete;
   StoreThread& operator=(const StoreThread&) = delete;
 
   /// Main's: never waits for the disk.
-  void visit(VisitRecord visit) { hand_over(std::move(visit)); }
-  void keepsake(KeepsakeRecord keepsake) { hand_over(std::move(keepsake)); }
+  void visit(VisitRecord visit);
   /// Main's: what staff should know, a Problem once.
   std::vector<Problem> remarks();
-  /// Waits until all that was handed over has been tried.
+  /// Waits until the file was opened and all that was handed over has been tried.
   void finish();
 
  private:
-  using Job = std::variant<VisitRecord, KeepsakeRecord>;
-  void hand_over(Job job);
   void run();
   bool open();
-  void write(std::deque<Job>& jobs);
-  void sweep();
+  void write(std::deque<VisitRecord>& visits);
+  void drop_oldest(std::deque<VisitRecord>& visits);
+  void forget();
+  void remark(const Problem& problem);
   void say(const Problem& problem);
 
   const std::filesystem::path file_;
   const int months_;
-  std::optional<VisitStore> store_;  ///< Its thread's.
-  std::string last_said_;            ///< Likewise: a trouble that lasts is said once.
+  const std::chrono::milliseconds forget_every_;
+  std::optional<VisitStore> store_;  ///< Its thread's, as what follows.
+  std::set<std::string> said_;       ///< Since a visit was last counted: a trouble is said once.
+  std::size_t dropped_ = 0;          ///< Visits since then.
 
   std::mutex mutex_;  ///< Of what follows; held for a swap, never over a write.
   std::condition_variable wake_, idle_;
-  std::deque<Job> jobs_;
+  std::deque<VisitRecord> visits_;
   std::vector<Problem> remarks_;
-  bool working_ = false, stop_ = false;
+  bool working_ = true, stop_ = false;
   std::thread thread_;
 };
 

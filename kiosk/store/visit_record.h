@@ -27,21 +27,4 @@ struct VisitRecord {
   friend bool operator==(const VisitRecord&, const VisitRecord&) = default;
 };
 
-/// A keepsake's folder on the disk.
-struct KeepsakeRecord {
-  std::string name;             ///< Of the folder.
-  std::int64_t bytes = 0;       ///< 0, where it is handed over: what is in the folder.
-  std::int64_t kept_at = 0;     ///< s since 1970, UTC.
-  std::int64_t expires_at = 0;  ///< Likewise; 0: never by age.
-  std::string replay_hash;      ///< Of the clay that its replay ends with; "": it has no replay.
-  friend bool operator==(const KeepsakeRecord&, const KeepsakeRecord&) = default;
-};
-
-/// What a hub is to be told.
-struct OutboxRow {
-  std::int64_t seq = 0;  ///< Counts up for ever within an epoch.
-  std::string kind;      ///< "visit".
-  std::string body;      ///< JSON.
-};
-
 }  // namespace onggi::store

@@ -179,7 +179,6 @@ TEST(DeviceVisit, ADialBeginsTheVisitAndTurnsTheWheelTwoControllersTiltAndTrembl
   EXPECT_EQ(visits(" WHERE left_at = 'keepsake' AND reached = left_at AND ended = 'finished'"), 1);
   EXPECT_EQ(visits(" WHERE kept AND pots = 1 AND likeness > 0 AND scene = 'first_touch'"), 1);
   EXPECT_EQ(visits(" WHERE throwing_s > 30 AND active_s > throwing_s AND active_s < 150"), 1);
-  EXPECT_EQ(counted.number("SELECT bytes > 100000 AND replay_hash <> '' FROM keepsakes"), 1);
 }
 
 TEST(DeviceVisit, APuckAndAForceDeviceThrowThePotThatTheMouseThrows) {

@@ -6,7 +6,9 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <ctime>
 
+#include "kiosk/files/local_time.h"
 #include "kiosk/souvenir/visit_folder.h"
 #include "tests/kiosk/files/disk.h"
 
@@ -37,7 +39,7 @@ void put_visit(const fs::path& folder, const std::string& name, std::size_t kilo
 
 TEST(keepsake, a_visit_is_a_folder_with_five_files) {
   const ScratchFolder scratch;
-  const auto files = save(keepsake(), scratch.path() / "keepsakes", 100);
+  const auto files = save(keepsake(), scratch.path() / "keepsakes", {100});
   ASSERT_TRUE(files) << to_text(files.error());
   EXPECT_EQ(files->folder, scratch.path() / "keepsakes/2026-05-04_141503_moon_jar");
   EXPECT_THAT(names_in(files->folder),
@@ -55,7 +57,7 @@ TEST(keepsake, what_is_empty_is_not_written) {
   k.replay.clear();
   k.glb.clear();
   k.pot = {};
-  const auto files = save(k, scratch.path(), 100);
+  const auto files = save(k, scratch.path(), {100});
   ASSERT_TRUE(files);
   EXPECT_TRUE(files->replay.empty() && files->glb.empty() && files->stl.empty());
   EXPECT_THAT(names_in(files->folder), ElementsAre("postcard.jpg", "postcard.png"));
@@ -63,10 +65,10 @@ TEST(keepsake, what_is_empty_is_not_written) {
 
 TEST(keepsake, two_visits_of_one_name_are_both_kept) {
   const ScratchFolder scratch;
-  ASSERT_TRUE(save(keepsake(), scratch.path(), 100));
-  ASSERT_TRUE(save(keepsake(), scratch.path(), 100));
+  ASSERT_TRUE(save(keepsake(), scratch.path(), {100}));
+  ASSERT_TRUE(save(keepsake(), scratch.path(), {100}));
   fs::create_directories(scratch.path() / "2026-05-04_141503_moon_jar_3.partial");
-  ASSERT_TRUE(save(keepsake(), scratch.path(), 100));
+  ASSERT_TRUE(save(keepsake(), scratch.path(), {100}));
   EXPECT_THAT(names_in(scratch.path()),
               ElementsAre("2026-05-04_141503_moon_jar", "2026-05-04_141503_moon_jar_2",
                           "2026-05-04_141503_moon_jar_3.partial", "2026-05-04_141503_moon_jar_4"));
@@ -75,12 +77,12 @@ TEST(keepsake, two_visits_of_one_name_are_both_kept) {
 TEST(keepsake, a_vessels_name_can_never_lead_out_of_the_folder) {
   const ScratchFolder scratch;
   const auto files =
-      save(keepsake("2026-05-04_141503_../../etc/my jar\n달"), scratch.path() / "k", 100);
+      save(keepsake("2026-05-04_141503_../../etc/my jar\n달"), scratch.path() / "k", {100});
   ASSERT_TRUE(files);
   EXPECT_EQ(files->folder.parent_path(), scratch.path() / "k");
   EXPECT_EQ(files->folder.filename(), "2026-05-04_141503_.._.._etc_my_jar____");
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("k"));
-  EXPECT_FALSE(save(keepsake("moon_jar"), scratch.path() / "k", 100)) << "no date, no visit";
+  EXPECT_FALSE(save(keepsake("moon_jar"), scratch.path() / "k", {100})) << "no date, no visit";
 }
 
 TEST(keepsake, names_of_visits_begin_with_their_time_and_never_end_as_partial) {
@@ -98,7 +100,7 @@ TEST(keepsake, the_oldest_visits_go_when_the_quota_is_reached) {
   put_visit(scratch.path(), "2026-01-01_100000_a", 6000);
   put_visit(scratch.path(), "2026-01-02_100000_b", 3000);
   put_visit(scratch.path(), "2026-01-03_100000_c", 3000);
-  ASSERT_TRUE(save(keepsake(), scratch.path(), 10));
+  ASSERT_TRUE(save(keepsake(), scratch.path(), {10}));
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("2026-01-02_100000_b", "2026-01-03_100000_c",
                                                     "2026-05-04_141503_moon_jar"));
 }
@@ -106,7 +108,7 @@ TEST(keepsake, the_oldest_visits_go_when_the_quota_is_reached) {
 TEST(keepsake, the_visit_just_made_stays_even_with_a_clock_that_was_set_back) {
   const ScratchFolder scratch;
   put_visit(scratch.path(), "2031-01-01_100000_a", 12000);
-  ASSERT_TRUE(save(keepsake("1970-01-01_000000_jar"), scratch.path(), 10));
+  ASSERT_TRUE(save(keepsake("1970-01-01_000000_jar"), scratch.path(), {10}));
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("1970-01-01_000000_jar"));
 }
 
@@ -125,9 +127,45 @@ TEST(keepsake, nothing_that_save_did_not_write_is_ever_removed) {
   fs::last_write_time(scratch.path() / "photos.partial",
                       fs::file_time_type::clock::now() - std::chrono::hours(48));
   const auto before = names_in(scratch.path());
-  tidy(scratch.path(), 10);
+  EXPECT_TRUE(tidy(scratch.path(), {10, 1}));
   EXPECT_EQ(names_in(scratch.path()), before);
   EXPECT_TRUE(fs::exists(elsewhere.path() / "visit/postcard.png"));
+}
+
+TEST(keepsake, a_visit_goes_when_its_days_are_over_and_no_folder_of_the_staffs_does) {
+  const ScratchFolder scratch;
+  const std::time_t now = std::time(nullptr);
+  const auto put = [&](int days, int seconds, const std::string& vessel) {
+    const std::time_t at = now - std::time_t{86400} * days - seconds;
+    put_visit(scratch.path(), files::local_time(at, files::kStamp) + "_" + vessel, 1);
+    return files::local_time(at, files::kStamp) + "_" + vessel;
+  };
+  put(400, 0, "long_over");
+  put(7, 60, "over");
+  const std::string not_yet = put(7, -60, "not_yet"), noted = put(30, 0, "with_a_note");
+  std::ofstream(scratch.path() / noted / "thanks.txt") << "keep me";
+  put_visit(scratch.path(), "photos", 1);
+  ASSERT_TRUE(tidy(scratch.path(), {100, 0})) << "0: never by age";
+  EXPECT_EQ(names_in(scratch.path()).size(), 5u);
+  ASSERT_TRUE(tidy(scratch.path(), {100, 7}));
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre(noted, not_yet, "photos"));
+  ASSERT_TRUE(save(keepsake("1999-05-04_141503_moon_jar"), scratch.path(), {100, 7}));
+  EXPECT_TRUE(fs::exists(scratch.path() / "1999-05-04_141503_moon_jar"))
+      << "whoever just made it may ask for it, whatever the clock says";
+}
+
+TEST(keepsake, what_was_to_go_and_could_not_is_told_and_the_rest_goes) {
+  const ScratchFolder scratch;
+  put_visit(scratch.path(), "2020-01-01_100000_a", 1);
+  put_visit(scratch.path(), "2020-01-02_100000_b", 1);
+  // Where the first is to be moved there is something already.
+  fs::create_directories(scratch.path() / "2020-01-01_100000_a.partial/a_note");
+  const auto tidied = tidy(scratch.path(), {100, 7});
+  ASSERT_FALSE(tidied);
+  EXPECT_EQ(tidied.error().where, (scratch.path() / "2020-01-01_100000_a").string());
+  EXPECT_EQ(tidied.error().exit_code, 1);
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("2020-01-01_100000_a", "2020-01-01_100000_a.partial"));
 }
 
 TEST(keepsake, leftovers_of_a_power_cut_go_after_an_hour) {
@@ -141,19 +179,21 @@ TEST(keepsake, leftovers_of_a_power_cut_go_after_an_hour) {
   leftover("2026-01-01_100000_old.partial", std::chrono::minutes(61));
   leftover("2026-01-01_100000_at_work.partial", std::chrono::minutes(5));
   leftover("2026-01-01_100000_from_the_future.partial", std::chrono::minutes(-500));
-  tidy(scratch.path(), 100);
+  ASSERT_TRUE(tidy(scratch.path(), {100}));
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("2026-01-01_100000_at_work.partial",
                                                     "2026-01-01_100000_from_the_future.partial"));
 }
 
-TEST(keepsake, tidying_a_folder_that_is_not_there_is_no_fault) { tidy("/nowhere/at/all", 10); }
+TEST(keepsake, tidying_a_folder_that_is_not_there_is_no_fault) {
+  EXPECT_TRUE(tidy("/nowhere/at/all", {10, 1}));
+}
 
 TEST(keepsake, a_disk_that_fills_leaves_no_half_visit) {
   const ScratchFolder scratch;
   const int status = on_a_disk(scratch.path(), 0, "size=24k", [&] {
     Keepsake k = keepsake();
     k.replay.assign(100000, std::byte{7});
-    const auto files = save(k, scratch.path(), 100);
+    const auto files = save(k, scratch.path(), {100});
     return !files && files.error().what == "The disk is full." && names_in(scratch.path()).empty();
   });
   if (WEXITSTATUS(status) == kNoMounts) GTEST_SKIP() << "a disk of our own is not allowed here";
@@ -167,18 +207,18 @@ TEST(keepsake, an_end_in_the_middle_leaves_the_visit_absent) {
     k.replay.assign(100000, std::byte{7});
     const rlimit limit{50000, 50000};  // the replay comes last: its signal ends us
     ::setrlimit(RLIMIT_FSIZE, &limit);
-    return save(k, scratch.path(), 100).has_value();
+    return save(k, scratch.path(), {100}).has_value();
   });
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(WTERMSIG(status), SIGXFSZ);
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("2026-05-04_141503_moon_jar.partial"));
-  ASSERT_TRUE(save(keepsake(), scratch.path(), 100)) << "the next visit is kept all the same";
+  ASSERT_TRUE(save(keepsake(), scratch.path(), {100})) << "the next visit is kept all the same";
 }
 
 TEST(keepsake, a_file_in_the_folders_place_is_told) {
   const ScratchFolder scratch;
   std::ofstream(scratch.path() / "keepsakes") << "x";
-  const auto files = save(keepsake(), scratch.path() / "keepsakes", 100);
+  const auto files = save(keepsake(), scratch.path() / "keepsakes", {100});
   ASSERT_FALSE(files);
   EXPECT_EQ(files.error().exit_code, 1);
   EXPECT_EQ(files.error().where, (scratch.path() / "keepsakes").string());

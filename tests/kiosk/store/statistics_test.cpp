@@ -115,6 +115,18 @@ TEST(Statistics, OfAStoreThatIsBeingWrittenAreThoseOfOneOfItsMoments) {
   }
 }
 
+TEST(Statistics, OfANewerOnggisStoreAreRefusedInOneWord) {
+  const StoreFolder folder;
+  {
+    Database newer = Database::open(folder.file(), Database::Mode::own);
+    ASSERT_TRUE(newer.run("CREATE TABLE visits (other); PRAGMA user_version=99"));
+  }
+  const auto found = read_statistics(folder.file().string(), "", "");
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error().what.find("newer onggi"), std::string::npos) << found.error().what;
+  EXPECT_EQ(found.error().exit_code, 2);
+}
+
 TEST(Statistics, OfNoStoreOrOfSomethingElseAreRefusedWithARemedy) {
   const StoreFolder folder;
   const auto none = read_statistics(folder.file().string(), "", "");

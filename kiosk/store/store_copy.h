@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+namespace onggi::store {
+
+/// A folder of its own under the system's temporary one, gone with the object.
+class CopyFolder {
+ public:
+  CopyFolder();
+  ~CopyFolder();
+  CopyFolder(const CopyFolder&) = delete;
+  CopyFolder& operator=(const CopyFolder&) = delete;
+  /// Empty where none could be made.
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Copies a store that another program may be writing, with its log, to `to`, as both were at one
+/// moment. False where they changed meanwhile or could not be read: copy anew. Blocks.
+/// `meanwhile` is called between the two files, for tests.
+bool copy_still(const std::filesystem::path& file, const std::filesystem::path& to,
+                const std::function<void()>& meanwhile = {});
+
+}  // namespace onggi::store

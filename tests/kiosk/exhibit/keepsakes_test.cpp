@@ -1,0 +1,57 @@
+#include "kiosk/exhibit/keepsakes.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/kiosk/files/disk.h"
+
+namespace onggi::exhibit {
+namespace {
+
+namespace fs = std::filesystem;
+using files::test::ScratchFolder;
+
+void put_visit(const fs::path& folder, const std::string& name) {
+  fs::create_directories(folder / name);
+  std::ofstream(folder / name / "postcard.png") << "x";
+}
+
+TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
+  const ScratchFolder scratch;
+  const fs::path old = scratch.path() / "2001-05-04_141503_jar";
+  put_visit(scratch.path(), old.filename());
+  const auto tidy = [](Keepsakes& keepsakes, double now) {
+    keepsakes.look(now);
+    for (int n = 0; n < 500; ++n) {
+      if (auto problem = keepsakes.untidy()) return problem;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return std::optional<Problem>();
+  };
+  {
+    Keepsakes keepsakes(scratch.path(), {100, 30});
+    keepsakes.look(1000.0);
+  }
+  EXPECT_FALSE(fs::exists(old)) << "it ends only when the folder is tidy";
+
+  put_visit(scratch.path(), old.filename());
+  fs::create_directories(old.string() + ".partial/in_the_way");
+  Keepsakes keepsakes(scratch.path(), {100, 30});
+  const auto untidy = tidy(keepsakes, 1000.0);
+  ASSERT_TRUE(untidy);
+  EXPECT_EQ(untidy->where, old.string());
+  EXPECT_FALSE(keepsakes.untidy()) << "told once";
+  fs::remove_all(old.string() + ".partial");
+  {
+    keepsakes.look(1000.0 + Keepsakes::kTidy - 1.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_TRUE(fs::exists(old)) << "not before the day is over";
+  }
+  EXPECT_FALSE(tidy(keepsakes, 1000.0 + Keepsakes::kTidy));
+  EXPECT_FALSE(fs::exists(old));
+}
+
+}  // namespace
+}  // namespace onggi::exhibit
