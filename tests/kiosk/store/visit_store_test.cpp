@@ -306,7 +306,7 @@ TEST(VisitStore, WhatWasSetAsideIsForgottenByItsDayAndNoOtherFileIs) {
   const StoreFolder folder;
   const std::vector<std::string> stay{"onggi.sqlite.damaged-2026-05-04_141503",
                                       "onggi.sqlite.damaged-2026-05-04_141503-wal",
-                                      "onggi.sqlite.damaged-by me, see the note",
+                                      "onggi.sqlite.damaged-0 see my note",
                                       "other.sqlite.damaged-2001-05-04_141503", "onggi.sqlite"};
   const std::vector<std::string> go{"onggi.sqlite.damaged-2026-05-03_141503",
                                     "onggi.sqlite.damaged-2026-05-03_141503-wal"};
