@@ -19,18 +19,19 @@ void tell(const char* head, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::cout << "  " << line << '\n';
 }
 
-Result<int> undo(const setup::System& system) {
-  const auto report = setup::undo_setup(system);
+Result<int> undo(const setup::System& system, bool dry) {
+  const auto report = setup::undo_setup(system, dry);
   if (!report) return tl::unexpected(report.error());
-  tell("Taken back:", report->changed);
-  tell("Left:", report->stayed);
+  tell(dry ? "Would take back:" : "Taken back:", report->changed);
+  tell(dry ? "Would leave:" : "Left:", report->stayed);
+  if (dry) return 0;
   std::cout << "This machine is no kiosk any more.\n";
   return 0;
 }
 
 Result<int> set_up(const SetupArguments& arguments) {
   const setup::System system{arguments.root};
-  if (arguments.undo) return undo(system);
+  if (arguments.undo) return undo(system, arguments.dry);
   setup::SetupOptions options{
       .system = system, .dry = arguments.dry, .replace_desktop = arguments.replace_desktop};
   const auto report = setup::set_up(options);
@@ -56,7 +57,8 @@ Command setup_command() {
           "Example: sudo onggi setup\n"
           "         onggi setup --dry-run\n"
           "         sudo onggi setup --undo",
-      .options = {{"--dry-run", &a->dry, "Say what would change, and change nothing"},
+      .options = {{"--dry-run", &a->dry,
+                   "Say what would change, or be taken back, and change nothing"},
                   {"--undo", &a->undo, "Take back what an earlier setup changed"},
                   {"--replace-desktop", &a->replace_desktop,
                    "Where a desktop starts with the machine, the kiosk takes its place"},

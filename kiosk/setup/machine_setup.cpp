@@ -16,8 +16,9 @@ namespace onggi::setup {
 namespace {
 
 constexpr std::size_t kMostOfChanges = 1u << 20;
-constexpr std::array<const char*, 6> kKinds = {"folder", "tree",   "file",
-                                               "link",   "enable", "disable"};
+constexpr std::array<const char*, 6> kKinds = {"folder", "tree",   "link",
+                                               "unlink", "enable", "disable"};
+constexpr const char* kDesktop = "/etc/systemd/system/display-manager.service";
 
 std::string line_of(const Step& step) {
   return std::string(kKinds.at(static_cast<std::size_t>(step.kind))) + '\t' + step.to.string() +
@@ -51,14 +52,6 @@ Result<void> remember(const std::vector<Step>& steps, const System& system) {
   return files::write_durably(file, std::as_bytes(std::span(text)));
 }
 
-/// "gdm3.service", where a display manager starts with the machine.
-std::string display_manager(const System& system) {
-  std::error_code none;
-  return fs::read_symlink(system.at("/etc/systemd/system/display-manager.service"), none)
-      .filename()
-      .string();
-}
-
 Result<void> may_change(const System& system) {
   if (::geteuid() == 0 || system.root != "/") return {};
   return problem("onggi setup", "Only root may change what starts with this machine.",
@@ -77,18 +70,22 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
       {Kind::tree, site / "content/lessons", content / "lessons", "what the first minute teaches"},
       {Kind::tree, site / "content/glazes.toml", content / "glazes.toml", "the kiln's glazes"},
       {Kind::folder, site / "keepsakes", {}, "what visitors made"},
-      {Kind::file, "/etc/X11/xorg.conf.d/90-onggi.conf", files / "90-onggi.conf",
+      {Kind::link, "/etc/X11/xorg.conf.d/90-onggi.conf", files / "90-onggi.conf",
        "the screen stays on, and no keys leave it"},
-      {Kind::file, "/etc/systemd/journald.conf.d/onggi.conf", files / "journald.conf",
+      {Kind::link, "/etc/systemd/journald.conf.d/onggi.conf", files / "journald.conf",
        "the log takes 64 MB at most"},
       {Kind::link, "/var/lib/prometheus/node-exporter/onggi.prom", "/run/onggi/onggi.prom",
-       "the kiosk's health, for node_exporter"},
+       "the kiosk's health, for node_exporter", true},
       {Kind::disable, "getty@tty1.service", {}, "the login on the first screen gives way"}};
-  if (const std::string manager = display_manager(options.system); !manager.empty()) {
+  std::error_code none;
+  if (const fs::path desktop = fs::read_symlink(options.system.at(kDesktop), none);
+      !desktop.empty()) {
     if (!options.replace_desktop)
-      return problem(manager, "A desktop starts with this machine and would hold its screen.",
+      return problem(desktop.filename().string(),
+                     "A desktop starts with this machine and would hold its screen.",
                      "Say: sudo onggi setup --replace-desktop", 1);
-    steps.push_back({Kind::disable, manager, {}, "the desktop gives way to the kiosk"});
+    // Debian starts its desktops by this name alone: most of their units cannot be enabled.
+    steps.push_back({Kind::unlink, kDesktop, desktop, "the desktop gives way to the kiosk"});
   }
   steps.push_back({Kind::enable, "onggi-display.service", {}, "the screen"});
   steps.push_back({Kind::enable, "onggi.service", {}, "the kiosk"});
@@ -103,6 +100,13 @@ Result<SetupReport> set_up(const SetupOptions& options) {
   SetupReport report;
   std::vector<Step> changed = remembered(options.system);
   for (const Step& step : *steps) {
+    const bool given = std::any_of(changed.begin(), changed.end(), [&](const Step& before) {
+      return before.kind == Step::Kind::tree && step.kind == before.kind && step.to == before.to;
+    });
+    if (given) {
+      report.stayed.push_back(step.to.string() + ": stays as the museum has it");
+      continue;
+    }
     const auto change = apply(step, options.system, options.dry);
     if (!change) return tl::unexpected(change.error());
     (change->changed ? report.changed : report.stayed).push_back(change->told);
@@ -113,22 +117,25 @@ Result<SetupReport> set_up(const SetupOptions& options) {
   return report;
 }
 
-Result<SetupReport> undo_setup(const System& system) {
-  if (auto may = may_change(system); !may) return tl::unexpected(may.error());
+Result<SetupReport> undo_setup(const System& system, bool dry) {
+  if (!dry)
+    if (auto may = may_change(system); !may) return tl::unexpected(may.error());
   std::vector<Step> steps = remembered(system);
   if (steps.empty())
     return problem(system.at(kChanges).string(), "There is no setup to take back.",
                    "onggi setup makes a kiosk of this machine.");
   SetupReport report;
   while (!steps.empty()) {
-    const auto change = take_back(steps.back(), system);
+    const auto change = take_back(steps.back(), system, dry);
     if (!change) return tl::unexpected(change.error());
     (change->changed ? report.changed : report.stayed).push_back(change->told);
     steps.pop_back();
+    if (dry) continue;
     if (auto good = remember(steps, system); !good) return tl::unexpected(good.error());
   }
+  if (dry) return report;
   std::error_code ignored;
-  fs::remove(system.at(kChanges), ignored);
+  fs::remove_all(system.at(kChanges).parent_path(), ignored);
   return report;
 }
 

@@ -12,7 +12,8 @@ namespace onggi::setup {
 /// Where the museum's own exhibit lies on a machine that was set up.
 inline constexpr const char* kSite = "/srv/onggi";
 /// What setup changed on it, for taking it back: a line a step, its fields apart by tabs.
-inline constexpr const char* kChanges = "/var/lib/onggi/changed-by-setup";
+/// Root's own folder: who runs the kiosk must not say what root takes back.
+inline constexpr const char* kChanges = "/var/lib/onggi-setup/changed";
 
 struct SetupOptions {
   System system{};
@@ -33,12 +34,13 @@ struct SetupReport {
 Result<std::vector<Step>> kiosk_steps(const SetupOptions& options);
 
 /// Takes all of kiosk_steps(), in order, and remembers what changed in kChanges before the next. A
-/// step that fails ends it; a second setup goes on from there. Problem (exit 1) without root's
+/// step that fails ends it; a second setup goes on from there. What it gave the museum once it does
+/// not give again: a vessel that was taken off the shelf stays off. Problem (exit 1) without root's
 /// rights, and those of apply(). Blocks; any thread.
 Result<SetupReport> set_up(const SetupOptions& options);
 
-/// Takes back what set_up() remembers, last first, and forgets it.
+/// Takes back what set_up() remembers, last first, and forgets it; `dry` only tells.
 /// Problem (exit 2) where nothing is remembered.
-Result<SetupReport> undo_setup(const System& system);
+Result<SetupReport> undo_setup(const System& system, bool dry = false);
 
 }  // namespace onggi::setup

@@ -1,5 +1,6 @@
 #include "kiosk/setup/step.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -50,11 +51,6 @@ Result<files::Bytes> bytes_of(const fs::path& file) {
                  "Install the package anew, or read this as root.", 1);
 }
 
-bool same_bytes(const fs::path& a, const fs::path& b) {
-  const auto one = files::read_file(a, kMostOfAFile), other = files::read_file(b, kMostOfAFile);
-  return one && other && *one == *other;
-}
-
 Result<void> put_copy(const fs::path& from, const fs::path& to) {
   const auto bytes = bytes_of(from);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -68,10 +64,12 @@ Result<Change> make_folder(const Step& step, const System& system, bool dry) {
   if (!owner)
     return problem(system.at("/etc/passwd").string(), "There is no user onggi.",
                    "Install the package of onggi, which makes it.", 1);
-  std::error_code ignored;
-  const bool there = fs::is_directory(folder, ignored);
-  const std::string told = step.to.string() + ": " + step.why;
-  if (there || dry) return Change{!there, told};
+  struct stat now {};
+  const bool there = ::stat(folder.c_str(), &now) == 0 && S_ISDIR(now.st_mode);
+  const bool theirs = there && now.st_uid == owner->user;
+  const std::string told = step.to.string() + ": " + step.why +
+                           (there && !theirs ? "; it is given to the user onggi" : "");
+  if (theirs || dry) return Change{!theirs, told};
   if (auto made = files::make_folder(folder); !made) return tl::unexpected(made.error());
   if (::chown(folder.c_str(), owner->user, owner->group) != 0)
     return tl::unexpected(files::disk_problem(folder, "give to the user onggi", errno));
@@ -113,28 +111,47 @@ Result<Change> copy_tree(const Step& step, const System& system, bool dry) {
   return Change{copied > 0, told};
 }
 
-Result<Change> put_file(const Step& step, const System& system, bool dry) {
-  const bool there = same_bytes(system.at(step.from), system.at(step.to));
-  if (!there && !dry)
-    if (auto good = put_copy(system.at(step.from), system.at(step.to)); !good)
-      return tl::unexpected(good.error());
-  return Change{!there, step.to.string() + ": " + step.why};
+bool leads(const fs::path& link, const fs::path& to) {
+  std::error_code none;
+  return fs::read_symlink(link, none) == to;
+}
+
+Result<void> make_link(const fs::path& link, const fs::path& to) {
+  if (auto made = files::make_folder(link.parent_path()); !made) return made;
+  std::error_code error;
+  fs::create_symlink(to, link, error);
+  if (error) return tl::unexpected(files::disk_problem(link, "make", error.value()));
+  return {};
+}
+
+Result<void> remove_link(const fs::path& link) {
+  std::error_code error;
+  fs::remove(link, error);
+  if (error) return tl::unexpected(files::disk_problem(link, "remove", error.value()));
+  return {};
 }
 
 Result<Change> put_link(const Step& step, const System& system, bool dry) {
   const fs::path link = system.at(step.to);
-  std::error_code error;
-  if (!fs::is_directory(link.parent_path(), error))
+  std::error_code unknown;
+  if (step.needs_folder && !fs::is_directory(link.parent_path(), unknown))
     return Change{false, step.to.string() + ": left out, because there is no " +
                              step.to.parent_path().string()};
-  if (fs::read_symlink(link, error) == step.from)
-    return Change{false, step.to.string() + ": " + step.why};
-  if (!dry) {
-    error.clear();
-    fs::create_symlink(step.from, link, error);
-    if (error) return tl::unexpected(files::disk_problem(link, "make", error.value()));
-  }
-  return Change{true, step.to.string() + ": " + step.why};
+  const std::string told = step.to.string() + ": " + step.why;
+  if (leads(link, step.from)) return Change{false, told};
+  if (fs::exists(fs::symlink_status(link, unknown)))
+    return Change{false, step.to.string() + ": left as it is, because it is the machine's own"};
+  if (dry) return Change{true, told};
+  if (auto made = make_link(link, step.from); !made) return tl::unexpected(made.error());
+  return Change{true, told};
+}
+
+Result<Change> take_link_away(const Step& step, const System& system, bool dry) {
+  const fs::path link = system.at(step.to);
+  const bool there = leads(link, step.from);
+  if (there && !dry)
+    if (auto gone = remove_link(link); !gone) return tl::unexpected(gone.error());
+  return Change{there, step.to.string() + ": " + step.why};
 }
 
 Result<int> systemctl(const System& system, std::vector<std::string> arguments) {
@@ -163,8 +180,8 @@ Result<Change> enable(const Step& step, const System& system, bool on, Now now, 
   const auto is = enabled(step, system);
   if (!is) return tl::unexpected(is.error());
   const std::string told =
-      step.to.string() +
-      (on ? " starts with the machine: " : " no longer starts with the machine: ") + step.why;
+      step.to.string() + (on ? " starts with the machine" : " no longer starts with the machine") +
+      (step.why.empty() ? "" : ": " + step.why);
   if (*is == on || dry) return Change{*is != on, told};
   std::vector<std::string> words = {"--quiet", on ? "enable" : "disable", step.to.string()};
   if (now == Now::yes) words.push_back("--now");
@@ -177,14 +194,32 @@ Result<Change> enable(const Step& step, const System& system, bool on, Now now, 
   return Change{true, told};
 }
 
-Result<Change> remove_ours(const Step& step, const System& system, bool ours) {
-  const fs::path path = system.at(step.to);
-  if (!ours)
+Result<Change> remove_ours(const Step& step, const System& system, bool dry) {
+  if (!leads(system.at(step.to), step.from))
     return Change{false, step.to.string() + ": stays, because it is no longer as setup made it"};
-  std::error_code error;
-  fs::remove(path, error);
-  if (error) return tl::unexpected(files::disk_problem(path, "remove", error.value()));
+  if (!dry)
+    if (auto gone = remove_link(system.at(step.to)); !gone) return tl::unexpected(gone.error());
   return Change{true, step.to.string() + ": removed"};
+}
+
+Result<Change> put_back(const Step& step, const System& system, bool dry) {
+  const fs::path link = system.at(step.to);
+  std::error_code unknown;
+  if (fs::exists(fs::symlink_status(link, unknown)))
+    return Change{false, step.to.string() + ": stays, because somebody put one there since"};
+  if (!fs::exists(system.at(step.from), unknown))
+    return Change{false, step.to.string() + ": stays away, because there is no " +
+                             step.from.string() + " any more"};
+  if (!dry)
+    if (auto made = make_link(link, step.from); !made) return tl::unexpected(made.error());
+  return Change{true, step.to.string() + ": put back"};
+}
+
+/// A unit that went with its package holds up nobody who takes the rest back.
+Result<Change> take_unit_back(const Step& step, const System& system, bool on, bool dry) {
+  const auto change = enable(step, system, on, system.runs() ? Now::yes : Now::no, dry);
+  if (change || !on) return change;
+  return Change{false, step.to.string() + ": stays as it is, because systemctl cannot enable it"};
 }
 
 }  // namespace
@@ -200,10 +235,10 @@ Result<Change> apply(const Step& step, const System& system, bool dry) {
       return make_folder(step, system, dry);
     case Step::Kind::tree:
       return copy_tree(step, system, dry);
-    case Step::Kind::file:
-      return put_file(step, system, dry);
     case Step::Kind::link:
       return put_link(step, system, dry);
+    case Step::Kind::unlink:
+      return take_link_away(step, system, dry);
     case Step::Kind::enable:
       return enable(step, system, true, Now::no, dry);
     case Step::Kind::disable:
@@ -212,21 +247,19 @@ Result<Change> apply(const Step& step, const System& system, bool dry) {
   return Change{};
 }
 
-Result<Change> take_back(const Step& step, const System& system) {
-  std::error_code ignored;
-  const Now now = system.runs() ? Now::yes : Now::no;
+Result<Change> take_back(const Step& step, const System& system, bool dry) {
   switch (step.kind) {
     case Step::Kind::folder:
     case Step::Kind::tree:
       return Change{false, step.to.string() + ": stays, because it is the museum's own"};
-    case Step::Kind::file:
-      return remove_ours(step, system, same_bytes(system.at(step.from), system.at(step.to)));
     case Step::Kind::link:
-      return remove_ours(step, system, fs::read_symlink(system.at(step.to), ignored) == step.from);
+      return remove_ours(step, system, dry);
+    case Step::Kind::unlink:
+      return put_back(step, system, dry);
     case Step::Kind::enable:
-      return enable(step, system, false, now, false);
+      return take_unit_back(step, system, false, dry);
     case Step::Kind::disable:
-      return enable(step, system, true, now, false);
+      return take_unit_back(step, system, true, dry);
   }
   return Change{};
 }

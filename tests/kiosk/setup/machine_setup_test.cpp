@@ -85,7 +85,9 @@ TEST(machine_setup, a_bare_machine_becomes_a_kiosk) {
   EXPECT_EQ(content(image.root() / "srv/onggi/content/vessels/jar/vessel.toml"), "jar");
   EXPECT_EQ(content(image.root() / "srv/onggi/content/glazes.toml"), "glazes");
   EXPECT_TRUE(fs::is_directory(image.root() / "srv/onggi/keepsakes"));
-  EXPECT_EQ(content(image.root() / "etc/X11/xorg.conf.d/90-onggi.conf"), "screen");
+  EXPECT_EQ(fs::read_symlink(image.root() / "etc/X11/xorg.conf.d/90-onggi.conf"),
+            "/usr/share/onggi/system/90-onggi.conf");
+  EXPECT_TRUE(fs::exists(image.root() / "usr/share/onggi/system/90-onggi.conf"));
   EXPECT_TRUE(image.starts("onggi.service"));
   EXPECT_TRUE(image.starts("onggi-display.service"));
   EXPECT_FALSE(image.starts("getty@tty1.service", "getty"));
@@ -126,28 +128,64 @@ TEST(machine_setup, undo_gives_the_machine_back_and_the_museum_keeps_its_exhibit
   EXPECT_EQ(undo_setup(image.system()).error().exit_code, 2);
 }
 
-TEST(machine_setup, undo_leaves_what_somebody_wrote_over_since) {
+TEST(machine_setup, undo_leaves_what_somebody_put_in_its_place_since) {
   const Image image;
   good(set_up(image.options()));
+  fs::remove(image.root() / "etc/X11/xorg.conf.d/90-onggi.conf");
   image.put("etc/X11/xorg.conf.d/90-onggi.conf", "another screen");
   const auto report = good(undo_setup(image.system()));
   EXPECT_EQ(content(image.root() / "etc/X11/xorg.conf.d/90-onggi.conf"), "another screen");
   EXPECT_THAT(report.stayed, Contains(HasSubstr("90-onggi.conf: stays")));
 }
 
-TEST(machine_setup, what_was_so_before_setup_stays_so_after_undo) {
+TEST(machine_setup, what_was_there_before_setup_stays_and_is_there_after_undo) {
   const Image image;
-  image.put("etc/systemd/journald.conf.d/onggi.conf", "log");
-  good(set_up(image.options()));
+  image.put("etc/systemd/journald.conf.d/onggi.conf", "the machine's own log");
+  EXPECT_THAT(good(set_up(image.options())).stayed, Contains(HasSubstr("the machine's own")));
   good(undo_setup(image.system()));
-  EXPECT_EQ(content(image.root() / "etc/systemd/journald.conf.d/onggi.conf"), "log");
+  EXPECT_EQ(content(image.root() / "etc/systemd/journald.conf.d/onggi.conf"),
+            "the machine's own log");
 }
 
+TEST(machine_setup, undo_can_be_tried_first_and_changes_nothing_then) {
+  const Image image;
+  good(set_up(image.options()));
+  const auto before = image.all();
+  const auto told = good(undo_setup(image.system(), true));
+  EXPECT_EQ(image.all(), before);
+  const auto done = good(undo_setup(image.system()));
+  EXPECT_EQ(told.changed, done.changed);
+  EXPECT_EQ(told.stayed, done.stayed);
+  EXPECT_EQ(undo_setup(image.system(), true).error().exit_code, 2);
+}
+
+TEST(machine_setup, a_vessel_that_the_museum_took_off_its_shelf_stays_off) {
+  const Image image;
+  good(set_up(image.options()));
+  fs::remove_all(image.root() / "srv/onggi/content/vessels/jar");
+  EXPECT_THAT(good(set_up(image.options())).changed, IsEmpty());
+  EXPECT_FALSE(fs::exists(image.root() / "srv/onggi/content/vessels/jar"));
+}
+
+TEST(machine_setup, a_keepsake_folder_of_somebody_else_is_given_to_the_kiosk) {
+  if (getuid() != 0) GTEST_SKIP() << "only root gives a file to another";
+  const Image image;
+  const fs::path folder = image.root() / "srv/onggi/keepsakes";
+  fs::create_directories(folder);
+  ASSERT_EQ(chown(folder.c_str(), 4242, 4242), 0);
+  EXPECT_THAT(good(set_up(image.options())).changed,
+              Contains(HasSubstr("given to the user onggi")));
+  struct stat now {};
+  ASSERT_EQ(stat(folder.c_str(), &now), 0);
+  EXPECT_EQ(now.st_uid, getuid());
+}
+
+/// As Debian starts gdm3 and lightdm: by a link of this name, and their units cannot be enabled.
 TEST(machine_setup, a_desktop_is_replaced_only_when_asked_to_and_comes_back) {
   const Image image;
+  const fs::path link = image.root() / "etc/systemd/system/display-manager.service";
+  image.put("lib/systemd/system/gdm3.service", "[Service]\nExecStart=/bin/true\n");
   image.link("etc/systemd/system/display-manager.service", "/lib/systemd/system/gdm3.service");
-  image.link("etc/systemd/system/multi-user.target.wants/gdm3.service",
-             "/lib/systemd/system/gdm3.service");
   const auto before = image.all();
   const auto refused = set_up(image.options());
   ASSERT_FALSE(refused);
@@ -158,9 +196,25 @@ TEST(machine_setup, a_desktop_is_replaced_only_when_asked_to_and_comes_back) {
   SetupOptions replace = image.options();
   replace.replace_desktop = true;
   good(set_up(replace));
-  EXPECT_FALSE(image.starts("gdm3.service"));
+  EXPECT_FALSE(fs::is_symlink(link));
   good(undo_setup(image.system()));
-  EXPECT_TRUE(image.starts("gdm3.service"));
+  EXPECT_EQ(fs::read_symlink(link), "/lib/systemd/system/gdm3.service");
+}
+
+TEST(machine_setup, what_went_with_its_package_since_holds_up_no_undo) {
+  const Image image;
+  const fs::path link = image.root() / "etc/systemd/system/display-manager.service";
+  image.link("etc/systemd/system/display-manager.service", "/lib/systemd/system/gdm3.service");
+  SetupOptions replace = image.options();
+  replace.replace_desktop = true;
+  good(set_up(replace));
+  fs::remove(image.root() / "lib/systemd/system/gdm3.service");
+  fs::remove(image.root() / "lib/systemd/system/getty@.service");
+  const auto report = good(undo_setup(image.system()));
+  EXPECT_THAT(report.stayed, Contains(HasSubstr("display-manager.service: stays away")));
+  EXPECT_THAT(report.stayed, Contains(HasSubstr("getty@tty1.service: stays as it is")));
+  EXPECT_FALSE(fs::is_symlink(link));
+  EXPECT_FALSE(image.starts("onggi.service"));
 }
 
 TEST(machine_setup, health_goes_to_node_exporter_where_there_is_one) {
