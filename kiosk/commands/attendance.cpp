@@ -2,10 +2,12 @@
 
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/measure/monotonic.h"
+#include "kiosk/settings/exhibit.h"
 #include "kiosk/watch/last_good.h"
 #include "kiosk/watch/service.h"
 
@@ -23,6 +25,10 @@ std::optional<fs::path> folder_given(const char* name) {
   return fs::path(folders.substr(0, folders.find(':')));
 }
 
+settings::Problems problems_of(const fs::path& exhibit) {
+  return settings::read_exhibit(exhibit, exhibit::language_folder(exhibit)).problems;
+}
+
 }  // namespace
 
 std::optional<fs::path> Attendance::state_folder() { return folder_given("STATE_DIRECTORY"); }
@@ -31,50 +37,74 @@ Attendance::Attendance(fs::path state) : state_(std::move(state)), ledger_(state
   if (auto begun = ledger_.begin(); !begun) exhibit::log_problem(begun.error());
 }
 
-void Attendance::choose(exhibit::KioskOptions& options) {
-  if (!ledger_.safe()) return;
+std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptions& museums) {
+  exhibit::KioskOptions options = museums;
+  const auto good = watch::last_good(state_);
+  if (!ledger_.safe()) {
+    const settings::Problems wrong = problems_of(museums.config);
+    // Where the last good one has problems too, the kiosk has shown that it can live with them.
+    if (wrong.empty() || !good || !problems_of(good->exhibit).empty()) return {};
+    exhibit::log_problems(wrong);
+    exhibit::log_line("The last exhibit that was good is shown until this is mended.");
+    options.config = good->exhibit;
+    options.keepsakes = good->keepsakes;
+    return options;
+  }
   exhibit::log_line("Safe mode: the last " + std::to_string(ledger_.crashes()) +
                     " runs crashed. Mouse and touch only. Look at the log above, and run onggi "
                     "check.");
   options.devices = false;
   options.shelf.reset();
-  if (const auto good = watch::last_good(state_)) {
+  if (good && ledger_.crashes() < 2 * watch::RunLedger::kMostCrashes) {
     options.config = good->exhibit;
     options.keepsakes = good->keepsakes;
   } else if (const auto root = exhibit::program_root()) {
     options.config = *root / "config" / "exhibit.toml";
-    options.keepsakes = state_ / "keepsakes";
+    options.keepsakes = watch::remembered_keepsakes(state_).value_or(state_ / "keepsakes");
   }
   exhibit::log_line("The exhibit is " + options.config.string());
+  return options;
 }
 
-void Attendance::begin(const exhibit::Kiosk& kiosk, const fs::path& config) {
-  watch::KeeperOptions options;
-  options.state = state_;
-  if (const auto folder = folder_given("RUNTIME_DIRECTORY"))
-    options.health = *folder / "onggi.prom";
-  // What is shown in safe mode has been kept already.
-  if (const fs::path site = exhibit::site_exhibit(config);
-      !ledger_.safe() && site == fs::absolute(config))
-    options.site = site.parent_path().parent_path();
-  options.keepsakes = kiosk.keepsake_folder();
-  options.version = ONGGI_VERSION;
-  options.watchdog_s = watch::Service::watchdog_s();
-  keeper_ = std::make_unique<watch::Keeper>(options, ledger_);
+void Attendance::opens(const fs::path& config, bool stands_in) {
+  shown_ = {};
+  shown_.safe = stands_in;
+  const fs::path site = exhibit::site_exhibit(config);
+  if (stands_in || site != fs::absolute(config).lexically_normal()) return;
+  shown_.site = site.parent_path().parent_path();
+  if (auto files = watch::files_of(shown_.site))
+    shown_.files = std::move(*files);
+  else
+    exhibit::log_problem(files.error());
+}
+
+void Attendance::shows(const exhibit::Kiosk& kiosk) {
+  if (!keeper_) {
+    watch::KeeperOptions options;
+    options.state = state_;
+    if (const auto folder = folder_given("RUNTIME_DIRECTORY"))
+      options.health = *folder / "onggi.prom";
+    options.version = ONGGI_VERSION;
+    options.watchdog_s = watch::Service::watchdog_s();
+    keeper_ = std::make_unique<watch::Keeper>(options, ledger_);
+  }
+  shown_.keepsakes = kiosk.keepsake_folder();
+  keeper_->shows(shown_);
+  before_ = watch::together(before_, std::exchange(health_, {}));
 }
 
 void Attendance::look(exhibit::Kiosk& kiosk) {
   const loop::LoopStatus status = kiosk.potter().status();
-  watch::Health health;
-  health.frames = ++frames_;
-  health.wakes = status.deadlines.wakes;
-  health.late = status.deadlines.late;
-  health.overruns = status.deadlines.overruns;
-  health.lost_ticks = status.deadlines.lost_ticks;
-  health.worst_wake_s = 1e-6 * status.deadlines.worst_wake_us;
-  health.kept = kiosk.saved().kept;
-  health.not_kept = kiosk.saved().refused;
-  keeper_->look({health.frames, health.wakes}, health, measure::monotonic_seconds());
+  ++health_.frames;
+  health_.wakes = status.deadlines.wakes;
+  health_.late = status.deadlines.late;
+  health_.overruns = status.deadlines.overruns;
+  health_.lost_ticks = status.deadlines.lost_ticks;
+  health_.worst_wake_s = 1e-6 * status.deadlines.worst_wake_us;
+  health_.kept = kiosk.saved().kept;
+  health_.not_kept = kiosk.saved().refused;
+  const watch::Health all = watch::together(before_, health_);
+  keeper_->look({all.frames, all.wakes}, all, measure::monotonic_seconds());
   for (const std::string& line : keeper_->remarks()) exhibit::log_line(line);
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,7 +11,7 @@
 namespace onggi::commands {
 
 /// A run of the kiosk as a service, which nobody attends: systemd's watchdog is fed, crashes are
-/// counted, and after four of them at the start the last exhibit that was good is shown.
+/// counted, and an exhibit that crashes or is broken gives way to the last one that was good.
 class Attendance {
  public:
   /// Where a service keeps its state (systemd's StateDirectory); none where this is no service.
@@ -20,11 +19,16 @@ class Attendance {
 
   explicit Attendance(std::filesystem::path state);
 
-  /// After too many crashes the last good exhibit takes the place of the one in `options`, or the
-  /// program's own where none is kept, and only mouse and touch are used. Says so in the log.
-  void choose(exhibit::KioskOptions& options);
-  /// The kiosk is open; `config` is the exhibit that it shows.
-  void begin(const exhibit::Kiosk& kiosk, const std::filesystem::path& config);
+  /// What to show instead of the museum's exhibit, if anything: after too many crashes, or where
+  /// it was broken while the machine was off, the last one that was good. After crashes, mouse and
+  /// touch only, the program's own exhibit where none is kept, and that too where the last good one
+  /// crashed as often. Says so in the log.
+  std::optional<exhibit::KioskOptions> safer(const exhibit::KioskOptions& museums);
+  /// Before `config` is opened: what lies there now is what may become the last good one, unless it
+  /// only `stands_in` for the museum's.
+  void opens(const std::filesystem::path& config, bool stands_in);
+  /// The kiosk is open. Again after each reload.
+  void shows(const exhibit::Kiosk& kiosk);
   /// Once a frame.
   void look(exhibit::Kiosk& kiosk);
   /// It ends because it was asked to.
@@ -34,7 +38,9 @@ class Attendance {
   std::filesystem::path state_;
   watch::RunLedger ledger_;
   std::unique_ptr<watch::Keeper> keeper_;
-  std::uint64_t frames_ = 0;
+  watch::Shown shown_;    ///< As opens() found it.
+  watch::Health health_;  ///< Of the kiosk that is open,
+  watch::Health before_;  ///< and the counts of those before it in this run.
 };
 
 }  // namespace onggi::commands

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "kiosk/commands/attendance.h"
 #include "kiosk/commands/commands.h"
@@ -25,39 +26,45 @@ struct RunArguments {
 
 enum class Ending { asked_to, reload };
 
-/// The exhibit until it is asked to end, or its files have changed and no visitor is here.
-Result<Ending> show_exhibit(const exhibit::KioskOptions& options, Attendance* attendance) {
+/// The exhibit of `options`, the museum's or one that `stands_in` for it, until it is asked to end,
+/// or the museum's has changed and no visitor is here.
+Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in,
+                            exhibit::Reload& reload, Attendance* attendance) {
+  if (attendance != nullptr) attendance->opens(options.config, stands_in);
   auto kiosk = exhibit::Kiosk::open(options);
   if (!kiosk) return tl::unexpected(kiosk.error());
-  if (attendance != nullptr) attendance->begin(**kiosk, options.config);
-  std::optional<exhibit::Reload> reload;
+  if (attendance != nullptr) attendance->shows(**kiosk);
   bool first = true;
   while (asked_to_stop == 0 && (*kiosk)->frame(measure::monotonic_seconds())) {
     if (attendance != nullptr) attendance->look(**kiosk);
     if (!(*kiosk)->open_to_visitors()) continue;
-    if (first) {
-      first = false;
+    if (std::exchange(first, false))
       exhibit::log_line("First picture " +
                         std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
                         " ms after the start of the program.");
-    }
     // Not before: the shelf is read once already.
-    if (!reload && (*kiosk)->shelf().complete()) reload.emplace(options.config);
-    if (!reload) continue;
-    reload->look(measure::monotonic_seconds());
-    if (reload->wanted() && (*kiosk)->nobody_is_here()) return Ending::reload;
+    if (!(*kiosk)->shelf().complete()) continue;
+    reload.look(measure::monotonic_seconds());
+    if (reload.wanted() && (*kiosk)->nobody_is_here()) return Ending::reload;
   }
   return Ending::asked_to;
 }
 
-Result<int> open_exhibit(const exhibit::KioskOptions& options, Attendance* attendance) {
+Result<int> open_exhibit(const exhibit::KioskOptions& museums, Attendance* attendance) {
+  using exhibit::Reload;
+  std::optional<exhibit::KioskOptions> safer;
+  if (attendance != nullptr) safer = attendance->safer(museums);
+  Reload reload(museums.config, safer ? Reload::Shown::another : Reload::Shown::this_one);
   for (;;) {
-    const auto ending = show_exhibit(options, attendance);
+    const auto ending =
+        show_exhibit(safer ? *safer : museums, safer.has_value(), reload, attendance);
     if (!ending) return tl::unexpected(ending.error());
-    if (*ending == Ending::reload) continue;
-    if (attendance != nullptr) attendance->end();
-    return 0;
+    if (*ending == Ending::asked_to) break;
+    reload.taken_up();
+    safer.reset();
   }
+  if (attendance != nullptr) attendance->end();
+  return 0;
 }
 
 Result<int> run(const RunArguments& arguments) {
@@ -75,7 +82,6 @@ Result<int> run(const RunArguments& arguments) {
   const std::optional<std::filesystem::path> state = Attendance::state_folder();
   if (!state) return open_exhibit(options, nullptr);
   Attendance attendance(*state);
-  attendance.choose(options);
   return open_exhibit(options, &attendance);
 }
 

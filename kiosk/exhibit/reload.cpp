@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <vector>
 
+#include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/log.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/settings/exhibit.h"
+#include "kiosk/watch/stamp.h"
 
 namespace fs = std::filesystem;
 
@@ -21,26 +26,38 @@ std::string name_of(const Problem& problem) {
   return problem.where.substr(0, problem.where.find(':')) + ": " + problem.what;
 }
 
-/// Those of the files that were looked at, those above, where another vessel may be put, and those
-/// that lie there already and hold none yet: a copy may be on its way.
-std::vector<fs::path> folders_of(const CheckReport& report) {
-  std::set<fs::path> folders;
-  for (const fs::path& file : report.files) {
-    folders.insert(file.parent_path());
-    folders.insert(file.parent_path().parent_path());
-  }
-  std::set<fs::path> all = folders;
-  for (const fs::path& folder : folders) {
-    std::error_code gone;
-    for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone))
-      if (std::error_code unknown; it->is_directory(unknown)) all.insert(it->path());
-  }
-  return {all.begin(), all.end()};
+/// The folders of all that the exhibit leads to. Never the keepsakes': there something changes with
+/// every visitor.
+std::vector<fs::path> folders_of(const fs::path& file) {
+  const settings::Exhibit exhibit = settings::read_exhibit(file).exhibit;
+  std::set<fs::path> folders = {file.parent_path(),
+                                exhibit.rubric_file.parent_path(),
+                                exhibit.scene.parent_path(),
+                                exhibit.glazes.parent_path(),
+                                device_file(exhibit, device::DeviceKind::space_mouse).parent_path(),
+                                language_folder(file),
+                                exhibit.shelf};
+  for (const auto& [vessel, scene] : exhibit.vessel_scenes) folders.insert(scene.parent_path());
+  if (exhibit.lesson) folders.insert(exhibit.lesson->parent_path());
+  std::error_code gone;
+  for (fs::recursive_directory_iterator it(exhibit.shelf, gone), end; !gone && it != end;
+       it.increment(gone))
+    if (std::error_code unknown; it->is_directory(unknown)) folders.insert(it->path());
+  const fs::path keepsakes = exhibit.keepsake.folder.lexically_normal();
+  std::vector<fs::path> wanted;
+  for (const fs::path& folder : folders)
+    if (!folder.empty() && folder.lexically_normal() != keepsakes) wanted.push_back(folder);
+  return wanted;
 }
 
 }  // namespace
 
-Reload::Reload(fs::path exhibit) : exhibit_(std::move(exhibit)) { begin_check(); }
+Reload::Reload(fs::path exhibit, Shown shown)
+    : exhibit_(std::move(exhibit)), stands_in_(shown == Shown::another) {
+  const auto folders = folders_of(exhibit_);
+  files_ = std::make_unique<watch::FileWatch>(folders);
+  open_ = watch::stamps_in(folders);
+}
 
 // The check is waited for: for a vessel at most, and not for the whole shelf.
 Reload::~Reload() { stop_.request_stop(); }
@@ -48,19 +65,32 @@ Reload::~Reload() { stop_.request_stop(); }
 void Reload::begin_check() {
   check_ = std::async(std::launch::async, [file = exhibit_.string(), stop = stop_.get_token()] {
     setpriority(PRIO_PROCESS, 0, 19);  // this thread alone: a visitor's picture comes first
-    return check_path("", file, stop);
+    auto folders = folders_of(file);
+    std::string stamps = watch::stamps_in(folders);
+    return Checked{check_path("", file, stop), std::move(folders), std::move(stamps)};
   });
 }
 
+bool Reload::wanted() const { return wanted_ && !again_ && !check_.valid() && !files_->pending(); }
+
+void Reload::taken_up() {
+  wanted_ = stands_in_ = false;
+  open_ = seen_;
+  known_ = found_;
+}
+
 void Reload::look(double now) {
-  if (files_ && files_->changed(now)) again_ = true;
+  if (files_->changed(now)) again_ = true;
   if (check_.valid()) {
     if (check_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    const Result<CheckReport> report = check_.get();
-    if (report)
-      take(*report, now);
+    const Checked checked = check_.get();
+    seen_ = checked.stamps;
+    // The folders may be others now; but a change that the old watch saw begin is its to tell.
+    if (!files_->pending()) files_ = std::make_unique<watch::FileWatch>(checked.folders);
+    if (checked.report)
+      take(*checked.report, now);
     else
-      log_problem(report.error());
+      log_problem(checked.report.error());
   }
   if (look_again_at_ >= 0.0 && now >= look_again_at_) again_ = true;
   if (!std::exchange(again_, false)) return;
@@ -69,30 +99,40 @@ void Reload::look(double now) {
 }
 
 void Reload::take(const CheckReport& report, double now) {
-  // The folders may be others now; but a change that the old watch saw begin is its to tell.
-  if (files_ == nullptr || !files_->pending())
-    files_ = std::make_unique<watch::FileWatch>(folders_of(report));
-  std::set<std::string> found;
-  for (const Problem& problem : report.problems) found.insert(name_of(problem));
-  if (!known_) {
-    known_ = std::move(found);
+  found_.clear();
+  for (const Problem& problem : report.problems) found_.insert(name_of(problem));
+  if (!std::exchange(checked_, true)) {
     log_line("Changes of the exhibit are looked for in " + std::to_string(files_->watched()) +
              " folders.");
+    if (seen_ == open_ && !stands_in_) known_ = found_;
+  }
+  wanted_ = false;
+  if (seen_ == open_) {
+    refused_.clear();
     return;
   }
-  wanted_ = std::includes(known_->begin(), known_->end(), found.begin(), found.end());
-  if (wanted_)
-    log_line("The exhibit has changed, and is opened anew once no visitor is here.");
-  else
-    refuse(report, std::move(found), now);
+  if (std::any_of(report.problems.begin(), report.problems.end(),
+                  [this](const Problem& problem) { return new_to_visitors(problem); }))
+    return refuse(report, now);
+  wanted_ = true;
+  refused_.clear();
+  log_line("The exhibit has changed, and is opened anew once no visitor is here.");
 }
 
-void Reload::refuse(const CheckReport& report, std::set<std::string> found, double now) {
-  if (found == refused_) return;
+bool Reload::new_to_visitors(const Problem& problem) const {
+  const std::string name = name_of(problem);
+  // What was wrong with the museum's other files before another was shown is not known: a vessel
+  // that cannot be read is left out, as at every start.
+  if (stands_in_) return name.starts_with(exhibit_.string() + ":");
+  return known_.count(name) == 0;
+}
+
+void Reload::refuse(const CheckReport& report, double now) {
+  if (found_ == refused_) return;
   log_line("A change of the exhibit is not taken up. It goes on as it was, until this is mended:");
   for (const Problem& problem : report.problems)
-    if (known_->count(name_of(problem)) == 0) log_problem(problem);
-  refused_ = std::move(found);
+    if (new_to_visitors(problem)) log_problem(problem);
+  refused_ = found_;
   // A copy may have come to its end between the check and the watch: what is still as wrong then
   // is.
   look_again_at_ = now + kLookAgain;

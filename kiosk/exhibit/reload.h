@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <future>
 #include <memory>
-#include <optional>
 #include <set>
 #include <stop_token>
 #include <string>
@@ -14,33 +13,52 @@
 
 namespace onggi::exhibit {
 
-/// Notices that the files of the open exhibit have changed (exhibit, scenes, shelf, languages,
-/// glazes, lessons), and checks them, as `onggi check` does, before anybody opens them. Files are
-/// read on a worker; look() never waits for one. Main thread.
+/// Notices that the files of the museum's exhibit have changed (exhibit, scenes, devices, shelf,
+/// languages, glazes, lesson), and checks them, as `onggi check` does, before anybody opens them.
+/// One for the process: it goes on while the exhibit is opened anew. Files are read on a worker;
+/// look() never waits for one. Main thread.
 class Reload {
  public:
-  /// `exhibit` is the exhibit.toml that is open.
-  explicit Reload(std::filesystem::path exhibit);
+  /// What is on the screen from now on.
+  enum class Shown {
+    this_one,  ///< `exhibit`, as it lies on the disk now: what is wrong with it now is known.
+    another,   ///< A safer one: `exhibit` is taken up once it has changed and its own file is good.
+  };
+  /// `exhibit` is the museum's exhibit.toml; made before it is opened.
+  Reload(std::filesystem::path exhibit, Shown shown);
   ~Reload();
 
-  /// Once a frame; `now` in seconds, never going back. Logs what a change broke: the open exhibit
-  /// goes on as it was.
+  /// Once a frame, while the shelf need not be read besides; `now` in seconds, never going back.
+  /// Logs what a change broke: what is open goes on as it was.
   void look(double now);
-  /// A change is on the disk, and it broke nothing that was good before.
-  bool wanted() const { return wanted_; }
+  /// A change has come to rest on the disk, and it broke nothing that was good before.
+  bool wanted() const;
+  /// It is what is opened now.
+  void taken_up();
 
  private:
+  struct Checked {
+    Result<CheckReport> report;
+    std::vector<std::filesystem::path> folders;
+    std::string stamps;  ///< Of the files in them, from before they were read.
+  };
+
   void begin_check();
   void take(const CheckReport& report, double now);
-  void refuse(const CheckReport& report, std::set<std::string> found, double now);
+  void refuse(const CheckReport& report, double now);
+  bool new_to_visitors(const Problem& problem) const;
 
   std::filesystem::path exhibit_;
+  bool stands_in_;  ///< Another than `exhibit_` is open.
   std::unique_ptr<watch::FileWatch> files_;
   std::stop_source stop_;
-  std::future<Result<CheckReport>> check_;
-  std::optional<std::set<std::string>> known_;  ///< Problems of the exhibit that is open,
-  std::set<std::string> refused_;               ///< and of the change last refused.
-  bool wanted_ = false, again_ = false;
+  std::future<Checked> check_;
+  std::string open_;               ///< Stamps of what is open,
+  std::string seen_;               ///< and of what was checked last.
+  std::set<std::string> known_;    ///< Problems of what is open,
+  std::set<std::string> found_;    ///< of what was checked last,
+  std::set<std::string> refused_;  ///< and of the change last refused.
+  bool checked_ = false, wanted_ = false, again_ = true;
   double look_again_at_ = -1.0;  ///< Below 0: not before something changes.
 };
 

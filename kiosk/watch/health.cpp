@@ -1,5 +1,6 @@
 #include "kiosk/watch/health.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -9,6 +10,7 @@ namespace {
 
 class Metrics {
  public:
+  Metrics() { text_ << std::fixed; }  // a day of running is no 8.6e+04
   template <class Value>
   void put(const char* name, const char* type, const char* help, Value value) {
     text_ << "# HELP " << name << ' ' << help << "\n# TYPE " << name << ' ' << type << '\n'
@@ -26,6 +28,19 @@ class Metrics {
 };
 
 }  // namespace
+
+Health together(const Health& before, const Health& later) {
+  Health all = later;
+  all.frames += before.frames;
+  all.wakes += before.wakes;
+  all.late += before.late;
+  all.overruns += before.overruns;
+  all.lost_ticks += before.lost_ticks;
+  all.worst_wake_s = std::max(before.worst_wake_s, later.worst_wake_s);
+  all.kept += before.kept;
+  all.not_kept += before.not_kept;
+  return all;
+}
 
 std::string prometheus_text(const Health& h) {
   Metrics m;

@@ -24,10 +24,13 @@ struct Health {
   std::uint64_t disk_free_bytes = 0;
 };
 
+/// The counts of both, and `later` in all else.
+Health together(const Health& before, const Health& later);
+
 /// As node_exporter's textfile collector reads it (Prometheus text format 0.0.4).
 std::string prometheus_text(const Health& health);
 
-/// One line for `systemctl status`: "Open, 3 keepsakes, 12 GB free".
+/// One line for `systemctl status`: "Open, 3 keepsakes kept, 12.0 GB free".
 std::string one_line(const Health& health);
 
 }  // namespace onggi::watch

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kiosk/files/durable_file.h"
+#include "kiosk/watch/last_good.h"
 #include "kiosk/watch/service.h"
 
 namespace fs = std::filesystem;
@@ -47,6 +48,12 @@ Keeper::~Keeper() {
   thread_.join();
 }
 
+void Keeper::shows(Shown shown) {
+  const std::lock_guard lock(mutex_);
+  shown_ = std::move(shown);
+  shown_at_ = std::max(now_, 0.0);
+}
+
 void Keeper::look(const Moves& moves, const Health& health, double now) {
   if (began_ < 0) began_ = now;
   const bool beats = pulse_.beats(moves, now);
@@ -82,49 +89,61 @@ void Keeper::attend() {
   const double least = std::min({options_.health_every, options_.trial_every, 1.0});
   std::unique_lock lock(mutex_);
   while (!ending_) {
-    const double now = now_;
-    lock.unlock();
-    attend_once(now);
-    lock.lock();
+    if (now_ >= 0.0) {
+      const Shown shown = shown_;
+      const Health health = health_;
+      const double now = now_, shown_for = now_ - shown_at_;
+      lock.unlock();
+      attend_once(shown, health, now, shown_for);
+      lock.lock();
+    }
     wake_.wait_for(lock, std::chrono::duration<double>(least), [this] { return ending_; });
   }
 }
 
-void Keeper::attend_once(double now) {
+void Keeper::try_disk(const fs::path& keepsakes, double now) {
+  tried_ = now;
+  const auto written = trial_write(keepsakes);
+  if (written) trial_good_ = now;
+  if (written.has_value() == disk_writes_) return;
+  disk_writes_ = written.has_value();
+  remark(written ? "The disk takes writes again." : to_text(written.error()));
+}
+
+void Keeper::keep_if_good(const Shown& shown, double now, double shown_for) {
+  if (shown.site.empty() || shown.files == kept_ || shown_for < options_.good_after) return;
+  if (now - tried_to_keep_ < options_.trial_every) return;
+  tried_to_keep_ = now;
+  const auto kept = keep_last_good(shown.site, shown.files, shown.keepsakes, options_.state);
+  if (kept && !*kept) return;  // a change that is not taken up: it may be mended, or taken back
+  kept_ = shown.files;
+  remark(kept ? "This exhibit has proved itself: it is kept as the last good one."
+              : to_text(kept.error()));
+}
+
+void Keeper::attend_once(const Shown& shown, const Health& given, double now, double shown_for) {
   if (!lasted_ && now >= RunLedger::kSteady) {
     lasted_ = true;
     if (auto good = ledger_.lasted(now); !good) remark(to_text(good.error()));
   }
-  if (now - tried_ >= options_.trial_every) {
-    tried_ = now;
-    const auto written = trial_write(options_.keepsakes);
-    if (written) trial_good_ = now;
-    if (written.has_value() != disk_writes_) {
-      disk_writes_ = written.has_value();
-      remark(written ? "The disk takes writes again." : to_text(written.error()));
-    }
+  if (shown.keepsakes != keepsakes_) {
+    keepsakes_ = shown.keepsakes;
+    if (auto good = remember_keepsakes(keepsakes_, options_.state); !good)
+      remark(to_text(good.error()));
   }
-  if (!kept_good_ && !options_.site.empty() && now >= options_.good_after) {
-    kept_good_ = true;
-    const auto kept = keep_last_good(options_.site, options_.keepsakes, options_.state);
-    remark(kept ? "This exhibit has proved itself: it is kept as the last good one."
-                : to_text(kept.error()));
-  }
+  if (now - tried_ >= options_.trial_every) try_disk(shown.keepsakes, now);
+  keep_if_good(shown, now, shown_for);
   if (options_.health.empty() || now - wrote_health_ < options_.health_every) return;
   wrote_health_ = now;
-  Health health;
-  {
-    const std::lock_guard lock(mutex_);
-    health = health_;
-  }
+  Health health = given;
   health.version = options_.version;
-  health.safe_mode = ledger_.safe();
+  health.safe_mode = shown.safe;
   health.crashes = ledger_.crashes();
   health.running_s = now;
   health.disk_writes = disk_writes_;
   health.disk_trial_age_s = trial_good_ < 0 ? now : now - trial_good_;
   std::error_code unknown;
-  const auto space = fs::space(options_.keepsakes, unknown);
+  const auto space = fs::space(shown.keepsakes, unknown);
   if (!unknown) health.disk_free_bytes = space.available;
   Service::says(one_line(health));
   const auto written = files::write_durably(options_.health, as_bytes(prometheus_text(health)));

@@ -72,7 +72,6 @@ TEST(Reload, AVesselPutOnTheShelfIsShownAndABrokenExhibitLeavesTheOldOneOpenAndS
 
   site.add_vessel("moon_jar");
   EXPECT_TRUE(site.says("The shelf holds 2 vessels")) << site.log();
-  ASSERT_TRUE(site.says("Changes of the exhibit are looked for", 2)) << site.log();
 
   std::ofstream(site.exhibit(), std::ios::app) << "\nshelf = [\n";
   EXPECT_TRUE(site.says("is not taken up")) << site.log();

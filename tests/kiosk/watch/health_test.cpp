@@ -33,6 +33,26 @@ TEST(health, every_line_is_prometheus_text_and_every_metric_has_help_and_type_an
   EXPECT_EQ(std::set<std::string>(valued.begin(), valued.end()).size(), valued.size());
 }
 
+TEST(health, counts_go_on_over_a_reload_and_large_ones_are_told_to_the_last_digit) {
+  Health before, later;
+  before.frames = 10;
+  before.wakes = 1000;
+  before.worst_wake_s = 0.002;
+  before.kept = 3;
+  later.safe_mode = true;
+  later.running_s = 8640000.25;
+  later.frames = 5;
+  later.wakes = 30;
+  later.worst_wake_s = 0.001;
+  later.kept = later.not_kept = 1;
+  const std::string text = prometheus_text(together(before, later));
+  for (const char* line :
+       {"onggi_frames_total 15", "onggi_loop_wakes_total 1030",
+        "onggi_loop_worst_wake_seconds 0.002", "onggi_keepsakes_total 4",
+        "onggi_keepsakes_failed_total 1", "onggi_safe_mode 1", "onggi_running_seconds 8640000.25"})
+    EXPECT_THAT(text, HasSubstr("\n" + std::string(line)));
+}
+
 TEST(health, it_tells_what_is_wrong) {
   Health health;
   EXPECT_THAT(prometheus_text(health), HasSubstr("\nonggi_safe_mode 0\n"));

@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "kiosk/watch/last_good.h"
 #include "kiosk/watch/service.h"
 #include "tests/kiosk/files/disk.h"
 
@@ -24,7 +25,6 @@ namespace {
 using files::test::content;
 using files::test::ScratchFolder;
 using ::testing::Contains;
-using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Not;
 namespace fs = std::filesystem;
@@ -92,8 +92,6 @@ struct Kept {
     EXPECT_TRUE(ledger.begin());
     options.state = folder.path() / "state";
     options.health = folder.path() / "onggi.prom";
-    options.site = folder.path() / "site";
-    options.keepsakes = folder.path() / "keepsakes";
     options.version = "0.1.0";
     options.watchdog_s = Service::watchdog_s();
     options.health_every = 0.01;  // of the kiosk's time, which a test makes
@@ -105,6 +103,9 @@ struct Kept {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return good();
   }
+  fs::path site() const { return folder.path() / "site"; }
+  fs::path keepsakes() const { return folder.path() / "keepsakes"; }
+  Shown shown() const { return {site(), *files_of(site()), keepsakes(), false}; }
   ScratchFolder folder;
   RunLedger ledger;
   KeeperOptions options;
@@ -115,6 +116,7 @@ TEST(keeper, systemd_hears_of_the_start_and_then_often_enough_while_all_moves) {
   Kept kept(systemd);
   EXPECT_DOUBLE_EQ(kept.options.watchdog_s, 9.0);
   Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
   keeper.look({1, 1}, {}, 100.0);
   EXPECT_THAT(systemd.heard(), Contains("READY=1"));
   double silent = 0.0, longest = 0.0;
@@ -132,6 +134,7 @@ TEST(keeper, a_wheel_that_stands_is_told_and_systemd_hears_nothing_more) {
   Systemd systemd;
   Kept kept(systemd);
   Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
   std::vector<std::string> heard;
   for (std::uint64_t frame = 0; frame < 1000; ++frame) {
     keeper.look({frame, 500}, {}, 0.1 * static_cast<double>(frame));
@@ -148,6 +151,7 @@ TEST(keeper, an_exhibit_that_ran_for_an_hour_is_kept_as_the_last_good_one_and_no
   Systemd systemd;
   Kept kept(systemd);
   Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
   keeper.look({1, 1}, {}, 0.0);
   keeper.look({2, 2}, {}, 3599.0);
   EXPECT_TRUE(Kept::soon([&] { return fs::exists(kept.options.health); }));
@@ -156,10 +160,65 @@ TEST(keeper, an_exhibit_that_ran_for_an_hour_is_kept_as_the_last_good_one_and_no
   EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
 }
 
+TEST(keeper, another_exhibit_has_an_hour_of_its_own) {
+  Systemd systemd;
+  Kept kept(systemd);
+  Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
+  keeper.look({1, 1}, {}, 0.0);
+  keeper.look({2, 2}, {}, 3000.0);
+  std::ofstream(kept.site() / "config/exhibit.toml") << "another title";
+  keeper.shows(kept.shown());
+  keeper.look({3, 3}, {}, 6500.0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_FALSE(last_good(kept.options.state));
+  keeper.look({4, 4}, {}, 6600.0);
+  EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
+  EXPECT_EQ(content(last_good(kept.options.state)->exhibit), "another title");
+}
+
+TEST(keeper, a_change_that_visitors_never_saw_is_not_kept_as_good_until_it_is_taken_back) {
+  Systemd systemd;
+  Kept kept(systemd);
+  const fs::path exhibit = kept.site() / "config/exhibit.toml";
+  const auto time = fs::last_write_time(exhibit);
+  Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
+  std::ofstream(exhibit) << "broken";
+  keeper.look({1, 1}, {}, 0.0);
+  keeper.look({2, 2}, {}, 4000.0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_FALSE(last_good(kept.options.state));
+  std::ofstream(exhibit) << "title";
+  fs::last_write_time(exhibit, time);
+  keeper.look({3, 3}, {}, 4001.0);
+  EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
+}
+
+TEST(keeper, where_keepsakes_go_is_remembered_for_a_run_that_finds_no_exhibit) {
+  Systemd systemd;
+  Kept kept(systemd);
+  Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
+  keeper.look({1, 1}, {}, 0.0);
+  EXPECT_TRUE(Kept::soon([&] { return remembered_keepsakes(kept.options.state).has_value(); }));
+  EXPECT_EQ(remembered_keepsakes(kept.options.state), kept.keepsakes());
+}
+
+TEST(keeper, no_health_is_told_of_a_kiosk_that_has_made_no_picture) {
+  Systemd systemd;
+  Kept kept(systemd);
+  Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_FALSE(fs::exists(kept.options.health));
+}
+
 TEST(keeper, the_health_says_what_the_kiosk_counted_and_that_the_disk_writes) {
   Systemd systemd;
   Kept kept(systemd);
   Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
   Health health;
   health.kept = 7;
   keeper.look({1, 1}, health, 0.0);
@@ -174,8 +233,9 @@ TEST(keeper, the_health_says_what_the_kiosk_counted_and_that_the_disk_writes) {
 TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again) {
   Systemd systemd;
   Kept kept(systemd);
-  std::ofstream(kept.options.keepsakes) << "a file where the folder has to be";
+  std::ofstream(kept.keepsakes()) << "a file where the folder has to be";
   Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
   std::vector<std::string> told;
   double now = 0.0;
   const auto hears = [&](const char* words) {
@@ -192,7 +252,7 @@ TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again)
     keeper.look({1, 1}, {}, now += 1.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  fs::remove(kept.options.keepsakes);
+  fs::remove(kept.keepsakes());
   EXPECT_TRUE(hears("The disk takes writes again."));
   EXPECT_EQ(std::count_if(told.begin(), told.end(),
                           [](const std::string& line) {

@@ -33,8 +33,9 @@ class Site {
     std::ofstream(path() / name) << text;
   }
   void keep() const {
-    const auto kept = keep_last_good(path(), keepsakes(), state());
+    const auto kept = keep_last_good(path(), *files_of(path()), keepsakes(), state());
     ASSERT_TRUE(kept) << to_text(kept.error());
+    ASSERT_TRUE(*kept);
   }
 
  private:
@@ -89,6 +90,17 @@ TEST(last_good, a_copy_that_was_cut_short_is_none) {
   EXPECT_TRUE(last_good(site.state()));
 }
 
+TEST(last_good, a_site_that_is_not_what_was_shown_is_left_and_the_one_before_stays) {
+  const Site site;
+  site.keep();
+  const std::string shown = *files_of(site.path());
+  site.put("config/exhibit.toml", "a broken title");
+  const auto kept = keep_last_good(site.path(), shown, site.keepsakes(), site.state());
+  ASSERT_TRUE(kept);
+  EXPECT_FALSE(*kept);
+  EXPECT_EQ(content(last_good(site.state())->exhibit), "title");
+}
+
 TEST(last_good, a_full_disk_is_told_and_leaves_the_one_before) {
   const Site site;
   site.put("content/vessels/jar/scan.glb", std::string(200'000, 'x'));
@@ -97,7 +109,8 @@ TEST(last_good, a_full_disk_is_told_and_leaves_the_one_before) {
     site.keep();
     site.put("config/exhibit.toml", "newer");
     site.put("content/vessels/bowl/scan.glb", std::string(200'000, 'y'));
-    const auto kept = keep_last_good(site.path(), site.keepsakes(), site.state());
+    const auto kept =
+        keep_last_good(site.path(), *files_of(site.path()), site.keepsakes(), site.state());
     const auto good = last_good(site.state());
     return !kept && kept.error().exit_code == 1 && good && content(good->exhibit) == "title" &&
            !fs::exists(site.state() / "last_good.new");
