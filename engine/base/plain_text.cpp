@@ -33,6 +33,31 @@ bool is_command(std::uint32_t code) {
          (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
+struct Block {
+  std::uint32_t first, last;
+};
+
+template <std::size_t kCount>
+bool is_in(const Block (&blocks)[kCount], std::uint32_t code) {
+  for (const Block& block : blocks)
+    if (code >= block.first && code <= block.last) return true;
+  return false;
+}
+
+// Marks, vowels and finals of a Hangul syllable, joiners and variants.
+constexpr Block kOnTheOneBefore[] = {{0x300, 0x36F},   {0x483, 0x489},   {0x591, 0x5BD},
+                                     {0x64B, 0x65F},   {0x1160, 0x11FF}, {0x1AB0, 0x1AFF},
+                                     {0x1DC0, 0x1DFF}, {0x200B, 0x200D}, {0x20D0, 0x20FF},
+                                     {0x3099, 0x309A}, {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}};
+constexpr Block kWide[] = {
+    {0x1100, 0x115F},   {0x2E80, 0x303E},   {0x3041, 0x4DBF},   {0x4E00, 0xA4CF},  {0xA960, 0xA97F},
+    {0xAC00, 0xD7A3},   {0xF900, 0xFAFF},   {0xFE30, 0xFE6F},   {0xFF00, 0xFF60},  {0xFFE0, 0xFFE6},
+    {0x1F300, 0x1F64F}, {0x1F680, 0x1F6FF}, {0x1F900, 0x1FAFF}, {0x20000, 0x3FFFD}};
+
+std::size_t columns_of(std::uint32_t code) {
+  return is_in(kOnTheOneBefore, code) ? 0 : is_in(kWide, code) ? 2 : 1;
+}
+
 }  // namespace
 
 std::string plain(std::string_view text) {
@@ -47,6 +72,19 @@ std::string plain(std::string_view text) {
     text.remove_prefix(c.bytes == 0 ? 1 : c.bytes);
   }
   return out;
+}
+
+std::string column(std::string_view text, std::size_t width) {
+  std::string out = plain(text);
+  std::size_t bytes = 0, used = 0;
+  while (bytes < out.size()) {
+    const Character c = first_of(std::string_view(out).substr(bytes));
+    if (used + columns_of(c.code) > width) break;
+    used += columns_of(c.code);
+    bytes += c.bytes;
+  }
+  out.resize(bytes);
+  return out.append(width - used, ' ');
 }
 
 }  // namespace onggi::terminal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,11 @@ namespace onggi::terminal {
 /// direction of writing, and each byte that is no UTF-8. So a name in a file can neither move the
 /// cursor nor pretend to be a line of the program's. Allocates.
 std::string plain(std::string_view text);
+
+/// plain(text) in exactly `width` columns of a terminal, for tables: filled with blanks, or cut
+/// between two characters. A Chinese, Japanese or Korean character and a picture take two columns,
+/// a mark on the character before it none (the wide blocks of Unicode's East Asian Width).
+/// Allocates.
+std::string column(std::string_view text, std::size_t width);
 
 }  // namespace onggi::terminal

@@ -56,7 +56,8 @@ drawing::Plot plot_of(const store::PublishedStatistics& s) {
     }
   }
   if (visits.y.empty()) {
-    plot.notes.push_back({0.0, 0.0, "No visits in these days."});
+    const bool none = s.all.visits == 0;
+    plot.notes.push_back({0.0, 0.0, none ? "No visits in these days." : "Too few visits to tell."});
     return plot;
   }
   plot.series = {visits, kept};

@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/base/plain_text.h"
+
 namespace onggi::store {
 
 namespace {
@@ -67,17 +69,17 @@ std::string days_of(const PublishedStatistics& s) {
 }
 
 std::string put_table(const PublishedStatistics::Lines& table, const char* title) {
-  if (table.lines.empty()) return {};
+  if (table.lines.empty() && !table.too_few) return {};
   std::string text = std::string("\n") + title + '\n';
   for (const Line& line : table.lines) {
     if (!line.visits) continue;
     char row[160];
-    std::snprintf(row, sizeof row, "  %-24.24s %7s visits %7s kept %9s min  likeness %s\n",
-                  line.name.empty() ? "(none chosen)" : line.name.c_str(),
+    std::snprintf(row, sizeof row, " %7s visits %7s kept %9s min  likeness %s\n",
                   text_or(line.visits, "-").c_str(), text_or(line.kept, "-").c_str(),
                   text_or(line.active_min, "-").c_str(), text_or(line.likeness, "-").c_str());
-    text += row;
+    text += "  " + terminal::column(line.name.empty() ? "(none chosen)" : line.name, 24) + row;
   }
+  if (table.too_few && table.left_out == 0) text += "  Left out: too few to tell.\n";
   if (table.left_out > 0)
     text += "  and " + std::to_string(table.left_out) + " more, left out: too few to tell.\n";
   return text;

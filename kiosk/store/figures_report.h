@@ -9,8 +9,8 @@ namespace onggi::store {
 
 /// What may be handed on, as JSON: {from, to, least, visits, brief, keepsakes, pots,
 /// active_minutes, median_minutes, throwing_minutes, likeness, tables: {vessel: [{name, visits,
-/// keepsakes, active_minutes, likeness}], ...}}. null: left out, or there is none. Minutes and
-/// likeness to the tenth.
+/// keepsakes, active_minutes, likeness}], ...}}. null: left out, or there is none; a table without
+/// lines likewise. Minutes and likeness to the tenth.
 files::Json json_of(const PublishedStatistics& statistics);
 
 /// A line a cell: table,name,visits,keepsakes,active_minutes,likeness; the first is `all`. What is

@@ -8,8 +8,9 @@
 
 namespace onggi::store {
 
-/// Statistics as a museum may hand them on: no figure is about fewer than kLeast people, nor can
-/// one be had by subtracting others of the same table from its total.
+/// Statistics as a museum may hand them on: no figure is about fewer than kLeast people, and none
+/// that is left out can be reckoned from those that are told: not from a table and its total, not
+/// from days and their month, not from the visits that a fault ended, told twice.
 struct PublishedStatistics {
   /// Fewer than this could be known to each other: a class photograph, a family, one guard.
   static constexpr std::int64_t kLeast = 5;
@@ -23,8 +24,9 @@ struct PublishedStatistics {
   };
   struct Lines {
     std::string name;
-    std::vector<Line> lines;
-    int left_out = 0;  ///< Lines without visits.
+    std::vector<Line> lines;  ///< Those without visits last, by name, but for days and hours.
+    int left_out = 0;         ///< Lines without visits.
+    bool too_few = false;     ///< There are further lines that are not even named.
   };
   std::string from, to;
   Line all;
@@ -33,10 +35,12 @@ struct PublishedStatistics {
   std::vector<Lines> tables;
 };
 
-/// Which of one table's counts are left out, whose total is told: each from 1 to least - 1; and
-/// then the next larger ones, until what is left out together is no single count and at least
-/// `least`. A zero is told: it is about nobody. Pure.
-std::vector<bool> left_out(const std::vector<std::int64_t>& counts, std::int64_t least);
+/// Which of one table's counts are left out, whose total is told: `out` (shorter: none beyond),
+/// each from 1 to least - 1; and then the next larger ones, until what is left out together is no
+/// single count, at least `least`, and more than one each. A zero is told: it is about nobody.
+/// Pure.
+std::vector<bool> left_out(const std::vector<std::int64_t>& counts, std::int64_t least,
+                           std::vector<bool> out = {});
 
 PublishedStatistics publish(const Statistics& statistics);
 

@@ -38,5 +38,18 @@ TEST(PlainText, AProblemIsTwoLinesWhateverItsFileIsCalled) {
   EXPECT_EQ(to_text(evil), "jar??[2J.glb: its node \"?]0;x?\" is?odd.\n  Rename?it.");
 }
 
+TEST(PlainText, AColumnIsAsWideAsItIsSeenAndNeverCutsACharacter) {
+  EXPECT_EQ(column("moon_jar", 10), "moon_jar  ");
+  EXPECT_EQ(column("moon_jar", 4), "moon");
+  EXPECT_EQ(column("달항아리", 10), "달항아리  ") << "two columns each";
+  EXPECT_EQ(column("달항아리", 5), "달항 ") << "half a character is a blank";
+  EXPECT_EQ(column("Ölkännchen", 10), "Ölkännchen");
+  EXPECT_EQ(column("a\u0308b", 2), "a\u0308b") << "a mark stands on its letter";
+  EXPECT_EQ(column("🏺.", 3), "🏺.");
+  EXPECT_EQ(column("\x1b[31m", 3), "?[3");
+  EXPECT_EQ(column("", 2), "  ");
+  EXPECT_EQ(column("jar", 0), "");
+}
+
 }  // namespace
 }  // namespace onggi::terminal

@@ -62,6 +62,38 @@ TEST(Stats, ACuratorGetsWordsTablesAndAPictureAndNothingOfThree) {
   EXPECT_EQ(onggi("stats --csv -" + store).out.substr(0, 10), "table,name");
 }
 
+TEST(Stats, OfFourVisitorsThePictureSaysThatTheyAreFewAndOfNoneThatThereAreNone) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "onggi.sqlite").string();
+  {
+    std::vector<Problem> remarks;
+    auto opened = store::VisitStore::open(file, "then", remarks);
+    ASSERT_TRUE(opened);
+    ASSERT_TRUE(opened->add(std::vector(4, visit("2026-05-01", "cup"))));
+  }
+  const auto told = [&](const std::string& days, const std::string& why) {
+    const std::string plot = (folder / (why.substr(0, 3) + ".svg")).string();
+    const Outcome run = onggi("stats" + days + " --plot " + plot + " --store " + file);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.out.find(why), std::string::npos) << run.out;
+    return text_of(plot);
+  };
+  EXPECT_NE(told("", "too few"), told(" --from 2031-01-01", "none"));
+}
+
+TEST(Stats, AStoreThatIsNewerThanTheProgramIsRefusedInOneError) {
+  const TemporaryFolder folder;
+  const std::string file = written(folder);
+  {
+    store::Database newer = store::Database::open(file, store::Database::Mode::own);
+    ASSERT_TRUE(newer.run("PRAGMA user_version=99"));
+  }
+  const Outcome run = onggi("stats --store " + file);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("A newer onggi made it (version 99"), std::string::npos) << run.err;
+}
+
 TEST(Stats, NoStoreNoDayAndAStoreThatWouldBeWrittenOverAreRefused) {
   const TemporaryFolder folder;
   const std::string file = written(folder);

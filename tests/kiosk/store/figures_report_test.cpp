@@ -67,5 +67,18 @@ TEST(FiguresReport, TheWordsNameNobodyWhoIsLeftOut) {
   EXPECT_NE(words_of(few).find("none"), std::string::npos);
 }
 
+TEST(FiguresReport, WordsStandUnderEachOtherInEveryScript) {
+  PublishedStatistics s = may();
+  s.tables = {{"vessel",
+               {{"moon_jar", 100, 55, 200.0, 70.0},
+                {"달항아리_조선_십팔세기_백자_큰것", 20, 5, 40.0, 70.0}},
+               0},
+              {"language", {}, 0, true}};
+  const std::string words = words_of(s);
+  EXPECT_NE(words.find("  moon_jar                     100 visits"), std::string::npos) << words;
+  EXPECT_NE(words.find("  달항아리_조선_십팔세기_       20 visits"), std::string::npos) << words;
+  EXPECT_NE(words.find("Language\n  Left out: too few to tell.\n"), std::string::npos) << words;
+}
+
 }  // namespace
 }  // namespace onggi::store
