@@ -10,6 +10,14 @@ constexpr int kLeastRowsATick = 2;
 constexpr std::size_t kMostSteps = 256;
 constexpr std::size_t kPlaceChanges = 16384;  // of rows: a minute of the busiest
 
+// Rows may be of some ticks after the step's edge, and a floor that gave way there with them: it is
+// as high as they say, whatever was noted at the edge. Above the floor no row reaches the axis.
+int solid_rows(const Clay& clay) {
+  int solid = 0;
+  while (solid < clay.rows() && clay.inner(solid)[0] == 0.0f) ++solid;
+  return solid;
+}
+
 }  // namespace
 
 History::History(Clay& clay) : stride_(clay.stride()), sectors_(clay.sectors()) {
@@ -26,7 +34,7 @@ History::History(Clay& clay) : stride_(clay.stride()), sectors_(clay.sectors()) 
   while (clay.take_change() >= 0) {
   }
   steps_.reserve(kMostSteps);
-  steps_.push_back({0, 0, clay.floor_top(), clay.floor_rows()});
+  steps_.push_back({0, 0, clay.floor_top()});
 }
 
 float* History::shadow_row(int stored) {
@@ -113,7 +121,7 @@ void History::end_step(const Clay& clay) noexcept {
   unsettled_.add(in_step_);
   in_step_.clear();
   if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
-  steps_.push_back({next_, next_place_, clay.floor_top(), clay.floor_rows()});
+  steps_.push_back({next_, next_place_, clay.floor_top()});
   ++depth_;
 }
 
@@ -169,7 +177,7 @@ bool History::step_back_some(Clay& clay, int element_budget) noexcept {
   if (next_ > steps_.back().first) return false;
   // Restacking would carry the floor along: it is put where it was afterwards.
   if (lowest_ < clay.rows()) clay.restack(lowest_);  // room() where no row is
-  clay.set_floor(steps_.back().floor_rows, steps_.back().floor_top);
+  clay.set_floor(solid_rows(clay), steps_.back().floor_top);
   while (clay.take_change(0) >= 0) {
   }
   in_step_.clear();

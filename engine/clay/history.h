@@ -60,7 +60,6 @@ class History {
     std::uint64_t first = 0;        // of its rows in the ring, counted from the beginning of time,
     std::uint64_t first_place = 0;  // and of its changes of place
     double floor_top = 0.0;
-    int floor_rows = 0;
   };
   struct Slot {
     int row = 0;  // as it is stored

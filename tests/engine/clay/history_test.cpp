@@ -98,6 +98,34 @@ TEST(History, ALongTouchIsCutIntoStepsOfThreeSeconds) {
   EXPECT_EQ(test::exact_shape(clay), fresh);
 }
 
+// A step's edge is sharp to a few ticks: rows and floor may be of either side of it, together.
+TEST(History, AFloorThatGivesWayAsAStepEndsIsSolidJustWhereItsRowsAre) {
+  for (int opened = 2980; opened <= 3020; ++opened) {
+    Clay clay = lump(small());
+    History history(clay);
+    const double top = clay.row_height(clay.floor_rows() - 1) - 1e-5;
+    for (int n = 0; n < 3200; ++n) {
+      for (int j = 0; j < clay.rows(); ++j) {
+        clay.outer_mut(j)[static_cast<std::size_t>(n) % 40] -= 1e-7f;
+        clay.mark_dirty(j);
+      }
+      if (n == opened) {
+        clay.open_floor_row(0.004);
+        clay.lower_floor(top);
+      }
+      history.follow(clay, true, 0.001);
+    }
+    while (history.can_step_back()) {
+      step_back(clay, history);
+      const int solid = clay.floor_rows();
+      for (int j = 0; j < clay.rows(); ++j)
+        ASSERT_EQ(clay.inner(j)[0] == 0.0f, j < solid) << "opened at " << opened << ", row " << j;
+      EXPECT_GE(clay.floor_top(), clay.row_height(solid - 1));
+      EXPECT_LE(clay.floor_top(), clay.row_height(solid));
+    }
+  }
+}
+
 TEST(History, WhatWasTakenBackCanBeThrownAnew) {
   Clay clay = lump(small());
   History history(clay);
