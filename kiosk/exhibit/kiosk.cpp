@@ -75,7 +75,17 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   return kiosk;
 }
 
-Kiosk::~Kiosk() = default;
+Kiosk::~Kiosk() {
+  if (!visit_) return;
+  visit_->close(now_);
+  while (const auto request = visit_->take_request())
+    if (const auto* over = std::get_if<screens::ForgetVisitor>(&*request)) carry_out(*over);
+  keepsakes_->wait();
+  while (keepsakes_->busy()) note_saved();
+  if (!counter_) return;
+  counter_->finish();
+  log_problems(counter_->remarks());
+}
 
 Result<void> Kiosk::read_settings(const KioskOptions& options) {
   std::error_code ignored;
@@ -151,6 +161,7 @@ void Kiosk::look_after_devices(double now) {
 
 bool Kiosk::frame(double now, bool draw) {
   bool open = true;
+  now_ = now;
   keepsakes_->look(now);
   if (const auto untidy = keepsakes_->untidy()) log_problem(*untidy);
   const auto events = renderer_->poll();
@@ -290,12 +301,12 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
 }
 
 void Kiosk::carry_out(const screens::ForgetVisitor& request) {
-  if (counter_) {
+  if (counter_ && request.notes) {
     const auto& cards = shelf_->cards();
-    const int card = request.notes.card;
+    const int card = request.notes->card;
     const bool chosen = card >= 0 && card < static_cast<int>(cards.size());
     const std::string vessel = chosen ? cards[static_cast<std::size_t>(card)].vessel->id : "";
-    counter_->visit_over(request.notes, vessel, saving_ticket_);
+    counter_->visit_over(*request.notes, vessel, saving_ticket_);
   }
   potter_->stop_recording();
   saving_ticket_ = 0;

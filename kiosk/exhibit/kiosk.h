@@ -53,6 +53,8 @@ class Kiosk {
   /// Opens settings, window and wheel, and begins to read the shelf. Problems that leave an exhibit
   /// to show are logged; the others are returned.
   static Result<std::unique_ptr<Kiosk>> open(const KioskOptions& options);
+  /// Ends the visit under way, and waits until keepsakes and visits are on the disk, or the log
+  /// says why not.
   ~Kiosk();
 
   /// One frame: input, wheel, screens, picture. `now` in seconds on a clock that never goes back.
@@ -117,6 +119,7 @@ class Kiosk {
   std::unique_ptr<Keepsakes> keepsakes_;
   std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
   std::unique_ptr<screens::Visit> visit_;
+  double now_ = 0.0;  ///< Of the last frame.
   std::uint64_t seed_ = 1;
   std::uint64_t pots_ = 0;
   int pot_card_ = -1;

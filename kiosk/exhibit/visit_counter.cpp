@@ -16,8 +16,10 @@ VisitCounter::VisitCounter(const fs::path& file, const settings::Exhibit& exhibi
     vessel_scenes_[vessel] = scene.stem().string();
 }
 
-VisitCounter::~VisitCounter() {
+void VisitCounter::finish() {
   for (auto& [ticket, visit] : waiting_) store_.visit(std::move(visit));
+  waiting_.clear();
+  store_.finish();
 }
 
 std::string VisitCounter::scene_of(const std::string& vessel) const {

@@ -13,18 +13,19 @@
 namespace onggi::exhibit {
 
 /// Has visits counted: what the screens noted, with the names of things and the time of day. A
-/// visit whose keepsake is still being saved waits for it. Main thread; no call waits for a disk.
+/// visit whose keepsake is still being saved waits for it. Main thread; no call but
+/// finish() waits for a disk.
 class VisitCounter {
  public:
   VisitCounter(const std::filesystem::path& file, const settings::Exhibit& exhibit);
-  /// Visits whose keepsakes never came are counted without them.
-  ~VisitCounter();
 
   /// `vessel`: its name on the shelf, "" where none was chosen. `ticket`: of the visitor's last
   /// save; 0: nothing was to be kept.
   void visit_over(const screens::VisitNotes& notes, const std::string& vessel, int ticket);
   /// A save has ended, before its visit did or after.
   void saved(const Keepsakes::Finished& save);
+  /// Counts visits whose keepsakes never came without them, and waits for the disk.
+  void finish();
   /// What staff should know, once.
   std::vector<Problem> remarks() { return store_.remarks(); }
 

@@ -5,9 +5,12 @@
 namespace onggi::screens {
 
 void Desk::forget() {
-  VisitNotes counted = notes.finish(now, std::exchange(left_alone, false));
-  counted.language = words().code();
-  counted.card = card;
+  std::optional<VisitNotes> counted =
+      notes.finish(now, std::exchange(leaves, VisitNotes::End::back));
+  if (counted) {
+    counted->language = words().code();
+    counted->card = card;
+  }
   language = 0;
   card = -1;
   made = {};

@@ -25,8 +25,8 @@ class Desk {
   std::optional<ScreenId> next;  ///< Where to go once the present call is over.
   bool turned = false;           ///< The same screen now shows another picture: cross-fade.
 
-  NoteTaker notes;          ///< What may be counted of the visit.
-  bool left_alone = false;  ///< Nobody was there any more.
+  NoteTaker notes;                                 ///< What may be counted of the visit.
+  VisitNotes::End leaves = VisitNotes::End::back;  ///< How it ends, if it does now.
 
   /// Of the visitor.
   std::size_t language = 0;

@@ -72,7 +72,7 @@ void Visit::update(double now) {
         s.cover(Over::idle);
         break;
       case IdleWatch::Word::over:
-        s.desk.left_alone = true;
+        s.desk.leaves = VisitNotes::End::idle;
         s.desk.go(ScreenId::attract);
         break;
     }
@@ -132,6 +132,14 @@ void Visit::keepsake_failed(const Problem&) {
 void Visit::fail(const Problem&) {
   if (state_->screen->id() == ScreenId::fault) return;
   state_->desk.go(ScreenId::fault);
+  state_->settle();
+}
+
+void Visit::close(double now) {
+  if (state_->screen->id() == ScreenId::attract) return;
+  state_->desk.now = now;
+  state_->desk.leaves = VisitNotes::End::closed;
+  state_->desk.go(ScreenId::attract);
   state_->settle();
 }
 

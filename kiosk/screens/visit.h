@@ -85,9 +85,9 @@ struct MakeKeepsake {
   int glaze = -1;  ///< Of Kiln::glazes; -1: not fired.
 };
 struct ForgetVisitor {
-  VisitNotes notes;
+  std::optional<VisitNotes> notes;
 };  ///< Idle or done: drop postcard, replay, everything of the visitor. What may be counted is
-    ///< left.
+    ///< left; nothing, where a fault was shown to nobody.
 using Request = std::variant<StartPot, MakeKeepsake, ForgetVisitor>;
 
 /// What the visit may look at. All outlive it.
@@ -135,6 +135,8 @@ class Visit {
   /// Something the visitor should know and staff should mend; `why` in the log. Touch goes back to
   /// attract.
   void fail(const Problem& why);
+  /// The program ends: so does the visit under way, and asks to be forgotten as any other.
+  void close(double now);
 
   ScreenId screen() const;
   bool idle_warning() const;

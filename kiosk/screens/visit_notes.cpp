@@ -35,18 +35,21 @@ std::string_view name_of(VisitNotes::End end) {
       return "idle";
     case VisitNotes::End::fault:
       return "fault";
+    case VisitNotes::End::closed:
+      return "closed";
   }
   return "";
 }
 
 void NoteTaker::enter(ScreenId screen, double now) {
-  if (screen_ == ScreenId::attract) first_ = last_ = now;
   screen_ = notes_.left = screen;
-  if (screen != ScreenId::fault) notes_.reached = std::max(notes_.reached, screen);
+  if (screen == ScreenId::fault) return;
+  if (!std::exchange(begun_, true)) first_ = last_ = now;
+  notes_.reached = std::max(notes_.reached, screen);
 }
 
 void NoteTaker::touch(By by, double now) {
-  if (screen_ == ScreenId::attract) return;
+  if (!begun_) return;
   glass_ += by == By::glass ? 1 : 0;
   mouse_ += by == By::mouse ? 1 : 0;
   keys_ += by == By::keys ? 1 : 0;
@@ -60,14 +63,18 @@ void NoteTaker::device(std::string_view kind, double now) {
   if (screen_ == ScreenId::throwing && !kind.empty()) device_ = kind;
 }
 
-VisitNotes NoteTaker::finish(double now, bool left_alone) {
+std::optional<VisitNotes> NoteTaker::finish(double now, VisitNotes::End how) {
+  if (!begun_) {
+    *this = NoteTaker();
+    return std::nullopt;
+  }
   VisitNotes notes = std::exchange(notes_, {});
   notes.since_s = now - first_;
   notes.active_s = last_ - first_;
   if (notes.left == ScreenId::fault)
     notes.end = VisitNotes::End::fault;
-  else if (left_alone)
-    notes.end = VisitNotes::End::idle;
+  else if (how != VisitNotes::End::back)
+    notes.end = how;
   else if (notes.left == ScreenId::keepsake)
     notes.end = VisitNotes::End::finished;
   if (!device_.empty())

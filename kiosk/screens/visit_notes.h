@@ -13,7 +13,7 @@ std::string_view name_of(
 
 /// What may be counted of a visit once it is over. Nothing of who it was.
 struct VisitNotes {
-  enum class End : std::uint8_t { finished, back, idle, fault };
+  enum class End : std::uint8_t { finished, back, idle, fault, closed };
   double since_s = 0.0;                 ///< From the first touch to now.
   double active_s = 0.0;                ///< From the first touch to the last.
   double throwing_s = 0.0;              ///< Of them at the wheel.
@@ -26,7 +26,7 @@ struct VisitNotes {
   std::string way;                 ///< "touch", "mouse", "keys", or the device that moved a hand.
   std::optional<double> likeness;  ///< 0..100, of the last pot that was called done.
 };
-std::string_view name_of(VisitNotes::End end);  ///< "finished", "back", "idle", "fault"
+std::string_view name_of(VisitNotes::End end);  ///< "finished", "back", "idle", "fault", "closed"
 
 /// Takes those notes while the visit lasts. Knows no clock: seconds come in, on one that never goes
 /// back. Main thread.
@@ -34,7 +34,8 @@ class NoteTaker {
  public:
   enum class By : std::uint8_t { nothing, glass, mouse, keys };
 
-  /// The visit goes to `screen`; the first time from attract.
+  /// To `screen`, never attract. The visit begins at the first but the fault: a fault that nobody
+  /// sees is no visit.
   void enter(ScreenId screen, double now);
   /// Somebody touched something; not for idle time.
   void touch(By by, double now);
@@ -42,12 +43,14 @@ class NoteTaker {
   void device(std::string_view kind, double now);
   void pot() { ++notes_.pots; }
   void judged(double likeness) { notes_.likeness = likeness; }
-  /// The visit is over, and the next one begins with nothing. `left_alone`: by waiting.
-  VisitNotes finish(double now, bool left_alone);
+  /// The visit is over, and the next one begins with nothing. `how`: idle or closed; back: the
+  /// visitor went, and where to is told by the screen. Nothing where no visit had begun.
+  std::optional<VisitNotes> finish(double now, VisitNotes::End how);
 
  private:
   VisitNotes notes_;
   ScreenId screen_ = ScreenId::attract;
+  bool begun_ = false;
   double first_ = 0.0, last_ = 0.0;
   int glass_ = 0, mouse_ = 0, keys_ = 0;
   std::string device_;

@@ -18,7 +18,7 @@ struct VisitRecord {
   std::string way;          ///< How they played: "touch", "mouse", "keys", or a device's kind.
   std::string reached;      ///< The furthest screen: "choose", "throw", "result"...
   std::string left;         ///< The last one.
-  std::string ended;        ///< "finished", "back", "idle" or "fault".
+  std::string ended;        ///< "finished", "back", "idle", "fault", or "closed" with the program.
   double active_s = 0.0;    ///< First touch to last, never the idle tail.
   double throwing_s = 0.0;  ///< Of them at the wheel.
   int pots = 0;             ///< Lumps that were begun.

@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "kiosk/files/child_process.h"
+#include "kiosk/files/virtual_display.h"
+#include "kiosk/store/database.h"
+#include "tests/kiosk/commands/program.h"
+
+namespace onggi::commands {
+namespace {
+
+// A dial is pressed every second: the first press that finds the kiosk open begins the visit.
+TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCounted) {
+  const TemporaryFolder folder;
+  const auto display = files::VirtualDisplay::ensure(640, 480);
+  if (!display) GTEST_SKIP() << "no display, and Xvfb is not installed";
+  const std::string scenario = (folder / "scenario").string(), log = (folder / "log").string();
+  {
+    std::ofstream out(scenario);
+    out << "clock real\ndevice surface_dial";
+    for (int ms = 1000; ms < 60'000; ms += 1000) out << " click " << ms;
+    out << '\n';
+  }
+  // Apart from what is written: a change beside the exhibit opens it anew.
+  const TemporaryFolder site;
+  const std::string exhibit = write_exhibit(
+      site, "first_touch", "[keepsake]\nfolder = \"" + (folder / "kept").string() + "\"\n");
+  const std::string command =
+      "export LD_PRELOAD='" ONGGI_HID_STAND_IN "' ONGGI_STAND_IN='" + scenario +
+      "'; exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" + exhibit + "' 2>'" + log + "'";
+  auto kiosk = files::ChildProcess::start("sh", {"-c", command}, {});
+  ASSERT_TRUE(kiosk);
+  for (int n = 0; n < 1200 && text_of(log).find("First picture") == std::string::npos; ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  kiosk->end(SIGTERM);
+  EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+  store::Database counted =
+      store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
+  EXPECT_EQ(counted.number("SELECT count(*) FROM visits"), 1) << text_of(log);
+  EXPECT_EQ(counted.number("SELECT count(*) FROM visits WHERE ended = 'closed'"), 1);
+}
+
+}  // namespace
+}  // namespace onggi::commands
