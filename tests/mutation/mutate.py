@@ -2,20 +2,21 @@
 """Are the tests awake? Changes a sign or a constant in the engine, one at a time, and runs the tests.
 
   tests/mutation/mutate.py [--each 3] [--most N] [--near N] [--seed 1] [--files engine/contact/*] [--json F]
-                             [--keep DIR]
+                             [--keep DIR] [--jobs N]
   tests/mutation/mutate.py --list
 
 Works on a copy of the tracked tree, built without the kiosk. In every file of the rooms contact, effects and
 force it chooses places by seed: + and -, < and >, min and max, true and false, && and ||, a number
 doubled (0 becomes 1). A change is caught when a test fails, dies or takes ten times its processor time. Changes
 that do not compile, or that compile to the same code, are not counted. What nobody noticed is printed with its line.
-It takes half a minute a change: an hour and more for all.
+It takes half a minute a change on one core: an hour and more for all.
 
 --each N   changes a file (default 3)
 --most N   of those, N from all files by lot, in the order drawn: what is stopped early is still a fair sample
 --near N   ask only the N nearest of the tests' programs: sooner done, and no more than a lower bound
 --list     print the changes and make none
 --keep DIR the folder to work in, which then stays, so that a second run goes on where the first was stopped
+--jobs N   so many copies at once (default 1), each with a build of its own: ccache makes the later ones cheap
 --json F   every change and what became of it
 exit 0: at least nine of ten were caught, 1: fewer, 2: it could not be tried
 """
@@ -26,6 +27,7 @@ import fnmatch
 import glob
 import hashlib
 import json
+import multiprocessing
 import os
 import random
 import re
@@ -192,34 +194,77 @@ class Bench:
         return "not noticed"
 
 
-def tried(tree, changes, near, out_path):
-    bench = Bench(tree, {room for room, *_ in changes}, near)
-    done = {}
+def result_of(bench, change):
+    room, name, number, begin, end, new = change
+    path = os.path.join(bench.tree, name)
+    with open(path, encoding="utf-8") as file:
+        whole = file.read()
+    lines = whole.splitlines(keepends=True)
+    was = lines[number].strip()
+    lines[number] = lines[number][:begin] + new + lines[number][end:]
+    try:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("".join(lines))
+        return {"file": name, "line": number + 1, "was": was, "now": lines[number].strip(), "fate": bench.fate(room)}
+    finally:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(whole)
+
+
+def work(tree, rooms, near, built, first, changes, results):
+    """One copy's part: takes changes until there are none. The first copy is built before the others."""
+    try:
+        copied(tree)
+        if not first:
+            built.wait()
+        bench = Bench(tree, rooms, near)
+        built.set()
+        for change in iter(changes.get, None):
+            results.put(result_of(bench, change))
+    except SystemExit as end:
+        print(end, file=sys.stderr)
+        results.put(None)
+        built.set()
+
+
+def known(tree, changes, done):
+    """Those of `done` that are among `changes`, and the changes that are not."""
+    old, rest = [], []
+    for change in changes:
+        _, name, number, begin, end, new = change
+        with open(os.path.join(tree, name), encoding="utf-8") as file:
+            line = file.read().splitlines()[number]
+        was, now = line.strip(), (line[:begin] + new + line[end:]).strip()
+        match = [d for d in done if (d["file"], d["line"], d["was"], d["now"]) == (name, number + 1, was, now)]
+        old += match[:1]
+        if not match:
+            rest.append(change)
+    return old, rest
+
+
+def tried(folder, changes, near, jobs, out_path):
+    done = []
     if out_path and os.path.exists(out_path):
         with open(out_path, encoding="utf-8") as file:
-            done = {(d["file"], d["line"], d["was"], d["now"]): d for d in json.load(file)["changes"]}
+            done = json.load(file)["changes"]
+    results, rest = known(ROOT, changes, done)
+    rooms = {room for room, *_ in rest}
+    todo, came, built = multiprocessing.Queue(), multiprocessing.Queue(), multiprocessing.Event()
+    for change in rest + [None] * jobs:
+        todo.put(change)
+    workers = [multiprocessing.Process(target=work, daemon=True, args=(
+        os.path.join(folder, f"copy{k}", "tree"), rooms, near, built, k == 0, todo, came)) for k in range(jobs)]
+    for worker in workers if rest else []:
+        worker.start()
     began = time.monotonic()
-    results = []
-    for count, (room, name, number, begin, end, new) in enumerate(changes, 1):
-        path = os.path.join(tree, name)
-        with open(path, encoding="utf-8") as file:
-            whole = file.read()
-        lines = whole.splitlines(keepends=True)
-        was = lines[number].strip()
-        lines[number] = lines[number][:begin] + new + lines[number][end:]
-        now = lines[number].strip()
-        result = done.get((name, number + 1, was, now))
+    for count in range(1, len(rest) + 1):
+        result = came.get()
         if result is None:
-            try:
-                with open(path, "w", encoding="utf-8") as file:
-                    file.write("".join(lines))
-                result = {"file": name, "line": number + 1, "was": was, "now": now, "fate": bench.fate(room)}
-            finally:
-                with open(path, "w", encoding="utf-8") as file:
-                    file.write(whole)
+            raise SystemExit(2)
         results.append(result)
-        left = (time.monotonic() - began) / count * (len(changes) - count)
-        print(f"[{count} of {len(changes)}, {left / 60:.0f} min left] {name}:{number + 1}  {now}  {result['fate']}", flush=True)
+        left = (time.monotonic() - began) / count * (len(rest) - count)
+        print(f"[{len(results)} of {len(changes)}, {left / 60:.0f} min left] {result['file']}:{result['line']}  "
+              f"{result['now']}  {result['fate']}", flush=True)
         if out_path:
             with open(out_path, "w", encoding="utf-8") as file:
                 json.dump({"changes": results}, file, indent=1)
@@ -247,6 +292,7 @@ def main():
     parser.add_argument("--files", nargs="+", default=["engine/*"])
     parser.add_argument("--json")
     parser.add_argument("--keep")
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--list", action="store_true")
     a = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(2))  # a changed file is put back all the same
@@ -255,13 +301,12 @@ def main():
             print(f"{name}:{number + 1}:{begin + 1}: {new.strip()}")
         return 0
     with tempfile.TemporaryDirectory(prefix="onggi-mutation") as temporary:
-        tree = os.path.join(os.path.realpath(a.keep or temporary), "tree")
-        copied(tree)
-        changes = chosen(tree, a.each, a.most, a.seed, a.files)
+        changes = chosen(ROOT, a.each, a.most, a.seed, a.files)
         if not changes:
             print(f"no file matches {' '.join(a.files)}: try engine/contact/*", file=sys.stderr)
             return 2
-        return told(tried(tree, changes, a.near, a.json))
+        folder = os.path.realpath(a.keep or temporary)
+        return told(tried(folder, changes, a.near, max(1, min(a.jobs, len(changes))), a.json))
 
 
 if __name__ == "__main__":
