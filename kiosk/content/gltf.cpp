@@ -7,6 +7,7 @@
 
 #include "engine/math/vec.h"
 #include "kiosk/content/gltf_accessor.h"
+#include "kiosk/content/gltf_coloring.h"
 #include "kiosk/content/gltf_draco.h"
 
 namespace onggi::content {
@@ -70,7 +71,11 @@ Vec3 column(const Matrix& m, std::size_t c) { return {m[c * 4], m[c * 4 + 1], m[
 class Gatherer {
  public:
   Gatherer(const GltfDocument& document, const settings::ReaderLimits& limits)
-      : document_(document), model_(*document.model), limits_(limits), reader_(document, limits) {}
+      : document_(document),
+        model_(*document.model),
+        limits_(limits),
+        reader_(document, limits),
+        colors_(document, limits) {}
 
   Result<void> walk_scene();
   Result<GltfModel> result();
@@ -96,6 +101,7 @@ class Gatherer {
   const tinygltf::Model& model_;
   const settings::ReaderLimits limits_;
   GltfReader reader_;
+  GltfColors colors_;
   GltfModel out_;
   std::vector<std::size_t> parents_;  ///< Of each part, its parent part.
   std::size_t corners_ = 0;           ///< Read so far, kept or not.
@@ -118,7 +124,7 @@ std::vector<int> Gatherer::roots() const {
 }
 
 Result<void> Gatherer::walk_scene() {
-  triangles_of_material_.assign(model_.materials.size(), 0);
+  triangles_of_material_.assign(document_.materials.size(), 0);
   if (model_.nodes.empty()) {
     for (std::size_t i = 0; i < model_.meshes.size(); ++i)
       if (auto added = add_part(static_cast<int>(i), "", static_cast<int>(i), kIdentity, kNone);
@@ -255,7 +261,11 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
   if (draco != nullptr) {
     const auto bytes = reader_.view(draco->view, where);
     if (!bytes) return tl::unexpected<Problem>(bytes.error());
-    auto decoded = decode_draco(*bytes, *draco, where, limits_);
+    const auto& all = document_.materials;
+    const auto material = static_cast<std::size_t>(primitive.material);
+    const int set =
+        primitive.material < 0 || material >= all.size() ? 0 : all[material].coordinates;
+    auto decoded = decode_draco(*bytes, *draco, set, where, limits_);
     if (!decoded) return tl::unexpected<Problem>(decoded.error());
     data = std::move(*decoded);
     check_draco_bounds(data, draco->accessor);
@@ -294,6 +304,7 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
                      "Apply the transforms in the modelling tool and export again.");
     out_.mesh.positions.push_back(at);
   }
+  colors_.add(primitive, draco == nullptr ? nullptr : &data, count, reader_);
   const bool given = data.normals.size() == count;
   std::vector<Vec3> normals(count);
   for (std::size_t i = 0; given && i < count; ++i) {
@@ -346,6 +357,7 @@ Result<GltfModel> Gatherer::result() {
                    "Export the vessel's mesh as triangles.");
   out_.credit = document_.credit;
   out_.warnings = document_.warnings;
+  out_.coloring = colors_.finish(reader_, out_.warnings);
   for (std::string& warning : reader_.warnings()) out_.warnings.push_back(std::move(warning));
   if (skipped_ > 0)
     out_.warnings.push_back(std::to_string(skipped_) + " sets of points or lines were left out.");
@@ -353,10 +365,8 @@ Result<GltfModel> Gatherer::result() {
       std::max_element(triangles_of_material_.begin(), triangles_of_material_.end());
   if (largest != triangles_of_material_.end() && *largest > 0) {
     const auto index = static_cast<std::size_t>(largest - triangles_of_material_.begin());
-    const auto& factor = model_.materials[index].pbrMetallicRoughness.baseColorFactor;
-    out_.colored = !(index < document_.textured.size() && document_.textured[index]);
-    for (std::size_t k = 0; out_.colored && k < 3 && k < factor.size(); ++k)
-      out_.base_color[k] = static_cast<float>(std::clamp(factor[k], 0.0, 1.0));
+    out_.colored = !document_.materials[index].textured;
+    if (out_.colored) out_.base_color = document_.materials[index].factor;
   }
   return std::move(out_);
 }

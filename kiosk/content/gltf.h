@@ -8,6 +8,7 @@
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/content/coloring.h"
 #include "kiosk/content/gltf_credit.h"
 #include "kiosk/settings/reader_limits.h"
 
@@ -28,7 +29,8 @@ struct GltfModel {
   TriangleMesh mesh;
   std::vector<GltfPart> parts;  ///< Every node that brings triangles, parents before children.
   std::array<float, 3> base_color{0.8f, 0.8f, 0.8f};  ///< Linear, of the largest material.
-  bool colored = false;  ///< The file gives that colour; not where it is an image.
+  bool colored = false;  ///< The file gives that colour; not where it is a picture.
+  Coloring coloring;     ///< Of the mesh's positions, where the file has more than that colour.
   GltfCredit credit;
   std::vector<std::string> warnings;
 };

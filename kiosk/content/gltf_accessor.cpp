@@ -10,6 +10,7 @@ namespace onggi::content {
 
 namespace {
 
+constexpr float kMostOfALook = 1e6f;  // colours and places in pictures: a wilder one is no number
 constexpr std::size_t kMostFromNothing = 1u << 20;
 /// meshopt's codecs spend at least two bits on each byte of sixteen vertices, and a byte on each
 /// triangle or index: a claim of more than this many bytes for one is no compression.
@@ -147,8 +148,10 @@ Result<void> check(const tinygltf::Model& model, int index, int type, std::size_
     return unsound(here, "there is no such accessor.");
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
   if (accessor.type != type)
-    return unsound(here, type == TINYGLTF_TYPE_VEC3 ? "it does not hold vectors of three."
-                                                    : "it does not hold single numbers.");
+    return unsound(here, type == TINYGLTF_TYPE_SCALAR
+                             ? "it does not hold single numbers."
+                             : std::string("it does not hold vectors of ") +
+                                   (type == TINYGLTF_TYPE_VEC2 ? "two." : "three."));
   if (accessor.count > most)
     return unsound(here, "it claims " + std::to_string(accessor.count) +
                              " elements, and the most is " + std::to_string(most) + ".");
@@ -266,6 +269,48 @@ Result<std::vector<std::array<float, 3>>> GltfReader::vectors(int accessor,
     return unsound(here, "element " + std::to_string(bad) + " is not a finite number.");
   if (a.count > 0) check_bounds(accessor, low, high, 1e-4);
   return out;
+}
+
+template <std::size_t N>
+Result<std::vector<std::array<float, N>>> GltfReader::plain(int accessor, int type, bool normalized,
+                                                            const std::string& where) {
+  const std::string here = place(where, accessor);
+  const tinygltf::Model& model = *document_.model;
+  if (auto good = check(model, accessor, type, static_cast<std::size_t>(limits_.vertices), here);
+      !good)
+    return tl::unexpected<Problem>(good.error());
+  const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
+  if (a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+    return unsound(here, "whole numbers of 32 bits are no vectors.");
+  const std::size_t size = component_size(a.componentType);
+  const std::size_t components = type == TINYGLTF_TYPE_VEC4 ? 4 : N;
+  std::vector<std::array<float, N>> out;
+  bool good = true;
+  const auto read = each_element(
+      *this, model, accessor, components, here, [&] { out.resize(a.count); },
+      [&](std::size_t i, const unsigned char* at) {
+        for (std::size_t k = 0; k < N; ++k) {
+          out[i][k] = as_float(at + k * size, a.componentType, normalized || a.normalized);
+          good = good && std::abs(out[i][k]) <= kMostOfALook;
+        }
+      });
+  if (!read) return tl::unexpected<Problem>(read.error());
+  if (!good) return unsound(here, "a number in it is not finite, or too large.");
+  return out;
+}
+
+Result<std::vector<std::array<float, 3>>> GltfReader::colors(int accessor,
+                                                             const std::string& where) {
+  const auto& all = document_.model->accessors;
+  const bool four = accessor >= 0 && static_cast<std::size_t>(accessor) < all.size() &&
+                    all[static_cast<std::size_t>(accessor)].type == TINYGLTF_TYPE_VEC4;
+  // Whole numbers are shares of the most they can be, whether the file says so or not.
+  return plain<3>(accessor, four ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, true, where);
+}
+
+Result<std::vector<std::array<float, 2>>> GltfReader::places(int accessor,
+                                                             const std::string& where) {
+  return plain<2>(accessor, TINYGLTF_TYPE_VEC2, false, where);
 }
 
 void GltfReader::check_bounds(int accessor, const std::array<double, 3>& low,

@@ -21,6 +21,10 @@ class GltfReader {
   /// VEC3 of floats or of (normalised) integers. Non-finite numbers are a Problem; numbers outside
   /// the bounds that the file declares are a warning.
   Result<std::vector<std::array<float, 3>>> vectors(int accessor, const std::string& where);
+  /// VEC3 or VEC4 of COLOR_n: linear, 0..1, without its transparency.
+  Result<std::vector<std::array<float, 3>>> colors(int accessor, const std::string& where);
+  /// VEC2 of TEXCOORD_n.
+  Result<std::vector<std::array<float, 2>>> places(int accessor, const std::string& where);
   /// SCALAR of unsigned integers.
   Result<std::vector<std::uint32_t>> indices(int accessor, const std::string& where);
   /// The bytes of a buffer view, decoded if it was compressed. Valid as long as this reader.
@@ -33,6 +37,9 @@ class GltfReader {
   std::vector<std::string> warnings() const;
 
  private:
+  template <std::size_t N>
+  Result<std::vector<std::array<float, N>>> plain(int accessor, int type, bool normalized,
+                                                  const std::string& where);
   Result<files::Bytes> decode_meshopt(const MeshoptView& view, const std::string& where);
   const GltfDocument& document_;
   const settings::ReaderLimits limits_;

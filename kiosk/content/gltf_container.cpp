@@ -1,6 +1,7 @@
 #include "kiosk/content/gltf_container.h"
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "kiosk/content/data_uri.h"
@@ -121,6 +122,17 @@ class JsonSieve {
 };
 
 }  // namespace
+
+std::optional<std::size_t> data_behind(const std::string& uri, const GltfContainer& container) {
+  constexpr std::string_view kMark = "data:#";
+  if (uri.rfind(kMark, 0) != 0) return std::nullopt;
+  std::size_t number = 0;
+  const char* const end = uri.data() + uri.size();
+  const auto read = std::from_chars(uri.data() + kMark.size(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || number >= container.data.size())
+    return std::nullopt;
+  return number;
+}
 
 tl::unexpected<Problem> broken_gltf(const std::string& name, std::string what) {
   return problem(name, std::move(what),

@@ -35,6 +35,9 @@ struct GltfContainer {
 Result<GltfContainer> split_gltf(const std::string& name, const files::Bytes& bytes,
                                  const settings::ReaderLimits& limits);
 
+/// Which data URI of the container stands behind `uri`; none where it is a file's name.
+std::optional<std::size_t> data_behind(const std::string& uri, const GltfContainer& container);
+
 /// The Problem of a file that is not what it should be.
 tl::unexpected<Problem> broken_gltf(const std::string& name, std::string what);
 

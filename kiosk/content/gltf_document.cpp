@@ -11,6 +11,7 @@
 #include "kiosk/content/data_uri.h"
 #include "kiosk/content/gltf_container.h"
 #include "kiosk/content/gltf_credit_reader.h"
+#include "kiosk/content/gltf_materials.h"
 #include "kiosk/content/gltf_slips.h"
 #include "kiosk/content/vessel_file.h"
 
@@ -102,17 +103,18 @@ void note_bounds(const json& doc, GltfDocument& out) {
 
 /// Notes what the extensions say, which tinygltf does not act upon.
 void note_compression(const json& doc, GltfDocument& out) {
-  constexpr auto kNone = static_cast<std::size_t>(-1);
+  constexpr auto kAbsent = static_cast<std::size_t>(-1);
+  constexpr int kMostSets = 8;
   if (const json* views = member(doc, "bufferViews"); views != nullptr && views->is_array())
     for (std::size_t i = 0; i < views->size(); ++i) {
       const json* all = member((*views)[i], "extensions");
       const json* ext = all == nullptr ? nullptr : member(*all, "EXT_meshopt_compression");
       if (ext == nullptr) continue;
-      out.meshopt[static_cast<int>(i)] = {whole(*ext, "buffer", kNone),
+      out.meshopt[static_cast<int>(i)] = {whole(*ext, "buffer", kAbsent),
                                           whole(*ext, "byteOffset", 0),
-                                          whole(*ext, "byteLength", kNone),
-                                          whole(*ext, "byteStride", kNone),
-                                          whole(*ext, "count", kNone),
+                                          whole(*ext, "byteLength", kAbsent),
+                                          whole(*ext, "byteStride", kAbsent),
+                                          whole(*ext, "count", kAbsent),
                                           words(*ext, "mode"),
                                           words(*ext, "filter")};
     }
@@ -125,24 +127,22 @@ void note_compression(const json& doc, GltfDocument& out) {
       const json* ext = all == nullptr ? nullptr : member(*all, "KHR_draco_mesh_compression");
       if (ext == nullptr) continue;
       const auto as_index = [](const json* object, const char* key) {
-        const std::size_t value = object == nullptr ? kNone : whole(*object, key, kNone);
+        const std::size_t value = object == nullptr ? kAbsent : whole(*object, key, kAbsent);
         return value < 1u << 30 ? static_cast<int>(value) : -1;
       };
       const json* ids = member(*ext, "attributes");
+      const auto draco_places = [&](const json* object) {
+        std::map<int, int> sets;
+        for (int n = 0; n < kMostSets; ++n)
+          if (const int id = as_index(object, ("TEXCOORD_" + std::to_string(n)).c_str()); id >= 0)
+            sets[n] = id;
+        return sets;
+      };
       const json* declared = member((*primitives)[p], "attributes");
       out.draco[{static_cast<int>(m), static_cast<int>(p)}] = {
           as_index(ext, "bufferView"), as_index(ids, "POSITION"), as_index(ids, "NORMAL"),
-          as_index(declared, "POSITION")};
+          as_index(ids, "COLOR_0"),    draco_places(ids),         as_index(declared, "POSITION")};
     }
-  }
-  const json* materials = member(doc, "materials");
-  for (std::size_t i = 0; materials != nullptr && materials->is_array() && i < materials->size();
-       ++i) {
-    const json* pbr = member((*materials)[i], "pbrMetallicRoughness");
-    const json* all = member((*materials)[i], "extensions");
-    out.textured.push_back(
-        (pbr != nullptr && member(*pbr, "baseColorTexture") != nullptr) ||
-        (all != nullptr && member(*all, "KHR_materials_pbrSpecularGlossiness") != nullptr));
   }
 }
 
@@ -164,7 +164,7 @@ void keep(json& doc, const char* key, std::initializer_list<const char*> wanted)
 json cut_down(const json& doc, std::size_t buffers) {
   json out = json::object();
   for (const char* key :
-       {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "materials"})
+       {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews"})
     if (const json* value = member(doc, key)) out[key] = *value;
   keep(out, "scenes", {"nodes"});
   keep(out, "nodes", {"name", "mesh", "children", "matrix", "translation", "rotation", "scale"});
@@ -172,17 +172,8 @@ json cut_down(const json& doc, std::size_t buffers) {
   keep(out, "bufferViews", {"buffer", "byteOffset", "byteLength", "byteStride", "target"});
   keep(out, "accessors",
        {"bufferView", "byteOffset", "componentType", "normalized", "count", "type", "sparse"});
-  keep(out, "materials", {"name", "pbrMetallicRoughness"});
   if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extras");
   if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extensions");
-  if (out.contains("materials") && out["materials"].is_array())
-    for (json& material : out["materials"])
-      if (const json* pbr = member(material, "pbrMetallicRoughness")) {
-        json color = json::object();
-        if (const json* factor = member(*pbr, "baseColorFactor"))
-          color["baseColorFactor"] = *factor;
-        material["pbrMetallicRoughness"] = color;
-      }
   if (out.contains("meshes") && out["meshes"].is_array())
     for (json& mesh : out["meshes"]) {
       if (!mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
@@ -199,18 +190,6 @@ json cut_down(const json& doc, std::size_t buffers) {
   for (std::size_t i = 0; i < buffers; ++i)
     out["buffers"].push_back({{"byteLength", 1}, {"uri", std::to_string(i)}});
   return out;
-}
-
-/// Which data URI of the container stands behind `uri`; none where it is a file's name.
-std::optional<std::size_t> data_behind(const std::string& uri, const GltfContainer& container) {
-  constexpr std::string_view kMark = "data:#";
-  if (!starts_with(uri, kMark.data())) return std::nullopt;
-  std::size_t number = 0;
-  const char* const end = uri.data() + uri.size();
-  const auto read = std::from_chars(uri.data() + kMark.size(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || number >= container.data.size())
-    return std::nullopt;
-  return number;
 }
 
 Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
@@ -317,6 +296,7 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   out.credit = read_credit(doc);
   if (auto good = load_buffers(file.parent_path(), doc, *container, most, out); !good)
     return tl::unexpected<Problem>(good.error());
+  read_materials(doc, file.parent_path(), *container, most, out);
   std::size_t buffers = out.buffers.size();
 
   std::string error, warning;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/content/coloring.h"
 #include "kiosk/content/gltf_credit.h"
 #include "kiosk/files/read_file.h"
 #include "kiosk/settings/reader_limits.h"
@@ -29,8 +30,27 @@ struct MeshoptView {
 /// KHR_draco_mesh_compression of one primitive.
 struct DracoPrimitive {
   int view = -1;
-  int position = -1, normal = -1;  ///< Attribute ids inside the Draco data.
-  int accessor = -1;               ///< That declares the positions' bounds.
+  int position = -1, normal = -1, color = -1;  ///< Attribute ids inside the Draco data.
+  std::map<int, int> places;                   ///< The same, of TEXCOORD_n by n.
+  int accessor = -1;                           ///< That declares the positions' bounds.
+};
+
+/// What a material says of its colour, and where its picture lies on the surface.
+struct GltfMaterial {
+  std::array<float, 3> factor{1, 1, 1};  ///< Linear, 0..1.
+  bool textured = false;                 ///< Its colour is a picture,
+  int picture = -1;                      ///< this one of GltfDocument::pictures; -1: none it has.
+  int coordinates = 0;                   ///< TEXCOORD_n
+  std::array<double, 6> placed{1, 0, 0, 0, 1, 0};  ///< Rows that take (u, v, 1) into the picture.
+  Coloring::Wrap across = Coloring::Wrap::repeat, down = Coloring::Wrap::repeat;
+};
+
+/// A picture, still as it was written.
+struct GltfPicture {
+  std::string name;  ///< The file's for it.
+  int view = -1;     ///< Its buffer view; -1: it is in `bytes`.
+  std::span<const unsigned char> bytes;
+  std::string fault;  ///< Why it cannot be had; "" where it can.
 };
 
 /// A glTF 2.0 file whose JSON has been measured, whose required extensions are known, whose buffers
@@ -48,7 +68,8 @@ struct GltfDocument {
   std::vector<std::span<const unsigned char>> buffers;
   std::map<int, MeshoptView> meshopt;
   std::map<std::pair<int, int>, DracoPrimitive> draco;  ///< By (mesh, primitive).
-  std::vector<bool> textured;                           ///< By material: its colour is an image.
+  std::vector<GltfMaterial> materials;
+  std::vector<GltfPicture> pictures;  ///< That a material's colour is.
   struct Bounds {
     std::array<double, 3> low{}, high{};
   };
@@ -57,8 +78,8 @@ struct GltfDocument {
   std::vector<std::string> warnings;
 };
 
-/// Only geometry, nodes and base colours are handed on: images, textures, skins, animations,
-/// cameras and extras are cut out before tinygltf sees the JSON, and it opens no file of its own.
+/// Only geometry and nodes are handed on: images, textures, skins, animations, cameras and extras
+/// are cut out before tinygltf sees the JSON, and it opens no file of its own.
 Result<GltfDocument> open_gltf(const std::filesystem::path& file,
                                const settings::ReaderLimits& limits);
 

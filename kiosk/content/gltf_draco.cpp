@@ -13,15 +13,20 @@ namespace onggi::content {
 
 namespace {
 
-bool copy_attribute(const draco::Mesh& mesh, int id, std::vector<std::array<float, 3>>& out) {
+/// The first N components of an attribute that has no more than `most`.
+template <std::size_t N>
+bool copy_attribute(const draco::Mesh& mesh, int id, std::vector<std::array<float, N>>& out,
+                    int most = N) {
   const draco::PointAttribute* attribute =
       id < 0 ? nullptr : mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
-  if (attribute == nullptr || attribute->num_components() != 3) return false;
+  if (attribute == nullptr || attribute->num_components() < static_cast<int>(N) ||
+      attribute->num_components() > most)
+    return false;
   out.resize(mesh.num_points());
   for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
     const auto value = attribute->mapped_index(draco::PointIndex(i));
     if (value.value() >= attribute->size() ||
-        !attribute->ConvertValue<float>(value, 3, out[i].data()))
+        !attribute->ConvertValue<float>(value, static_cast<std::int8_t>(N), out[i].data()))
       return false;
     for (const float v : out[i])
       if (!std::isfinite(v)) return false;
@@ -32,7 +37,8 @@ bool copy_attribute(const draco::Mesh& mesh, int id, std::vector<std::array<floa
 }  // namespace
 
 Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
-                                      const DracoPrimitive& primitive, const std::string& where,
+                                      const DracoPrimitive& primitive, int set,
+                                      const std::string& where,
                                       const settings::ReaderLimits& limits) {
   const auto damaged = [&] {
     return problem(where, "its Draco compression is damaged.",
@@ -52,6 +58,10 @@ Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
     DecodedPrimitive out;
     if (!copy_attribute(mesh, primitive.position, out.positions)) return damaged();
     if (!copy_attribute(mesh, primitive.normal, out.normals)) out.normals.clear();
+    if (!copy_attribute(mesh, primitive.color, out.colors, 4)) out.colors.clear();
+    if (const auto id = primitive.places.find(set);
+        id == primitive.places.end() || !copy_attribute(mesh, id->second, out.places))
+      out.places.clear();
     out.indices.reserve(std::size_t{3} * mesh.num_faces());
     for (std::uint32_t f = 0; f < mesh.num_faces(); ++f)
       for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(f)))
@@ -64,7 +74,7 @@ Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
 
 #else
 
-Result<DecodedPrimitive> decode_draco(std::span<const unsigned char>, const DracoPrimitive&,
+Result<DecodedPrimitive> decode_draco(std::span<const unsigned char>, const DracoPrimitive&, int,
                                       const std::string& where, const settings::ReaderLimits&) {
   return problem(where, "it is compressed with Draco, and this program was built without it.",
                  "Export the vessel without Draco compression, or build with libdraco-dev.");

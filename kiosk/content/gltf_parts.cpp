@@ -51,6 +51,11 @@ TriangleMesh mesh_of(const GltfModel& model, const GltfPart& part, Reach reach) 
   return out;
 }
 
+Coloring coloring_of(const GltfModel& model, const GltfPart& part, Reach reach) {
+  const bool alone = reach == Reach::alone && part.own_triangles > 0;
+  return model.coloring.part(part.first_position, alone ? part.own_positions : part.positions);
+}
+
 NamedPart find_part(const GltfModel& model, const std::string& name) {
   const auto named = [&model](const std::string& wanted) -> const GltfPart* {
     for (const GltfPart& part : model.parts)

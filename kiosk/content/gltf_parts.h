@@ -16,6 +16,9 @@ enum class Reach {
 /// One part's surface.
 TriangleMesh mesh_of(const GltfModel& model, const GltfPart& part, Reach reach);
 
+/// The colours of mesh_of()'s positions.
+Coloring coloring_of(const GltfModel& model, const GltfPart& part, Reach reach);
+
 /// What `--node NAME` and `node = "NAME"` name: a node alone, or by "NAME/*" with what hangs on it.
 struct NamedPart {
   const GltfPart* part = nullptr;  ///< By its name, else by the node's number; nullptr: none.

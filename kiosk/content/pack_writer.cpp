@@ -88,8 +88,10 @@ std::string pack_toml(const Vessel& vessel) {
               page ? vessel.given.source.c_str() : "https://the.museum/its-page-on-this-vessel");
   out += "credit = " + quoted(vessel.credit.empty() ? "not known" : vessel.credit) + "\n";
   out += "licence = " + quoted(vessel.licence.empty() ? kLicenceNotKnown : vessel.licence) + "\n";
-  std::snprintf(text, sizeof text, "color = [%.2f, %.2f, %.2f]      # as on a screen, 0 to 1\n",
-                srgb(vessel.color[0]), srgb(vessel.color[1]), srgb(vessel.color[2]));
+  std::snprintf(text, sizeof text, "%scolor = [%.2f, %.2f, %.2f]      # as on a screen, 0 to 1%s\n",
+                vessel.coloring.empty() ? "" : "# ", srgb(vessel.color[0]), srgb(vessel.color[1]),
+                srgb(vessel.color[2]),
+                vessel.coloring.empty() ? "" : "; instead of the scan's own colours");
   out += text;
   out += "\n# A label in each language of the exhibit.\n";
   out += label_toml(vessel, "en");

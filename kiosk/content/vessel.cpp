@@ -61,8 +61,8 @@ struct Order {
 };
 
 /// The vessel that `mesh` is, all but its size.
-Result<Vessel> measured(const Order& order, const GltfModel& model, const TriangleMesh& mesh,
-                        const std::string& name) {
+Result<Vessel> measured(const Order& order, const GltfModel& model, const NamedPart& named,
+                        const TriangleMesh& mesh, const std::string& name) {
   Vessel vessel = order.vessel;
   ExtractionOptions options;
   options.up = order.options.up;
@@ -78,7 +78,12 @@ Result<Vessel> measured(const Order& order, const GltfModel& model, const Triang
   // A museum's own document says which page is the museum's; a scan of anyone's may say anything.
   if (vessel.address.empty()) vessel.address = order.document.address;
   if (model.colored) vessel.color = model.base_color;
-  if (order.color) vessel.color = *order.color;
+  vessel.coloring =
+      named.part == nullptr ? model.coloring : coloring_of(model, *named.part, named.reach);
+  if (order.color) {
+    vessel.color = *order.color;
+    vessel.coloring = {};
+  }
   return vessel;
 }
 
@@ -145,7 +150,7 @@ Result<Vessel> load_one(const Order& order, const GltfModel& model, const NamedP
   const TriangleMesh& mesh = whole ? model.mesh : own;
   std::string name = order.vessel.file.string();
   if (!whole) name += ", node \"" + called(*named.part) + "\"";
-  auto vessel = measured(order, model, mesh, name);
+  auto vessel = measured(order, model, named, mesh, name);
   if (!vessel) return whole ? tl::unexpected<Problem>(with_nodes(vessel.error(), model)) : vessel;
   name_nodes(*vessel, model, named);
   const auto size = true_size(size_of(*vessel), order.told, name);
@@ -204,10 +209,10 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   std::string others;
   for (const GltfPart* part : objects) {
     NamedPart named{part, Reach::all};
-    auto vessel = measured(order, model, mesh_of(model, *part, named.reach), called(*part));
+    auto vessel = measured(order, model, named, mesh_of(model, *part, named.reach), called(*part));
     if (!vessel && part->own_triangles < part->triangles) {  // without its bail, say
       named.reach = Reach::alone;
-      vessel = measured(order, model, mesh_of(model, *part, named.reach), called(*part));
+      vessel = measured(order, model, named, mesh_of(model, *part, named.reach), called(*part));
     }
     if (!vessel) {
       others += (others.empty() ? "\"" : ", \"") + called(*part) + "\"";

@@ -10,6 +10,7 @@
 #include "engine/base/result.h"
 #include "engine/profile/extraction.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/content/coloring.h"
 #include "kiosk/content/gltf_credit.h"
 #include "kiosk/content/true_size.h"
 #include "kiosk/settings/reader_limits.h"
@@ -46,7 +47,8 @@ struct Vessel {
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
   ExtractedProfile extracted;  ///< Its profile in metres; the axis as the file has it, file units.
   double unit = 1.0;           ///< Metres that one unit of the file was taken for.
-  std::array<float, 3> color{0.62f, 0.44f, 0.31f};  ///< Linear base colour for its picture.
+  std::array<float, 3> color = kClayColor;  ///< Linear base colour for its picture,
+  Coloring coloring;  ///< and the colours of `mesh`'s positions, in its stead where there are any.
 
   /// The label in `language`, else English, else one made of the file's name; with the vessel's
   /// address where it has none of its own.

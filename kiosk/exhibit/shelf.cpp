@@ -74,8 +74,8 @@ void Shelf::take(double now) {
 bool Shelf::draw_next_picture(render::Renderer& renderer) {
   for (screens::ShelfCard& card : cards_) {
     if (card.picture != 0) continue;
-    card.picture =
-        renderer.make_picture(card.vessel->mesh, card.vessel->color, kPictureWidth, kPictureHeight);
+    card.picture = renderer.make_picture(card.vessel->mesh, card.vessel->color,
+                                         card.vessel->coloring, kPictureWidth, kPictureHeight);
     return true;
   }
   return false;

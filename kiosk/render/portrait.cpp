@@ -51,6 +51,47 @@ TriangleMesh standing(const TriangleMesh& mesh) {
   return out;
 }
 
+GLint wrap_of(content::Coloring::Wrap wrap) {
+  return wrap == content::Coloring::Wrap::clamp    ? GL_CLAMP_TO_EDGE
+         : wrap == content::Coloring::Wrap::mirror ? GL_MIRRORED_REPEAT
+                                                   : GL_REPEAT;
+}
+
+/// Rows from the top and v from the top: the first row is the one at v = 0, as glTF means it.
+Texture texture_of(const content::Coloring::Picture& picture) {
+  const auto& pixels = *picture.pixels;
+  Texture out = Texture::create(GL_SRGB8, pixels.width, pixels.height, GL_RGB, GL_UNSIGNED_BYTE,
+                                pixels.rgb.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap_of(picture.across));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap_of(picture.down));
+  return out;
+}
+
+Texture plain_white() {
+  constexpr std::array<std::uint8_t, 3> kWhite{255, 255, 255};
+  return Texture::create(GL_SRGB8, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, kWhite.data());
+}
+
+/// The triangles' corners, those of each coat together.
+std::vector<std::uint32_t> dress(const TriangleMesh& mesh, const content::Coloring& coloring,
+                                 std::vector<Coat>& coats) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(3 * mesh.triangles.size());
+  for (std::size_t p = 0; p <= coloring.pictures.size(); ++p) {
+    const std::size_t first = indices.size();
+    for (const auto& t : mesh.triangles)
+      if ((coloring.picture.empty() ? 0u : coloring.picture[t[0]]) == p)
+        indices.insert(indices.end(), t.begin(), t.end());
+    if (indices.size() == first) continue;
+    coats.push_back({p == 0 ? plain_white() : texture_of(coloring.pictures[p - 1]),
+                     static_cast<int>(first), static_cast<int>(indices.size() - first)});
+  }
+  return indices;
+}
+
 /// Mean height of what faces up about the axis: the floor of an open vessel, the top of a shut one.
 /// The vessel's own where nothing does.
 float floor_of(const TriangleMesh& mesh, float widest, float top) {
@@ -127,21 +168,30 @@ Levels levels_of(const TriangleMesh& mesh) {
   return levels;
 }
 
-Portrait portrait_of(const TriangleMesh& mesh, int width, int height) {
+Portrait portrait_of(const TriangleMesh& mesh, std::array<float, 3> color,
+                     const content::Coloring& coloring, int width, int height) {
+  std::array<float, 256> light;
+  for (std::size_t i = 0; i < light.size(); ++i)
+    light[i] = content::light_of(static_cast<std::uint8_t>(i));
   const TriangleMesh model = standing(mesh);
   Portrait out;
   out.levels = levels_of(model);
   std::vector<float> vertices;
-  vertices.reserve(model.positions.size() * 6);
+  vertices.reserve(model.positions.size() * 11);
   float radius = 1e-4f;
   for (std::size_t i = 0; i < model.positions.size(); ++i) {
     const Point &p = model.positions[i], &n = model.normals[i];
-    vertices.insert(vertices.end(), {p[0], p[1], p[2], n[0], n[1], n[2]});
+    Point c = color;
+    std::array<float, 2> place{};
+    if (!coloring.empty())
+      for (std::size_t k = 0; k < 3; ++k) c[k] = light[coloring.colors[i][k]];
+    if (!coloring.places.empty()) place = coloring.places[i];
+    vertices.insert(vertices.end(),
+                    {p[0], p[1], p[2], n[0], n[1], n[2], c[0], c[1], c[2], place[0], place[1]});
     radius = std::max(radius, std::hypot(p[0], p[2]));
   }
-  out.mesh = Mesh(vertices.data(), vertices.size(),
-                  model.triangles.empty() ? nullptr : model.triangles[0].data(),
-                  model.triangles.size() * 3, {3, 3});
+  const std::vector<std::uint32_t> indices = dress(model, coloring, out.coats);
+  out.mesh = Mesh(vertices.data(), vertices.size(), indices.data(), indices.size(), {3, 3, 3, 2});
   const auto w = static_cast<float>(width), h = static_cast<float>(height);
   out.camera = view::frame_pot(width, height, {0.13f * w, 0.06f * h, 0.74f * w, 0.84f * h},
                                out.levels.height, radius);

@@ -77,14 +77,13 @@ class GlRenderer final : public Renderer {
     return canvas.read(*items_, pictures_);
   }
 
-  view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color, int width,
-                               int height) override {
-    const Portrait portrait = portrait_of(mesh, width, height);
+  view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
+                               const content::Coloring& coloring, int width, int height) override {
+    const Portrait portrait = portrait_of(mesh, color, coloring, width, height);
     const Target many(width, height, true, kPictureSamples);
     Target one(width, height, false, 0);
     many.bind();
-    stage_->draw_mesh(portrait.mesh, portrait.levels, portrait.camera,
-                      {color[0], color[1], color[2]});
+    stage_->draw_portrait(portrait);
     many.resolve_to(one);
     return keep({one.take_color(), true});
   }

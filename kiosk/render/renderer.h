@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/clay/clay_view.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/content/coloring.h"
 #include "kiosk/view/frame.h"
 #include "kiosk/view/image.h"
 #include "kiosk/view/input.h"
@@ -60,9 +61,10 @@ class Renderer {
   virtual view::Image draw_offscreen(const view::Frame& frame) = 0;
 
   /// A picture of a mesh on a transparent ground with its soft shadow, studio light, linear base
-  /// `color`.
+  /// `color`, or in its own `coloring` where that is not empty.
   virtual view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
-                                       int width, int height) = 0;
+                                       const content::Coloring& coloring, int width,
+                                       int height) = 0;
   virtual view::PictureId make_picture(const view::Image& image) = 0;
   virtual void drop_picture(view::PictureId id) = 0;
 

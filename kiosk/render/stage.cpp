@@ -27,7 +27,7 @@ constexpr std::array<Wall, 4> kWalls{
 
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
-              kRowAt = 6, kWetRows = 7, kTornAt = 8;
+              kRowAt = 6, kWetRows = 7, kTornAt = 8, kOwnPicture = 9;
 
 // Parts of clay.glsl that tear: outer wall, lip, inner wall, section of the wall.
 constexpr bool kTears[] = {true, true, true, false, false, true};
@@ -328,8 +328,9 @@ void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
                    [&](const Program& program) { set_light(program, pot.camera, clay_levels_); });
 }
 
-void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera& camera,
-                      glm::vec3 color) {
+void Stage::draw_portrait(const Portrait& portrait) {
+  const Levels& levels = portrait.levels;
+  const view::Camera& camera = portrait.camera;
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   upload(levels, mesh_levels_);
@@ -348,9 +349,12 @@ void Stage::draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera
   program.use();
   set_light(program, camera, mesh_levels_);
   program.set("clip_from_studio", clip);
-  program.set("base_color", color);
+  program.set("own_picture", kOwnPicture);
   program.set("height", static_cast<float>(levels.height));
-  mesh.draw();
+  for (const Coat& coat : portrait.coats) {
+    coat.picture.bind(kOwnPicture);
+    portrait.mesh.draw_some(coat.first, coat.count);
+  }
   glDisable(GL_DEPTH_TEST);
 }
 

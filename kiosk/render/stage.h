@@ -10,6 +10,7 @@
 #include "kiosk/render/clay_skin.h"
 #include "kiosk/render/clay_surface.h"
 #include "kiosk/render/gl.h"
+#include "kiosk/render/portrait.h"
 #include "kiosk/render/studio.h"
 #include "kiosk/render/tool_painter.h"
 #include "kiosk/view/frame.h"
@@ -34,9 +35,7 @@ class Stage {
   ClaySurface& clay() { return clay_; }
   /// Draws the pot into the bound target, which is `scale` times the camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
-  /// Draws `mesh` (already on the card, `levels` its own) seen by `camera`.
-  void draw_mesh(const Mesh& mesh, const Levels& levels, const view::Camera& camera,
-                 glm::vec3 color);
+  void draw_portrait(const Portrait& portrait);
   /// The plaster, over the whole bound target of this size.
   void draw_plaster(int width, int height);
 

@@ -253,6 +253,7 @@ void read_reader(Table table, ReaderLimits& limits) {
   table.integer("vertices", limits.vertices, 1000, 100'000'000);
   table.integer("triangles", limits.triangles, 1000, 100'000'000);
   table.integer("vessels_in_a_file", limits.vessels_in_a_file, 1, 1000);
+  table.integer("texture_px", limits.texture_px, 0, 16384, "pixels");
   table.finish();
 }
 

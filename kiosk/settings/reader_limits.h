@@ -13,6 +13,7 @@ struct ReaderLimits {
   int vertices = 16'777'216;    ///< Of all its nodes together, 1000..100000000.
   int triangles = 16'777'216;   ///< The same for triangles, 1000..100000000.
   int vessels_in_a_file = 64;   ///< The most that one file brings onto the shelf, 1..1000.
+  int texture_px = 8192;        ///< Longest side of a picture in it, 0..16384; 0: none are read.
   friend bool operator==(const ReaderLimits&, const ReaderLimits&) = default;
 };
 

@@ -21,6 +21,7 @@ onggi::settings::ReaderLimits limits() {
   out.json_values = 100'000;
   out.vertices = 300'000;
   out.triangles = 300'000;
+  out.texture_px = 0;  // no process for each input: texture_fuzz has the pictures
   return out;
 }
 

@@ -1,27 +1,34 @@
 // Vessels of the shelf under the studio's light.
 
 uniform mat4 clip_from_studio;
-uniform vec3 base_color;
+uniform sampler2D own_picture;  // sRGB: read as light
 uniform float height;
 
 #ifdef VERTEX
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec3 normal_in;
-out vec3 position, normal_v;
+layout(location = 2) in vec3 color_in;  // linear
+layout(location = 3) in vec2 place_in;
+out vec3 position, normal_v, color_v;
+out vec2 place_v;
 
 void main() {
   position = at;
   normal_v = normal_in;
+  color_v = color_in;
+  place_v = place_in;
   gl_Position = clip_from_studio * vec4(position, 1.0);
 }
 #endif
 
 #ifdef FRAGMENT
-in vec3 position, normal_v;
+in vec3 position, normal_v, color_v;
+in vec2 place_v;
 out vec4 color;
 
 void main() {
   vec3 n = normalize(normal_v), v = normalize(eye - position);
+  vec3 base_color = color_v * texture(own_picture, place_v).rgb;
   Seen s;
   // Scans have holes and turned-in faces: light both sides.
   if (dot(n, v) < 0.0 && !gl_FrontFacing) n = -n;

@@ -4,6 +4,7 @@
 
 #include "engine/scene/scene.h"
 #include "kiosk/content/gltf.h"
+#include "kiosk/content/vessel.h"
 #include "kiosk/view/palette.h"
 #include "tests/kiosk/render/studio_fixture.h"
 
@@ -227,7 +228,8 @@ TEST_F(Gallery, TheShelfOfTheExhibit) {
   for (const auto& folder : folders) {
     const auto model = content::read_gltf(folder / "vessel.glb");
     if (!model) continue;
-    pictures.push_back(r.make_picture(model->mesh, {0.62f, 0.44f, 0.31f}, 400, 420));
+    pictures.push_back(
+        r.make_picture(model->mesh, {0.62f, 0.44f, 0.31f}, model->coloring, 400, 420));
     const auto k = static_cast<float>(pictures.size() - 1);
     const float x = 30 + 205 * std::fmod(k, 6.0f), y = 30 + 340 * std::floor(k / 6.0f);
     page.items.emplace_back(view::Picture{{x, y, 200, 210}, pictures.back(), 1});
@@ -245,13 +247,22 @@ TEST_F(Gallery, VesselsThatNobodyHereMade) {
   page.width = kWidth;
   page.height = kHeight;
   int k = 0;
-  for (const char* name : {"m3_roman_pottery_01", "m3_wine_jug_02", "ycb_024_bowl",
-                           "polyhaven_ceramic_vase_01_quant", "ycb_025_mug"}) {
-    const auto vessel = content::read_gltf(std::string("../shared/vessels/") + name + ".glb");
-    if (!vessel) continue;
-    const auto id = r.make_picture(vessel->mesh, {0.5f, 0.42f, 0.34f}, 420, 480);
-    const float x = 20 + 250 * static_cast<float>(k++);
-    page.items.emplace_back(view::Picture{{x, 200, 240, 280}, id, 1});
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator("../shared/vessels")) {
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".glb" || ending == ".gltf") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) {
+    const auto vessels = content::load_vessels(file);
+    if (!vessels) continue;
+    for (const content::Vessel& vessel : *vessels) {
+      const auto id = r.make_picture(vessel.mesh, vessel.color, vessel.coloring, 480, 600);
+      const float x = 10 + 126 * static_cast<float>(k % 8),
+                  y = 10 + 235 * static_cast<float>(k / 8);
+      page.items.emplace_back(view::Picture{{x, y, 120, 150}, id, 1});
+      ++k;
+    }
   }
   r.draw(page);
   keep_for_looking(r.read_pixels(), "shelf_shared");
