@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "kiosk/textures/codecs.h"
+#include "kiosk/textures/ktx2.h"
 
 namespace onggi::textures {
 namespace {
@@ -71,7 +72,7 @@ Decoded decode_texture(std::span<const std::uint8_t> bytes, const TextureLimits&
   else if (begins(0, "RIFF", 4) && begins(8, "WEBP", 4))
     out = decode_webp(bytes, limits.most_side);
   else if (begins(0, "\xABKTX 20\xBB\r\n\x1A\n", 12))
-    out = tl::unexpected(std::string("it is a KTX2, which is not read yet"));
+    out = decode_ktx2(bytes, limits.most_side, limits.wanted_side);
   else
     out = tl::unexpected(
         std::string(bytes.empty() ? "it is empty" : "it is no PNG, JPEG, WebP or KTX2"));

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts FOLDER (tests/fuzz/run calls it)."""
+"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts|texture FOLDER (tests/fuzz/run calls it)."""
 
+import base64
 import json
 import os
 import struct
 import sys
+import zlib
 
 
 def documents():
@@ -28,8 +30,42 @@ def parts():
     return [jar + struct.pack("<12f6I", *range(12), 0, 1, 2, 1, 2, 3), b"ONGEno such face"]
 
 
+def textures():
+    """Pictures of 24 x 20 pixels: a progressive JPEG, WebP with and without loss, PNG; and the tests' KTX2."""
+    whole = [base64.b64decode(text) for text in (
+        "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDABQODxIPDRQSEBIXFRQYHjIhHhwcHj0sLiQySUBMS0dARkVQWnNiUFVtVkVGZIhlbXd7"
+        "gYKBTmCNl4x9lnN+gXz/2wBDARUXFx4aHjshITt8U0ZTfHx8fHx8fHx8fHx8fHx8fHx8fHx8fHx8fHx8fHx8fHx8fHx8fHx8fHx8"
+        "fHx8fHx8fHz/wgARCAAUABgDASIAAhEBAxEB/8QAGAABAAMBAAAAAAAAAAAAAAAAAAIDBAX/xAAXAQADAQAAAAAAAAAAAAAAAAAB"
+        "AgQF/9oADAMBAAIQAxAAAAHmXXXoM7cNkNAmRMJb/8QAGBABAQEBAQAAAAAAAAAAAAAAAQACEBH/2gAIAQEAAQUCMxmMxmM3kHAv"
+        "/8QAGBEAAwEBAAAAAAAAAAAAAAAAAAIDASH/2gAIAQMBAT8BSgtOCGH/xAAaEQACAgMAAAAAAAAAAAAAAAAAAQIxEiEy/9oACAEC"
+        "AQE/AVseCshyRo//xAAUEAEAAAAAAAAAAAAAAAAAAAAw/9oACAEBAAY/Ah//xAAXEAEBAQEAAAAAAAAAAAAAAAABABEg/9oACAEB"
+        "AAE/IeRbMxQYRX//2gAMAwEAAgADAAAAELsYAP/EABcRAQEBAQAAAAAAAAAAAAAAAAABESH/2gAIAQMBAT8QzVK6u4//xAAYEQEB"
+        "AQEBAAAAAAAAAAAAAAABABEhYf/aAAgBAgEBPxC9GLs0T5En/8QAGRAAAwADAAAAAAAAAAAAAAAAAAFhESFR/9oACAEBAAE/EIkC"
+        "JEgJ0xlnILa0tnMf/9k=",
+        "UklGRpQAAABXRUJQVlA4IIgAAABwBQCdASoYABQAPxF0sVEsJqSisAgBgCIJbACdMuz/doALn/88YnanVBR+/QUycUMA30WAAP77"
+        "kpowqBNuPlGfBpISNj3QSMMmGNV8/bAnWzOtB6NmrKfvWSE1UQbuG1TENw9yzasp8x7LOFGTNUWXxQuZdGLFC3A0+UAQPVuGVq/e"
+        "x5CyE4AA",
+        "UklGRmAAAABXRUJQVlA4TFMAAAAvF8AEAAmAIAb8H3uI6H96IRZM5g/dFUT9o/8RB5q2jWQAxx/x/X/GH0dBcdtIam75+O7LEBMA"
+        "iPVAsP4FhAgFuQ2JDoIJjQNGfLDan2j8iMQBjwA=")]
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    for colour, bits, interlaced, row in ((2, 8, 0, 72), (6, 16, 1, 192), (3, 4, 0, 12)):
+        rows = b"".join(b"\1" + bytes((7 * x + 3 * y) % 256 for x in range(row)) for y in range(20 if not interlaced else 60))
+        whole.append(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", 24, 20, bits, colour, 0, 0, interlaced)) +
+                     (chunk(b"PLTE", bytes(range(48))) if colour == 3 else b"") +
+                     chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    folder = os.path.join(os.path.dirname(__file__), "..", "kiosk", "textures", "samples")
+    for name in sorted(os.listdir(folder)):
+        if name.endswith(".ktx2"):
+            with open(os.path.join(folder, name), "rb") as sample:
+                whole.append(sample.read())
+    return whole
+
+
 if __name__ == "__main__":
     os.makedirs(sys.argv[2], exist_ok=True)
-    for i, seed in enumerate({"document": documents, "parts": parts}[sys.argv[1]]()):
+    for i, seed in enumerate({"document": documents, "parts": parts, "texture": textures}[sys.argv[1]]()):
         with open(os.path.join(sys.argv[2], "seed_%d" % i), "wb") as out:
             out.write(seed)

@@ -27,6 +27,10 @@ constexpr std::array<std::uint8_t, 3> kUpper{20, 40, 200}, kLower{190, 30, 25};
 class Colors : public Temporary {
  protected:
   static textures::TexturePixels halves() { return two_halves(64, kUpper, kLower); }
+  static std::string sample(const std::string& name) {
+    std::ifstream in("tests/kiosk/textures/samples/" + name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  }
   Vessel read(const TexturedScan& scan, const settings::ReaderLimits& limits = {}) {
     LoadOptions options;
     options.limits = limits;
@@ -85,7 +89,11 @@ TEST_F(Colors, a_blue_shoulder_over_a_red_foot_is_read_from_each_kind_of_picture
                     .mime = "image/webp",
                     .texture = "\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}",
                     .required = "EXT_texture_webp"};
-  for (const TexturedScan& scan : {png, jpeg, webp}) {
+  TexturedScan ktx2{.picture = sample("halves.ktx2"),
+                    .mime = "image/ktx2",
+                    .texture = "\"extensions\":{\"KHR_texture_basisu\":{\"source\":0}}",
+                    .required = "KHR_texture_basisu"};
+  for (const TexturedScan& scan : {png, jpeg, webp, ktx2}) {
     const Vessel vessel = read(scan);
     ASSERT_FALSE(vessel.coloring.empty()) << scan.mime;
     expect_near(seen(vessel, 0.25), kUpper, 6, scan.mime);
