@@ -22,13 +22,9 @@ TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
   const ScratchFolder scratch;
   const fs::path old = scratch.path() / "2001-05-04_141503_jar";
   put_visit(scratch.path(), old.filename());
-  const auto tidy = [](Keepsakes& keepsakes, double now) {
-    keepsakes.look(now);
-    for (int n = 0; n < 500; ++n) {
-      if (auto problem = keepsakes.untidy()) return problem;
+  const auto wait_for = [](const auto& done) {
+    for (int n = 0; n < 20'000 && !done(); ++n)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return std::optional<Problem>();
   };
   {
     Keepsakes keepsakes(scratch.path(), {100, 30});
@@ -39,18 +35,20 @@ TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
   put_visit(scratch.path(), old.filename());
   fs::create_directories(old.string() + ".partial/in_the_way");
   Keepsakes keepsakes(scratch.path(), {100, 30});
-  const auto untidy = tidy(keepsakes, 1000.0);
+  keepsakes.look(1000.0);
+  std::optional<Problem> untidy;
+  wait_for([&] { return (untidy = keepsakes.untidy()).has_value(); });
   ASSERT_TRUE(untidy);
   EXPECT_EQ(untidy->where, old.string());
   EXPECT_FALSE(keepsakes.untidy()) << "told once";
   fs::remove_all(old.string() + ".partial");
-  {
-    keepsakes.look(1000.0 + Keepsakes::kTidy - 1.0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    EXPECT_TRUE(fs::exists(old)) << "not before the day is over";
-  }
-  EXPECT_FALSE(tidy(keepsakes, 1000.0 + Keepsakes::kTidy));
+  keepsakes.look(1000.0 + Keepsakes::kTidy - 1.0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_TRUE(fs::exists(old)) << "not before the day is over";
+  keepsakes.look(1000.0 + Keepsakes::kTidy);
+  wait_for([&] { return !fs::exists(old); });
   EXPECT_FALSE(fs::exists(old));
+  EXPECT_FALSE(keepsakes.untidy());
 }
 
 }  // namespace
