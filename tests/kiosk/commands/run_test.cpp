@@ -13,7 +13,7 @@ namespace onggi::commands {
 namespace {
 
 // A dial is pressed every second: the first press that finds the kiosk open begins the visit.
-TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCounted) {
+TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCountedThoughTheFormerStoreIsDamaged) {
   const TemporaryFolder folder;
   const auto display = files::VirtualDisplay::ensure(640, 480);
   if (!display) GTEST_SKIP() << "no display, and Xvfb is not installed";
@@ -28,6 +28,8 @@ TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCounted) {
   const TemporaryFolder site;
   const std::string exhibit = write_exhibit(
       site, "first_touch", "[keepsake]\nfolder = \"" + (folder / "kept").string() + "\"\n");
+  std::filesystem::create_directories(folder / "kept");
+  std::ofstream(folder / "kept/onggi.sqlite") << std::string(20'000, 'x');
   const std::string command =
       "export LD_PRELOAD='" ONGGI_HID_STAND_IN "' ONGGI_STAND_IN='" + scenario +
       "'; exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" + exhibit + "' 2>'" + log + "'";
@@ -38,6 +40,9 @@ TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCounted) {
   std::this_thread::sleep_for(std::chrono::milliseconds(2500));
   kiosk->end(SIGTERM);
   EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+  const std::string said = text_of(log), aside = "is set aside as onggi.sqlite.damaged-";
+  ASSERT_NE(said.find(aside), std::string::npos) << said;
+  EXPECT_EQ(said.find(aside), said.rfind(aside)) << "once";
   store::Database counted =
       store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
   EXPECT_EQ(counted.number("SELECT count(*) FROM visits"), 1) << text_of(log);
