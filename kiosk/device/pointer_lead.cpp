@@ -32,6 +32,7 @@ void PointerLead::touch(const ClayView& clay, Grip grip, double height) {
   highest_ = hold_.highest(clay);
   at_ = within({0, height});
   at_.reach = hold_.face(clay, at_.height);
+  pass_.begin(hold_, clay, at_.height);
   hands_ = hold_.stand(clay, at_.reach, at_.height);
 }
 
@@ -127,7 +128,8 @@ void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
   lowest_ = hold_.lowest(clay);
   highest_ = hold_.highest(clay);
   at_ = within(at_);
-  hands_ = hold_.stand(clay, at_.reach, at_.height, wall_);
+  pass_.go(hold_, clay, at_.height, dt);
+  hands_ = hold_.stand(clay, reach(), at_.height, wall_);
 }
 
 std::array<HandInput, kMaxHands> PointerLead::input(Vec3 right) const {

@@ -7,6 +7,7 @@
 #include "engine/math/vec.h"
 #include "engine/scene/hands.h"
 #include "kiosk/device/wall_hold.h"
+#include "kiosk/device/wall_pass.h"
 
 namespace onggi::device {
 
@@ -15,7 +16,8 @@ namespace onggi::device {
 /// camera, on the side of the pot where the pointer went down. Going down sets them on the clay at
 /// the pointer's height, so that they just touch. From then on they follow the line that the
 /// pointer draws, at a potter's pace, corners and all: the face they work comes to be where it was
-/// drawn. What is still to be followed when the pointer lifts, they finish. Main thread.
+/// drawn, as far as one pass goes (WallPass). What is still to be followed when the pointer lifts,
+/// they finish. Main thread.
 class PointerLead {
  public:
   /// m/s along the wall and towards the axis or away, in clay and in the air. A pointer crosses the
@@ -57,7 +59,7 @@ class PointerLead {
   bool grabbed() const { return grabbed_; }
   double height() const { return at_.height; }
   /// Where the worked face is to be by now, m from the axis.
-  double reach() const { return at_.reach; }
+  double reach() const { return pass_.within(at_.reach); }
   /// Seconds until the hands are where the pointer is.
   double behind() const;
   /// Hand 0 and hand 1. `right`: of the visitor who looks at the pot, level, unit, studio frame.
@@ -72,6 +74,7 @@ class PointerLead {
   At within(At at) const;
 
   WallHold hold_;
+  WallPass pass_;
   WallHold::Hands hands_;
   std::deque<At> drawn_;  ///< And not yet followed.
   At at_;

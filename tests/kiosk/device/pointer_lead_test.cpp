@@ -100,6 +100,24 @@ TEST(PointerLead, WhatWasDrawnIsFinishedWhenThePointerLiftsButNotForEver) {
   EXPECT_FALSE(hand.active());
 }
 
+// A pointer that runs to and fro far beside the wall does not carry the wall along.
+TEST(PointerLead, AScrubBesideTheWallLeavesItAboutWhereItStood) {
+  const ClayView clay = lump();
+  for (const double beside : {-0.03, 0.04}) {
+    PointerLead hand(kPalm, kFinger);
+    hand.grab({0.055, 0.1}, clay, Grip::both);
+    double farthest = 0;
+    for (int n = 0; n < 480; ++n) {
+      hand.drag({0.055 + beside, 0.1 + 0.04 * std::sin(0.02 * n)});
+      hand.follow(clay, kFrame, true);
+      farthest = std::max(farthest, std::abs(hand.reach() - 0.055));
+      EXPECT_NEAR(hand.input(kRight)[0].position.x, hand.reach() + kPalm.radius, 1e-9);
+    }
+    EXPECT_GT(farthest, WallPass::kDeepest - 1e-6) << beside;
+    EXPECT_LT(farthest, WallPass::kDeepest + 0.006) << beside << ": they press on where they turn";
+  }
+}
+
 TEST(PointerLead, AHandFarBehindHurries) {
   const ClayView clay = lump();
   PointerLead hand(kPalm, kFinger);

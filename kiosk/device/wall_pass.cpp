@@ -1,0 +1,54 @@
+#include "kiosk/device/wall_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::device {
+
+void WallPass::remember(const WallHold& hold, const ClayView& clay) {
+  constexpr int kBeside = 4;
+  const double rim = clay.rim_height();
+  for (std::size_t n = 0; n < kLooks; ++n) {
+    const double height = rim * static_cast<double>(n) / (kLooks - 1);
+    // As far up as down, so that a wall which leans is seen where it is.
+    const double seen = std::min({kSeen, height, rim - height});
+    double sum = 0;
+    for (int k = -kBeside; k <= kBeside; ++k) sum += hold.face(clay, height + seen * k / kBeside);
+    wall_[n] = sum / (2 * kBeside + 1);
+  }
+}
+
+void WallPass::begin(const WallHold& hold, const ClayView& clay, double height) {
+  remember(hold, clay);
+  turn_ = at_ = height;
+  up_ = backs_ = 0;
+  on_ = -kStay;
+  stood_ = hold.face(clay, height);
+}
+
+void WallPass::go(const WallHold& hold, const ClayView& clay, double height, double dt) {
+  on_ = std::max(-kStay, on_ + kPressOn * dt - std::abs(height - at_));
+  at_ = height;
+  const double way = height - turn_;
+  if (up_ == 0) {
+    if (std::abs(way) > kBack) up_ = way > 0 ? 1 : -1;
+  } else if (up_ * way < -kBack) {
+    up_ = -up_;
+    ++backs_;
+    remember(hold, clay);
+  }
+  if (up_ * way > 0 || std::abs(way) > kBack) turn_ = height;
+  // By share of the height: a wall that is pulled up takes its places along.
+  const double place = (kLooks - 1) * std::clamp(height / clay.rim_height(), 0.0, 1.0);
+  const auto below = static_cast<std::size_t>(place);
+  const double share = place - static_cast<double>(below);
+  const double above = wall_[std::min(below + 1, kLooks - 1)];
+  stood_ = wall_[below] + share * (above - wall_[below]);
+}
+
+double WallPass::within(double reach) const {
+  const double most = (backs_ > 0 ? kEvening : kDeepest) + std::max(0.0, on_);
+  return std::clamp(reach, stood_ - most, stood_ + most);
+}
+
+}  // namespace onggi::device

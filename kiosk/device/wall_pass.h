@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "engine/clay/clay_view.h"
+#include "kiosk/device/wall_hold.h"
+
+namespace onggi::device {
+
+/// How far hands move a wall in one pass, as potters open and collar a pot: pass by pass, and no
+/// deeper than soft clay follows without a ridge, wherever the pointer is meanwhile. Where they
+/// come back over what they have just worked, to and fro, they even it. Who lingers at a height
+/// presses on. Remembers the wall as it stood when the pass began; nothing is known here of any
+/// target. Allocates nothing; main thread.
+class WallPass {
+ public:
+  /// m that a pass moves the face at the most (as a planned stroke, StrokePlan), and one that comes
+  /// back over it.
+  static constexpr double kDeepest = 0.009, kEvening = 0.003;
+  /// m/s by which hands that stay at a height press on, once they have stayed for kStay / kPressOn:
+  /// a stroke that turns back slowly would dent the wall there. Along the wall they use it up.
+  static constexpr double kPressOn = 0.01, kStay = 0.003;
+  /// m up and down over which the wall is seen: a hand carries no ridge along.
+  static constexpr double kSeen = 0.012;
+  /// m back down, or up again, that are another pass and no tremble.
+  static constexpr double kBack = 0.006;
+
+  /// Hands take hold of `clay` at `height`, m: a first pass.
+  void begin(const WallHold& hold, const ClayView& clay, double height);
+  /// They are at `height` now, `dt` s after the last time.
+  void go(const WallHold& hold, const ClayView& clay, double height, double dt);
+  /// How far from the axis the worked face comes in this pass where `reach` is wanted, m.
+  double within(double reach) const;
+  /// Passes that came back, since begin().
+  int backs() const { return backs_; }
+
+ private:
+  static constexpr std::size_t kLooks = 129;
+  void remember(const WallHold& hold, const ClayView& clay);
+
+  std::array<double, kLooks> wall_{};  // m from the axis, evenly from wheel to rim
+  double stood_ = 0;                   // of it, where the hands are now
+  double turn_ = 0, at_ = 0;           // m: the farthest on this pass, and now
+  int up_ = 0, backs_ = 0;             // +1 upwards, -1 down, 0 not known yet
+  double on_ = 0;                      // m pressed on; below 0 before it begins
+};
+
+}  // namespace onggi::device
