@@ -1,8 +1,11 @@
 #include "kiosk/content/scan_document.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kiosk/content/gltf_container.h"
@@ -52,6 +55,7 @@ struct Named {
   std::string name;    ///< An address or a relative name.
   std::string ending;  ///< By its media type, where the name has none; may be empty.
   int rank = 0;        ///< The higher, the finer.
+  int vessel = 0;      ///< What a IIIF Choice has of one vessel is the same number.
 };
 
 std::string ending_of_type(const std::string& format) {
@@ -79,30 +83,42 @@ std::string file_of_address(const Named& named) {
 }
 
 /// The models that `node` of a IIIF manifest paints: whatever holds a body, and its sources.
-void painted(const json& node, int depth, std::vector<Named>& out) {
+/// `vessel`: of a Choice that it lies in; below 0: each is another.
+void painted(const json& node, int depth, std::vector<Named>& out, int vessel = -1) {
   if (depth > 24) return;
   if (node.is_array()) {
-    for (const json& entry : node) painted(entry, depth + 1, out);
+    for (const json& entry : node) painted(entry, depth + 1, out, vessel);
     return;
   }
   if (!node.is_object()) return;
   const std::string type = word(node, "type"), ending = ending_of_type(word(node, "format"));
+  const int next = static_cast<int>(out.size());
+  if (type == "Choice" && vessel < 0) vessel = next;
   std::string id = word(node, "id");
   if (id.empty()) id = word(node, "@id");
   if (!id.empty() && (type == "Model" || !ending.empty() ||
                       (type != "Manifest" && is_mesh_ending(ending_of(id))))) {
-    out.push_back({id, ending, 0});
+    const auto same = [&](const Named& one) { return one.name == id; };
+    if (std::none_of(out.begin(), out.end(), same))
+      out.push_back({id, ending, 0, vessel < 0 ? next : vessel});
     return;
   }
   for (const char* key : {"items", "body", "source", "content"})
-    if (const json* inside = json_words::member(node, key)) painted(*inside, depth + 1, out);
+    if (const json* inside = json_words::member(node, key))
+      painted(*inside, depth + 1, out, vessel);
+}
+
+/// What a manifest, and each of its canvases, offers beside the pictures that it shows.
+void offered(const json& node, int depth, std::vector<Named>& out) {
+  if (const json* rendering = json_words::member(node, "rendering")) painted(*rendering, 0, out);
+  for (const json* inside : each(node, "items"))
+    if (depth < 2) offered(*inside, depth + 1, out);
 }
 
 std::vector<Named> models_of_manifest(const json& doc) {
   std::vector<Named> out;
   painted(doc, 0, out);
-  if (out.empty())
-    if (const json* rendering = json_words::member(doc, "rendering")) painted(*rendering, 0, out);
+  if (out.empty()) offered(doc, 0, out);
   return out;
 }
 
@@ -156,23 +172,33 @@ std::string metadata(const json& doc, std::initializer_list<const char*> labels)
   return "";
 }
 
-/// IIIF texts may hold a little HTML: its words alone.
+/// IIIF texts may hold a little HTML: its words alone. A "<" that begins no tag is a word's own.
 std::string without_tags(const std::string& text) {
   std::string out;
-  bool inside = false;
-  for (const char c : text) {
-    if (c == '<') inside = true;
-    if (!inside) out += c;
-    if (c == '>' && inside) inside = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char next = at + 1 < text.size() ? text[at + 1] : ' ';
+    const bool tag =
+        (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z') || next == '/' || next == '!';
+    const std::size_t end = text[at] == '<' && tag ? text.find('>', at) : std::string::npos;
+    if (end == std::string::npos)
+      out += text[at];
+    else
+      at = end;
   }
   return json_words::tidy(out);
+}
+
+std::map<std::string, std::string> titles_of(const json& value) {
+  std::map<std::string, std::string> titles = json_words::by_language(value);
+  for (auto& [language, title] : titles) title = without_tags(title);
+  return titles;
 }
 
 GltfCredit credit_of_manifest(const json& doc) {
   GltfCredit out;
   if (const json* label = json_words::member(doc, "label")) {
     out.title = without_tags(json_words::words_of(*label));
-    out.titles = json_words::by_language(*label);
+    out.titles = titles_of(*label);
   }
   out.description = without_tags(json_words::first_of(doc, {"summary", "description"}));
   for (const char* key : {"requiredStatement", "attribution"})
@@ -208,7 +234,7 @@ GltfCredit credit_of_voyager(const json& doc, const std::vector<const json*>& me
     if (collection == nullptr) continue;
     const json& c = *collection;
     if (const json* titles = json_words::member(c, "titles"); titles && out.titles.empty())
-      out.titles = json_words::by_language(*titles);
+      out.titles = titles_of(*titles);
     fill(out.title, json_words::first_of(c, {"title", "titles", "objectname", "name"}));
     fill(out.description, json_words::first_of(c, {"intro", "intros", "summary", "description"}));
     fill(out.institution, json_words::first_of(c, {"museum", "unit", "datasource", "institution"}));
@@ -248,6 +274,11 @@ Problem no_model(const std::string& name) {
           "Name the vessel's GLB itself; pictures alone make no shape."};
 }
 
+Problem several_models(const fs::path& file, std::size_t count) {
+  return {file.string(), "it shows " + std::to_string(count) + " models, and a vessel is one.",
+          "Name the vessel's GLB itself."};
+}
+
 /// The first of `models` that is there, else what is wrong with the best of them.
 Result<fs::path> first_found(const fs::path& file, const std::vector<Named>& models) {
   if (models.empty()) return tl::unexpected(no_model(file.string()));
@@ -258,30 +289,25 @@ Result<fs::path> first_found(const fs::path& file, const std::vector<Named>& mod
 }
 
 Result<ScanDocument> read_manifest(const fs::path& file, const json& doc) {
-  std::vector<Named> models = models_of_manifest(doc);
-  const auto same = [](const Named& a, const Named& b) { return a.name == b.name; };
-  models.erase(std::unique(models.begin(), models.end(), same), models.end());
-  if (models.size() > 1)
-    return problem(file.string(),
-                   "it shows " + std::to_string(models.size()) + " models, and a vessel is one.",
-                   "Name the vessel's GLB itself.");
+  const std::vector<Named> models = models_of_manifest(doc);
+  std::set<int> vessels;
+  for (const Named& model : models) vessels.insert(model.vessel);
+  if (vessels.size() > 1) return tl::unexpected(several_models(file, vessels.size()));
   auto model = first_found(file, models);
   if (!model) return tl::unexpected<Problem>(model.error());
   return ScanDocument{*model, 0.0, credit_of_manifest(doc)};
 }
 
 Result<ScanDocument> read_voyager(const fs::path& file, const json& doc) {
-  std::vector<const json*> models;
+  std::vector<std::pair<const json*, std::vector<Named>>> models;
   for (const json* model : each(doc, "models"))
-    if (!models_of_voyager(*model).empty()) models.push_back(model);
+    if (auto named = models_of_voyager(*model); !named.empty())
+      models.emplace_back(model, std::move(named));
   if (models.empty()) return tl::unexpected(no_model(file.string()));
-  if (models.size() > 1)
-    return problem(file.string(),
-                   "it shows " + std::to_string(models.size()) + " models, and a vessel is one.",
-                   "Name the vessel's GLB itself.");
-  auto model = first_found(file, models_of_voyager(*models.front()));
+  if (models.size() > 1) return tl::unexpected(several_models(file, models.size()));
+  auto model = first_found(file, models.front().second);
   if (!model) return tl::unexpected<Problem>(model.error());
-  return ScanDocument{*model, metres_in(word(*models.front(), "units")),
+  return ScanDocument{*model, metres_in(word(*models.front().first, "units")),
                       credit_of_voyager(doc, each(doc, "metas"))};
 }
 

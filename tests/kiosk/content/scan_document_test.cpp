@@ -115,6 +115,46 @@ TEST_F(Documents, ofOlderManifestsBringTheScanThatTheyOffer) {
   EXPECT_TRUE(load_vessel(write("manifest.json", manifest(source))));
 }
 
+TEST_F(Documents, ofACanvasThatOffersAScanBesideItsPicturesBringIt) {
+  const auto jar = load_vessel(write(
+      "manifest.json",
+      R"j({"type":"Manifest","label":{"en":["Moon jar"]},"items":[{"type":"Canvas","id":"https://museum.org/c",)j"
+      R"j("items":[{"type":"AnnotationPage","items":[{"type":"Annotation","body":{"id":"a.jpg","type":"Image",)j"
+      R"j("format":"image/jpeg"}}]}],"rendering":[{"id":"jar.glb","type":"Model","format":"model/gltf-binary"}]}]})j"));
+  ASSERT_TRUE(jar) << to_text(jar.error());
+  EXPECT_EQ(jar->file, folder_ / "jar.glb");
+}
+
+TEST_F(Documents, withAChoiceOfOneVesselBringTheFirstThatIsThere) {
+  const auto choice = [](const std::string& second) {
+    return R"j({"type":"Annotation","body":{"type":"Choice","items":[{"id":"fine.glb","type":"Model"},{"id":")j" +
+           second + R"j(","type":"Model"}]}})j";
+  };
+  const auto jar = load_vessel(write("manifest.json", manifest(choice("jar.glb"))));
+  ASSERT_TRUE(jar) << to_text(jar.error());
+  EXPECT_EQ(jar->file, folder_ / "jar.glb");
+  EXPECT_NE(refused(manifest(choice("jar.glb") + "," + shown("other.glb"))).what.find("2 models"),
+            std::string::npos);
+}
+
+TEST_F(Documents, thatShowOneScanAgainLaterShowOne) {
+  const Problem two =
+      refused(manifest(shown("jar.glb") + "," + shown("other.glb") + "," + shown("jar.glb")));
+  EXPECT_NE(two.what.find("2 models"), std::string::npos) << two.what;
+}
+
+TEST_F(Documents, giveTheirWordsWithoutTagsAndKeepASignThatIsNone) {
+  const auto jar = load_vessel(write(
+      "manifest.json",
+      manifest(
+          shown("jar.glb"),
+          R"j("label":{"en":["<b>Moon</b> jar"],"ko":["<i>달항아리</i>"]},"summary":{"en":["A jar <30 cm, a < b, <br/>white."]})j")));
+  ASSERT_TRUE(jar) << to_text(jar.error());
+  EXPECT_EQ(jar->label("en").title, "Moon jar");
+  EXPECT_EQ(jar->label("ko").title, "달항아리");
+  EXPECT_EQ(jar->given.description, "A jar <30 cm, a < b, white.");
+}
+
 TEST_F(Documents, onTheWebAreTakenFromBesideAndElseToBeDownloadedFirst) {
   EXPECT_TRUE(load_vessel(
       write("manifest.json", manifest(shown("https://museum.org/3d/jar.glb?size=full#here")))));
