@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "engine/contact/tool.h"
 
 namespace onggi::lab {
 namespace {
@@ -42,6 +45,26 @@ SceneWork finger_work(std::string name, const SceneDef& def, bool both, double d
             if (both) hands.hand[1] = finger(def, WallSide::inside, deep, t / kWorkSeconds);
             return hands;
           }};
+}
+
+std::optional<SceneWork> evening_work(std::string name, const SceneDef& def, double deep,
+                                      bool water) {
+  for (std::size_t n = 0; n < def.tools.size(); ++n) {
+    const ToolShape* shape = find_tool_shape(def.tools[n].name);
+    if (shape == nullptr || !shape->smooths || !shape->round()) continue;
+    const double radius = def.tools[n].size.radius;
+    SceneWork work = finger_work(std::move(name), def, false, deep, water);
+    // A ball lies as deep as the finger did with its middle that much farther out.
+    const double out = (radius > 0.0 ? radius : shape->usual.radius) - def.tool.radius;
+    work.hands = [hands = std::move(work.hands), out, tool = n + 1](double t) {
+      Hands with = hands(t);
+      with.hand[0].tool = static_cast<std::uint8_t>(tool);
+      with.hand[0].position.x += out;
+      return with;
+    };
+    return work;
+  }
+  return std::nullopt;
 }
 
 SceneDef on_a_wall(SceneDef def) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ inline constexpr double kWorkWindow = 0.02;
 /// at 115 rpm; `both`: with another inside. `water`: the clay is wetted for the first half.
 SceneWork finger_work(std::string name, const SceneDef& def, bool both, double deep,
                       bool water = false);
+/// The same with one hand and the scene's first round tool that evens, a palm or a sponge; nothing
+/// where none lies to hand.
+std::optional<SceneWork> evening_work(std::string name, const SceneDef& def, double deep,
+                                      bool water = false);
 /// The lump with a wall of 1 cm on 200 x 180 that can be pressed from both sides, nothing to take
 /// back, and a wheel that is at its speed at once.
 SceneDef on_a_wall(SceneDef def);
