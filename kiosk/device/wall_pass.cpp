@@ -14,7 +14,8 @@ void WallPass::remember(const WallHold& hold, const ClayView& clay) {
     const double seen = std::min({kSeen, height, rim - height});
     double sum = 0;
     for (int k = -kBeside; k <= kBeside; ++k) sum += hold.face(clay, height + seen * k / kBeside);
-    wall_[n] = sum / (2 * kBeside + 1);
+    wall_[n] = {sum / (2 * kBeside + 1),
+                height > clay.floor_top() ? WallHold::thickness(clay, height) : 0.0};
   }
 }
 
@@ -23,7 +24,7 @@ void WallPass::begin(const WallHold& hold, const ClayView& clay, double height) 
   turn_ = at_ = height;
   up_ = backs_ = 0;
   on_ = -kStay;
-  stood_ = hold.face(clay, height);
+  stood_ = {hold.face(clay, height), 0.0};
 }
 
 void WallPass::go(const WallHold& hold, const ClayView& clay, double height, double dt) {
@@ -42,13 +43,15 @@ void WallPass::go(const WallHold& hold, const ClayView& clay, double height, dou
   const double place = (kLooks - 1) * std::clamp(height / clay.rim_height(), 0.0, 1.0);
   const auto below = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(below);
-  const double above = wall_[std::min(below + 1, kLooks - 1)];
-  stood_ = wall_[below] + share * (above - wall_[below]);
+  const Look &lower = wall_[below], &upper = wall_[std::min(below + 1, kLooks - 1)];
+  stood_ = {lower.radius + share * (upper.radius - lower.radius),
+            lower.thickness + share * (upper.thickness - lower.thickness)};
 }
 
 double WallPass::within(double reach) const {
-  const double most = (backs_ > 0 ? kEvening : kDeepest) + std::max(0.0, on_);
-  return std::clamp(reach, stood_ - most, stood_ + most);
+  const double first = std::max(kDeepest, kOfThickness * stood_.thickness);
+  const double most = (backs_ > 0 ? kEvening : first) + std::max(0.0, on_);
+  return std::clamp(reach, stood_.radius - most, stood_.radius + most);
 }
 
 }  // namespace onggi::device

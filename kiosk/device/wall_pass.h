@@ -18,6 +18,9 @@ class WallPass {
   /// m that a pass moves the face at the most (as a planned stroke, StrokePlan), and one that comes
   /// back over it.
   static constexpr double kDeepest = 0.009, kEvening = 0.003;
+  /// Of the wall's thickness, where that is more: a lump is opened in large steps, a wall that is
+  /// thin already is worked gently.
+  static constexpr double kOfThickness = 0.8;
   /// m/s by which hands that stay at a height press on, once they have stayed for kStay / kPressOn:
   /// a stroke that turns back slowly would dent the wall there. Along the wall they use it up.
   static constexpr double kPressOn = 0.01, kStay = 0.003;
@@ -39,11 +42,14 @@ class WallPass {
   static constexpr std::size_t kLooks = 129;
   void remember(const WallHold& hold, const ClayView& clay);
 
-  std::array<double, kLooks> wall_{};  // m from the axis, evenly from wheel to rim
-  double stood_ = 0;                   // of it, where the hands are now
-  double turn_ = 0, at_ = 0;           // m: the farthest on this pass, and now
-  int up_ = 0, backs_ = 0;             // +1 upwards, -1 down, 0 not known yet
-  double on_ = 0;                      // m pressed on; below 0 before it begins
+  struct Look {
+    double radius = 0, thickness = 0;  // m; none of the solid foot
+  };
+  std::array<Look, kLooks> wall_{};  // evenly from wheel to rim
+  Look stood_;                       // of it, where the hands are now
+  double turn_ = 0, at_ = 0;         // m: the farthest on this pass, and now
+  int up_ = 0, backs_ = 0;           // +1 upwards, -1 down, 0 not known yet
+  double on_ = 0;                    // m pressed on; below 0 before it begins
 };
 
 }  // namespace onggi::device

@@ -102,7 +102,12 @@ TEST(PointerLead, WhatWasDrawnIsFinishedWhenThePointerLiftsButNotForEver) {
 
 // A pointer that runs to and fro far beside the wall does not carry the wall along.
 TEST(PointerLead, AScrubBesideTheWallLeavesItAboutWhereItStood) {
-  const ClayView clay = lump();
+  ClayDef thin;
+  thin.rows = 100;
+  thin.sectors = 16;
+  thin.inner_radius = 0.045;
+  ClayView clay;
+  clay.lay(thin);
   for (const double beside : {-0.03, 0.04}) {
     PointerLead hand(kPalm, kFinger);
     hand.grab({0.055, 0.1}, clay, Grip::both);

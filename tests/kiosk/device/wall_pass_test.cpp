@@ -9,13 +9,14 @@
 namespace onggi::device {
 namespace {
 
-constexpr double kWall = 0.055, kFrame = 1.0 / 60;
+constexpr double kWall = 0.055, kThin = 0.01, kFrame = 1.0 / 60;
 
 ClayView lump(double height = 0.2) {
   ClayDef def;
   def.rows = 100;
   def.sectors = 16;
   def.height = height;
+  def.inner_radius = kWall - kThin;
   ClayView clay;
   clay.lay(def);
   return clay;
@@ -66,6 +67,26 @@ TEST(WallPass, HandsThatComeBackOverWhatTheyWorkedEvenIt) {
   EXPECT_NEAR(pass.within(0.1), kWall + WallPass::kDeepest, 1e-6) << "taken hold of anew";
 }
 
+// A lump is opened in large steps, and what is thin already is worked gently.
+TEST(WallPass, AThickWallIsMovedByAShareOfItsThickness) {
+  ClayDef def;
+  def.rows = 100;
+  def.sectors = 16;
+  def.inner_radius = kWall - 0.03;
+  ClayView clay;
+  clay.lay(def);
+  WallPass pass;
+  pass.begin(both_hands(clay), clay, 0.06);
+  go(pass, clay, 0.06, 0.12);
+  EXPECT_NEAR(pass.within(0.15), kWall + WallPass::kOfThickness * 0.03, 1e-6);
+  go(pass, clay, 0.12, 0.10);
+  EXPECT_NEAR(pass.within(0.15), kWall + WallPass::kEvening, 1e-6);
+  go(pass, clay, 0.10, 0.004);
+  pass.begin(both_hands(clay), clay, 0.02);
+  go(pass, clay, 0.02, 0.004);
+  EXPECT_NEAR(pass.within(0.15), kWall + WallPass::kDeepest, 1e-6) << "the foot is solid";
+}
+
 // What is evened is the wall as it stands when they come back, not as it was before the pass.
 TEST(WallPass, EachPassBeginsFromTheWallAsItThenStands) {
   ClayView clay = lump();
@@ -76,6 +97,7 @@ TEST(WallPass, EachPassBeginsFromTheWallAsItThenStands) {
   wider.rows = 100;
   wider.sectors = 16;
   wider.outer_radius = 0.062;
+  wider.inner_radius = 0.052;
   clay.lay(wider);
   EXPECT_NEAR(pass.within(0.1), kWall + WallPass::kDeepest, 1e-6);
   go(pass, clay, 0.12, 0.10);
@@ -111,6 +133,7 @@ TEST(WallPass, ARidgeIsNotSeenAsTheWall) {
   ClayDef def;
   def.rows = 200;
   def.sectors = 16;
+  def.inner_radius = kWall - kThin;
   Clay ringed = Clay::create(def).value();
   for (int j = 0; j < 200; ++j)
     for (float& r : ringed.outer_mut(j)) r += j / 3 % 2 == 0 ? 0.002f : -0.002f;
@@ -131,6 +154,7 @@ TEST(WallPass, AWallThatRisesIsRememberedByItsShareOfTheHeight) {
   foot.rows = 100;
   foot.sectors = 16;
   foot.height = 0.1;
+  foot.inner_radius = 0.035;
   Clay stepped = Clay::create(foot).value();
   for (int j = 50; j < 100; ++j)
     for (float& r : stepped.outer_mut(j)) r = 0.04f;
@@ -141,7 +165,7 @@ TEST(WallPass, AWallThatRisesIsRememberedByItsShareOfTheHeight) {
   pass.begin(hold, clay, 0.02);
   const ClayView risen = lump(0.2);
   pass.go(hold, risen, 0.07, kFrame);
-  EXPECT_NEAR(pass.within(0.0), kWall - WallPass::kDeepest, 1e-6);
+  EXPECT_NEAR(pass.within(0.0), kWall - WallPass::kOfThickness * 0.02, 1e-6);
   pass.go(hold, risen, 0.13, kFrame);
   EXPECT_NEAR(pass.within(0.0), 0.04 - WallPass::kDeepest, 1e-6);
 }
