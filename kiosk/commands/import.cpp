@@ -8,7 +8,9 @@
 #include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/up_option.h"
+#include "kiosk/content/coloring.h"
 #include "kiosk/content/glb.h"
+#include "kiosk/content/glb_packer.h"
 #include "kiosk/content/gltf_parts.h"
 #include "kiosk/content/mesh_file.h"
 #include "kiosk/content/pack_writer.h"
@@ -34,8 +36,8 @@ Result<void> check_id(const std::string& id) {
                  "Write one such as moon_jar.");
 }
 
-/// The vessel's file as it came, where it is a GLB whole; else its surface alone as a GLB, since a
-/// pack holds one file.
+/// The vessel's file as it came, where it is a GLB whole; a whole glTF with all that it names; else
+/// its surface alone with its colours, since a pack holds one file.
 Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole) {
   const settings::ReaderLimits limits;
   if (whole) {
@@ -49,15 +51,22 @@ Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole)
       return std::vector<std::byte>(span.begin(), span.end());
     }
   }
+  if (whole && content::format_unit(vessel.file) > 0.0)
+    return content::pack_glb(vessel.file, limits);
   const auto model = content::read_mesh_file(vessel.file, limits);
   if (!model) return tl::unexpected(model.error());
   content::NamedPart named;
   if (!vessel.node.empty()) named = content::find_part(*model, vessel.node);
   std::string rights = vessel.credit;
   if (!vessel.licence.empty()) rights += (rights.empty() ? "" : ". ") + vessel.licence;
-  return content::write_glb(
-      named.part == nullptr ? model->mesh : content::mesh_of(*model, *named.part, named.reach),
-      vessel.label("en").title, rights);
+  const bool all = named.part == nullptr;
+  const content::Coloring coloring =
+      all ? model->coloring : content::coloring_of(*model, *named.part, named.reach);
+  content::GlbMaterial material;
+  if (model->colored) material.color = model->base_color;
+  if (!coloring.empty()) material.color = {1, 1, 1};
+  return content::write_glb(all ? model->mesh : content::mesh_of(*model, *named.part, named.reach),
+                            vessel.label("en").title, rights, material, content::baked(coloring));
 }
 
 Result<int> import_vessel(const ImportArguments& arguments) {

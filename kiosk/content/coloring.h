@@ -35,6 +35,10 @@ struct Coloring {
   Coloring part(std::size_t first, std::size_t count) const;
 };
 
+/// Its colour at every position as linear light, 0..1, the picture's nearest pixel where it has
+/// one: what of it a mesh can carry alone. Empty where `coloring` is.
+std::vector<std::array<float, 3>> baked(const Coloring& coloring);
+
 /// sRGB of linear light, clamped to 0..1, and back (IEC 61966-2-1).
 std::uint8_t display_of(float light);
 float light_of(std::uint8_t display);

@@ -12,12 +12,14 @@ namespace onggi::content {
 namespace {
 
 // glTF 2.0 specification, 4.4 (GLB) and 5.1 (component types).
-constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementBuffer = 34963;
+constexpr int kUnsignedShort = 5123, kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962,
+              kElementBuffer = 34963;
 
 }  // namespace
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
-                                 const std::string& copyright, const GlbMaterial& material) {
+                                 const std::string& copyright, const GlbMaterial& material,
+                                 const std::vector<std::array<float, 3>>& colors) {
   using files::Json;
   const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
 
@@ -48,6 +50,15 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
   for (const auto& t : mesh.triangles)
     for (const std::uint32_t i : t) bin.u32(i);
   view(from, kElementBuffer);
+  if (!colors.empty()) {
+    from = bin.size();
+    for (const auto& c : colors) {
+      for (const float v : c)
+        bin.u16(static_cast<std::uint16_t>(std::lround(65535.0f * std::clamp(v, 0.0f, 1.0f))));
+      bin.u16(65535);  // opaque; elements begin at whole multiples of four bytes
+    }
+    view(from, kArrayBuffer);
+  }
 
   Json accessors = Json::list({Json::object({{"bufferView", 0},
                                              {"componentType", kFloat},
@@ -67,6 +78,15 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
                                     {"componentType", kUnsignedInt},
                                     {"count", 3 * mesh.triangles.size()},
                                     {"type", "SCALAR"}}));
+
+  if (!colors.empty()) {
+    accessors.push_back(Json::object({{"bufferView", normals ? 3 : 2},
+                                      {"componentType", kUnsignedShort},
+                                      {"normalized", true},
+                                      {"count", colors.size()},
+                                      {"type", "VEC4"}}));
+    attributes["COLOR_0"] = normals ? 3 : 2;
+  }
 
   Json asset = Json::object({{"version", "2.0"}, {"generator", "Onggi"}});
   if (!copyright.empty()) asset["copyright"] = copyright;

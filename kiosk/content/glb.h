@@ -20,9 +20,11 @@ struct GlbMaterial {
   float roughness = 0.9f;                              ///< 0..1
 };
 
-/// A GLB of one mesh with one material; `title`, `copyright` go into the asset. Deterministic
+/// A GLB of one mesh with one material; `title`, `copyright` go into the asset. Where `colors` is
+/// not empty it has one a position, linear, 0..1, and they are written as COLOR_0. Deterministic
 /// bytes.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
-                                 const std::string& copyright, const GlbMaterial& material = {});
+                                 const std::string& copyright, const GlbMaterial& material = {},
+                                 const std::vector<std::array<float, 3>>& colors = {});
 
 }  // namespace onggi::content

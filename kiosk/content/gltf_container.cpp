@@ -53,12 +53,12 @@ Result<Chunks> split(const std::string& name, const files::Bytes& bytes) {
 /// it.
 class JsonSieve {
  public:
-  JsonSieve(const std::string& name, const files::Bytes& bytes, ByteRange json,
+  JsonSieve(const std::string& name, const files::Bytes& bytes, ByteRange text,
             const settings::ReaderLimits& limits)
       : name_(name),
         bytes_(bytes),
-        at_(json.at),
-        end_(json.at + json.length),
+        at_(text.at),
+        end_(text.at + text.length),
         limits_(limits),
         most_(static_cast<std::size_t>(limits.json_mb) << 20) {}
 

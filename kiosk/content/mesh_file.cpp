@@ -27,6 +27,10 @@ bool is_gltf(const std::string& ending) { return ending == ".glb" || ending == "
 
 GltfModel model_of(std::vector<MeshPart> parts) {
   GltfModel model;
+  const bool colored = std::any_of(parts.begin(), parts.end(),
+                                   [](const MeshPart& part) { return !part.colors.empty(); });
+  std::array<std::uint8_t, 3> clay;
+  for (std::size_t k = 0; k < 3; ++k) clay[k] = display_of(kClayColor[k]);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     MeshPart& from = parts[i];
     GltfPart part;
@@ -40,6 +44,9 @@ GltfModel model_of(std::vector<MeshPart> parts) {
     const auto base = static_cast<std::uint32_t>(part.first_position);
     model.mesh.positions.insert(model.mesh.positions.end(), from.positions.begin(),
                                 from.positions.end());
+    auto& colors = model.coloring.colors;
+    colors.insert(colors.end(), from.colors.begin(), from.colors.end());
+    if (colored) colors.resize(model.mesh.positions.size(), clay);
     for (const auto& t : from.triangles)
       model.mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
     model.parts.push_back(std::move(part));
@@ -70,7 +77,7 @@ Result<GltfModel> read_by_helper(const fs::path& file, const std::string& ending
                      std::to_string(mib), std::to_string(seconds)},
        .body = std::span(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()),
        .timeout_s = 2.0 * kMostSeconds,
-       .most_bytes = 12 * (vertices + triangles) + (1u << 20),
+       .most_bytes = 15 * vertices + 12 * triangles + (1u << 20),
        .answer = "mesh"});
   if (!answer)
     return problem(name, "it cannot be read: " + answer.error().what,

@@ -93,15 +93,29 @@ std::string without_its_name(std::string words) {
   return words.replace(name, end == std::string::npos ? end : end - name, "this file");
 }
 
-/// The triangles of one node's meshes.
+/// A colour's share of the most, as scanners write it: a display's, not light.
+std::uint8_t eight_bits(float share) {
+  const float whole = 255.0f * share + 0.5f;
+  return whole > 0.0f ? static_cast<std::uint8_t>(whole < 255.0f ? whole : 255.0f)
+                      : std::uint8_t{0};
+}
+
+/// The triangles of one node's meshes; their colours where each of them has some.
 MeshPart part_of(const aiScene& scene, const aiNode& node) {
   MeshPart part;
+  bool colored = node.mNumMeshes > 0;
+  for (unsigned m = 0; m < node.mNumMeshes; ++m)
+    colored = colored && scene.mMeshes[node.mMeshes[m]]->HasVertexColors(0);
   part.name = node.mName.C_Str();
   for (unsigned m = 0; m < node.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
     const auto base = static_cast<std::uint32_t>(part.positions.size());
     for (unsigned i = 0; i < mesh.mNumVertices; ++i)
       part.positions.push_back({mesh.mVertices[i].x, mesh.mVertices[i].y, mesh.mVertices[i].z});
+    for (unsigned i = 0; colored && i < mesh.mNumVertices; ++i) {
+      const aiColor4D& c = mesh.mColors[0][i];
+      part.colors.push_back({eight_bits(c.r), eight_bits(c.g), eight_bits(c.b)});
+    }
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace& face = mesh.mFaces[i];
       if (face.mNumIndices != 3) continue;

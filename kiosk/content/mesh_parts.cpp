@@ -64,9 +64,11 @@ std::vector<std::byte> parts_bytes(const std::vector<MeshPart>& parts) {
     put_size(out, part.name.size());
     put_size(out, part.positions.size());
     put_size(out, part.triangles.size());
+    put_size(out, part.colors.size());
     put(out, part.name.data(), part.name.size());
     put(out, part.positions.data(), part.positions.size() * sizeof part.positions[0]);
     put(out, part.triangles.data(), part.triangles.size() * sizeof part.triangles[0]);
+    put(out, part.colors.data(), part.colors.size() * sizeof part.colors[0]);
   }
   return out;
 }
@@ -98,11 +100,14 @@ Result<std::vector<MeshPart>> parts_of(std::span<const std::byte> bytes, const s
   const std::size_t count = front.size();
   for (std::size_t i = 0; i < count && front.whole(); ++i) {
     MeshPart part;
-    const std::size_t letters = front.size(), positions = front.size(), triangles = front.size();
+    const std::size_t letters = front.size(), positions = front.size(), triangles = front.size(),
+                      colors = front.size();
     const std::vector<char> letter = front.run<char>(letters);
     part.name.assign(letter.begin(), letter.end());
     part.positions = front.run<std::array<float, 3>>(positions);
     part.triangles = front.run<std::array<std::uint32_t, 3>>(triangles);
+    part.colors = front.run<std::array<std::uint8_t, 3>>(colors);
+    if (!part.colors.empty() && part.colors.size() != part.positions.size()) return none();
     for (const auto& t : part.triangles)
       for (const std::uint32_t corner : t)
         if (corner >= part.positions.size()) return none();

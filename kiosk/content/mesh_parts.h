@@ -16,11 +16,12 @@ struct MeshPart {
   std::string name;
   std::vector<std::array<float, 3>> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint8_t, 3>> colors{};  ///< sRGB; empty, or one a position.
 };
 
 /// How onggi-mesh answers, in this machine's own byte order: "ONGP", how many parts, and for each
-/// the sizes of its name, positions and triangles and then those themselves; or "ONGE" and why not.
-/// Sizes are 32 bits. Allocates.
+/// the sizes of its name, positions, triangles and colours and then those themselves; or "ONGE" and
+/// why not. Sizes are 32 bits. Allocates.
 std::vector<std::byte> parts_bytes(const std::vector<MeshPart>& parts);
 std::vector<std::byte> refusal_bytes(const std::string& why);
 

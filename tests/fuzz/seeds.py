@@ -26,8 +26,8 @@ def documents():
 
 def parts():
     """What onggi-mesh answers for two triangles, and a refusal."""
-    jar = struct.pack("<4s4I", b"ONGP", 1, 3, 4, 2) + b"jar"
-    return [jar + struct.pack("<12f6I", *range(12), 0, 1, 2, 1, 2, 3), b"ONGEno such face"]
+    jar = struct.pack("<4s5I", b"ONGP", 1, 3, 4, 2, 4) + b"jar"
+    return [jar + struct.pack("<12f6I", *range(12), 0, 1, 2, 1, 2, 3) + bytes(range(12)), b"ONGEno such face"]
 
 
 def textures():

@@ -183,6 +183,23 @@ TEST(Replay, NoFlippedByteIsEverTakenForAnotherPot) {
   EXPECT_TRUE(Replay::read(bytes, "visit.onggi"));
 }
 
+TEST(Replay, UnderARightChecksumAnotherVersionAndBytesBehindTheEndAreStillRefused) {
+  auto body = recorded(9, 40, small());
+  body.resize(body.size() - replay_bytes::kSealBytes);
+  const auto fault = [](std::vector<std::byte> bytes) {
+    replay_bytes::seal(bytes);
+    const Result<Replay> replay = Replay::read(bytes, "visit.onggi");
+    return replay ? "it was read" : replay.error().what;
+  };
+  EXPECT_EQ(fault(body), "it was read");
+  auto other = body;
+  other[8] ^= std::byte{1};  // behind the eight bytes that say what it is
+  EXPECT_NE(fault(other).find("another version"), std::string::npos) << fault(other);
+  auto longer = body;
+  longer.push_back(std::byte{0});
+  EXPECT_NE(fault(longer).find("end is damaged"), std::string::npos) << fault(longer);
+}
+
 TEST(Replay, EveryShorterFileIsRefused) {
   const auto bytes = recorded(9, 40, small());
   for (std::size_t n = 0; n < bytes.size(); ++n)

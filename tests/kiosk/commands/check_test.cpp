@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "tests/kiosk/commands/program.h"
@@ -88,6 +90,26 @@ TEST_F(CopiedSite, WithAFolderThatHoldsNoVesselIsNotGood) {
   EXPECT_NE(run.err.find(at("content/vessels/celadon") + ": "), std::string::npos) << run.err;
 }
 
+TEST_F(CopiedSite, WhatIsMetTwiceIsToldOnce) {
+  replace("content/languages/ko.toml", "\ncode = ", "\ncod = ");
+  const Outcome run = check();
+  EXPECT_EQ(run.exit_code, 2);
+  std::set<std::string> told;
+  std::istringstream lines(run.err);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("  ")) {
+      EXPECT_TRUE(told.insert(line).second) << run.err;
+    }
+  EXPECT_FALSE(told.empty());
+}
+
+TEST_F(CopiedSite, AFolderOfNothingIsNotGood) {
+  fs::create_directory(at("nothing"));
+  const Outcome run = check(at("nothing"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("There is no vessel here."), std::string::npos) << run.err;
+}
+
 TEST_F(CopiedSite, AnImportedScanIsAskedForUntilItsLabelIsWhole) {
   const std::string scan = at("scan.glb");
   fs::copy("content/vessels/tea_bowl/vessel.glb", scan);
@@ -143,6 +165,11 @@ TEST_F(CopiedSite, WhatAVisitorShouldNotReadIsNamed) {
   EXPECT_NE(check().err.find("licence is empty."), std::string::npos);
   replace(name, "licence = \" \"", "licence = \"not known\"");
   EXPECT_NE(check().err.find("the licence is \"not known\""), std::string::npos);
+  for (const std::string word : {"TODO", "tbd", "?"}) {
+    replace(name, "licence = \"not known\"", "licence = \"" + word + "\"");
+    EXPECT_NE(check().err.find("the licence is \"" + word + "\""), std::string::npos) << word;
+    replace(name, "licence = \"" + word + "\"", "licence = \"not known\"");
+  }
   replace(name, "licence = \"not known\"", "licence = \"CC0-1.0\"");
   EXPECT_EQ(check().exit_code, 0);
   std::string text = text_of(at(name));
@@ -153,6 +180,12 @@ TEST_F(CopiedSite, WhatAVisitorShouldNotReadIsNamed) {
                                                   std::regex_constants::format_first_only);
     EXPECT_NE(check().err.find(std::string(part) + " is empty."), std::string::npos) << check().err;
   }
+  std::string words;
+  for (int i = 0; i < 101; ++i) words += "foot ";
+  std::ofstream(at(name)) << std::regex_replace(text, std::regex("\ntext = [^\n]*"),
+                                                "\ntext = \"" + words + "\"",
+                                                std::regex_constants::format_first_only);
+  EXPECT_NE(check().err.find("the label has 101 words"), std::string::npos) << check().err;
   std::ofstream(at(name)) << text.substr(0, text.find("[label.ko]"));
   EXPECT_NE(check().err.find("no label in the language \"ko\""), std::string::npos);
   std::ofstream(at(name)) << std::regex_replace(text, std::regex("true_[a-z]+_mm = [0-9.]+\n"), "");

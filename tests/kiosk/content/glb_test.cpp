@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "kiosk/content/coloring.h"
+#include "kiosk/content/gltf.h"
+#include "tests/engine/profile/mean_shapes.h"
+#include "tests/kiosk/content/temporary.h"
+
 #include <cstring>
 
 #include "kiosk/content/glb.h"
@@ -7,6 +12,8 @@
 
 namespace onggi::content {
 namespace {
+
+class GlbFiles : public Temporary {};
 
 std::uint32_t u32(const std::vector<std::byte>& bytes, std::size_t at) {
   std::uint32_t value;
@@ -35,6 +42,25 @@ TEST(Glb, the_same_mesh_gives_the_same_bytes) {
 TEST(Glb, a_title_in_any_script_or_none_is_no_obstacle) {
   const TriangleMesh mesh = revolve(section_of(shapes::bowl()), 8);
   EXPECT_FALSE(write_glb(mesh, "달항아리 \"moon\" \n \xff", "").empty());
+}
+
+TEST_F(GlbFiles, colours_at_the_corners_come_back_as_the_light_they_were) {
+  const TriangleMesh mesh = revolve(section_of(shapes::jar()), 24);
+  std::vector<std::array<float, 3>> colors;
+  for (const auto& p : mesh.positions) colors.push_back({0.5f, p[1] > 0.15f ? 0.002f : 1.0f, 0.0f});
+  for (const bool normals : {true, false}) {
+    TriangleMesh own = mesh;
+    if (!normals) own.normals.clear();
+    const auto bytes = write_glb(own, "jar", "", {.color = {1, 1, 1}}, colors);
+    const auto model = read_gltf(
+        write("jar.glb", std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())));
+    ASSERT_TRUE(model) << to_text(model.error());
+    ASSERT_EQ(model->coloring.colors.size(), colors.size());
+    const auto light = baked(model->coloring);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(display_of(light[i][k]), display_of(colors[i][k])) << i;
+  }
 }
 
 }  // namespace

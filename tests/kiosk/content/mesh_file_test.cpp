@@ -70,6 +70,35 @@ class MeshFiles : public Temporary {
   }
 };
 
+TEST_F(MeshFiles, a_ply_has_the_colours_of_its_corners_as_a_display_shows_them) {
+  const TriangleMesh mesh = jar();
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " +
+                     std::to_string(mesh.positions.size()) +
+                     "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                     "property uchar green\nproperty uchar blue\nelement face " +
+                     std::to_string(mesh.triangles.size()) +
+                     "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const auto& p : mesh.positions)
+    text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) +
+            (p[1] > 150.0f ? " 20 40 200\n" : " 190 30 25\n");
+  for (const auto& t : mesh.triangles)
+    text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) +
+            "\n";
+  const auto vessel = load_vessel(write("jar.ply", text));
+  ASSERT_TRUE(vessel) << to_text(vessel.error());
+  ASSERT_EQ(vessel->coloring.colors.size(), vessel->mesh.positions.size());
+  using Color = std::array<std::uint8_t, 3>;
+  for (std::size_t i = 0; i < vessel->mesh.positions.size(); ++i) {
+    const float height = vessel->mesh.positions[i][1];
+    if (std::abs(height - 0.15f) < 0.001f) continue;
+    ASSERT_EQ(vessel->coloring.colors[i],
+              height > 0.15f ? (Color{20, 40, 200}) : (Color{190, 30, 25}));
+  }
+  const auto plain = load_vessel(write("plain.ply", ply(mesh)));
+  ASSERT_TRUE(plain) << to_text(plain.error());
+  EXPECT_TRUE(plain->coloring.empty());
+}
+
 TEST_F(MeshFiles, each_kind_gives_the_vessel_that_it_was_written_from) {
   const TriangleMesh standing = jar(), lying = shapes::z_up(jar());
   for (const auto& [file, up] : {std::pair{write("a.obj", obj(standing, "jar")), Vec3{0, 1, 0}},

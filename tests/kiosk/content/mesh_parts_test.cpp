@@ -10,6 +10,7 @@ std::vector<MeshPart> two_parts() {
   jar.name = "jar";
   jar.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   jar.triangles = {{0, 1, 2}, {0, 2, 3}};
+  jar.colors = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
   lid.positions = {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
   lid.triangles = {{2, 1, 0}};
   return {jar, lid};
@@ -23,6 +24,7 @@ TEST(MeshParts, come_back_as_they_were_told) {
     EXPECT_EQ((*back)[i].name, two_parts()[i].name);
     EXPECT_EQ((*back)[i].positions, two_parts()[i].positions);
     EXPECT_EQ((*back)[i].triangles, two_parts()[i].triangles);
+    EXPECT_EQ((*back)[i].colors, two_parts()[i].colors);
   }
 }
 
@@ -51,6 +53,9 @@ TEST(MeshParts, sizes_and_corners_that_are_not_there_are_refused_without_memory_
   std::vector<MeshPart> wrong = two_parts();
   wrong[1].triangles[0][1] = 3;
   EXPECT_FALSE(parts_of(parts_bytes(wrong), "a.obj"));
+  wrong = two_parts();
+  wrong[0].colors.pop_back();
+  EXPECT_FALSE(parts_of(parts_bytes(wrong), "a.obj")) << "a corner without its colour";
 }
 
 TEST(MeshParts, a_refusal_is_told_in_its_own_words) {
