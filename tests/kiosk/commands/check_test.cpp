@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
-#include <set>
-#include <sstream>
 #include <string>
 
 #include "tests/kiosk/commands/program.h"
@@ -88,19 +86,6 @@ TEST_F(CopiedSite, WithAFolderThatHoldsNoVesselIsNotGood) {
   const Outcome run = check();
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find(at("content/vessels/celadon") + ": "), std::string::npos) << run.err;
-}
-
-TEST_F(CopiedSite, WhatIsMetTwiceIsToldOnce) {
-  replace("content/languages/ko.toml", "\ncode = ", "\ncod = ");
-  const Outcome run = check();
-  EXPECT_EQ(run.exit_code, 2);
-  std::set<std::string> told;
-  std::istringstream lines(run.err);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.starts_with("  ")) {
-      EXPECT_TRUE(told.insert(line).second) << run.err;
-    }
-  EXPECT_FALSE(told.empty());
 }
 
 TEST_F(CopiedSite, AFolderOfNothingIsNotGood) {

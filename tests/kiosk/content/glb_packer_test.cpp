@@ -28,8 +28,14 @@ class PackedGlb : public Temporary {
       return out;
     };
     std::string json = glb.substr(20, word(12));
-    const std::string mark = "\"buffers\":[{";
-    json.insert(json.find(mark) + mark.size(), "\"uri\":\"" + buffer_uri + "\",");
+    // The second of two buffers, so that both its number and what lies in it move.
+    const std::string mark = "\"buffers\":[{", view = "{\"buffer\":0,";
+    for (std::size_t at = json.find(view); at != std::string::npos; at = json.find(view, at))
+      json.replace(at, view.size(), "{\"buffer\":1,");
+    json.insert(
+        json.find(mark) + mark.size() - 1,
+        "{\"uri\":\"data:application/octet-stream;base64,AAAAAAAAAAAAAAAA\",\"byteLength\":12},");
+    json.insert(json.find("},{", json.find(mark)) + 3, "\"uri\":\"" + buffer_uri + "\",");
     write("jar parts.bin", glb.substr(28 + word(12)));
     return write("jar.gltf", json);
   }
