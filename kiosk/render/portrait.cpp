@@ -92,19 +92,26 @@ std::vector<std::uint32_t> dress(const TriangleMesh& mesh, const content::Colori
   return indices;
 }
 
-/// Mean height of what faces up about the axis: the floor of an open vessel, the top of a shut one.
-/// The vessel's own where nothing does.
+/// How low what faces up about the axis reaches, but for a fiftieth of it that may be pits: the
+/// floor of an open vessel with a well in its middle, the top of a shut one. The vessel's own where
+/// nothing does.
 float floor_of(const TriangleMesh& mesh, float widest, float top) {
-  double sum = 0, weight = 0;
+  std::vector<std::pair<float, double>> seen;  // height, area from above
+  double all = 0;
   for (const auto& t : mesh.triangles) {
     const Point &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
     const Point m{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
     if (mesh.normals[t[0]][1] < 0.6f || std::hypot(m[0], m[2]) > 0.5f * widest) continue;
-    const double seen = std::abs((c[0] - a[0]) * (b[2] - a[2]) - (b[0] - a[0]) * (c[2] - a[2]));
-    sum += seen * static_cast<double>(m[1]);
-    weight += seen;
+    const double area = std::abs(
+        static_cast<double>((c[0] - a[0]) * (b[2] - a[2]) - (b[0] - a[0]) * (c[2] - a[2])));
+    seen.emplace_back(m[1], area);
+    all += area;
   }
-  return weight > 0 ? static_cast<float>(sum / weight) : top;
+  std::sort(seen.begin(), seen.end());
+  double below = 0;
+  for (const auto& [height, area] : seen)
+    if ((below += area) > 0.02 * all) return height;
+  return top;
 }
 
 }  // namespace

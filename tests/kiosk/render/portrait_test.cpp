@@ -36,6 +36,28 @@ TEST_F(APortrait, ThePlatesFloorIsLitAsItsRimIs) {
   renderer().drop_picture(id);
 }
 
+TEST_F(APortrait, AWellInThePlatesMiddleIsLitAsTheFloorAboutItIs) {
+  Section plate;
+  plate.outline = {{0, 0},         {0.06, 0},       {0.11, 0.016},  {0.114, 0.019}, {0.11, 0.019},
+                   {0.085, 0.013}, {0.045, 0.0065}, {0.03, 0.0033}, {0, 0.0033}};
+  const TriangleMesh mesh = revolve(plate, 128);
+  const auto id = renderer().make_picture(mesh, {0.62f, 0.44f, 0.31f}, {}, 400, 300);
+  view::Frame frame;
+  frame.width = 400;
+  frame.height = 300;
+  frame.items.emplace_back(view::Picture{{0, 0, 400, 300}, id, 1});
+  renderer().draw(frame);
+  const view::Image image = renderer().read_pixels();
+  keep_for_looking(image, "a_well");
+  const Portrait portrait = portrait_of(mesh, {1, 1, 1}, {}, 400, 300);
+  const auto at = [&](double x, double y) {
+    const auto p = *portrait.camera.project({x * 0.2 / 0.228, y * 0.2 / 0.228, 0});
+    return light_of(pixel_at(image, static_cast<int>(p.first), static_cast<int>(p.second)));
+  };
+  EXPECT_GT(at(0, 0.0033), 0.6 * at(0.06, 0.009));
+  renderer().drop_picture(id);
+}
+
 /// A wall all round, 0.2 m high, with v from its rim down.
 struct Wall {
   TriangleMesh mesh;
