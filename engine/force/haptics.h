@@ -29,12 +29,12 @@ class Haptics {
     seconds_ = seconds;
     return coupling_.tool(hand, seconds, {limits.stiffness, limits.max_force});
   }
-  /// `share` of the force is to be felt, 0..1.
+  /// `share` of the force is to be felt, 0..1. At 0 nothing is, an old debt neither.
   Vec3 feel(const Touch& touch, double share, const HapticLimits& limits) noexcept {
     const Vec3 force = share * coupling_.feel(touch, {limits.stiffness, limits.max_force});
-    return passivity_.step(
-        hand_, force, touch, seconds_,
-        {limits.stiffness, limits.own_damping, limits.most_damping(seconds_), limits.delay});
+    const double most = share > 0.0 ? limits.most_damping(seconds_) : 0.0;
+    return passivity_.step(hand_, force, touch, seconds_,
+                           {limits.stiffness, limits.own_damping, most, limits.delay});
   }
   void release() noexcept {
     coupling_.release();

@@ -22,7 +22,8 @@ std::optional<Problem> access_problem(const HidListing& listing) {
   const int why = errno;
   if (why == EACCES || why == EPERM)
     return Problem{listing.path, "This user may not read and write it.",
-                   "Put config/udev/70-onggi-hid.rules into /etc/udev/rules.d, or this line: " +
+                   "Run: sudo groupadd --system --force onggi. Put config/udev/70-onggi-hid.rules "
+                   "into /etc/udev/rules.d, or this line: " +
                        udev_rule(listing) +
                        " Then: sudo udevadm control --reload && sudo udevadm trigger "
                        "--subsystem-match=hidraw, and make the kiosk's user one of the group: sudo "

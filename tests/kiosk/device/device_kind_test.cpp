@@ -1,6 +1,9 @@
 #include "kiosk/device/device_kind.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "kiosk/device/device_access.h"
 
@@ -52,6 +55,38 @@ TEST(DeviceAccess, SaysWhatIsMissingAndTheExactLineThatGivesIt) {
   listing.path = "/dev/hidraw-that-is-not-there";
   ASSERT_TRUE(access_problem(listing));
   EXPECT_NE(access_problem(listing)->what.find("No such file"), std::string::npos);
+}
+
+// Run as root the test becomes somebody else for a moment: root may open anything.
+TEST(DeviceAccess, WhoMayNotOpenADeviceIsToldEachCommandThatGivesIt) {
+  HidListing listing = listed(0x256f, 0xc635, 1, 8);
+  char name[] = "/tmp/onggi-no-access-XXXXXX";
+  const int file = mkstemp(name);
+  ASSERT_GE(file, 0);
+  fchmod(file, 0);
+  listing.path = name;
+  const uid_t own = getuid();
+  constexpr uid_t kNobody = 65534;
+  if (own == 0) {
+    ASSERT_EQ(setresuid(kNobody, 0, 0), 0);
+  }
+  const auto problem = access_problem(listing);
+  if (own == 0) {
+    ASSERT_EQ(setresuid(0, 0, 0), 0);
+  }
+  close(file);
+  unlink(name);
+  ASSERT_TRUE(problem);
+  EXPECT_NE(problem->what.find("may not read and write"), std::string::npos);
+  std::size_t at = 0;
+  for (const std::string& step :
+       {std::string("groupadd --system --force onggi"), udev_rule(listing),
+        std::string("udevadm control --reload"), std::string("udevadm trigger"),
+        std::string("usermod -aG onggi")}) {
+    const std::size_t found = problem->remedy.find(step, at);
+    ASSERT_NE(found, std::string::npos) << step << ", in that order";
+    at = found;
+  }
 }
 
 }  // namespace

@@ -292,6 +292,37 @@ TEST(HidHand, OfALeftHandedVisitorAPushToTheRightStaysAPushToTheRight) {
   }
 }
 
+TEST(HidHand, OfALeftHandedVisitorAStickPushedToTheRightGoesToTheRightAndATiltStaysATilt) {
+  for (const bool left_handed : {false, true}) {
+    auto owned = std::make_unique<SimulatedController>(false, 255, 128, 5000, 200, 0.2);
+    Rig rig(std::move(owned));
+    ASSERT_TRUE(rig.open());
+    rig.hand = std::make_unique<HidHand>(rig.link, left_handed);
+    const double before = rig.tick(2).position.x;
+    EXPECT_EQ(before > 0.0, !left_handed);
+    const HandInput in = rig.tick(500);
+    EXPECT_NEAR(in.position.x - before, 0.5 * rig.link->def().speed, 2e-3) << left_handed;
+    EXPECT_GT(in.handle.z, 0.1) << "as the hand tilts it, on either side";
+  }
+}
+
+TEST(HidHand, AVisitorsShareOfTheForceIsWhatTheHandFeelsAndOffIsNothing) {
+  const Vec3 home = default_def(DeviceKind::onggi_hid).home;
+  Rig rig(std::make_unique<SimulatedHandle>(still(home, 10000)));
+  DeviceDef def = default_def(DeviceKind::onggi_hid);
+  def.stiffness_limit = 800.0;
+  ASSERT_TRUE(rig.open(&def));
+  rig.tick(700);
+  for (const double share : {1.0, 0.5, 0.0, 0.25}) {
+    rig.hand->share(share);
+    rig.tick(300, {2.0, 0.0, 0.0});
+    EXPECT_NEAR(rig.link->status().force.x, 2.0 * share, 0.01) << share;
+  }
+  rig.hand->share(0.0);
+  rig.tick(300, {2.0, 0.0, 0.0});
+  EXPECT_EQ(rig.link->status().force, Vec3{});
+}
+
 TEST(HidHand, NobodyAtTheHandleIsNoHandAtTheClay) {
   const Vec3 home = default_def(DeviceKind::onggi_hid).home;
   Rig rig(std::make_unique<SimulatedHandle>(still(home, 1000)));

@@ -1,0 +1,48 @@
+#include "engine/force/haptics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace onggi::force {
+namespace {
+
+constexpr double kMs = 0.001;
+constexpr HapticLimits kHandle{.stiffness = 200.0, .max_force = 5.0};
+constexpr double kGoing = 0.1;  // m/s
+
+/// A newton that goes with a hand along x and that nobody's work explains, tick `n` of it.
+Vec3 given_for_nothing(Haptics& haptics, int n, double share) {
+  haptics.tool({kGoing * kMs * n, 0.0, 0.0}, kMs, kHandle);
+  Touch touch;
+  touch.push = {1.0, 0.0, 0.0};
+  touch.stiffness = 1000.0;
+  return haptics.feel(touch, share, kHandle);
+}
+
+TEST(Haptics, WhatTheCouplingGivesForNothingIsDampedOnItsWayToTheHand) {
+  Haptics haptics;
+  Vec3 felt;
+  for (int n = 0; n < 500; ++n) felt = given_for_nothing(haptics, n, 1.0);
+  const double damping = haptics.passivity().damping();
+  EXPECT_GT(damping, 1.0);
+  EXPECT_NEAR(felt.x, 200.0 * haptics.coupling().stretch().x - damping * kGoing, 0.02);
+}
+
+TEST(Haptics, TurnedOffNothingIsFeltThoughThereIsADebt) {
+  Haptics haptics;
+  for (int n = 0; n < 500; ++n) given_for_nothing(haptics, n, 1.0);
+  ASSERT_LT(haptics.passivity().energy(), 0.0);
+  for (int n = 500; n < 600; ++n) EXPECT_EQ(given_for_nothing(haptics, n, 0.0), Vec3{}) << n;
+}
+
+TEST(Haptics, AHandThatWasAwayHasNoDebt) {
+  Haptics haptics;
+  for (int n = 0; n < 500; ++n) given_for_nothing(haptics, n, 1.0);
+  haptics.release();
+  EXPECT_EQ(haptics.passivity().energy(), 0.0);
+  EXPECT_EQ(haptics.coupling().stretch(), Vec3{});
+}
+
+}  // namespace
+}  // namespace onggi::force
