@@ -1,9 +1,10 @@
 #include "kiosk/device/device_kind.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <cstdlib>
 
 #include "kiosk/device/device_access.h"
 

@@ -14,6 +14,8 @@ using stand_in::SimulatedController;
 using stand_in::SimulatedHandle;
 using stand_in::SimulatedPuck;
 
+const Vec3 kHandleHome = default_def(DeviceKind::onggi_hid).home;
+
 /// Down the wall and up again, at a potter's pace.
 stand_in::Track stroke(Vec3 from, long ms, long start) {
   std::vector<stand_in::TrackPoint> points;
@@ -216,34 +218,56 @@ TEST(HidHand, WithTheClutchHeldTheToolStaysUnpushedWhileTheHandleIsMovedBack) {
   EXPECT_LT(length(rig.tick(100).position - then), 1e-4) << "it goes on from where it is";
 }
 
-// A wall of 2000 N/m, which no device of this list bears: the hand feels what its own bears.
+/// A handle that presses `deep` into a wall of 2000 N/m, which no device of this list bears.
+struct AtAWall : Rig {
+  AtAWall(double deep, const DeviceDef& def)
+      : Rig(std::make_unique<SimulatedHandle>(stand_in::Track(way(deep)))) {
+    EXPECT_TRUE(open(&def));
+    for (int ms = 0; ms < 3900; ++ms) {
+      link->heartbeat();
+      hand_at = hand->read(1e-3).position.x - kHandleHome.x;
+      HandFeedback felt;
+      felt.contact = hand_at < 0.0;
+      felt.touch.push.x = std::max(0.0, -2000.0 * hand_at);
+      felt.touch.stiffness = 2000.0;
+      hand->feel(felt);
+    }
+  }
+  static std::vector<stand_in::TrackPoint> way(double deep) {
+    std::vector<stand_in::TrackPoint> points;
+    for (int ms = 0; ms < 4000; ++ms)
+      points.push_back(
+          {kHandleHome - Vec3{deep / 1500.0 * std::clamp(ms - 1000, 0, 1500), 0.0, 0.0}, true});
+    return points;
+  }
+  SimulatedHandle& handle() { return static_cast<SimulatedHandle&>(*socket->device); }
+  double hand_at = 0.0;  ///< The tool's x from the wall.
+};
+
+// And where the tool goes farther than the handle, it is the handle that bears no more.
 TEST(HidHand, AWallIsNoStifferToTheHandThanItsDeviceBearsAndTheToolStaysAtIt) {
-  const Vec3 home = default_def(DeviceKind::onggi_hid).home;
-  std::vector<stand_in::TrackPoint> points;
-  for (int ms = 0; ms < 4000; ++ms)
-    points.push_back({home - Vec3{1e-5 * std::clamp(ms - 1000, 0, 1500), 0.0, 0.0}, true});
-  auto owned = std::make_unique<SimulatedHandle>(stand_in::Track(points));
-  SimulatedHandle& handle = *owned;
-  Rig rig(std::move(owned));
+  for (const double scale : {1.0, 2.0}) {
+    DeviceDef def = default_def(DeviceKind::onggi_hid);
+    def.stiffness_limit = 150.0;
+    def.scale = scale;
+    AtAWall rig(0.015, def);
+    const double pressed = -rig.handle().place().x;
+    EXPECT_GT(pressed, 0.01);
+    const double coupling = 150.0 / scale, series = coupling * 2000.0 / (coupling + 2000.0);
+    const double force = rig.handle().force().x;
+    EXPECT_NEAR(force, series * scale * pressed, 0.02 * series * scale * pressed) << scale;
+    EXPECT_LE(force, 150.0 * pressed) << scale;
+    EXPECT_NEAR(rig.hand_at, -force / 2000.0, 1e-5) << scale;
+  }
+}
+
+TEST(HidHand, WhoPushesHarderThanTheDeviceCanHoldTakesTheToolAlong) {
   DeviceDef def = default_def(DeviceKind::onggi_hid);
   def.stiffness_limit = 150.0;
-  ASSERT_TRUE(rig.open(&def));
-  double tool = 0.0;
-  for (int ms = 0; ms < 3900; ++ms) {
-    rig.link->heartbeat();
-    const HandInput in = rig.hand->read(1e-3);
-    tool = in.position.x - home.x;
-    HandFeedback felt;
-    felt.contact = tool < 0.0;
-    felt.touch.push.x = std::max(0.0, -2000.0 * tool);
-    felt.touch.stiffness = 2000.0;
-    rig.hand->feel(felt);
-  }
-  const double pressed = -handle.place().x;
-  EXPECT_GT(pressed, 0.01);
-  const double series = 150.0 * 2000.0 / 2150.0;
-  EXPECT_NEAR(handle.force().x, series * pressed, 0.02 * series * pressed);
-  EXPECT_NEAR(tool, -handle.force().x / 2000.0, 1e-5);
+  AtAWall rig(0.06, def);
+  const double pressed = -rig.handle().place().x, most = rig.link->cap();
+  EXPECT_NEAR(rig.handle().force().x, most, 2e-3);
+  EXPECT_NEAR(rig.hand_at, most / 150.0 - pressed, 1e-4) << "no farther behind than that stretches";
 }
 
 // What a left hand does at the left is what a right hand does at the right, in a mirror.
