@@ -19,6 +19,7 @@ constexpr double kLongestWait = 0.1;  // s, of any row on any grid
 constexpr double kHeld = 0.95;
 constexpr double kFirm = 0.98;        // of that
 constexpr double kLittle = 1e-6;      // of an area: a float's rounding and what sums to it
+constexpr double kSameClay = 1e-9;    // of the lump: rows are measured in floats
 constexpr double kNeverEmpty = 1e-3;  // of a row's clay stays: V and h are divided by
 constexpr double kRaised = 1.25;      // of a fresh lump's rows: thinner ones nobody asks about
 
@@ -73,6 +74,7 @@ Volume::Volume(Clay& clay, const Limits& limits) : limits_(limits) {
     thickness_[n] = clay.row_thickness(j);
     volume_[n] = clay.areas()->of(j) * thickness_[n];
   }
+  noted_.assign(kSteps, sum(clay));
 }
 
 bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
@@ -183,6 +185,25 @@ bool Volume::measure_some(Clay& clay, int element_budget) noexcept {
   for (int j = clay.areas()->take_changed(0); j >= 0; j = clay.areas()->take_changed(j + 1)) {
   }
   return true;
+}
+
+double Volume::sum(const Clay& clay) const noexcept {
+  double total = 0.0;
+  for (int j = 0; j < clay.rows(); ++j) total += volume_[static_cast<std::size_t>(j)];
+  return total;
+}
+
+void Volume::note_step(const Clay& clay, std::uint64_t step) noexcept {
+  noted_[step % kSteps] = sum(clay);
+}
+
+void Volume::return_to(Clay& clay, std::uint64_t step) noexcept {
+  const double share = noted_[step % kSteps] / sum(clay);
+  if (std::fabs(share - 1.0) < kSameClay) return;  // not a bit of it is touched then
+  for (int j = 0; j < clay.rows(); ++j) {
+    volume_[static_cast<std::size_t>(j)] *= share;
+    clay.areas()->mark(j);
+  }
 }
 
 void Volume::give(Clay& clay, int j, int to, double volume) noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/clay/clay.h"
@@ -45,6 +46,14 @@ class Volume {
   /// true once all is done.
   bool measure_some(Clay& clay, int element_budget) noexcept;
 
+  /// How much clay there is in step `step` (clay::History::depth()) as it begins: what is still on
+  /// its way to its rows counts. The last kSteps are kept. O(rows).
+  void note_step(const Clay& clay, std::uint64_t step) noexcept;
+  /// `clay` was taken back to the beginning of `step`, and measured. Its rows may be of some ticks
+  /// apart, and what was on its way is not in them: all are given the same share more, or less, so
+  /// that together they hold what was noted; keep() then raises them. O(rows).
+  void return_to(Clay& clay, std::uint64_t step) noexcept;
+
   double of_row(int j) const { return volume_[static_cast<std::size_t>(j)]; }  ///< m^3
   /// Row `j` gives `volume` m^3 to row `to`, or takes it where negative; keep() then raises and
   /// lowers them.
@@ -63,7 +72,11 @@ class Volume {
   bool pressed_down(const Clay& clay, int j) const noexcept;
   double widen(Clay& clay, int j, double area, double height) noexcept;
 
+  static constexpr std::size_t kSteps = 256;  // more than a history holds at once
+  double sum(const Clay& clay) const noexcept;
+
   Limits limits_;
+  std::vector<double> noted_;  // of the step n at n % kSteps, m^3
   std::vector<double> volume_;
   std::vector<double> thickness_;  // as keep() left them: what differs was pressed down since
   RowSet raised_;                  // rows to be asked whether they are too thick

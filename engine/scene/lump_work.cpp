@@ -102,7 +102,14 @@ bool LumpWork::step(const Hands& hands, const Parts& parts) noexcept {
   const Row& now = row_of(state_);
   if (now.work == nullptr) return false;
   if ((this->*now.work)(parts)) go(LumpEvent::done, parts);
+  note_step(parts);
   return true;
+}
+
+void LumpWork::note_step(const Parts& parts) noexcept {
+  const std::uint64_t step = depth_of(parts.history);
+  if (step > step_ && parts.row_effects != nullptr) parts.row_effects->note_step(parts.clay, step);
+  step_ = step;
 }
 
 void LumpWork::follow(const Parts& parts, bool touching, double seconds) noexcept {
@@ -114,6 +121,7 @@ void LumpWork::follow(const Parts& parts, bool touching, double seconds) noexcep
     if (parts.row_effects->stands()) stood_at_ = parts.history->depth();
   }
   parts.history->follow(parts.clay, busy, seconds);
+  note_step(parts);
 }
 
 }  // namespace onggi::scene

@@ -68,10 +68,12 @@ class LumpWork {
   bool restore(const Parts& parts) const noexcept;
   bool settle(const Parts& parts) const noexcept;
   void go(LumpEvent event, const Parts& parts) noexcept;
+  void note_step(const Parts& parts) noexcept;
 
   LumpState state_ = LumpState::playing;
   bool renew_held_ = false, restore_held_ = false;
   std::uint64_t stood_at_ = 0;
+  std::uint64_t step_ = 0;  ///< The history's depth, as it was last noted.
 };
 
 }  // namespace onggi::scene

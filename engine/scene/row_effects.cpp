@@ -199,6 +199,7 @@ bool RowEffects::settle_some(const SceneDef& def, Clay& clay, bool fresh, std::u
     return false;
   }
   if (volume_ && !volume_->measure_some(clay, element_budget)) return false;
+  if (volume_ && !fresh) volume_->return_to(clay, step);
   if (springback_) springback_->forget();
   if (wobble_) wobble_->forget();
   clay.forget_displacements();

@@ -62,6 +62,11 @@ class RowEffects {
   bool settle_some(const SceneDef& def, Clay& clay, bool fresh, std::uint64_t step,
                    int element_budget) noexcept;
 
+  /// Step `step` (clay::History::depth()) begins, with the clay as it is. O(rows).
+  void note_step(const Clay& clay, std::uint64_t step) noexcept {
+    if (volume_) volume_->note_step(clay, step);
+  }
+
   /// How fast the rim sinks by itself, m/s.
   double sinking() const { return slump_ ? slump_->speed() : 0.0; }
   /// The pot fell, since the clay was last laid.

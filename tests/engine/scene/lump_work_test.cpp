@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <string>
@@ -95,6 +97,58 @@ TEST(LumpWork, WhatIsAskedForMeanwhileIsNotDoneAfterwards) {
   EXPECT_GT(ticks, 18);
   EXPECT_LT(ticks, 30);
   EXPECT_FALSE(work.step({}, parts));
+}
+
+// A rib held so long that the touch is cut into steps of three seconds: rows, which trade clay
+// under it, are taken back as they were some ticks apart.
+TEST(LumpWork, WhatIsTakenBackIsAllTheClayThereWas) {
+  for (const int ticks : {603, 606, 609}) {
+    SceneDef def;
+    def.clay.rows = 49;
+    def.clay.sectors = 160;
+    def.volume.emplace();
+    def.smoothing.emplace();
+    Scene scene = std::move(*Scene::create(def));
+    const double lump = scene.clay().volume();
+    Hands hands;
+    hands.wheel_speed = -10.9;
+    for (int t = 0; t < ticks; ++t) {
+      hands.hand[0] = {
+          .position = {0.034 + 5e-6 * std::max(0, t - 50), 0.13, 0.0}, .active = true, .tool = 1};
+      scene.step(hands, 0.005);
+    }
+    ASSERT_EQ(scene.hand(0).name, "curved_rib");
+    Hands restore;
+    restore.restore = true;
+    scene.step(restore, 0.005);
+    for (int t = 0; scene.laying() || t < 20; ++t) scene.step(restore, 0.005);
+    EXPECT_GT(scene.clay().rim_height(), 1.1 * def.clay.height) << "it came back to a fresh lump";
+    EXPECT_NEAR(scene.clay().volume() / lump, 1.0, 1e-8) << ticks << " ticks";
+  }
+}
+
+// A rim that is pressed gets its girth some ticks later: what was on its way comes all the same.
+TEST(LumpWork, WhatAPressedRimWasStillOwedComesToTheClayThatIsTakenBack) {
+  SceneDef def;
+  def.clay.rows = 36;
+  def.clay.sectors = 33;
+  def.volume.emplace();
+  Scene scene = std::move(*Scene::create(def));
+  const double lump = scene.clay().volume();
+  Hands hands;
+  hands.hand[0] = {.position = {0.0, 0.205, 0.05}, .active = true};
+  for (int t = 0; t < 40; ++t) scene.step(hands, 1e-6);
+  ASSERT_GT(std::fabs(scene.clay().volume() / lump - 1.0), 1e-8) << "nothing is on its way";
+  Hands renew;
+  renew.renew = true;
+  scene.step(renew, 0.001);
+  while (scene.laying()) scene.step(renew, 0.001);
+  Hands restore;
+  restore.restore = true;
+  scene.step(restore, 0.001);
+  for (int t = 0; scene.laying() || t < 20; ++t) scene.step(restore, 0.001);
+  EXPECT_LT(scene.clay().rim_height(), def.clay.height);
+  EXPECT_NEAR(scene.clay().volume() / lump, 1.0, 1e-8);
 }
 
 }  // namespace
