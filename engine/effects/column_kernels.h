@@ -40,6 +40,7 @@ struct Even {
   float* change = nullptr;         ///< To work with.
   double* gained = nullptr;        ///< Grows by what each row's squares of radii did.
   float* extent = nullptr;  ///< Of each row: the largest, or inside smallest, radius written.
+  float hole_min = 0.0f;    ///< No inner radius gets smaller, m.
 };
 
 /// How a row may move.

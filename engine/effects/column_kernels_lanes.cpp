@@ -98,6 +98,7 @@ ONGGI_INLINE bool even_columns_as(const Even& c) {
   solve_columns(c);
   end_columns(c, over);
   share_columns<outside>(c, over, share);
+  const Float8 hole = all(c.hole_min);
   bool changed = false;
   for (int k = 0; k < c.at.rows; ++k) {
     const float* const changes = of_row(c.change, c.at, k);
@@ -110,7 +111,10 @@ ONGGI_INLINE bool even_columns_as(const Even& c) {
       const Float8 change = share[b] * (load(changes + kLanes * b) - over[b]);
       const Float8 root = sqrt(larger(before * before + change, all(0.0f)));
       const Mask8 there = real(before);
-      const Float8 then = select(there, before + change / (before + root), before);
+      Float8 moved = before + change / (before + root);
+      // Squares of a row far out are rounded by more than a hole at its least holds.
+      if constexpr (!outside) moved = larger(moved, hole);
+      const Float8 then = select(there, moved, before);
       store(then, face + kLanes * b);
       most = larger(abs(then - before), most);
       gained = gained + only(there, (then - before) * (then + before));

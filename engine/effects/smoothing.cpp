@@ -63,7 +63,8 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
                             up_.data(),
                             change_.data(),
                             gained_.data(),
-                            extent_.data()};
+                            extent_.data(),
+                            static_cast<float>(clay.def().radius_min)};
   const column_kernels::Table& kernels = column_kernels::of(clay.vectors());
   bool changed = false;
   for (BlockRun run = displacements.run_from(0); run.any(); run = displacements.run_from(run.end))

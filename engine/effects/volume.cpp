@@ -261,7 +261,12 @@ double known_area(Clay& clay, int j) noexcept {
 double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   const ClayDef& def = clay.def();
   const double more = girth * thickness;
-  if (j < clay.floor_rows()) girth = thickness = std::sqrt(more);
+  // A hole at its least has no room for a wall that thickens inwards: the row grows as a whole
+  // then. Judged by the row's ends as if they were one element's: such a row may be a few early.
+  const double hole = 0.5 * ((girth + thickness) * double{clay.inner_least(j)} -
+                             (thickness - girth) * double{clay.outer_most(j)});
+  if (j < clay.floor_rows() || (thickness > girth && hole < def.radius_min))
+    girth = thickness = std::sqrt(more);
   float* outer = clay.pressable_outer(j).data();
   float* inner = clay.pressable_inner(j).data();
   const row_kernels::Table& kernels = row_kernels::of(clay.vectors());

@@ -90,7 +90,8 @@ double known_area(Clay& clay, int j) noexcept;
 
 /// Row `j` with the middle of its wall `girth` times as far out, and the wall `thickness` times as
 /// thick, >= 1 together: its area is girth * thickness times what it was, to a float's rounding. A
-/// solid row takes the root of that product. Held to radius_max and wall_min; gives the factor of
+/// solid row takes the root of that product, and so does one whose hole would get smaller than
+/// radius_min. Held to radius_max and wall_min; gives the factor of
 /// the area that was possible. The clay keeps areas, and knows this row's. Marks dirty. O(sectors),
 /// no allocation.
 double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept;

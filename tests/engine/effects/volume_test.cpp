@@ -246,6 +246,23 @@ TEST(ReshapedRow, StopsAtItsThinnestWallAndAtTheLargestRadius) {
   EXPECT_NEAR(round(7), 0.05 * 1.2 + 0.005 * 1.1, 1e-7);
 }
 
+TEST(ReshapedRow, OfAHoleThatIsAtItsLeastGrowsAsAWholeAndTheHoleGetsNoSmaller) {
+  ClayDef def;
+  def.radius_min = 1e-4;
+  Clay clay = std::move(*Clay::create(def));
+  clay.keep_areas();
+  const auto least = static_cast<float>(def.radius_min);
+  clay.inner_mut(50)[7] = least;
+  clay.inner_mut(50)[8] = 2.0f * least;
+  clay.mark_dirty(50);
+  clay.areas()->set(50, clay.measured_area(50));
+  EXPECT_NEAR(reshape_row(clay, 50, 1.0, 1.1), 1.1, 1e-5);
+  EXPECT_GE(clay.inner(50)[7], least);
+  EXPECT_GE(clay.inner(50)[8], least);
+  EXPECT_LT(reshape_row(clay, 60, 1.0, 1.1), 1.11);  // a hole that has room
+  EXPECT_LT(clay.inner(60)[7], static_cast<float>(def.inner_radius));
+}
+
 TEST(Volume, IsTheSameToAMillionthWhateverHandsDoToIt) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) knead(seed, 20000);
 }
