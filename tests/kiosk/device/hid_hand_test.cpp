@@ -358,5 +358,26 @@ TEST(HidHand, NobodyAtTheHandleIsNoHandAtTheClay) {
   EXPECT_EQ(rig.link->status().force, Vec3{});
 }
 
+// The link asks for itself, whatever the loop wishes: an arm has no sensor and no firmware that
+// would.
+TEST(HidHand, AnArmThatNobodyMovedIsNotPushed) {
+  auto owned = std::make_unique<SimulatedArm>(still({0.065, 0.10, 0.02}, 5000));
+  SimulatedArm& arm = *owned;
+  Rig rig(std::move(owned));
+  DeviceDef def = default_def(DeviceKind::polhem);
+  def.stiffness_limit = 800.0;
+  ASSERT_TRUE(rig.open(&def));
+  for (std::uint64_t n = 1; n <= 2000; ++n) {
+    rig.link->heartbeat();
+    FeelWish wish;
+    wish.ticks = n;
+    wish.force = n > 1000 ? Vec3{2.0, 0.0, 0.0} : Vec3{};
+    wish.contact = true;
+    rig.link->wish(wish);
+    rig.link->pump(1e-3);
+    ASSERT_EQ(arm.milliamperes(), (std::array<int, 3>{})) << n;
+  }
+}
+
 }  // namespace
 }  // namespace onggi::device

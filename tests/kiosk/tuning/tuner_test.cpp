@@ -49,6 +49,21 @@ TEST(Tuner, WhatItPromisesHoldsWhenTheGridIsMeasuredAfresh) {
   EXPECT_GT(tick_pct, 0.0);
 }
 
+// A promise that nothing could break is none: errors are the same bits each time, times are not.
+TEST(Tuner, PromisesAQuarterMoreErrorThanItMeasuredAndNoMore) {
+  SceneDef def = studio();
+  const auto promised = tune("studio", def, short_plan());
+  ASSERT_TRUE(promised);
+  def.clay.rows = promised->rows;
+  def.clay.sectors = promised->sectors;
+  const auto is = measure_grid("studio", def, short_plan());
+  ASSERT_TRUE(is);
+  EXPECT_NEAR(promised->shape_mm, 1.25 * is->shape_mm, 1e-12);
+  EXPECT_NEAR(promised->worst_mm, 1.25 * is->worst_mm, 1e-12);
+  EXPECT_NEAR(promised->force_pct, 1.25 * is->force_pct, 1e-9);
+  EXPECT_EQ(promised->fine_enough, is->fine_enough);
+}
+
 TEST(Tuner, AScenesOwnClayDecidesAndNotADefault) {
   SceneDef soft = studio(), firm = studio();
   firm.contact.relaxation_time = 0.1;
