@@ -82,7 +82,8 @@ def places(path):
             for pattern, new in SWAPS:
                 out += [(number, m.start(), m.end(), new) for m in re.finditer(pattern, code)]
             for m in re.finditer(NUMBER, code):
-                if code[:m.start()].endswith(("[", "<")):  # an index, a template's argument
+                # An index, a template's argument: an array that is longer than it need be is no fault.
+                if code[:m.start()].endswith(("[", "<")) or re.match(r">[\s(]", code[m.end():]):
                     continue
                 out.append((number, m.start(), m.end(), other_number(m.group())))
     return sorted(out)
