@@ -72,6 +72,9 @@ SceneDef every_effect() {
     if (!effect) effect.emplace();
   });
   def.moisture->sponge_height = 0.04;
+  def.walls->yield_stress = 9000.0;
+  def.walls->tear_thickness = 0.006;
+  def.walls->tear_strain = 2.0;
   return def;
 }
 
@@ -105,20 +108,37 @@ TEST(Loop, InAHundredThousandTicksWithEveryEffectAndADeviceNothingIsAllocatedLoc
   SteppedPotter potter;
   ASSERT_NE(potter.attach(std::make_unique<device::HidHand>(std::move(link)), 0), nullptr);
   potter.start(pot(def));
-  std::uint64_t ticks = 0, touched = 0;
+  std::uint64_t ticks = 0, touched = 0, pressed = 0;
+  bool tore = false;
   for (int frame = 0; frame < 4000; ++frame) {
     potter.wheel(12.0);
     potter.water(frame % 100 < 20);
     if (frame % 1000 == 999) potter.restore();
+    // The device keeps its own time, in which 100 s are a blink: the other hand keeps the clay's,
+    // up and down the wall and deeper each time, and then there are a new lump and another tool.
+    const int stroke = frame % 200;
+    const std::size_t tools = def.tools.size() + 1;
+    if (stroke == 1)
+      potter.take(1, static_cast<std::uint8_t>(static_cast<std::size_t>(frame / 200) % tools));
+    if (stroke == 199) potter.renew();
+    HandInput other;
+    other.active = stroke > 2 && stroke < 190;
+    other.position = {-0.0635 + 4e-5 * stroke, 0.06 + 0.03 * std::sin(0.1 * frame), 0.0};
+    potter.hand(1, other);
     on_the_tick = true;
     potter.advance(25);
     on_the_tick = false;
     ticks += 25;
     potter.collect();
-    touched += potter.view().status.feedback.hand[0].contact ? 1 : 0;
+    const auto& felt = potter.view().status.feedback;
+    touched += felt.hand[0].contact ? 1 : 0;
+    pressed += felt.hand[1].contact ? 1 : 0;
+    tore = tore || felt.torn;
   }
   EXPECT_EQ(ticks, 100'000u);
   EXPECT_GT(touched, 100u) << "the device's hand worked";
+  EXPECT_GT(pressed, 1000u) << "and so did the other";
+  EXPECT_TRUE(tore);
   EXPECT_EQ(allocated, 0);
   EXPECT_EQ(locked, 0);
   EXPECT_EQ(written, 0);
