@@ -182,7 +182,8 @@ drawing::BillSheet sheet_of(const SceneBill& bill) {
                "; the scene as it is against the scene without that effect; no chance in it";
   sheet.columns = {"time, µs", "shape, mm (rms)", "force, N (rms)"};
   for (const BillLine& line : bill.lines)
-    sheet.rows.push_back({bill_name(line), {line.us, line.shape_mm, line.force_n}});
+    sheet.rows.push_back({(line.part_of.empty() ? "" : "   ") + line.effect,
+                          {line.us, line.shape_mm, line.force_n}});
   return sheet;
 }
 
