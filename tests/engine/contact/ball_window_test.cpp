@@ -156,6 +156,27 @@ TEST(Window, CostFollowsTheToolAndNotTheGridAroundIt) {
   EXPECT_EQ(BallWindow(a, at, 0.008).first_row, BallWindow(b, at, 0.008).first_row);
 }
 
+// By trying each element of each window of every width and beginning that a tool may ask for.
+TEST(Window, WrappedRoundTheAxisHoldsEveryElementThatIsAskedForAndNoBlockWithoutOne) {
+  for (const int sectors : {16, 24, 27, 40}) {
+    const Clay clay = lump(20, sectors);
+    for (int low = -sectors; low < 2 * sectors; ++low)
+      for (int high = low; high < std::min(low + sectors, 2 * sectors); ++high) {
+        std::vector<bool> wanted(static_cast<std::size_t>(clay.stride() / 8));
+        for (int i = low; i <= high; ++i)
+          wanted[static_cast<std::size_t>((i + sectors) % sectors / 8)] = true;
+        BlockRun ranges[2];
+        const int used = wrapped_blocks(RowShape(clay), low, high, ranges);
+        std::vector<int> held(wanted.size());
+        for (int n = 0; n < used; ++n)
+          for (int b = ranges[n].begin; b < ranges[n].end; ++b) ++held[static_cast<std::size_t>(b)];
+        for (std::size_t b = 0; b < wanted.size(); ++b)
+          ASSERT_EQ(held[b], wanted[b] ? 1 : 0)
+              << sectors << " sectors, " << low << " to " << high << ", block " << b;
+      }
+  }
+}
+
 TEST(CrossSection, KeepsItsDigitsNearThePolesWhereTheSquaresCancel) {
   const float radius = 0.008f;
   const float dy = 0.0079999f;

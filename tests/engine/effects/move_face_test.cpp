@@ -1,0 +1,32 @@
+#include "engine/effects/move_face.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace onggi::effects {
+namespace {
+
+TEST(MoveFace, AFloorRowHasNoInsideAndAFirmWallGivesNoWay) {
+  Clay clay = std::move(*Clay::create({}));
+  clay.keep_areas();
+  clay.areas()->keep_firm();
+  const int floor = clay.floor_rows() - 1, wall = clay.floor_rows() + 5;
+  ASSERT_GE(floor, 0);
+  row_kernels::FaceMove how{};
+  EXPECT_TRUE(may_move(clay, WallSide::outside, floor, 0.0, how));
+  EXPECT_FALSE(how.hollow);
+  EXPECT_FALSE(may_move(clay, WallSide::inside, floor, 0.0, how));
+  for (const WallSide side : {WallSide::outside, WallSide::inside}) {
+    EXPECT_TRUE(may_move(clay, side, wall, 0.0, how));
+    EXPECT_TRUE(how.hollow);
+  }
+  clay.areas()->harden(wall, true, true);
+  clay.areas()->harden_all(false, false);
+  EXPECT_FALSE(may_move(clay, WallSide::outside, wall, 0.0, how));
+  EXPECT_FALSE(may_move(clay, WallSide::inside, wall, 0.0, how));
+  EXPECT_TRUE(may_move(clay, WallSide::outside, wall + 1, 0.0, how)) << "its neighbour is soft";
+}
+
+}  // namespace
+}  // namespace onggi::effects
