@@ -11,7 +11,6 @@
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/settings/exhibit.h"
-#include "kiosk/watch/stamp.h"
 
 namespace fs = std::filesystem;
 
@@ -66,8 +65,10 @@ void Reload::begin_check() {
   check_ = std::async(std::launch::async, [file = exhibit_.string(), stop = stop_.get_token()] {
     setpriority(PRIO_PROCESS, 0, 19);  // this thread alone: a visitor's picture comes first
     auto folders = folders_of(file);
-    std::string stamps = watch::stamps_in(folders);
-    return Checked{check_path("", file, stop), std::move(folders), std::move(stamps)};
+    auto before = watch::stamps_in(folders);
+    auto report = check_path("", file, stop);
+    auto after = watch::stamps_in(folders);
+    return Checked{std::move(report), std::move(folders), std::move(before), std::move(after)};
   });
 }
 
@@ -84,13 +85,21 @@ void Reload::look(double now) {
   if (check_.valid()) {
     if (check_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     const Checked checked = check_.get();
-    seen_ = checked.stamps;
     // The folders may be others now; but a change that the old watch saw begin is its to tell.
     if (!files_->pending()) files_ = std::make_unique<watch::FileWatch>(checked.folders);
-    if (checked.report)
-      take(*checked.report, now);
-    else
+    if (!checked.report) {
       log_problem(checked.report.error());
+    } else {
+      // What else lies in the folders is nobody's.
+      const auto& files = checked.report->files;
+      seen_ = watch::of_files(checked.before, files);
+      if (seen_ == watch::of_files(checked.after, files)) {
+        if (!checked_) open_ = watch::of_files(open_, files);
+        take(*checked.report, now);
+      } else {
+        look_again_at_ = now + kLookAgain;  // they changed while they were read: at rest, then
+      }
+    }
   }
   if (look_again_at_ >= 0.0 && now >= look_again_at_) again_ = true;
   if (!std::exchange(again_, false)) return;

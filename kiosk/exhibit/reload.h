@@ -10,6 +10,7 @@
 
 #include "kiosk/exhibit/check_exhibit.h"
 #include "kiosk/watch/file_watch.h"
+#include "kiosk/watch/stamp.h"
 
 namespace onggi::exhibit {
 
@@ -40,7 +41,7 @@ class Reload {
   struct Checked {
     Result<CheckReport> report;
     std::vector<std::filesystem::path> folders;
-    std::string stamps;  ///< Of the files in them, from before they were read.
+    watch::Stamps before, after;  ///< What stood in them as the check began, and as it ended.
   };
 
   void begin_check();
@@ -53,8 +54,8 @@ class Reload {
   std::unique_ptr<watch::FileWatch> files_;
   std::stop_source stop_;
   std::future<Checked> check_;
-  std::string open_;               ///< Stamps of what is open,
-  std::string seen_;               ///< and of what was checked last.
+  watch::Stamps open_;  ///< Of what is open; before the first check, of all that lay there,
+  watch::Stamps seen_;  ///< and of what was checked last.
   std::set<std::string> known_;    ///< Problems of what is open,
   std::set<std::string> found_;    ///< of what was checked last,
   std::set<std::string> refused_;  ///< and of the change last refused.

@@ -1,10 +1,17 @@
 #include "kiosk/watch/stamp.h"
 
-#include <set>
+#include <utility>
 
 namespace fs = std::filesystem;
 
 namespace onggi::watch {
+
+namespace {
+fs::path plain(const fs::path& file) {
+  std::error_code none;
+  return fs::absolute(file, none).lexically_normal();
+}
+}  // namespace
 
 std::optional<std::string> stamp_of(const fs::path& file) {
   std::error_code gone;  // an editor's own files come and go
@@ -16,17 +23,21 @@ std::optional<std::string> stamp_of(const fs::path& file) {
   return std::to_string(size) + ' ' + std::to_string(time);
 }
 
-std::string stamps_in(const std::vector<fs::path>& folders) {
-  std::set<std::string> lines;
+Stamps stamps_in(const std::vector<fs::path>& folders) {
+  Stamps stamps;
   for (const fs::path& folder : folders) {
     std::error_code gone;
     for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone))
-      if (const auto stamp = stamp_of(it->path()))
-        lines.insert(it->path().string() + ' ' + *stamp + '\n');
+      if (auto stamp = stamp_of(it->path())) stamps[plain(it->path())] = std::move(*stamp);
   }
-  std::string text;
-  for (const std::string& line : lines) text += line;
-  return text;
+  return stamps;
+}
+
+Stamps of_files(const Stamps& stamps, const std::vector<fs::path>& files) {
+  Stamps found;
+  for (const fs::path& file : files)
+    if (const auto at = stamps.find(plain(file)); at != stamps.end()) found.insert(*at);
+  return found;
 }
 
 }  // namespace onggi::watch

@@ -83,6 +83,7 @@ TEST(Reload, what_visitors_leave_and_the_kiosk_tries_on_the_disk_is_no_change) {
   museum.append("keepsakes/.trial", "a trial\n");
   fs::create_directories(museum.at("keepsakes/2026-05-04_141503"));
   museum.append("onggi.log", "beside config and content");
+  museum.append("config/notes.txt", "what no exhibit asks for");
   frames.pass();
   EXPECT_FALSE(frames.wanted());
 }
@@ -108,6 +109,22 @@ TEST(Reload, a_broken_change_is_not_wanted_until_it_is_mended) {
   fs::copy_file("config/exhibit.toml", museum.exhibit(), fs::copy_options::overwrite_existing);
   museum.append("config/exhibit.toml", "\n# ours\n");
   EXPECT_TRUE(frames.soon_wanted());
+}
+
+TEST(Reload, what_breaks_while_the_files_are_read_for_the_first_time_was_not_wrong_already) {
+  for (const int wait : {0, 1, 2, 4, 8, 16}) {
+    const Museum museum;
+    Reload reload(museum.exhibit(), Reload::Shown::this_one);
+    double now = 0.0;
+    reload.look(now);
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+    museum.append("config/exhibit.toml", "\nshelf = [\n");
+    for (int frame = 0; frame < 200; ++frame) {
+      reload.look(now += 0.05);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      ASSERT_FALSE(reload.wanted()) << "broken " << wait << " ms after the first look";
+    }
+  }
 }
 
 TEST(Reload, what_was_wrong_already_keeps_no_change_out) {
