@@ -34,7 +34,7 @@ std::vector<double> even_heights(const Slicer& slicer, int n) {
 }
 
 /// Middle of an outline by the lengths of its pieces.
-Vec2 centroid(const std::vector<CutSegment>& outline) {
+Vec2 centroid(std::span<const CutSegment> outline) {
   Vec2 sum;
   double total = 0.0;
   for (const CutSegment& s : outline) {
@@ -84,8 +84,7 @@ void improve_circle(std::span<const Vec2> points, double scale, FittedCircle& c)
 }
 
 /// Where each ray leaves an outline for good.
-std::vector<Vec2> outermost(const std::vector<CutSegment>& outline, Vec2 centre,
-                            RayCrossings& rays) {
+std::vector<Vec2> outermost(std::span<const CutSegment> outline, Vec2 centre, RayCrossings& rays) {
   std::vector<Vec2> out;
   const std::span<const double> radii = rays.outermost(outline, centre);
   out.reserve(radii.size());
@@ -139,20 +138,19 @@ Judged judge(const TriangleMesh& mesh, Vec3 origin, Vec3 direction, int slices, 
   const Slicer slicer(mesh, frame);
   const std::vector<double> heights = even_heights(slicer, slices);
   const std::size_t n = rays.fan().count();
-  const auto outlines = slicer.cut(heights);
 
   double size = 0.0;
-  std::vector<FittedCircle> circles(outlines.size());
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const auto points = outermost(outlines[i], centroid(outlines[i]), rays);
-    if (points.size() < n / 2) continue;
+  std::vector<FittedCircle> circles(heights.size());
+  slicer.each_cut(heights, [&](std::size_t i, std::span<const CutSegment> outline) {
+    const auto points = outermost(outline, centroid(outline), rays);
+    if (points.size() < n / 2) return;
     double reach = 0.0;
     for (const Vec2& p : points) reach = std::max(reach, length(p - points[0]));
     circles[i] = fit_circle(points, kAgree * 0.5 * reach);
     circles[i].support *= static_cast<double>(points.size()) / static_cast<double>(n);
     if (circles[i].support < 0.3 || circles[i].radius > reach) circles[i] = {};
     size = std::max(size, circles[i].radius);
-  }
+  });
   Judged out;
   out.axis = {frame.origin, frame.up, 1.0};
   out.tilted = frame.up;
@@ -173,7 +171,7 @@ Judged judge(const TriangleMesh& mesh, Vec3 origin, Vec3 direction, int slices, 
     out.axis.origin = frame.origin + frame.across * centre.x + frame.along * centre.y;
   }
   double cost = 0.0;
-  for (const auto& outline : outlines) {
+  slicer.each_cut(heights, [&](std::size_t, std::span<const CutSegment> outline) {
     std::vector<double> radii;
     for (const Vec2& p : outermost(outline, centre, rays)) radii.push_back(length(p - centre));
     const Agreement mode = agreement(radii, n, 0.5);
@@ -181,8 +179,8 @@ Judged judge(const TriangleMesh& mesh, Vec3 origin, Vec3 direction, int slices, 
     for (const double r : radii)
       missed += mode.found ? std::min(1.0, std::abs(r - mode.middle()) / (kElsewhere * size)) : 1.0;
     cost += missed / static_cast<double>(n);
-  }
-  out.axis.cost = cost / static_cast<double>(outlines.size());
+  });
+  out.axis.cost = cost / static_cast<double>(heights.size());
   return out;
 }
 
@@ -204,11 +202,11 @@ int surfaces_met(const TriangleMesh& mesh) {
   RayCrossings rays(fan);
   const Slicer slicer(mesh, axis_frame(middle_of(mesh), {0, 1, 0}));
   std::vector<double> met;
-  for (const auto& outline : slicer.cut(even_heights(slicer, kCrowdSlices))) {
+  slicer.each_cut(even_heights(slicer, kCrowdSlices), [&](std::size_t, auto outline) {
     rays.meet(outline, {});
     for (std::size_t k = 0; k < fan.count(); ++k)
       met.push_back(static_cast<double>(rays.ray(k).size()));
-  }
+  });
   return static_cast<int>(median(met));
 }
 

@@ -40,7 +40,7 @@ double roughness_of(const std::vector<double>& radii, std::vector<double>& jumps
 
 /// Material that a slice cuts between the radii `least` and `most`, as a mean over the rays of its
 /// radii squared: from the outside in, every second crossing ends what the one before began.
-double material(const std::vector<CutSegment>& outline, RayCrossings& rays, double least,
+double material(std::span<const CutSegment> outline, RayCrossings& rays, double least,
                 double most) {
   rays.meet(outline, {});
   double sum = 0.0;
@@ -64,7 +64,7 @@ double middle_of_end(const Slicer& slicer, RayCrossings& rays, double end, doubl
   double least = 0.0;
   const auto material_at = [&](double depth) {
     const double h = end + inwards * depth;
-    return material(slicer.cut(std::span(&h, 1))[0], rays, least, most);
+    return material(slicer.cut(h), rays, least, most);
   };
   const double near = kNear * deviation, far = kFar * deviation;
   double whole = 0.0;
@@ -75,7 +75,7 @@ double middle_of_end(const Slicer& slicer, RayCrossings& rays, double end, doubl
   };
   const auto outermost = [&](double depth) {
     const double h = end + inwards * depth;
-    rays.meet(slicer.cut(std::span(&h, 1))[0], {});
+    rays.meet(slicer.cut(h), {});
     double sum = 0.0;
     for (std::size_t k = 0; k < rays.fan().count(); ++k)
       for (const Crossing& c : rays.ray(k))
@@ -106,12 +106,11 @@ BodyEnds find_ends(const Slicer& slicer, RayCrossings& rays) {
   const double step = (high - low) / kCoarse;
   std::vector<double> heights;
   for (int i = 0; i < kCoarse; ++i) heights.push_back(low + (i + 0.5) * step);
-  const auto outlines = slicer.cut(heights);
 
   // How far the body reaches, how rough it is, and whether its surfaces know their outside.
   std::vector<double> reach, roughness, jumps;
   std::size_t outward = 0, all = 0;
-  for (const auto& outline : outlines) {
+  slicer.each_cut(heights, [&](std::size_t, std::span<const CutSegment> outline) {
     std::vector<double> radii, every(n, 0.0);
     rays.meet(outline, {});
     for (std::size_t k = 0; k < n; ++k) {
@@ -122,18 +121,17 @@ BodyEnds find_ends(const Slicer& slicer, RayCrossings& rays) {
       if (rays.ray(k).front().outward) ++outward;
     }
     const Agreement mode = agreement(radii, n, kCovered);
-    if (!mode.found) continue;
+    if (!mode.found) return;
     reach.push_back(mode.middle());
     roughness.push_back(roughness_of(every, jumps));
-  }
+  });
   if (reach.empty()) return out;
   out.size = *std::max_element(reach.begin(), reach.end());
   out.roughness = median(roughness);
   out.facing_known = static_cast<double>(outward) > 0.9 * static_cast<double>(all);
 
   const auto wall_at = [&](double h) {
-    const auto outline = slicer.cut(std::span(&h, 1));
-    return read_wall(outline[0], rays, out.size, out.facing_known);
+    return read_wall(slicer.cut(h), rays, out.size, out.facing_known);
   };
   const auto is_body = [&](double h) {
     const WallSlice wall = wall_at(h);

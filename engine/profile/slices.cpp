@@ -58,9 +58,8 @@ Slicer::Slicer(const TriangleMesh& mesh, const AxisFrame& frame) : mesh_(&mesh) 
     }
 }
 
-std::vector<std::vector<CutSegment>> Slicer::cut(std::span<const double> heights) const {
-  std::vector<std::vector<CutSegment>> out(heights.size());
-  if (heights.empty()) return out;
+void Slicer::cut_into(std::span<std::vector<CutSegment>> out,
+                      std::span<const double> heights) const {
   // Both triangles at an edge must find the same point, so an edge always runs upwards.
   const auto point = [&](std::uint32_t i, std::uint32_t j, double h, Vec2 facing, double& bulge) {
     if (height_[i] > height_[j] || (height_[i] == height_[j] && i > j)) std::swap(i, j);
@@ -98,12 +97,52 @@ std::vector<std::vector<CutSegment>> Slicer::cut(std::span<const double> heights
         s.a = point(t[2], t[0], *h, unit, s.bulge_a);
         s.b = point(t[2], t[1], *h, unit, s.bulge_b);
       }
-      auto& outline = out[static_cast<std::size_t>(h - heights.begin())];
-      if (outline.empty()) outline.reserve(256);
-      outline.push_back(s);
+      out[static_cast<std::size_t>(h - heights.begin())].push_back(s);
     }
   }
-  return out;
+}
+
+std::vector<std::size_t> Slicer::counts_at(std::span<const double> heights) const {
+  // One more from the first height that a triangle reaches, one less from the first that it does
+  // not.
+  std::vector<std::ptrdiff_t> change(heights.size() + 1);
+  for (const auto& t : mesh_->triangles) {
+    const double h0 = height_[t[0]], h1 = height_[t[1]], h2 = height_[t[2]];
+    const auto first = std::upper_bound(heights.begin(), heights.end(), std::min({h0, h1, h2}));
+    const auto end = std::upper_bound(first, heights.end(), std::max({h0, h1, h2}));
+    ++change[static_cast<std::size_t>(first - heights.begin())];
+    --change[static_cast<std::size_t>(end - heights.begin())];
+  }
+  std::vector<std::size_t> counts;
+  std::ptrdiff_t count = 0;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    counts.push_back(static_cast<std::size_t>(count += change[i]));
+  return counts;
+}
+
+std::vector<CutSegment> Slicer::cut(double height) const {
+  std::vector<CutSegment> outline;
+  cut_into(std::span(&outline, 1), std::span(&height, 1));
+  return outline;
+}
+
+void Slicer::each_cut(std::span<const double> heights, const TakeOutline& take,
+                      std::size_t most) const {
+  const std::vector<std::size_t> counts = counts_at(heights);
+  std::vector<std::vector<CutSegment>> outlines;
+  for (std::size_t begin = 0, end = 0; begin < heights.size(); begin = end) {
+    for (std::size_t held = 0; end < heights.size(); ++end) {
+      held += counts[end];
+      if (end > begin && held > most) break;
+    }
+    outlines.resize(std::max(outlines.size(), end - begin));
+    for (std::size_t i = begin; i < end; ++i) {
+      outlines[i - begin].clear();
+      outlines[i - begin].reserve(counts[i]);
+    }
+    cut_into(outlines, heights.subspan(begin, end - begin));
+    for (std::size_t i = begin; i < end; ++i) take(i, outlines[i - begin]);
+  }
 }
 
 RayFan::RayFan(int count) {

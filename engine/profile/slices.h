@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,14 +37,24 @@ class Slicer {
 
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
-  /// The outlines at `heights` (rising), one list each. O(triangles + segments). Allocates.
-  std::vector<std::vector<CutSegment>> cut(std::span<const double> heights) const;
+  /// The outline at `height`. O(triangles). Allocates.
+  std::vector<CutSegment> cut(double height) const;
+  /// `take(i, outline)` for each of `heights` (rising), in order. No more than `most` segments are
+  /// held at a time, or one outline: a mesh of slivers has millions of them, 72 bytes each.
+  /// O(triangles) for each time that so many are full, and O(segments). Allocates.
+  using TakeOutline = std::function<void(std::size_t i, std::span<const CutSegment> outline)>;
+  void each_cut(std::span<const double> heights, const TakeOutline& take,
+                std::size_t most = kMostHeld) const;
+  static constexpr std::size_t kMostHeld = 1u << 20;
   /// Vertex `i` as (across, along) and height.
   Vec2 plane(std::size_t i) const { return plane_[i]; }
   double height(std::size_t i) const { return height_[i]; }
   const TriangleMesh& mesh() const { return *mesh_; }
 
  private:
+  void cut_into(std::span<std::vector<CutSegment>> out, std::span<const double> heights) const;
+  /// How many triangles each of `heights` may cut, or a few that lie in it besides.
+  std::vector<std::size_t> counts_at(std::span<const double> heights) const;
   const TriangleMesh* mesh_;
   std::vector<Vec2> plane_;
   std::vector<double> height_;

@@ -98,8 +98,9 @@ Standing stand_upright(const TriangleMesh& mesh, const AxisFrame& frame, const B
   for (int i = 0; i < kSlices; ++i) heights.push_back(body.bottom + height * (i + 0.5) / kSlices);
   heights.push_back(body.top - inset);
   std::vector<WallSlice> slices;
-  for (const auto& outline : slicer.cut(heights))
+  slicer.each_cut(heights, [&](std::size_t, std::span<const CutSegment> outline) {
     slices.push_back(read_wall(outline, rays, body.size, body.facing_known));
+  });
 
   const auto radius_of = [&](const WallSlice& end) {
     return end.outer > 0.0 ? end.outer : 0.3 * body.size;

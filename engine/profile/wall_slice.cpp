@@ -99,7 +99,7 @@ void find_form(const std::vector<double>& outer_of, const RayFan& fan, double si
 
 }  // namespace
 
-WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, double size,
+WallSlice read_wall(std::span<const CutSegment> outline, RayCrossings& rays, double size,
                     bool facing_known) {
   WallSlice out;
   rays.meet(outline, {});

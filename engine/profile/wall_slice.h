@@ -22,7 +22,7 @@ struct WallSlice {
 
 /// Reads one outline cut about the origin of its plane. `size` is the vessel's largest radius, for
 /// tolerances. `rays` is scratch. `facing_known` says that the mesh's surfaces know their outside.
-WallSlice read_wall(const std::vector<CutSegment>& outline, RayCrossings& rays, double size,
+WallSlice read_wall(std::span<const CutSegment> outline, RayCrossings& rays, double size,
                     bool facing_known);
 
 }  // namespace onggi::extraction

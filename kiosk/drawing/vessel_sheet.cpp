@@ -69,10 +69,8 @@ std::vector<std::array<Vec2, 2>> slice_left(const TriangleMesh& mesh) {
   frame.up = {0, 0, 1};
   frame.across = {1, 0, 0};
   frame.along = {0, 1, 0};
-  const double plane[] = {0.0};
-  for (const auto& outline : extraction::Slicer(mesh, frame).cut(plane))
-    for (const extraction::CutSegment& s : outline)
-      if (std::min(s.a.x, s.b.x) < 0.0) out.push_back({s.a, s.b});
+  for (const extraction::CutSegment& s : extraction::Slicer(mesh, frame).cut(0.0))
+    if (std::min(s.a.x, s.b.x) < 0.0) out.push_back({s.a, s.b});
   return out;
 }
 
