@@ -177,9 +177,7 @@ void Extractor::read_slices() {
     // A plane through a flat foot or rim meets nothing or everything; stay a hair inside.
     cuts.push_back(body_.bottom + std::clamp(heights_.back(), 0.001 * height, 0.999 * height));
   }
-  slicer.each_cut(cuts, [this](std::size_t, std::span<const CutSegment> outline) {
-    slices_.push_back(read_wall(outline, rays_, body_.size, body_.facing_known));
-  });
+  slices_ = read_walls(slicer, cuts, rays_, body_.size, body_.facing_known);
 }
 
 Result<void> Extractor::judge_roundness() {

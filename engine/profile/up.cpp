@@ -97,10 +97,7 @@ Standing stand_upright(const TriangleMesh& mesh, const AxisFrame& frame, const B
   std::vector<double> heights{body.bottom + inset};
   for (int i = 0; i < kSlices; ++i) heights.push_back(body.bottom + height * (i + 0.5) / kSlices);
   heights.push_back(body.top - inset);
-  std::vector<WallSlice> slices;
-  slicer.each_cut(heights, [&](std::size_t, std::span<const CutSegment> outline) {
-    slices.push_back(read_wall(outline, rays, body.size, body.facing_known));
-  });
+  const auto slices = read_walls(slicer, heights, rays, body.size, body.facing_known);
 
   const auto radius_of = [&](const WallSlice& end) {
     return end.outer > 0.0 ? end.outer : 0.3 * body.size;

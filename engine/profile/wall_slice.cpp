@@ -159,4 +159,13 @@ WallSlice read_wall(std::span<const CutSegment> outline, RayCrossings& rays, dou
   return out;
 }
 
+std::vector<WallSlice> read_walls(const Slicer& slicer, std::span<const double> heights,
+                                  RayCrossings& rays, double size, bool facing_known) {
+  std::vector<WallSlice> walls;
+  slicer.each_cut(heights, [&](std::size_t, std::span<const CutSegment> outline) {
+    walls.push_back(read_wall(outline, rays, size, facing_known));
+  });
+  return walls;
+}
+
 }  // namespace onggi::extraction

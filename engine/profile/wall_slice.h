@@ -25,4 +25,8 @@ struct WallSlice {
 WallSlice read_wall(std::span<const CutSegment> outline, RayCrossings& rays, double size,
                     bool facing_known);
 
+/// The same at each of `heights` (rising).
+std::vector<WallSlice> read_walls(const Slicer& slicer, std::span<const double> heights,
+                                  RayCrossings& rays, double size, bool facing_known);
+
 }  // namespace onggi::extraction

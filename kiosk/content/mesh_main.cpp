@@ -7,14 +7,9 @@
 // importer but these three. What it writes is told in mesh_parts.h; the kiosk checks every number
 // of it. Exit 0, also where the file is refused; 1 with the reason on standard error.
 
-#include <signal.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <array>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cstdio>
@@ -24,40 +19,11 @@
 #include <vector>
 
 #include "kiosk/content/mesh_parts.h"
+#include "kiosk/files/confined.h"
 
 namespace {
 
 using onggi::content::MeshPart;
-
-// Sanitizers' shadow memory is larger than any limit, and they look into /proc and pipes. gcc and
-// clang tell of them each in its way.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
-
-/// Assimp runs in circles on some damaged files: its time ends with a word, not with a bare kill.
-void say_that_time_is_over(int) {
-  constexpr char kWords[] = "it found no end of the file in the time that it may have";
-  const ssize_t written = write(STDERR_FILENO, kWords, sizeof kWords - 1);
-  _exit(written < 0 ? 2 : 1);
-}
-
-void confine(rlim_t memory_mib, rlim_t seconds) {
-  const auto limit = [](auto what, rlim_t most, rlim_t after = 0) {
-    const rlimit both{most, most + after};
-    return setrlimit(what, &both) == 0;
-  };
-  signal(SIGXCPU, say_that_time_is_over);
-  bool good = limit(RLIMIT_CPU, seconds, 1) && limit(RLIMIT_CORE, 0) && limit(RLIMIT_FSIZE, 0);
-  if (!kSanitized) good = good && limit(RLIMIT_NOFILE, 3) && limit(RLIMIT_AS, memory_mib << 20);
-  if (good) return;
-  std::fputs("the limits of memory and time could not be set", stderr);
-  std::exit(1);
-}
 
 /// An OBJ names further files, and Assimp opens whatever it is told to: here is none.
 class NoFiles : public Assimp::IOSystem {
@@ -67,14 +33,6 @@ class NoFiles : public Assimp::IOSystem {
   Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
   void Close(Assimp::IOStream*) override {}
 };
-
-std::vector<char> standard_input() {
-  std::vector<char> bytes;
-  std::array<char, 1 << 16> block;
-  for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), stdin)) > 0;)
-    bytes.insert(bytes.end(), block.data(), block.data() + n);
-  return bytes;
-}
 
 /// Importers that guess by a file's first bytes would read a hundred formats.
 void leave_only(Assimp::Importer& importer, const std::string& ending) {
@@ -127,7 +85,7 @@ MeshPart part_of(const aiScene& scene, const aiNode& node) {
 }
 
 int read(const std::string& ending, std::size_t vertices, std::size_t triangles) {
-  const std::vector<char> bytes = standard_input();
+  const auto bytes = onggi::files::standard_input();
   Assimp::Importer importer;
   importer.SetIOHandler(new NoFiles);  // owned by the importer
   leave_only(importer, ending);
@@ -175,7 +133,9 @@ int main(int count, char** words) {
     std::fputs("usage: onggi-mesh ENDING VERTICES TRIANGLES MEMORY_MIB SECONDS", stderr);
     return 1;
   }
-  confine(std::strtoul(words[4], nullptr, 10), std::strtoul(words[5], nullptr, 10));
+  // Assimp runs in circles on some damaged files.
+  onggi::files::confine(std::strtoul(words[4], nullptr, 10), std::strtoul(words[5], nullptr, 10),
+                        "it found no end of the file in the time that it may have");
   try {
     return read(words[1], std::strtoul(words[2], nullptr, 10), std::strtoul(words[3], nullptr, 10));
   } catch (const std::bad_alloc&) {
