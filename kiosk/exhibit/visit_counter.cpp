@@ -19,7 +19,7 @@ VisitCounter::VisitCounter(const fs::path& file, const settings::Exhibit& exhibi
 void VisitCounter::finish() {
   for (auto& [ticket, visit] : waiting_) store_.visit(std::move(visit));
   waiting_.clear();
-  store_.finish();
+  store_.end();
 }
 
 std::string VisitCounter::scene_of(const std::string& vessel) const {

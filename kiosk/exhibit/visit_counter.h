@@ -24,7 +24,8 @@ class VisitCounter {
   void visit_over(const screens::VisitNotes& notes, const std::string& vessel, int ticket);
   /// A save has ended, before its visit did or after.
   void saved(const Keepsakes::Finished& save);
-  /// Counts visits whose keepsakes never came without them, and waits for the disk.
+  /// The end: counts visits whose keepsakes never came without them, and waits for the disk. How
+  /// many it did not take is among remarks(). Nothing is counted after it.
   void finish();
   /// What staff should know, once.
   std::vector<Problem> remarks() { return store_.remarks(); }

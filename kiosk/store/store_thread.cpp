@@ -14,7 +14,10 @@ std::string stamp() { return files::local_time(std::time(nullptr), files::kStamp
 StoreThread::StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget)
     : file_(std::move(file)), months_(months), forget_every_(forget), thread_([this] { run(); }) {}
 
-StoreThread::~StoreThread() {
+StoreThread::~StoreThread() { end(); }
+
+void StoreThread::end() {
+  if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
     stop_ = true;
@@ -53,7 +56,7 @@ void StoreThread::run() {
       idle_.notify_all();
       wake_.wait_until(lock, forgotten + forget_every_,
                        [this] { return !visits_.empty() || stop_; });
-      if (visits_.empty() && stop_) return;
+      if (visits_.empty() && stop_) break;
       working_ = true;
       for (VisitRecord& visit : visits_) mine.push_back(std::move(visit));
       visits_.clear();
@@ -64,6 +67,12 @@ void StoreThread::run() {
     forget();
     forgotten = Clock::now();
   }
+  write(mine);
+  if (const std::size_t lost = mine.size() + dropped_; lost > 0)
+    remark({file_.string(),
+            std::to_string(lost) + (lost == 1 ? " visit" : " visits") +
+                " that the disk did not take could not be counted before the end.",
+            "Make room on the disk and the folder writable.", 1});
 }
 
 void StoreThread::remark(const Problem& problem) {
@@ -88,6 +97,19 @@ bool StoreThread::open() {
   return true;
 }
 
+/// The file, which turned out damaged. Not left to open(): a check of it may not find what an
+/// access met. False: it stays where it is, which is said.
+bool StoreThread::set_aside() {
+  store_.reset();
+  const auto aside = VisitStore::set_aside(file_, stamp());
+  if (!aside) {
+    say(aside.error());
+    return false;
+  }
+  remark(*aside);
+  return true;
+}
+
 void StoreThread::forget() {
   const bool opened = open();
   if (months_ <= 0) return;
@@ -95,7 +117,12 @@ void StoreThread::forget() {
       std::time(nullptr) - static_cast<std::time_t>(months_) * 30 * 24 * 3600;
   const std::string day = files::local_time(oldest, files::kDay);
   if (opened)
-    if (auto good = store_->forget_before(day); !good) say(good.error());
+    if (auto good = store_->forget_before(day); !good) {
+      if (store_->trouble() != Trouble::damaged)
+        say(good.error());
+      else if (set_aside())
+        open();
+    }
   if (auto good = VisitStore::forget_aside(file_, day); !good) say(good.error());
 }
 
@@ -116,11 +143,7 @@ void StoreThread::write(std::deque<VisitRecord>& visits) {
       return;
     }
     if (store_->trouble() != Trouble::damaged) return say(good.error());
-    // Not left to open(): a check of the file may not find what this write met.
-    store_.reset();
-    const auto aside = VisitStore::set_aside(file_, stamp());
-    if (!aside) return say(aside.error());
-    remark(*aside);
+    if (!set_aside()) return;
   }
 }
 

@@ -28,7 +28,7 @@ class StoreThread {
   /// `months` (of 30 days) that a visit is counted, and that a damaged file lies aside, before it
   /// is forgotten; 0: for ever. That is seen to at the start and every `forget`.
   StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget = kDaily);
-  /// Writes what is left, then ends.
+  /// As end().
   ~StoreThread();
   StoreThread(const StoreThread&) = delete;
   StoreThread& operator=(const StoreThread&) = delete;
@@ -39,12 +39,16 @@ class StoreThread {
   std::vector<Problem> remarks();
   /// Waits until the file was opened and all that was handed over has been tried.
   void finish();
+  /// Tries once more what the disk has not taken, and ends the thread: what it does not take now is
+  /// lost, and how many they are is among remarks(). Nothing is handed over after it.
+  void end();
 
  private:
   void run();
   bool open();
   void write(std::deque<VisitRecord>& visits);
   void drop_oldest(std::deque<VisitRecord>& visits);
+  bool set_aside();
   void forget();
   void remark(const Problem& problem);
   void say(const Problem& problem);

@@ -61,6 +61,54 @@ TEST(StoreThread, WhatTheDiskDoesNotTakeIsSaidOnceAndCountedWhenItTakesItAgain) 
   EXPECT_EQ(found->all.visits + found->brief, 6);
 }
 
+TEST(StoreThread, WhatTheDiskDidNotTakeIsTriedOnceMoreAtTheEndAndWhatIsLostThenIsSaid) {
+  for (const bool room : {true, false}) {
+    const StoreFolder folder;
+    const fs::path away = folder.path() / "away";
+    std::ofstream(away) << "a file where a folder is wanted";
+    StoreThread store(away / "onggi.sqlite", 0);
+    for (const VisitRecord& visit : scripted_visits(6, 27)) store.visit(visit);
+    store.finish();
+    EXPECT_EQ(store.remarks().size(), 1u);
+    if (room) fs::remove(away);
+    store.end();
+    const auto remarks = store.remarks();
+    const auto found = read_statistics((away / "onggi.sqlite").string(), "", "");
+    if (room) {
+      EXPECT_TRUE(remarks.empty());
+      ASSERT_TRUE(found) << found.error().what;
+      EXPECT_EQ(found->all.visits + found->brief, 6);
+    } else {
+      EXPECT_FALSE(found);
+      ASSERT_EQ(remarks.size(), 1u);
+      EXPECT_NE(remarks[0].what.find("6 visits"), std::string::npos) << remarks[0].what;
+    }
+  }
+}
+
+// An index that leads nowhere: the check of the file does not look, and taking a row away does.
+TEST(StoreThread, AFileThatTurnsOutDamagedWhileOldVisitsAreForgottenIsSetAside) {
+  const StoreFolder folder;
+  VisitRecord old = scripted_visits(1, 28)[0];
+  old.day = "2001-01-01";
+  {
+    StoreThread store(folder.file(), 0);
+    store.visit(old);
+  }
+  {
+    Database database = Database::open(folder.file(), Database::Mode::own);
+    ASSERT_TRUE(database.run(
+        "CREATE INDEX i ON visits(start); PRAGMA writable_schema=ON; "
+        "UPDATE sqlite_master SET sql='CREATE INDEX i ON visits(hour)' WHERE name='i'"));
+  }
+  StoreThread store(folder.file(), 12);
+  store.finish();
+  const auto remarks = store.remarks();
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_NE(remarks[0].what.find("is set aside as"), std::string::npos) << remarks[0].what;
+  EXPECT_EQ(folder.files_with("damaged"), 1);
+}
+
 // A check of this file finds nothing, and the next row does (visit_store_test.cpp).
 TEST(StoreThread, AFileThatTurnsOutDamagedWhileItIsWrittenIsReplacedAndTheVisitIsCounted) {
   const StoreFolder folder;
