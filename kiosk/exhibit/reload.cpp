@@ -29,7 +29,9 @@ std::string name_of(const Problem& problem) {
 /// every visitor.
 std::vector<fs::path> folders_of(const fs::path& file) {
   const settings::Exhibit exhibit = settings::read_exhibit(file).exhibit;
-  std::set<fs::path> folders = {file.parent_path(),
+  // The site's own too: its config/ may be a link that is laid anew, or get another in its place.
+  std::set<fs::path> folders = {site_exhibit(file).parent_path().parent_path(),
+                                file.parent_path(),
                                 exhibit.rubric_file.parent_path(),
                                 exhibit.scene.parent_path(),
                                 exhibit.glazes.parent_path(),
@@ -62,6 +64,7 @@ Reload::Reload(fs::path exhibit, Shown shown)
 Reload::~Reload() { stop_.request_stop(); }
 
 void Reload::begin_check() {
+  wanted_ = false;  // until what lies there now is known
   check_ = std::async(std::launch::async, [file = exhibit_.string(), stop = stop_.get_token()] {
     setpriority(PRIO_PROCESS, 0, 19);  // this thread alone: a visitor's picture comes first
     auto folders = folders_of(file);
@@ -84,22 +87,7 @@ void Reload::look(double now) {
   if (files_->changed(now)) again_ = true;
   if (check_.valid()) {
     if (check_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    const Checked checked = check_.get();
-    // The folders may be others now; but a change that the old watch saw begin is its to tell.
-    if (!files_->pending()) files_ = std::make_unique<watch::FileWatch>(checked.folders);
-    if (!checked.report) {
-      log_problem(checked.report.error());
-    } else {
-      // What else lies in the folders is nobody's.
-      const auto& files = checked.report->files;
-      seen_ = watch::of_files(checked.before, files);
-      if (seen_ == watch::of_files(checked.after, files)) {
-        if (!checked_) open_ = watch::of_files(open_, files);
-        take(*checked.report, now);
-      } else {
-        look_again_at_ = now + kLookAgain;  // they changed while they were read: at rest, then
-      }
-    }
+    take(check_.get(), now);
   }
   if (look_again_at_ >= 0.0 && now >= look_again_at_) again_ = true;
   if (!std::exchange(again_, false)) return;
@@ -107,7 +95,29 @@ void Reload::look(double now) {
   begin_check();
 }
 
-void Reload::take(const CheckReport& report, double now) {
+void Reload::take(const Checked& checked, double now) {
+  if (!checked.report) {
+    // The exhibit is away: the old watch knows where it was.
+    const std::string trouble = to_text(checked.report.error());
+    if (std::exchange(trouble_, trouble) != trouble) log_problem(checked.report.error());
+    look_again_at_ = now + kLookAgain;
+    return;
+  }
+  trouble_.clear();
+  // The folders may be others now; but a change that the old watch saw begin is its to tell.
+  if (!files_->pending()) files_ = std::make_unique<watch::FileWatch>(checked.folders);
+  // What else lies in the folders is nobody's.
+  const auto& files = checked.report->files;
+  seen_ = watch::of_files(checked.before, files);
+  if (seen_ != watch::of_files(checked.after, files)) {
+    look_again_at_ = now + kLookAgain;  // they changed while they were read: at rest, then
+    return;
+  }
+  if (!checked_) open_ = watch::of_files(open_, files);
+  judge(*checked.report, now);
+}
+
+void Reload::judge(const CheckReport& report, double now) {
   found_.clear();
   for (const Problem& problem : report.problems) found_.insert(name_of(problem));
   if (!std::exchange(checked_, true)) {
@@ -115,7 +125,6 @@ void Reload::take(const CheckReport& report, double now) {
              " folders.");
     if (seen_ == open_ && !stands_in_) known_ = found_;
   }
-  wanted_ = false;
   if (seen_ == open_) {
     refused_.clear();
     return;

@@ -45,7 +45,8 @@ class Reload {
   };
 
   void begin_check();
-  void take(const CheckReport& report, double now);
+  void take(const Checked& checked, double now);
+  void judge(const CheckReport& report, double now);
   void refuse(const CheckReport& report, double now);
   bool new_to_visitors(const Problem& problem) const;
 
@@ -59,6 +60,7 @@ class Reload {
   std::set<std::string> known_;    ///< Problems of what is open,
   std::set<std::string> found_;    ///< of what was checked last,
   std::set<std::string> refused_;  ///< and of the change last refused.
+  std::string trouble_;            ///< Why the last check could not be made; "" where it could.
   bool checked_ = false, wanted_ = false, again_ = true;
   double look_again_at_ = -1.0;  ///< Below 0: not before something changes.
 };

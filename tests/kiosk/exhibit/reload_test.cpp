@@ -127,6 +127,42 @@ TEST(Reload, what_breaks_while_the_files_are_read_for_the_first_time_was_not_wro
   }
 }
 
+TEST(Reload, an_exhibit_that_goes_away_is_not_wanted_though_a_good_change_came_before_it) {
+  const Museum museum;
+  Frames frames(museum, Reload::Shown::this_one);
+  museum.add_vessel("moon_jar");
+  ASSERT_TRUE(frames.soon_wanted());  // and a visitor plays on
+  fs::rename(museum.exhibit(), museum.at("exhibit.kept"));
+  frames.pass();
+  EXPECT_FALSE(frames.wanted());
+  fs::rename(museum.at("exhibit.kept"), museum.exhibit());
+  EXPECT_TRUE(frames.soon_wanted());
+}
+
+TEST(Reload, a_folder_that_is_put_in_another_ones_place_is_a_change) {
+  const Museum museum;
+  Frames frames(museum, Reload::Shown::this_one);
+  fs::copy(museum.at("config"), museum.at("config.new"), fs::copy_options::recursive);
+  museum.append("config.new/exhibit.toml", "\n# ours\n");
+  fs::rename(museum.at("config"), museum.at("config.old"));
+  frames.pass();  // it is looked at while there is none
+  EXPECT_FALSE(frames.wanted());
+  fs::rename(museum.at("config.new"), museum.at("config"));
+  EXPECT_TRUE(frames.soon_wanted());
+}
+
+TEST(Reload, a_link_to_the_next_exhibit_is_a_change) {
+  const Museum museum;
+  fs::rename(museum.at("config"), museum.at("first"));
+  fs::copy(museum.at("first"), museum.at("next"), fs::copy_options::recursive);
+  museum.append("next/exhibit.toml", "\n# ours\n");
+  fs::create_directory_symlink("first", museum.at("config"));
+  Frames frames(museum, Reload::Shown::this_one);
+  fs::create_directory_symlink("next", museum.at("link"));
+  fs::rename(museum.at("link"), museum.at("config"));
+  EXPECT_TRUE(frames.soon_wanted());
+}
+
 TEST(Reload, what_was_wrong_already_keeps_no_change_out) {
   const Museum museum;
   museum.append("config/exhibit.toml", "\ncrediit = \"us\"\n");
