@@ -110,7 +110,8 @@ Result<SetupReport> set_up(const SetupOptions& options) {
     const auto change = apply(step, options.system, options.dry);
     if (!change) return tl::unexpected(change.error());
     (change->changed ? report.changed : report.stayed).push_back(change->told);
-    if (!change->changed || options.dry) continue;
+    // A tree that was there already is the museum's from now on too.
+    if (options.dry || !(change->changed || step.kind == Step::Kind::tree)) continue;
     changed.push_back(step);
     if (auto good = remember(changed, options.system); !good) return tl::unexpected(good.error());
   }

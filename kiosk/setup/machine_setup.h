@@ -34,9 +34,9 @@ struct SetupReport {
 Result<std::vector<Step>> kiosk_steps(const SetupOptions& options);
 
 /// Takes all of kiosk_steps(), in order, and remembers what changed in kChanges before the next. A
-/// step that fails ends it; a second setup goes on from there. What it gave the museum once it does
-/// not give again: a vessel that was taken off the shelf stays off. Problem (exit 1) without root's
-/// rights, and those of apply(). Blocks; any thread.
+/// step that fails ends it; a second setup goes on from there. What it gave the museum once, or
+/// found there, it does not give again: a vessel that was taken off the shelf stays off. Problem
+/// (exit 1) without root's rights, and those of apply(). Blocks; any thread.
 Result<SetupReport> set_up(const SetupOptions& options);
 
 /// Takes back what set_up() remembers, last first, and forgets it; `dry` only tells.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <fstream>
 #include <optional>
@@ -28,7 +29,16 @@ struct Owner {
   gid_t group;
 };
 
-/// Of the user onggi, from the system's own list: it need not be the one that runs here.
+std::optional<unsigned> number_in(const std::string& text) {
+  unsigned number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || at != end) return {};
+  return number;
+}
+
+/// Of the user onggi, from the system's own list: it need not be the one that runs here. A line
+/// without its numbers is no user.
 std::optional<Owner> kiosk_user(const System& system) {
   std::ifstream users(system.at("/etc/passwd"));
   for (std::string line; std::getline(users, line);) {
@@ -38,8 +48,9 @@ std::optional<Owner> kiosk_user(const System& system) {
     std::getline(fields, password, ':');
     std::getline(fields, user, ':');
     std::getline(fields, group, ':');
-    if (name == "onggi")
-      return Owner{static_cast<uid_t>(std::stoul(user)), static_cast<gid_t>(std::stoul(group))};
+    if (name != "onggi") continue;
+    const auto user_number = number_in(user), group_number = number_in(group);
+    if (user_number && group_number) return Owner{*user_number, *group_number};
   }
   return {};
 }

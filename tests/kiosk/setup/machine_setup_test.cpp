@@ -167,6 +167,27 @@ TEST(machine_setup, a_vessel_that_the_museum_took_off_its_shelf_stays_off) {
   EXPECT_FALSE(fs::exists(image.root() / "srv/onggi/content/vessels/jar"));
 }
 
+TEST(machine_setup, a_vessel_stays_off_its_shelf_on_a_machine_that_was_set_up_anew_too) {
+  const Image image;
+  good(set_up(image.options()));
+  good(undo_setup(image.system()));
+  good(set_up(image.options()));
+  fs::remove_all(image.root() / "srv/onggi/content/vessels/jar");
+  EXPECT_THAT(good(set_up(image.options())).changed, IsEmpty());
+  EXPECT_FALSE(fs::exists(image.root() / "srv/onggi/content/vessels/jar"));
+}
+
+TEST(machine_setup, a_user_onggi_without_numbers_is_none) {
+  for (const char* numbers : {":", "x:1", "1:x", "1x:1", "-1:1", "99999999999:1"}) {
+    const Image image;
+    image.put("etc/passwd", "onggi:x:" + std::string(numbers) + ":Onggi kiosk:/:/bin/false\n");
+    const auto failed = set_up(image.options());
+    ASSERT_FALSE(failed) << numbers;
+    EXPECT_THAT(to_text(failed.error()), HasSubstr("no user onggi")) << numbers;
+    EXPECT_EQ(failed.error().exit_code, 1) << numbers;
+  }
+}
+
 TEST(machine_setup, a_keepsake_folder_of_somebody_else_is_given_to_the_kiosk) {
   if (getuid() != 0) GTEST_SKIP() << "only root gives a file to another";
   const Image image;
