@@ -139,9 +139,20 @@ void note_compression(const json& doc, GltfDocument& out) {
         return sets;
       };
       const json* declared = member((*primitives)[p], "attributes");
+      const json* accessors = member(doc, "accessors");
+      std::set<int> normalized;
+      for (int n = 0; n < kMostSets; ++n) {
+        const int at = as_index(declared, ("TEXCOORD_" + std::to_string(n)).c_str());
+        const auto index = static_cast<std::size_t>(at);
+        if (at < 0 || accessors == nullptr || !accessors->is_array() || index >= accessors->size())
+          continue;
+        const json* says = member((*accessors)[index], "normalized");
+        if (says != nullptr && says->is_boolean() && says->get<bool>()) normalized.insert(n);
+      }
       out.draco[{static_cast<int>(m), static_cast<int>(p)}] = {
-          as_index(ext, "bufferView"), as_index(ids, "POSITION"), as_index(ids, "NORMAL"),
-          as_index(ids, "COLOR_0"),    draco_places(ids),         as_index(declared, "POSITION")};
+          as_index(ext, "bufferView"),   as_index(ids, "POSITION"), as_index(ids, "NORMAL"),
+          as_index(ids, "COLOR_0"),      draco_places(ids),         normalized,
+          as_index(declared, "POSITION")};
     }
   }
 }

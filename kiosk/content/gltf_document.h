@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,7 +33,8 @@ struct DracoPrimitive {
   int view = -1;
   int position = -1, normal = -1, color = -1;  ///< Attribute ids inside the Draco data.
   std::map<int, int> places;                   ///< The same, of TEXCOORD_n by n.
-  int accessor = -1;                           ///< That declares the positions' bounds.
+  std::set<int> normalized;  ///< The n whose accessor says that whole numbers are shares.
+  int accessor = -1;         ///< That declares the positions' bounds.
 };
 
 /// What a material says of its colour, and where its picture lies on the surface.

@@ -4,6 +4,7 @@
 #include <draco/compression/decode.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -13,23 +14,48 @@ namespace onggi::content {
 
 namespace {
 
-/// The first N components of an attribute that has no more than `most`.
+/// The most that a whole number of `type` can be; 1 of any other.
+float most_of(draco::DataType type) {
+  switch (type) {
+    case draco::DT_INT8:
+      return 127.0f;
+    case draco::DT_UINT8:
+      return 255.0f;
+    case draco::DT_INT16:
+      return 32767.0f;
+    case draco::DT_UINT16:
+      return 65535.0f;
+    case draco::DT_INT32:
+      return 2147483647.0f;
+    case draco::DT_UINT32:
+      return 4294967295.0f;
+    default:
+      return 1.0f;
+  }
+}
+
+/// The first N components of an attribute that has no more than `most`. `shares`: whole numbers are
+/// shares of the most they can be (glTF 2.0, section 3.6.2.2). Exporters tell glTF's accessor that,
+/// and seldom Draco.
 template <std::size_t N>
 bool copy_attribute(const draco::Mesh& mesh, int id, std::vector<std::array<float, N>>& out,
-                    int most = N) {
+                    bool shares = false, int most = N) {
   const draco::PointAttribute* attribute =
       id < 0 ? nullptr : mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
   if (attribute == nullptr || attribute->num_components() < static_cast<int>(N) ||
       attribute->num_components() > most)
     return false;
+  const float whole = shares && !attribute->normalized() ? most_of(attribute->data_type()) : 1.0f;
   out.resize(mesh.num_points());
   for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
     const auto value = attribute->mapped_index(draco::PointIndex(i));
     if (value.value() >= attribute->size() ||
         !attribute->ConvertValue<float>(value, static_cast<std::int8_t>(N), out[i].data()))
       return false;
-    for (const float v : out[i])
+    for (float& v : out[i]) {
       if (!std::isfinite(v)) return false;
+      if (whole > 1.0f) v = std::max(v / whole, -1.0f);
+    }
   }
   return true;
 }
@@ -58,9 +84,10 @@ Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
     DecodedPrimitive out;
     if (!copy_attribute(mesh, primitive.position, out.positions)) return damaged();
     if (!copy_attribute(mesh, primitive.normal, out.normals)) out.normals.clear();
-    if (!copy_attribute(mesh, primitive.color, out.colors, 4)) out.colors.clear();
+    if (!copy_attribute(mesh, primitive.color, out.colors, true, 4)) out.colors.clear();
     if (const auto id = primitive.places.find(set);
-        id == primitive.places.end() || !copy_attribute(mesh, id->second, out.places))
+        id == primitive.places.end() ||
+        !copy_attribute(mesh, id->second, out.places, primitive.normalized.count(set) > 0))
       out.places.clear();
     out.indices.reserve(std::size_t{3} * mesh.num_faces());
     for (std::uint32_t f = 0; f < mesh.num_faces(); ++f)
