@@ -83,11 +83,12 @@ std::string file_of_address(const Named& named) {
 }
 
 /// The models that `node` of a IIIF manifest paints: whatever holds a body, and its sources.
-/// `vessel`: of a Choice that it lies in; below 0: each is another.
-void painted(const json& node, int depth, std::vector<Named>& out, int vessel = -1) {
+/// `vessel`: of a Choice that it lies in; below 0: each is another. `known`: the names in `out`.
+void painted(const json& node, int depth, std::vector<Named>& out, std::set<std::string>& known,
+             int vessel = -1) {
   if (depth > 24) return;
   if (node.is_array()) {
-    for (const json& entry : node) painted(entry, depth + 1, out, vessel);
+    for (const json& entry : node) painted(entry, depth + 1, out, known, vessel);
     return;
   }
   if (!node.is_object()) return;
@@ -98,27 +99,27 @@ void painted(const json& node, int depth, std::vector<Named>& out, int vessel = 
   if (id.empty()) id = word(node, "@id");
   if (!id.empty() && (type == "Model" || !ending.empty() ||
                       (type != "Manifest" && is_mesh_ending(ending_of(id))))) {
-    const auto same = [&](const Named& one) { return one.name == id; };
-    if (std::none_of(out.begin(), out.end(), same))
-      out.push_back({id, ending, 0, vessel < 0 ? next : vessel});
+    if (known.insert(id).second) out.push_back({id, ending, 0, vessel < 0 ? next : vessel});
     return;
   }
   for (const char* key : {"items", "body", "source", "content"})
     if (const json* inside = json_words::member(node, key))
-      painted(*inside, depth + 1, out, vessel);
+      painted(*inside, depth + 1, out, known, vessel);
 }
 
 /// What a manifest, and each of its canvases, offers beside the pictures that it shows.
-void offered(const json& node, int depth, std::vector<Named>& out) {
-  if (const json* rendering = json_words::member(node, "rendering")) painted(*rendering, 0, out);
+void offered(const json& node, int depth, std::vector<Named>& out, std::set<std::string>& known) {
+  if (const json* rendering = json_words::member(node, "rendering"))
+    painted(*rendering, 0, out, known);
   for (const json* inside : each(node, "items"))
-    if (depth < 2) offered(*inside, depth + 1, out);
+    if (depth < 2) offered(*inside, depth + 1, out, known);
 }
 
 std::vector<Named> models_of_manifest(const json& doc) {
   std::vector<Named> out;
-  painted(doc, 0, out);
-  if (out.empty()) offered(doc, 0, out);
+  std::set<std::string> known;
+  painted(doc, 0, out, known);
+  if (out.empty()) offered(doc, 0, out, known);
   return out;
 }
 

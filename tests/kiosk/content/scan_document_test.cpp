@@ -143,6 +143,14 @@ TEST_F(Documents, thatShowOneScanAgainLaterShowOne) {
   EXPECT_NE(two.what.find("2 models"), std::string::npos) << two.what;
 }
 
+TEST_F(Documents, ofHundredThousandModelsAreRefusedByTheirNumber) {
+  std::string all;
+  for (int i = 0; i < 100000; ++i)
+    all += (i == 0 ? "" : ",") + (R"({"type":"Model","id":")" + std::to_string(i)) + ".glb\"}";
+  const Problem why = refused(manifest(all));
+  EXPECT_NE(why.what.find("100000 models"), std::string::npos) << why.what;
+}
+
 TEST_F(Documents, giveTheirWordsWithoutTagsAndKeepASignThatIsNone) {
   const auto jar = load_vessel(write(
       "manifest.json",
