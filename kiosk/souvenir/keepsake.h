@@ -33,7 +33,7 @@ struct KeepsakeFiles {
 /// What a folder of keepsakes may hold. What goes is said at tidy().
 struct KeepsakeLimits {
   int quota_mb = 0;  ///< MB of 10^6 bytes; the oldest go beyond it.
-  int days = 0;      ///< After which a visit goes, by the date in its name; 0: never by age.
+  int days = 0;      ///< After which a visit goes, by the date in its name (tidy()); 0: never.
 };
 
 /// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi}`, then
@@ -46,11 +46,12 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path
                            const KeepsakeLimits& limits);
 
 /// Removes from `folder` the visits that are older than `limits.days`, then the oldest until the
-/// rest is within the quota, but never the one named `keep`; and what a power cut left of visits
-/// more than an hour ago. A visit is a folder whose name begins with a date and time and that holds
-/// nothing but save()'s files; all else stays. A folder that is not there is tidy. Problem, exit 1:
-/// a visit that was to go is still there; the first of them, and the others were tried. Blocks, as
-/// save() does.
+/// rest is within the quota, but never the one named `keep`; the days of one dated before there was
+/// an onggi, by a clock that was years back, count from the first tidying by a clock that is right;
+/// and what a power cut left of visits more than an hour ago. A visit is a folder whose name begins
+/// with a date and time and that holds nothing but save()'s files; all else stays. A folder that is
+/// not there is tidy. Problem, exit 1: a visit that was to go is still there; the first of them,
+/// and the others were tried. Blocks, as save() does.
 Result<void> tidy(const std::filesystem::path& folder, const KeepsakeLimits& limits,
                   const std::string& keep = {});
 

@@ -1,5 +1,7 @@
 #include "kiosk/souvenir/visit_folder.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -21,6 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kPattern = "9999-99-99_999999_";
 constexpr std::size_t kLongestName = 120;
 constexpr auto kLeftoverAge = std::chrono::hours(1);
+// Before it there was no onggi: an earlier date is that of a clock that was wrong.
+constexpr const char* kFirst = "2026";
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_plain(char c) {
@@ -71,8 +75,24 @@ Result<void> remove_visit(const fs::path& folder) {
       "Make the folder writable for onggi, or remove it.", 1);
 }
 
-/// A visit whose name comes before this one is older than `days`.
-std::string oldest_name(int days) {
+/// When the days of the visit in `folder` begin, as in a name: by its own, or, where a clock that
+/// was years back gave it that, when a tidying by a clock that is right first came upon it. That
+/// one leaves its time on the folder.
+std::string begin_of(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  if (name >= kFirst) return name;
+  struct stat left {};
+  if (::stat(folder.c_str(), &left) == 0) {
+    const std::string met = files::local_time(left.st_mtime, files::kStamp);
+    if (met >= kFirst) return met;
+  }
+  std::error_code ignored;
+  fs::last_write_time(folder, fs::file_time_type::clock::now(), ignored);
+  return files::local_time(std::time(nullptr), files::kStamp);
+}
+
+/// A visit whose days began before this is older than `days`.
+std::string oldest_begin(int days) {
   if (days <= 0) return {};
   constexpr std::time_t kDayLength = 24 * 3600;  // s
   return files::local_time(std::time(nullptr) - days * kDayLength, files::kStamp);
@@ -125,15 +145,15 @@ Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const st
   // Names begin with the time, so the order of names is the order of visits.
   std::sort(visits.begin(), visits.end(),
             [](const Visit& a, const Visit& b) { return a.folder < b.folder; });
-  const std::string oldest = oldest_name(limits.days);
+  const std::string oldest = oldest_begin(limits.days);
   const auto quota = static_cast<std::uintmax_t>(std::max(limits.quota_mb, 0)) * 1000000u;
   std::uintmax_t total = 0;
   for (const Visit& visit : visits) total += visit.bytes;
   Result<void> good;
   for (const Visit& visit : visits) {
     const std::string name = visit.folder.filename().string();
-    if (total <= quota && name >= oldest) break;
-    if (name == keep) continue;
+    const bool over = !oldest.empty() && begin_of(visit.folder) < oldest;
+    if (name == keep || (total <= quota && !over)) continue;
     if (auto removed = remove_visit(visit.folder); removed)
       total -= visit.bytes;
     else if (good)

@@ -20,7 +20,7 @@ void put_visit(const fs::path& folder, const std::string& name) {
 
 TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
   const ScratchFolder scratch;
-  const fs::path old = scratch.path() / "2001-05-04_141503_jar";
+  const fs::path old = scratch.path() / "2026-01-04_141503_jar";
   put_visit(scratch.path(), old.filename());
   const auto wait_for = [](const auto& done) {
     for (int n = 0; n < 20'000 && !done(); ++n)

@@ -140,7 +140,7 @@ TEST(keepsake, a_visit_goes_when_its_days_are_over_and_no_folder_of_the_staffs_d
     put_visit(scratch.path(), files::local_time(at, files::kStamp) + "_" + vessel, 1);
     return files::local_time(at, files::kStamp) + "_" + vessel;
   };
-  put(400, 0, "long_over");
+  put(40, 0, "long_over");
   put(7, 60, "over");
   const std::string not_yet = put(7, -60, "not_yet"), noted = put(30, 0, "with_a_note");
   std::ofstream(scratch.path() / noted / "thanks.txt") << "keep me";
@@ -156,16 +156,38 @@ TEST(keepsake, a_visit_goes_when_its_days_are_over_and_no_folder_of_the_staffs_d
 
 TEST(keepsake, what_was_to_go_and_could_not_is_told_and_the_rest_goes) {
   const ScratchFolder scratch;
-  put_visit(scratch.path(), "2020-01-01_100000_a", 1);
-  put_visit(scratch.path(), "2020-01-02_100000_b", 1);
+  put_visit(scratch.path(), "2026-01-01_100000_a", 1);
+  put_visit(scratch.path(), "2026-01-02_100000_b", 1);
   // Where the first is to be moved there is something already.
-  fs::create_directories(scratch.path() / "2020-01-01_100000_a.partial/a_note");
+  fs::create_directories(scratch.path() / "2026-01-01_100000_a.partial/a_note");
   const auto tidied = tidy(scratch.path(), {100, 7});
   ASSERT_FALSE(tidied);
-  EXPECT_EQ(tidied.error().where, (scratch.path() / "2020-01-01_100000_a").string());
+  EXPECT_EQ(tidied.error().where, (scratch.path() / "2026-01-01_100000_a").string());
   EXPECT_EQ(tidied.error().exit_code, 1);
   EXPECT_THAT(names_in(scratch.path()),
-              ElementsAre("2020-01-01_100000_a", "2020-01-01_100000_a.partial"));
+              ElementsAre("2026-01-01_100000_a", "2026-01-01_100000_a.partial"));
+}
+
+// After a flat battery: its name and its files have the date of the clock that was wrong.
+TEST(keepsake, a_visit_made_by_a_clock_years_back_has_its_days_from_when_the_clock_is_right) {
+  const ScratchFolder scratch;
+  const fs::path visit = scratch.path() / "2001-05-04_141503_jar";
+  const auto now = fs::file_time_type::clock::now();
+  put_visit(scratch.path(), visit.filename(), 1);
+  fs::last_write_time(visit, now - std::chrono::hours(24 * 365 * 26));
+  for (int day = 0; day < 2; ++day) {
+    ASSERT_TRUE(tidy(scratch.path(), {100, 7}));
+    EXPECT_TRUE(fs::exists(visit)) << day;
+  }
+  fs::last_write_time(visit, now - std::chrono::hours(24 * 7 - 1));
+  ASSERT_TRUE(tidy(scratch.path(), {100, 7}));
+  EXPECT_TRUE(fs::exists(visit)) << "its days are not over";
+  fs::last_write_time(visit, now - std::chrono::hours(24 * 7 + 1));
+  ASSERT_TRUE(tidy(scratch.path(), {100, 7}));
+  EXPECT_FALSE(fs::exists(visit));
+  put_visit(scratch.path(), visit.filename(), 2000);
+  ASSERT_TRUE(tidy(scratch.path(), {1, 7}));
+  EXPECT_FALSE(fs::exists(visit)) << "the quota goes by the name as ever";
 }
 
 TEST(keepsake, leftovers_of_a_power_cut_go_after_an_hour) {
