@@ -7,7 +7,6 @@ namespace {
 
 constexpr int kElementsATick = 2048;  // a fifth of what a tick may cost
 constexpr int kLeastRowsATick = 2;
-constexpr std::size_t kMostSteps = 256;
 constexpr std::size_t kPlaceChanges = 16384;  // of rows: a minute of the busiest
 
 // Rows may be of some ticks after the step's edge, and a floor that gave way there with them: it is

@@ -28,6 +28,8 @@ class History {
   static constexpr std::size_t kBytes = 32u
                                         << 20;  ///< Of the ring; more where one whole grid is more.
 
+  static constexpr std::size_t kMostSteps = 256;  ///< The one under way too.
+
   explicit History(Clay& clay);
 
   /// Once a tick, after the clay changed. `touching`: a hand presses it. Cost follows the rows that

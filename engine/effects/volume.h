@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/clay/clay.h"
+#include "engine/clay/history.h"
 #include "engine/effects/effect_field.h"
 #include "engine/math/hash.h"
 
@@ -72,7 +73,7 @@ class Volume {
   bool pressed_down(const Clay& clay, int j) const noexcept;
   double widen(Clay& clay, int j, double area, double height) noexcept;
 
-  static constexpr std::size_t kSteps = 256;  // more than a history holds at once
+  static constexpr std::size_t kSteps = clay::History::kMostSteps;
   double sum(const Clay& clay) const noexcept;
 
   Limits limits_;

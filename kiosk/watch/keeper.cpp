@@ -116,9 +116,15 @@ void Keeper::keep_if_good(const Shown& shown, double now, double shown_for) {
   tried_to_keep_ = now;
   const auto kept = keep_last_good(shown.site, shown.files, shown.keepsakes, options_.state);
   if (kept && !*kept) return;  // a change that is not taken up: it may be mended, or taken back
+  if (!kept) {
+    // Tried again with the next trial write; told once.
+    const std::string why = to_text(kept.error());
+    if (std::exchange(not_kept_, why) != why) remark(why);
+    return;
+  }
+  not_kept_.clear();
   kept_ = shown.files;
-  remark(kept ? "This exhibit has proved itself: it is kept as the last good one."
-              : to_text(kept.error()));
+  remark("This exhibit has proved itself: it is kept as the last good one.");
 }
 
 void Keeper::attend_once(const Shown& shown, const Health& given, double now, double shown_for) {

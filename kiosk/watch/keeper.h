@@ -75,6 +75,7 @@ class Keeper {
   // The thread's own.
   double wrote_health_ = -1e9, tried_ = -1e9, trial_good_ = -1.0, tried_to_keep_ = -1e9;
   std::string kept_;                 ///< Files of the site that is kept,
+  std::string not_kept_;             ///< why the one shown could not be,
   std::filesystem::path keepsakes_;  ///< and where keepsakes go, as it is remembered.
   bool disk_writes_ = true, lasted_ = false, health_failed_ = false;
   std::thread thread_;

@@ -29,6 +29,7 @@ import hashlib
 import json
 import multiprocessing
 import os
+import queue
 import random
 import re
 import resource
@@ -222,9 +223,10 @@ def work(tree, rooms, near, built, first, changes, results):
         built.set()
         for change in iter(changes.get, None):
             results.put(result_of(bench, change))
-    except SystemExit as end:
-        print(end, file=sys.stderr)
+    except BaseException as end:  # told, and the others are not left waiting
+        print(f"{tree}: {end!r}", file=sys.stderr)
         results.put(None)
+    finally:
         built.set()
 
 
@@ -243,6 +245,22 @@ def known(tree, changes, done):
     return old, rest
 
 
+def next_of(came, workers):
+    """The next result; ends the program, and the copies with it, where one of them ended before its work was."""
+    while True:
+        try:
+            result = came.get(timeout=5)
+        except queue.Empty:
+            result = () if all(w.exitcode in (None, 0) for w in workers) else None
+        if result is None:
+            for worker in workers:
+                worker.terminate()
+                worker.join()
+            raise SystemExit(2)
+        if result:
+            return result
+
+
 def tried(folder, changes, near, jobs, out_path):
     done = []
     if out_path and os.path.exists(out_path):
@@ -259,9 +277,7 @@ def tried(folder, changes, near, jobs, out_path):
         worker.start()
     began = time.monotonic()
     for count in range(1, len(rest) + 1):
-        result = came.get()
-        if result is None:
-            raise SystemExit(2)
+        result = next_of(came, workers)
         results.append(result)
         left = (time.monotonic() - began) / count * (len(rest) - count)
         print(f"[{len(results)} of {len(changes)}, {left / 60:.0f} min left] {result['file']}:{result['line']}  "

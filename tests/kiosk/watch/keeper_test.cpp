@@ -195,6 +195,32 @@ TEST(keeper, a_change_that_visitors_never_saw_is_not_kept_as_good_until_it_is_ta
   EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
 }
 
+TEST(keeper, an_exhibit_that_the_disk_did_not_take_is_kept_once_it_does_and_the_refusal_told_once) {
+  Systemd systemd;
+  Kept kept(systemd);
+  const fs::path blocked = kept.folder.path() / "blocked";
+  std::ofstream(blocked) << "a file where the folder has to be";
+  kept.options.state = blocked / "state";
+  Keeper keeper(kept.options, kept.ledger);
+  keeper.shows(kept.shown());
+  int refusals = 0;
+  double now = 0.0;
+  keeper.look({1, 1}, {}, now);
+  const auto look = [&] {
+    keeper.look({1, 1}, {}, now += 3600.0);
+    for (const std::string& line : keeper.remarks())
+      refusals += line.find("last_good.new") != std::string::npos ? 1 : 0;
+  };
+  EXPECT_TRUE(Kept::soon([&] { return look(), refusals > 0; }));
+  for (int more = 0; more < 20; ++more) {
+    look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(refusals, 1);
+  fs::remove(blocked);
+  EXPECT_TRUE(Kept::soon([&] { return look(), last_good(kept.options.state).has_value(); }));
+}
+
 TEST(keeper, where_keepsakes_go_is_remembered_for_a_run_that_finds_no_exhibit) {
   Systemd systemd;
   Kept kept(systemd);
