@@ -10,7 +10,7 @@
 namespace onggi::content {
 namespace {
 
-constexpr std::size_t kMostPictures = 64;
+constexpr std::size_t kMostCoats = 255;  // what a byte of Coloring::picture can tell apart
 
 /// The accessor of an attribute; -1: none.
 int accessor_of(const tinygltf::Primitive& primitive, const std::string& attribute) {
@@ -26,7 +26,8 @@ void lay(List& into, std::size_t first, const List& from) {
 
 }  // namespace
 
-void GltfColors::note(const std::string& what, const std::string& why) {
+void GltfColors::note(const std::string& what, const std::string& why, Left left) {
+  if (left == Left::clay) ++clay_;
   if (faults_++ == 0) first_fault_ = what + ": " + why;
 }
 
@@ -40,11 +41,17 @@ void GltfColors::add(const tinygltf::Primitive& primitive, const DecodedPrimitiv
   std::vector<std::array<float, 3>> colors;
   if (draco != nullptr) {
     colors = draco->colors;
+    if (draco->colors_fault) note("COLOR_0", "its Draco compression is damaged.", Left::without);
   } else if (const int accessor = accessor_of(primitive, "COLOR_0"); accessor >= 0) {
     if (auto read = reader.colors(accessor, document_.name))
       colors = std::move(*read);
     else
-      note(read.error().where, read.error().what);
+      note(read.error().where, read.error().what, Left::without);
+    if (!colors.empty() && colors.size() != count)
+      note("COLOR_0",
+           "it has " + std::to_string(colors.size()) + " colours for " + std::to_string(count) +
+               " corners.",
+           Left::without);
   }
   if (colors.size() == count && count > 0) {
     run.colored = true;
@@ -64,8 +71,8 @@ void GltfColors::add(const tinygltf::Primitive& primitive, const DecodedPrimitiv
       lay(places_, run.first, places);
     else
       note("TEXCOORD_" + std::to_string(set), "no such place in its picture can be read.");
-    // Zero places would show one pixel on all of it.
-    if (places.size() != count) run.material = -1;
+    // Zero places would show one pixel on all of it; a tint without its picture is no colour of it.
+    if (places.size() != count) run = {run.first, count, -1, false};
   }
   runs_.push_back(run);
 }
@@ -108,6 +115,7 @@ std::vector<int> GltfColors::decode(GltfReader& reader, Coloring& out) {
     else
       note("\"" + document_.pictures[which[i]].name + "\"", (*decoded)[i].error());
 
+  bool too_many = false;
   for (std::size_t m = 0; m < of_material.size(); ++m) {
     const GltfMaterial& material = document_.materials[m];
     if (!material.textured) continue;
@@ -123,11 +131,16 @@ std::vector<int> GltfColors::decode(GltfReader& reader, Coloring& out) {
         });
     of_material[m] = 1 + static_cast<int>(same - out.pictures.begin());
     if (same != out.pictures.end()) continue;
-    if (out.pictures.size() == 255)
+    if (out.pictures.size() == kMostCoats) {
       of_material[m] = -1;
-    else
+      too_many = true;
+    } else {
       out.pictures.push_back({own, material.across, material.down});
+    }
   }
+  if (too_many)
+    note("its materials", "their pictures are laid on in more ways than " +
+                              std::to_string(kMostCoats) + ", the most that are shown");
   return of_material;
 }
 
@@ -137,10 +150,13 @@ Coloring GltfColors::finish(GltfReader& reader, std::vector<std::string>& warnin
   const std::vector<int> of_material = decode(reader, out);
   if (faults_ > 0) {
     while (!first_fault_.empty() && first_fault_.back() == '.') first_fault_.pop_back();
-    warnings.push_back((faults_ == 1
-                            ? "A colour of it cannot be read ("
-                            : std::to_string(faults_) + " of its colours cannot be read (first ") +
-                       first_fault_ + "); that part is shown as plain clay.");
+    warnings.push_back(
+        (faults_ == 1 ? "A colour of it cannot be read ("
+                      : std::to_string(faults_) + " of its colours cannot be read (first ") +
+        first_fault_ + "); " + (faults_ == 1 ? "that part is" : "those parts are") + " shown " +
+        (clay_ == faults_ ? "as plain clay."
+         : clay_ == 0     ? "without."
+                          : "without, or as plain clay."));
   }
   out.colors.resize(count_);
   if (!out.pictures.empty()) {

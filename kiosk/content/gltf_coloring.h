@@ -16,7 +16,7 @@ namespace onggi::content {
 
 /// Gathers the colours of a file's primitives, in the order of their positions, and decodes the
 /// pictures that they name. Whatever is wrong with a colour leaves the vessel whole: it is noted
-/// once a file, and what it would have coloured is clay.
+/// once a file. Where a picture should have been the surface is clay; a COLOR_0 is left out.
 class GltfColors {
  public:
   GltfColors(const GltfDocument& document, const settings::ReaderLimits& limits)
@@ -35,7 +35,8 @@ class GltfColors {
     int material = -1;
     bool colored = false;  ///< By its vertices.
   };
-  void note(const std::string& what, const std::string& why);
+  enum class Left { clay, without };  ///< How its part is shown then.
+  void note(const std::string& what, const std::string& why, Left left = Left::clay);
   std::vector<int> decode(GltfReader& reader, Coloring& out);
 
   const GltfDocument& document_;
@@ -43,7 +44,7 @@ class GltfColors {
   std::vector<Run> runs_;
   std::vector<std::array<float, 3>> vertex_colors_;  ///< As long as the last run that has any.
   std::vector<std::array<float, 2>> places_;         ///< The same.
-  std::size_t count_ = 0, faults_ = 0;
+  std::size_t count_ = 0, faults_ = 0, clay_ = 0;
   std::string first_fault_;
 };
 

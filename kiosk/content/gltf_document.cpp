@@ -307,7 +307,7 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   out.credit = read_credit(doc);
   if (auto good = load_buffers(file.parent_path(), doc, *container, most, out); !good)
     return tl::unexpected<Problem>(good.error());
-  read_materials(doc, file.parent_path(), *container, most, out);
+  read_materials(doc, file.parent_path(), *container, limits, out);
   std::size_t buffers = out.buffers.size();
 
   std::string error, warning;

@@ -47,6 +47,9 @@ struct GltfMaterial {
   Coloring::Wrap across = Coloring::Wrap::repeat, down = Coloring::Wrap::repeat;
 };
 
+/// What a file brings beyond these is noted, and not read.
+constexpr std::size_t kMostPictures = 64;
+
 /// A picture, still as it was written.
 struct GltfPicture {
   std::string name;  ///< The file's for it.

@@ -84,7 +84,10 @@ Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
     DecodedPrimitive out;
     if (!copy_attribute(mesh, primitive.position, out.positions)) return damaged();
     if (!copy_attribute(mesh, primitive.normal, out.normals)) out.normals.clear();
-    if (!copy_attribute(mesh, primitive.color, out.colors, true, 4)) out.colors.clear();
+    if (!copy_attribute(mesh, primitive.color, out.colors, true, 4)) {
+      out.colors.clear();
+      out.colors_fault = primitive.color >= 0;
+    }
     if (const auto id = primitive.places.find(set);
         id == primitive.places.end() ||
         !copy_attribute(mesh, id->second, out.places, primitive.normalized.count(set) > 0))

@@ -14,6 +14,7 @@ namespace onggi::content {
 struct DecodedPrimitive {
   std::vector<std::array<float, 3>> positions, normals;
   std::vector<std::array<float, 3>> colors;  ///< Linear; empty where there are none.
+  bool colors_fault = false;                 ///< There are some, and they cannot be read.
   std::vector<std::array<float, 2>> places;  ///< In the picture; the same.
   std::vector<std::uint32_t> indices;        ///< Triangles.
 };

@@ -97,11 +97,20 @@ class Pictures {
     picture.name = picture.name.substr(0, 80);
     picture.view = index_in(image, "bufferView");
     if (picture.view >= 0) return picture;
+    if (read_ >= kMostPictures) {
+      picture.fault = "the most pictures that are read are " + std::to_string(kMostPictures);
+      return picture;
+    }
     if (const auto data = data_behind(uri, container_)) {
       const auto text = std::exchange(container_.data[*data], {}).in(out_.file);
-      const std::size_t size = std::min(left_, most_bytes_in(text));
-      if (const auto decoded = decode_data_uri(text, size)) picture.bytes = *decoded;
-      if (picture.bytes.empty()) picture.fault = "its data within the file cannot be decoded";
+      // One byte more than is left tells a picture that is too large from one that just fits.
+      const auto decoded = decode_data_uri(text, std::min(left_ + 1, most_bytes_in(text)));
+      if (!decoded || decoded->empty())
+        picture.fault = "its data within the file cannot be decoded";
+      else if (decoded->size() > left_)
+        picture.fault = "it is larger than what is left of a file's most";
+      else
+        picture.bytes = *decoded;
     } else if (uri.empty() || uri.rfind("data:", 0) == 0) {
       picture.fault = "there is no such picture in the file";
     } else {
@@ -111,14 +120,15 @@ class Pictures {
       else
         picture.fault = bytes.error().what;
     }
-    left_ -= std::min(left_, picture.bytes.size());
+    left_ -= picture.bytes.size();
+    if (!picture.bytes.empty()) ++read_;
     return picture;
   }
 
   const json& document_;
   const std::filesystem::path& folder_;
   GltfContainer& container_;
-  std::size_t left_;
+  std::size_t left_, read_ = 0;
   GltfDocument& out_;
   std::map<int, int> known_;
 };
@@ -126,7 +136,9 @@ class Pictures {
 }  // namespace
 
 void read_materials(const json& document, const std::filesystem::path& folder,
-                    GltfContainer& container, std::size_t most, GltfDocument& out) {
+                    GltfContainer& container, const settings::ReaderLimits& limits,
+                    GltfDocument& out) {
+  const auto most = static_cast<std::size_t>(limits.file_mb) << 20;
   Pictures pictures(document, folder, container, most, out);
   const json& list = within(document, "materials");
   for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
@@ -147,7 +159,7 @@ void read_materials(const json& document, const std::filesystem::path& folder,
       material.across = wrap_of(sampler, "wrapS");
       material.down = wrap_of(sampler, "wrapT");
       place_texture(use, material);
-      material.picture = pictures.of_image(image_of(texture));
+      if (limits.texture_px > 0) material.picture = pictures.of_image(image_of(texture));
     }
     out.materials.push_back(material);
   }

@@ -1,6 +1,7 @@
 #include "kiosk/content/gltf_coloring.h"
 
 #include <gtest/gtest.h>
+#include <tiny_gltf.h>
 
 #include "kiosk/content/gltf.h"
 #include "kiosk/content/pack_writer.h"
@@ -192,6 +193,114 @@ TEST_F(Colors, a_picture_bomb_is_refused_by_its_size_and_costs_nothing) {
   const Vessel unread = read(scan, limits);
   EXPECT_TRUE(unread.coloring.empty());
   EXPECT_EQ(notes_of_colors(unread), 0) << note_of(unread);
+}
+
+TEST_F(Colors, too_few_at_the_corners_are_told_and_the_picture_is_shown_without_them) {
+  TexturedScan scan{.picture = png_of(halves())};
+  scan.colors.assign(scan.mesh().positions.size() - 1, {255, 255, 255, 255});
+  const Vessel vessel = read(scan);
+  expect_near(seen(vessel, 0.25), kUpper, 0, "the picture");
+  EXPECT_NE(note_of(vessel).find("COLOR_0: it has"), std::string::npos) << note_of(vessel);
+  EXPECT_NE(note_of(vessel).find("shown without"), std::string::npos) << note_of(vessel);
+  EXPECT_EQ(note_of(vessel).find("clay"), std::string::npos) << note_of(vessel);
+}
+
+TEST_F(Colors, that_draco_holds_and_that_cannot_be_read_are_told) {
+  const GltfDocument document;
+  GltfReader reader(document, {});
+  GltfColors colors(document, {});
+  DecodedPrimitive draco;
+  draco.colors_fault = true;
+  colors.add({}, &draco, 1, reader);
+  std::vector<std::string> notes;
+  EXPECT_TRUE(colors.finish(reader, notes).empty());
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("COLOR_0"), std::string::npos) << notes[0];
+}
+
+TEST_F(Colors, where_a_picture_has_no_place_its_part_is_clay_though_its_corners_are_tinted) {
+  TexturedScan scan{.picture = png_of(halves())};
+  scan.use = ",\"texCoord\":3";
+  scan.colors.assign(scan.mesh().positions.size(), {255, 0, 0, 255});
+  const Vessel vessel = read(scan);
+  EXPECT_TRUE(vessel.coloring.empty());
+  EXPECT_NE(note_of(vessel).find("as plain clay"), std::string::npos) << note_of(vessel);
+}
+
+TEST_F(Colors, pictures_laid_on_in_more_ways_than_can_be_shown_are_told_once) {
+  using Wrap = Coloring::Wrap;
+  const std::string png = png_of(two_halves(2, kUpper, kLower));
+  GltfDocument document;
+  for (int i = 0; i < 29; ++i) {
+    document.pictures.push_back(
+        {"coat", -1, {reinterpret_cast<const unsigned char*>(png.data()), png.size()}, ""});
+    for (const Wrap across : {Wrap::repeat, Wrap::clamp, Wrap::mirror})
+      for (const Wrap down : {Wrap::repeat, Wrap::clamp, Wrap::mirror})
+        document.materials.push_back({.textured = true,
+                                      .picture = i,
+                                      .coordinates = 0,
+                                      .placed = {1, 0, 0, 0, 1, 0},
+                                      .across = across,
+                                      .down = down});
+  }
+  GltfReader reader(document, {});
+  GltfColors colors(document, {});
+  DecodedPrimitive draco;
+  draco.places = {{0, 0}};
+  tinygltf::Primitive primitive;
+  for (primitive.material = 0; primitive.material < 29 * 9; ++primitive.material)
+    colors.add(primitive, &draco, 1, reader);
+  std::vector<std::string> notes;
+  const Coloring made = colors.finish(reader, notes);
+  EXPECT_EQ(made.pictures.size(), 255u);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("255"), std::string::npos) << notes[0];
+}
+
+TEST_F(Colors, none_of_a_scans_picture_files_is_read_where_none_is_wanted_and_64_where_all_are) {
+  std::string images, textures, materials;
+  for (int i = 0; i < 66; ++i) {
+    const std::string comma = i == 0 ? "" : ",", n = std::to_string(i);
+    write(n + ".png", "any bytes");
+    images += comma + "{\"uri\":\"" + n + ".png\"}";
+    textures += comma + "{\"source\":" + n + "}";
+    materials += comma + "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":" + n + "}}}";
+  }
+  const auto file =
+      write("jar.gltf", "{\"asset\":{\"version\":\"2.0\"},\"images\":[" + images +
+                            "],\"textures\":[" + textures + "],\"materials\":[" + materials + "]}");
+  const auto all = open_gltf(file, {});
+  ASSERT_TRUE(all) << to_text(all.error());
+  EXPECT_EQ(all->beside.size(), 64u);
+  EXPECT_EQ(all->pictures[63].fault, "");
+  EXPECT_NE(all->pictures[64].fault.find("64"), std::string::npos) << all->pictures[64].fault;
+  settings::ReaderLimits limits;
+  limits.texture_px = 0;
+  const auto none = open_gltf(file, limits);
+  ASSERT_TRUE(none) << to_text(none.error());
+  EXPECT_EQ(none->materials.size(), 66u);
+  EXPECT_TRUE(none->beside.empty());
+}
+
+TEST_F(Colors, a_picture_within_the_file_that_is_larger_than_the_most_is_refused_and_not_cut) {
+  settings::ReaderLimits limits;
+  limits.file_mb = 1;
+  // What is read beside it leaves it too little room.
+  write("large.png", std::string((1u << 20) - 3, 'x'));
+  const auto opened = open_gltf(
+      write("jar.gltf",
+            R"({"asset":{"version":"2.0"},"images":[{"uri":"large.png"},)"
+            R"({"uri":"data:image/png;base64,AAAAAA=="},{"uri":"data:image/png;base64,AAAA"}],)"
+            R"("textures":[{"source":0},{"source":1},{"source":2}],"materials":[)"
+            R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},)"
+            R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":1}}},)"
+            R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":2}}}]})"),
+      limits);
+  ASSERT_TRUE(opened) << to_text(opened.error());
+  EXPECT_EQ(opened->pictures[0].fault, "");
+  EXPECT_NE(opened->pictures[1].fault.find("larger"), std::string::npos);
+  EXPECT_TRUE(opened->pictures[1].bytes.empty());
+  EXPECT_EQ(opened->pictures[2].bytes.size(), 3u) << "what just fits";
 }
 
 TEST_F(Colors, what_a_curator_says_goes_before_what_the_scan_shows) {
