@@ -5,6 +5,18 @@
 
 namespace onggi::exhibit {
 
+namespace {
+
+/// Waits for `other` and lets go of it. A future keeps what its task holds, and so one that is
+/// waited for by the next would keep everything since the program began.
+template <class T>
+void wait_out(std::shared_future<T>& other) {
+  if (other.valid()) other.wait();
+  other = {};
+}
+
+}  // namespace
+
 Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits)
     : folder_(std::move(folder)), limits_(limits) {}
 
@@ -23,10 +35,11 @@ int Keepsakes::save(souvenir::Keepsake keepsake) {
   if (!saving_.empty()) before = saving_.back();
   const int ticket = ++tickets_;
   saving_.push_back(std::async(std::launch::async, [this, ticket, before, tidying = tidying_,
-                                                    kept = std::move(keepsake)] {
-                      if (before.valid()) before.wait();
-                      if (tidying.valid()) tidying.wait();
-                      return Finished{ticket, souvenir::save(kept, folder_, limits_)};
+                                                    kept = std::move(keepsake)]() mutable {
+                      wait_out(before);
+                      wait_out(tidying);
+                      const souvenir::Keepsake mine = std::move(kept);
+                      return Finished{ticket, souvenir::save(mine, folder_, limits_)};
                     }).share());
   return ticket;
 }
@@ -37,9 +50,9 @@ void Keepsakes::look(double now) {
   std::shared_future<Finished> before;
   if (!saving_.empty()) before = saving_.back();
   told_ = false;
-  tidying_ = std::async(std::launch::async, [this, before, last = tidying_] {
-               if (before.valid()) before.wait();
-               if (last.valid()) last.wait();
+  tidying_ = std::async(std::launch::async, [this, before, last = tidying_]() mutable {
+               wait_out(before);
+               wait_out(last);
                return souvenir::tidy(folder_, limits_);
              }).share();
 }

@@ -1,5 +1,7 @@
 #include "kiosk/files/local_time.h"
 
+#include <algorithm>
+
 namespace onggi::files {
 
 std::string local_time(std::time_t at, const char* format) {
@@ -7,6 +9,12 @@ std::string local_time(std::time_t at, const char* format) {
   localtime_r(&at, &local);
   char text[64];
   return {text, std::strftime(text, sizeof text, format, &local)};
+}
+
+bool begins_like(std::string_view text, std::string_view pattern) {
+  return text.size() > pattern.size() &&
+         std::equal(pattern.begin(), pattern.end(), text.begin(),
+                    [](char p, char c) { return p == '9' ? c >= '0' && c <= '9' : c == p; });
 }
 
 }  // namespace onggi::files

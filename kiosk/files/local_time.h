@@ -2,6 +2,7 @@
 
 #include <ctime>
 #include <string>
+#include <string_view>
 
 namespace onggi::files {
 
@@ -13,5 +14,9 @@ std::string local_time(std::time_t at, const char* format);
 inline constexpr const char* kDay = "%Y-%m-%d";
 /// "2026-05-04_141503", as folders and files are named: the order of names is that of time.
 inline constexpr const char* kStamp = "%Y-%m-%d_%H%M%S";
+
+/// Whether `text` begins as `pattern` says, in which a 9 stands for any digit, and goes on after
+/// it: "9999-99-99_" of what kStamp named. Any thread.
+bool begins_like(std::string_view text, std::string_view pattern);
 
 }  // namespace onggi::files

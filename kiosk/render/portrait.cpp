@@ -75,20 +75,25 @@ Texture plain_white() {
   return Texture::create(GL_SRGB8, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, kWhite.data());
 }
 
-/// The triangles' corners, those of each coat together.
+/// The triangles' corners, those of each coat together, in their own order.
 std::vector<std::uint32_t> dress(const TriangleMesh& mesh, const content::Coloring& coloring,
                                  std::vector<Coat>& coats) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(3 * mesh.triangles.size());
-  for (std::size_t p = 0; p <= coloring.pictures.size(); ++p) {
-    const std::size_t first = indices.size();
-    for (const auto& t : mesh.triangles)
-      if ((coloring.picture.empty() ? 0u : coloring.picture[t[0]]) == p)
-        indices.insert(indices.end(), t.begin(), t.end());
-    if (indices.size() == first) continue;
-    coats.push_back({p == 0 ? plain_white() : texture_of(coloring.pictures[p - 1]),
-                     static_cast<int>(first), static_cast<int>(indices.size() - first)});
+  const auto coat_of = [&](const std::array<std::uint32_t, 3>& triangle) {
+    return coloring.picture.empty() ? std::size_t{0} : coloring.picture[triangle[0]];
+  };
+  std::vector<std::size_t> at(coloring.pictures.size() + 1, 0);
+  for (const auto& t : mesh.triangles) at[coat_of(t)] += 3;
+  std::size_t first = 0;
+  for (std::size_t p = 0; p < at.size(); ++p) {
+    const std::size_t size = std::exchange(at[p], first);
+    if (size > 0)
+      coats.push_back({p == 0 ? plain_white() : texture_of(coloring.pictures[p - 1]),
+                       static_cast<int>(first), static_cast<int>(size)});
+    first += size;
   }
+  std::vector<std::uint32_t> indices(first);
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t corner : t) indices[at[coat_of(t)]++] = corner;
   return indices;
 }
 

@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 9 stands for any digit, the rest for itself.
-constexpr std::string_view kPattern = "9999-99-99_999999_";
 constexpr std::size_t kLongestName = 120;
 constexpr auto kLeftoverAge = std::chrono::hours(1);
 // Before it there was no onggi: an earlier date is that of a clock that was wrong.
@@ -108,13 +106,7 @@ bool is_leftover(const fs::path& folder) {
 
 }  // namespace
 
-bool is_visit_name(std::string_view name) {
-  if (name.size() <= kPattern.size()) return false;
-  for (std::size_t i = 0; i < kPattern.size(); ++i) {
-    if (kPattern[i] == '9' ? !is_digit(name[i]) : name[i] != kPattern[i]) return false;
-  }
-  return true;
-}
+bool is_visit_name(std::string_view name) { return files::begins_like(name, "9999-99-99_999999_"); }
 
 std::string visit_name(std::string_view wanted) {
   if (!is_visit_name(wanted)) return "";

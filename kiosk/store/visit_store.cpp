@@ -56,14 +56,6 @@ bool is_no_store(Trouble trouble) {
   return trouble == Trouble::none || trouble == Trouble::damaged || trouble == Trouble::unfit;
 }
 
-/// Begins "2026-05-04_", as files::kStamp does.
-bool is_stamped(const std::string& text) {
-  constexpr std::string_view kPattern = "9999-99-99_";
-  return text.size() > kPattern.size() &&
-         std::equal(kPattern.begin(), kPattern.end(), text.begin(),
-                    [](char p, char c) { return p == '9' ? c >= '0' && c <= '9' : c == p; });
-}
-
 }  // namespace
 
 Problem newer_store(const fs::path& file, std::int64_t version, const std::string& remedy,
@@ -102,7 +94,9 @@ Result<void> VisitStore::forget_aside(const fs::path& file, const std::string& d
     if (!name.starts_with(prefix)) continue;
     const std::string stamp = name.substr(prefix.size());
     std::error_code failed;
-    if (!is_stamped(stamp) || stamp >= day || !entry->is_regular_file(failed)) continue;
+    if (!files::begins_like(stamp, "9999-99-99_") || stamp >= day ||
+        !entry->is_regular_file(failed))
+      continue;
     fs::remove(entry->path(), failed);
     if (failed && good)
       good = problem(entry->path().string(),

@@ -1,6 +1,7 @@
 #include "kiosk/exhibit/keepsakes.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <chrono>
 #include <thread>
@@ -49,6 +50,33 @@ TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
   wait_for([&] { return !fs::exists(old); });
   EXPECT_FALSE(fs::exists(old));
   EXPECT_FALSE(keepsakes.untidy());
+}
+
+// A kiosk saves and tidies for months without a reload between.
+TEST(Keepsakes, WhatASaveHeldIsGivenBackWhenItHasEndedAndATidyingThatWaitedForItTooIs) {
+  constexpr std::ptrdiff_t kReplay = 16 << 20;  // by mmap, so that it is counted apart
+  const ScratchFolder scratch;
+  Keepsakes keepsakes(scratch.path(), {100, 30});
+  const auto before = static_cast<std::ptrdiff_t>(::mallinfo2().hblkhd);
+  {
+    souvenir::Keepsake keepsake;
+    keepsake.name = "2026-01-04_141503_jar";
+    keepsake.postcard = {50, 70, std::vector<std::uint8_t>(50 * 70 * 4, 200)};
+    keepsake.replay.resize(kReplay);
+    keepsakes.save(std::move(keepsake));
+  }
+  keepsakes.look(1000.0);
+  for (int n = 0; n < 20'000 && keepsakes.busy(); ++n) {
+    const auto done = keepsakes.finished();
+    EXPECT_TRUE(!done || done->outcome);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_FALSE(keepsakes.busy());
+  const auto held = [&] { return static_cast<std::ptrdiff_t>(::mallinfo2().hblkhd) - before; };
+  // The tidying lets go of it at its own time.
+  for (int n = 0; n < 5000 && held() >= kReplay; ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_LT(held(), kReplay);
 }
 
 }  // namespace
