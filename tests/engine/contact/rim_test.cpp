@@ -299,6 +299,19 @@ TEST(Rim, RandomTicksKeepTheClayWhole) {
   }
 }
 
+// A ball that stands 6 mm deep in a spout no wider than itself, for as long as clay takes to give
+// way wholly: what is too much for one step is left to the next.
+TEST(Rim, ABlowTakesNoMoreThanHalfOfWhatARowCanGive) {
+  ClayDef def = cylinder(400, 64);
+  def.inner_radius = 0.004;
+  def.outer_radius = 0.0085;
+  Clay clay = lump(def);
+  const double row = clay.row_thickness(399);
+  press_rim(clay, still({0, kRim + kRadius - 0.006, 0}, 10.0), kClay);
+  EXPECT_LT(clay.rim_height(), kRim - 0.002);
+  for (int j = 0; j < clay.rows(); ++j) ASSERT_GE(clay.row_thickness(j), 0.5 * row) << j;
+}
+
 // NUMERICS, row 19: no rim, and nothing pushes up. The printed model on the same turn.
 TEST(Paper19, NoRimGoesDown) {
   double up[2] = {0, 0};

@@ -78,5 +78,19 @@ TEST(Needle, ThinnerThanAnElementIsNeverLostAndNeverJumps) {
   EXPECT_LT(most / least, 1.8);  // by how its round point lies in the elements' strips
 }
 
+// A stick that lies on clay and is tilted to and fro: where it is felt goes along with it, and is
+// not at its one end now and at its other a hair later.
+TEST(SupportEnd, GoesFromOneEndToTheOtherWithinATenthOfSquareAtAnEvenPace) {
+  const auto end_at = [](double tilt) {
+    return body::support_end({std::sqrt(1.0 - tilt * tilt), tilt, 0.0}, {0, 1, 0});
+  };
+  for (const double tilt : {-1.0, -0.5, -0.1}) {
+    EXPECT_DOUBLE_EQ(end_at(tilt), -1.0) << tilt;
+    EXPECT_DOUBLE_EQ(end_at(-tilt), 1.0) << tilt;
+  }
+  for (double tilt = -0.1; tilt <= 0.1; tilt += 0.01)
+    EXPECT_NEAR(end_at(tilt), tilt / 0.1, 1e-12) << tilt;
+}
+
 }  // namespace
 }  // namespace onggi
