@@ -165,6 +165,7 @@ bool Kiosk::frame(double now, bool draw) {
   keepsakes_->look(now);
   if (const auto untidy = keepsakes_->untidy()) log_problem(*untidy);
   const auto events = renderer_->poll();
+  for (const std::string& line : renderer_->remarks()) log_line(line);
   if (look_at_shelf(now) && !visit_) begin_visit(now);
   for (const view::InputEvent& event : events) {
     if (event.kind == view::InputEvent::Kind::close) open = false;

@@ -45,6 +45,8 @@ class Renderer {
   virtual int height() const = 0;
   /// Everything since the last call, in order. Waits for nothing.
   virtual std::vector<view::InputEvent> poll() = 0;
+  /// What staff should know of monitors and touch screens, a line each, once.
+  virtual std::vector<std::string> remarks() = 0;
 
   /// The clay that is drawn from here on; nothing but the wheel before the first.
   virtual void show_clay(const ClayView& clay) = 0;

@@ -11,12 +11,14 @@
 #include <optional>
 #include <string>
 
+#include "kiosk/render/displays.h"
 #include "kiosk/render/touch.h"
 
 namespace onggi::render {
 namespace {
 
 constexpr double kStillSeconds = 3.0;  // after which the cursor hides
+constexpr double kLookAgain = 2.0;     // s, where nobody tells of a change
 using view::InputEvent;
 using view::Key;
 
@@ -140,6 +142,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
 
 Window::~Window() {
   touch_.reset();
+  displays_.reset();
   glfwDestroyWindow(window_);
   glfwTerminate();
 }
@@ -180,6 +183,7 @@ void Window::listen() {
     if (GLFWwindow* w = glfwGetCurrentContext()) self(w)->monitor_lost_ = true;
   });
   touch_ = Touch::listen(window_);
+  if (full_screen_ && visible_) displays_ = Displays::watch();
 }
 
 void Window::push(InputEvent event) { events_.push_back(event); }
@@ -206,15 +210,32 @@ void Window::key(int key, int action) {
         .repeat = action == GLFW_REPEAT});
 }
 
-void Window::mind_monitor(double) {
-  if (!monitor_lost_ || !full_screen_ || !visible_) return;
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-  if (monitor == nullptr) return;
-  monitor_lost_ = false;
-  if (glfwGetWindowMonitor(window_) != nullptr) return;
-  const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+void Window::mind_monitor(double now) {
+  if (!full_screen_ || !visible_) return;
+  const bool changed = displays_ != nullptr && displays_->poll(now);
+  if (!changed && !monitor_lost_ && now - looked_at_ < kLookAgain) return;
+  looked_at_ = now;
+  GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
+  const bool lost = monitor == nullptr;
+  if (lost) monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   if (mode == nullptr) return;
-  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  monitor_lost_ = false;
+  if (lost)
+    return glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height,
+                                mode->refreshRate);
+  // The same monitor in another mode: of that GLFW tells nobody, and without a window manager the
+  // window would stay as large as the screen was.
+  int x = 0, y = 0, at_x = 0, at_y = 0, w = 0, h = 0;
+  glfwGetMonitorPos(monitor, &x, &y);
+  glfwGetWindowPos(window_, &at_x, &at_y);
+  glfwGetWindowSize(window_, &w, &h);
+  const bool fills = at_x == x && at_y == y && w == mode->width && h == mode->height;
+  if (!fills && displays_ != nullptr) Displays::place(window_, x, y, mode->width, mode->height);
+}
+
+std::vector<std::string> Window::remarks() {
+  return displays_ != nullptr ? displays_->remarks() : std::vector<std::string>();
 }
 
 void Window::mind_cursor(double now) {

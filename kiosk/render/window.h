@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -11,6 +12,7 @@ struct GLFWwindow;
 
 namespace onggi::render {
 
+class Displays;
 class Touch;
 
 /// The window and its GL context, and everything that is pressed, turned or touched in it.
@@ -24,6 +26,8 @@ class Window {
   bool visible() const { return visible_; }
   std::vector<view::InputEvent> poll();
   void swap();
+  /// What staff should know of monitors and touch screens, a line each, once.
+  std::vector<std::string> remarks();
 
  private:
   Window() = default;
@@ -36,10 +40,12 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   std::unique_ptr<Touch> touch_;
+  std::unique_ptr<Displays> displays_;  ///< Of a kiosk that fills the screen.
   std::vector<view::InputEvent> events_;
   int width_ = 0, height_ = 0;
   bool visible_ = true, full_screen_ = false, cursor_shown_ = true, pressed_ = false;
   bool monitor_lost_ = false;
+  double looked_at_ = 0;     // s, at the monitor
   double cursor_moved_ = 0;  // s, GLFW's clock
   float x_ = 0, y_ = 0;
 };
