@@ -72,6 +72,8 @@ Key key_of(int key) {
       return Key::cut;
     case GLFW_KEY_L:
       return Key::language;
+    case GLFW_KEY_A:
+      return Key::comfort;
     default:
       return Key::none;
   }

@@ -89,12 +89,13 @@ class Choose final : public Screen {
     };
     int rows = std::max(1, rows_in(whole.h));
     if (rows * columns < desk.cards()) {
-      page_ = first_ / std::max(1, rows * columns);
-      paging(page, column, rows * columns);
+      // The line of paging may take a row: what is on a page is known once it has been laid out.
+      page_ = first_ / per_page_;
+      paging(page, column, per_page_);
       rows = std::max(1, rows_in(column.rest().h));
     }
     const Rect area = column.rest();
-    per_page_ = rows * columns;
+    if (std::exchange(per_page_, rows * columns) != rows * columns) page.restart();
     page_ = first_ / per_page_;
     // Few vessels on a tall screen: fewer rows with larger pictures.
     rows = std::min(rows, (desk.cards() + columns - 1) / columns);

@@ -18,6 +18,7 @@ void Desk::forget() {
   glaze = -1;
   lesson_step = 0;
   force = {};
+  comfort = {};
   kept = Kept::not_asked;
   kept_as.clear();
   postcard = 0;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "kiosk/screens/comfort.h"
 #include "kiosk/screens/fault_note.h"
 #include "kiosk/screens/force_slider.h"
 #include "kiosk/screens/visit.h"
@@ -34,6 +35,7 @@ class Desk {
   Profile made;
   score::Score score;
   ForceSlider force;
+  Comfort comfort;
   std::size_t lesson_step = 0;  ///< Of the exhibit's lesson: the one that comes next, or is shown.
   int glaze = -1;               ///< Chosen of its kiln's; -1: none yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
@@ -52,7 +54,8 @@ class Desk {
     return words().say(key, places);
   }
   std::string title() const;
-  const settings::Exhibit::Screen& screen() const { return world.exhibit->screen; }
+  /// The exhibit's, as this visitor has chosen to have it.
+  settings::Exhibit::Screen screen() const { return comfort.applied(world.exhibit->screen); }
   bool still() const { return screen().reduced_motion; }
   bool mirrored() const { return screen().left_handed != words().right_to_left(); }
 

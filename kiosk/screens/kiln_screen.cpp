@@ -104,9 +104,11 @@ class KilnScreen final : public Screen {
     column.foot_buttons(glaze_buttons());
     column.foot_space(t.gap);
 
-    column.text(desk.say("result.answer", {{"vessel", desk.label(desk.card).title}}), t.body,
-                Face::sans, view::kFaintInk);
-    column.space(t.gap * 0.5f);
+    if (!desk.screen().larger_text) {  // What is needed goes before what has been said.
+      column.text(desk.say("result.answer", {{"vessel", desk.label(desk.card).title}}), t.body,
+                  Face::sans, view::kFaintInk);
+      column.space(t.gap * 0.5f);
+    }
     keep_room(page, column.rest());
     if (desk.glaze < 0) {
       column.text(desk.say("kiln.title"), t.title, Face::serif);

@@ -7,9 +7,35 @@
 
 namespace onggi::screens {
 
+namespace {
+
+constexpr double kReachLow = 380.0, kReachHigh = 1220.0;  // mm above the floor, from a wheelchair
+constexpr float kLarger = 1.3f, kLeadOfLarger = 1.1f;
+constexpr float kUpright = 0.8f;  // of the width: from here on the pot stands over the words
+
+double pixels_per_mm(const settings::Exhibit::Screen& screen, int width, int height) {
+  return std::hypot(width, height) / std::max(screen.diagonal_mm, 100.0);
+}
+
+}  // namespace
+
+view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int height) {
+  const auto w = static_cast<float>(width), h = static_cast<float>(height);
+  if (!screen.low_reach) return {0, 0, w, h};
+  const double px_per_mm = pixels_per_mm(screen, width, height);
+  const auto row = [&](double above_floor) {
+    const double y = height - (above_floor - screen.lower_edge_mm) * px_per_mm;
+    return static_cast<float>(std::clamp(std::round(y), 0.0, static_cast<double>(height)));
+  };
+  const float top = row(kReachHigh), foot = row(kReachLow);
+  // Wholly out of reach it is no better set smaller.
+  return foot - top < 1 ? view::Rect{0, 0, w, h} : view::Rect{0, top, w, foot - top};
+}
+
 TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int height, float shrink) {
-  const double w = width, h = height, short_side = std::min(w, h);
-  const double px_per_mm = std::sqrt(w * w + h * h) / std::max(screen.diagonal_mm, 100.0);
+  const view::Rect all = in_reach(screen, width, height);
+  const auto short_side = static_cast<double>(std::min(all.w, all.h));
+  const double px_per_mm = pixels_per_mm(screen, width, height);
   const float body =
       view::TypeScale::for_screen(width, height, screen.diagonal_mm, screen.viewing_distance_mm)
           .body();
@@ -20,6 +46,11 @@ TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int hei
   t.lead = steps.px(1);
   t.title = steps.px(2);
   t.display = steps.px(3);
+  if (screen.larger_text) {
+    // What is small is what cannot be read: titles are large as they are, and give it their room.
+    t.body *= kLarger;
+    t.lead = std::max(t.lead, t.body * kLeadOfLarger);
+  }
   t.target = static_cast<float>(std::clamp(15.0 * px_per_mm, 28.0, short_side / 10.0));
   t.gap = t.body * 0.5f;
   t.margin = static_cast<float>(std::round(short_side * 0.06));
@@ -27,21 +58,27 @@ TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int hei
   return t;
 }
 
-Regions regions(int width, int height, float margin, bool mirrored) {
-  const auto w = static_cast<float>(width), h = static_cast<float>(height);
+Regions regions(const view::Rect& all, float margin, bool mirrored, bool larger) {
+  const float w = all.w, h = all.h;
   Regions r;
+  r.all = all;
   r.page = {margin, margin, w - 2 * margin, h - 2 * margin};
-  r.portrait = height > width;
+  r.portrait = h > w * kUpright;
   r.mirrored = mirrored;
+  const auto lower = [&] {
+    for (view::Rect* part : {&r.page, &r.words, &r.pot}) part->x += all.x, part->y += all.y;
+    return r;
+  };
   if (r.portrait) {
-    r.pot = {margin * 2, margin * 1.5f, w - 4 * margin, std::round(h * 0.52f) - margin * 1.5f};
+    r.pot = {margin * 2, margin * 1.5f, w - 4 * margin,
+             std::round(h * (larger ? 0.4f : 0.52f)) - margin * 1.5f};
     const float top = r.pot.y + r.pot.h + margin * 1.5f;
     r.words = {margin, top, w - 2 * margin, h - margin - top};
-    return r;
+    return lower();
   }
-  r.words = {margin, margin, std::round(w * 0.365f), h - 2 * margin};
+  r.words = {margin, margin, std::round(w * (larger ? 0.5f : 0.365f)), h - 2 * margin};
   // The axis on the vertical third: the pot's half width is what is left beside it on both sides.
-  const float axis = w * 2.0f / 3.0f;
+  const float axis = w * (larger ? 0.77f : 2.0f / 3.0f);
   const float half = std::min(axis - (r.words.x + r.words.w + margin), w - axis);
   // Air above the rim; below the foot, the wheel.
   r.pot = {axis - half, margin * 1.2f, 2 * half, h - margin * 3.4f};
@@ -49,7 +86,7 @@ Regions regions(int width, int height, float margin, bool mirrored) {
     r.words.x = w - r.words.x - r.words.w;
     r.pot.x = w - r.pot.x - r.pot.w;
   }
-  return r;
+  return lower();
 }
 
 }  // namespace onggi::screens

@@ -17,21 +17,29 @@ struct TypeScale {
   float hairline = 1;
 };
 
+/// What of a screen of `width` x `height` pixels everything is set on, in pixels: all of it, or
+/// with Exhibit::Screen::low_reach what lies between 380 and 1,220 mm above the floor, as the
+/// screen is stated to be large and to hang.
+view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int height);
+
 /// The steps of view::TypeScale (capitals of 0.7 degrees at the exhibit's viewing distance), but
-/// body text is never larger than 1/28 of the short side, so that a far or small screen still holds
-/// a sentence. `shrink` (0..1] is for a page whose words would not fit otherwise; margins and
-/// touch targets (15 mm, never under 28 px) keep their size.
+/// body text is never larger than 1/28 of the short side of what is in reach, so that a far or
+/// small screen still holds a sentence; larger text is body text by 1.3. `shrink` (0..1] is for a
+/// page whose words would not fit otherwise; margins and touch targets (15 mm, never under 28 px)
+/// keep their size.
 TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int height,
                      float shrink = 1.0f);
 
 /// Where words and pot go. Landscape: words in one column, the pot's axis on the far third.
-/// Portrait: the pot above on the centre line, words below. Mirrored: the column on the right.
+/// Portrait (whatever is higher than 0.8 of its width): the pot above on the centre line, words
+/// below. Mirrored: the column on the right. Larger text takes of the pot's room.
 struct Regions {
   view::Rect words, pot;
   view::Rect page;  ///< All inside the margins.
+  view::Rect all;   ///< And with them.
   bool portrait = false;
   bool mirrored = false;
 };
-Regions regions(int width, int height, float margin, bool mirrored);
+Regions regions(const view::Rect& all, float margin, bool mirrored, bool larger = false);
 
 }  // namespace onggi::screens

@@ -29,6 +29,12 @@ std::vector<Button> standing_buttons(const Desk& desk, bool with_back) {
   std::vector<Button> row;
   if (with_back) row.push_back({"back", desk.say("all.back"), Look::quiet});
   row.push_back({"help", desk.say("all.help"), Look::quiet});
+  for (Button& b : reading_buttons(desk)) row.push_back(std::move(b));
+  return row;
+}
+
+std::vector<Button> reading_buttons(const Desk& desk) {
+  std::vector<Button> row{{"comfort", desk.say("all.comfort"), Look::quiet}};
   for (Button& b : language_buttons(desk)) row.push_back(std::move(b));
   return row;
 }
@@ -36,7 +42,7 @@ std::vector<Button> standing_buttons(const Desk& desk, bool with_back) {
 void lay_out_help(Page& page, const Desk& desk, const std::string& help_key) {
   const TypeScale& t = page.type();
   Column column(page, page.where().page);
-  column.foot_buttons(language_buttons(desk));
+  column.foot_buttons(reading_buttons(desk));
   column.foot_space(t.gap);
   column.foot_buttons({{"help.close", desk.say("help.close"), Look::solid}});
   column.foot_space(t.gap);
@@ -50,7 +56,7 @@ void lay_out_help(Page& page, const Desk& desk, const std::string& help_key) {
 void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown) {
   const TypeScale& t = page.type();
   Column column(page, page.where().page);
-  column.foot_buttons(language_buttons(desk));
+  column.foot_buttons(reading_buttons(desk));
   column.foot_space(t.gap);
   const int seconds = static_cast<int>(std::ceil(seconds_left));
   column.space(page.where().page.h * 0.12f);

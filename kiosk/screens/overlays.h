@@ -9,8 +9,10 @@
 
 namespace onggi::screens {
 
-/// Back, Help and the other languages, at the foot of every screen.
+/// Back, Help, Comfort and the other languages, at the foot of every screen.
 std::vector<Button> standing_buttons(const Desk& desk, bool with_back);
+/// Those without which what lies over a screen may not be read: Comfort and the other languages.
+std::vector<Button> reading_buttons(const Desk& desk);
 /// "language" for the language after the present one, "language.CODE" for any others.
 std::vector<Button> language_buttons(const Desk& desk);
 /// The language that a control named by language_buttons() stands for.

@@ -88,7 +88,7 @@ void Page::button(const Button& button, const Rect& rect) {
         break;
       case Look::solid:
         ink = view::kPlaster;
-        draw(view::Box{rect, radius, held ? view::rgb(0x1F3560) : view::kCobalt, 0, {}});
+        draw(view::Box{rect, radius, held ? view::kHeldCobalt : view::kCobalt, 0, {}});
         break;
       case Look::outline:
         draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
@@ -118,7 +118,7 @@ void Page::button(const Button& button, const Rect& rect) {
 void Page::switch_halves(const Button& button, const Rect& rect) {
   const float radius = type().body * 0.14f, half = rect.w / 2;
   const auto style = button_style(*this);
-  const bool held = sheet_.attention.pressed == button.id;
+  const bool held = sheet_.attention.pressed == button.id && !button.id.empty();
   draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
                  type().hairline * 1.5f, view::kCobalt});
   for (const bool second : {false, true}) {

@@ -49,7 +49,7 @@ view::Camera PotPicture::camera(const Page& page) const {
   const double height = std::max(height_, 0.02), radius = std::max(radius_, 0.01);
   const Regions& where = page.where();
   view::Rect box = where.pot;
-  const float foot = (where.portrait ? where.words.y : static_cast<float>(page.height())) - room_;
+  const float foot = (where.portrait ? where.words.y : where.all.y + where.all.h) - room_;
   if (room_ > 0) box.h -= 0.6f * room_;
   for (int i = 0;; ++i) {
     const view::Camera camera = view::frame_pot(page.width(), page.height(), box, height, radius);

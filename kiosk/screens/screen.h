@@ -34,6 +34,8 @@ class Screen {
   virtual bool key(view::Key, bool /*repeat*/) { return false; }
   /// The screen is left, or something lies over it: hands off the clay.
   virtual void let_go() {}
+  /// The visitor has chosen otherwise on the Comfort page: what was told to the wheel is told anew.
+  virtual void comforted() {}
   /// Of a screen with a pot to be worked.
   virtual std::optional<Sight> sight() const { return std::nullopt; }
   /// Of "help.NAME" in the languages.

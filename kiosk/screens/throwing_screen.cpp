@@ -260,7 +260,7 @@ class Throwing final : public Screen {
     hand_.lift();
     send_hand();
   }
-  bool menu() const { return menu_; }
+  void comforted() override { send_wheel(); }
 
  private:
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }

@@ -18,10 +18,10 @@ constexpr float kUnder = 0.4f;       // of the margin, below it
 constexpr float kNameShare = 0.78f;  // of body text: a name under its drawing, not a sentence
 
 /// A stroke of a drawing, in a square of 24 with y down.
-using Stroke = std::vector<std::pair<float, float>>;
+using PenStroke = std::vector<std::pair<float, float>>;
 
-Stroke arc(float x, float y, float rx, float ry, double from, double to) {
-  Stroke s;
+PenStroke arc(float x, float y, float rx, float ry, double from, double to) {
+  PenStroke s;
   constexpr int kParts = 20;
   for (int i = 0; i <= kParts; ++i) {
     const double a = from + (to - from) * i / kParts;
@@ -33,7 +33,7 @@ Stroke arc(float x, float y, float rx, float ry, double from, double to) {
 
 constexpr double kPi = 3.14159265358979;
 
-std::vector<Stroke> drawing_of(std::string_view tool) {
+std::vector<PenStroke> drawing_of(std::string_view tool) {
   if (tool == "fingertip")
     return {{{9, 22}, {9, 8}},
             arc(12, 8, 3, 4, kPi, 2 * kPi),
@@ -86,7 +86,7 @@ float height_of(const TypeScale& type) {
 /// Along the foot of the pot's part of the page, and clear of its edge.
 Rect strip_of(const Page& page, float height) {
   const Regions& where = page.where();
-  const auto w = static_cast<float>(page.width()), h = static_cast<float>(page.height());
+  const float w = where.all.w, h = where.all.y + where.all.h;
   const float margin = page.type().margin;
   if (where.portrait)
     return {margin, where.words.y - page.type().gap - height, w - 2 * margin, height};
@@ -124,7 +124,7 @@ void ToolTray::lay_out(Page& page, const Desk& desk, std::size_t held) {
     const float side = height - size.height - t.gap;
     if (size.width > button.w + 1 || side < t.target * 0.7f) page.overflowed();
     const float x = cell.x + (cell.w - side) / 2, y = cell.y + t.gap * 0.4f;
-    for (Stroke stroke : drawing_of(name)) {
+    for (PenStroke stroke : drawing_of(name)) {
       for (auto& [px, py] : stroke) px = x + px * side / 24, py = y + py * side / 24;
       page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, side / 22)});
     }

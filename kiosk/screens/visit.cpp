@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kiosk/screens/visit_state.h"
+#include "kiosk/view/high_contrast.h"
 
 namespace onggi::screens {
 
@@ -10,6 +11,7 @@ using view::InputEvent;
 
 namespace {
 constexpr double kFade = 0.3;           // s
+constexpr double kLookedAway = 60.0;    // s that help and another language stay over attract
 constexpr double kDeviceMoved = 0.002;  // m: more than a device at rest trembles.
 }  // namespace
 
@@ -61,7 +63,10 @@ void Visit::update(double now) {
     s.idle.touched(now);
     // Whoever takes a device begins; whoever still leans on one when the last visit ended does not.
     if (status.hands_taken && !s.hands_taken) s.desk.go(ScreenId::choose);
-    if (s.over == Over::help && now - s.changed_at > 60.0) s.cover(Over::nothing);
+    if (now - s.changed_at > kLookedAway) {
+      if (s.over == Over::help) s.cover(Over::nothing);
+      if (s.desk.language != 0) s.set_language(0);
+    }
   } else {
     const auto& wait = s.desk.world.exhibit->idle;
     const bool reading = id == ScreenId::result || id == ScreenId::kiln || id == ScreenId::keepsake;
@@ -95,6 +100,7 @@ view::Frame Visit::frame(int width, int height) {
   frame.pot = s.screen->pot(*s.page);
   if (frame.pot && s.over != Over::nothing) frame.pot->opacity *= 0.12;
   frame.items = std::move(s.page->items());
+  if (s.desk.screen().high_contrast) view::to_high_contrast(frame.items);
   frame.screen_serial = s.serial;
   const double since = (s.desk.now - s.changed_at) / kFade;
   if (!s.desk.still() && since < 1) frame.fade = static_cast<float>(1 - std::max(0.0, since));
@@ -147,6 +153,7 @@ ScreenId Visit::screen() const { return state_->screen->id(); }
 bool Visit::idle_warning() const { return state_->over == Over::idle; }
 const std::string& Visit::language() const { return state_->desk.words().code(); }
 double Visit::force_share() const { return state_->desk.force.share(); }
+settings::Exhibit::Screen Visit::shown_on() const { return state_->desk.screen(); }
 const score::Score& Visit::score() const { return state_->desk.score; }
 
 std::vector<std::pair<std::string, view::Rect>> Visit::controls() const {

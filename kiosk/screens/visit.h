@@ -143,6 +143,8 @@ class Visit {
   const std::string& language() const;  ///< Code in use.
   /// How much of the force the visitor would feel, 0 (off) .. 1.
   double force_share() const;
+  /// The exhibit's screen as this visitor has chosen to have it on the Comfort page.
+  settings::Exhibit::Screen shown_on() const;
   /// Of the pot that was last called done, as the result screen tells it.
   const score::Score& score() const;
 
@@ -160,7 +162,8 @@ class Visit {
   ///   result    "result.keep", "result.again", "result.other"
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
   ///   keepsake  "keepsake.done"        fault  "fault.on"
-  ///   over any  "help", "help.close", "idle.stay", "language", "back"
+  ///   over any  "help", "help.close", "comfort", "comfort.close", "comfort.CHOICE" (Comfort),
+  ///             "idle.stay", "language", "back"
   /// Nothing when it is not on the screen. A control acts when the pointer is lifted on it.
   std::optional<view::Rect> control(const std::string& id) const;
   /// What somebody at the wheel has before their eyes, for scripted visitors; nothing on other

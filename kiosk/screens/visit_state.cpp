@@ -5,6 +5,7 @@
 
 #include "kiosk/screens/attract_screen.h"
 #include "kiosk/screens/choose_screen.h"
+#include "kiosk/screens/comfort_page.h"
 #include "kiosk/screens/fault_screen.h"
 #include "kiosk/screens/focus.h"
 #include "kiosk/screens/keepsake_screen.h"
@@ -82,12 +83,27 @@ void Visit::State::set_language(std::size_t index) {
 void Visit::State::press(const std::string& control) {
   if (const auto language = language_of(desk, control)) return set_language(*language);
   if (control == "help") return cover(Over::help);
-  if (control == "help.close" || control == "idle.stay") return cover(Over::nothing);
+  if (control == "comfort") return open_comfort();
+  if (desk.comfort.press(control, desk.world.exhibit->screen)) {
+    screen->comforted();
+    return reworded();
+  }
+  if (control == "help.close" || control == "comfort.close" || control == "idle.stay")
+    return cover(Over::nothing);
   if (control == "back")
     screen->back();
   else
     screen->press(control);
   settle();
+}
+
+/// Whoever asks for it has come: what is chosen lasts as long as the visit.
+void Visit::State::open_comfort() {
+  if (screen->id() == ScreenId::attract) {
+    desk.go(ScreenId::choose);
+    settle();
+  }
+  cover(Over::comfort);
 }
 
 std::string Visit::State::control_at(float x, float y) const {
@@ -111,14 +127,16 @@ void Visit::State::pointer(const InputEvent& e) {
                              ? control_at(e.x, e.y)
                              : std::string();
   if (over == Over::idle) {
-    // Any touch says "I am here"; only the language is worth hearing besides.
-    if (e.kind == Kind::pointer_down && language_of(desk, on)) set_language(*language_of(desk, on));
+    // Any touch says "I am here"; only what makes the words legible is worth hearing besides.
+    if (e.kind != Kind::pointer_down) return;
+    if (language_of(desk, on)) set_language(*language_of(desk, on));
+    if (on == "comfort") open_comfort();
     return;
   }
   if (e.kind == Kind::pointer_down) {
     // The first touch is never lost: wherever it lands, the visit begins.
     if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
-        !language_of(desk, on)) {
+        on != "comfort" && !language_of(desk, on)) {
       desk.go(ScreenId::choose);
       return settle();
     }
@@ -134,7 +152,8 @@ void Visit::State::pointer(const InputEvent& e) {
     if (e.kind == Kind::pointer_up) cover(Over::nothing);
     return;
   }
-  if (page && pressed.empty()) screen->pointer(e, *page);
+  // A slip beside a switch of the Comfort page is no wish to leave it.
+  if (over == Over::nothing && page && pressed.empty()) screen->pointer(e, *page);
   settle();
 }
 
@@ -142,12 +161,15 @@ void Visit::State::key(const InputEvent& e) {
   by_keys = true;
   if (over == Over::idle) {
     if (e.key == Key::language) set_language(*language_of(desk, "language"));
+    if (e.key == Key::comfort) open_comfort();
     return;
   }
   if (e.key == Key::language && !e.repeat) return press("language");
+  if (e.key == Key::comfort && !e.repeat)
+    return press(over == Over::comfort ? "comfort.close" : "comfort");
   if (e.key == Key::help && !e.repeat) return press(over == Over::help ? "help.close" : "help");
-  if (over == Over::help) {
-    if (e.key == Key::back) return press("help.close");
+  if (over == Over::help || over == Over::comfort) {
+    if (e.key == Key::back) return cover(Over::nothing);
   } else {
     if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none) {
       desk.go(ScreenId::choose);
@@ -180,9 +202,10 @@ void Visit::State::key(const InputEvent& e) {
 /// While keys are used something is always focused, unless the keys move the hand.
 void Visit::State::keep_focus() {
   if (!by_keys) return focused.clear();
-  const std::string first = over == Over::help   ? "help.close"
-                            : over == Over::idle ? "idle.stay"
-                                                 : screen->first_focus();
+  const std::string first = over == Over::help      ? "help.close"
+                            : over == Over::comfort ? first_comfort()
+                            : over == Over::idle    ? "idle.stay"
+                                                    : screen->first_focus();
   if (first.empty()) return focused.clear();
   const auto is_there = [&](const std::string& id) {
     return page && std::any_of(page->controls().begin(), page->controls().end(),
@@ -195,19 +218,24 @@ void Visit::State::keep_focus() {
 }
 
 Page Visit::State::lay_out(int width, int height, float size) {
-  const TypeScale type = type_scale(desk.screen(), width, height, size);
-  Page made(measuring, {width,
-                        height,
-                        type,
-                        regions(width, height, type.margin, desk.mirrored()),
-                        desk.words().code(),
-                        {focused, pressed}});
+  const settings::Exhibit::Screen own = desk.screen();
+  const TypeScale type = type_scale(own, width, height, size);
+  Page made(measuring,
+            {width,
+             height,
+             type,
+             regions(in_reach(own, width, height), type.margin, desk.mirrored(), own.larger_text),
+             desk.words().code(),
+             {focused, pressed}});
   switch (over) {
     case Over::nothing:
       screen->lay_out(made);
       break;
     case Over::help:
       lay_out_help(made, desk, screen->help_key());
+      break;
+    case Over::comfort:
+      lay_out_comfort(made, desk);
       break;
     case Over::idle:
       lay_out_idle(made, desk, idle.seconds_left(), idle.countdown());

@@ -10,7 +10,7 @@
 namespace onggi::screens {
 
 /// What lies over the screen.
-enum class Over { nothing, help, idle };
+enum class Over { nothing, help, comfort, idle };
 
 std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk);
 
@@ -39,6 +39,7 @@ struct Visit::State {
   void settle();
   void cover(Over what);
   void set_language(std::size_t index);
+  void open_comfort();
   void press(const std::string& control);
   void pointer(const view::InputEvent& e);
   void key(const view::InputEvent& e);

@@ -239,8 +239,12 @@ void read_store(Table table, Exhibit::Store& store) {
 void read_screen(Table table, Exhibit::Screen& screen) {
   table.number("viewing_distance_mm", screen.viewing_distance_mm, 200, 5000, "mm");
   table.number("diagonal_mm", screen.diagonal_mm, 100, 5000, "mm");
+  table.number("lower_edge_mm", screen.lower_edge_mm, 0, 1000, "mm");
   table.boolean("reduced_motion", screen.reduced_motion);
   table.boolean("left_handed", screen.left_handed);
+  table.boolean("high_contrast", screen.high_contrast);
+  table.boolean("larger_text", screen.larger_text);
+  table.boolean("low_reach", screen.low_reach);
   table.number("force", screen.force, 0, 1);
   table.finish();
 }

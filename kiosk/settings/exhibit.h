@@ -52,9 +52,14 @@ struct Exhibit {
   struct Screen {
     double viewing_distance_mm = 600;  ///< Eye to screen, 200..5000.
     double diagonal_mm = 600;          ///< Of the picture, corner to corner, 100..5000.
+    double lower_edge_mm = 900;        ///< Floor to the lower edge of the picture, 0..1000.
+    // As every visitor finds the exhibit; each may choose otherwise for a visit.
     bool reduced_motion = false;
-    bool left_handed = false;  ///< Mirrors the layout and the wheel.
-    double force = 1.0;        ///< 0 (off) .. 1 of the device's cap.
+    bool left_handed = false;    ///< Mirrors the layout and the wheel.
+    bool high_contrast = false;  ///< Words 7:1 on what they stand on, heavier lines.
+    bool larger_text = false;
+    bool low_reach = false;  ///< Everything between 380 and 1,220 mm above the floor.
+    double force = 1.0;      ///< 0 (off) .. 1 of the device's cap.
   } screen;
   ReaderLimits reader;  ///< [reader]: what is allowed of a vessel's file.
 };

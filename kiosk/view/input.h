@@ -22,6 +22,7 @@ enum class Key : std::uint8_t {
   restore,
   cut,       ///< "s", "w", "r", "z", "c".
   language,  ///< "l"
+  comfort,   ///< "a"
   none,
 };
 

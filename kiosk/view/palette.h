@@ -25,7 +25,8 @@ inline constexpr Color kDryClay = rgb(0xB08968);
 inline constexpr Color kCeladon = rgb(0x9DB5A0);
 inline constexpr Color kDeepCeladon = rgb(0x2E6B57);  ///< Celadon dark enough for a line.
 inline constexpr Color kIron = rgb(0x8A3B22);
-inline constexpr Color kCobalt = rgb(0x2F4B7C);  ///< The one accent: what can be touched.
+inline constexpr Color kCobalt = rgb(0x2F4B7C);      ///< The one accent: what can be touched.
+inline constexpr Color kHeldCobalt = rgb(0x1F3560);  ///< And what a finger is on.
 
 /// Relative luminance (WCAG 2.2) of an opaque colour, 0..1.
 inline double luminance(Color c) {

@@ -8,7 +8,7 @@ namespace onggi::screens {
 namespace {
 
 /// The exhibit's own shelf and the fonts it is shown in.
-void check_all(int width, int height) {
+void check_all(int width, int height, bool larger = false) {
   const render::Typesetter fonts;
   const content::Catalogue shelf = content::open_shelf("content/vessels");
   ASSERT_GE(shelf.vessels.size(), 8u);
@@ -21,6 +21,7 @@ void check_all(int width, int height) {
     }
     v.width = width;
     v.height = height;
+    v.exhibit.screen.larger_text = larger;
     v.show();
     if (korean) v.touch("language");
     walk(v, [&](const std::string& name) { check_layout(v, fonts, name); });
@@ -31,6 +32,9 @@ TEST(Fonts, NothingIsCutOrOverlapsAt1280x720) { check_all(1280, 720); }
 TEST(Fonts, NothingIsCutOrOverlapsAt1920x1080) { check_all(1920, 1080); }
 TEST(Fonts, NothingIsCutOrOverlapsAt1080x1920) { check_all(1080, 1920); }
 TEST(Fonts, NothingIsCutOrOverlapsAt1024x600) { check_all(1024, 600); }
+
+TEST(Fonts, NorWithLargerTextUpright) { check_all(1080, 1920, true); }
+TEST(Fonts, NorWithLargerTextAcross) { check_all(1280, 720, true); }
 
 TEST(Fonts, EveryVesselsLabelIsReadToItsEndInBothLanguages) {
   const render::Typesetter fonts;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/screens/comfort.h"
 #include "kiosk/screens/layout.h"
+#include "kiosk/view/palette.h"
 
 namespace onggi::screens {
 
@@ -35,14 +37,64 @@ struct Words {
   std::string text;
 };
 
+std::string comforts(const settings::Exhibit::Screen& screen) {
+  std::string all;
+  for (const Comfort::Choice& choice : Comfort::kChoices)
+    if (screen.*choice.of) all += std::string(" ") + choice.name;
+  return all;
+}
+
+view::Color over(view::Color top, view::Color ground) {
+  const auto mix = [&](float a, float b) { return a * top.a + b * (1 - top.a); };
+  return {mix(top.r, ground.r), mix(top.g, ground.g), mix(top.b, ground.b), 1};
+}
+
+/// What the `count` first items leave at a place, on plaster where it is darkest: in the corner
+/// that is farthest from the window (kiosk/render/shaders/plaster.glsl).
+view::Color ground_at(const std::vector<view::Item>& items, std::size_t count, float x, float y) {
+  view::Color ground{0.8811f, 0.8597f, 0.8294f, 1};
+  for (std::size_t i = 0; i < count; ++i)
+    if (const auto* box = std::get_if<view::Box>(&items[i]); box && box->rect.contains(x, y))
+      ground = over(box->fill, ground);
+  return ground;
+}
+
+/// Words are told from what they stand on, but while they fade in.
+void check_contrast(const Visitor& v, const std::string& where) {
+  const double least = v.visit->shown_on().high_contrast ? 7.0 : 4.5;
+  const auto& items = v.frame.items;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto* text = std::get_if<view::Text>(&items[i]);
+    if (text == nullptr || text->color.a < 1) continue;
+    const Rect& box = text->box;
+    const auto ground = ground_at(items, i, box.x + box.w / 2, box.y + box.h / 2);
+    EXPECT_GE(view::contrast(text->color, ground), least) << where << ": faint: " << text->text;
+  }
+}
+
+/// Millimetres above the floor, of a row of pixels.
+double above_floor(const Visitor& v, float y) {
+  const settings::Exhibit::Screen screen = v.visit->shown_on();
+  const double mm = screen.diagonal_mm / std::hypot(v.width, v.height);
+  return screen.lower_edge_mm + mm * (v.height - static_cast<double>(y));
+}
+
 }  // namespace
 
 void check_layout(const Visitor& v, const view::TextMeasure& measure, const std::string& name) {
   const std::string where = name + " " + std::to_string(v.width) + "x" + std::to_string(v.height) +
-                            " " + v.visit->language() +
-                            (v.exhibit.screen.left_handed ? " left" : "");
+                            " " + v.visit->language() + comforts(v.visit->shown_on());
   const Rect screen{0, 0, static_cast<float>(v.width), static_cast<float>(v.height)};
-  const TypeScale type = type_scale(v.exhibit.screen, v.width, v.height);
+  settings::Exhibit::Screen usual = v.visit->shown_on();
+  usual.larger_text = false;
+  const TypeScale type = type_scale(usual, v.width, v.height);
+
+  check_contrast(v, where);
+  if (v.visit->shown_on().low_reach)
+    for (const auto& [id, rect] : v.visit->controls()) {
+      EXPECT_LE(above_floor(v, rect.y), 1220.5) << where << ": " << id;
+      EXPECT_GE(above_floor(v, rect.y + rect.h), 379.5) << where << ": " << id;
+    }
 
   std::vector<Words> words;
   std::vector<Rect> pictures;

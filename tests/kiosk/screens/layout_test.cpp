@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kiosk/screens/comfort.h"
 #include "kiosk/screens/layout.h"
 
 namespace onggi::screens {
@@ -9,13 +10,13 @@ namespace {
 
 constexpr std::pair<int, int> kSizes[] = {{1280, 720}, {1920, 1080}, {1080, 1920}, {1024, 600}};
 
-void check_all(bool left_handed) {
+void check_all(const std::function<void(settings::Exhibit::Screen&)>& choose) {
   for (const auto& [width, height] : kSizes) {
     for (const bool korean : {false, true}) {
       Visitor v(9, nullptr, true);
       v.width = width;
       v.height = height;
-      v.exhibit.screen.left_handed = left_handed;
+      choose(v.exhibit.screen);
       v.show();
       if (korean) v.touch("language");
       walk(v, [&](const std::string& name) { check_layout(v, v.plain, name); });
@@ -23,8 +24,22 @@ void check_all(bool left_handed) {
   }
 }
 
-TEST(Layout, NothingIsCutAndNothingOverlapsAtAnySizeInEitherLanguage) { check_all(false); }
-TEST(Layout, NorForLeftHands) { check_all(true); }
+TEST(Layout, NothingIsCutAndNothingOverlapsAtAnySizeInEitherLanguage) {
+  check_all([](settings::Exhibit::Screen&) {});
+}
+TEST(Layout, NorForLeftHands) {
+  check_all([](settings::Exhibit::Screen& screen) { screen.left_handed = true; });
+}
+
+TEST(Layout, NorForWhoeverNeedsLargerText) {
+  check_all([](settings::Exhibit::Screen& screen) { screen.larger_text = true; });
+}
+TEST(Layout, NorWithAllThatAVisitorMayChooseAtOnce) {
+  check_all([](settings::Exhibit::Screen& screen) {
+    screen.lower_edge_mm = 1000;  // of a landscape screen the upper quarter is out of reach
+    for (const Comfort::Choice& choice : Comfort::kChoices) screen.*choice.of = true;
+  });
+}
 
 TEST(Layout, NorWithADeviceThatPushes) {
   for (const auto& [width, height] : {kSizes[2], kSizes[3]})
@@ -53,11 +68,11 @@ TEST(Layout, BodyTextHasCapitalsOfSevenTenthsOfADegreeWhereTheScreenHasRoom) {
 }
 
 TEST(Layout, APotStandsOnTheThirdInLandscapeAndOnTheCentreLineInPortrait) {
-  const Regions wide = regions(1920, 1080, 65, false);
+  const Regions wide = regions({0, 0, 1920, 1080}, 65, false);
   EXPECT_NEAR(wide.pot.x + wide.pot.w / 2, 1280, 1);
-  const Regions mirrored = regions(1920, 1080, 65, true);
+  const Regions mirrored = regions({0, 0, 1920, 1080}, 65, true);
   EXPECT_NEAR(mirrored.pot.x + mirrored.pot.w / 2, 640, 1);
-  const Regions tall = regions(1080, 1920, 65, false);
+  const Regions tall = regions({0, 0, 1080, 1920}, 65, false);
   EXPECT_NEAR(tall.pot.x + tall.pot.w / 2, 540, 1);
   EXPECT_LT(tall.pot.y + tall.pot.h, tall.words.y);
 }

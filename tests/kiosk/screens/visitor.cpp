@@ -225,11 +225,17 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
     settled(name + " help");
     v.touch("help.close");
   };
+  const auto with_comfort = [&](const std::string& name) {
+    v.touch("comfort");
+    settled(name + " comfort");
+    v.touch("comfort.close");
+  };
   v.status.script_done = true;
   v.frames(2);
   with_help("attract");
   v.down(400, 5), v.up(400, 5);
   with_help("choose");
+  with_comfort("choose");
   if (v.visit->control("choose.next")) {
     v.touch("choose.next");
     settled("choose second page");

@@ -82,15 +82,19 @@ months = 12
 [screen]
 viewing_distance_mm = 800
 diagonal_mm = 1400
+lower_edge_mm = 700
 reduced_motion = true
 left_handed = true
+high_contrast = true
+larger_text = true
+low_reach = true
 force = 0
 [reader]
 file_mb = 32
 vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 21);
+  EXPECT_EQ(r.keys_checked, 25);
   EXPECT_THAT(r.exhibit.attract_scripts, ElementsAre("follow", "collapse"));
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
@@ -108,6 +112,10 @@ vertices = 200000
   EXPECT_EQ(r.exhibit.screen.diagonal_mm, 1400);
   EXPECT_TRUE(r.exhibit.screen.reduced_motion);
   EXPECT_TRUE(r.exhibit.screen.left_handed);
+  EXPECT_EQ(r.exhibit.screen.lower_edge_mm, 700);
+  EXPECT_TRUE(r.exhibit.screen.high_contrast);
+  EXPECT_TRUE(r.exhibit.screen.larger_text);
+  EXPECT_TRUE(r.exhibit.screen.low_reach);
   EXPECT_EQ(r.exhibit.screen.force, 0);
   EXPECT_EQ(r.exhibit.reader.file_mb, 32);
   EXPECT_EQ(r.exhibit.reader.vertices, 200000);
@@ -270,6 +278,10 @@ TEST(exhibit, what_ships_is_what_holds_where_nothing_is_written) {
   EXPECT_EQ(shipped.screen.diagonal_mm, none.screen.diagonal_mm);
   EXPECT_EQ(shipped.screen.reduced_motion, none.screen.reduced_motion);
   EXPECT_EQ(shipped.screen.left_handed, none.screen.left_handed);
+  EXPECT_EQ(shipped.screen.lower_edge_mm, none.screen.lower_edge_mm);
+  EXPECT_EQ(shipped.screen.high_contrast, none.screen.high_contrast);
+  EXPECT_EQ(shipped.screen.larger_text, none.screen.larger_text);
+  EXPECT_EQ(shipped.screen.low_reach, none.screen.low_reach);
   EXPECT_EQ(shipped.screen.force, none.screen.force);
   EXPECT_EQ(shipped.reader, none.reader);
   EXPECT_EQ(shipped.rubric, none.rubric);
