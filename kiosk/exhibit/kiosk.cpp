@@ -1,8 +1,10 @@
 #include "kiosk/exhibit/kiosk.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <thread>
 #include <utility>
 
 #include "engine/clay/clay_mesh.h"
@@ -67,6 +69,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     for (const std::string& remark : loop->remarks()) log_line(remark);
     kiosk->potter_ = std::move(loop);
   }
+  kiosk->wall_ = options.wall;
+  if (kiosk->exhibit_.hours.kept && !options.stepped) kiosk->night_.emplace(kiosk->exhibit_.hours);
   if (options.devices)
     kiosk->devices_ = std::make_unique<HandDevices>(
         *kiosk->potter_, device::hidapi_bus(), defined_devices(kiosk->exhibit_),
@@ -119,6 +123,7 @@ void Kiosk::begin_visit(double now) {
   world.potter = potter_.get();
   if (devices_) world.devices = &devices_->news();
   visit_ = std::make_unique<screens::Visit>(world);
+  if (stepped_ == nullptr) visit_->wander();
   if (shelf_->cards().empty())
     visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
                   "Run onggi check, mend what it names, and start again."});
@@ -149,14 +154,45 @@ void Kiosk::advance(int ticks) {
   if (stepped_ != nullptr) stepped_->advance(ticks);
 }
 
-void Kiosk::look_after_devices(double now) {
-  if (!devices_) return;
-  const auto events = devices_->frame(now);
+std::vector<view::InputEvent> Kiosk::look_after_devices(double now) {
+  if (!devices_) return {};
+  auto events = devices_->frame(now);
   for (const std::string& line : devices_->remarks()) log_line(line);
   log_problems(devices_->problems());
-  if (!visit_) return;
-  devices_->share(visit_->force_share());
-  for (const view::InputEvent& event : events) visit_->input(event, now);
+  if (visit_) devices_->share(dark() ? 0.0 : visit_->force_share());
+  return events;
+}
+
+/// Whoever wakes it only wakes it: what was touched in the dark was not seen.
+bool Kiosk::is_night(double now, const std::vector<view::InputEvent>& events) {
+  const bool was = night_->dark(), taken = potter_->view().status.hands_taken;
+  bool touched = !std::exchange(hands_taken_, taken) && taken;
+  for (const view::InputEvent& event : events)
+    touched = touched || event.kind == view::InputEvent::Kind::pointer_down ||
+              event.kind == view::InputEvent::Kind::key_down;
+  const bool dark = night_->look(now, files::local_moment(wall_()), nobody_is_here(), touched);
+  if (dark != was) {
+    log_line(dark ? "The museum is closed: the screen is dark and the wheel rests."
+                  : "The screen is on again.");
+    potter_->wheel(0.0);
+    potter_->pause(dark);
+  }
+  renderer_->sleep(dark && exhibit_.hours.screen_off);
+  return dark || was;
+}
+
+void Kiosk::be_dark(bool draw) {
+  last_frame_ = {};
+  last_frame_.width = renderer_->width();
+  last_frame_.height = renderer_->height();
+  const view::Rect all{0, 0, static_cast<float>(last_frame_.width),
+                       static_cast<float>(last_frame_.height)};
+  last_frame_.items.push_back(view::Box{all, 0, {0, 0, 0, 1}, 0, {}});
+  if (!draw) return;
+  renderer_->draw(last_frame_);
+  renderer_->present();
+  // Often enough for a touch, for what watches over the kiosk, and for what comes into its folders.
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 
 bool Kiosk::frame(double now, bool draw) {
@@ -164,18 +200,26 @@ bool Kiosk::frame(double now, bool draw) {
   now_ = now;
   keepsakes_->look(now);
   if (const auto untidy = keepsakes_->untidy()) log_problem(*untidy);
-  const auto events = renderer_->poll();
+  auto events = renderer_->poll();
   for (const std::string& line : renderer_->remarks()) log_line(line);
   if (look_at_shelf(now) && !visit_) begin_visit(now);
-  for (const view::InputEvent& event : events) {
+  const auto pressed = look_after_devices(now);
+  events.insert(events.end(), pressed.begin(), pressed.end());
+  for (const view::InputEvent& event : events)
     if (event.kind == view::InputEvent::Kind::close) open = false;
+  if (visit_ && night_ && is_night(now, events)) {
+    potter_->collect();
+    note_saved();
+    be_dark(draw);
+    return open;
+  }
+  for (const view::InputEvent& event : events) {
     if (visit_)
       visit_->input(event, now);
     else if (event.kind == view::InputEvent::Kind::pointer_down ||
              event.kind == view::InputEvent::Kind::key_down)
       early_touch_ = event;
   }
-  look_after_devices(now);
   if (!visit_) {
     renderer_->draw(opening_frame());
     renderer_->present();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +12,7 @@
 #include "kiosk/content/language.h"
 #include "kiosk/exhibit/hand_devices.h"
 #include "kiosk/exhibit/keepsakes.h"
+#include "kiosk/exhibit/night.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
 #include "kiosk/exhibit/visit_counter.h"
@@ -31,6 +34,8 @@ struct KioskOptions {
   bool devices = true;   ///< Use the hand devices that are plugged in.
   bool stepped = false;  ///< Turn the wheel by hand (advance()), not by the 1 kHz thread.
   std::uint64_t seed = 1;
+  /// The clock on the wall, for opening hours; a stepped kiosk is always open.
+  std::function<std::time_t()> wall = [] { return std::time(nullptr); };
   std::string language;  ///< Instead of the exhibit's first; empty keeps it.
 };
 
@@ -87,6 +92,8 @@ class Kiosk {
   const std::filesystem::path& keepsake_folder() const { return keepsakes_->folder(); }
   /// A vessel of the shelf is read and attract has begun.
   bool open_to_visitors() const { return visit_ != nullptr; }
+  /// Outside of the museum's hours, and nobody is here.
+  bool dark() const { return night_ && night_->dark(); }
   /// Attract plays, and every keepsake is on the disk: the kiosk may be closed and nobody misses
   /// it.
   bool nobody_is_here() const {
@@ -103,8 +110,10 @@ class Kiosk {
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::ForgetVisitor& request);
   void note_saved();
-  void look_after_devices(double now);
+  std::vector<view::InputEvent> look_after_devices(double now);
   view::Frame opening_frame() const;
+  bool is_night(double now, const std::vector<view::InputEvent>& events);
+  void be_dark(bool draw);
 
   settings::Exhibit exhibit_;
   std::unique_ptr<Scenes> scenes_;
@@ -119,6 +128,9 @@ class Kiosk {
   std::unique_ptr<Keepsakes> keepsakes_;
   std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
   std::unique_ptr<screens::Visit> visit_;
+  std::optional<Night> night_;  ///< None where it is always open.
+  std::function<std::time_t()> wall_;
+  bool hands_taken_ = false;
   double now_ = 0.0;  ///< Of the last frame.
   std::uint64_t seed_ = 1;
   std::uint64_t pots_ = 0;

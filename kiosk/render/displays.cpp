@@ -5,6 +5,7 @@
 #include <X11/Xatom.h>
 #include <X11/extensions/XInput2.h>
 #include <X11/extensions/Xrandr.h>
+#include <X11/extensions/dpms.h>
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,20 @@ bool Displays::poll(double now) {
   first_ = false;
   look();
   return true;
+}
+
+void Displays::sleep(bool on) {
+  Display* display = connection_->display;
+  int event = 0, error = 0;
+  if (!DPMSQueryExtension(display, &event, &error) || !DPMSCapable(display)) return;
+  CARD16 level = 0;
+  BOOL enabled = False;
+  if (!DPMSInfo(display, &level, &enabled)) return;
+  const CARD16 wanted = on ? DPMSModeOff : DPMSModeOn;
+  if (level == wanted) return;
+  if (!enabled) DPMSEnable(display);
+  DPMSForceLevel(display, wanted);
+  XFlush(display);
 }
 
 std::vector<std::string> Displays::remarks() { return std::exchange(remarks_, {}); }

@@ -23,6 +23,9 @@ class Displays {
   /// Once a frame, `now` in s. True when monitors or touch screens have changed; by then they are
   /// lit and mapped, half a second after the last of a burst of changes.
   bool poll(double now);
+  /// Lets the monitors sleep (DPMS), or wakes them; what X has come to meanwhile is read back
+  /// first, for any touch wakes them. Nothing where they or X cannot.
+  void sleep(bool on);
   /// Moves the window and gives it a size, pixels of the whole screen, and changes no mode.
   static void place(GLFWwindow* window, int x, int y, int width, int height);
   /// What was done, a line each, once.

@@ -45,6 +45,8 @@ class Renderer {
   virtual int height() const = 0;
   /// Everything since the last call, in order. Waits for nothing.
   virtual std::vector<view::InputEvent> poll() = 0;
+  /// Once a frame: the monitor sleeps, or is awake. Nothing where it is not all ours.
+  virtual void sleep(bool on) = 0;
   /// What staff should know of monitors and touch screens, a line each, once.
   virtual std::vector<std::string> remarks() = 0;
 

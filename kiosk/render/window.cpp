@@ -236,6 +236,14 @@ void Window::mind_monitor(double now) {
   if (!fills && displays_ != nullptr) Displays::place(window_, x, y, mode->width, mode->height);
 }
 
+void Window::sleep(bool on) {
+  const double now = glfwGetTime();
+  if (displays_ == nullptr || (on == asleep_ && now - put_to_sleep_ < kLookAgain)) return;
+  asleep_ = on;
+  put_to_sleep_ = now;
+  displays_->sleep(on);
+}
+
 std::vector<std::string> Window::remarks() {
   return displays_ != nullptr ? displays_->remarks() : std::vector<std::string>();
 }

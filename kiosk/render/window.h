@@ -26,6 +26,8 @@ class Window {
   bool visible() const { return visible_; }
   std::vector<view::InputEvent> poll();
   void swap();
+  /// Once a frame: the monitor sleeps, or is awake; nothing in a window.
+  void sleep(bool on);
   /// What staff should know of monitors and touch screens, a line each, once.
   std::vector<std::string> remarks();
 
@@ -44,7 +46,8 @@ class Window {
   std::vector<view::InputEvent> events_;
   int width_ = 0, height_ = 0;
   bool visible_ = true, full_screen_ = false, cursor_shown_ = true, pressed_ = false;
-  bool monitor_lost_ = false;
+  bool monitor_lost_ = false, asleep_ = false;
+  double put_to_sleep_ = 0;  // s, or woken
   double looked_at_ = 0;     // s, at the monitor
   double cursor_moved_ = 0;  // s, GLFW's clock
   float x_ = 0, y_ = 0;

@@ -116,6 +116,8 @@ std::optional<Request> Visit::take_request() {
   return first;
 }
 
+void Visit::wander() { state_->wanders = true; }
+
 void Visit::show_postcard(view::PictureId id) {
   if (state_->desk.kept == Desk::Kept::not_asked) return;  // The visitor has gone.
   state_->desk.postcard = id;

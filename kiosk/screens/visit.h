@@ -128,6 +128,9 @@ class Visit {
   view::Frame frame(int width, int height);
   std::optional<Request> take_request();
 
+  /// From here on still things wander (screens::drift), as a screen that is on for months wants it.
+  void wander();
+
   void show_postcard(view::PictureId id);
   /// The postcard is safe on disk (`file` as the visitor may be told), or could not be kept.
   void keepsake_kept(const std::string& file);

@@ -6,6 +6,7 @@
 #include "kiosk/screens/attract_screen.h"
 #include "kiosk/screens/choose_screen.h"
 #include "kiosk/screens/comfort_page.h"
+#include "kiosk/screens/drift.h"
 #include "kiosk/screens/fault_screen.h"
 #include "kiosk/screens/focus.h"
 #include "kiosk/screens/keepsake_screen.h"
@@ -220,13 +221,14 @@ void Visit::State::keep_focus() {
 Page Visit::State::lay_out(int width, int height, float size) {
   const settings::Exhibit::Screen own = desk.screen();
   const TypeScale type = type_scale(own, width, height, size);
-  Page made(measuring,
-            {width,
-             height,
-             type,
-             regions(in_reach(own, width, height), type.margin, desk.mirrored(), own.larger_text),
-             desk.words().code(),
-             {focused, pressed}});
+  const Regions home =
+      regions(in_reach(own, width, height), type.margin, desk.mirrored(), own.larger_text);
+  Page made(measuring, {width,
+                        height,
+                        type,
+                        wanders ? moved(home, drift(desk.now, type.margin)) : home,
+                        desk.words().code(),
+                        {focused, pressed}});
   switch (over) {
     case Over::nothing:
       screen->lay_out(made);

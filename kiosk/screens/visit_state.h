@@ -25,7 +25,7 @@ struct Visit::State {
   std::unique_ptr<Page> page;  ///< The one last shown.
   IdleWatch idle;
   Over over = Over::nothing;
-  bool by_keys = false;
+  bool by_keys = false, wanders = false;
   std::string focused, pressed;
   std::uint64_t serial = 1;
   double changed_at = -10, updated_at = -1;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/settings/hours.h"
 #include "kiosk/settings/reader_limits.h"
 #include "kiosk/settings/rubric.h"
 
@@ -61,6 +62,7 @@ struct Exhibit {
     bool low_reach = false;  ///< Everything between 380 and 1,220 mm above the floor.
     double force = 1.0;      ///< 0 (off) .. 1 of the device's cap.
   } screen;
+  Hours hours;          ///< [hours]: when the museum is open.
   ReaderLimits reader;  ///< [reader]: what is allowed of a vessel's file.
 };
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/kiosk/commands/bare_screen.h"
 
 namespace onggi::commands {
@@ -42,6 +44,51 @@ TEST(ScreenChanges, APictureFillsTheMonitorThatIsThereAndAFingerFallsWhereItTouc
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   expect_at(screen->touch(0.75, 0.25), 480, 120, text_of(log));
   EXPECT_EQ(screen->window(), "640x480+0+0");
+  kiosk->end(SIGTERM);
+  EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+}
+
+/// The largest byte of what the screen shows, alpha aside.
+int brightest(const BareScreen& screen) {
+  const std::string dump = screen.text("xwd -root -silent");
+  if (dump.size() < 100) return -1;
+  const auto word = [&](std::size_t n) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8 | static_cast<std::uint8_t>(dump[4 * n + i]);
+    return static_cast<std::size_t>(value);
+  };
+  int most = 0;
+  for (std::size_t i = word(0) + 12 * word(19); i < dump.size(); ++i)
+    if (i % 4 != (word(0) + 3) % 4) most = std::max<int>(most, static_cast<std::uint8_t>(dump[i]));
+  return most;
+}
+
+bool comes(const std::string& log, const std::string& line) {
+  for (int n = 0; n < 100 && text_of(log).find(line) == std::string::npos; ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  return text_of(log).find(line) != std::string::npos;
+}
+
+TEST(ScreenChanges, AKioskThatIsClosedIsBlackAndATouchWakesIt) {
+  const TemporaryFolder folder;
+  const auto screen = BareScreen::start();
+  if (!screen) GTEST_SKIP() << "no Xorg with a dummy screen could be started";
+  ASSERT_TRUE(screen->xrandr("--output DUMMY0 --mode 640x480"));
+  const std::string log = (folder / "log").string(),
+                    exhibit = write_exhibit(folder, "first_touch",
+                                            "[store]\ncount = false\n[hours]\nevery_day = "
+                                            "\"closed\"\n");
+  auto kiosk = run_on(*screen, "--config " + exhibit, log);
+  ASSERT_TRUE(kiosk);
+  ASSERT_TRUE(comes(log, "The museum is closed")) << text_of(log);
+  EXPECT_EQ(brightest(*screen), 0);
+  screen->touch(0.5, 0.5);
+  ASSERT_TRUE(comes(log, "The screen is on again.")) << text_of(log);
+  int light = 0;
+  for (int n = 0; n < 50 && light <= 150; ++n) light = brightest(*screen);
+  EXPECT_GT(light, 150);
   kiosk->end(SIGTERM);
   EXPECT_EQ(kiosk->status(), 0) << text_of(log);
 }

@@ -254,6 +254,27 @@ TEST(exhibit, the_readme_has_a_row_for_every_key_with_the_default_that_ships) {
   EXPECT_GE(keys, 50);
 }
 
+TEST_F(ExhibitTest, a_day_without_hours_is_named_and_hours_that_are_none_keep_nobody_out) {
+  const ExhibitRead r = read(R"([hours]
+monday = "closed"
+tuesday = "ten to six"
+wednesday = "10:00-18:00"
+thursday = "10:00-18:00"
+friday = "10:00-18:00"
+saturday = "10:00-18:00"
+[hours.exceptions]
+"24.12." = "closed"
+"12-25" = "closed")");
+  EXPECT_THAT(r.problems, SizeIs(3)) << all(r.problems);
+  EXPECT_THAT(all(r.problems), HasSubstr("There are no hours for sunday."));
+  EXPECT_THAT(all(r.problems), HasSubstr("\"24.12.\" is no date."));
+  EXPECT_THAT(all(r.problems), HasSubstr("tuesday has no opening hours in \"ten to six\"."));
+  EXPECT_TRUE(r.exhibit.hours.open_at({2026, 11, 24, 0})) << "a Tuesday";
+  EXPECT_FALSE(r.exhibit.hours.open_at({2026, 11, 23, 720})) << "a Monday";
+  EXPECT_FALSE(r.exhibit.hours.open_at({2026, 12, 25, 720}));
+  EXPECT_TRUE(read("").exhibit.hours.open_at({2026, 11, 23, 0}));
+}
+
 TEST(exhibit, the_exhibit_that_ships_is_without_fault) {
   const ExhibitRead r = read_exhibit("config/exhibit.toml");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
