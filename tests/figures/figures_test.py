@@ -56,6 +56,11 @@ class Drawn(unittest.TestCase):
             self.assertGreater(len(drawn), 2000, name)
             self.assertNotIn("nan", drawn.lower())
 
+    def test_whoever_reads_the_data_learns_what_made_them(self):
+        for path in (os.path.join(out, name) for name in sorted(os.listdir(out)) if name.endswith(".csv")):
+            with open(path, encoding="utf-8") as file:
+                self.assertRegex(file.readline(), r"^# bash tests/figures/draw: onggi_figure_\w+", path)
+
     def test_a_figure_is_drawn_again_from_its_data_alone(self):
         path = os.path.join(out, "push.svg")
         with open(path, encoding="utf-8") as file:
