@@ -96,7 +96,7 @@ class Times(unittest.TestCase):
 
     def test_the_machine_is_named(self):
         with open(os.path.join(out, "times.csv"), encoding="utf-8") as file:
-            self.assertRegex(file.readline(), r"^# machine: \S+.* cores; .*\d{4}-\d\d-\d\d$")
+            self.assertRegex(file.read(), r"(?m)^# machine: \S+.* cores; .*\d{4}-\d\d-\d\d$")
 
 
 class Edges(unittest.TestCase):

@@ -19,6 +19,19 @@ TEST(Sponge, IsABallToTheClay) {
   EXPECT_EQ(one.hash(), other.hash());
 }
 
+TEST(Hold, IsByUnitDirectionsAtRightAnglesForEveryToolAndByDefault) {
+  const auto expect_frame = [](Vec3 along, Vec3 across, std::string_view what) {
+    EXPECT_NEAR(dot(along, along), 1.0, 1e-12) << what;
+    EXPECT_NEAR(dot(across, across), 1.0, 1e-12) << what;
+    EXPECT_NEAR(dot(along, across), 0.0, 1e-12) << what;
+  };
+  ASSERT_FALSE(tool_shapes().empty());
+  for (const ToolShape& tool : tool_shapes())
+    expect_frame(tool.hold.along, tool.hold.across, tool.name);
+  expect_frame(ToolPlace{}.along, ToolPlace{}.across, "a place");
+  expect_frame(Hold{}.along, Hold{}.across, "a hold");
+}
+
 // Two springs in a row: pressed as far as a firm ball, it is felt for its softness, and the clay
 // gives way that much more slowly.
 TEST(Sponge, IsFeltSofterAndDentsTheClayMoreSlowlyThanAFirmBall) {

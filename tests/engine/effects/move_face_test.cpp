@@ -28,5 +28,19 @@ TEST(MoveFace, AFloorRowHasNoInsideAndAFirmWallGivesNoWay) {
   EXPECT_TRUE(may_move(clay, WallSide::outside, wall + 1, 0.0, how)) << "its neighbour is soft";
 }
 
+TEST(MoveFace, AFirmWallsOtherFaceGoesWithItAsFarAsItselfAndASoftOnesByWhatHandsLetIt) {
+  Clay clay = std::move(*Clay::create({}));
+  clay.keep_areas();
+  clay.areas()->keep_firm();
+  const int wall = clay.floor_rows() + 5;
+  clay.areas()->harden(wall, true, false);
+  clay.areas()->harden_all(false, false);
+  row_kernels::FaceMove firm{}, soft{};
+  ASSERT_TRUE(may_move(clay, WallSide::outside, wall, 0.3, firm));
+  ASSERT_TRUE(may_move(clay, WallSide::outside, wall + 1, 0.3, soft));
+  EXPECT_EQ(firm.along, 1.0f);
+  EXPECT_EQ(soft.along, 0.3f);
+}
+
 }  // namespace
 }  // namespace onggi::effects

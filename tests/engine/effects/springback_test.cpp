@@ -59,6 +59,28 @@ TEST(Springback, ComesBackAsFastAtAnyTick) {
   EXPECT_NEAR(coarse.left, fine.left, 2e-5);
 }
 
+TEST(Springback, AFreshLumpOwesNothingOfTheOldOne) {
+  Scene old = made(small()), fresh = made(small());
+  Hands press;
+  press.hand[0] = {{0.062, 0.1, 0}, true, SideWish::outside};
+  const auto step = [](Scene& scene, const Hands& hands, int ticks) {
+    for (int n = 0; n < ticks; ++n) scene.step(hands, 0.001);
+  };
+  step(old, press, 100);
+  Hands renew;
+  renew.renew = true;
+  step(old, renew, 1);
+  step(old, {}, 1000);
+  ASSERT_EQ(old.clay().hash(), fresh.clay().hash());
+  step(old, press, 100);
+  step(fresh, press, 100);
+  step(old, {}, 2000);
+  step(fresh, {}, 2000);
+  for (int j = 0; j < fresh.clay().rows(); ++j)
+    for (std::size_t i = 0; i < fresh.clay().outer(j).size(); ++i)
+      ASSERT_NEAR(old.clay().outer(j)[i], fresh.clay().outer(j)[i], 1e-7) << j << ' ' << i;
+}
+
 TEST(Springback, NoRowEverGoesBeyondWhereItWasPressedFrom) {
   SceneDef def = small();
   def.springback->share = 0.5;

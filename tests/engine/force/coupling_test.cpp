@@ -170,6 +170,26 @@ TEST(Coupling, LearnsThatATurningWheelBringsFreshClay) {
   EXPECT_NEAR(force.x, 1e-3 * 600.0 * 257.0 / 857.0, 1e-3);
 }
 
+TEST(Coupling, HasLearntTwoThirdsOfItWithinTenMilliseconds) {
+  // The same, and how much less than the push is felt: from the first touch on it fades by 1 / e in
+  // the time that learning takes.
+  for (const double tick : {0.0005, 0.001}) {
+    Coupling coupling;
+    const CouplingLimits limits{257.0, 3.3};
+    double short_by = 0.0, first = 0.0, seconds = 0.0;
+    for (int n = 0; n < 1000; ++n) {
+      const double depth = 0.001 - coupling.tool({}, tick, limits).x;
+      const double force =
+          coupling.feel({{600.0 * depth, 0.0, 0.0}, 600.0, 0.1, 0.0, {}}, limits).x;
+      short_by = 1.0 - force / (600.0 * depth);
+      if (n == 20) first = short_by;
+      if (n > 20 && short_by < first / 2.71828 && seconds == 0.0) seconds = (n - 20) * tick;
+    }
+    EXPECT_GT(first, 1e-4) << "there is something to learn";
+    EXPECT_NEAR(seconds, 0.01, 0.002) << tick;
+  }
+}
+
 TEST(Coupling, IsNeverStretchedBeyondTheGreatestForce) {
   for (const double most : {0.0, 1.0, 22.2}) {
     Coupling coupling;

@@ -90,6 +90,19 @@ TEST(Passivity, AnOldDebtIsNotPaidForEver) {
   EXPECT_LT(ticks, 50);
 }
 
+TEST(Passivity, AForceThatIsLaterThanEightTicksCountsAsThatLate) {
+  const auto ledger = [](int delay) {
+    PassivityControl control;
+    for (int n = 0; n < 100; ++n)
+      control.step({1e-5 * (n % 11), 0, 0}, {0.01 * (n % 13), 0, 0}, {}, kTick,
+                   {1.0, 0.0, 0.0, delay});
+    return control.energy();
+  };
+  EXPECT_EQ(ledger(8), ledger(30));
+  EXPECT_NE(ledger(7), ledger(8));
+  EXPECT_LT(std::fabs(ledger(8)), 0.9 * PassivityControl::kMostDebt) << "it is not full";
+}
+
 TEST(Passivity, TheLedgerKnowsThatAForceIsFeltLate) {
   for (const int delay : {0, 3, PassivityControl::kMostDelay}) {
     PassivityControl control;
