@@ -101,10 +101,12 @@ void Attendance::look(exhibit::Kiosk& kiosk) {
   health_.overruns = status.deadlines.overruns;
   health_.lost_ticks = status.deadlines.lost_ticks;
   health_.worst_wake_s = 1e-6 * status.deadlines.worst_wake_us;
+  health_.dark = kiosk.dark();
   health_.kept = kiosk.saved().kept;
   health_.not_kept = kiosk.saved().refused;
   const watch::Health all = watch::together(before_, health_);
-  keeper_->look({all.frames, all.wakes}, all, measure::monotonic_seconds());
+  keeper_->look({all.frames, all.wakes, kiosk.device_moves().value_or(all.frames)}, all,
+                measure::monotonic_seconds());
   for (const std::string& line : keeper_->remarks()) exhibit::log_line(line);
 }
 

@@ -15,6 +15,7 @@ Command vessel_command();
 Command score_command();
 Command soak_command();
 Command stats_command();
+Command report_command();
 Command lab_command();
 Command devices_command();
 Command setup_command();

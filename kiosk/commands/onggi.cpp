@@ -13,8 +13,8 @@ Command onggi_command() {
               "Exit: 0 good, 1 the program's or the machine's fault, 2 the input's.",
           .options = run.options,
           .commands = {run, visit_command(), replay_command(), check_command(), vessel_command(),
-                       score_command(), stats_command(), soak_command(), lab_command(),
-                       devices_command(), setup_command()},
+                       score_command(), stats_command(), report_command(), soak_command(),
+                       lab_command(), devices_command(), setup_command()},
           .run = run.run};
 }
 

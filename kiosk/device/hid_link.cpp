@@ -103,6 +103,7 @@ bool HidLink::turn(int timeout_ms) noexcept {
   if (fault == LinkFault::none) fault = look_for_faults(now);
   answer(fault, now);
   turned_ns_ = now;
+  turns_.fetch_add(1, std::memory_order_relaxed);
   return !sample_.lost;
 }
 

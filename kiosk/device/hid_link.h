@@ -57,6 +57,8 @@ class HidLink {
   void wish(FeelWish wish) noexcept;
   /// Loop's, by hand alone: `dt` seconds pass, and the device gets a turn.
   void pump(double dt) noexcept;
+  /// Anybody's: how often its thread has had a turn; a thread that hangs in its cable has none.
+  std::uint64_t turns() const noexcept { return turns_.load(std::memory_order_relaxed); }
   /// Anybody's: the link's clock, ns.
   std::int64_t time_ns() const noexcept { return now_ns(); }
   bool by_hand() const noexcept { return turning_ == Turning::by_hand; }
@@ -109,6 +111,7 @@ class HidLink {
   LinkStatus seen_;  ///< Main's.
   std::atomic<std::int64_t> heartbeat_ns_{-1};
   std::atomic<std::int64_t> turned_time_ns_{0};  ///< The clock where it is turned by hand.
+  std::atomic<std::uint64_t> turns_{0};
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

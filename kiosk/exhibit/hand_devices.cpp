@@ -183,6 +183,11 @@ std::vector<InputEvent> HandDevices::frame(double now) {
     }
     return false;
   });
+  if (std::all_of(used_.begin(), used_.end(),
+                  [](const InUse& used) { return used.link->turns() != used.turns; })) {
+    for (InUse& used : used_) used.turns = used.link->turns();
+    ++moves_;
+  }
   buzz_at_a_touch(now);
   last_frame_ = now;
   news_.update(now, hold);

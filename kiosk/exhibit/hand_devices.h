@@ -29,6 +29,9 @@ class HandDevices {
   std::vector<view::InputEvent> frame(double now);
   /// The visitor's share of the exhibit's force, 0 (off) .. 1, from now on.
   void share(double of_force);
+  /// Goes up, at most by one a frame, when each device in use has had a turn since it last did: one
+  /// that hangs holds it, and then the kiosk cannot let go of that device either.
+  std::uint64_t moves() const { return moves_; }
   /// What visitors are told.
   const screens::DeviceNews& news() const { return news_; }
   /// What staff should know, a line each, once.
@@ -40,6 +43,7 @@ class HandDevices {
     std::shared_ptr<device::HidLink> link;
     device::HidHand* hand = nullptr;  ///< Attached; null for a dial, or where both hands are taken.
     int index = -1;                   ///< The hand that it is.
+    std::uint64_t turns = 0;          ///< HidLink::turns(), as of the last moves().
     std::uint32_t buttons = 0;
     double dial = 0.0;
     std::array<std::uint64_t, device::kLinkFaults> faults{};
@@ -61,6 +65,7 @@ class HandDevices {
   double looked_at_ = -1.0, buzzed_at_ = -1.0, last_frame_ = 0.0;
   double share_ = 1.0;  ///< The visitor's.
   bool touching_ = false;
+  std::uint64_t moves_ = 0;
   std::uint32_t buzzes_ = 0;
 };
 

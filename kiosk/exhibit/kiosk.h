@@ -92,6 +92,10 @@ class Kiosk {
   const std::filesystem::path& keepsake_folder() const { return keepsakes_->folder(); }
   /// A vessel of the shelf is read and attract has begun.
   bool open_to_visitors() const { return visit_ != nullptr; }
+  /// HandDevices::moves(); none where no devices are used.
+  std::optional<std::uint64_t> device_moves() const {
+    return devices_ ? std::optional(devices_->moves()) : std::nullopt;
+  }
   /// Outside of the museum's hours, and nobody is here.
   bool dark() const { return night_ && night_->dark(); }
   /// Attract plays, and every keepsake is on the disk: the kiosk may be closed and nobody misses

@@ -47,6 +47,7 @@ std::string prometheus_text(const Health& h) {
   m.put_version(h.version);
   m.put("onggi_safe_mode", "gauge", "1 while the last good exhibit is shown after crashes.",
         h.safe_mode ? 1 : 0);
+  m.put("onggi_dark", "gauge", "1 outside of the museum's opening hours.", h.dark ? 1 : 0);
   m.put("onggi_crashes_in_a_row", "gauge", "Runs before this one that crashed at their start.",
         h.crashes);
   m.put("onggi_running_seconds", "gauge", "Since the program began.", h.running_s);
@@ -69,7 +70,9 @@ std::string prometheus_text(const Health& h) {
 std::string one_line(const Health& h) {
   char text[160];
   std::snprintf(text, sizeof text, "%s, %llu keepsakes kept, %.1f GB free%s",
-                h.safe_mode ? "Safe mode: the last good exhibit is shown" : "Open",
+                h.safe_mode ? "Safe mode: the last good exhibit is shown"
+                : h.dark    ? "Dark until the museum opens"
+                            : "Open",
                 static_cast<unsigned long long>(h.kept),
                 static_cast<double>(h.disk_free_bytes) * 1e-9,
                 h.disk_writes ? "" : ", but the disk takes no writes");

@@ -9,6 +9,7 @@ namespace onggi::watch {
 struct Health {
   std::string version;
   bool safe_mode = false;        ///< It shows the last good exhibit, after crashes.
+  bool dark = false;             ///< Outside of the museum's hours.
   int crashes = 0;               ///< In a row, before this run.
   double running_s = 0.0;        ///< Since the program began.
   std::uint64_t frames = 0;      ///< Pictures made.

@@ -117,11 +117,11 @@ TEST(keeper, systemd_hears_of_the_start_and_then_often_enough_while_all_moves) {
   EXPECT_DOUBLE_EQ(kept.options.watchdog_s, 9.0);
   Keeper keeper(kept.options, kept.ledger);
   keeper.shows(kept.shown());
-  keeper.look({1, 1}, {}, 100.0);
+  keeper.look({1, 1, 1}, {}, 100.0);
   EXPECT_THAT(systemd.heard(), Contains("READY=1"));
   double silent = 0.0, longest = 0.0;
   for (std::uint64_t frame = 2; frame < 2000; ++frame) {
-    keeper.look({frame, 33 * frame}, {}, 100.0 + 0.033 * static_cast<double>(frame));
+    keeper.look({frame, 33 * frame, frame}, {}, 100.0 + 0.033 * static_cast<double>(frame));
     silent += 0.033;
     for (const std::string& said : systemd.heard())
       if (said == "WATCHDOG=1") silent = 0.0;
@@ -137,13 +137,13 @@ TEST(keeper, a_wheel_that_stands_is_told_and_systemd_hears_nothing_more) {
   keeper.shows(kept.shown());
   std::vector<std::string> heard;
   for (std::uint64_t frame = 0; frame < 1000; ++frame) {
-    keeper.look({frame, 500}, {}, 0.1 * static_cast<double>(frame));
+    keeper.look({frame, 500, frame}, {}, 0.1 * static_cast<double>(frame));
     for (std::string& said : systemd.heard())
       if (frame >= 90) heard.push_back(std::move(said));
   }
   EXPECT_THAT(heard, Not(Contains("WATCHDOG=1")));
   EXPECT_THAT(keeper.remarks(), Contains("Standing still: the wheel's loop."));
-  keeper.look({1000, 501}, {}, 100.0);
+  keeper.look({1000, 501, 1000}, {}, 100.0);
   EXPECT_THAT(systemd.heard(), Contains("WATCHDOG=1"));
 }
 
@@ -152,11 +152,11 @@ TEST(keeper, an_exhibit_that_ran_for_an_hour_is_kept_as_the_last_good_one_and_no
   Kept kept(systemd);
   Keeper keeper(kept.options, kept.ledger);
   keeper.shows(kept.shown());
-  keeper.look({1, 1}, {}, 0.0);
-  keeper.look({2, 2}, {}, 3599.0);
+  keeper.look({1, 1, 1}, {}, 0.0);
+  keeper.look({2, 2, 2}, {}, 3599.0);
   EXPECT_TRUE(Kept::soon([&] { return fs::exists(kept.options.health); }));
   EXPECT_FALSE(last_good(kept.options.state));
-  keeper.look({3, 3}, {}, 3600.0);
+  keeper.look({3, 3, 3}, {}, 3600.0);
   EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
 }
 
@@ -165,14 +165,14 @@ TEST(keeper, another_exhibit_has_an_hour_of_its_own) {
   Kept kept(systemd);
   Keeper keeper(kept.options, kept.ledger);
   keeper.shows(kept.shown());
-  keeper.look({1, 1}, {}, 0.0);
-  keeper.look({2, 2}, {}, 3000.0);
+  keeper.look({1, 1, 1}, {}, 0.0);
+  keeper.look({2, 2, 2}, {}, 3000.0);
   std::ofstream(kept.site() / "config/exhibit.toml") << "another title";
   keeper.shows(kept.shown());
-  keeper.look({3, 3}, {}, 6500.0);
+  keeper.look({3, 3, 3}, {}, 6500.0);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_FALSE(last_good(kept.options.state));
-  keeper.look({4, 4}, {}, 6600.0);
+  keeper.look({4, 4, 4}, {}, 6600.0);
   EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
   EXPECT_EQ(content(last_good(kept.options.state)->exhibit), "another title");
 }
@@ -185,13 +185,13 @@ TEST(keeper, a_change_that_visitors_never_saw_is_not_kept_as_good_until_it_is_ta
   Keeper keeper(kept.options, kept.ledger);
   keeper.shows(kept.shown());
   std::ofstream(exhibit) << "broken";
-  keeper.look({1, 1}, {}, 0.0);
-  keeper.look({2, 2}, {}, 4000.0);
+  keeper.look({1, 1, 1}, {}, 0.0);
+  keeper.look({2, 2, 2}, {}, 4000.0);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_FALSE(last_good(kept.options.state));
   std::ofstream(exhibit) << "title";
   fs::last_write_time(exhibit, time);
-  keeper.look({3, 3}, {}, 4001.0);
+  keeper.look({3, 3, 3}, {}, 4001.0);
   EXPECT_TRUE(Kept::soon([&] { return last_good(kept.options.state).has_value(); }));
 }
 
@@ -205,9 +205,9 @@ TEST(keeper, an_exhibit_that_the_disk_did_not_take_is_kept_once_it_does_and_the_
   keeper.shows(kept.shown());
   int refusals = 0;
   double now = 0.0;
-  keeper.look({1, 1}, {}, now);
+  keeper.look({1, 1, 1}, {}, now);
   const auto look = [&] {
-    keeper.look({1, 1}, {}, now += 3600.0);
+    keeper.look({1, 1, 1}, {}, now += 3600.0);
     for (const std::string& line : keeper.remarks())
       refusals += line.find("last_good.new") != std::string::npos ? 1 : 0;
   };
@@ -226,7 +226,7 @@ TEST(keeper, where_keepsakes_go_is_remembered_for_a_run_that_finds_no_exhibit) {
   Kept kept(systemd);
   Keeper keeper(kept.options, kept.ledger);
   keeper.shows(kept.shown());
-  keeper.look({1, 1}, {}, 0.0);
+  keeper.look({1, 1, 1}, {}, 0.0);
   EXPECT_TRUE(Kept::soon([&] { return remembered_keepsakes(kept.options.state).has_value(); }));
   EXPECT_EQ(remembered_keepsakes(kept.options.state), kept.keepsakes());
 }
@@ -247,9 +247,9 @@ TEST(keeper, the_health_says_what_the_kiosk_counted_and_that_the_disk_writes) {
   keeper.shows(kept.shown());
   Health health;
   health.kept = 7;
-  keeper.look({1, 1}, health, 0.0);
+  keeper.look({1, 1, 1}, health, 0.0);
   EXPECT_TRUE(Kept::soon([&] {
-    keeper.look({1, 1}, health, 1.0);
+    keeper.look({1, 1, 1}, health, 1.0);
     return content(kept.options.health).find("\nonggi_keepsakes_total 7\n") != std::string::npos;
   }));
   EXPECT_THAT(content(kept.options.health), HasSubstr("\nonggi_disk_writes 1\n"));
@@ -266,7 +266,7 @@ TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again)
   double now = 0.0;
   const auto hears = [&](const char* words) {
     return Kept::soon([&] {
-      keeper.look({1, 1}, {}, now += 1.0);
+      keeper.look({1, 1, 1}, {}, now += 1.0);
       for (std::string& line : keeper.remarks()) told.push_back(std::move(line));
       return std::any_of(told.begin(), told.end(), [&](const std::string& line) {
         return line.find(words) != std::string::npos;
@@ -275,7 +275,7 @@ TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again)
   };
   EXPECT_TRUE(hears("A file stands where a folder is wanted"));
   for (int more = 0; more < 20; ++more) {  // trials that fail as the first did
-    keeper.look({1, 1}, {}, now += 1.0);
+    keeper.look({1, 1, 1}, {}, now += 1.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   fs::remove(kept.keepsakes());
