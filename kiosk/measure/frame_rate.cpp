@@ -9,6 +9,7 @@
 #include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/similarity.h"
+#include "kiosk/measure/tap.h"
 #include "kiosk/render/canvas.h"
 #include "kiosk/view/looks_same.h"
 
@@ -109,6 +110,10 @@ Result<FrameDelays> Watched::delays() {
   FrameDelays delays{kiosk_.renderer().width(), kiosk_.renderer().height(), 0, {}, {}};
   screens::Visit& visit = kiosk_.visit();
   // The wheel is stopped by its own button.
+  if (const auto way = way_to(visit, "throw.slower")) {
+    tap(visit, way->x + 2, way->y + 2, monotonic_seconds());
+    if (!frame()) return tl::unexpected(closed());
+  }
   while (kiosk_.potter().view().status.feedback.wheel_speed != 0) {
     const auto slower = visit.control("throw.slower");
     if (!slower) break;

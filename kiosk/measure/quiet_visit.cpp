@@ -75,6 +75,10 @@ class Walk {
     for (int n = 0; n < count; ++n) frame();
   }
   Result<void> touch(const std::string& id) {
+    if (const auto way = way_to(visit_, id)) {
+      tap(visit_, way->x + way->w / 2, way->y + way->h / 2, now);
+      frame();
+    }
     const auto at = visit_.control(id);
     if (!at) return problem("the visit", "No control " + id + " is on its screen.", "Report it.");
     tap(visit_, at->x + at->w / 2, at->y + at->h / 2, now);

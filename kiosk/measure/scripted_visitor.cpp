@@ -22,7 +22,11 @@ ScriptedVisitor::ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan,
     : kiosk_(kiosk), plan_(std::move(plan)), passed_(std::move(passed)) {}
 
 Result<void> ScriptedVisitor::touch(const std::string& control) {
-  const auto rect = kiosk_.visit().control(control);
+  auto rect = way_to(kiosk_.visit(), control);
+  if (rect)
+    then_ = control;  // The next frame has it.
+  else
+    rect = kiosk_.visit().control(control);
   if (!rect)
     return problem("screen " + std::string(screens::name_of(screen_)),
                    "The scripted visitor does not find the control " + control + ".",
@@ -39,6 +43,7 @@ void ScriptedVisitor::enter(ScreenId screen, double now) {
 
 Result<void> ScriptedVisitor::step(double now) {
   now_ = now;
+  if (!then_.empty()) return touch(std::exchange(then_, {}));
   const ScreenId screen = kiosk_.visit().screen();
   if (entered_ < 0 || screen != screen_) {
     const bool came_back = entered_ >= 0 && screen == ScreenId::attract;

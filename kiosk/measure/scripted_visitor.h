@@ -71,6 +71,7 @@ class ScriptedVisitor {
   Plan plan_;
   std::function<void(const std::string&)> passed_;
   screens::ScreenId screen_ = screens::ScreenId::attract;
+  std::string then_;  ///< A control to be touched in the next frame.
   double entered_ = -1, now_ = 0, moved_at_ = 0;
   std::unique_ptr<VisitorsHand> hand_;  ///< Null where the loop plays the script.
   bool label_open_ = false, playing_ = false, half_shown_ = false, touched_ = false,

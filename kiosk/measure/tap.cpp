@@ -13,4 +13,10 @@ void tap(screens::Visit& visit, float x, float y, double now) {
   }
 }
 
+std::optional<view::Rect> way_to(const screens::Visit& visit, const std::string& control) {
+  if (visit.control(control) || visit.screen() != screens::ScreenId::throwing) return std::nullopt;
+  const auto open = visit.control("throw.more");
+  return open ? open : visit.control("throw.less");
+}
+
 }  // namespace onggi::measure

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "kiosk/screens/visit.h"
 
 namespace onggi::measure {
@@ -7,5 +10,9 @@ namespace onggi::measure {
 /// A short touch of `visit`'s screen at (x, y) px, down and up again, at `now` (s, the visit's own
 /// clock). Main thread.
 void tap(screens::Visit& visit, float x, float y, double now);
+
+/// Where to tap so that `control` comes onto the screen: the throwing screen's drawer, to be opened
+/// or closed. Nothing where it is there, or no way is known.
+std::optional<view::Rect> way_to(const screens::Visit& visit, const std::string& control);
 
 }  // namespace onggi::measure

@@ -40,9 +40,9 @@ namespace {
 struct Padding {
   float x, y;
 };
-Padding padding(Look look, const TypeScale& t) {
-  return look == Look::quiet || look == Look::plain ? Padding{0, t.body * 0.2f}
-                                                    : Padding{t.body * 0.7f, t.body * 0.32f};
+Padding padding(const Button& button, const TypeScale& t) {
+  if (button.look == Look::quiet || button.look == Look::plain) return {0, t.body * 0.2f};
+  return {t.body * (button.tight ? 0.35f : 0.7f), t.body * 0.32f};
 }
 float swatch_width(const TypeScale& t) { return t.body * 1.2f; }
 view::TextStyle button_style(const Page& page) {
@@ -53,7 +53,7 @@ view::TextStyle button_style(const Page& page) {
 }  // namespace
 
 view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
-  const Padding pad = padding(button.look, type());
+  const Padding pad = padding(button, type());
   const auto style = button_style(*this);
   const float aside = button.swatch ? swatch_width(type()) : 0;
   const auto room = [&](const std::string& words, float width) {
@@ -73,7 +73,7 @@ void Page::button(const Button& button, const Rect& rect) {
   if (!button.other.empty()) {
     switch_halves(button, rect);
   } else {
-    const Padding pad = padding(button.look, type());
+    const Padding pad = padding(button, type());
     const auto style = button_style(*this);
     const float aside = button.swatch ? swatch_width(type()) : 0;
     const float inner = rect.w - 2 * pad.x - aside;
@@ -228,6 +228,38 @@ void Column::foot_buttons(const std::vector<Button>& row, const std::string& cap
   std::vector<Placed> placed;
   foot_ -= flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
   place(placed, foot_, caption, caption_width);
+}
+
+void Column::foot_grid(const std::vector<Button>& cells, float height, bool mirrored) {
+  const float gap = page_.type().gap;
+  const std::size_t count = std::max<std::size_t>(1, cells.size());
+  std::size_t abreast = count;
+  float width = 0, tall = height;
+  for (;; abreast = (abreast + 1) / 2) {
+    const auto n = static_cast<float>(abreast);
+    width = (box_.w - (n - 1) * gap) / n;
+    bool fits = true;
+    tall = height;
+    for (const Button& cell : cells) {
+      // Wide enough for the words in one line; the last resort breaks them.
+      const auto size = page_.size(cell, abreast > 1 ? box_.w : width);
+      fits = fits && size.width <= width + 1;
+      tall = std::max(tall, size.height);
+    }
+    if (fits || abreast == 1) {
+      if (!fits) page_.overflowed();
+      break;
+    }
+  }
+  const std::size_t rows = (count + abreast - 1) / abreast;
+  foot_ -= static_cast<float>(rows) * (tall + gap) - gap;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].id.empty()) continue;
+    const std::size_t place = mirrored ? abreast - 1 - i % abreast : i % abreast;
+    page_.button(cells[i], {box_.x + static_cast<float>(place) * (width + gap),
+                            foot_ + static_cast<float>(i / abreast) * (tall + gap), width, tall});
+  }
+  check();
 }
 
 void Column::circles(int full, int count, const std::string& words) {

@@ -37,6 +37,7 @@ struct Button {
   std::string other = {};  ///< A switch: `words` | `other`, one of them on.
   bool other_on = false;
   std::optional<view::Color> swatch = {};  ///< A disc of this colour before the words.
+  bool tight = false;                      ///< Less air beside the words.
 };
 
 /// What a page is set on.
@@ -56,6 +57,8 @@ class Page {
 
   const TypeScale& type() const { return sheet_.type; }
   const Regions& where() const { return sheet_.where; }
+  /// The screen divides the page otherwise; what is laid out already stays where it is.
+  void divide(const Regions& where) { sheet_.where = where; }
   int width() const { return sheet_.width; }
   int height() const { return sheet_.height; }
 
@@ -112,6 +115,10 @@ class Column {
                float caption_width = 0);
   void foot_buttons(const std::vector<Button>& row, const std::string& caption = {},
                     float caption_width = 0);
+  /// Buttons of one width and at least `height`, as many beside one another as hold their words:
+  /// all, half of them, or one. One without an id keeps its place and is not drawn. `mirrored`:
+  /// from the far side.
+  void foot_grid(const std::vector<Button>& cells, float height, bool mirrored);
   /// `count` circles, the first `full` of them filled, and the same in words after them.
   void circles(int full, int count, const std::string& words);
   /// What is left between top and foot.

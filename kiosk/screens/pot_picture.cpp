@@ -49,8 +49,7 @@ view::Camera PotPicture::camera(const Page& page) const {
   const double height = std::max(height_, 0.02), radius = std::max(radius_, 0.01);
   const Regions& where = page.where();
   view::Rect box = where.pot;
-  const float foot = (where.portrait ? where.words.y : where.all.y + where.all.h) - room_;
-  if (room_ > 0) box.h -= 0.6f * room_;
+  const float foot = where.portrait ? where.words.y : where.all.y + where.all.h;
   for (int i = 0;; ++i) {
     const view::Camera camera = view::frame_pot(page.width(), page.height(), box, height, radius);
     const double r = wheel_radius_;
@@ -60,11 +59,10 @@ view::Camera PotPicture::camera(const Page& page) const {
     const bool clear = where.portrait   ? front->second <= foot
                        : where.mirrored ? right->first <= where.words.x
                                         : left->first >= where.words.x + where.words.w;
-    if (clear && (room_ <= 0 || front->second <= foot)) return camera;
-    // Smaller: in portrait and over a tray from below, so that the rim stays where it was.
+    if (clear && front->second <= foot) return camera;
+    // Smaller: in portrait from below, so that the rim stays where it was.
     const float w = box.w * 0.97f, h = box.h * 0.97f;
-    box = {box.x + (box.w - w) / 2, where.portrait || room_ > 0 ? box.y : box.y + (box.h - h) / 2,
-           w, h};
+    box = {box.x + (box.w - w) / 2, where.portrait ? box.y : box.y + (box.h - h) / 2, w, h};
   }
 }
 

@@ -14,8 +14,6 @@ class PotPicture {
   /// A pot that rests is shown from all sides: wheel and pot turn before the eye, from the speed
   /// that the wheel had to `speed` (rad/s, positive to the visitor's right hand).
   void show_round(const Desk& desk, double dt, double speed);
-  /// Pixels along the foot of the pot's place that something else takes: a tray.
-  void leave_room(float px) { room_ = px; }
   view::PotView view(const Desk& desk, const Page& page) const;
   /// The pot as large as its place allows, with the wheel head clear of the words.
   view::Camera camera(const Page& page) const;
@@ -28,7 +26,6 @@ class PotPicture {
   std::uint32_t serial_ = 0;
   double height_ = 0, radius_ = 0, wheel_radius_ = 0;
   double cut_ = 0, shown_ = 0;
-  float room_ = 0;
   double turned_ = 0;                 ///< By show_round(), rad,
   std::optional<double> turn_speed_;  ///< and how fast, rad/s.
 };

@@ -14,7 +14,8 @@ using view::Face;
 
 namespace {
 
-constexpr float kDrawing = 0.22f;  // of the pot's room
+constexpr float kDrawing = 0.2f;       // of the pot's room
+constexpr float kDrawingLines = 3.6f;  // ems of the sentence, upright
 
 std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   std::vector<std::string> all = all_hints(desk);
@@ -27,38 +28,55 @@ std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   return all;
 }
 
-/// In the corner that is farthest from the words, where no pot is; upright the pot is everywhere
-/// above, and it lies under the words, of which the longest leave `taken` of their `room`.
-view::Rect slip_for(const Page& page, const view::Rect& room, float taken) {
+/// Upright at the far end of the sentence; else under it, or where there is no room in the corner
+/// that is farthest from the words.
+view::Rect slip_for(const Page& page, const view::Rect& room, float taken, bool right_to_left) {
   const view::Rect &pot = page.where().pot, &all = page.where().page;
+  if (page.where().portrait) {
+    const float side = telling_drawing(page) - page.type().gap;
+    return {right_to_left ? room.x : room.x + room.w - side, room.y, side, side};
+  }
   const float side = kDrawing * std::min(pot.w, pot.h);
-  if (page.where().portrait && room.h - taken >= side)
+  if (room.h - taken >= side)
     return {room.x + (room.w - side) / 2, room.y + taken + (room.h - taken - side) / 2, side, side};
   return {page.where().mirrored ? all.x : all.x + all.w - side, all.y, side, side};
 }
 
 }  // namespace
 
+float telling_drawing(const Page& page) {
+  return page.where().portrait ? kDrawingLines * page.type().lead + page.type().gap : 0.0f;
+}
+
+float longest_telling(const Page& page, const Desk& desk, float width) {
+  const auto style = page.style(Face::sans, page.type().lead);
+  float longest = 0;
+  for (const std::string& words : all_that_may_be_told(desk))
+    longest = std::max(longest, page.size(words, style, width).height);
+  return longest;
+}
+
 void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint) {
   Page& page = column.page();
   const TypeScale& t = page.type();
-  const auto style = page.style(Face::sans, t.lead);
   const view::Rect room = column.rest();
-  float longest = 0;
-  for (const std::string& words : all_that_may_be_told(desk))
-    longest = std::max(longest, page.size(words, style, room.w).height);
+  const bool right_to_left = desk.words().right_to_left();
+  const float aside = telling_drawing(page);
+  const view::Rect words{right_to_left ? room.x + aside : room.x, room.y, room.w - aside, room.h};
+  const float longest = longest_telling(page, desk, words.w);
   if (longest > room.h) page.overflowed();
 
   const content::LessonStep* step = LessonLine::shown(desk);
   const std::string& news = desk.note();
   const bool told = !news.empty();
-  column.text(told              ? desk.say(news)
-              : show.showing()  ? desk.say(show.key())
-              : step != nullptr ? step->words_in(desk.words().code())
-                                : words_of(hint, desk),
-              t.lead);
+  Column sentence(page, words);
+  sentence.text(told              ? desk.say(news)
+                : show.showing()  ? desk.say(show.key())
+                : step != nullptr ? step->words_in(desk.words().code())
+                                  : words_of(hint, desk),
+                t.lead);
   if (told) return;
-  const view::Rect slip = slip_for(page, room, longest + t.gap);
+  const view::Rect slip = slip_for(page, room, longest + t.gap, right_to_left);
   if (show.showing())
     draw_hands(page, slip, show.drawing());
   else if (step != nullptr)

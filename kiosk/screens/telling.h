@@ -9,4 +9,9 @@ namespace onggi::screens {
 /// room that the longest sentence takes is kept, so that no control moves under a finger.
 void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint);
 
+/// How high the longest of those sentences is, `width` pixels wide.
+float longest_telling(const Page& page, const Desk& desk, float width);
+/// What of the words' width the drawing takes: upright it stands beside the sentence.
+float telling_drawing(const Page& page);
+
 }  // namespace onggi::screens

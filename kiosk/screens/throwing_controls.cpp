@@ -5,63 +5,223 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/screens/overlays.h"
+#include "kiosk/screens/telling.h"
+#include "kiosk/screens/tool_tray.h"
+
 namespace onggi::screens {
 
 using device::Grip;
+using view::Face;
 
-void lay_out_controls(Page& page, Column& column, const Desk& desk, const ThrowingControls& now) {
+namespace {
+
+constexpr float kMostUsed = 4.0f / 3.0f;                // of the least touch target: 20 mm
+constexpr float kColumn = 0.3f, kLargerColumn = 0.42f;  // of the width
+constexpr float kCaption = 0.78f;                       // of body text
+
+Button drawer_button(const Desk& desk, const ThrowingControls& now) {
+  const std::string closed = desk.say("throw.more");
+  std::string longest = closed;
+  for (std::size_t n = 1; n <= desk.wheel().tools.size(); ++n)
+    if (const std::string name = ToolTray::name_of(desk, n); name.size() > longest.size())
+      longest = name;
+  // What is in the hand is seen where another is taken up.
+  const bool tool = now.held > 0;
+  return {"throw.more", tool ? ToolTray::name_of(desk, now.held) : closed,
+          tool ? Look::solid : Look::outline, longest};
+}
+
+void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
+  Page& page = column.page();
+  const bool happened = now.mishap != Mishap::none;
+  std::vector<Button> cells;
+  const auto add = [&](const char* id, const char* words, Look look, bool there) {
+    cells.push_back({there ? id : "", desk.say(words), look});
+    cells.back().tight = true;
+  };
+  if (happened) {
+    const bool fell = now.mishap == Mishap::fell;
+    add("throw.restore", fell ? "throw.before_fall" : "throw.before_tear", Look::solid,
+        desk.status.can_restore);
+  } else {
+    add("throw.water", "throw.water", now.water ? Look::solid : Look::outline, true);
+    add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
+  }
+  add("throw.done", "throw.done", happened ? Look::outline : Look::solid, true);
+  // What comes and goes stands last, and its place is kept.
+  if (!happened) add("throw.restore", "throw.restore", Look::outline, now.restore);
+  column.foot_grid(cells, page.type().target * kMostUsed, page.where().mirrored);
+  column.foot_space(page.type().gap);
+}
+
+/// What stands at the foot of the page: the way to all else, or back from it, and what any screen
+/// has.
+void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
+  const Button less{"throw.less", desk.say("throw.less"), Look::solid};
+  const Button way = now.drawer ? less : drawer_button(desk, now);
+  std::vector<Button> row = standing_buttons(desk, true);
+  if (column.page().where().portrait) row.insert(row.begin(), way);  // There one row holds it all.
+  column.foot_buttons(row);
+  column.foot_space(column.page().type().gap);
+  if (column.page().where().portrait) return;
+  column.foot_buttons({way});
+  column.foot_space(column.page().type().gap);
+}
+
+/// The vessel, and at the far end the way out of the lesson; and what moves the hand.
+void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
+  Page& page = column.page();
   const TypeScale& t = page.type();
+  const view::Rect at = column.rest();
+  const Button skip{"throw.skip", desk.say("throw.skip"), Look::quiet};
+  const auto skip_size = page.size(skip, at.w);
+  const auto style = page.style(Face::serif, t.body);
+  const float width = at.w - skip_size.width - t.gap;
+  const std::string& title = desk.label(desk.card).title;
+  const auto size = page.size(title, style, width);
+  if (size.width > width + 2) page.overflowed();
+  const float height = std::max(skip_size.height, size.height);
+  const bool from_right = desk.words().right_to_left();
+  page.words({from_right ? at.x + at.w - width : at.x, at.y + (height - size.height) / 2, width,
+              size.height},
+             title, style, view::kFaintInk);
+  if (now.skip)
+    page.button(skip,
+                {from_right ? at.x : at.x + at.w - skip_size.width, at.y, skip_size.width, height});
+  column.space(height);
+  if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
+    column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
+  column.space(t.gap * 0.5f);
+}
+
+void tell_mishap(Column& column, const Desk& desk, Mishap what) {
+  const TypeScale& t = column.page().type();
+  const bool fell = what == Mishap::fell;
+  column.text(desk.say(fell ? "throw.fallen" : "throw.torn"), t.lead);
+  if (fell) return;
+  column.space(t.gap * 0.5f);
+  column.text(desk.say(what == Mishap::tore_thin ? "throw.torn_thin" : "throw.torn_wide"), t.body);
+}
+
+/// A row of the drawer, with what it is of before it or, in a narrow column, over it.
+void drawer_row(Column& column, const std::string& caption, const std::vector<Button>& row,
+                float captions) {
+  const TypeScale& t = column.page().type();
+  if (column.page().where().portrait) {
+    column.buttons(row, caption, captions);
+  } else {
+    column.text(caption, t.body * kCaption, Face::sans, view::kFaintInk);
+    column.buttons(row);
+  }
+  column.space(t.gap * 0.7f);
+}
+
+void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
+  const Page& page = column.page();
+  const TypeScale& t = page.type();
+  ToolTray::lay_out(column, desk, now.held);
+  column.space(t.gap);
+  const auto grip = [&](const char* id, Grip which) {
+    return Button{id, desk.say(id), now.grip == which ? Look::solid : Look::outline};
+  };
   const auto rpm = [&](double speed) {
     const auto turns = static_cast<int>(std::lround(speed * 60.0 / (2 * 3.14159265358979)));
     return desk.say("throw.rpm", {{"rpm", std::to_string(turns)}});
   };
-  const std::string hand = desk.say("throw.hand"), wheel = desk.say("throw.wheel"),
-                    clay = desk.say("throw.clay"), force = desk.say("throw.force");
+  const std::vector<Button> hand{grip("throw.both", Grip::both),
+                                 grip("throw.outside", Grip::outside),
+                                 grip("throw.inside", Grip::inside)};
+  const std::vector<Button> wheel{{"throw.slower", desk.say("throw.slower"), Look::outline},
+                                  {"", rpm(now.speed), Look::plain, rpm(desk.wheel().max_speed)},
+                                  {"throw.faster", desk.say("throw.faster"), Look::outline}};
+  const std::vector<Button> clay{
+      {"throw.cut", desk.say("throw.cut"), now.cut ? Look::solid : Look::outline},
+      {"throw.renew", desk.say("throw.renew"), Look::outline}};
   const std::vector<Button> feels = desk.force.buttons(desk);
+  const std::string of_hand = desk.say("throw.hand"), of_wheel = desk.say("throw.wheel"),
+                    of_clay = desk.say("throw.clay"), of_force = desk.say("throw.force");
   float captions = 0;
-  for (const std::string& words : {hand, wheel, clay, feels.empty() ? clay : force})
+  for (const std::string& words : {of_hand, of_wheel, of_clay, feels.empty() ? of_clay : of_force})
     captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
-
-  // What comes and goes stands last, so that nothing else moves under a finger.
-  std::vector<Button> onward{{"throw.done", desk.say("throw.done"), Look::solid}, now.show};
-  if (now.skip) onward.push_back({"throw.skip", desk.say("throw.skip"), Look::quiet});
-  if (now.restore) onward.push_back({"throw.restore", desk.say("throw.restore"), Look::outline});
-  column.foot_buttons(onward);
-  column.foot_space(t.gap);
-  column.foot_buttons(
-      {{"throw.water", desk.say("throw.water"), now.water ? Look::solid : Look::outline},
-       {"throw.cut", desk.say("throw.cut"), now.cut ? Look::solid : Look::outline},
-       {"throw.renew", desk.say("throw.renew"), Look::outline}},
-      clay, captions);
-  column.foot_space(t.gap);
-  column.foot_buttons({{"throw.slower", desk.say("throw.slower"), Look::outline},
-                       {"", rpm(now.speed), Look::plain, rpm(desk.wheel().max_speed)},
-                       {"throw.faster", desk.say("throw.faster"), Look::outline}},
-                      wheel, captions);
-  column.foot_space(t.gap);
-  if (!feels.empty()) {
-    column.foot_buttons(feels, force, captions);
-    column.foot_space(t.gap);
-  }
-  const auto grip = [&](const char* id, Grip which) {
-    return Button{id, desk.say(id), now.grip == which ? Look::solid : Look::outline};
-  };
-  column.foot_buttons({grip("throw.both", Grip::both), grip("throw.outside", Grip::outside),
-                       grip("throw.inside", Grip::inside)},
-                      hand, captions);
+  drawer_row(column, of_hand, hand, captions);
+  drawer_row(column, of_wheel, wheel, captions);
+  drawer_row(column, of_clay, clay, captions);
+  if (!feels.empty()) drawer_row(column, of_force, feels, captions);
+  column.check();
 }
 
-void lay_out_mishap(Column& column, const TypeScale& t, const Desk& desk, Mishap what) {
-  const bool fell = what == Mishap::fell;
-  column.text(desk.say(fell ? "throw.fallen" : "throw.torn"), t.lead);
-  column.space(t.gap);
-  if (!fell) {
-    const bool thin = what == Mishap::tore_thin;
-    column.text(desk.say(thin ? "throw.torn_thin" : "throw.torn_wide"), t.body);
-    column.space(t.gap);
+/// What the words' part of the page needs at least, `width` pixels wide, whatever happens.
+float height_needed(const Page& page, const Desk& desk, const ThrowingControls& now, float width) {
+  constexpr float kEndless = 1e5f;
+  const auto height_of = [&](bool open, Mishap mishap, const auto& lay_out) {
+    ThrowingControls then = now;
+    then.drawer = open;
+    then.mishap = mishap;
+    Page trial = page;
+    Column column(trial, {0, 0, width, kEndless});
+    standing(column, desk, then);
+    lay_out(column, then);
+    return kEndless - column.rest().h;
+  };
+  const auto closed = [&](Mishap mishap) {
+    return height_of(false, mishap, [&](Column& column, const ThrowingControls& then) {
+      most_used(column, desk, then);
+      heading(column, desk, then);
+      if (mishap != Mishap::none)
+        tell_mishap(column, desk, mishap);
+      else
+        column.space(longest_telling(page, desk, width - telling_drawing(page)));
+    });
+  };
+  float most = height_of(true, Mishap::none, [&](Column& column, const ThrowingControls& then) {
+    drawer(column, desk, then);
+  });
+  for (const Mishap what : {Mishap::none, Mishap::fell, Mishap::tore_thin, Mishap::tore_wide})
+    most = std::max(most, closed(what));
+  return most;
+}
+
+}  // namespace
+
+void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls& now) {
+  Regions r = page.where();
+  const view::Rect& all = r.all;
+  const float margin = page.type().margin;
+  if (r.portrait) {
+    const float high = height_needed(page, desk, now, r.page.w);
+    r.words = {r.page.x, r.page.y + r.page.h - high, r.page.w, high};
+    // Less than this and it is no pot to work on: the words are set smaller instead.
+    if (r.words.y < all.y + 0.45f * all.h) page.overflowed();
+    const float top = all.y + margin;
+    r.pot = {r.page.x, top, r.page.w, std::max(r.words.y - margin * 1.5f - top, margin)};
+    page.divide(r);
+    return;
   }
-  const std::string back = desk.say(fell ? "throw.before_fall" : "throw.before_tear");
-  if (desk.status.can_restore) column.buttons({{"throw.restore", back, Look::solid}});
+  const bool larger = desk.screen().larger_text;
+  r.words.w = std::round(all.w * (larger ? kLargerColumn : kColumn));
+  r.words.x = all.x + margin;
+  const float left = r.words.x + r.words.w + margin;
+  // The axis on the vertical third, or in the middle of what is left where that lies farther out.
+  const float axis = std::max(all.x + all.w * 2 / 3, (left + all.x + all.w) / 2);
+  const float half = std::min(axis - left, all.x + all.w - axis);
+  r.pot = {axis - half, all.y + margin, 2 * half, all.h - margin * 3.0f};
+  if (r.mirrored) {
+    r.words.x = 2 * all.x + all.w - r.words.x - r.words.w;
+    r.pot.x = 2 * all.x + all.w - r.pot.x - r.pot.w;
+  }
+  page.divide(r);
+}
+
+void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now, const ShowMe& show,
+                      const Hint& hint) {
+  Column column(page, page.where().words);
+  standing(column, desk, now);
+  if (now.drawer) return drawer(column, desk, now);
+  most_used(column, desk, now);
+  heading(column, desk, now);
+  if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);
+  lay_out_telling(column, desk, show, hint);
 }
 
 }  // namespace onggi::screens

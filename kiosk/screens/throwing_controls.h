@@ -1,13 +1,17 @@
 #pragma once
 
+#include <cstddef>
+
 #include "kiosk/device/wall_hold.h"
 #include "kiosk/screens/desk.h"
 #include "kiosk/screens/mishap.h"
 #include "kiosk/screens/page.h"
+#include "kiosk/screens/show_me.h"
 
 namespace onggi::screens {
 
-/// How the throwing screen's controls stand.
+/// How the throwing screen's words and controls stand. What is used most is always there: water,
+/// stepping back, being shown, done. All else is in the drawer, one touch away.
 struct ThrowingControls {
   double speed = 0;  ///< Asked of the wheel, rad/s.
   device::Grip grip = device::Grip::both;
@@ -15,12 +19,17 @@ struct ThrowingControls {
   bool restore = false;  ///< There is a stroke to take back.
   Button show = {};      ///< "Show me".
   bool skip = false;     ///< There is a lesson to be skipped.
+  bool drawer = false;   ///< Open.
+  std::size_t held = 0;  ///< Of the tray: 0 the hands.
+  Mishap mishap = Mishap::none;
 };
 
-/// From the foot of `column` up: done, the clay, the wheel, what a device pushes with, the hands.
-void lay_out_controls(Page& page, Column& column, const Desk& desk, const ThrowingControls& now);
+/// Divides the page so that the pot has all that words and controls do not need, whether the drawer
+/// is open or not: upright they lie below it, across they are a narrow column beside it.
+void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls& now);
 
-/// What has happened to the pot, in words, and the way back.
-void lay_out_mishap(Column& column, const TypeScale& t, const Desk& desk, Mishap what);
+/// What stands in the part of the page that is the words', from its head and from its foot.
+void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now, const ShowMe& show,
+                      const Hint& hint);
 
 }  // namespace onggi::screens

@@ -7,11 +7,9 @@
 #include "kiosk/screens/hint.h"
 #include "kiosk/screens/lesson_line.h"
 #include "kiosk/screens/mishap.h"
-#include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
 #include "kiosk/screens/show_me.h"
 #include "kiosk/screens/target_line.h"
-#include "kiosk/screens/telling.h"
 #include "kiosk/screens/throwing_controls.h"
 #include "kiosk/screens/tool_tray.h"
 #include "kiosk/screens/wire_cut.h"
@@ -20,7 +18,6 @@ namespace onggi::screens {
 
 using device::Grip;
 using device::WallHold;
-using view::Face;
 using view::InputEvent;
 using view::Key;
 
@@ -42,7 +39,7 @@ class Throwing final : public Screen {
         speed_(std::min(kFirstSpeed, d.wheel().max_speed)) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
-    return !menu_ ? "" : mishap_ ? "throw.restore" : "throw.done";
+    return !menu_ ? "" : drawer_ ? "throw.less" : mishap_ ? "throw.restore" : "throw.done";
   }
 
   void update(double dt) override {
@@ -91,31 +88,26 @@ class Throwing final : public Screen {
   }
 
   void lay_out(Page& page) override {
-    picture_.leave_room(ToolTray::room(desk.wheel(), page.type()));
+    const bool whole = !mishap_;
+    const ThrowingControls now{speed_,
+                               grip(),
+                               water_,
+                               cut_,
+                               desk.status.can_restore && whole,
+                               show_.button(desk, aim() == nullptr),
+                               whole && LessonLine::shown(desk) != nullptr,
+                               drawer_,
+                               held_,
+                               mishap_.now()};
+    give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
-    if (!mishap_) ToolTray::lay_out(page, desk, held_);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
       draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press;
-          press && !hand_.grabbed() && !mishap_ && LessonLine::shown(desk) == nullptr)
+          press && !hand_.grabbed() && whole && LessonLine::shown(desk) == nullptr)
         draw_press(page, camera_, card->target, press->height, press->inward);
     }
-    const TypeScale& t = page.type();
-    Column column(page, page.where().words);
-    column.foot_buttons(standing_buttons(desk, true));
-    column.foot_space(t.gap);
-    const bool back = desk.status.can_restore && !mishap_;  // After a mishap it stands above.
-    lay_out_controls(page, column, desk,
-                     {speed_, grip(), water_, cut_, back, show_.button(desk, aim() == nullptr),
-                      !mishap_ && LessonLine::shown(desk) != nullptr});
-    column.foot_space(t.gap);
-
-    column.text(desk.label(desk.card).title, t.body, Face::serif, view::kFaintInk);
-    if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
-      column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
-    column.space(t.gap * 0.5f);
-    if (mishap_) return lay_out_mishap(column, t, desk, mishap_.now());
-    lay_out_telling(column, desk, show_, hint_.shown());
+    lay_out_throwing(page, desk, now, show_, hint_.shown());
   }
 
   void press(const std::string& control) override {
@@ -147,6 +139,8 @@ class Throwing final : public Screen {
       if (held_ > 0) take_up(0);
       if (const Profile* target = aim()) show_.press(desk, *target, key_sign(), hand_);
       send_hand();
+    } else if (control == "throw.more" || control == "throw.less") {
+      open_drawer(control == "throw.more");
     } else if (control == "throw.skip") {
       LessonLine::skip(desk);
     } else if (control == "throw.done") {
@@ -171,7 +165,9 @@ class Throwing final : public Screen {
   }
 
   void back() override {
-    if (menu_) {
+    if (drawer_) {
+      open_drawer(false);
+    } else if (menu_) {
       menu_ = false;
     } else if (hand_.active() && !hand_.grabbed()) {
       let_go();
@@ -188,6 +184,7 @@ class Throwing final : public Screen {
     switch (e.kind) {
       case InputEvent::Kind::pointer_down:
         if (page.where().words.contains(e.x, e.y)) return;
+        open_drawer(false);
         mishap_.stay();
         let_go();  // Hands that still finish a stroke would go to the next through the pot.
         hand_.grab(at, desk.world.wheel->clay, grip());
@@ -303,6 +300,7 @@ class Throwing final : public Screen {
       desk.world.potter->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
+      open_drawer(false);
       return;
     }
     held_ = which;
@@ -328,6 +326,7 @@ class Throwing final : public Screen {
   void move_by_keys(double outward, double up) {
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     menu_ = false;
+    open_drawer(false);
     mishap_.stay();
     show_.stop(hand_);
     if (hand_.active())
@@ -359,12 +358,19 @@ class Throwing final : public Screen {
     desk.go(ScreenId::result);
   }
 
+  /// All that is not used most lies in it; a hand on the pot closes it.
+  void open_drawer(bool open) {
+    if (drawer_ != open) desk.turned = true;
+    drawer_ = open;
+  }
+
   /// A pot that has just fallen or torn is let go of, and the way back is where the eyes and keys
   /// are.
   void look_for_mishaps() {
     if (!mishap_.update(desk)) return;
     desk.turned = true;
     if (!mishap_) return;
+    drawer_ = false;
     let_go();
     set_water(false);
   }
@@ -381,7 +387,7 @@ class Throwing final : public Screen {
   double speed_;
   Grip grip_ = Grip::both;
   bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
-       menu_ = false, done_ = false;
+       menu_ = false, drawer_ = false, done_ = false;
   double soaked_at_ = -1, dry_ = 0, inside_until_ = -1;
   std::uint32_t serial_ = 0;
 };

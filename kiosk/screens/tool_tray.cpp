@@ -14,7 +14,6 @@ using view::Rect;
 namespace {
 
 constexpr std::string_view kControl = "throw.tool.";
-constexpr float kUnder = 0.4f;       // of the margin, below it
 constexpr float kNameShare = 0.78f;  // of body text: a name under its drawing, not a sentence
 
 /// A stroke of a drawing, in a square of 24 with y down.
@@ -79,58 +78,86 @@ std::vector<PenStroke> drawing_of(std::string_view tool) {
           {{19.5f, 15}, {23, 15}}};
 }
 
-float height_of(const TypeScale& type) {
-  return std::max(type.target, type.body * 1.5f) + 1.5f * type.body * kNameShare + type.gap;
+/// How the tray is set: rows of cells, in each a drawing with its name under it.
+struct TrayGrid {
+  std::size_t per_row = 1, rows = 1;
+  float cell = 0, side = 0, name = 0;  ///< Width; of a drawing; height of the highest name.
+  bool fits = false;
+};
+
+/// Of the words in `name`, set on their own.
+float longest_word(const Page& page, const std::string& name, const view::TextStyle& style) {
+  float longest = 0;
+  for (std::size_t begin = 0; begin < name.size();) {
+    const std::size_t end = std::min(name.find(' ', begin), name.size());
+    longest = std::max(longest, page.size(name.substr(begin, end - begin), style, -1).width);
+    begin = end + 1;
+  }
+  return longest;
 }
 
-/// Along the foot of the pot's part of the page, and clear of its edge.
-Rect strip_of(const Page& page, float height) {
-  const Regions& where = page.where();
-  const float w = where.all.w, h = where.all.y + where.all.h;
-  const float margin = page.type().margin;
-  if (where.portrait)
-    return {margin, where.words.y - page.type().gap - height, w - 2 * margin, height};
-  const float left = where.mirrored ? margin * 0.5f : where.words.x + where.words.w + margin * 0.7f;
-  const float right = where.mirrored ? where.words.x - margin * 0.7f : w - margin * 0.5f;
-  return {left, h - margin * kUnder - height, right - left, height};
+/// The fewest rows in `width` pixels in which no word of a name is broken.
+TrayGrid tray_grid(const Page& page, const Desk& desk, float width) {
+  const TypeScale& t = page.type();
+  const std::size_t count = desk.wheel().tools.size() + 1;
+  const auto style = page.style(view::Face::sans, t.body * kNameShare, view::Align::centre);
+  TrayGrid grid;
+  for (grid.rows = 1; grid.rows <= count; ++grid.rows) {
+    grid.per_row = (count + grid.rows - 1) / grid.rows;
+    grid.cell = std::min(width / static_cast<float>(grid.per_row), t.body * 5.5f);
+    grid.side = std::max(t.target, t.body * 1.5f);
+    grid.name = 0;
+    grid.fits = grid.side <= grid.cell - 4;
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::string name = ToolTray::name_of(desk, n);
+      grid.fits = grid.fits && longest_word(page, name, style) <= grid.cell - 5;
+      grid.name = std::max(grid.name, page.size(name, style, grid.cell - 4).height);
+    }
+    if (grid.fits) break;
+  }
+  return grid;
 }
 
 }  // namespace
 
-float ToolTray::room(const Wheel& wheel, const TypeScale& type) {
-  return wheel.tools.empty() ? 0 : height_of(type) + type.margin * kUnder + type.gap;
+std::string ToolTray::name_of(const Desk& desk, std::size_t which) {
+  const auto& tools = desk.wheel().tools;
+  return desk.say("tool." + (which == 0 ? "hands" : tools[which - 1].name));
 }
 
-void ToolTray::lay_out(Page& page, const Desk& desk, std::size_t held) {
-  const Wheel wheel = desk.wheel();
-  const TypeScale& t = page.type();
+void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
+  const Wheel& wheel = desk.wheel();
   if (wheel.tools.empty()) return;
-  const float height = height_of(t);
-  const Rect strip = strip_of(page, height);
-  const auto count = static_cast<float>(wheel.tools.size() + 1);
-  const float width = std::min(strip.w / count, t.body * 5.5f);
-  const float from = strip.x + (strip.w - width * count) / 2;
+  Page& page = column.page();
+  const TypeScale& t = page.type();
+  const Rect strip = column.rest();
+  const TrayGrid grid = tray_grid(page, desk, strip.w);
+  if (!grid.fits) page.overflowed();
+  const float height = grid.side + grid.name + t.gap;
   const auto style = page.style(view::Face::sans, t.body * kNameShare, view::Align::centre);
   for (std::size_t n = 0; n <= wheel.tools.size(); ++n) {
-    const std::string name = n == 0 ? "hands" : wheel.tools[n - 1].name;
-    const Rect cell{from + width * static_cast<float>(n), strip.y, width, height};
+    const auto row = static_cast<float>(n / grid.per_row);
+    auto place = static_cast<float>(n % grid.per_row);
+    if (desk.words().right_to_left()) place = static_cast<float>(grid.per_row) - 1 - place;
+    const Rect cell{strip.x + grid.cell * place, strip.y + row * (height + t.gap * 0.5f), grid.cell,
+                    height};
     const Rect button{cell.x + 2, cell.y, cell.w - 4, cell.h};
     page.control(std::string(kControl) + std::to_string(n), button);
     const bool on = n == held;
     page.draw(view::Box{button, t.body * 0.2f, view::with_alpha(view::kCobalt, on ? 0.10f : 0.0f),
                         on ? t.hairline * 2 : 0, view::kCobalt});
-    const std::string words = desk.say("tool." + name);
-    const auto size = page.size(words, style, button.w);
-    const float side = height - size.height - t.gap;
-    if (size.width > button.w + 1 || side < t.target * 0.7f) page.overflowed();
-    const float x = cell.x + (cell.w - side) / 2, y = cell.y + t.gap * 0.4f;
-    for (PenStroke stroke : drawing_of(name)) {
-      for (auto& [px, py] : stroke) px = x + px * side / 24, py = y + py * side / 24;
-      page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, side / 22)});
+    const float x = cell.x + (cell.w - grid.side) / 2, y = cell.y + t.gap * 0.4f;
+    for (PenStroke stroke : drawing_of(n == 0 ? "hands" : wheel.tools[n - 1].name)) {
+      for (auto& [px, py] : stroke) px = x + px * grid.side / 24, py = y + py * grid.side / 24;
+      page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, grid.side / 22)});
     }
-    page.words({button.x, cell.y + cell.h - size.height - t.gap * 0.3f, button.w, size.height},
-               words, style, view::kInk);
+    const std::string words = name_of(desk, n);
+    const float lines = page.size(words, style, button.w).height;
+    page.words({button.x, y + grid.side + t.gap * 0.2f, button.w, lines}, words, style, view::kInk);
   }
+  const auto rows = static_cast<float>(grid.rows);
+  column.space(rows * height + (rows - 1) * t.gap * 0.5f);
+  column.check();
 }
 
 std::optional<std::size_t> ToolTray::of_control(const std::string& control) {

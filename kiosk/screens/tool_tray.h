@@ -8,15 +8,15 @@
 
 namespace onggi::screens {
 
-/// What lies beside the wheel: the bare hands, and the scene's tools, each as a small
+/// What lies to hand beside the wheel: the bare hands, and the scene's tools, each as a small
 /// drawing with its name under it. Controls "throw.tool.0" (the hands) and on.
 class ToolTray {
  public:
-  /// Pixels along the pot's foot that it takes with the air about it; 0 where the scene has no
-  /// tool.
-  static float room(const Wheel& wheel, const TypeScale& type);
-  /// `held`: 0 the hands, n the n-th of Wheel::tools.
-  static void lay_out(Page& page, const Desk& desk, std::size_t held);
+  /// In as few rows from the top of `column` as the longest word of a name allows; nothing where
+  /// the scene has no tool. `held`: 0 the hands, n the n-th of Wheel::tools.
+  static void lay_out(Column& column, const Desk& desk, std::size_t held);
+  /// What `which` is called, for people.
+  static std::string name_of(const Desk& desk, std::size_t which);
   /// Which one "throw.tool.N" names; nothing for other controls.
   static std::optional<std::size_t> of_control(const std::string& control);
 };

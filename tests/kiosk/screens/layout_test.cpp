@@ -51,6 +51,7 @@ TEST(Layout, NorWithADeviceThatPushes) {
       v.show();
       if (korean) v.touch("language");
       v.throw_a_pot();
+      v.touch("throw.more");
       ASSERT_TRUE(v.visit->control("throw.softer"));
       check_layout(v, v.plain, "throw, with force");
     }

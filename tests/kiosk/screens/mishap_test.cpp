@@ -139,6 +139,7 @@ TEST(Mishap, AFreshLumpEndsTheWordsOfATearAndAFallGoesBeforeIt) {
   v.touch("throw.renew");
   EXPECT_EQ(v.potter.renewed, 1);
   v.mend();
+  v.touch("throw.less");
   v.frames(1);
   EXPECT_EQ(words_in(v.frame).find("The wall tore"), std::string::npos);
 }

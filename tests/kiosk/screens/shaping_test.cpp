@@ -62,6 +62,8 @@ class Studio {
   }
 
   void press(const std::string& control) {
+    for (const char* way : {"throw.more", "throw.less"})
+      if (control != way && !visit->control(control) && visit->control(way)) press(way);
     const auto r = visit->control(control);
     ASSERT_TRUE(r) << control;
     event(InputEvent::Kind::pointer_down, r->x + 3, r->y + 3);

@@ -187,6 +187,7 @@ TEST(Visit, TheWheelTurnsByItselfAndCanBeMadeSlowerUntilItStands) {
   EXPECT_NEAR(v.potter.wheels.back(), 25, 0.1);
   for (int i = 0; i < 20; ++i) v.touch("throw.slower");
   EXPECT_EQ(v.potter.wheels.back(), 0);
+  v.touch("throw.less");
   v.frames(3);
   EXPECT_NE(words_in(v.frame).find("stands still"), std::string::npos);
   for (int i = 0; i < 30; ++i) v.touch("throw.faster");
@@ -196,7 +197,9 @@ TEST(Visit, TheWheelTurnsByItselfAndCanBeMadeSlowerUntilItStands) {
 TEST(Visit, AVisitorSetsHowMuchForceIsFeltDownToOffAndTheNextBeginsWithAll) {
   Visitor v;
   v.throw_a_pot();
+  v.touch("throw.more");
   EXPECT_FALSE(v.visit->control("throw.softer")) << "nothing pushes";
+  v.touch("throw.less");
   v.news.use(device::DeviceKind::onggi_hid, true);
   v.show();
   EXPECT_EQ(v.visit->force_share(), 1.0);

@@ -145,7 +145,13 @@ void Visitor::up(float x, float y) {
   visit->input({InputEvent::Kind::pointer_up, x, y, 0, view::Key::none, false}, now);
 }
 
+void Visitor::reach(const std::string& control) {
+  for (const char* way : {"throw.more", "throw.less"})
+    if (!visit->control(control) && visit->control(way)) touch(way);
+}
+
 void Visitor::touch(const std::string& control) {
+  if (control.starts_with("throw.")) reach(control);
   const auto rect = visit->control(control);
   ASSERT_TRUE(rect) << control << " is not on the screen";
   down(rect->x + rect->w / 2, rect->y + rect->h / 2);
@@ -161,6 +167,9 @@ void Visitor::key(view::Key key) {
 }
 
 bool Visitor::key_to(const std::string& control) {
+  for (const char* way : {"throw.more", "throw.less"})
+    if (control.starts_with("throw.") && !visit->control(control) && visit->control(way))
+      key_to(way);
   const auto wanted = visit->control(control);
   if (!wanted) return false;
   using view::Key;
@@ -250,9 +259,12 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.touch("choose.throw");
   v.frames(3);
   with_help("throw");
+  v.touch("throw.more");
+  settled("throw drawer");
   v.touch("throw.inside");
   v.frames(3);
   v.touch("throw.renew");
+  v.touch("throw.less");
   v.status.can_restore = true;
   settled("throw inside");
   v.status.feedback.fallen = true;

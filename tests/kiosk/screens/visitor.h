@@ -56,7 +56,10 @@ class Visitor {
   void down(float x, float y);
   void move(float x, float y);
   void up(float x, float y);
-  void touch(const std::string& control);  ///< Down and up in the middle of a control.
+  /// Down and up in the middle of a control, in the drawer too.
+  void touch(const std::string& control);
+  /// At the wheel: opens or closes the drawer where `control` is only seen so.
+  void reach(const std::string& control);
   void key(view::Key key);
   /// Arrows until `control` is focused, then Enter: false when no arrow leads there.
   bool key_to(const std::string& control);
