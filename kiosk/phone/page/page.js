@@ -1,0 +1,129 @@
+// A pot in a small window, turned by a finger: the GLB that the kiosk writes, by WebGL alone. Where there is no
+// WebGL, or the file is none, the window stays hidden: the postcard is a picture of it.
+"use strict";
+
+// GLB 2.0: the first primitive's positions, normals and triangles, and its colour.
+function readPot(bytes) {
+  const head = new DataView(bytes);
+  if (head.getUint32(0, true) !== 0x46546c67) throw new Error("no GLB");
+  const length = head.getUint32(12, true);
+  const gltf = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 20, length)));
+  const bin = 20 + length + 8;
+  const array = (index) => {
+    const accessor = gltf.accessors[index], view = gltf.bufferViews[accessor.bufferView];
+    const from = bin + (view.byteOffset || 0) + (accessor.byteOffset || 0);
+    const count = accessor.count * (accessor.type === "VEC3" ? 3 : 1);
+    const Type = { 5126: Float32Array, 5125: Uint32Array, 5123: Uint16Array }[accessor.componentType];
+    return new Type(bytes.slice(from, from + count * Type.BYTES_PER_ELEMENT));
+  };
+  const shape = gltf.meshes[0].primitives[0];
+  const surface = gltf.materials ? gltf.materials[shape.material || 0].pbrMetallicRoughness : {};
+  return {
+    positions: array(shape.attributes.POSITION),
+    normals: array(shape.attributes.NORMAL),
+    triangles: Uint32Array.from(array(shape.indices)),
+    color: (surface.baseColorFactor || [0.7, 0.6, 0.5, 1]).slice(0, 3),
+  };
+}
+
+// The middle of the box round it, and half of its longest side.
+function boundsOf(positions) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], positions[i]);
+    high[i % 3] = Math.max(high[i % 3], positions[i]);
+  }
+  return {
+    middle: low.map((l, k) => (l + high[k]) / 2),
+    half: Math.max(...low.map((l, k) => high[k] - l)) / 2,
+  };
+}
+
+const VERTEX = `
+attribute vec3 at, normal;
+uniform vec3 middle;
+uniform float size, turn, tilt;
+varying vec3 facing;
+vec3 turned(vec3 p) {
+  vec3 q = vec3(cos(turn) * p.x + sin(turn) * p.z, p.y, cos(turn) * p.z - sin(turn) * p.x);
+  return vec3(q.x, cos(tilt) * q.y - sin(tilt) * q.z, sin(tilt) * q.y + cos(tilt) * q.z);
+}
+void main() {
+  facing = turned(normal);
+  vec3 p = turned(at - middle) / size;
+  gl_Position = vec4(p.xy * 1.4, -0.5 * p.z, 1.7 - 0.35 * p.z);
+}`;
+const FRAGMENT = `
+precision mediump float;
+uniform vec3 color;
+varying vec3 facing;
+void main() {
+  vec3 n = normalize(gl_FrontFacing ? facing : -facing);
+  float light = 0.25 + 0.15 * n.y + 0.6 * (0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.6, 0.8))));
+  gl_FragColor = vec4(pow(color * light, vec3(0.4545)), 1.0);
+}`;
+
+function show(canvas, pot) {
+  const gl = canvas.getContext("webgl2") || canvas.getContext("webgl");
+  if (!gl || !(gl instanceof WebGL2RenderingContext || gl.getExtension("OES_element_index_uint"))) return;
+  const program = gl.createProgram();
+  for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return;
+  gl.useProgram(program);
+  for (const [name, values] of [["at", pot.positions], ["normal", pot.normals]]) {
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+    const place = gl.getAttribLocation(program, name);
+    gl.enableVertexAttribArray(place);
+    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
+  }
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, pot.triangles, gl.STATIC_DRAW);
+  const uniform = (name) => gl.getUniformLocation(program, name);
+  const { middle, half } = boundsOf(pot.positions);
+  gl.uniform3fv(uniform("middle"), middle);
+  gl.uniform1f(uniform("size"), half);
+  gl.uniform3fv(uniform("color"), pot.color);
+  gl.enable(gl.DEPTH_TEST);
+  canvas.hidden = false;
+
+  let turn = 0, held = null, before = null;
+  canvas.onpointerdown = (e) => { held = e.clientX; canvas.setPointerCapture(e.pointerId); };
+  canvas.onpointerup = canvas.onpointercancel = () => { held = null; };
+  canvas.onpointermove = (e) => {
+    if (held === null) return;
+    turn += (e.clientX - held) * 0.01;
+    held = e.clientX;
+  };
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const frame = (now) => {
+    if (held === null && before !== null && !still) turn += (now - before) * 0.0006;
+    before = now;
+    const side = Math.round(canvas.clientWidth * Math.min(devicePixelRatio, 2));
+    if (canvas.width !== side) canvas.width = canvas.height = side;
+    gl.viewport(0, 0, side, side);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.uniform1f(uniform("turn"), turn);
+    gl.uniform1f(uniform("tilt"), 0.35);
+    gl.drawElements(gl.TRIANGLES, pot.triangles.length, gl.UNSIGNED_INT, 0);
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+}
+
+if (typeof document !== "undefined") {
+  const canvas = document.getElementById("pot");
+  fetch(canvas.dataset.glb)
+    .then((answer) => answer.arrayBuffer())
+    .then((bytes) => show(canvas, readPot(bytes)))
+    .catch(() => { canvas.hidden = true; });
+  for (const form of document.forms)
+    form.addEventListener("submit", (e) => { if (!confirm(form.dataset.sure)) e.preventDefault(); });
+}

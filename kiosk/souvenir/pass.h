@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+
+namespace onggi::souvenir {
+
+/// A visitor's way to a keepsake by phone, for a time.
+struct Pass {
+  std::string token;       ///< kTokenLetters letters that nobody guesses.
+  std::string visit;       ///< The folder of the keepsake.
+  std::int64_t from = 0;   ///< s since 1970, by this machine's clock,
+  std::int64_t until = 0;  ///< and not at it any more.
+};
+
+/// The passes to the keepsakes of one folder, a small file each in `phone` below it. They are files
+/// so that whoever gives them (the kiosk) and whoever takes them (a process that a network reaches)
+/// need not know each other. Any thread; each call reads the disk.
+class Passes {
+ public:
+  /// 128 bits of the system's randomness, five to a letter; none that is mistaken for another.
+  static constexpr std::size_t kTokenLetters = 26;
+
+  explicit Passes(std::filesystem::path keepsakes) : keepsakes_(std::move(keepsakes)) {}
+
+  /// A new pass to `visit` for `hours`. Problem, exit 1, where the disk refuses; exit 2 where that
+  /// is no visit's name.
+  Result<Pass> give(const std::string& visit, std::int64_t now, double hours) const;
+  /// The pass of this token that is good at `now`. The same work is done for every token that is
+  /// not: all passes are compared, each letter of each. A clock that was set back by more than a
+  /// day ends a pass too.
+  std::optional<Pass> find(std::string_view token, std::int64_t now) const;
+  /// A file of its keepsake, one of souvenir's; nothing where it is not there.
+  std::optional<std::string> file_of(const Pass& pass, const char* name) const;
+  /// Removes the keepsake, all of it, and every pass to it. Problem, exit 1, where some is left.
+  Result<void> remove_all_of(const Pass& pass) const;
+  /// Removes the passes that are good no more, and those whose keepsake has gone.
+  void forget(std::int64_t now) const;
+
+ private:
+  std::filesystem::path folder() const { return keepsakes_ / "phone"; }
+  std::optional<Pass> read(const std::string& token) const;
+  std::filesystem::path keepsakes_;
+};
+
+}  // namespace onggi::souvenir
