@@ -23,6 +23,7 @@ Command setup_command();
 /// Of `onggi lab`.
 Command lab_loop_command();
 Command lab_frames_command();
+Command lab_sound_command();
 Command lab_naive_command();
 Command lab_scenes_command();
 

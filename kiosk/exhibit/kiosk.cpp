@@ -68,6 +68,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     auto loop = std::make_unique<loop::LoopThread>();
     for (const std::string& remark : loop->remarks()) log_line(remark);
     kiosk->potter_ = std::move(loop);
+    if (kiosk->exhibit_.sound.volume > 0.0)
+      kiosk->sound_ = std::make_unique<StudioSound>(*kiosk->potter_, kiosk->exhibit_.sound.volume);
   }
   kiosk->wall_ = options.wall;
   if (kiosk->exhibit_.hours.kept && !options.stepped) kiosk->night_.emplace(kiosk->exhibit_.hours);
@@ -203,6 +205,7 @@ bool Kiosk::frame(double now, bool draw) {
   auto events = renderer_->poll();
   for (const std::string& line : renderer_->remarks()) log_line(line);
   if (look_at_shelf(now) && !visit_) begin_visit(now);
+  if (sound_) sound_->frame(now, visit_.get(), dark());
   const auto pressed = look_after_devices(now);
   events.insert(events.end(), pressed.begin(), pressed.end());
   for (const view::InputEvent& event : events)

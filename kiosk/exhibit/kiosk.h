@@ -15,6 +15,7 @@
 #include "kiosk/exhibit/night.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
+#include "kiosk/exhibit/studio_sound.h"
 #include "kiosk/exhibit/visit_counter.h"
 #include "kiosk/loop/fault_log.h"
 #include "kiosk/loop/potter_host.h"
@@ -127,6 +128,7 @@ class Kiosk {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::PotterHost> potter_;
   loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
+  std::unique_ptr<StudioSound> sound_;      ///< Null where none is made. Listens to potter_.
   std::unique_ptr<HandDevices> devices_;    ///< Null where none are to be used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Keepsakes> keepsakes_;

@@ -43,6 +43,8 @@ const char* name_of(Output::Kind kind) {
       return "table in CSV";
     case Output::Kind::glb:
       return "GLB";
+    case Output::Kind::wav:
+      return "sound in WAV";
     case Output::Kind::picture:
       break;
   }

@@ -22,6 +22,7 @@ class Output {
     csv,
     picture,  ///< An SVG where the name ends in ".svg", else a PNG.
     glb,
+    wav,
   };
 
   explicit Output(Kind kind, std::string where = "") : kind_(kind), where_(std::move(where)) {}

@@ -71,6 +71,8 @@ bool is_of_kind(const std::filesystem::path& file, Output::Kind kind) {
       return is_table(head);
     case Output::Kind::glb:
       return head.starts_with("glTF");
+    case Output::Kind::wav:
+      return head.starts_with("RIFF") && head.substr(8, 4) == "WAVE";
     case Output::Kind::picture:
       break;
   }

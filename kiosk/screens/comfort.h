@@ -16,12 +16,13 @@ class Comfort {
     const char* name;  ///< Control "comfort.NAME"; words "comfort.NAME" and "comfort.NAME_is".
     bool settings::Exhibit::Screen::*of;
   };
-  static constexpr std::array<Choice, 5> kChoices{
+  static constexpr std::array<Choice, 6> kChoices{
       {{"left_handed", &settings::Exhibit::Screen::left_handed},
        {"low_reach", &settings::Exhibit::Screen::low_reach},
        {"larger_text", &settings::Exhibit::Screen::larger_text},
        {"high_contrast", &settings::Exhibit::Screen::high_contrast},
-       {"reduced_motion", &settings::Exhibit::Screen::reduced_motion}}};
+       {"reduced_motion", &settings::Exhibit::Screen::reduced_motion},
+       {"silent", &settings::Exhibit::Screen::silent}}};
 
   /// `exhibit` with what was chosen in its place.
   settings::Exhibit::Screen applied(settings::Exhibit::Screen exhibit) const {

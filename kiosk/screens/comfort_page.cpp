@@ -27,6 +27,8 @@ std::vector<Comfort::Choice> offered(const Page& page, const Desk& desk) {
       const Rect whole{0, 0, static_cast<float>(page.width()), static_cast<float>(page.height())};
       if (in_reach(low, page.width(), page.height()) == whole) continue;
     }
+    if (choice.of == &settings::Exhibit::Screen::silent && desk.world.exhibit->sound.volume == 0)
+      continue;
     all.push_back(choice);
   }
   return all;

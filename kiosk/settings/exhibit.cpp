@@ -231,6 +231,11 @@ void read_keepsake(Table table, const fs::path& folder, Exhibit::Keepsake& keeps
   table.finish();
 }
 
+void read_sound(Table table, Exhibit::Sound& sound) {
+  table.number("volume", sound.volume, 0, 1);
+  table.finish();
+}
+
 void read_store(Table table, Exhibit::Store& store) {
   table.boolean("count", store.count);
   table.integer("months", store.months, 1, 240, "months");
@@ -246,6 +251,7 @@ void read_screen(Table table, Exhibit::Screen& screen) {
   table.boolean("high_contrast", screen.high_contrast);
   table.boolean("larger_text", screen.larger_text);
   table.boolean("low_reach", screen.low_reach);
+  table.boolean("silent", screen.silent);
   table.number("force", screen.force, 0, 1);
   table.finish();
 }
@@ -327,6 +333,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_keepsake(root.child("keepsake"), folder, exhibit.keepsake);
   read_store(root.child("store"), exhibit.store);
   read_screen(root.child("screen"), exhibit.screen);
+  read_sound(root.child("sound"), exhibit.sound);
   read_hours(root.child("hours"), exhibit.hours);
   read_reader(root.child("reader"), exhibit.reader);
   root.finish();

@@ -60,8 +60,12 @@ struct Exhibit {
     bool high_contrast = false;  ///< Words 7:1 on what they stand on, heavier lines.
     bool larger_text = false;
     bool low_reach = false;  ///< Everything between 380 and 1,220 mm above the floor.
+    bool silent = false;     ///< No sound, whatever [sound] says.
     double force = 1.0;      ///< 0 (off) .. 1 of the device's cap.
   } screen;
+  struct Sound {
+    double volume = 0.5;  ///< 0 (none is made) .. 1.
+  } sound;
   Hours hours;          ///< [hours]: when the museum is open.
   ReaderLimits reader;  ///< [reader]: what is allowed of a vessel's file.
 };

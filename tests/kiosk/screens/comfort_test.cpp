@@ -212,6 +212,17 @@ TEST(Comfort, LowReachIsReckonedFromHowLargeTheScreenIsAndHowHighItHangs) {
   EXPECT_EQ(in_reach(screen, 600, 800), (view::Rect{0, 0, 600, 800}));
 }
 
+TEST(Comfort, SilenceIsNoChoiceWhereTheExhibitHasNoSound) {
+  Visitor v;
+  v.touch("comfort");
+  EXPECT_TRUE(v.visit->control("comfort.silent"));
+  v.touch("comfort.close");
+  v.exhibit.sound.volume = 0.0;
+  v.show();
+  v.touch("comfort");
+  EXPECT_FALSE(v.visit->control("comfort.silent"));
+}
+
 TEST(Comfort, LowReachIsNoChoiceWhereAllOfTheScreenIsInReach) {
   Visitor v;  // 294 mm high, from 900 mm
   v.touch("comfort");

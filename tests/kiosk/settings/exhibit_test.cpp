@@ -88,13 +88,14 @@ left_handed = true
 high_contrast = true
 larger_text = true
 low_reach = true
+silent = true
 force = 0
 [reader]
 file_mb = 32
 vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 25);
+  EXPECT_EQ(r.keys_checked, 26);
   EXPECT_THAT(r.exhibit.attract_scripts, ElementsAre("follow", "collapse"));
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
@@ -116,6 +117,7 @@ vertices = 200000
   EXPECT_TRUE(r.exhibit.screen.high_contrast);
   EXPECT_TRUE(r.exhibit.screen.larger_text);
   EXPECT_TRUE(r.exhibit.screen.low_reach);
+  EXPECT_TRUE(r.exhibit.screen.silent);
   EXPECT_EQ(r.exhibit.screen.force, 0);
   EXPECT_EQ(r.exhibit.reader.file_mb, 32);
   EXPECT_EQ(r.exhibit.reader.vertices, 200000);
@@ -303,7 +305,9 @@ TEST(exhibit, what_ships_is_what_holds_where_nothing_is_written) {
   EXPECT_EQ(shipped.screen.high_contrast, none.screen.high_contrast);
   EXPECT_EQ(shipped.screen.larger_text, none.screen.larger_text);
   EXPECT_EQ(shipped.screen.low_reach, none.screen.low_reach);
+  EXPECT_EQ(shipped.screen.silent, none.screen.silent);
   EXPECT_EQ(shipped.screen.force, none.screen.force);
+  EXPECT_EQ(shipped.sound.volume, none.sound.volume);
   EXPECT_EQ(shipped.reader, none.reader);
   EXPECT_EQ(shipped.rubric, none.rubric);
 }

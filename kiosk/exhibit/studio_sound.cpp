@@ -1,0 +1,20 @@
+#include "kiosk/exhibit/studio_sound.h"
+
+#include "kiosk/exhibit/log.h"
+#include "kiosk/sound/ear.h"
+
+namespace onggi::exhibit {
+
+StudioSound::StudioSound(const loop::PotterHost& potter, double volume)
+    : volume_(volume), speaker_([&potter] { return sound::hear(potter.status()); }) {}
+
+void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
+  speaker_.look(now);
+  if (const std::string line = speaker_.remark(); !line.empty()) log_line(line);
+  const bool heard = visit != nullptr && !dark && !visit->shown_on().silent &&
+                     visit->screen() != screens::ScreenId::attract;
+  speaker_.volume(heard ? volume_ : 0.0);
+  speaker_.fire(heard && visit->screen() == screens::ScreenId::kiln ? 1.0 : 0.0);
+}
+
+}  // namespace onggi::exhibit

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "kiosk/loop/potter_host.h"
+#include "kiosk/screens/visit.h"
+#include "kiosk/sound/speaker.h"
+
+namespace onggi::exhibit {
+
+/// What an open exhibit sounds like: the wheel and the hands of the visitor who works on it, and
+/// the kiln while its screen is shown. Silent in attract, for a visitor who chose so, in the dark,
+/// and where there is no sound card, which it says once in the log. Main thread; SDL's thread reads
+/// the wheel's status.
+class StudioSound {
+ public:
+  /// `potter`, which stays longer than this, is listened to; `volume` 0..1.
+  StudioSound(const loop::PotterHost& potter, double volume);
+  /// Once a frame, `now` in s on a clock that never goes back; `visit` may be null.
+  void frame(double now, const screens::Visit* visit, bool dark);
+  const sound::Speaker& speaker() const { return speaker_; }
+
+ private:
+  double volume_;
+  sound::Speaker speaker_;
+};
+
+}  // namespace onggi::exhibit
