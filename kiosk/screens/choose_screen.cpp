@@ -1,14 +1,14 @@
 #include "kiosk/screens/choose_screen.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
-#include "kiosk/content/address.h"
-#include "kiosk/score/likeness.h"
-#include "kiosk/screens/label.h"
 #include "kiosk/screens/overlays.h"
-#include "kiosk/view/square_code.h"
+#include "kiosk/screens/shelf_scroll.h"
+#include "kiosk/screens/vessel_label.h"
 
 namespace onggi::screens {
 
@@ -17,50 +17,144 @@ using view::Rect;
 
 namespace {
 
-/// What the vessel measures on the wheel, of its true size.
-int percent_of_size(const ShelfCard& card) {
-  return static_cast<int>(std::lround(100.0 * card.scale));
-}
+constexpr float kPeek = 0.35f;      // of a card: what is seen of the column that comes next
+constexpr float kSlip = 5.0f / 15;  // of the least touch target: a finger that goes less taps
+constexpr float kLegible = 0.9f;    // of a card on the screen: from here on its words come
 
 /// The shelf, and over it the label of the vessel that was touched.
 class Choose final : public Screen {
  public:
-  explicit Choose(Desk& d) : Screen(d), first_(std::max(d.card, 0)) {}
+  explicit Choose(Desk& d) : Screen(d), label_(d), wanted_(std::max(d.card, 0)) {}
   ScreenId id() const override { return ScreenId::choose; }
   std::string first_focus() const override {
-    return open_ < 0 ? "choose.card." + std::to_string(first_) : "choose.throw";
+    return !open() ? card_control(in_front()) : "choose.throw";
+  }
+
+  void update(double dt) override {
+    if (finger_) watch_finger();
+    scroll_.update(dt, desk.still());
   }
 
   void press(const std::string& control) override {
+    if (control == "choose.next") return scroll_.step(scroll_.shown());
+    if (control == "choose.previous") return scroll_.step(-scroll_.shown());
     desk.turned = true;
-    const std::string card = "choose.card.";
-    if (control.starts_with(card)) {
-      open(std::stoi(control.substr(card.size())));
-    } else if (control == "choose.alike") {
-      open(alike_);
-    } else if (control == "choose.next") {
-      first_ = (page_ + 1) * per_page_;
-    } else if (control == "choose.previous") {
-      first_ = std::max(0, page_ - 1) * per_page_;
-    } else if (control == "choose.more") {
-      part_ = parts_ > 1 ? (part_ + 1) % parts_ : 0;
+    if (const auto card = card_of(control)) {
+      label_.open(*card);
+    } else if (label_.press(control)) {
+      return;
     } else if (control == "choose.throw") {
-      desk.card = open_;
-      desk.start_pot(open_, false);
+      desk.card = label_.card();
+      desk.start_pot(label_.card(), false);
       desk.go(ScreenId::throwing);
     }
   }
 
   void back() override {
-    if (open_ < 0) return desk.go(ScreenId::attract);
-    first_ = open_;
-    open_ = -1;
+    if (!open()) return desk.go(ScreenId::attract);
+    wanted_ = label_.card();
+    label_.close();
     desk.turned = true;
   }
 
-  void lay_out(Page& page) override { open_ < 0 ? lay_out_shelf(page) : lay_out_label(page); }
+  void let_go() override {
+    finger_.reset();
+    scroll_.step(0);
+  }
+
+  /// A finger that goes along the shelf takes it with it; one that does not, taps.
+  bool drag(const view::InputEvent& e, const Page& page) override {
+    using Kind = view::InputEvent::Kind;
+    if (open() || !scroll_.longer_than_the_screen() || pitch_ <= 0) return false;
+    const float way = desk.words().right_to_left() ? -1.0f : 1.0f;
+    if (e.kind == Kind::pointer_down) {
+      if (!shelf_.contains(e.x, e.y)) return false;
+      const bool ran = scroll_.moving();
+      finger_ = Finger{e.x, e.x, scroll_.at(), desk.now, 0, ran};
+      if (ran) scroll_.hold();
+      return ran;  // Who stops it means no vessel.
+    }
+    if (!finger_) return false;
+    if (e.kind == Kind::pointer_move) {
+      if (!finger_->drags && std::abs(e.x - finger_->from) > kSlip * page.type().target) {
+        finger_->drags = true;
+        scroll_.hold();
+      }
+      if (!finger_->drags) return false;
+      scroll_.drag(static_cast<double>(way * (finger_->x - e.x) / pitch_));
+      finger_->x = e.x;
+      return true;
+    }
+    if (e.kind != Kind::pointer_up) return false;
+    watch_finger();
+    const Finger last = *std::exchange(finger_, std::nullopt);
+    if (!last.drags) return false;
+    scroll_.release(last.speed);
+    return true;
+  }
+
+  /// A wheel turns the shelf by a column a notch, and so does a touch on the card that peeks in.
+  void pointer(const view::InputEvent& e, const Page&) override {
+    if (open()) return;
+    if (e.kind == view::InputEvent::Kind::scroll) {
+      notches_ -= static_cast<double>(e.scroll);
+      const int whole = static_cast<int>(notches_);
+      notches_ -= whole;
+      scroll_.step(whole);
+    } else if (e.kind == view::InputEvent::Kind::pointer_up && peeking_.contains(e.x, e.y)) {
+      scroll_.step(1);
+    }
+  }
+
+  /// An arrow onward from the last column that is seen whole brings the next.
+  std::string step(const std::string& from, Direction to) override {
+    const auto card = card_of(from);
+    if (open() || !card || !scroll_.longer_than_the_screen()) return {};
+    const bool level = to == Direction::left || to == Direction::right;
+    if (!level) return {};
+    const bool onward = (to == Direction::right) != desk.words().right_to_left();
+    const int next = std::min(*card + (onward ? rows_ : -rows_), desk.cards() - 1);
+    if (next < 0 || next / rows_ == *card / rows_) return {};
+    scroll_.show(next / rows_);
+    return card_control(next);
+  }
+
+  void lay_out(Page& page) override { open() ? label_.lay_out(page) : lay_out_shelf(page); }
 
  private:
+  struct Finger {
+    float from, x;
+    double at, since;  ///< Where the shelf was when it was last looked at, and when.
+    double speed;      ///< Columns/s.
+    bool drags;
+  };
+
+  /// How fast the finger takes the shelf along: of the last tenth of a second or so, for what came
+  /// before is not what it was thrown with. A frame at a time: of one frame all events have one
+  /// time.
+  void watch_finger() {
+    const double dt = desk.now - finger_->since;
+    if (dt <= 0) return;
+    const double speed = (scroll_.at() - finger_->at) / dt;
+    finger_->speed += (speed - finger_->speed) * (1 - std::exp(-dt / 0.05));
+    finger_->at = scroll_.at();
+    finger_->since = desk.now;
+  }
+
+  bool open() const { return label_.card() >= 0; }
+  static std::string card_control(int i) { return "choose.card." + std::to_string(i); }
+  static std::optional<int> card_of(const std::string& control) {
+    const std::string card = "choose.card.";
+    if (!control.starts_with(card)) return std::nullopt;
+    return std::stoi(control.substr(card.size()));
+  }
+  /// The card where the keyboard begins: the one that was open, if it is seen.
+  int in_front() const {
+    const int column = wanted_ / rows_;
+    const bool seen = column >= scroll_.first() && column < scroll_.first() + scroll_.shown();
+    return std::clamp(seen ? wanted_ : scroll_.first() * rows_, 0, std::max(0, desk.cards() - 1));
+  }
+
   void lay_out_shelf(Page& page) {
     const TypeScale& t = page.type();
     Column column(page, page.where().page);
@@ -72,58 +166,86 @@ class Choose final : public Screen {
     column.space(t.gap * 1.5f);
     if (desk.cards() == 0) return;
 
-    // How many cards a row holds follows from the type; how many rows, from what is left.
-    const float gap = t.body * 1.2f;
+    // How many cards stand beside one another follows from the type; how many rows, from what is
+    // left.
+    const float gap = t.body * 1.2f, margin = t.margin;
     const Rect whole = column.rest();
     const float narrowest = t.body * (page.where().portrait ? 10.5f : 11.0f);
-    const int columns = std::clamp(static_cast<int>((whole.w + gap) / (narrowest + gap)), 1,
-                                   std::max(1, desk.cards()));
-    const float card_width =
-        (whole.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    float text_height = 0;
-    for (int i = 0; i < desk.cards(); ++i)
-      text_height = std::max(text_height, card_text(page, i, {0, 0, card_width, 0}, false));
-
+    int columns = std::clamp(static_cast<int>((whole.w + gap) / (narrowest + gap)), 1,
+                             std::max(1, desk.cards()));
+    float width = (whole.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    float text_height = text_of_all(page, width);
     const auto rows_in = [&](float height) {
-      return static_cast<int>((height + gap) / (t.body * 6.5f + text_height + gap));
+      return std::max(1, static_cast<int>((height + gap) / (t.body * 6.5f + text_height + gap)));
     };
-    int rows = std::max(1, rows_in(whole.h));
-    if (rows * columns < desk.cards()) {
-      // The line of paging may take a row: what is on a page is known once it has been laid out.
-      page_ = first_ / per_page_;
-      paging(page, column, per_page_);
-      rows = std::max(1, rows_in(column.rest().h));
+    rows_ = rows_in(whole.h);
+    std::optional<Foot> foot;
+    if (rows_ * columns < desk.cards()) {
+      // It goes on beyond the screen's edge, where the next column peeks in.
+      columns =
+          std::max(1, static_cast<int>((whole.w + margin - kPeek * narrowest) / (narrowest + gap)));
+      const auto n = static_cast<float>(columns);
+      width = (whole.w + margin - gap * n) / (n + kPeek);
+      text_height = text_of_all(page, width);
+      foot = foot_room(page, column);
+      rows_ = rows_in(column.rest().h);
     }
-    const Rect area = column.rest();
-    if (std::exchange(per_page_, rows * columns) != rows * columns) page.restart();
-    page_ = first_ / per_page_;
+    const int all = (desk.cards() + rows_ - 1) / rows_;
     // Few vessels on a tall screen: fewer rows with larger pictures.
-    rows = std::min(rows, (desk.cards() + columns - 1) / columns);
+    if (all <= columns) rows_ = (desk.cards() + columns - 1) / columns;
+    scroll_.bound(std::max(all <= columns ? columns : all, 1), columns);
+    if (const int wanted = std::exchange(shown_, wanted_); wanted != wanted_)
+      scroll_.show(wanted_ / rows_);
 
+    if (foot) draw_foot(page, *foot);
+    const Rect area = column.rest();
+    shelf_ = {page.where().all.x, area.y, page.where().all.w, area.h};
+    pitch_ = width + gap;
+    peeking_ = {0, 0, 0, 0};
     const float row_height =
-        (area.h - gap * static_cast<float>(rows - 1)) / static_cast<float>(rows);
+        (area.h - gap * static_cast<float>(rows_ - 1)) / static_cast<float>(rows_);
     const float picture = row_height - text_height - t.gap * 0.5f;
     if (picture < t.body * 3) page.overflowed();
-    const int last = std::min(desk.cards(), (page_ + 1) * per_page_);
-    for (int i = page_ * per_page_; i < last; ++i) {
-      const int k = i - page_ * per_page_;
-      const auto c = static_cast<float>(k % columns), r = static_cast<float>(k / columns);
-      const Rect card{area.x + c * (card_width + gap), area.y + r * (row_height + gap), card_width,
-                      row_height};
-      page.control("choose.card." + std::to_string(i), card);
-      const ShelfCard* shelf = desk.shelf_card(i);
-      const float inset = t.gap * 0.5f;
-      if (shelf->picture != 0)
-        page.draw(
-            view::Picture{{card.x + inset, card.y + inset, card.w - 2 * inset, picture - inset},
-                          shelf->picture,
-                          1});
-      card_text(page, i, {card.x, card.y + picture + t.gap * 0.5f, card.w, text_height}, true);
+    for (int i = 0; i < desk.cards(); ++i) {
+      const auto c = static_cast<float>(static_cast<double>(i / rows_) - scroll_.at());
+      const auto r = static_cast<float>(i % rows_);
+      float x = area.x + c * pitch_;
+      if (desk.words().right_to_left()) x = 2 * area.x + area.w - x - width;
+      lay_out_card(page, i, {x, area.y + r * (row_height + gap), width, row_height}, picture,
+                   text_height);
     }
   }
 
-  /// Title in cobalt with its hairline, culture and date; gives the height. Draws when asked to.
-  float card_text(Page& page, int index, const Rect& at, bool draw) const {
+  float text_of_all(Page& page, float width) const {
+    float height = 0;
+    for (int i = 0; i < desk.cards(); ++i)
+      height = std::max(height, card_text(page, i, {0, 0, width, 0}, 0));
+    return height;
+  }
+
+  void lay_out_card(Page& page, int i, const Rect& card, float picture, float text_height) {
+    const Rect& all = page.where().all;
+    const float left = std::max(card.x, all.x), right = std::min(card.x + card.w, all.x + all.w);
+    const float share = (right - left) / card.w;
+    if (share <= 0) return;
+    if (share > 0.999f)
+      page.control(card_control(i), card);
+    else if (i / rows_ >= scroll_.first() + scroll_.shown())
+      peeking_ = peeking_.w > 0 ? Rect{left, peeking_.y, right - left, card.y + card.h - peeking_.y}
+                                : Rect{left, card.y, right - left, card.h};
+    const float inset = page.type().gap * 0.5f;
+    if (const ShelfCard* shelf = desk.shelf_card(i); shelf->picture != 0)
+      page.draw(view::Picture{{card.x + inset, card.y + inset, card.w - 2 * inset, picture - inset},
+                              shelf->picture,
+                              1});
+    const float legible = std::clamp((share - kLegible) / (1 - kLegible), 0.0f, 1.0f);
+    if (legible > 0)
+      card_text(page, i, {card.x, card.y + picture + page.type().gap * 0.5f, card.w, text_height},
+                legible);
+  }
+
+  /// Title in cobalt, culture and date; gives the height. Draws where `opacity` is more than 0.
+  float card_text(Page& page, int index, const Rect& at, float opacity) const {
     const TypeScale& t = page.type();
     const content::Label label = desk.label(index);
     float y = at.y;
@@ -133,7 +255,8 @@ class Choose final : public Screen {
       style.line_height = 1.25f;
       const auto size = page.size(words, style, at.w);
       if (size.width > at.w + 2) page.overflowed();
-      if (draw) page.words({at.x, y, at.w, size.height}, words, style, color);
+      if (opacity > 0)
+        page.words({at.x, y, at.w, size.height}, words, style, view::with_alpha(color, opacity));
       y += size.height;
     };
     line(label.title, Face::serif, t.body * 1.12f, view::kCobalt);
@@ -142,178 +265,92 @@ class Choose final : public Screen {
     return y - at.y + t.gap * 0.5f;
   }
 
-  /// "Earlier", "2 of 4", "More vessels": beside Back and Help where there is room, else above.
-  void paging(Page& page, Column& column, int per_page) {
-    const TypeScale& t = page.type();
-    const int pages = (desk.cards() + per_page - 1) / per_page;
-    std::vector<Button> row;
-    if (page_ > 0) row.push_back({"choose.previous", desk.say("choose.previous"), Look::outline});
-    if (page_ + 1 < pages) row.push_back({"choose.next", desk.say("choose.next"), Look::outline});
-    const std::string count = desk.say(
-        "choose.page", {{"page", std::to_string(page_ + 1)}, {"pages", std::to_string(pages)}});
-    const auto style = page.style(Face::sans, t.body);
-    const auto count_size = page.size(count, style, -1);
+  std::string count_of(int from, int to) const {
+    return desk.say("choose.page", {{"first", std::to_string(from)},
+                                    {"last", std::to_string(to)},
+                                    {"total", std::to_string(desk.cards())}});
+  }
+  std::array<Button, 2> ways() const {
+    return {Button{"choose.previous", desk.say("choose.previous"), Look::outline},
+            Button{"choose.next", desk.say("choose.next"), Look::outline}};
+  }
 
+  /// Where that stands which says how much more there is: beside Back and Help where there is room,
+  /// else above.
+  struct Foot {
+    float wanted = 0, y = 0, height = 0, line = 0;
+  };
+  Foot foot_room(Page& page, Column& column) const {
+    const TypeScale& t = page.type();
     const Rect whole = page.where().page;
-    float used = 0, height = t.target;
+    const std::string longest = count_of(desk.cards(), desk.cards());
+    Foot foot;
+    foot.wanted = page.size(longest, page.style(Face::sans, t.body), -1).width + 4;
+    foot.height = t.target;
+    float used = 0;
     for (const Control& c : page.controls()) used = std::max(used, c.rect.x + c.rect.w - whole.x);
-    float wanted = count_size.width + 4;
-    for (const Button& b : row) {
+    for (const Button& b : ways()) {
       const auto size = page.size(b, whole.w);
-      wanted += size.width + t.gap;
-      height = std::max(height, size.height);
+      foot.wanted += size.width + t.gap;
+      foot.height = std::max(foot.height, size.height);
     }
-    float y = whole.y + whole.h - height;
-    if (used + wanted + t.gap * 3 > whole.w) {
-      y = column.rest().y + column.rest().h - height;
-      column.foot_space(height + t.gap * 1.5f);
+    foot.y = whole.y + whole.h - foot.height;
+    if (used + foot.wanted + t.gap * 3 > whole.w) {
+      foot.y = column.rest().y + column.rest().h - foot.height;
+      column.foot_space(foot.height + t.gap * 1.5f);
+      if (foot.wanted > whole.w + 1) page.overflowed();
     }
-    float x = whole.x + whole.w - wanted;
-    page.words({x, y + (height - count_size.height) / 2, count_size.width + 4, count_size.height},
-               count, style, view::kFaintInk);
-    x += count_size.width + 4 + t.gap;
-    for (const Button& b : row) {
-      const auto size = page.size(b, whole.w);
-      page.button(b, {x, y, size.width, height});
-      x += size.width + t.gap;
-    }
+    foot.line = column.rest().y + column.rest().h;
+    column.foot_space(std::max(3.0f, t.hairline * 3) + t.gap);
+    return foot;
   }
 
-  /// The label of `card`; which other vessel is most like it is asked once.
-  void open(int card) {
-    open_ = card;
-    part_ = 0;
-    parts_ = 1;
-    alike_ = -1;
-    const ShelfCard* shelf = desk.shelf_card(card);
-    if (shelf == nullptr) return;
-    std::vector<const Profile*> others;
-    for (int i = 0; i < desk.cards(); ++i) others.push_back(&desk.shelf_card(i)->target);
-    if (const auto found = score::most_alike(shelf->target, others))
-      alike_ = static_cast<int>(*found);
-  }
-
-  void lay_out_label(Page& page) {
-    const ShelfCard* shelf = desk.shelf_card(open_);
-    if (shelf == nullptr) return;
+  /// A line of which the heavy part is on the screen, the same in words, and the way for who does
+  /// not swipe.
+  void draw_foot(Page& page, const Foot& foot) const {
     const TypeScale& t = page.type();
-    Rect words = page.where().words, picture = page.where().pot;
-    if (page.where().portrait) {
-      const float more = words.h * 0.2f;
-      words.y -= more;
-      words.h += more;
-      picture.h -= more;
-      picture.x = words.x;  // its credit and code stand above the words
-      picture.w = words.w;
-    } else {
-      // A label needs longer lines than a hint: half the page.
-      const Rect whole = page.where().page;
-      words.w = std::round(whole.w * 0.52f);
-      picture = {words.x + words.w + page.type().margin, whole.y, whole.w - words.w - t.margin,
-                 whole.h};
-      if (page.where().mirrored) {
-        picture.x = whole.x;
-        words.x = whole.x + whole.w - words.w;
-      }
-    }
-    const content::Label label = desk.label(open_);
-    lay_out_picture(page, *shelf, label, picture);
-
-    Column column(page, words);
-    column.foot_buttons(standing_buttons(desk, true));
-    column.foot_space(t.gap * 1.5f);
-    const bool several = parts_ > 1;
-    std::vector<Button> onward{{"choose.throw", desk.say("choose.throw"), Look::solid}};
-    if (several)
-      onward.push_back({"choose.more",
-                        desk.say(part_ + 1 < parts_ ? "choose.more" : "choose.first"),
-                        Look::outline});
-    if (alike_ >= 0)
-      onward.push_back({"choose.alike",
-                        desk.say("choose.alike", {{"vessel", desk.label(alike_).title}}),
-                        Look::quiet});
-    column.foot_buttons(onward);
-    column.foot_space(t.gap * 1.5f);
-    column.text(label.title, t.title, Face::serif);
-    std::string line = label_line(label);
-    if (shelf->vessel->true_height > 0) {
-      const std::string size =
-          desk.say("choose.size", {{"cm", centimetres(shelf->vessel->true_height)}});
-      line += (line.empty() ? "" : ". ") + size;
-      // A vessel is worked at a size that a hand can reach, and the label says which.
-      if (const int percent = percent_of_size(*shelf); percent != 100)
-        line += ". " + desk.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
-                                {{"percent", std::to_string(percent)}});
-    }
-    column.text(line, t.body, Face::sans, view::kFaintInk);
-    column.space(t.gap);
-
+    const Rect whole = page.where().page;
+    const int first = scroll_.first() * rows_;
+    const std::string count =
+        count_of(first + 1, std::min(desk.cards(), first + scroll_.shown() * rows_));
     const auto style = page.style(Face::sans, t.body);
-    const auto parts = parts_that_fit(page, {label.text, label.made}, style, column.rest());
-    part_ = std::clamp(part_, 0, static_cast<int>(parts.size()) - 1);
-    bool first = true;
-    for (const std::string& paragraph : parts[static_cast<std::size_t>(part_)]) {
-      if (!std::exchange(first, false)) column.space(paragraph_gap(style));
-      column.text(paragraph, t.body);
+    const auto size = page.size(count, style, -1);
+    const auto buttons = ways();
+    float widest = foot.wanted;
+    for (const Button& b : buttons) widest -= page.size(b, whole.w).width + t.gap;
+    float x = whole.x + whole.w - foot.wanted;
+    page.words({x, foot.y + (foot.height - size.height) / 2, widest, size.height}, count, style,
+               view::kFaintInk);
+    x += widest + t.gap;
+    for (const bool onward : {false, true}) {
+      const Button& b = buttons[onward ? 1 : 0];
+      const float width = page.size(b, whole.w).width;
+      if (onward ? !scroll_.at_the_end() : scroll_.first() > 0)
+        page.button(b, {x, foot.y, width, foot.height});
+      x += width + t.gap;
     }
-    if ((parts.size() > 1) != several) {
-      // "Read on" appears or goes: once more with it in the reckoning.
-      parts_ = static_cast<int>(parts.size());
-      page.restart();
-    }
-    parts_ = static_cast<int>(parts.size());
+    const float thick = std::max(3.0f, t.hairline * 3);
+    const auto n = static_cast<float>(scroll_.columns());
+    const float part = whole.w * static_cast<float>(scroll_.shown()) / n, most = whole.w - part;
+    float at = std::clamp(whole.w * static_cast<float>(scroll_.at()) / n, 0.0f, most);
+    if (desk.words().right_to_left()) at = most - at;
+    page.draw(view::Box{{whole.x, foot.line - thick * 0.6f, whole.w, t.hairline},
+                        0,
+                        view::with_alpha(view::kFaintInk, 0.5f),
+                        0,
+                        {}});
+    page.draw(view::Box{
+        {whole.x + at, foot.line - thick, part, thick}, thick / 2, view::kFaintInk, 0, {}});
   }
 
-  /// The vessel, and under it whose picture it is; beside that, for a phone, the museum's page.
-  void lay_out_picture(Page& page, const ShelfCard& shelf, const content::Label& label, Rect room) {
-    const TypeScale& t = page.type();
-    const std::string& credit = label.credit.empty() ? shelf.vessel->credit : label.credit;
-    if (std::exchange(coded_, label.address) != label.address)
-      code_ = view::SquareCode(label.address);
-    const float wanted = t.body * 5.5f, side = code_.width(wanted);
-    const auto style =
-        page.style(Face::sans, t.body, code_.empty() ? view::Align::centre : view::Align::start);
-    struct Line {
-      std::string words;
-      view::Color color;
-      float height;
-    };
-    std::vector<Line> lines;
-    float height = 0;
-    const auto add = [&](const std::string& words, view::Color color) {
-      if (words.empty()) return;
-      const auto size = page.size(words, style, room.w - side);
-      if (size.width > room.w - side + 2) page.overflowed();
-      lines.push_back({words, color, size.height});
-      height += size.height;
-    };
-    add(credit, view::kFaintInk);
-    if (!code_.empty()) {
-      add(desk.say("choose.page_of"), view::kInk);
-      add(content::short_address(label.address), view::kInk);
-    }
-    const float strip = std::max(height, side);
-    if (strip > 0) room.h -= strip + t.gap;
-    if (room.h < t.body * 4) page.overflowed();
-    const float top = room.y + room.h + t.gap;
-    const bool from_right = desk.words().right_to_left();
-    code_.draw(page.items(), from_right ? room.x + room.w - side : room.x, top + (strip - side) / 2,
-               wanted);
-    float y = top + (strip - height) / 2;
-    for (const Line& line : lines) {
-      page.words({from_right ? room.x : room.x + side, y, room.w - side, line.height}, line.words,
-                 style, line.color);
-      y += line.height;
-    }
-    if (shelf.picture != 0) page.draw(view::Picture{room, shelf.picture, 1});
-  }
-
-  std::string coded_;      ///< The address that code_ is of.
-  view::SquareCode code_;  ///< Reckoned once for a label, not once a frame.
-  int first_ = 0;          ///< A card of the page shown.
-  int page_ = 0, per_page_ = 1;
-  int open_ = -1, part_ = 0, parts_ = 1;
-  int alike_ = -1;  ///< The card whose shape is most like the open one's; -1: none is alike.
+  VesselLabel label_;
+  ShelfScroll scroll_;
+  int rows_ = 1;
+  int wanted_ = 0, shown_ = -1;  ///< A card that is to be seen; the one that last was.
+  float pitch_ = 0;              ///< Pixels from a column to the next.
+  Rect shelf_, peeking_;  ///< Where a finger takes it along; what is seen of the next column.
+  std::optional<Finger> finger_;
+  double notches_ = 0;
 };
 
 }  // namespace

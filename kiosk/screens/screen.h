@@ -4,6 +4,7 @@
 #include <string>
 
 #include "kiosk/screens/desk.h"
+#include "kiosk/screens/focus.h"
 #include "kiosk/screens/page.h"
 
 namespace onggi::screens {
@@ -30,6 +31,12 @@ class Screen {
   virtual void update(double /*dt*/) {}
   /// A pointer that is on no control, or was grabbed by grab().
   virtual void pointer(const view::InputEvent&, const Page&) {}
+  /// Any pointer event before the controls get it; true when it belongs to a finger that drags, and
+  /// what it went down on is then not pressed.
+  virtual bool drag(const view::InputEvent&, const Page&) { return false; }
+  /// Where an arrow leads from the control `from`, if the screen knows better than that it is the
+  /// nearest that way: a control that the next page will have. Empty: it does not.
+  virtual std::string step(const std::string& /*from*/, Direction) { return {}; }
   /// Before focus and buttons get it; true when used up.
   virtual bool key(view::Key, bool /*repeat*/) { return false; }
   /// The screen is left, or something lies over it: hands off the clay.

@@ -134,6 +134,10 @@ void Visit::State::pointer(const InputEvent& e) {
     if (on == "comfort") open_comfort();
     return;
   }
+  if (over == Over::nothing && page && screen->drag(e, *page)) {
+    pressed.clear();
+    return settle();
+  }
   if (e.kind == Kind::pointer_down) {
     // The first touch is never lost: wherever it lands, the visit begins.
     if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
@@ -181,7 +185,14 @@ void Visit::State::key(const InputEvent& e) {
   }
   if (!page || page->controls().empty()) return;
   const auto step = [&](Direction to) {
-    if (!focused.empty()) focused = step_focus(page->controls(), focused, to);
+    if (focused.empty()) return;
+    const std::string known = over == Over::nothing ? screen->step(focused, to) : std::string();
+    if (known.empty()) {
+      focused = step_focus(page->controls(), focused, to);
+    } else {
+      focused = known;
+      page.reset();  // It may not be on this one.
+    }
   };
   switch (e.key) {
     case Key::up:

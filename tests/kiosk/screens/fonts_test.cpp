@@ -52,7 +52,10 @@ TEST(Fonts, EveryVesselsLabelIsReadToItsEndInBothLanguages) {
     v.show();
     for (std::size_t i = 0; i < v.shelf.size(); ++i) {
       const std::string card = "choose.card." + std::to_string(i);
-      while (!v.visit->control(card)) v.touch("choose.next");
+      while (!v.visit->control(card) && v.visit->control("choose.next")) {
+        v.touch("choose.next");
+        v.frames(1.5);
+      }
       v.touch(card);
       std::string read;
       for (int part = 0; part < 6; ++part) {

@@ -297,6 +297,7 @@ TEST(Visit, EveryVesselOfALongShelfCanBeReached) {
         met[static_cast<std::size_t>(i)] = true;
     if (!v.visit->control("choose.next")) break;
     v.touch("choose.next");
+    v.frames(1.5);
   }
   EXPECT_EQ(std::count(met.begin(), met.end(), true), 30);
   v.touch("choose.previous");

@@ -249,6 +249,7 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
     v.touch("choose.next");
     settled("choose second page");
     v.touch("choose.previous");
+    v.frames(1.5);
   }
   v.touch("choose.card.0");
   settled("label");
