@@ -17,8 +17,9 @@ using view::Rect;
 
 namespace {
 
-constexpr float kPeek = 0.35f;      // of a card: what is seen of the column that comes next
+constexpr float kPeek = 0.5f;       // of a card: what is seen of the column that comes next
 constexpr float kSlip = 5.0f / 15;  // of the least touch target: a finger that goes less taps
+constexpr float kNarrowest = 9.5f;  // em: of a card on a shelf that is longer than the screen
 constexpr float kLegible = 0.9f;    // of a card on the screen: from here on its words come
 
 /// The shelf, and over it the label of the vessel that was touched.
@@ -182,8 +183,8 @@ class Choose final : public Screen {
     std::optional<Foot> foot;
     if (rows_ * columns < desk.cards()) {
       // It goes on beyond the screen's edge, where the next column peeks in.
-      columns =
-          std::max(1, static_cast<int>((whole.w + margin - kPeek * narrowest) / (narrowest + gap)));
+      const float least = kNarrowest * t.body;
+      columns = std::max(1, static_cast<int>((whole.w + margin - kPeek * least) / (least + gap)));
       const auto n = static_cast<float>(columns);
       width = (whole.w + margin - gap * n) / (n + kPeek);
       text_height = text_of_all(page, width);
@@ -319,8 +320,10 @@ class Choose final : public Screen {
     float widest = foot.wanted;
     for (const Button& b : buttons) widest -= page.size(b, whole.w).width + t.gap;
     float x = whole.x + whole.w - foot.wanted;
-    page.words({x, foot.y + (foot.height - size.height) / 2, widest, size.height}, count, style,
-               view::kFaintInk);
+    const bool own_row = foot.y + foot.height < whole.y + whole.h - 1;
+    page.words(
+        {own_row ? whole.x : x, foot.y + (foot.height - size.height) / 2, widest, size.height},
+        count, style, view::kFaintInk);
     x += widest + t.gap;
     for (const bool onward : {false, true}) {
       const Button& b = buttons[onward ? 1 : 0];
