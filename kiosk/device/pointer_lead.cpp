@@ -23,7 +23,8 @@ void PointerLead::touch(const ClayView& clay, Grip grip, double height) {
   hold_.take(clay, grip, height);
   drawn_.clear();
   active_ = true;
-  grabbed_ = finishing_ = false;
+  grabbed_ = finishing_ = easing_ = false;
+  upwards_ = 0;
   first_.reset();
   second_.reset();
   wall_ = 0;
@@ -77,7 +78,7 @@ void PointerLead::release() {
 }
 
 void PointerLead::lift() {
-  active_ = grabbed_ = finishing_ = false;
+  active_ = grabbed_ = finishing_ = easing_ = false;
   drawn_.clear();
 }
 
@@ -116,6 +117,21 @@ void PointerLead::go_along(double seconds, double press, double rise) {
   }
 }
 
+/// A stroke is over: on along the wall, out of the clay. False once they are.
+bool PointerLead::come_out(const ClayView& clay, double dt) {
+  if (!easing_) {
+    if (upwards_ == 0 || hold_.solid(clay, at_.height)) return false;
+    easing_ = true;
+    drawn_.clear();
+    pass_.ease_out();
+  }
+  at_.height += upwards_ * kRise * dt;
+  if (pass_.out() || at_.height < lowest_ || at_.height > highest_) return false;
+  pass_.go(hold_, clay, at_.height, at_.reach, dt);
+  hands_ = hold_.stand(clay, reach(), at_.height, wall_);
+  return true;
+}
+
 void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
   if (!active_ || clay.rows() == 0) return;
   down_for_ += dt;
@@ -123,12 +139,17 @@ void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
   const double hurry = std::max(1.0, behind() / kBehind);
   const bool solid = hold_.solid(clay, at_.height);
   if (solid && drawn_.size() > 1) drawn_.erase(drawn_.begin(), drawn_.end() - 1);
+  const double was = at_.height;
   go_along(dt * hurry, solid ? kSolid : in_clay ? kPress : kAir, in_clay ? kRise : kAir);
-  if (finishing_ && (drawn_.empty() || (left_ -= dt) < 0)) return lift();
+  if (at_.height != was) upwards_ = at_.height > was ? 1 : -1;
   lowest_ = hold_.lowest(clay);
   highest_ = hold_.highest(clay);
+  if (finishing_ && (drawn_.empty() || (left_ -= dt) < 0)) {
+    if (!come_out(clay, dt)) lift();
+    return;
+  }
   at_ = within(at_);
-  pass_.go(hold_, clay, at_.height, dt);
+  pass_.go(hold_, clay, at_.height, at_.reach, dt);
   hands_ = hold_.stand(clay, reach(), at_.height, wall_);
 }
 

@@ -17,7 +17,7 @@ namespace onggi::device {
 /// the pointer's height, so that they just touch. From then on they follow the line that the
 /// pointer draws, at a potter's pace, corners and all: the face they work comes to be where it was
 /// drawn, as far as one pass goes (WallPass). What is still to be followed when the pointer lifts,
-/// they finish. Main thread.
+/// they finish, and go on a little as they come out of the clay. Main thread.
 class PointerLead {
  public:
   /// m/s along the wall and towards the axis or away, in clay and in the air. A pointer crosses the
@@ -59,7 +59,7 @@ class PointerLead {
   bool grabbed() const { return grabbed_; }
   double height() const { return at_.height; }
   /// Where the worked face is to be by now, m from the axis.
-  double reach() const { return pass_.within(at_.reach); }
+  double reach() const { return pass_.reach(); }
   /// Seconds until the hands are where the pointer is.
   double behind() const;
   /// Hand 0 and hand 1. `right`: of the visitor who looks at the pot, level, unit, studio frame.
@@ -70,6 +70,7 @@ class PointerLead {
     double reach = 0, height = 0;
   };
   void touch(const ClayView& clay, Grip grip, double height);
+  bool come_out(const ClayView& clay, double dt);
   void go_along(double seconds, double press, double rise);
   At within(At at) const;
 
@@ -78,7 +79,8 @@ class PointerLead {
   WallHold::Hands hands_;
   std::deque<At> drawn_;  ///< And not yet followed.
   At at_;
-  bool active_ = false, grabbed_ = false, finishing_ = false;
+  bool active_ = false, grabbed_ = false, finishing_ = false, easing_ = false;
+  double upwards_ = 0;  ///< +1 where they last went up, -1 down, 0 nowhere yet.
   double sign_ = 1;
   double scrolled_ = 0;  ///< m, by which the wheel of a mouse set the reach off.
   double lowest_ = 0, highest_ = 1;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kStep = 0.002;                 // m between the heights that are looked at
 constexpr double kFoot = 0.006;                 // m over the floor where strokes begin
 constexpr double kOut = 0.009;                  // m that a stroke widens at the most,
-constexpr double kIn = 0.008;                   // and narrows
+constexpr double kIn = 0.006;                   // and narrows
 constexpr double kFirst = 0.003, kRamp = 0.35;  // m that a stroke begins with at the foot, m a m
 constexpr double kBlend = 0.014;    // m of height over which a stroke sets in, to either side
 constexpr double kQuick = 0.03;     // m/s along a wall that is far off,
@@ -53,7 +53,10 @@ std::optional<Stroke> opening(const ClayView& clay, const Profile& target) {
   for (double h = clay.floor_top() + kHandsRoom; h <= clay.rim_height() - kRimLeft; h += kStep) {
     const double in = clay.radius_at(h, WallSide::inside);
     const double out = clay.radius_at(h, WallSide::outside);
-    const double goal = std::min(out, wanted(clay, target, h)) - kOpened;
+    const double face = wanted(clay, target, h);
+    // Where a wall opens as a whole, its ring keeps its clay, and the outer face goes along.
+    const double along = std::sqrt(std::max(0.0, face * face - (out * out - in * in)));
+    const double goal = std::min(std::min(out, face) - kOpened, along);
     const double deep = std::clamp(goal - in, 0.0, kOut);
     most = std::max(most, out - in > kThick ? deep : 0.0);
     stroke.path.push_back({in + deep, h});

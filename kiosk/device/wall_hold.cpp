@@ -11,7 +11,7 @@ constexpr double kBelowRim = 0.002;  // m: hands that hold a wall stay on it
 constexpr double kFloat = 0.3;       // of its radius: the middle of a ball above wheel or floor
 constexpr double kSpare = 0.001;     // m about a finger inside
 // m between two hands: no less than they can hold, no more than they reach round.
-constexpr double kLeastGap = 0.003, kMostGap = 0.04;
+constexpr double kLeastGap = 0.003, kMostGap = 0.06;
 // m up and down over which the wall's slant is taken: a groove is no slant.
 constexpr double kSpan = 0.01;
 // m up and down over which its thickness is taken: where hands thin it as they rise, the thickness
@@ -31,15 +31,22 @@ double slant_within(double room, double radius) {
 }
 }  // namespace
 
-double WallHold::thickness(const ClayView& clay, double height) {
+/// Both faces about `height`, means over kThickSpan up and down.
+WallHold::Faces WallHold::seen(const ClayView& clay, double height) {
   constexpr int kLooks = 4;  // to either side
-  double sum = 0;
+  Faces mean;
   for (int n = -kLooks; n <= kLooks; ++n) {
     const double at = std::clamp(height + n * kThickSpan / kLooks, clay.floor_top() + kSpare,
                                  std::max(clay.floor_top() + kSpare, clay.rim_height()));
-    sum += clay.radius_at(at, WallSide::outside) - clay.radius_at(at, WallSide::inside);
+    mean.outer += clay.radius_at(at, WallSide::outside) / (2 * kLooks + 1);
+    mean.inner += clay.radius_at(at, WallSide::inside) / (2 * kLooks + 1);
   }
-  return sum / (2 * kLooks + 1);
+  return mean;
+}
+
+double WallHold::thickness(const ClayView& clay, double height) {
+  const Faces faces = seen(clay, height);
+  return faces.outer - faces.inner;
 }
 
 void WallHold::take(const ClayView& clay, Grip grip, double height) {
@@ -85,10 +92,15 @@ bool WallHold::solid(const ClayView& clay, double height) const {
 
 WallHold::Hands WallHold::stand(const ClayView& clay, double reach, double height,
                                 double wall) const {
-  const double room = clay.radius_at(height, WallSide::inside);
-  const double thick = thickness(clay, height);
-  const double asked = wall > 0 ? std::min(thick, std::max(wall, thick - kBite)) : thick;
-  const double gap = std::clamp(asked, kLeastGap, kMostGap);
+  const Faces faces = seen(clay, height);
+  const double thick = faces.outer - faces.inner;
+  // Were both to go inwards, a thick wall would close its bore: rings keep their clay.
+  const double collared =
+      std::max(std::min(thick, kThick), thick - std::max(0.0, faces.outer - reach));
+  const double asked = wall > 0 ? std::min(thick, std::max(wall, thick - kBite)) : collared;
+  const double finger = fine_.radius + kSpare, least = kLeastGap + finger;
+  const double gap =
+      std::clamp(std::min(asked, std::max(reach, least) - finger), kLeastGap, kMostGap);
   const double slant = slope(clay, height), cosine = 1 / std::sqrt(1 + slant * slant);
   const auto at = [&](const Part& part, double face, double away) {
     return Stand{true, std::max(0.0, face + away * cosine), height - away * cosine * slant, part};
@@ -100,12 +112,9 @@ WallHold::Hands WallHold::stand(const ClayView& clay, double reach, double heigh
   }
   hands.outside = at(broad_, reach, broad_.radius);
   if (grip_ == Grip::outside || solid(clay, height)) return hands;
-  const double least = kLeastGap + fine_.radius + kSpare;
   hands.outside.radius = std::max(hands.outside.radius, least + broad_.radius);
   const Stand inside = at(inner_, reach - gap, -inner_.radius);
-  if (inside.height > clay.floor_top() + kFloat * inner_.radius &&
-      std::min(room, clay.radius_at(inside.height, WallSide::inside)) > inner_.radius)
-    hands.inside = inside;
+  if (inside.height > clay.floor_top() + kFloat * inner_.radius) hands.inside = inside;
   return hands;
 }
 

@@ -49,16 +49,22 @@ class WallHold {
   double face(const ClayView& clay, double height) const;
   /// There is no inside at `height`: what is pressed away there, no hand can push out again.
   bool solid(const ClayView& clay, double height) const;
-  /// Where the hands are for that face to be `reach` from the axis at `height`. Holding a wall they
-  /// never close it over the finger inside: the outer hand alone can.
+  /// Where the hands are for that face to be `reach` from the axis at `height`. Pressed inwards, a
+  /// wall thicker than kThick gets thinner, the hand inside staying where it is; otherwise it goes
+  /// along. Holding a wall they never close it over the finger inside, and open a bore that is
+  /// narrower than one: the outer hand alone can close it.
   /// `wall`: how thick the wall between both is to be, m; as thick as it is (0) otherwise. They
   /// close on a thicker one by kBite at the most, so that a pass thins it and does not cut.
-  static constexpr double kBite = 0.002;
+  static constexpr double kBite = 0.002, kThick = 0.010;
   Hands stand(const ClayView& clay, double reach, double height, double wall = 0) const;
   /// Of the wall about `height`, m.
   static double thickness(const ClayView& clay, double height);
 
  private:
+  struct Faces {
+    double outer = 0, inner = 0;
+  };
+  static Faces seen(const ClayView& clay, double height);
   double slope(const ClayView& clay, double height) const;
 
   Part broad_, fine_, inner_;

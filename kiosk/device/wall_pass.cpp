@@ -24,11 +24,25 @@ void WallPass::begin(const WallHold& hold, const ClayView& clay, double height) 
   turn_ = at_ = height;
   up_ = backs_ = 0;
   on_ = -kStay;
+  asked_ = depth_ = leaving_ = 0;
+  eased_ = -1;
   stood_ = {hold.face(clay, height), 0.0};
 }
 
-void WallPass::go(const WallHold& hold, const ClayView& clay, double height, double dt) {
-  on_ = std::max(-kStay, on_ + kPressOn * dt - std::abs(height - at_));
+void WallPass::ease_out() {
+  leaving_ = depth_;
+  eased_ = 0;
+}
+
+bool WallPass::out() const {
+  constexpr double kNoMark = 0.0005;  // m: so shallow a print has no edge
+  return eased_ >= std::min(kOut, 2 * std::abs(leaving_)) || std::abs(leaving_) < kNoMark;
+}
+
+void WallPass::go(const WallHold& hold, const ClayView& clay, double height, double reach,
+                  double dt) {
+  const double moved = std::abs(height - at_);
+  on_ = std::max(-kStay, on_ + kPressOn * dt - moved);
   at_ = height;
   const double way = height - turn_;
   if (up_ == 0) {
@@ -37,6 +51,7 @@ void WallPass::go(const WallHold& hold, const ClayView& clay, double height, dou
     up_ = -up_;
     ++backs_;
     remember(hold, clay);
+    asked_ = depth_ = 0;
   }
   if (up_ * way > 0 || std::abs(way) > kBack) turn_ = height;
   // By share of the height: a wall that is pulled up takes its places along.
@@ -46,6 +61,15 @@ void WallPass::go(const WallHold& hold, const ClayView& clay, double height, dou
   const Look &lower = wall_[below], &upper = wall_[std::min(below + 1, kLooks - 1)];
   stood_ = {lower.radius + share * (upper.radius - lower.radius),
             lower.thickness + share * (upper.thickness - lower.thickness)};
+  if (eased_ >= 0) {
+    eased_ += moved;
+    const double left = out() ? 0 : 1 - eased_ / std::min(kOut, 2 * std::abs(leaving_));
+    depth_ = leaving_ * left * left * (3 - 2 * left);
+    return;
+  }
+  const double step = kSlope * moved + kDeeper * dt;
+  asked_ += std::clamp(within(reach) - stood_.radius - asked_, -step, step);
+  depth_ += (asked_ - depth_) * std::min(1.0, moved / kSoftWay + dt / kSoftTime);
 }
 
 double WallPass::within(double reach) const {

@@ -45,6 +45,26 @@ void PotPicture::update(const Desk& desk, double dt, const Profile* target, bool
 }
 
 view::Camera PotPicture::camera(const Page& page) const {
+  const Regions& where = page.where();
+  const std::array<double, 14> of{static_cast<double>(page.width()),
+                                  static_cast<double>(page.height()),
+                                  where.pot.x,
+                                  where.pot.y,
+                                  where.pot.w,
+                                  where.pot.h,
+                                  where.words.x,
+                                  where.words.y,
+                                  where.words.w,
+                                  (where.portrait ? 1.0 : 0.0) + (where.mirrored ? 2.0 : 0.0),
+                                  where.all.y + where.all.h,
+                                  height_,
+                                  radius_,
+                                  wheel_radius_};
+  if (!framed_ || framed_->of != of) framed_ = Framed{of, frame(page)};
+  return framed_->camera;
+}
+
+view::Camera PotPicture::frame(const Page& page) const {
   constexpr double kHeadThickness = 0.024;
   const double height = std::max(height_, 0.02), radius = std::max(radius_, 0.01);
   const Regions& where = page.where();

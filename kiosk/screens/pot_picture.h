@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "kiosk/screens/desk.h"
 #include "kiosk/screens/page.h"
 
@@ -21,11 +24,19 @@ class PotPicture {
   const Profile& made() const { return made_; }
 
  private:
+  view::Camera frame(const Page& page) const;
+
   Profile made_;
   double made_at_ = -1;
   std::uint32_t serial_ = 0;
   double height_ = 0, radius_ = 0, wheel_radius_ = 0;
   double cut_ = 0, shown_ = 0;
+  /// The camera as last found, and of what: the search takes a third of a frame's work.
+  struct Framed {
+    std::array<double, 14> of{};
+    view::Camera camera;
+  };
+  mutable std::optional<Framed> framed_;
   double turned_ = 0;                 ///< By show_round(), rad,
   std::optional<double> turn_speed_;  ///< and how fast, rad/s.
 };

@@ -90,18 +90,50 @@ TEST(WallHold, WhatGoesInIsAsBroadAsTheMouthLets) {
   EXPECT_EQ(hold.stand(narrow, 0.05, 0.1).inside.part.tool, kFinger.tool);
 }
 
-TEST(WallHold, WhereThereIsNoRoomInsideTheOuterHandWorksAlone) {
+TEST(WallHold, WhereTheFootIsSolidTheOuterHandWorksAlone) {
   WallHold hold(kPalm, kFinger);
-  const ClayView tube = wall(0.012, 0.012);
-  hold.take(tube, Grip::both, 0.1);
-  EXPECT_FALSE(hold.stand(tube, 0.012, 0.1).inside.there);
-  EXPECT_TRUE(hold.stand(tube, 0.012, 0.1).outside.there);
   const ClayView pot = wall(0.08, 0.08);
   hold.take(pot, Grip::both, 0.005);
   EXPECT_TRUE(hold.solid(pot, 0.005));
   EXPECT_FALSE(hold.stand(pot, 0.08, 0.005).inside.there);
   // No finger is in the foot: it may be as slender as one likes.
   EXPECT_NEAR(hold.stand(pot, 0.005, 0.005).outside.radius, 0.005 + kPalm.radius, 1e-9);
+}
+
+/// A lump as it comes to the wheel: a wall of `outer` - `inner`, m.
+ClayView lump_of(double outer, double inner) {
+  ClayDef def;
+  def.rows = 100;
+  def.sectors = 16;
+  def.outer_radius = outer;
+  def.inner_radius = inner;
+  ClayView clay;
+  clay.lay(def);
+  return clay;
+}
+
+// Rings keep their clay: were both hands to go inwards, a thick wall would close its bore.
+TEST(WallHold, CollaringThinsAThickWallAndTakesAThinOneAlong) {
+  WallHold hold(kPalm, kFinger);
+  const ClayView thick = lump_of(0.06, 0.03), thin = lump_of(0.06, 0.054);
+  hold.take(thick, Grip::both, 0.1);
+  const double before = hold.stand(thick, 0.06, 0.1).inside.radius;
+  EXPECT_NEAR(hold.stand(thick, 0.05, 0.1).inside.radius, before, 1e-6) << "it stays";
+  EXPECT_NEAR(hold.stand(thick, 0.035, 0.1).inside.radius, 0.035 - WallHold::kThick - 0.018, 1e-6);
+  hold.take(thin, Grip::both, 0.1);
+  EXPECT_NEAR(hold.stand(thin, 0.05, 0.1).inside.radius,
+              hold.stand(thin, 0.06, 0.1).inside.radius - 0.01, 1e-6);
+  EXPECT_NEAR(hold.stand(thick, 0.07, 0.1).inside.radius, 0.07 - 0.03 - 0.018, 1e-6)
+      << "opened, a thick wall is pushed as it is";
+}
+
+TEST(WallHold, AFingerOpensABoreThatIsNarrowerThanItself) {
+  WallHold hold(kPalm, kFinger);
+  const ClayView closed = lump_of(0.04, 0.003);
+  hold.take(closed, Grip::both, 0.1);
+  const auto hands = hold.stand(closed, 0.04, 0.1);
+  ASSERT_TRUE(hands.inside.there);
+  EXPECT_GT(hands.inside.radius + kFinger.radius, 0.003);
 }
 
 RC_GTEST_PROP(WallHold, HandsThatHoldAWallNeverCloseItOverTheFingerInside, ()) {

@@ -29,10 +29,11 @@ WallHold both_hands(const ClayView& clay) {
 }
 
 /// A pass from `from` to `to`, m, at 50 mm/s.
-void go(WallPass& pass, const ClayView& clay, double from, double to) {
+void go(WallPass& pass, const ClayView& clay, double from, double to, double wanted = kWall) {
   const WallHold hold = both_hands(clay);
   const int frames = static_cast<int>(std::ceil(std::abs(to - from) / (0.05 * kFrame)));
-  for (int n = 1; n <= frames; ++n) pass.go(hold, clay, from + (to - from) * n / frames, kFrame);
+  for (int n = 1; n <= frames; ++n)
+    pass.go(hold, clay, from + (to - from) * n / frames, wanted, kFrame);
 }
 
 RC_GTEST_PROP(WallPass, AWallIsMovedToWhereItIsWantedButNoFurtherThanAPassGoes, ()) {
@@ -87,6 +88,45 @@ TEST(WallPass, AThickWallIsMovedByAShareOfItsThickness) {
   EXPECT_NEAR(pass.within(0.15), kWall + WallPass::kDeepest, 1e-6) << "the foot is solid";
 }
 
+// A hand that comes to its depth on the spot leaves a step in the wall.
+TEST(WallPass, HandsEaseIntoTheClayAlongTheirWay) {
+  const ClayView clay = lump();
+  const WallHold hold = both_hands(clay);
+  WallPass pass;
+  pass.begin(hold, clay, 0.06);
+  constexpr double kWay = 0.05 * kFrame;
+  double last = 0, last_step = 0;
+  for (int n = 1; n <= 90; ++n) {
+    pass.go(hold, clay, 0.06 + kWay * n, 0.1, kFrame);
+    const double depth = pass.reach() - kWall, step = depth - last;
+    EXPECT_LE(step, WallPass::kSlope * kWay + WallPass::kDeeper * kFrame + 1e-9) << n;
+    EXPECT_LT(std::abs(step - last_step), 0.25 * kWay) << n << ": no corner either";
+    last = depth;
+    last_step = step;
+  }
+  EXPECT_NEAR(last, WallPass::kDeepest, 1e-5);
+}
+
+TEST(WallPass, HandsThatAreLetGoOfComeOutOfTheClayAsTheyGoOn) {
+  const ClayView clay = lump();
+  const WallHold hold = both_hands(clay);
+  WallPass pass;
+  pass.begin(hold, clay, 0.06);
+  go(pass, clay, 0.06, 0.12, 0.1);
+  const double deep = pass.reach() - kWall;
+  ASSERT_GT(deep, 0.008);
+  pass.ease_out();
+  double last = deep, way = 0;
+  for (; !pass.out() && way < 0.1; way += 0.001) {
+    pass.go(hold, clay, 0.12 + way, 0.1, kFrame);
+    EXPECT_LE(pass.reach() - kWall, last + 1e-9);
+    EXPECT_GT(pass.reach() - kWall, last - 0.0012) << "no step";
+    last = pass.reach() - kWall;
+  }
+  EXPECT_NEAR(last, 0, 1e-4);
+  EXPECT_NEAR(way, 2 * deep, 0.002);
+}
+
 // What is evened is the wall as it stands when they come back, not as it was before the pass.
 TEST(WallPass, EachPassBeginsFromTheWallAsItThenStands) {
   ClayView clay = lump();
@@ -111,7 +151,7 @@ TEST(WallPass, AHandThatTremblesIsOnOnePass) {
   pass.begin(hold, clay, 0.06);
   for (int n = 0; n < 600; ++n) {
     const double tremble = (n % 2 == 0 ? 0.4 : -0.4) * WallPass::kBack;
-    pass.go(hold, clay, 0.06 + 0.0001 * n + tremble, kFrame);
+    pass.go(hold, clay, 0.06 + 0.0001 * n + tremble, kWall, kFrame);
   }
   EXPECT_EQ(pass.backs(), 0);
 }
@@ -121,7 +161,7 @@ TEST(WallPass, WhoLingersPressesOnAndWhoGoesOnDoesNot) {
   const WallHold hold = both_hands(clay);
   WallPass pass;
   pass.begin(hold, clay, 0.1);
-  for (int n = 0; n < 60; ++n) pass.go(hold, clay, 0.1, kFrame);
+  for (int n = 0; n < 60; ++n) pass.go(hold, clay, 0.1, kWall, kFrame);
   EXPECT_NEAR(pass.within(0.1), kWall + WallPass::kDeepest + WallPass::kPressOn - WallPass::kStay,
               1e-6);
   go(pass, clay, 0.1, 0.12);
@@ -142,7 +182,7 @@ TEST(WallPass, ARidgeIsNotSeenAsTheWall) {
   WallPass pass;
   pass.begin(both_hands(clay), clay, 0.05);
   for (int n = 0; n < 50; ++n) {
-    pass.go(both_hands(clay), clay, 0.05 + 0.002 * n, kFrame);
+    pass.go(both_hands(clay), clay, 0.05 + 0.002 * n, kWall, kFrame);
     EXPECT_NEAR(pass.within(0.1), kWall + WallPass::kDeepest, 0.001) << n;
   }
 }
@@ -164,9 +204,9 @@ TEST(WallPass, AWallThatRisesIsRememberedByItsShareOfTheHeight) {
   WallPass pass;
   pass.begin(hold, clay, 0.02);
   const ClayView risen = lump(0.2);
-  pass.go(hold, risen, 0.07, kFrame);
+  pass.go(hold, risen, 0.05, kWall, kFrame);
   EXPECT_NEAR(pass.within(0.0), kWall - WallPass::kOfThickness * 0.02, 1e-6);
-  pass.go(hold, risen, 0.13, kFrame);
+  pass.go(hold, risen, 0.15, kWall, kFrame);
   EXPECT_NEAR(pass.within(0.0), 0.04 - WallPass::kDeepest, 1e-6);
 }
 

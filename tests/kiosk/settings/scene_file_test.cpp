@@ -75,13 +75,14 @@ TEST(scene, the_scenes_that_ship_are_without_fault_and_can_be_thrown_on) {
   EXPECT_GE(scenes, 3);
 }
 
-TEST(scene, first_touch_is_the_engines_own_figures_written_out) {
+TEST(scene, first_touch_is_the_engines_own_figures_written_out_with_walls_and_a_kiln) {
   const SceneRead r = read_scene("config/scenes/first_touch.toml");
-  // And a kiln at the end, which the engine has where it is asked for.
+  // Walls, and a kiln at the end, the engine has where they are asked for.
   SceneDef own;
+  own.walls.emplace();
   own.kiln.emplace();
   EXPECT_EQ(figures(r.def), figures(own));
-  EXPECT_EQ(r.keys_checked, 29);
+  EXPECT_EQ(r.keys_checked, 30);
 }
 
 TEST(scene, every_effect_is_read_from_a_table_of_its_name_each_number_into_its_own_field) {
