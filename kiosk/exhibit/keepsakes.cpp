@@ -1,7 +1,11 @@
 #include "kiosk/exhibit/keepsakes.h"
 
 #include <chrono>
+#include <ctime>
+#include <string>
 #include <utility>
+
+#include "kiosk/souvenir/pass.h"
 
 namespace onggi::exhibit {
 
@@ -15,10 +19,20 @@ void wait_out(std::shared_future<T>& other) {
   other = {};
 }
 
+/// A keepsake is kept whether or not a phone can fetch it.
+std::string token_for(const std::string& visit, const std::filesystem::path& folder, double hours) {
+  const std::int64_t now = std::time(nullptr);
+  const souvenir::Passes passes(folder);
+  if (hours <= 0.0 || !passes.served(now)) return {};
+  const auto pass = passes.give(visit, now, hours);
+  return pass ? pass->token : std::string();
+}
+
 }  // namespace
 
-Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits)
-    : folder_(std::move(folder)), limits_(limits) {}
+Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
+                     double phone_hours)
+    : folder_(std::move(folder)), limits_(limits), phone_hours_(phone_hours) {}
 
 Keepsakes::~Keepsakes() {
   wait();
@@ -39,7 +53,11 @@ int Keepsakes::save(souvenir::Keepsake keepsake) {
                       wait_out(before);
                       wait_out(tidying);
                       const souvenir::Keepsake mine = std::move(kept);
-                      return Finished{ticket, souvenir::save(mine, folder_, limits_)};
+                      Finished done{ticket, souvenir::save(mine, folder_, limits_)};
+                      if (done.outcome)
+                        done.token = token_for(done.outcome->folder.filename().string(), folder_,
+                                               phone_hours_);
+                      return done;
                     }).share());
   return ticket;
 }

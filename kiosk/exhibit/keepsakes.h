@@ -18,7 +18,9 @@ class Keepsakes {
  public:
   static constexpr double kTidy = 24 * 3600.0;  ///< s
 
-  Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits);
+  /// With `phone_hours` over 0 each keepsake gets a pass for so long, while phones are answered.
+  Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
+            double phone_hours = 0.0);
   ~Keepsakes();
 
   /// Begins a save; the ticket (> 0) names it in finished().
@@ -27,6 +29,7 @@ class Keepsakes {
   struct Finished {
     int ticket = 0;
     Result<souvenir::KeepsakeFiles> outcome;
+    std::string token{};  ///< Of its pass; "": a phone cannot fetch it.
   };
   /// The oldest save that has come to an end, once each.
   std::optional<Finished> finished();
@@ -42,6 +45,7 @@ class Keepsakes {
  private:
   std::filesystem::path folder_;
   souvenir::KeepsakeLimits limits_;
+  double phone_hours_;
   int tickets_ = 0;
   std::vector<std::shared_future<Finished>> saving_;
   std::shared_future<Result<void>> tidying_;

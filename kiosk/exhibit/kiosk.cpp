@@ -47,8 +47,10 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   // A stepped visit is the same wherever it is made: its grids are the scenes' own.
   if (!options.stepped) kiosk->scenes_->tune(kept_in);
   const auto& keep = kiosk->exhibit_.keepsake;
+  const auto& phone = kiosk->exhibit_.phone;
   kiosk->keepsakes_ =
-      std::make_unique<Keepsakes>(kept_in, souvenir::KeepsakeLimits{keep.quota_mb, keep.days});
+      std::make_unique<Keepsakes>(kept_in, souvenir::KeepsakeLimits{keep.quota_mb, keep.days},
+                                  phone.address.empty() ? 0.0 : phone.hours);
   if (kiosk->exhibit_.store.count)
     kiosk->counter_ = std::make_unique<VisitCounter>(store_file(kept_in), kiosk->exhibit_);
   auto renderer = render::Renderer::create(options.window);
@@ -376,7 +378,9 @@ void Kiosk::note_saved() {
   if (kept_) kept_->saved = saved->outcome;
   // Date and time are enough to ask for at the desk, and short enough to remember.
   if (saved->outcome)
-    visit_->keepsake_kept(saved->outcome->folder.filename().string().substr(0, kSpokenName));
+    visit_->keepsake_kept(
+        saved->outcome->folder.filename().string().substr(0, kSpokenName),
+        saved->token.empty() ? "" : exhibit_.phone.address + "/k/" + saved->token);
   else
     visit_->keepsake_failed(saved->outcome.error());
 }

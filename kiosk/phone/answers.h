@@ -37,8 +37,12 @@ class Answers {
       : passes_(std::move(passes)), clock_(std::move(clock)) {}
 
   Answer to(const Ask& ask) const;
-  /// Now and then: passes that have expired go.
-  void forget() const { passes_.forget(clock_()); }
+  /// At least once a minute: says that phones are answered, and passes that have expired go.
+  void look_after() const {
+    passes_.serve();
+    passes_.forget(clock_());
+  }
+  void end() const { passes_.end_serving(); }
 
  private:
   souvenir::Passes passes_;

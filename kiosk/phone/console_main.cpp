@@ -78,7 +78,8 @@ onggi::Result<int> serve(const Arguments& a) {
                                                    static_cast<std::uint16_t>(number), answers);
   if (!server) return tl::unexpected(server.error());
   std::cout << "listening at port " << (*server)->port() << std::endl;
-  (*server)->run([&answers] { answers.forget(); });
+  (*server)->run([&answers] { answers.look_after(); });
+  answers.end();
   return 0;
 }
 

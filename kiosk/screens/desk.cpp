@@ -21,6 +21,7 @@ void Desk::forget() {
   comfort = {};
   kept = Kept::not_asked;
   kept_as.clear();
+  kept_at.clear();
   postcard = 0;
   requests.emplace_back(ForgetVisitor{std::move(counted)});
 }
@@ -54,6 +55,7 @@ void Desk::keep_pot() {
   kept = Kept::asked;
   kept_glaze_ = glaze;
   kept_as.clear();
+  kept_at.clear();
   postcard = 0;
 }
 

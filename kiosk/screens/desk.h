@@ -39,7 +39,7 @@ class Desk {
   std::size_t lesson_step = 0;  ///< Of the exhibit's lesson: the one that comes next, or is shown.
   int glaze = -1;               ///< Chosen of its kiln's; -1: none yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
-  std::string kept_as;
+  std::string kept_as, kept_at;  ///< By name, and for a phone.
   view::PictureId postcard = 0;
 
   int attract_card = -1;         ///< Of the exhibit: goes round the shelf, visitors or not.

@@ -1,8 +1,10 @@
 #include "kiosk/screens/keepsake_screen.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "kiosk/screens/overlays.h"
+#include "kiosk/view/square_code.h"
 
 namespace onggi::screens {
 
@@ -43,6 +45,7 @@ class Keepsake final : public Screen {
         column.text(desk.say("keepsake.kept"), t.body);
         column.space(t.gap);
         column.text(desk.kept_as, t.body, Face::sans, view::kFaintInk);
+        lay_out_code(column);
         break;
       case Desk::Kept::failed:
         column.text(desk.say("keepsake.failed"), t.body);
@@ -57,6 +60,25 @@ class Keepsake final : public Screen {
   void back() override { desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::result); }
 
  private:
+  /// For a phone, where one can reach it.
+  void lay_out_code(Column& column) {
+    Page& page = column.page();
+    if (std::exchange(coded_, desk.kept_at) != desk.kept_at) code_ = view::SquareCode(desk.kept_at);
+    if (code_.empty()) return;
+    const TypeScale& t = page.type();
+    column.space(t.gap);
+    column.text(desk.say("keepsake.phone"), t.body);
+    // Its own quiet zone is air enough.
+    const float wanted = t.body * 7, side = code_.width(wanted);
+    const view::Rect room = column.rest();
+    if (side > room.h || side > room.w) return page.overflowed();
+    const float x = desk.words().right_to_left() ? room.x + room.w - side : room.x;
+    code_.draw(page.items(), x, room.y, wanted);
+  }
+
+  std::string coded_;      ///< The address that code_ is of.
+  view::SquareCode code_;  ///< Reckoned once for a page.
+
   /// A card of 5:7 lying on the plaster: a soft shadow laid in films, no frame.
   void lay_out_card(Page& page) const {
     const Rect room = page.where().pot;

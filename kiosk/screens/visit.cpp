@@ -124,10 +124,11 @@ void Visit::show_postcard(view::PictureId id) {
   state_->reworded();
 }
 
-void Visit::keepsake_kept(const std::string& file) {
+void Visit::keepsake_kept(const std::string& file, const std::string& page) {
   if (state_->desk.kept != Desk::Kept::asked) return;
   state_->desk.kept = Desk::Kept::kept;
   state_->desk.kept_as = file;
+  state_->desk.kept_at = page;
   state_->reworded();
 }
 

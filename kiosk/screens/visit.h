@@ -133,7 +133,8 @@ class Visit {
 
   void show_postcard(view::PictureId id);
   /// The postcard is safe on disk (`file` as the visitor may be told), or could not be kept.
-  void keepsake_kept(const std::string& file);
+  /// `page`: the address at which a phone finds it; "": none does.
+  void keepsake_kept(const std::string& file, const std::string& page = "");
   void keepsake_failed(const Problem& why);
   /// Something the visitor should know and staff should mend; `why` in the log. Touch goes back to
   /// attract.

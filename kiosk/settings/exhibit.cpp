@@ -242,6 +242,23 @@ void read_store(Table table, Exhibit::Store& store) {
   table.finish();
 }
 
+void read_phone(Table table, Exhibit::Phone& phone) {
+  constexpr std::size_t kLongest = 100;  // a code that a phone reads off the screen
+  std::string address;
+  if (table.text("address", address) && !address.empty()) {
+    while (address.ends_with("/")) address.pop_back();
+    const bool web = address.starts_with("http://") || address.starts_with("https://");
+    if (!web || address.size() > kLongest || has_control_character(address) ||
+        address.find(' ') != std::string::npos || address.ends_with(":"))
+      table.complain("address", "\"" + address + "\" is no address that a phone can open.",
+                     "Write one such as \"http://192.168.4.1:8080\", 100 letters at most.");
+    else
+      phone.address = address;
+  }
+  table.number("hours", phone.hours, 1, 720, "hours");
+  table.finish();
+}
+
 void read_screen(Table table, Exhibit::Screen& screen) {
   table.number("viewing_distance_mm", screen.viewing_distance_mm, 200, 5000, "mm");
   table.number("diagonal_mm", screen.diagonal_mm, 100, 5000, "mm");
@@ -334,6 +351,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_store(root.child("store"), exhibit.store);
   read_screen(root.child("screen"), exhibit.screen);
   read_sound(root.child("sound"), exhibit.sound);
+  read_phone(root.child("phone"), exhibit.phone);
   read_hours(root.child("hours"), exhibit.hours);
   read_reader(root.child("reader"), exhibit.reader);
   root.finish();

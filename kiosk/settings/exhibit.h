@@ -66,6 +66,11 @@ struct Exhibit {
   struct Sound {
     double volume = 0.5;  ///< 0 (none is made) .. 1.
   } sound;
+  struct Phone {
+    std::string
+        address;  ///< Where phones reach onggi-console, "http://192.168.4.1:8080"; "": nowhere.
+    double hours = 24;  ///< That a visitor's page is there, 1..720.
+  } phone;
   Hours hours;          ///< [hours]: when the museum is open.
   ReaderLimits reader;  ///< [reader]: what is allowed of a vessel's file.
 };

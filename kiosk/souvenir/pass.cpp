@@ -1,6 +1,7 @@
 #include "kiosk/souvenir/pass.h"
 
 #include <sys/random.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@ namespace {
 constexpr std::string_view kLetters = "abcdefghijkmnpqrstuvwxyz23456789";
 constexpr std::size_t kMostOfAPass = 1024;
 constexpr std::size_t kMostOfAKeepsake = 256u << 20;
+constexpr const char* kServed = ".served";
 constexpr std::int64_t kClockBack = 24 * 3600;  // s
 
 Result<std::string> new_token() {
@@ -129,6 +131,24 @@ Result<void> Passes::remove_all_of(const Pass& pass) const {
     if (other && other->visit == pass.visit) fs::remove(folder() / token, error);
   }
   return {};
+}
+
+void Passes::serve() const {
+  const std::string text = "onggi-console answers phones\n";
+  if (files::make_folder(folder()))
+    static_cast<void>(files::write_durably(folder() / kServed, std::as_bytes(std::span(text))));
+}
+
+void Passes::end_serving() const {
+  std::error_code error;
+  fs::remove(folder() / kServed, error);
+}
+
+bool Passes::served(std::int64_t now) const {
+  struct stat said {};
+  if (::stat((folder() / kServed).c_str(), &said) != 0) return false;
+  const std::int64_t ago = now - said.st_mtime;
+  return ago < kSilent && ago > -kSilent;
 }
 
 void Passes::forget(std::int64_t now) const {

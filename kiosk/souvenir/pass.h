@@ -39,6 +39,12 @@ class Passes {
   std::optional<std::string> file_of(const Pass& pass, const char* name) const;
   /// Removes the keepsake, all of it, and every pass to it. Problem, exit 1, where some is left.
   Result<void> remove_all_of(const Pass& pass) const;
+  /// Whoever answers phones says so here at least once a minute, and that it ends.
+  void serve() const;
+  void end_serving() const;
+  /// It said so less than kSilent seconds ago: phones find somebody.
+  bool served(std::int64_t now) const;
+  static constexpr std::int64_t kSilent = 150;
   /// Removes the passes that are good no more, and those whose keepsake has gone.
   void forget(std::int64_t now) const;
 

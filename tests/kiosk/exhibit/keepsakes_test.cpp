@@ -4,8 +4,10 @@
 #include <malloc.h>
 
 #include <chrono>
+#include <ctime>
 #include <thread>
 
+#include "kiosk/souvenir/pass.h"
 #include "tests/kiosk/files/disk.h"
 
 namespace onggi::exhibit {
@@ -50,6 +52,28 @@ TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
   wait_for([&] { return !fs::exists(old); });
   EXPECT_FALSE(fs::exists(old));
   EXPECT_FALSE(keepsakes.untidy());
+}
+
+TEST(Keepsakes, APassIsGivenWhilePhonesAreAnsweredAndOnlyThen) {
+  const ScratchFolder scratch;
+  const souvenir::Passes passes(scratch.path());
+  Keepsakes keepsakes(scratch.path(), {100, 0}, 24.0);
+  const auto kept = [&] {
+    souvenir::Keepsake keepsake;
+    keepsake.name = "2026-05-04_141503_jar";
+    keepsake.postcard = {2, 2, std::vector<std::uint8_t>(16, 128)};
+    keepsake.glb.resize(10);
+    keepsakes.save(std::move(keepsake));
+    keepsakes.wait();
+    return *keepsakes.finished();
+  };
+  EXPECT_EQ(kept().token, "") << "nobody would answer";
+  passes.serve();
+  const auto done = kept();
+  ASSERT_TRUE(done.outcome) << to_text(done.outcome.error());
+  const auto pass = passes.find(done.token, std::time(nullptr));
+  ASSERT_TRUE(pass);
+  EXPECT_EQ(pass->visit, done.outcome->folder.filename().string());
 }
 
 // A kiosk saves and tidies for months without a reload between.

@@ -154,8 +154,13 @@ TEST_F(PhoneTest, APageIsThereForItsHoursAndAClockThatJumpsMakesItNoOlder) {
   EXPECT_THAT(get(at), StartsWith("HTTP/1.1 404")) << "years back it would be good for years";
   now_ = kNow + 24 * kHour;
   EXPECT_THAT(get(at), StartsWith("HTTP/1.1 404"));
-  answers_.forget();
-  EXPECT_TRUE(fs::is_empty(keepsakes_ / "phone"));
+  EXPECT_FALSE(passes_.served(std::time(nullptr)));
+  answers_.look_after();
+  EXPECT_TRUE(passes_.served(std::time(nullptr)));
+  EXPECT_FALSE(passes_.served(std::time(nullptr) + souvenir::Passes::kSilent));
+  answers_.end();
+  EXPECT_FALSE(passes_.served(std::time(nullptr)));
+  EXPECT_TRUE(fs::is_empty(keepsakes_ / "phone")) << "no pass, and nobody there";
   EXPECT_TRUE(fs::exists(keepsakes_ / kVisit / "pot.glb")) << "the museum's copy has its own days";
 }
 

@@ -80,6 +80,31 @@ TEST_F(AMuseumsPage, IsReadOffTheLabelAtEverySizeInBothLanguages) {
       }
 }
 
+TEST_F(AMuseumsPage, AVisitorsOwnIsReadOffTheLastScreenWhileAPhoneCanReachItAndOnlyThen) {
+  const std::string page = "http://192.168.4.1:8080/k/u9fvw8wdsscd3zfq6bmprfmaqa";
+  for (const auto& [width, height] : kScreens)
+    for (const bool korean : {false, true}) {
+      const render::Typesetter fonts;
+      Visitor v(3, &fonts, true);
+      v.width = width;
+      v.height = height;
+      v.show();
+      if (korean) v.touch("language");
+      v.make_result();
+      v.glaze_and_fire();
+      v.touch("kiln.keep");
+      v.frames(1);
+      const bool reached = width != 1024;
+      v.visit->keepsake_kept("2026-05-04_141503", reached ? page : "");
+      v.frames(1);
+      check_layout(v, fonts, "keepsake for a phone");
+      const view::Image image = renderer().draw_offscreen(v.frame);
+      const std::string name = "phone_" + std::to_string(width) + (korean ? "_ko" : "_en");
+      render::testing::keep_for_looking(image, name);
+      EXPECT_EQ(codes_in(image), reached ? std::vector{page} : std::vector<std::string>{}) << name;
+    }
+}
+
 TEST_F(AMuseumsPage, IsReadOffThePostcard) {
   souvenir::PostcardWords words;
   words.title = "My answer to: Panathenaic amphora";

@@ -277,6 +277,18 @@ saturday = "10:00-18:00"
   EXPECT_TRUE(read("").exhibit.hours.open_at({2026, 11, 23, 0}));
 }
 
+TEST_F(ExhibitTest, an_address_that_no_phone_opens_is_named_and_no_code_is_shown) {
+  const ExhibitRead good = read("[phone]\naddress = \"http://192.168.4.1:8080/\"\nhours = 48");
+  EXPECT_THAT(good.problems, IsEmpty()) << all(good.problems);
+  EXPECT_EQ(good.exhibit.phone.address, "http://192.168.4.1:8080");
+  EXPECT_EQ(good.exhibit.phone.hours, 48);
+  for (const char* wrong : {"192.168.4.1", "ftp://a", "http://a b", "http:"}) {
+    const ExhibitRead r = read(std::string("[phone]\naddress = \"") + wrong + "\"");
+    EXPECT_THAT(all(r.problems), HasSubstr("no address that a phone can open")) << wrong;
+    EXPECT_EQ(r.exhibit.phone.address, "");
+  }
+}
+
 TEST(exhibit, the_exhibit_that_ships_is_without_fault) {
   const ExhibitRead r = read_exhibit("config/exhibit.toml");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
