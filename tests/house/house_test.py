@@ -116,7 +116,7 @@ class House(unittest.TestCase):
         self.assert_broken("includes", "It belongs to kiosk/render")
 
     def test_an_unknown_library_is_refused(self):
-        self.write("kiosk/screens/visit.cpp", "#include <SDL2/SDL.h>\n")
+        self.write("kiosk/screens/visit.cpp", "#include <allegro5/allegro.h>\n")
         self.assert_broken("includes", "Give it one room")
 
     def test_the_engine_takes_no_clock_and_no_system_header(self):
