@@ -289,7 +289,9 @@ class Choose final : public Screen {
     foot.wanted = page.size(longest, page.style(Face::sans, t.body), -1).width + 4;
     foot.height = t.target;
     float used = 0;
-    for (const Control& c : page.controls()) used = std::max(used, c.rect.x + c.rect.w - whole.x);
+    for (const Control& c : page.controls())
+      used = std::max(used, page.right_to_left() ? whole.x + whole.w - c.rect.x
+                                                 : c.rect.x + c.rect.w - whole.x);
     for (const Button& b : ways()) {
       const auto size = page.size(b, whole.w);
       foot.wanted += size.width + t.gap;
@@ -321,15 +323,18 @@ class Choose final : public Screen {
     for (const Button& b : buttons) widest -= page.size(b, whole.w).width + t.gap;
     float x = whole.x + whole.w - foot.wanted;
     const bool own_row = foot.y + foot.height < whole.y + whole.h - 1;
-    page.words(
-        {own_row ? whole.x : x, foot.y + (foot.height - size.height) / 2, widest, size.height},
-        count, style, view::kFaintInk);
+    const auto turned = [&](float at, float width) {
+      return page.right_to_left() ? 2 * whole.x + whole.w - at - width : at;
+    };
+    page.words({turned(own_row ? whole.x : x, widest), foot.y + (foot.height - size.height) / 2,
+                widest, size.height},
+               count, style, view::kFaintInk);
     x += widest + t.gap;
     for (const bool onward : {false, true}) {
       const Button& b = buttons[onward ? 1 : 0];
       const float width = page.size(b, whole.w).width;
       if (onward ? !scroll_.at_the_end() : scroll_.first() > 0)
-        page.button(b, {x, foot.y, width, foot.height});
+        page.button(b, {turned(x, width), foot.y, width, foot.height});
       x += width + t.gap;
     }
     const float thick = std::max(3.0f, t.hairline * 3);

@@ -157,7 +157,7 @@ void Column::text(const std::string& words, float px, Face face, Color color, Al
   const float width = std::min(box_.w, px * 0.52f * 55.0f);
   const auto size = page_.size(words, style, width);
   if (size.width > width + kSlack) page_.overflowed();
-  page_.words({box_.x, top_, width, size.height}, words, style, color);
+  page_.words({turned(box_.x, width), top_, width, size.height}, words, style, color);
   top_ += size.height;
   check();
 }
@@ -168,7 +168,7 @@ void Column::foot_text(const std::string& words, float px, Face face, Color colo
   const float width = std::min(box_.w, px * 0.52f * 55.0f);
   const auto size = page_.size(words, style, width);
   foot_ -= size.height;
-  page_.words({box_.x, foot_, width, size.height}, words, style, color);
+  page_.words({turned(box_.x, width), foot_, width, size.height}, words, style, color);
   check();
 }
 
@@ -205,11 +205,13 @@ void Column::place(std::vector<Placed>& placed, float y, const std::string& capt
   if (!caption.empty()) {
     const auto style = page_.style(Face::sans, page_.type().body);
     const auto size = page_.size(caption, style, -1);
-    page_.words({box_.x, y + (placed.front().rect.h - size.height) / 2, caption_width, size.height},
+    page_.words({turned(box_.x, caption_width), y + (placed.front().rect.h - size.height) / 2,
+                 caption_width, size.height},
                 caption, style, view::kFaintInk);
   }
   for (Placed& p : placed) {
     p.rect.y += y;
+    p.rect.x = turned(p.rect.x, p.rect.w);
     page_.button(p.button, p.rect);
   }
   check();
@@ -267,15 +269,15 @@ void Column::circles(int full, int count, const std::string& words) {
   const auto size = page_.size(words, style, -1);
   const float diameter = page_.type().body * 0.95f, pitch = diameter * 1.45f;
   for (int i = 0; i < count; ++i) {
-    const Rect r{box_.x + static_cast<float>(i) * pitch, top_ + (size.height - diameter) / 2,
-                 diameter, diameter};
+    const Rect r{turned(box_.x + static_cast<float>(i) * pitch, diameter),
+                 top_ + (size.height - diameter) / 2, diameter, diameter};
     const Color fill = i < full ? view::kIron : Color{0, 0, 0, 0};
     page_.draw(view::Box{r, diameter / 2, fill, std::max(1.5f, diameter * 0.07f), view::kIron});
   }
   const float x = box_.x + static_cast<float>(count) * pitch + page_.type().gap * 0.5f;
   const float room = size.width + kSlack;
   if (x + room > box_.x + box_.w) page_.overflowed();
-  page_.words({x, top_, room, size.height}, words, style, view::kFaintInk);
+  page_.words({turned(x, room), top_, room, size.height}, words, style, view::kFaintInk);
   top_ += size.height;
   check();
 }

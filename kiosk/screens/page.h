@@ -47,6 +47,7 @@ struct Sheet {
   Regions where;
   std::string language;  ///< Code.
   Attention attention;
+  bool right_to_left = false;  ///< The language is read so: rows begin at the right.
 };
 
 /// The words and controls of one screen while it is laid out. Every text is measured before it is
@@ -59,6 +60,7 @@ class Page {
   const Regions& where() const { return sheet_.where; }
   /// The screen divides the page otherwise; what is laid out already stays where it is.
   void divide(const Regions& where) { sheet_.where = where; }
+  bool right_to_left() const { return sheet_.right_to_left; }
   int width() const { return sheet_.width; }
   int height() const { return sheet_.height; }
 
@@ -126,6 +128,10 @@ class Column {
   void check() const;
 
  private:
+  /// `x` of what is `width` wide, where the page is read from the right.
+  float turned(float x, float width) const {
+    return page_.right_to_left() ? 2 * box_.x + box_.w - x - width : x;
+  }
   struct Placed {
     Button button;
     view::Rect rect;

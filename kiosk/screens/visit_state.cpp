@@ -239,7 +239,8 @@ Page Visit::State::lay_out(int width, int height, float size) {
                         type,
                         wanders ? moved(home, drift(desk.now, type.margin)) : home,
                         desk.words().code(),
-                        {focused, pressed}});
+                        {focused, pressed},
+                        desk.words().right_to_left()});
   switch (over) {
     case Over::nothing:
       screen->lay_out(made);
