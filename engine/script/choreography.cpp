@@ -103,11 +103,13 @@ double Choreography::sway(double length) const {
   return sum / 3.0;
 }
 
-void Choreography::glide(std::span<const Vec2> path, double speed) {
+void Choreography::glide(std::span<const Vec2> path, double speed, std::span<const double> rooms) {
   now_.active = true;
   put();
   const double begun = now_.time;
-  for (const Vec2 corner : path) {
+  for (std::size_t at = 0; at < path.size(); ++at) {
+    const Vec2 corner = path[at];
+    if (at < rooms.size()) now_.grip = rooms[at];
     const Vec2 from = now_.place;
     const double way = length(corner - from);
     const int parts = std::max(1, static_cast<int>(std::ceil(way / kSample)));

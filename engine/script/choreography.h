@@ -43,7 +43,9 @@ class Choreography {
   /// pot, to `place` on `side`. `rim` and `widest` are the pot's rim height and largest radius, m.
   void carry(WallSide side, Vec2 place, double rim, double widest, double radius);
   /// Puts the hand to the clay here and moves it along `path` at about `speed` m/s.
-  void glide(std::span<const Vec2> path, double speed);
+  /// `rooms`, where there are as many as places, are the grip that the hands have come to there (m;
+  /// 0: the other hand is away).
+  void glide(std::span<const Vec2> path, double speed, std::span<const double> rooms = {});
   /// Closes or opens the grip of both hands to `room` metres within `seconds`, about its middle.
   /// The hands come onto the clay by it: nothing may be between them and the clay before.
   void grip(double room, double seconds);

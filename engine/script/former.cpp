@@ -15,6 +15,7 @@ constexpr double kDeepest =
     0.007;                        // m: the least that a roughing pass takes, where so much is left
 constexpr int kMostPasses = 6;    // of one roughing
 constexpr double kOver = 0.0004;  // m: widened beyond the goal, for the outside to cut back
+constexpr double kHeldRoom = 0.001;  // m that the holding finger needs beyond itself
 constexpr double kTouchSpeed = 0.1;  // m/s, from clear air to the clay
 
 }  // namespace
@@ -99,6 +100,21 @@ std::vector<double> Former::centre_path(WallSide side, const std::vector<double>
   return centre;
 }
 
+// Between an outer tool at `centre` and one that holds the inner face there; 0 where none fits.
+double Former::room_of(std::size_t n, const std::vector<double>& centre) const {
+  if (!holds() || height_of(n) < floor_ + 1.02 * radius_) return 0.0;
+  // As near as the sphere gets to the face anywhere.
+  const auto reach = static_cast<std::size_t>(radius_ / spacing_);
+  double inner = inner_[n];
+  for (std::size_t m = n - std::min(n, reach); m < std::min(inner_.size(), n + reach + 1); ++m) {
+    const double dy = (static_cast<double>(m) - static_cast<double>(n)) * spacing_;
+    const double bulge = std::sqrt(std::max(0.0, (radius_ - dy) * (radius_ + dy)));
+    if (height_of(m) > floor_) inner = std::min(inner, inner_[m] - bulge + radius_);
+  }
+  if (inner < radius_ + kHeldRoom) return 0.0;
+  return std::max(centre[n] - radius_ - inner, scene_.clay.wall_min);
+}
+
 void Former::pass(WallSide side, const std::vector<double>& face, std::size_t first,
                   std::size_t last, std::string_view phase, double speed) {
   const ClayDef& clay = scene_.clay;
@@ -113,8 +129,12 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   const double from = std::max(lowest, height_of(first) - radius_);
   const double to = std::max(from, std::min(height(), height_of(last) + radius_));
   std::vector<Vec2> path;
-  for (std::size_t n = 0; n < centre.size(); ++n)
-    if (height_of(n) >= from && height_of(n) <= to) path.push_back({centre[n], height_of(n)});
+  std::vector<double> rooms;
+  for (std::size_t n = 0; n < centre.size(); ++n) {
+    if (height_of(n) < from || height_of(n) > to) continue;
+    path.push_back({centre[n], height_of(n)});
+    if (side == WallSide::outside) rooms.push_back(room_of(n, centre));
+  }
   if (path.empty()) return;
 
   wet_every_third_pass();
@@ -135,7 +155,7 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   hand_.phase(phase);
   hand_.glide(std::vector<Vec2>{path.front()}, kTouchSpeed);
   hand_.wait_turns(1.0);
-  hand_.glide(path, speed * haste_);
+  hand_.glide(path, speed * haste_, rooms);
   hand_.wait_turns(1.0);
   hand_.lift();
 
@@ -156,7 +176,11 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
       const double bulge = std::sqrt(std::max(0.0, (radius_ - dy) * (radius_ + dy)));
       if (side == WallSide::outside) {
         const double cut = std::max(centre[n] - bulge, clay.radius_min + clay.wall_min);
-        if (cut < outer_[m]) put(m, scene::narrowed(scene_, {outer_[m], inner_[m]}, cut));
+        if (cut >= outer_[m]) continue;
+        if (room_of(n, centre) > 0.0)
+          put(m, {cut, std::min(inner_[m], cut - clay.wall_min)});
+        else
+          put(m, scene::narrowed(scene_, {outer_[m], inner_[m]}, cut));
       } else if (const double cut = centre[n] + bulge; height_of(m) > floor_ && cut > inner_[m]) {
         put(m, scene::widened(scene_, {outer_[m], inner_[m]}, cut));
       }

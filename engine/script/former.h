@@ -11,6 +11,8 @@ namespace onggi::script {
 
 /// Plans how one fingertip brings a lump to an outline: passes from the foot upwards, each as deep
 /// as clay takes in one go, inside where the wall must be wider, outside where it must be narrower.
+/// Where walls go as a whole and clay is not kept, a neck that is only narrowed would close: there
+/// the other hand holds the wall from inside, so that it gets thin instead.
 /// It keeps account of the shape that the passes should leave, and where the scene keeps volume, of
 /// how much higher or lower that gets. Allocates; not for the tick.
 class Former {
@@ -36,6 +38,8 @@ class Former {
   void rest();
 
  private:
+  bool holds() const { return scene_.walls && !scene_.volume; }
+  double room_of(std::size_t n, const std::vector<double>& centre) const;
   double height_of(std::size_t n) const { return (static_cast<double>(n) + 0.5) * spacing_; }
   std::vector<double> centre_path(WallSide side, const std::vector<double>& face) const;
   void pass(WallSide side, const std::vector<double>& face, std::size_t first, std::size_t last,

@@ -226,6 +226,26 @@ TEST(Script, WhereClayIsKeptItFollowsFromALumpThatHoldsTheVesselsClayAndThePotSt
   }
 }
 
+// A ring that is only narrowed keeps its clay, and a neck of a thick lump would close: first_touch.
+TEST(Script, WhereWallsGoAsAWholeAndNoClayIsKeptAHandInsideHoldsTheMouthOpen) {
+  for (const auto& [name, drawn] : vessels::all()) {
+    const Profile target = scaled(drawn, workspace_scale(drawn));
+    ScriptContext context;
+    context.scene.clay.sectors = 96;
+    context.scene.walls.emplace();
+    context.scene.walls->support = 0.03;
+    context.scene.clay = lump_for(target, context.scene);
+    context.target = &target;
+    Scene scene = std::move(*Scene::create(context.scene));
+    const Thrown thrown = play("follow", context, &scene);
+    EXPECT_LT(compare(target, thrown.profile, true).outline_rms, 0.03) << name;
+    const Clay& clay = scene.clay();
+    const int rim = clay.rows() - 1;
+    EXPECT_GT(clay.inner(rim)[0], 0.6f * clay.outer(rim)[0]) << name;
+    EXPECT_FALSE(thrown.jumped) << name;
+  }
+}
+
 TEST(Script, WhoFollowsAVesselWetsItNoMoreThanItCarries) {
   // Soaked, clay of 9 kPa has 3 % of its strength and stands 2 cm high.
   const Profile target = scaled(vessels::moon_jar(), workspace_scale(vessels::moon_jar()));
