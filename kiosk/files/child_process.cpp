@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <utility>
 
 namespace onggi::files {
@@ -88,9 +89,13 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
 
 ChildProcess::~ChildProcess() { end(SIGKILL); }
 
-void ChildProcess::end(int signal) {
+void ChildProcess::end(int signal, double patience) {
   if (pid_ <= 0) return;
   ::kill(pid_, signal);
+  const auto most =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience));
+  if (wait_until(Clock::now() + most)) return;
+  ::kill(pid_, SIGKILL);
   while (::waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;

@@ -39,8 +39,9 @@ class ChildProcess {
   ChildProcess& operator=(ChildProcess&&) = delete;
   ~ChildProcess();
 
-  /// Sends it `signal` (one that ends it) and waits.
-  void end(int signal);
+  /// Sends it `signal` (one that ends it) and waits; what has not ended within `patience` seconds
+  /// is killed.
+  void end(int signal, double patience = 60.0);
   /// True once it has ended; false at `deadline`.
   bool wait_until(Clock::time_point deadline);
   /// Seconds of processor time that it has had so far; 0 once it has been waited for.

@@ -20,6 +20,9 @@ namespace onggi::measure {
 namespace {
 
 constexpr double kGoal = 20.0;  // ms, p99
+// Clay that gives way lets go of a light finger for some ticks: a touch begins after so long
+// without.
+constexpr std::int64_t kApart = 2'000'000'000LL * sound::Speaker::kBlock / 48000;  // ns
 
 /// A finger beside the wall, half a millimetre in it or 10 mm off it.
 HandInput finger(const SceneDef& def, bool on) {
@@ -39,11 +42,11 @@ class Touches {
  public:
   void look(const loop::LoopStatus& now, const sound::Speaker::Status& speaker) {
     const bool rub = rubs(now);
-    if (rub && !rubbed_) {
+    if (rub && now.at_ns - rubbed_ns_ > kApart) {
       if (felt_ns_ != 0) ++unheard_;
       felt_ns_ = now.at_ns;
     }
-    rubbed_ = rub;
+    if (rub) rubbed_ns_ = now.at_ns;
     if (speaker.touches == counted_) return;
     counted_ = speaker.touches;
     if (felt_ns_ == 0) return;
@@ -66,8 +69,7 @@ class Touches {
   }
 
  private:
-  bool rubbed_ = false;
-  std::int64_t felt_ns_ = 0;
+  std::int64_t rubbed_ns_ = 0, felt_ns_ = 0;
   std::uint64_t counted_ = 0;
   int unheard_ = 0;
   std::vector<double> delays_;

@@ -23,7 +23,7 @@ struct TouchToSound {
   std::uint64_t seed = 1;
   double seconds = 0.0;
   int touches = 0;  ///< That were heard.
-  int unheard = 0;  ///< Shorter than a block, or never heard.
+  int unheard = 0;  ///< Over before a block was asked for.
   /// ms from the tick in which clay was touched to its block coming out.
   double median_ms = 0.0, p99_ms = 0.0, worst_ms = 0.0;
   std::uint64_t blocks = 0, dry = 0;  ///< sound::Speaker::Status::late.

@@ -208,9 +208,8 @@ TEST(DeviceVisit, APuckAndAForceDeviceThrowThePotThatTheMouseThrows) {
   // The tool hangs back behind the handle by force / stiffness (engine/force/coupling.h), and the
   // hand that holds it does not know.
   EXPECT_LT(apart_mm(by_mouse, by_force), 0.2);
-  // Left alone the lump is as wide everywhere: so they made it.
-  const Json& made = by_mouse.at("measures").at("made");
-  EXPECT_GT(made.at("belly").get<double>() - made.at("neck").get<double>(), 0.002);
+  // Left alone the lump's wall is as thick everywhere: so they made it.
+  EXPECT_LT(by_mouse.at("measures").at("made").at("wall_evenness").get<double>(), 0.98);
 
   // The clay pushed back, and never with more than the device's file allows.
   std::ifstream in(record);

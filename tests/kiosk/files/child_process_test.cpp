@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -133,6 +134,20 @@ TEST(virtual_display, the_server_ends_with_the_program_even_where_that_is_killed
   ASSERT_EQ(::waitpid(program, &status, 0), program);
   for (int tenth = 0; tenth < 100 && server_is_there(); ++tenth) ::usleep(100'000);
   EXPECT_FALSE(server_is_there());
+}
+
+TEST(child_process, one_that_does_not_mind_a_signal_is_killed_when_patience_ends) {
+  Channel said;
+  ASSERT_TRUE(said.open_for_reading());
+  auto deaf = ChildProcess::start("sh", {"-c", "trap '' TERM; echo; while :; do sleep 0.05; done"},
+                                  {.out = said.theirs.get()});
+  ASSERT_TRUE(deaf);
+  said.theirs.close();
+  pollfd waiting{said.ours.get(), POLLIN, 0};
+  ASSERT_EQ(::poll(&waiting, 1, 10'000), 1) << "it has set its trap";
+  deaf->end(SIGTERM, 0.2);
+  EXPECT_TRUE(WIFSIGNALED(deaf->status()));
+  EXPECT_EQ(WTERMSIG(deaf->status()), SIGKILL);
 }
 
 }  // namespace

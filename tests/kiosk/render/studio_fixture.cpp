@@ -44,6 +44,10 @@ class OwnDisplay {
   ~OwnDisplay() {
     if (server_ <= 0) return;
     kill(server_, SIGTERM);
+    // One that is told just as it falls asleep sleeps on, for ten minutes.
+    for (int n = 0; n < 200; ++n, usleep(10'000))
+      if (waitpid(server_, nullptr, WNOHANG) == server_) return;
+    kill(server_, SIGKILL);
     waitpid(server_, nullptr, 0);
   }
 
