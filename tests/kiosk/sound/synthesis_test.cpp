@@ -135,7 +135,8 @@ TEST(Kiln, RumblesLowAndCracklesNowAndThen) {
 }
 
 TEST(Studio, NeverLeavesItsRangeNorClicksWhateverItIsTold) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = 1.0 / 0.0;
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
   Synthesis synthesis;
   // Tones and fire, whose samples lie near each other by themselves; each told to go and come at
   // once.
