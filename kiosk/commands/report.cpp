@@ -7,14 +7,15 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/support_bundle.h"
 #include "kiosk/exhibit/paths.h"
-#include "kiosk/files/durable_file.h"
+#include "kiosk/files/output.h"
 
 namespace onggi::commands {
 
 namespace {
 
 struct ReportArguments {
-  std::string config, to = "onggi-report.tar.gz", state, health;
+  std::string config, state, health;
+  files::Output to{files::Output::Kind::archive, "onggi-report.tar.gz"};
 };
 
 Result<int> report(const ReportArguments& arguments) {
@@ -30,12 +31,12 @@ Result<int> report(const ReportArguments& arguments) {
   });
   const auto packed = pack_bundle(parts);
   if (!packed) return tl::unexpected(packed.error());
-  if (auto written = files::write_durably(arguments.to, *packed); !written)
-    return tl::unexpected(written.error());
-  std::cout << "Wrote " << arguments.to << ", " << packed->size() / 1024 + 1 << " kB:\n";
+  if (auto written = arguments.to.write(*packed); !written) return tl::unexpected(written.error());
+  if (arguments.to.to_stdout()) return 0;
+  std::cout << "Wrote " << arguments.to.where() << ", " << packed->size() / 1024 + 1 << " kB:\n";
   for (const BundlePart& part : parts) std::cout << "  " << part.name << '\n';
   std::cout << "Nothing of a visitor is in it. Look into it before you send it: tar -xzf "
-            << arguments.to << '\n';
+            << arguments.to.where() << '\n';
   return 0;
 }
 

@@ -45,6 +45,8 @@ const char* name_of(Output::Kind kind) {
       return "GLB";
     case Output::Kind::wav:
       return "sound in WAV";
+    case Output::Kind::archive:
+      return "packed archive";
     case Output::Kind::picture:
       break;
   }

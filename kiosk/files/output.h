@@ -23,6 +23,7 @@ class Output {
     picture,  ///< An SVG where the name ends in ".svg", else a PNG.
     glb,
     wav,
+    archive,  ///< What gzip has packed.
   };
 
   explicit Output(Kind kind, std::string where = "") : kind_(kind), where_(std::move(where)) {}

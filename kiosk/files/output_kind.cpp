@@ -73,6 +73,8 @@ bool is_of_kind(const std::filesystem::path& file, Output::Kind kind) {
       return head.starts_with("glTF");
     case Output::Kind::wav:
       return head.starts_with("RIFF") && head.substr(8, 4) == "WAVE";
+    case Output::Kind::archive:
+      return head.starts_with("\x1f\x8b");
     case Output::Kind::picture:
       break;
   }

@@ -55,6 +55,7 @@ TEST_F(AnOutput, never_takes_the_place_of_a_file_of_another_kind_unless_it_is_fo
       {"plot.svg", "<?xml version=\"1.0\"?>\n<svg/>"},
       {"rows.csv", "rows,force\n1,\"2,5\"\n3,4\n"},
       {"hum.wav", std::string("RIFF\x24\0\0\0WAVEfmt ", 16)},
+      {"report.tar.gz", "\x1f\x8b\x08 and so on"},
       {"photo.webp", std::string("RIFF\x24\0\0\0WEBPVP8 ", 16)},
       {"report.json", "{\"height\": 1}"},
       {"scan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": []}"},
@@ -64,15 +65,14 @@ TEST_F(AnOutput, never_takes_the_place_of_a_file_of_another_kind_unless_it_is_fo
     return name == "scan.glb"                          ? "glb"
            : name == "report.json"                     ? "json"
            : name == "rows.csv"                        ? "csv"
+           : name == "report.tar.gz"                   ? "archive"
            : name == "hum.wav"                         ? "wav"
            : name == "photo.png" || name == "plot.svg" ? "picture"
                                                        : "none";
   };
-  const std::vector<std::pair<std::string, Kind>> kinds{{"glb", Kind::glb},
-                                                        {"json", Kind::json},
-                                                        {"csv", Kind::csv},
-                                                        {"picture", Kind::picture},
-                                                        {"wav", Kind::wav}};
+  const std::vector<std::pair<std::string, Kind>> kinds{
+      {"glb", Kind::glb},         {"json", Kind::json}, {"csv", Kind::csv},
+      {"picture", Kind::picture}, {"wav", Kind::wav},   {"archive", Kind::archive}};
   for (const auto& [name, text] : all)
     for (const auto& [word, kind] : kinds) {
       there(name, text);
