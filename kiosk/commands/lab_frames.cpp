@@ -28,6 +28,9 @@ Result<int> frames(FramesArguments& arguments) {
       return tl::unexpected(good.error());
     arguments.plan.sizes = {{window.width, window.height}};
   }
+  if (arguments.plan.only_loads && arguments.plot.wanted())
+    return problem("--plot", "It draws times, and --counts takes none.",
+                   "Leave one of the two out, or write the counts with --json.");
   const auto report = measure::measure_frames(arguments.plan, stderr);
   if (!report) return tl::unexpected(report.error());
   return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
@@ -50,6 +53,8 @@ Command lab_frames_command() {
                        .help = "Of each screen at each size [15]",
                        .least = 2.0,
                        .most = 600.0},
+                      {"--counts", &a->plan.only_loads,
+                       "Only what a frame asks of the graphics, and no times"},
                       {"--json", &a->json, "Write the figures as JSON (- for standard output)"},
                       {"--plot", &a->plot, "Draw them into this PNG or SVG"},
                       {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},

@@ -161,8 +161,8 @@ Result<FrameDelays> Watched::delays() {
   return delays;
 }
 
-Result<void> measure_size(const FrameRatePlan& plan, std::pair<int, int> size,
-                          FrameRateReport& report, std::FILE* progress) {
+Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, FrameRateReport& report,
+                       std::FILE* progress) {
   const auto say = [&](const char* what) {
     std::fprintf(progress, "%d x %d: %s\n", size.first, size.second, what);
     std::fflush(progress);
@@ -226,14 +226,23 @@ Result<FrameRateReport> measure_frames(const FrameRatePlan& plan, std::FILE* pro
   auto display = files::VirtualDisplay::ensure(width, height);
   if (!display) return tl::unexpected(display.error());
   FrameRateReport report;
-  for (const auto& size : plan.sizes)
-    if (auto good = measure_size(plan, size, report, progress); !good)
-      return tl::unexpected(good.error());
+  for (const auto& size : plan.sizes) {
+    if (!plan.only_loads)
+      if (auto good = time_size(plan, size, report, progress); !good)
+        return tl::unexpected(good.error());
+    std::fprintf(progress, "%d x %d: counting\n", size.first, size.second);
+    FrameLoadPlan load;
+    load.config = plan.config;
+    load.size = size;
+    auto loads = measure_load(load);
+    if (!loads) return tl::unexpected(loads.error());
+    report.loads.insert(report.loads.end(), loads->begin(), loads->end());
+  }
   return report;
 }
 
 files::Json json_of(const FrameRateReport& report) {
-  files::Json rows = files::Json::list(), delays = files::Json::list();
+  files::Json rows = files::Json::list(), delays = files::Json::list(), loads = files::Json::list();
   const auto size_of = [](const auto& of) {
     return std::to_string(of.width) + "x" + std::to_string(of.height);
   };
@@ -254,13 +263,16 @@ files::Json json_of(const FrameRateReport& report) {
     if (delay.drag_frames) one["drag_frames"] = *delay.drag_frames;
     delays.push_back(one);
   }
+  for (const FrameLoad& load : report.loads) loads.push_back(json_of(load));
   return files::Json::object({{"device", report.device},
                               {"software", report.software},
                               {"rows", rows},
-                              {"delays", delays}});
+                              {"delays", delays},
+                              {"loads", loads}});
 }
 
 std::string text_of(const FrameRateReport& report) {
+  if (report.rows.empty()) return text_of(report.loads);
   std::string text = "Drawn by " + report.device + (report.software ? ", without a GPU.\n" : ".\n");
   char line[200];
   std::snprintf(line, sizeof line, "%-11s%-10s%8s%9s%8s%14s%8s%8s%8s\n", "size", "screen", "frames",
@@ -286,7 +298,7 @@ std::string text_of(const FrameRateReport& report) {
       text += "; a drag is on the screen in frame " + std::to_string(*delay.drag_frames);
     text += ".\n";
   }
-  return text;
+  return text + text_of(report.loads);
 }
 
 drawing::Plot plot_of(const FrameRateReport& report) {

@@ -10,13 +10,15 @@
 #include "engine/base/result.h"
 #include "kiosk/drawing/plot.h"
 #include "kiosk/files/json.h"
+#include "kiosk/measure/frame_load.h"
 
 namespace onggi::measure {
 
 struct FrameRatePlan {
   std::filesystem::path config;
   std::vector<std::pair<int, int>> sizes{{1280, 720}, {1920, 1080}};  ///< Pixels.
-  double seconds = 15.0;  ///< Of each screen at each size, 2 to 600.
+  double seconds = 15.0;    ///< Of each screen at each size, 2 to 600.
+  bool only_loads = false;  ///< No times: only what a frame asks of the graphics.
 };
 
 /// The open exhibit, drawing one screen at one size beside the running 1 kHz loop.
@@ -43,12 +45,14 @@ struct FrameRateReport {
   bool software = false;
   std::vector<FrameRateRow> rows;
   std::vector<FrameDelays> delays;
+  std::vector<FrameLoad> loads;
 };
 
 /// Opens the exhibit in a window of each size (on a display of its own where there is none), lets
 /// attract play, throws as a naive visitor does, then lets go and stands the wheel still. Pictures
-/// are compared once a second; the frames round a comparison are not counted. Says on `progress`
-/// where it is. Main thread; blocks for about 2 x `seconds` + 20 s a size.
+/// are compared once a second; the frames round a comparison are not counted. Then counts what a
+/// frame asks of the graphics. Says on `progress` where it is. Main thread; blocks for about
+/// 2 x `seconds` + 60 s a size.
 Result<FrameRateReport> measure_frames(const FrameRatePlan& plan, std::FILE* progress);
 
 files::Json json_of(const FrameRateReport& report);

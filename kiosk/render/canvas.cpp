@@ -124,10 +124,10 @@ void Canvas::paint(Stage& stage, ItemPainter& items, const ItemPainter::Pictures
 void Canvas::compose(GLuint framebuffer, ItemPainter& items,
                      const ItemPainter::Pictures& pictures) {
   const int width = frame_.width, height = frame_.height;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, plaster_.framebuffer());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  calls::bind_framebuffer(GL_READ_FRAMEBUFFER, plaster_.framebuffer());
+  calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  calls::copy(width, height);
+  calls::bind_framebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, width, height);
   items.begin(width, height);
   const auto w = static_cast<float>(width), h = static_cast<float>(height);
@@ -151,7 +151,7 @@ view::Image Canvas::read(ItemPainter& items, const ItemPainter::Pictures& pictur
   std::vector<std::uint8_t> rows(row * static_cast<std::size_t>(image.height));
   if (rows.empty()) return image;
   compose(kept(picture_).framebuffer(), items, pictures);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
+  calls::bind_framebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
   image.rgba.resize(rows.size());

@@ -48,8 +48,8 @@ void ClaySkin::prepare(const view::PotView& pot) {
   if (rows_.width != count) {
     rows_ = Texture::create(GL_R32F, count, 1, GL_RED, GL_FLOAT, wet.data());
   } else {
-    glBindTexture(GL_TEXTURE_2D, rows_.name.get());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, count, 1, GL_RED, GL_FLOAT, wet.data());
+    calls::bind_texture(rows_.name.get());
+    calls::texture_part(0, 0, count, 1, GL_RED, GL_FLOAT, wet.data());
   }
   wet_ = std::move(wet);
 }

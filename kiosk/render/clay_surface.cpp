@@ -54,7 +54,6 @@ float ClaySurface::top_row() const {
 void ClaySurface::update(const ClayView& clay) {
   if (clay.room() != all_rows_ || clay.sectors() != all_sectors_) return show(clay);
   if (empty() || clay.change() == seen_) return;
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   if (height_ != clay.rim_height()) stacked_ = false;
   height_ = clay.rim_height();
   floor_top_ = clay.floor_top();
@@ -80,8 +79,8 @@ void ClaySurface::upload_row(int j, const ClayView& clay, int row) {
         scratch_[i] = radii[i * static_cast<std::size_t>(sector_step_)];
       radii = scratch_;
     }
-    glBindTexture(GL_TEXTURE_2D, texture.name.get());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, j, sectors_, 1, GL_RED, GL_FLOAT, radii.data());
+    calls::bind_texture(texture.name.get());
+    calls::texture_part(0, j, sectors_, 1, GL_RED, GL_FLOAT, radii.data());
   };
   upload(outer_, clay.outer(row));
   upload(inner_, clay.inner(row));
@@ -109,8 +108,8 @@ void ClaySurface::stack() {
   if (!row_at_.name) {
     row_at_ = Texture::create(GL_RG32F, kHeights, 1, GL_RG, GL_FLOAT, heights_.data());
   } else {
-    glBindTexture(GL_TEXTURE_2D, row_at_.name.get());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kHeights, 1, GL_RG, GL_FLOAT, heights_.data());
+    calls::bind_texture(row_at_.name.get());
+    calls::texture_part(0, 0, kHeights, 1, GL_RG, GL_FLOAT, heights_.data());
   }
   stacked_ = true;
 }

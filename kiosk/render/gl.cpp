@@ -65,9 +65,8 @@ GLint Program::at(const char* uniform) const {
 Texture Texture::create(GLint internal, int width, int height, GLenum format, GLenum type,
                         const void* pixels) {
   Texture t{TextureName(new_texture()), width, height};
-  glBindTexture(GL_TEXTURE_2D, t.name.get());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, format, type, pixels);
+  calls::bind_texture(t.name.get());
+  calls::texture_image(0, internal, width, height, format, type, pixels);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -80,7 +79,7 @@ Target::Target(int width, int height, bool depth, int samples) : width_(width), 
   GLuint name = 0;
   glGenFramebuffers(1, &name);
   framebuffer_ = FramebufferName(name);
-  glBindFramebuffer(GL_FRAMEBUFFER, name);
+  calls::bind_framebuffer(GL_FRAMEBUFFER, name);
   if (samples > 0) {
     GLuint buffer = 0;
     glGenRenderbuffers(1, &buffer);
@@ -104,14 +103,14 @@ Target::Target(int width, int height, bool depth, int samples) : width_(width), 
 }
 
 void Target::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  calls::bind_framebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glViewport(0, 0, width_, height_);
 }
 
 void Target::resolve_to(const Target& to) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer());
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  calls::bind_framebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
+  calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer());
+  calls::copy(width_, height_);
 }
 
 Mesh::Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indices,
@@ -120,18 +119,16 @@ Mesh::Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indic
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   array_ = ArrayName(name);
-  glBindVertexArray(name);
+  calls::bind_array(name);
   glGenBuffers(1, &name);
   vertices_ = BufferName(name);
   glBindBuffer(GL_ARRAY_BUFFER, name);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(floats * sizeof(float)), vertices,
-               GL_STATIC_DRAW);
+  calls::buffer_data(GL_ARRAY_BUFFER, floats * sizeof(float), vertices, GL_STATIC_DRAW);
   glGenBuffers(1, &name);
   indices_ = BufferName(name);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(index_count * sizeof(std::uint32_t)), indices,
-               GL_STATIC_DRAW);
+  calls::buffer_data(GL_ELEMENT_ARRAY_BUFFER, index_count * sizeof(std::uint32_t), indices,
+                     GL_STATIC_DRAW);
   int stride = 0;
   for (const int size : attributes) stride += size;
   GLuint location = 0;
@@ -146,10 +143,8 @@ Mesh::Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indic
 }
 
 void Mesh::draw_some(int first, int count) const {
-  glBindVertexArray(array_.get());
-  glDrawElements(
-      GL_TRIANGLES, count, GL_UNSIGNED_INT,
-      reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(std::uint32_t)));
+  calls::bind_array(array_.get());
+  calls::draw_elements(GL_TRIANGLES, count, GL_UNSIGNED_INT, static_cast<std::size_t>(first));
 }
 
 Mesh unit_grid(int columns, int rows) {

@@ -11,6 +11,7 @@
 
 #include "engine/base/result.h"
 #include "engine/math/vec.h"
+#include "kiosk/render/calls.h"
 
 namespace onggi::render {
 
@@ -59,7 +60,7 @@ class Program {
  public:
   /// `parts` are joined in order for both stages. Problem: the compiler's log, exit code 1.
   static Result<Program> create(const std::string& name, std::initializer_list<const char*> parts);
-  void use() const { glUseProgram(name_.get()); }
+  void use() const { calls::use_program(name_.get()); }
   void set(const char* uniform, int value) const { glUniform1i(at(uniform), value); }
   void set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }
   void set(const char* uniform, glm::vec2 v) const { glUniform2f(at(uniform), v.x, v.y); }
@@ -84,10 +85,7 @@ struct Texture {
   int width = 0, height = 0;
   static Texture create(GLint internal, int width, int height, GLenum format, GLenum type,
                         const void* pixels);
-  void bind(int unit) const {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, name.get());
-  }
+  void bind(int unit) const { calls::bind_texture(unit, name.get()); }
 };
 
 /// Somewhere to draw: colour 8 bits, depth and stencil on request, `samples` > 0 for multisampling.

@@ -73,7 +73,7 @@ Result<std::unique_ptr<ItemPainter>> ItemPainter::create() {
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   painter->line_array_ = ArrayName(name);
-  glBindVertexArray(name);
+  calls::bind_array(name);
   glGenBuffers(1, &name);
   painter->line_vertices_ = BufferName(name);
   glBindBuffer(GL_ARRAY_BUFFER, name);
@@ -149,11 +149,11 @@ void ItemPainter::draw_line(const view::Line& line) {
   if (strip.empty()) return;
   const Program& program = use(kLine);
   program.set("radius", 0.5f * line.width);
-  glBindVertexArray(line_array_.get());
+  calls::bind_array(line_array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, line_vertices_.get());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(strip.size() * sizeof(LineVertex)),
-               strip.data(), GL_STREAM_DRAW);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(strip.size()));
+  calls::buffer_data(GL_ARRAY_BUFFER, strip.size() * sizeof(LineVertex), strip.data(),
+                     GL_STREAM_DRAW);
+  calls::draw_arrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(strip.size()));
 }
 
 void ItemPainter::draw_picture(const view::Picture& picture, const Stored& stored) {

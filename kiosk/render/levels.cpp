@@ -71,8 +71,8 @@ void upload(const Levels& levels, Texture& texture) {
     texture = Texture::create(GL_RGBA32F, kLevels, 2, GL_RGBA, GL_FLOAT, texels.data());
     return;
   }
-  glBindTexture(GL_TEXTURE_2D, texture.name.get());
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kLevels, 2, GL_RGBA, GL_FLOAT, texels.data());
+  calls::bind_texture(texture.name.get());
+  calls::texture_part(0, 0, kLevels, 2, GL_RGBA, GL_FLOAT, texels.data());
 }
 
 }  // namespace onggi::render

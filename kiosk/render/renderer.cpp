@@ -116,9 +116,12 @@ class GlRenderer final : public Renderer {
             .device = device_,
             .frames = frames_,
             .text_overflows = items_->text_overflows(),
-            .last_overflow = items_->last_overflow()};
+            .last_overflow = items_->last_overflow(),
+            .work = calls::so_far(),
+            .shading_counted = calls::Shading::counted()};
   }
   void set_full_quality(bool on) override { full_quality_ = on; }
+  void count_shading(bool on) override { shading_ = on; }
 
  private:
   double present_scale() const { return full_quality_ ? 1.0 : pacing_.scale(); }
@@ -133,7 +136,7 @@ class GlRenderer final : public Renderer {
   }
   view::PictureId keep(ItemPainter::Stored stored) {
     // Pictures are shown smaller than made: levels keep them clean.
-    glBindTexture(GL_TEXTURE_2D, stored.texture.name.get());
+    calls::bind_texture(stored.texture.name.get());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 12);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glGenerateMipmap(GL_TEXTURE_2D);
@@ -151,7 +154,7 @@ class GlRenderer final : public Renderer {
   Canvas screen_;
   Pacing pacing_{15.0, 7.0};
   std::string device_;
-  bool software_ = false, full_quality_ = false, drawn_full_ = false;
+  bool software_ = false, full_quality_ = false, drawn_full_ = false, shading_ = false;
   std::uint64_t frames_ = 0;
   Clock::time_point started_ = Clock::now(), shown_ = Clock::now(), moved_ = started_,
                     swapped_ = started_;
@@ -178,6 +181,7 @@ void GlRenderer::draw(const view::Frame& frame) {
   timed_ = !still;
   changed_ = changed_ || !dropped_.empty();
   if (!changed_) return;
+  const calls::Shading counted(shading_);
   screen_.turn_to(frame, *items_, pictures_);
   for (const view::PictureId id : dropped_) pictures_.erase(id);
   dropped_.clear();
@@ -197,7 +201,10 @@ void GlRenderer::present() {
   const auto begun = Clock::now();
   // What lay over the window may have gone: it is shown again now and then.
   if (drawn_ && fits(*drawn_) && (changed_ || begun - swapped_ > kShownAgain)) {
-    if (!changed_) screen_.show(*items_, pictures_);
+    if (!changed_) {
+      const calls::Shading counted(shading_);
+      screen_.show(*items_, pictures_);
+    }
     window_->swap();
     glFinish();
     swapped_ = begun;

@@ -9,6 +9,7 @@
 #include "engine/clay/clay_view.h"
 #include "engine/profile/mesh.h"
 #include "kiosk/content/coloring.h"
+#include "kiosk/render/frame_work.h"
 #include "kiosk/view/frame.h"
 #include "kiosk/view/image.h"
 #include "kiosk/view/input.h"
@@ -32,6 +33,8 @@ struct RenderStatus {
   std::uint64_t frames = 0;
   std::uint64_t text_overflows = 0;  ///< Texts drawn that were larger than their box: 0 is right.
   std::string last_overflow;         ///< The latest of them.
+  FrameWork work;                    ///< Since the window was opened.
+  bool shading_counted = false;      ///< The driver can count shader runs.
 };
 
 /// Window, OpenGL 3.3 core and text. Main thread only.
@@ -76,6 +79,8 @@ class Renderer {
   virtual RenderStatus status() const = 0;
   /// true: always full render scale (scripted visits, where time is no matter).
   virtual void set_full_quality(bool on) = 0;
+  /// true: RenderStatus::work has the shader runs of the frames from here on. Waits for each.
+  virtual void count_shading(bool on) = 0;
 };
 
 }  // namespace onggi::render

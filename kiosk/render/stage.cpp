@@ -131,7 +131,7 @@ void Stage::cast_shadow(double height, float wheel_radius, const Texture& levels
   shadow_program_.set("wheel_radius", wheel_radius / size);
   quad_.draw();
   if (cut_out) glEnable(GL_SCISSOR_TEST);
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(back_to));
+  calls::bind_framebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(back_to));
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 

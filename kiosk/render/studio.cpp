@@ -115,7 +115,7 @@ Texture make_sky() {
       }
       blurred.push_back(sum / weight);
     }
-    glTexImage2D(GL_TEXTURE_2D, level, GL_RGB16F, size, size, 0, GL_RGB, GL_FLOAT, blurred.data());
+    calls::texture_image(level, GL_RGB16F, size, size, GL_RGB, GL_FLOAT, blurred.data());
   }
   return sky;
 }

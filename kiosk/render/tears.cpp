@@ -58,8 +58,8 @@ void Tears::refresh(std::span<const float> middles, float height, bool moved) {
   if (!texture_.name) {
     texture_ = Texture::create(GL_R32F, kHeights, 1, GL_RED, GL_FLOAT, distance_.data());
   } else {
-    glBindTexture(GL_TEXTURE_2D, texture_.name.get());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kHeights, 1, GL_RED, GL_FLOAT, distance_.data());
+    calls::bind_texture(texture_.name.get());
+    calls::texture_part(0, 0, kHeights, 1, GL_RED, GL_FLOAT, distance_.data());
   }
   changed_ = false;
 }
