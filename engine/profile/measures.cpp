@@ -22,11 +22,28 @@ constexpr double kEnd = 0.015;
 constexpr double kAboveFloor = 0.06;
 constexpr double kBelowRim = 0.03;
 
+/// The way in begins at the belly, but no lower and no higher than these shares of the height.
+constexpr double kWayInLow = 0.5, kWayInHigh = 0.75;
+/// A vessel that is less open than this has a lid or a stopper, or was not seen into.
+constexpr double kLidded = 0.3;
+
 double widest_between(const Profile& p, double low, double high) {
   double widest = std::max(p.outer_at(low), p.outer_at(high));
   for (const ProfilePoint& point : p.points)
     if (point.height > low && point.height < high) widest = std::max(widest, point.outer);
   return widest;
+}
+
+double way_in_from(const Dimensions& d) {
+  return std::clamp(d.belly_height, kWayInLow * d.height, kWayInHigh * d.height);
+}
+
+/// The least share of the outer radius that is open, from `low` up.
+double opening_above(const Profile& p, double low) {
+  double least = p.inner_at(low) / p.outer_at(low);
+  for (const ProfilePoint& point : p.points)
+    if (point.height > low) least = std::min(least, point.inner / point.outer);
+  return least;
 }
 
 void measure_wall(const Profile& p, Dimensions& d) {
@@ -174,6 +191,7 @@ Dimensions dimensions(const Profile& p) {
       d.neck_height = point.height;
     }
   d.neck = 2.0 * neck;
+  if (p.inner_wall == InnerWall::measured) d.opening = opening_above(p, way_in_from(d));
 
   measure_wall(p, d);
   return d;
@@ -226,7 +244,13 @@ Measures compare(const Profile& target, const Profile& made, bool scale_free) {
   m.volume_overlap = either_volume > 0.0 ? common_volume / either_volume : 1.0;
   m.turning_rms = turning_apart(goal, pot);
   m.target = dimensions(target);
-  m.made = scaled(dimensions(made), m.scale);
+  Dimensions pot_own = dimensions(made);
+  // The pot's own belly may be anywhere: it is asked for a way in where the vessel has one.
+  if (made.inner_wall == InnerWall::measured)
+    pot_own.opening = opening_above(made, way_in_from(m.target) / m.scale);
+  m.made = scaled(pot_own, m.scale);
+  if (m.target.opening >= kLidded && made.inner_wall == InnerWall::measured)
+    m.opening_lacking = std::max(0.0, 1.0 - m.made.opening / m.target.opening);
   return m;
 }
 

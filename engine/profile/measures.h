@@ -13,7 +13,11 @@ struct Dimensions {
   double neck = 0.0;          ///< Smallest outer diameter above the belly.
   double neck_height = 0.0;   ///< Where it is.
   double foot = 0.0;          ///< Outer diameter at the standing surface.
-  double wall_mean = 0.0;     ///< Mean wall thickness above the floor.
+  /// How open the way in is: inner / outer radius where that is least, from the widest place, or
+  /// half of the height, or three quarters of it, whichever is in the middle, up to the rim. 0..1;
+  /// 0 where it is shut, and where the inner wall was not measured.
+  double opening = 0.0;
+  double wall_mean = 0.0;  ///< Mean wall thickness above the floor.
   double wall_evenness =
       0.0;  ///< 1 - (standard deviation / mean) of that thickness, clamped to 0..1.
 };
@@ -40,7 +44,11 @@ struct Measures {
   /// radians: 0 where they bend alike, whatever their width.
   double turning_rms = 0.0;
   Dimensions target;  ///< Of the target, its own size.
-  Dimensions made;    ///< Of the pot, after `scale`.
+  Dimensions made;    ///< Of the pot, after `scale`; its opening is that over the target's heights.
+  /// How much of the target's opening the pot lacks, 0..1: 0 where it is as open or more so, 1
+  /// where it is shut; 0 also where either's is not known, and where the target's own is shut or
+  /// nearly: it has a lid.
+  double opening_lacking = 0.0;
 };
 
 /// Compares `made` with `target`. Overlaps, distances and turning are the same with the two

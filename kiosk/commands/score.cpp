@@ -123,6 +123,9 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
   row("mouth", m.target.mouth, m.made.mouth);
   row("neck", m.target.neck, m.made.neck);
   row("foot", m.target.foot, m.made.foot);
+  if (m.target.opening > 0.0)
+    std::printf("  the way in is open by %.0f %% of the width, made %.0f %%\n",
+                100.0 * m.target.opening, 100.0 * m.made.opening);
   std::printf("  wall evenness %.2f, made %.2f; turning %.1f degrees apart\n",
               m.target.wall_evenness, m.made.wall_evenness, degrees(m.turning_rms));
 }

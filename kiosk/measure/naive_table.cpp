@@ -32,6 +32,8 @@ NaiveLine line_of(const std::string& name, const std::vector<const QuietOutcome*
   line.roughness = middle(all([](const PotLook& look) { return look.smooth.roughness; }));
   line.ledge = middle(all([](const PotLook& look) { return look.smooth.ledge; }));
   line.out_of_round = middle(all([](const PotLook& look) { return look.out_of_round; }));
+  line.way_in = middle(all([](const PotLook& look) { return look.way_in; }));
+  line.wall = middle(all([](const PotLook& look) { return look.wall; }));
   std::vector<double> when;
   for (const QuietOutcome* visit : visits) {
     line.five_stars += visit->looks[moment].stars >= 5 ? 1 : 0;
@@ -50,7 +52,9 @@ files::Json looks_json(const QuietOutcome& visit) {
                                          {"stars", look.stars},
                                          {"roughness", look.smooth.roughness},
                                          {"ledge", look.smooth.ledge},
-                                         {"out_of_round", look.out_of_round}}));
+                                         {"out_of_round", look.out_of_round},
+                                         {"way_in", look.way_in},
+                                         {"wall", look.wall}}));
   files::Json out = files::Json::object({{"vessel", visit.vessel},
                                          {"seed", static_cast<double>(visit.seed)},
                                          {"mishaps", visit.mishaps},
@@ -149,14 +153,16 @@ std::string text_of(const NaiveTable& table) {
                 static_cast<unsigned long long>(table.plan.first),
                 static_cast<unsigned long long>(table.plan.first) + table.plan.seeds - 1);
   std::string text = line;
-  std::snprintf(line, sizeof line, "%5s %-22s %6s %6s %5s %6s %9s %9s %9s  %s\n", "s", "vessel",
-                "points", "least", "stars", "of 5", "rough mm", "ledge mm", "round mm",
-                "handsome after");
+  std::snprintf(line, sizeof line, "%5s %-22s %6s %6s %5s %6s %9s %9s %9s %7s %8s  %s\n", "s",
+                "vessel", "points", "least", "stars", "of 5", "rough mm", "ledge mm", "round mm",
+                "way in", "wall mm", "handsome after");
   text += line;
   for (const NaiveLine& one : table.lines) {
-    std::snprintf(line, sizeof line, "%5.0f %-22s %6.1f %6.1f %5.1f %6d %9.2f %9.2f %9.2f  ",
+    std::snprintf(line, sizeof line,
+                  "%5.0f %-22s %6.1f %6.1f %5.1f %6d %9.2f %9.2f %9.2f %6.0f%% %8.1f  ",
                   one.seconds, one.vessel.c_str(), one.points, one.least_points, one.stars,
-                  one.five_stars, 1e3 * one.roughness, 1e3 * one.ledge, 1e3 * one.out_of_round);
+                  one.five_stars, 1e3 * one.roughness, 1e3 * one.ledge, 1e3 * one.out_of_round,
+                  100 * one.way_in, 1e3 * one.wall);
     text += line;
     if (one.handsome_at)
       std::snprintf(line, sizeof line, "%.0f s (%d of %d)\n", *one.handsome_at, one.handsome,
@@ -167,9 +173,11 @@ std::string text_of(const NaiveTable& table) {
   }
   for (const QuietOutcome& one : table.careful) {
     const PotLook& look = one.looks.front();
-    std::snprintf(line, sizeof line, "%5.0f %-22s %6.1f %6s %5d %6s %9.2f %9.2f %9.2f  careful\n",
+    std::snprintf(line, sizeof line,
+                  "%5.0f %-22s %6.1f %6s %5d %6s %9.2f %9.2f %9.2f %6.0f%% %8.1f  careful\n",
                   look.seconds, one.vessel.c_str(), look.points, "", look.stars, "",
-                  1e3 * look.smooth.roughness, 1e3 * look.smooth.ledge, 1e3 * look.out_of_round);
+                  1e3 * look.smooth.roughness, 1e3 * look.smooth.ledge, 1e3 * look.out_of_round,
+                  100 * look.way_in, 1e3 * look.wall);
     text += line;
   }
   return text;

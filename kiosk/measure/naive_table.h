@@ -32,6 +32,7 @@ struct NaiveLine {
   int visits = 0;
   double points = 0, least_points = 0, stars = 0;     ///< Medians but for the least.
   double roughness = 0, ledge = 0, out_of_round = 0;  ///< Medians, m.
+  double way_in = 1, wall = 0;                        ///< Medians; PotLook's.
   int five_stars = 0;                                 ///< Visits that came to them.
   std::optional<double> handsome_at;                  ///< Median of those that came to it, s,
   int handsome = 0;                                   ///< and how many did.

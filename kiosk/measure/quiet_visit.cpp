@@ -124,7 +124,13 @@ PotLook look_at(const screens::ShelfCard& card, const Profile& made, const ClayV
                 const settings::Rubric& rubric, double seconds) {
   const auto score = score::judge(card.target, made, !rubric.size_counts,
                                   card.scale > 0 ? 1 / card.scale : 1, rubric);
-  return {seconds, score.points, score.stars, smoothness(made), out_of_round(clay)};
+  return {seconds,
+          score.points,
+          score.stars,
+          smoothness(made),
+          out_of_round(clay),
+          1.0 - score.measures.opening_lacking,
+          score.measures.made.wall_mean};
 }
 
 }  // namespace

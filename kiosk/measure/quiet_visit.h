@@ -21,6 +21,8 @@ struct PotLook {
   int stars = 0;
   Smoothness smooth;        ///< Of the outline.
   double out_of_round = 0;  ///< RMS of the outer face about its rows' own means, m.
+  double way_in = 1;        ///< The opening at its narrowest / the vessel's own, 0 (shut) to 1.
+  double wall = 0;          ///< Mean thickness, of the vessel as it is on the wheel, m.
 };
 
 /// What came of a visit.

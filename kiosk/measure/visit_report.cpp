@@ -16,6 +16,7 @@ Json json_of(const Dimensions& d) {
                        {"neck", d.neck},
                        {"neck_height", d.neck_height},
                        {"foot", d.foot},
+                       {"opening", d.opening},
                        {"wall_mean", d.wall_mean},
                        {"wall_evenness", d.wall_evenness}});
 }
@@ -48,6 +49,7 @@ Json json_of(const Measures& m) {
                        {"outline_worst_firm_at", m.common_firm_at},
                        {"volume_overlap", m.volume_overlap},
                        {"turning_rms_degrees", m.turning_rms * 57.29577951308232},
+                       {"opening_lacking", m.opening_lacking},
                        {"target", json_of(m.target)},
                        {"made", json_of(m.made)}});
 }

@@ -21,6 +21,8 @@ constexpr double kAsMuch = 0.9;
 constexpr double kAtPart = 0.08, kAsMuchThere = 0.6;
 /// A neck is a neck where it is this much narrower than the lip over it.
 constexpr double kNeck = 0.97;
+/// A way in that lacks this share of the vessel's own is as good as shut.
+constexpr double kShut = 0.75;
 /// A belly this near to the rim is the mouth.
 constexpr double kMouthHeight = 0.93;
 
@@ -51,6 +53,13 @@ std::vector<Feature> features(const Measures& m) {
   out.push_back({"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height});
   out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0});
   return out;
+}
+
+bool narrow_inside(const Measures& m) { return m.opening_lacking > kOpenEnough; }
+bool shut(const Measures& m) { return m.opening_lacking > kShut; }
+/// How much narrower the way in is, about, as a diameter at the mouth, m.
+double opening_apart(const Measures& m) {
+  return m.opening_lacking * m.target.opening * m.target.mouth;
 }
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
@@ -94,6 +103,8 @@ std::vector<Remark> alike(const Measures& m, bool scale_free) {
     found.push_back({1.0, {"alike.outline", {{"percent", whole(100.0 * m.outline_overlap)}}}});
   for (const Feature& f : features(m)) {
     const double apart = std::abs(f.difference) / size;
+    // A mouth that nothing goes through is not right, however wide it looks.
+    if (std::string(f.name) == "mouth" && narrow_inside(m)) continue;
     // The height of the belly is only ever something to try.
     if (apart <= kAlike && std::string(f.more) == "wide")
       found.push_back({1.0 - apart, {std::string("alike.") + f.name, {}}});
@@ -113,7 +124,10 @@ std::optional<Remark> largest_difference(const Measures& m, bool scale_free, dou
     if (mm(apart) == 0) return std::nullopt;
     return Remark{"difference." + ending, {{"mm", std::to_string(mm(apart))}}};
   };
+  if (shut(m)) return Remark{"difference.opening_shut", {}};
   const double taller = m.made.height - m.target.height;
+  if (narrow_inside(m) && opening_apart(m) > std::max(worst, scale_free ? 0.0 : std::abs(taller)))
+    return Remark{"difference.opening_narrow", {{"percent", whole(100.0 * m.opening_lacking)}}};
   if (!scale_free && std::abs(taller) > worst) return told(taller > 0.0 ? "tall" : "short", taller);
 
   const std::vector<Feature> parts = features(m);
@@ -158,6 +172,12 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
     found.push_back(
         {std::abs(taller) / size,
          {taller > 0.0 ? "remark.tall" : "remark.short", {{"mm", std::to_string(mm(taller))}}}});
+  // A pot that nothing goes into comes before all else.
+  if (shut(m))
+    found.push_back({1.0, {"remark.opening_shut", {}}});
+  else if (narrow_inside(m))
+    found.push_back({opening_apart(m) / size,
+                     {"remark.opening_narrow", {{"percent", whole(100.0 * m.opening_lacking)}}}});
   if (m.made.wall_mean > 0.0 &&
       m.made.wall_evenness < std::min(kWallUneven, m.target.wall_evenness))
     found.push_back(
@@ -187,9 +207,10 @@ std::vector<std::string> remark_keys() {
                                 "alike.foot",    "alike.neck",  "alike.height",
                                 "alike.wall",    "alike.start", "remark.wall_uneven"};
   for (const char* family : {"remark.", "difference."})
-    for (const char* ending : {"belly_wide", "belly_narrow", "belly_high", "belly_low", "neck_wide",
-                               "neck_narrow", "mouth_wide", "mouth_narrow", "foot_wide",
-                               "foot_narrow", "wide", "narrow", "tall", "short"})
+    for (const char* ending :
+         {"belly_wide", "belly_narrow", "belly_high", "belly_low", "neck_wide", "neck_narrow",
+          "mouth_wide", "mouth_narrow", "foot_wide", "foot_narrow", "opening_narrow",
+          "opening_shut", "wide", "narrow", "tall", "short"})
       keys.push_back(std::string(family) + ending);
   for (std::string& key : part_keys()) keys.push_back(std::move(key));
   return keys;

@@ -8,6 +8,9 @@ namespace onggi::score {
 /// geometric mean of height and width. Metres.
 double size_of(const Dimensions& target);
 
+/// A way in that lacks less of the vessel's own is open enough: walls are thicker and thinner.
+inline constexpr double kOpenEnough = 0.15;
+
 /// What is alike, best first; one to three.
 std::vector<Remark> alike(const Measures& m, bool scale_free);
 

@@ -44,6 +44,7 @@ double points_of(const Measures& m, const Profile& target, bool scale_free,
   left *= after(rubric.neck, radius_apart(m.made.neck, m.target.neck));
   left *= after(rubric.foot, radius_apart(m.made.foot, m.target.foot));
   left *= after(rubric.curvature, m.turning_rms * 180.0 / portable::kPi);
+  left *= after(rubric.opening, std::max(0.0, m.opening_lacking - kOpenEnough));
   if (!scale_free)
     left *= after(rubric.height, std::abs(m.made.height - m.target.height) / m.target.height);
   // A wall need not be more even than the vessel's own, where that is known at all.

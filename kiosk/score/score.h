@@ -25,9 +25,12 @@ namespace onggi::score {
 ///   remark.wide {mm} {percent}, remark.narrow {mm} {percent}   diameter at {percent} of the height
 ///                             from the foot, 1 to 99, where no part of those above is out as much
 ///   remark.tall {mm}          remark.short {mm}          height; never when scale-free
+///   remark.opening_narrow {percent}   the way in, where it is narrowest, lacks so much
+///   remark.opening_shut       it is closed over, or as good as
 ///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
 /// The largest difference, said as it is and not as advice, with the same endings and places:
-///   difference.belly_wide ... difference.narrow, difference.tall, difference.short
+///   difference.belly_wide ... difference.narrow, difference.tall, difference.short,
+///   difference.opening_narrow, difference.opening_shut
 /// Where the true size is not known, {part} in place of {mm}, in percent of the same length (of the
 /// height for tall, short, high and low): remark_part.belly_wide ... difference_part.short.
 struct Remark {

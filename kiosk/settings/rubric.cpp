@@ -38,6 +38,7 @@ RubricRead read_rubric(const std::filesystem::path& file) {
   read_part(root.child("neck"), r.neck, 1.0, "");
   read_part(root.child("foot"), r.foot, 1.0, "");
   read_part(root.child("curvature"), r.curvature, 180.0, "degrees");
+  read_part(root.child("opening"), r.opening, 1.0, "");
   read_part(root.child("wall"), r.wall, 1.0, "");
   read_part(root.child("height"), r.height, 1.0, "");
   auto worst = root.child("worst");

@@ -24,8 +24,9 @@ struct Rubric {
   Part neck{0.05, 0.06};
   Part foot{0.05, 0.06};
   Part curvature{0.05, 25.0};  ///< RMS difference of turning, degrees.
-  Part wall{0.05, 0.40};       ///< Evenness lacking / the vessel's own.
-  Part height{0.30, 0.10};     ///< Difference / the vessel's own, where size counts.
+  Part opening{0.50, 0.30};  ///< What the way in lacks of the vessel's own beyond 0.15; 0.85: shut.
+  Part wall{0.05, 0.40};     ///< Evenness lacking / the vessel's own.
+  Part height{0.30, 0.10};   ///< Difference / the vessel's own, where size counts.
   /// An outline that is `limit` of the height away anywhere has at most `points` of 100.
   struct Worst {
     double limit = 0.05, points = 89.9;

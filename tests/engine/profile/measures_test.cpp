@@ -21,6 +21,71 @@ TEST(Measures, callipers_find_height_belly_neck_mouth_and_foot) {
   EXPECT_NEAR(d.foot, 0.1045, 1e-9);
 }
 
+/// A jar 200 mm tall, widest at 80 mm, whose way in is `shoulder` wide at 160 mm and `rim` at its
+/// top (radii, m).
+Profile jar_with_way_in(double shoulder, double rim) {
+  Profile p;
+  p.points = {{0, 0.05, 0},        {0.01, 0.055, 0},     {0.012, 0.056, 0.05},
+              {0.08, 0.08, 0.074}, {0.12, 0.075, 0.069}, {0.16, 0.045, shoulder},
+              {0.18, 0.045, 0.03}, {0.20, 0.045, rim}};
+  return p;
+}
+
+TEST(Measures, the_way_in_is_as_open_as_its_narrowest_place_above_the_belly) {
+  const auto opening = [](double shoulder, double rim) {
+    return dimensions(jar_with_way_in(shoulder, rim)).opening;
+  };
+  EXPECT_DOUBLE_EQ(opening(0.038, 0.035), 0.03 / 0.045);
+  EXPECT_DOUBLE_EQ(opening(0.020, 0.035), 0.02 / 0.045);
+  EXPECT_DOUBLE_EQ(opening(0.038, 0.005), 0.005 / 0.045);
+  EXPECT_DOUBLE_EQ(opening(0.038, 0.0), 0.0);
+  // Widest at its foot, or at its rim: neither the floor's corner nor the rim alone is asked.
+  Profile cone;
+  cone.points = {
+      {0, 0.08, 0}, {0.01, 0.08, 0}, {0.011, 0.08, 0.01}, {0.1, 0.06, 0.055}, {0.2, 0.03, 0.021}};
+  EXPECT_DOUBLE_EQ(dimensions(cone).opening, 0.7);
+  const Profile bowl = shapes::bowl();
+  EXPECT_NEAR(dimensions(bowl).opening, bowl.inner_at(0.056) / bowl.outer_at(0.056), 1e-3);
+}
+
+// A narrower pot with a wall as thick, in proportion, is as open.
+TEST(Measures, how_open_the_way_in_is_does_not_ask_how_wide_the_pot_is) {
+  Profile slim = jar_with_way_in(0.038, 0.035);
+  for (ProfilePoint& p : slim.points) p.outer *= 0.7, p.inner *= 0.7;
+  EXPECT_NEAR(dimensions(slim).opening, 0.03 / 0.045, 1e-12);
+}
+
+TEST(Measures, what_the_way_in_lacks_is_a_share_of_the_vessels_own) {
+  const Profile wanted = jar_with_way_in(0.038, 0.035);
+  const auto lacking = [&](const Profile& made) {
+    return compare(wanted, made, true).opening_lacking;
+  };
+  EXPECT_EQ(lacking(wanted), 0.0);
+  EXPECT_EQ(lacking(scaled(wanted, 0.7)), 0.0);
+  EXPECT_NEAR(lacking(jar_with_way_in(0.015, 0.035)), 0.5, 1e-12);
+  EXPECT_EQ(lacking(jar_with_way_in(0.038, 0.0)), 1.0);
+  // A pot whose own belly is at its rim is asked for a way in where the vessel has one.
+  Profile funnel = jar_with_way_in(0.038, 0.035);
+  funnel.points[5].inner = 0.015;
+  funnel.points.back() = {0.20, 0.09, 0.08};
+  EXPECT_NEAR(lacking(funnel), 0.5, 1e-12);
+  EXPECT_NEAR(compare(wanted, scaled(funnel, 3.0), true).opening_lacking, 0.5, 1e-9);
+}
+
+TEST(Measures, a_way_in_that_nobody_measured_lacks_nothing) {
+  for (const InnerWall known : {InnerWall::inferred, InnerWall::none}) {
+    Profile wanted = jar_with_way_in(0.038, 0.035);
+    wanted.inner_wall = known;
+    EXPECT_EQ(dimensions(wanted).opening, 0.0);
+    EXPECT_EQ(compare(wanted, jar_with_way_in(0.038, 0.0), true).opening_lacking, 0.0);
+    EXPECT_EQ(compare(jar_with_way_in(0.038, 0.035), wanted, true).opening_lacking, 0.0);
+  }
+  // Nor does one of a vessel under its lid.
+  for (const double rim : {0.0, 0.008})
+    EXPECT_EQ(compare(jar_with_way_in(0.038, rim), jar_with_way_in(0.0, 0.0), true).opening_lacking,
+              0.0);
+}
+
 TEST(Measures, an_even_wall_is_even_and_as_thick_as_it_is) {
   const Dimensions d = dimensions(shapes::cylinder(0.2, 0.05, 0.044, 0.01));
   EXPECT_NEAR(d.wall_mean, 0.006, 1e-12);
