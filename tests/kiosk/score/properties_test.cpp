@@ -268,6 +268,8 @@ TEST(ScoreProperties, a_shut_mouth_is_said_first_and_is_not_called_right) {
     EXPECT_EQ(half.largest->key, "difference.opening_narrow") << v.id;
     EXPECT_EQ(half.largest->places.at("percent"), "50") << v.id;
     EXPECT_EQ(half.try_next.at(0).key, "remark.opening_narrow") << v.id;
+    EXPECT_FALSE(judge(resampled(profile(v), 400), narrowed(profile(v), 0.9, 0.03)).largest)
+        << v.id;
     for (const Score* s : {&shut, &half})
       for (const Remark& r : s->alike) EXPECT_NE(r.key, "alike.mouth") << v.id;
   }
