@@ -1,6 +1,8 @@
 // One program of the determinism matrix (matrix.py, engine/docs/determinism.md):
 //   engine_trace [--seconds N] [--vectors KIND]   the trace's hashes, a line a second
 //   engine_trace --tools [--vectors KIND]         of every tool and effect, a line a tool
+//   engine_trace --hard [--vectors KIND]          of random hands in random scenes
+//   engine_trace --handle                         of what a force device is given
 //   engine_trace --kinds                          what KIND may be here, a line each
 //   engine_trace --libm                           a hash of libm's own sin, exp, pow and atan2
 #include <bit>
@@ -13,6 +15,7 @@
 
 #include "engine/math/hash.h"
 #include "tests/support/engine_trace.h"
+#include "tests/support/hard_trace.h"
 #include "tests/support/vector_kinds.h"
 
 namespace {
@@ -33,15 +36,15 @@ int print_libm() {
 
 int main(int argc, char** argv) {
   int seconds = 6;
-  bool tools = false;
+  std::string_view which;
   std::optional<onggi::Vectors> kind = onggi::best_vectors();
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
     const char* value = k + 1 < argc ? argv[k + 1] : nullptr;
     if (word == "--kinds") return onggi::print_vector_kinds();
     if (word == "--libm") return print_libm();
-    if (word == "--tools") {
-      tools = true;
+    if (word == "--tools" || word == "--hard" || word == "--handle") {
+      which = word;
       continue;
     }
     if (word == "--seconds" && value != nullptr) {
@@ -56,8 +59,10 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
-  const std::string hashes =
-      tools ? onggi::tools_trace(*kind) : onggi::engine_trace(seconds, *kind);
+  const std::string hashes = which == "--tools"    ? onggi::tools_trace(*kind)
+                             : which == "--hard"   ? onggi::hard_trace(*kind)
+                             : which == "--handle" ? onggi::handle_trace()
+                                                   : onggi::engine_trace(seconds, *kind);
   std::fputs(hashes.c_str(), stdout);
   return hashes.empty() ? 1 : 0;
 }

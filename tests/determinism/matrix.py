@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Two traces, one hash a line: the engine built by several compilers and levels, run on every kind of
+"""Four traces, one hash a line: the engine built by several compilers and levels, run on every kind of
 vectors that the machine has and with FMA hidden from libm, against tests/golden/engine_trace.txt (the
-whole tick) and tools_trace.txt (every tool, every effect).
+whole tick), tools_trace.txt (every tool, every effect), hard_trace.txt (random hands in random scenes) and
+handle_trace.txt (what a force device is given).
 
   tests/determinism/matrix.py [--all] [--build build/determinism] [--seconds 6]
   --all: both compilers at all levels, not only the telling ones
@@ -78,7 +79,7 @@ def main():
     parser.add_argument("--seconds", type=int, default=6)
     arguments = parser.parse_args()
     whole = read_golden("engine_trace.txt")[:arguments.seconds]
-    tools = read_golden("tools_trace.txt")
+    others = {f"--{name}": read_golden(f"{name}_trace.txt") for name in ("tools", "hard", "handle")}
     wrong, runs, hidden = 0, 0, set()
 
     def report(what, result):
@@ -87,13 +88,16 @@ def main():
         wrong += result != "same"
         print(f"  {what:28} {result}", flush=True)
 
-    def both(program, *words, environment=None):
+    def all_of(program, *words, environment=None):
         result = verdict(run(program, "--seconds", str(arguments.seconds), *words,
                              environment=environment), whole)
         if result != "same":
             return result
-        result = verdict(run(program, "--tools", *words, environment=environment), tools)
-        return result if result == "same" else "tools: " + result
+        for name, golden in others.items():
+            result = verdict(run(program, name, *words, environment=environment), golden)
+            if result != "same":
+                return f"{name[2:]}: {result}"
+        return "same"
 
     for compiler, level in [(c, v) for c in COMPILERS for v in LEVELS] if arguments.all else TELLING:
         if not shutil.which(compiler):
@@ -110,18 +114,18 @@ def main():
         for kind in missing(kinds):
             report(kind, "MISSING from this build")
         for kind in kinds:
-            report(kind, both(program, "--vectors", kind))
+            report(kind, all_of(program, "--vectors", kind))
         # Hidden only where libm's own answers change by it: else the row would test nothing.
         if run(program, "--libm") == run(program, "--libm", environment=HIDE_FMA):
             hidden.add(False)
             print("  FMA hidden from libm         not run: libm gives the same bits either way")
         else:
             hidden.add(True)
-            report("FMA hidden from libm", both(program, environment=HIDE_FMA))
+            report("FMA hidden from libm", all_of(program, environment=HIDE_FMA))
 
     if True not in hidden:
         print("FMA could not be hidden on this machine, so that row is open.")
-    print(f"{runs - wrong} of {runs} runs gave the golden's {len(whole)} and {len(tools)} hashes.")
+    print(f"{runs - wrong} of {runs} runs gave the golden's {len(whole) + sum(map(len, others.values()))} hashes.")
     return 1 if wrong else 0
 
 

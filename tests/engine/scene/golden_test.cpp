@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/support/engine_trace.h"
+#include "tests/support/hard_trace.h"
 
 namespace onggi {
 namespace {
@@ -26,6 +27,15 @@ TEST(Golden, ATraceOfTheTickHasTheSameBitsOnEveryMachineAndCompiler) {
 TEST(Golden, SoHasATraceOfEveryToolWithEveryEffectOnEveryKindOfVectors) {
   for (const Vectors kind : vectors_here())
     EXPECT_EQ(tools_trace(kind), golden("tools_trace.txt")) << name_of(kind);
+}
+
+TEST(Golden, SoHasATraceOfRandomHandsInRandomScenesOnEveryKindOfVectors) {
+  for (const Vectors kind : vectors_here())
+    EXPECT_EQ(hard_trace(kind), golden("hard_trace.txt")) << name_of(kind);
+}
+
+TEST(Golden, SoHasWhatAForceDeviceIsGiven) {
+  EXPECT_EQ(handle_trace(), golden("handle_trace.txt"));
 }
 
 }  // namespace
