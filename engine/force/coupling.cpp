@@ -64,9 +64,7 @@ Vec3 Coupling::felt_stretch(const CouplingLimits& limits) noexcept {
 }
 
 Vec3 Coupling::tool(Vec3 hand, double seconds, const CouplingLimits& limits) noexcept {
-  if (!known_) hand_ = hand;
   seconds_ = seconds;
-  known_ = true;
   const Vec3 way = hand - hand_;
   hand_ = hand;
   if (length(touch_.push) > 0.0 || touch_.grip > 0.0) {

@@ -58,7 +58,7 @@ class Coupling {
   void balance(const CouplingLimits& limits) noexcept;
   Vec3 felt_stretch(const CouplingLimits& limits) noexcept;
 
-  Vec3 hand_, stretch_;
+  Vec3 hand_, stretch_;  ///< Where a hand came from is asked only once something holds its tool.
   Touch touch_;
   struct Past {
     Vec3 hand, stretch;
@@ -69,7 +69,6 @@ class Coupling {
   double seconds_ = 0.001;
   double gives_ = 1.0;  ///< Of the push that a touch says fades, the share that does.
   double push_ = 0.0;   ///< |touch_.push|, as it is guessed to be now.
-  bool known_ = false;
 };
 
 }  // namespace onggi::force

@@ -115,5 +115,28 @@ TEST(PaperModel, KeepsTheClaysInvariantWhateverTheToolDoes) {
   }
 }
 
+TEST(PaperModel, AWallThatIsPressedTakesItsInnerFaceWithItOnceItIsAtItsThinnest) {
+  ClayDef def;
+  def.outer_radius = 0.05;
+  def.inner_radius = 0.048;
+  def.floor_thickness = 0.0;
+  def.wall_min = 0.0015;
+  Clay clay = std::move(*Clay::create(def));
+  const PaperModel model(clay);
+  for (int n = 0; n < 200; ++n)
+    model.tick(clay, WallSide::outside, {0.05, 0.1, 0.0}, kRadius, 0.0, 1.0, kCoefficients);
+  const int row = clay.first_row_above(0.1);
+  EXPECT_LT(clay.outer(row)[0], 0.046f);
+  EXPECT_NEAR(double{clay.outer(row)[0]} - double{clay.inner(row)[0]}, def.wall_min, 1e-8);
+}
+
+TEST(PaperFilter, AFilterThatIsSettledGivesNothingForNothing) {
+  PaperFilter filter;
+  filter.filter({1.0, -2.0, 3.0});
+  filter.settle();
+  const Vec3 out = filter.filter({});
+  EXPECT_EQ(length(out), 0.0);
+}
+
 }  // namespace
 }  // namespace onggi

@@ -195,5 +195,16 @@ TEST(Smoothing, WithVolumeNoClayIsLostWhateverARibDoes) {
   }
 }
 
+// Rows that are told as changed are drawn anew, and looked at by other effects: rest must be rest.
+TEST(Smoothing, ARibOnAWallThatIsEvenChangesNothingAndTellsNobody) {
+  Lined wall(0.0);
+  while (wall.clay.take_dirty() >= 0) {
+  }
+  const std::uint64_t before = wall.clay.hash();
+  for (int n = 0; n < 20; ++n) wall.rib({}, 0.001);
+  EXPECT_EQ(wall.clay.take_dirty(), -1);
+  EXPECT_EQ(wall.clay.hash(), before);
+}
+
 }  // namespace
 }  // namespace onggi::effects

@@ -159,5 +159,41 @@ TEST(Springback, WithVolumeAndWallsNoClayIsLost) {
   }
 }
 
+// Clay that has hardened where it was pressed does not come back, and does not wait for its chance.
+TEST(Springback, WhatHardensForgetsAsFastAsSoftClayComesBack) {
+  const SpringbackDef def;
+  const auto back_after = [&](double hard) {
+    ClayDef lump;
+    lump.rows = 20;
+    lump.sectors = 16;
+    Clay clay = std::move(*Clay::create(lump));
+    clay.keep_areas();
+    clay.keep_displacements();
+    clay.areas()->keep_firm();
+    const int row = clay.rows() - 3;
+    Displacements& moved = *clay.displacements(false);
+    moved.mark(row, {0, 2});
+    for (int i = 0; i < 16; ++i) {
+      moved.row(clay.stored(row))[i] = 0.001f;
+      clay.outer_mut(row)[static_cast<std::size_t>(i)] -= 0.001f;
+    }
+    Springback springback(clay);
+    springback.load(def, clay, WallSide::outside);
+    const double pressed = double{clay.outer(row)[5]};
+    clay.areas()->harden_all(true, true);
+    for (double t = 0.0; t < hard - 1e-9; t += 0.001) springback.come_back(def, clay, 0.001, 0.0);
+    EXPECT_EQ(double{clay.outer(row)[5]}, pressed);
+    clay.areas()->harden_all(false, false);
+    for (int n = 0; n < 20'000 && !springback.asleep(); ++n)
+      springback.come_back(def, clay, 0.001, 0.0);
+    EXPECT_TRUE(springback.asleep());
+    return double{clay.outer(row)[5]} - pressed;
+  };
+  const double owed = 0.001 * def.share;
+  EXPECT_NEAR(back_after(0.0), owed, 0.01 * owed);
+  EXPECT_NEAR(back_after(def.time), std::exp(-1.0) * owed, 0.1 * owed);
+  EXPECT_EQ(back_after(20.0 * def.time), 0.0);
+}
+
 }  // namespace
 }  // namespace onggi::effects

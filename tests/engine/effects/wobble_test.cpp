@@ -160,5 +160,31 @@ TEST(Wobble, AFreshLumpIsOffTheMiddleAgainAndTheOldOneComesBackAsItWas) {
   EXPECT_EQ(off(scene.clay(), 0.05), centred);
 }
 
+TEST(Wobble, ARowThatDividesAndIsJoinedAgainLeavesTheTurnsWhereTheyWere) {
+  const SceneDef def = small();
+  Clay clay = std::move(*Clay::create(def.clay));
+  for (int j = clay.floor_rows(); j < clay.rows(); ++j) lay_off_centre(clay, j, {0.004, 0.0});
+  Wobble wobble;
+  // Half a round: some strips' turns have begun, and none is at its end.
+  for (int n = 0; n < 31; ++n) {
+    wobble.press(0, {{0.055, 0.05, 0.0}, 0.5, WallSide::outside}, 0.001);
+    wobble.centre(*def.wobble, clay, 0.001);
+  }
+  const auto hash = [&] {
+    StateHash of;
+    wobble.add_to(of);
+    return of.value();
+  };
+  const std::uint64_t before = hash();
+  int moved = 0;
+  for (int j = 0; j < clay.rows(); ++j) {
+    wobble.row_divided(j);
+    moved += hash() != before;
+    wobble.rows_joined(j);
+    ASSERT_EQ(hash(), before) << j;
+  }
+  EXPECT_GT(moved, clay.rows() / 4);
+}
+
 }  // namespace
 }  // namespace onggi::effects

@@ -123,5 +123,11 @@ TEST(Passivity, TheLedgerKnowsThatAForceIsFeltLate) {
   }
 }
 
+TEST(Passivity, BeforeTheFirstStepThereIsNoEnergyAndNothingIsAdded) {
+  const PassivityControl fresh;
+  EXPECT_EQ(fresh.energy(), 0.0);
+  EXPECT_EQ(fresh.damping(), 0.0);
+}
+
 }  // namespace
 }  // namespace onggi::force
