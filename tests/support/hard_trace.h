@@ -6,8 +6,8 @@
 
 namespace onggi {
 
-/// A thousand ticks each of random hands in random scenes, `lab::random_trial` of seeds 1 to 32: any
-/// grid, any effects, numbers at the ends of their ranges, every tool. The state's hash and all
+/// A thousand ticks each of random hands in random scenes, `lab::random_trial` of seeds 1 to 32:
+/// any grid, any effects, numbers at the ends of their ranges, every tool. The state's hash and all
 /// that the hands felt, four trials a line, as tests/golden/hard_trace.txt holds them.
 std::string hard_trace(Vectors kind = best_vectors());
 
