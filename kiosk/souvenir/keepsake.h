@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -50,9 +51,10 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path
 /// an onggi, by a clock that was years back, count from the first tidying by a clock that is right;
 /// and what a power cut left of visits more than an hour ago. A visit is a folder whose name begins
 /// with a date and time and that holds nothing but save()'s files; all else stays. A folder that is
-/// not there is tidy. Problem, exit 1: a visit that was to go is still there; the first of them,
-/// and the others were tried. Blocks, as save() does.
+/// not there is tidy. After a clock leapt ahead by over a year (files::clock_leapt) nothing goes by
+/// its days for a day. `now`: s since 1970. Problem, exit 1: a visit that was to go is still there;
+/// the first of them, and the others were tried. Blocks, as save() does.
 Result<void> tidy(const std::filesystem::path& folder, const KeepsakeLimits& limits,
-                  const std::string& keep = {});
+                  const std::string& keep = {}, std::time_t now = std::time(nullptr));
 
 }  // namespace onggi::souvenir

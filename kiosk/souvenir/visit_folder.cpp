@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "kiosk/files/clock_leap.h"
 #include "kiosk/files/local_time.h"
 #include "kiosk/souvenir/keepsake.h"
 
@@ -76,7 +77,7 @@ Result<void> remove_visit(const fs::path& folder) {
 /// When the days of the visit in `folder` begin, as in a name: by its own, or, where a clock that
 /// was years back gave it that, when a tidying by a clock that is right first came upon it. That
 /// one leaves its time on the folder.
-std::string begin_of(const fs::path& folder) {
+std::string begin_of(const fs::path& folder, std::time_t now) {
   const std::string name = folder.filename().string();
   if (name >= kFirst) return name;
   struct stat left {};
@@ -86,14 +87,19 @@ std::string begin_of(const fs::path& folder) {
   }
   std::error_code ignored;
   fs::last_write_time(folder, fs::file_time_type::clock::now(), ignored);
-  return files::local_time(std::time(nullptr), files::kStamp);
+  return files::local_time(now, files::kStamp);
 }
 
-/// A visit whose days began before this is older than `days`.
-std::string oldest_begin(int days) {
+/// A visit whose days began before this is older than `days`. "" where none is, for all we know:
+/// after a leap of the clock nothing goes by its age until the clock is believed.
+std::string oldest_begin(int days, const std::vector<Visit>& visits, std::time_t now) {
   if (days <= 0) return {};
+  std::vector<std::time_t> times;
+  for (const Visit& visit : visits)
+    if (const auto at = files::time_of_stamp(begin_of(visit.folder, now))) times.push_back(*at);
+  if (files::clock_leapt(times, now)) return {};
   constexpr std::time_t kDayLength = 24 * 3600;  // s
-  return files::local_time(std::time(nullptr) - days * kDayLength, files::kStamp);
+  return files::local_time(now - days * kDayLength, files::kStamp);
 }
 
 /// A .partial that no writer is still at: over an hour old. One from the future (a clock that was
@@ -118,7 +124,8 @@ std::string visit_name(std::string_view wanted) {
   return name;
 }
 
-Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const std::string& keep) {
+Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const std::string& keep,
+                  std::time_t now) {
   std::vector<Visit> visits;
   std::error_code error;
   fs::directory_iterator entry(folder, error);
@@ -137,14 +144,14 @@ Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const st
   // Names begin with the time, so the order of names is the order of visits.
   std::sort(visits.begin(), visits.end(),
             [](const Visit& a, const Visit& b) { return a.folder < b.folder; });
-  const std::string oldest = oldest_begin(limits.days);
+  const std::string oldest = oldest_begin(limits.days, visits, now);
   const auto quota = static_cast<std::uintmax_t>(std::max(limits.quota_mb, 0)) * 1000000u;
   std::uintmax_t total = 0;
   for (const Visit& visit : visits) total += visit.bytes;
   Result<void> good;
   for (const Visit& visit : visits) {
     const std::string name = visit.folder.filename().string();
-    const bool over = !oldest.empty() && begin_of(visit.folder) < oldest;
+    const bool over = !oldest.empty() && begin_of(visit.folder, now) < oldest;
     if (name == keep || (total <= quota && !over)) continue;
     if (auto removed = remove_visit(visit.folder); removed)
       total -= visit.bytes;

@@ -85,6 +85,11 @@ void StoreThread::say(const Problem& problem) {
 }
 
 bool StoreThread::open() {
+  if (store_ && store_->taken_away()) {
+    store_.reset();
+    remark({file_.string(), "It was taken away while onggi ran; counting begins anew.",
+            "End onggi before the keepsakes' folder is moved or emptied.", 1});
+  }
   if (store_) return true;
   std::vector<Problem> remarks;
   auto opened = VisitStore::open(file_, stamp(), remarks);
@@ -113,9 +118,12 @@ bool StoreThread::set_aside() {
 void StoreThread::forget() {
   const bool opened = open();
   if (months_ <= 0) return;
-  const std::time_t oldest =
-      std::time(nullptr) - static_cast<std::time_t>(months_) * 30 * 24 * 3600;
+  const std::time_t now = std::time(nullptr);
+  const std::time_t oldest = now - static_cast<std::time_t>(months_) * 30 * 24 * 3600;
   const std::string day = files::local_time(oldest, files::kDay);
+  // A clock that is ten years ahead for an hour must not cost three years of visits.
+  const Result<bool> leapt = opened ? store_->clock_leapt(now) : Result<bool>(false);
+  if (leapt && *leapt) return;
   if (opened)
     if (auto good = store_->forget_before(day); !good) {
       if (store_->trouble() != Trouble::damaged)

@@ -1,8 +1,13 @@
 #include "kiosk/store/visit_store.h"
 
-#include <algorithm>
-#include <optional>
+#include <sys/stat.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <optional>
+#include <vector>
+
+#include "kiosk/files/clock_leap.h"
 #include "kiosk/files/local_time.h"
 #include "kiosk/store/migrations.h"
 
@@ -129,8 +134,19 @@ Result<VisitStore> VisitStore::open(const fs::path& file, const std::string& sta
   return problem(file.string(), "Visits cannot be counted.", "Please report it.", 1);
 }
 
+VisitStore::VisitStore(fs::path file, Database database)
+    : file_(std::move(file)), database_(std::move(database)) {
+  struct stat now {};
+  if (::stat(file_.c_str(), &now) == 0) inode_ = now.st_ino;
+}
+
 tl::unexpected<Problem> VisitStore::failed(const std::string& what) const {
   return tl::unexpected(problem_of(file_, what, database_));
+}
+
+bool VisitStore::taken_away() const {
+  struct stat now {};
+  return ::stat(file_.c_str(), &now) != 0 ? errno == ENOENT : now.st_ino != inode_;
 }
 
 Result<void> VisitStore::add(std::span<const VisitRecord> visits) {
@@ -156,6 +172,20 @@ Result<void> VisitStore::add(std::span<const VisitRecord> visits) {
   if (written()) return {};
   database_.run("ROLLBACK");
   return failed("A visit could not be counted");
+}
+
+Result<bool> VisitStore::clock_leapt(std::int64_t now) {
+  database_.retry();
+  // Of times that lie close together two tell as much as all of them.
+  std::vector<std::time_t> times;
+  Statement near(database_,
+                 "SELECT max(start) FROM visits WHERE start <= ?1 UNION ALL "
+                 "SELECT min(start) FROM visits WHERE start > ?1 AND start <= ?2");
+  near.bind(now - files::kDoubt).bind(now);
+  while (near.step())
+    if (!near.null(0)) times.push_back(near.integer(0));
+  if (!near.done()) return failed("Visits could not be looked at");
+  return files::clock_leapt(times, now);
 }
 
 Result<void> VisitStore::forget_before(const std::string& day) {

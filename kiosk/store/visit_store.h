@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ class VisitStore {
   /// Problem, exit 1: one of them cannot be removed.
   static Result<void> forget_aside(const std::filesystem::path& file, const std::string& day);
 
+  /// Somebody removed or replaced the file: what is written now goes nowhere.
+  bool taken_away() const;
+  /// files::clock_leapt of the visits' beginnings, at `now`, s since 1970.
+  Result<bool> clock_leapt(std::int64_t now);
   /// All of `visits` in one transaction: all or none is kept.
   Result<void> add(std::span<const VisitRecord> visits);
   /// Visits that began before the local `day` are forgotten: nothing of them is left in the file or
@@ -40,12 +45,12 @@ class VisitStore {
   Trouble trouble() const { return database_.trouble(); }
 
  private:
-  VisitStore(std::filesystem::path file, Database database)
-      : file_(std::move(file)), database_(std::move(database)) {}
+  VisitStore(std::filesystem::path file, Database database);
   tl::unexpected<Problem> failed(const std::string& what) const;
 
   std::filesystem::path file_;
   Database database_;
+  std::uint64_t inode_ = 0;  ///< What is at `file_` if nobody took it away.
 };
 
 /// A newer onggi's file: `version`, and what to do.

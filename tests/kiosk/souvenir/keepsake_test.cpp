@@ -154,18 +154,37 @@ TEST(keepsake, a_visit_goes_when_its_days_are_over_and_no_folder_of_the_staffs_d
       << "whoever just made it may ask for it, whatever the clock says";
 }
 
+// Ten years ahead by mistake, and set right within the day: nobody's keepsake has gone.
+TEST(keepsake, a_clock_that_leapt_years_ahead_takes_nothing_until_it_has_gone_on_for_a_day) {
+  const ScratchFolder scratch;
+  constexpr std::time_t kDay = 86400, kThen = 1'800'000'000, kNow = kThen + 3650 * kDay;
+  const auto visits_after = [&](std::time_t made, std::time_t now) {
+    put_visit(scratch.path(), files::local_time(made, files::kStamp) + "_jar", 1);
+    EXPECT_TRUE(tidy(scratch.path(), {100, 7}, {}, now));
+    return names_in(scratch.path()).size();
+  };
+  EXPECT_EQ(visits_after(kThen - kDay, kThen), 1u);
+  EXPECT_EQ(visits_after(kThen, kThen), 2u);
+  EXPECT_EQ(visits_after(kNow, kNow), 3u) << "the first one since the leap";
+  EXPECT_EQ(visits_after(kNow + kDay / 2, kNow + kDay - 1), 4u);
+  EXPECT_EQ(visits_after(kNow + kDay, kNow + kDay), 3u) << "now the clock is believed";
+}
+
 TEST(keepsake, what_was_to_go_and_could_not_is_told_and_the_rest_goes) {
   const ScratchFolder scratch;
-  put_visit(scratch.path(), "2026-01-01_100000_a", 1);
-  put_visit(scratch.path(), "2026-01-02_100000_b", 1);
+  const auto days_ago = [](std::time_t days) {
+    return files::local_time(std::time(nullptr) - days * 86400, files::kStamp) + "_jar";
+  };
+  const std::string first = days_ago(60);
+  put_visit(scratch.path(), first, 1);
+  put_visit(scratch.path(), days_ago(59), 1);
   // Where the first is to be moved there is something already.
-  fs::create_directories(scratch.path() / "2026-01-01_100000_a.partial/a_note");
+  fs::create_directories(scratch.path() / (first + ".partial/a_note"));
   const auto tidied = tidy(scratch.path(), {100, 7});
   ASSERT_FALSE(tidied);
-  EXPECT_EQ(tidied.error().where, (scratch.path() / "2026-01-01_100000_a").string());
+  EXPECT_EQ(tidied.error().where, (scratch.path() / first).string());
   EXPECT_EQ(tidied.error().exit_code, 1);
-  EXPECT_THAT(names_in(scratch.path()),
-              ElementsAre("2026-01-01_100000_a", "2026-01-01_100000_a.partial"));
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre(first, first + ".partial"));
 }
 
 // After a flat battery: its name and its files have the date of the clock that was wrong.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "kiosk/files/local_time.h"
 #include "kiosk/store/statistics.h"
 #include "tests/kiosk/store/visits.h"
 
@@ -201,6 +202,52 @@ TEST(StoreThread, WhatIsOlderThanItsMonthsIsForgottenAtTheStartAndDailyFromThenO
   EXPECT_EQ(visits(), 1);
   EXPECT_FALSE(fs::exists(aside));
   EXPECT_TRUE(store.remarks().empty());
+}
+
+TEST(StoreThread, AFileThatIsTakenAwayIsSaidAndCountingBeginsAnewAtOnce) {
+  const StoreFolder folder;
+  {
+    StoreThread store(folder.file(), 0);
+    const auto count = [&](unsigned seed) {
+      for (const VisitRecord& one : scripted_visits(3, seed)) store.visit(one);
+      store.finish();
+    };
+    count(1);
+    EXPECT_TRUE(store.remarks().empty());
+    std::filesystem::remove_all(folder.path());
+    count(2);
+    const std::vector<Problem> said = store.remarks();
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].what.find("taken away"), std::string::npos);
+    count(3);
+    EXPECT_TRUE(store.remarks().empty());
+  }
+  Database database = Database::open(folder.file(), Database::Mode::read);
+  EXPECT_EQ(database.number("SELECT count(*) FROM visits"), 6);
+}
+
+// Ten years ahead by mistake, and set right within the day.
+TEST(StoreThread, AClockThatLeaptYearsAheadForgetsNothingUntilItHasGoneOnForADay) {
+  const StoreFolder folder;
+  const auto visit_of = [](std::time_t ago) {
+    VisitRecord visit = scripted_visits(1, 5)[0];
+    visit.start = std::time(nullptr) - ago;
+    visit.day = files::local_time(visit.start, files::kDay);
+    return visit;
+  };
+  constexpr std::time_t kDay = 86400;
+  const auto counted_after = [&](std::initializer_list<std::time_t> days_ago) {
+    {
+      StoreThread store(folder.file(), 0);
+      for (const std::time_t days : days_ago) store.visit(visit_of(days * kDay));
+    }
+    StoreThread(folder.file(), 12).finish();
+    Database database = Database::open(folder.file(), Database::Mode::read);
+    return database.number("SELECT count(*) FROM visits").value_or(-1);
+  };
+  EXPECT_EQ(counted_after({400, 401}), 2);
+  EXPECT_EQ(counted_after({0}), 3) << "the first visit since";
+  EXPECT_EQ(counted_after({2}), 2) << "now the clock is believed";
 }
 
 }  // namespace
