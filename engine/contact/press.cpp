@@ -178,6 +178,7 @@ contact::RowPlaces places_of(Clay& clay, WallSide side, int first, double weight
   return {outside ? outer : inner,
           outside ? inner : outer,
           clay.stride(),
+          clay.sectors(),
           clay.stored().data() + n,
           (outside ? clay.inner_least() : clay.outer_most()).data() + n,
           clay.row_thicknesses().data() + n,
@@ -278,6 +279,7 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
   const double gone = -portable::expm1(-1.0 / rate);
   contact::StepFigures step = figures_of(clay, side);
   step.gone = static_cast<float>(gone);
+  step.mean = static_cast<float>(rate * gone);
   step.along = static_cast<float>(yielding.along);
   step.keeps = clay.areas() != nullptr;
   // The mean press over the step is (tau/dt)(1 - e^(-dt/tau)) of the first.

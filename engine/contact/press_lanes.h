@@ -6,6 +6,7 @@
 //   struct Law {
 //     using Body = ...;                          // what press.cpp plans: rows are BodyRow<Body>
 //     static constexpr bool kPlain = ...;        // it has rows that need no care
+//     static constexpr bool kEdges = ...;        // what is felt at its edges is looked at
 //     struct Row {
 //       Row(const BodyFigures<Body>&, const BodyRow<Body>&);
 //       template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin, Float8 face)
@@ -14,9 +15,11 @@
 //     static void collect(const BodyFigures<Body>&, const RowSum&, float area, Reaction&);
 //   };
 //
-// A row may have a Meeting of its own with more in it, for its react(). For *_lanes.cpp only.
+// A row may have a Meeting of its own with more in it, for its react(); where there is kEdges,
+// `left` and `right`: the shares of an element that are not covered. For *_lanes.cpp only.
 
 #include "engine/clay/wall_side.h"
+#include "engine/contact/edge_lanes.h"
 #include "engine/contact/kernels.h"
 #include "engine/math/lanes.h"
 
@@ -89,19 +92,13 @@ ONGGI_INLINE Float8 gone_along(const StepFigures& step, Float8 back, Float8 lost
                                    : sqrt(smaller(back * back + share, most));
 }
 
-// One block of eight elements, with the target held where it is in the middle of the step: exact
-// exponential relaxation, second order in the step for a target that moves.
-template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
-ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* face, float* behind,
-                              int i, Pressed& pressed) {
-  const Float8 c = load(step.ray_cos + i);
-  const Float8 s = load(step.ray_sin + i);
-  const Float8 radius = load(face + i);
-  const auto m = row.template meet<side, careful>(c, s, radius);
-  const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, step));
-  const Mask8 touch = m.hit & (press > all(kSnap));
-  if (none(touch)) return;
-
+// One block of eight elements that are met and of which some are pressed, with the target held
+// where it is in the middle of the step: exact exponential relaxation, second order in the step for
+// a target that moves. Clay gives way without what is felt `beside` it.
+template <WallSide side, bool careful, bool hollow, bool keeps, bool edges, class Row, class Met>
+ONGGI_INLINE void press_met(const Row& row, const StepFigures& step, float* face, float* behind,
+                            int i, Float8 radius, const Met& m, Float8 press, Mask8 touch,
+                            Float8 beside, Pressed& pressed) {
   const Float8 felt = only(touch, careful ? press * m.covered : press);
   const Float8 given = felt * all(step.gone);
   const Float8 now = side == WallSide::outside ? radius - given : radius + given;
@@ -136,9 +133,24 @@ ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* fa
   }
   // As a press fades, the face goes by as much: the mean of press times radius over the step is
   // that of the press times the mean of both ends.
-  row.react(pressed.sum, felt * (all(0.5f) * (radius + now)), m, c, s);
+  const Float8 whole = edges ? only(touch, larger(felt + beside, all(0.0f))) : felt;
+  row.react(pressed.sum, whole * (all(0.5f) * (radius + now)), m, load(step.ray_cos + i),
+            load(step.ray_sin + i));
   pressed.depth = larger(pressed.depth, felt);
   pressed.touched += count(touch);
+}
+
+template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
+ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* face, float* behind,
+                              int i, Pressed& pressed) {
+  const Float8 radius = load(face + i);
+  const auto m =
+      row.template meet<side, careful>(load(step.ray_cos + i), load(step.ray_sin + i), radius);
+  const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, step));
+  const Mask8 touch = m.hit & (press > all(kSnap));
+  if (none(touch)) return;
+  press_met<side, careful, hollow, keeps, false>(row, step, face, behind, i, radius, m, press,
+                                                 touch, press, pressed);
 }
 
 template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
@@ -149,6 +161,60 @@ ONGGI_INLINE void press_row(const Row& row, const StepFigures& step, const RowTa
     const int end = task.ranges[n].end * kLanes;
     for (int i = task.ranges[n].begin * kLanes; i < end; i += kLanes)
       press_block<side, careful, hollow, keeps>(row, step, face, behind, i, pressed);
+  }
+}
+
+// The same where edges are looked at: a block is pressed when both its neighbours were met. The
+// second range begins where the first ends, at the first ray. Beyond them nothing is met.
+template <WallSide side, bool hollow, bool keeps, class Row>
+ONGGI_INLINE void press_edged_row(const Row& row, const StepFigures& step, const RowTask& task,
+                                  int stride, int sectors, float* face, float* behind,
+                                  Pressed& pressed) {
+  if (task.used == 0) return;
+  int left = task.ranges[0].end - task.ranges[0].begin;
+  if (task.used > 1) left += task.ranges[1].end - task.ranges[1].begin;
+  const bool circle = left * kLanes == stride;
+
+  const auto meet = [&](int i) {
+    const Float8 radius = load(face + i);
+    return row.template meet<side, true>(load(step.ray_cos + i), load(step.ray_sin + i), radius);
+  };
+  const auto edged = [&](int i, const auto& m) {
+    const Float8 radius = load(face + i);
+    const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, step));
+    return Edged{only(m.hit, press), radius, bits(m.hit & (press > all(kSnap)))};
+  };
+  int i = task.ranges[0].begin * kLanes;
+  auto m = meet(i);
+  Edged here = edged(i, m);
+  const Edged first = here;
+  const int last = (i == 0 ? stride : i) - kLanes;
+  Edged before = circle ? edged(last, meet(last)) : Edged{all(0.0f), load(face + last), 0};
+  for (; left > 0; --left) {
+    const int next = i + kLanes < stride ? i + kLanes : 0;
+    auto next_m = m;
+    Edged after = first;
+    if (left > 1) {
+      next_m = meet(next);
+      after = edged(next, next_m);
+    } else if (!circle) {
+      after = {all(0.0f), load(face + next), 0};
+    }
+    if (here.touched != 0) {
+      const bool amid =
+          here.touched == 0xff && (before.touched & 0x80) != 0 && (after.touched & 1) != 0;
+      Float8 beside = all(0.0f);
+      if (!amid)
+        beside = felt_beside<side>(before, here, after, m, {stride - sectors, i == 0, next == 0},
+                                   all(step.mean));
+      press_met<side, true, hollow, keeps, true>(row, step, face, behind, i, here.radius, m,
+                                                 here.open, here.open > all(kSnap), beside,
+                                                 pressed);
+    }
+    before = here;
+    here = after;
+    m = next_m;
+    i = next;
   }
 }
 
@@ -203,12 +269,21 @@ struct Kernel {
       float* const face = places.face + from;
       float* const behind = places.behind + from;
       const std::uint32_t bit = std::uint32_t{1} << k;
-      if (k < places.hollow_from)
+      const bool solid = k < places.hollow_from;
+      if constexpr (Law::kEdges) {
+        if (solid)
+          press_edged_row<side, false, keeps>(row, step, *task, places.stride, places.sectors, face,
+                                              behind, pressed);
+        else
+          press_edged_row<side, true, keeps>(row, step, *task, places.stride, places.sectors, face,
+                                             behind, pressed);
+      } else if (solid) {
         press_row<side, true, false, keeps>(row, step, *task, face, behind, pressed);
-      else if (!Law::kPlain || (places.careful & bit) != 0)
+      } else if (!Law::kPlain || (places.careful & bit) != 0) {
         press_row<side, true, true, keeps>(row, step, *task, face, behind, pressed);
-      else if constexpr (Law::kPlain)
+      } else if constexpr (Law::kPlain) {
         press_row<side, false, true, keeps>(row, step, *task, face, behind, pressed);
+      }
       if (pressed.touched == 0) continue;
       out.touched += pressed.touched;
       out.changed |= bit;

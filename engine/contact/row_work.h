@@ -22,6 +22,7 @@ struct StepFigures {
                        ///< and radius_max.
   float wall_min = 0;  ///< m
   float gone = 0;      ///< 1 - e^(-dt/tau): how much of a press the clay gives way by in the step.
+  float mean = 1;      ///< (tau/dt) (1 - e^(-dt/tau)): of a press, its mean over the step.
   float along = 0;     ///< Yielding::along
   float farthest = 0;  ///< That the other face may go, m: radius_min outside, radius_max inside.
   bool keeps = false;  ///< What rows lose is summed, and the other face may go along.
@@ -32,6 +33,7 @@ struct RowPlaces {
   float* face;                ///< Of stored row 0: worked.
   float* behind;              ///< The other.
   int stride;                 ///< Floats from one stored row to the next.
+  int sectors;                ///< Of them; the rest is padding.
   const int* stored;          ///< By row: as which it is stored.
   const float* behind_start;  ///< By row: no element of the other face is farther that way.
   const double* thickness;    ///< By row, m.

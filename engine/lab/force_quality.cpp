@@ -85,6 +85,16 @@ std::vector<Vec3> smoothed(std::span<const Vec3> force) {
   return out;
 }
 
+/// Root mean square of the change from one to the next.
+double change(std::span<const Vec3> force) {
+  double steps = 0.0;
+  for (std::size_t n = 1; n < force.size(); ++n) {
+    const Vec3 step = force[n] - force[n - 1];
+    steps += dot(step, step);
+  }
+  return std::sqrt(steps / static_cast<double>(force.size() - 1));
+}
+
 /// How many ms later `force` is than `sooner`: where it is most like some share of it, to a tenth
 /// by a parabola. A force that is a little smaller is not late. Of both what is slow: elements
 /// that come under a tool every 3 ms look alike 3 ms later.
@@ -179,15 +189,11 @@ ForceQuality quality_of(std::span<const Vec3> force, std::span<const Vec3> soone
   ForceQuality quality;
   if (force.size() <= kSettles + 8) return quality;
   const auto rest = force.subspan(kSettles);
-  double sum = 0.0, steps = 0.0;
-  for (std::size_t n = 0; n < rest.size(); ++n) {
-    sum += length(rest[n]);
-    if (n == 0) continue;
-    const Vec3 step = rest[n] - rest[n - 1];
-    steps += dot(step, step);
-  }
+  double sum = 0.0;
+  for (const Vec3& f : rest) sum += length(f);
   quality.mean = sum / static_cast<double>(rest.size());
-  quality.increment = std::sqrt(steps / static_cast<double>(rest.size() - 1));
+  quality.increment = change(rest);
+  quality.own = change(smoothed(rest));
   quality.above_50 = above_50(rest);
   if (squares(rest) > 0.0) quality.lag = 1e-3 * lag_of(rest, sooner.subspan(kSettles));
   return quality;

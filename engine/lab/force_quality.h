@@ -12,6 +12,9 @@ namespace onggi::lab {
 struct ForceQuality {
   double mean = 0.0;       ///< N
   double increment = 0.0;  ///< Root mean square of its change from tick to tick, N.
+  double own = 0.0;        ///< Of that, what a hand to and fro makes of any force: the same of its
+                           ///< mean over 20 ms to both sides (by Hann's weights). No smoothing and
+                           ///< no grid has less.
   double above_50 = 0.0;   ///< Of what it does above 50 Hz, root mean square, N.
   double lag = 0.0;        ///< s behind the same force without what makes it late, of what is
                            ///< slower than about 25 Hz; below 0: ahead of it.

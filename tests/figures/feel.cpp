@@ -22,8 +22,8 @@ std::FILE* out = nullptr;
 
 // One row for all kinds: what, which, then figures; what is not there is left empty.
 void quality(const char* scene, const std::string& tool, const lab::ForceQuality& q) {
-  std::fprintf(out, "tool,%s,%s,%.4f,%.4f,%.4f,%.3f,,\n", scene, tool.c_str(), q.mean,
-               1e3 * q.increment, 1e3 * q.above_50, 1e3 * q.lag);
+  std::fprintf(out, "tool,%s,%s,%.4f,%.4f,%.4f,%.3f,%.4f,\n", scene, tool.c_str(), q.mean,
+               1e3 * q.increment, 1e3 * q.above_50, 1e3 * q.lag, 1e3 * q.own);
 }
 
 // Mean over the push of the force inwards, of what pulls sideways, and how the first grows.

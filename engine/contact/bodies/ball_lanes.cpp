@@ -8,6 +8,7 @@ namespace {
 struct BallLaw {
   using Body = body::Ball;
   static constexpr bool kPlain = true;
+  static constexpr bool kEdges = false;
 
   struct Row {
     Float8 section;     // radius of the row's circle; negative where there is none

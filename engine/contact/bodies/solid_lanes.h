@@ -21,17 +21,20 @@ namespace onggi::ONGGI_LANES {
 struct FacingMeeting {
   Float8 end, covered;
   Mask8 hit;
+  Float8 left, right;
   Float8 x, y, z;
 };
 
-// An element is a strip as wide as its sector is at its face. The strip's part that the
-// section covers gives way and is felt, and where the body ends is asked in the middle of that
-// part: a body narrower than an element still finds the element, and no force steps as elements
-// come and go at its edges.
+// An element is a strip as wide as its sector is. The strip's part that the section covers gives
+// way and is felt, and where the body ends is asked in the middle of that part: a body narrower
+// than an element still finds the element, and no force steps as elements come and go at its
+// edges. It is covered and bared as fast as edges come by: by the sector's width where the edge is,
+// not where the face is, which lies centimetres farther out of a disc that is deep in clay.
 template <class Shape>
 struct SolidLaw {
   using Body = typename Shape::Body;
   static constexpr bool kPlain = false;
+  static constexpr bool kEdges = true;
 
   struct Row {
     typename Body::Section section;
@@ -41,38 +44,60 @@ struct SolidLaw {
     ONGGI_INLINE Row(const BodyFigures<Body>&, const BodyRow<Body>& row)
         : section(row.section), outline(*row.outline), sector(row.sector), share(row.share) {}
 
+    // In elements from the ray.
     struct Strip {
       Float8 low, high;
     };
-    ONGGI_INLINE Strip covered_strip(Float8 c, Float8 s, Float8 width) const {
+    // Where a corner of the outline lies beside a ray, in elements: at its own distance from the
+    // axis, which says how fast it comes under them, if it lies within the clay outside, else at
+    // the face.
+    template <WallSide side>
+    ONGGI_INLINE Float8 in_elements(Float8 beside, Float8 along, Float8 face) const {
+      Float8 from = face;
+      if constexpr (side == WallSide::outside)
+        from = smaller(larger(along, all(0.5f) * face), face);
+      return beside / (larger(from, all(1e-6f)) * all(sector));
+    }
+    template <WallSide side>
+    ONGGI_INLINE Strip covered_strip(Float8 c, Float8 s, Float8 face) const {
       const body::Outline& o = outline;
+      const Float8 zero = all(0.0f);
       const Float8 off = all(o.z) * c - all(o.x) * s;
-      const Float8 half =
-          abs(all(o.uz) * c - all(o.ux) * s) + abs(all(o.vz) * c - all(o.vx) * s) + all(o.round);
-      const Float8 edge = all(0.5f) * width;
-      Strip strip{larger(off - half, all(0.0f) - edge), smaller(off + half, edge)};
+      const Float8 along = all(o.x) * c + all(o.z) * s;
+      const Float8 u = all(o.uz) * c - all(o.ux) * s;
+      const Float8 v = all(o.vz) * c - all(o.vx) * s;
+      const Float8 half = abs(u) + abs(v) + all(o.round);
+      const Float8 ahead_u = all(o.ux) * c + all(o.uz) * s;
+      const Float8 ahead_v = all(o.vx) * c + all(o.vz) * s;
+      const Float8 ahead =
+          select(u < zero, zero - ahead_u, ahead_u) + select(v < zero, zero - ahead_v, ahead_v);
+      const Float8 edge = all(0.5f);
+      Strip strip{larger(in_elements<side>(off - half, along - ahead, face), zero - edge),
+                  smaller(in_elements<side>(off + half, along + ahead, face), edge)};
       if (o.oval > 0.0f) {
         const Float8 middle = all(o.oval_z) * c - all(o.oval_x) * s;
         const Float8 longer = all(o.oval_az) * c - all(o.oval_ax) * s;
         const Float8 reach = sqrt(all(o.oval * o.oval) + longer * longer);
-        strip.low = larger(strip.low, middle - reach);
-        strip.high = smaller(strip.high, middle + reach);
+        strip.low = larger(strip.low, in_elements<side>(middle - reach, face, face));
+        strip.high = smaller(strip.high, in_elements<side>(middle + reach, face, face));
       }
       return strip;
     }
     template <WallSide side, bool careful>
     ONGGI_INLINE FacingMeeting meet(Float8 c, Float8 s, Float8 face) const {
+      const Strip strip = covered_strip<side>(c, s, face);
+      const Float8 part = strip.high - strip.low;
       const Float8 width = larger(face, all(1e-6f)) * all(sector);
-      const Strip strip = covered_strip(c, s, width);
-      const Float8 part = (strip.high - strip.low) / width;
-      const FacingInterval in =
-          Shape::template interval<side>(section, c, s, all(0.5f) * (strip.low + strip.high));
-      Mask8 hit = (strip.high > strip.low) & (in.far > in.near);
+      const FacingInterval in = Shape::template interval<side>(
+          section, c, s, all(0.5f) * (strip.low + strip.high) * width);
+      Mask8 hit = (part > all(0.0f)) & (in.far > in.near);
       // A body outside works the half of the clay that it stands over.
       if constexpr (side == WallSide::outside) hit = hit & (in.near + in.far > all(0.0f));
       return {side == WallSide::outside ? in.near : in.far,
               smaller(part, all(1.0f)) * all(share),
               hit,
+              (strip.low + all(0.5f)) * all(share),
+              (all(0.5f) - strip.high) * all(share),
               in.x,
               in.y,
               in.z};

@@ -25,6 +25,12 @@ TEST(ForceQuality, KnowsASineByItsIncrementItsSpectrumAndItsLag) {
   EXPECT_LT(slow.above_50, 2e-3);
   const auto fast = sine(200.0, 0.0, 0.01);
   EXPECT_NEAR(quality_of(fast, fast).above_50, 0.01 / std::sqrt(2.0), 5e-4);
+  auto both = late;
+  for (std::size_t n = 0; n < both.size(); ++n) both[n].x += fast[n].x;
+  const ForceQuality rough = quality_of(both, both);
+  EXPECT_NEAR(rough.own, slow.increment, 0.1 * slow.increment);
+  EXPECT_NEAR(rough.increment,
+              std::hypot(slow.increment, 0.01 * std::sin(0.2 * 3.14159265) * std::sqrt(2.0)), 3e-4);
 }
 
 TEST(ForceQuality, ThePapersFilterIsTwentyTwoMillisecondsLate) {
@@ -44,15 +50,16 @@ TEST(ForceQuality, AScenesForceIsLateByLessThanTwoMilliseconds) {
 
 // What a hand at a device that bears 257 N/m feels of a scene, beside the printed model's force on
 // the same clay.
-void expect_smooth_and_in_time(const SceneDef& def, std::size_t tool) {
+void expect_smooth_and_in_time(const SceneDef& def, std::size_t tool, double tremble) {
   const PrintedQuality printed = printed_quality(def);
   const ForceQuality ours = scenes_quality(def, static_cast<std::uint8_t>(tool), 257.0);
   EXPECT_GT(ours.mean, 0.01) << tool;
   // In newtons, or where the force is larger than the paper's as a share of it.
   const double share = std::max(1.0, ours.mean / printed.filtered.mean);
   EXPECT_LT(ours.increment, share * printed.filtered.increment) << tool;
-  EXPECT_LT(ours.above_50, 0.5 * printed.raw.above_50) << tool;
-  EXPECT_LT(std::fabs(ours.lag), 0.001) << tool;
+  EXPECT_LT(ours.above_50, tremble * printed.raw.above_50) << tool;
+  EXPECT_LT(ours.lag, 0.001) << tool;
+  EXPECT_GT(ours.lag, -0.002) << tool;
 }
 
 TEST(ForceQuality, AtTheHandOfADeviceEveryToolIsSmootherThanThePapersBehindItsFilterAndInTime) {
@@ -60,7 +67,10 @@ TEST(ForceQuality, AtTheHandOfADeviceEveryToolIsSmootherThanThePapersBehindItsFi
   def.clay.keep_undo = false;
   for (std::size_t tool = 0; tool <= def.tools.size(); ++tool) {
     if (tool > 0 && def.tools[tool - 1].name == "wire") continue;
-    expect_smooth_and_in_time(def, tool);
+    // What elements that come under a tool shake it by: of a disc's or a plate's hardly anything.
+    const bool even = tool > 0 && (def.tools[tool - 1].name == "curved_rib" ||
+                                   def.tools[tool - 1].name == "flat_rib");
+    expect_smooth_and_in_time(def, tool, even ? 0.04 : 0.2);
   }
 }
 
@@ -70,7 +80,7 @@ TEST(ForceQuality, ALumpThatIsCentredUnderTheToolIsSmoothToo) {
   def.clay.rows = 600;
   def.contact = {0.015, 1e7};
   def.wobble.emplace().off_centre = 0.003;
-  expect_smooth_and_in_time(def, 0);
+  expect_smooth_and_in_time(def, 0, 0.5);
 }
 
 }  // namespace

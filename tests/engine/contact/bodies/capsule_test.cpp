@@ -26,8 +26,10 @@ TEST(Fingertip, OfNoLengthIsABall) {
       a = ball.press(one, side, place, {0.008, 0.0, 0.0}, 0.001, {0.00949, 5e6});
       b = finger.press(other, side, place, {0.008, 0.0, 0.0}, 0.001, {0.00949, 5e6});
     }
-    EXPECT_LT(length(a.force - b.force), 1e-3 * a.normal);
-    EXPECT_NEAR(a.normal, b.normal, 1e-3 * a.normal);
+    // At the edge of a finger's print is looked where it ends between two elements, at a ball's
+    // not.
+    EXPECT_LT(length(a.force - b.force), 4e-3 * a.normal);
+    EXPECT_NEAR(a.normal, b.normal, 4e-3 * a.normal);
     for (int j = 0; j < one.rows(); ++j)
       for (std::size_t i = 0; i < 360; ++i) {
         ASSERT_NEAR(one.outer(j)[i], other.outer(j)[i], 2e-7) << j << ' ' << i;

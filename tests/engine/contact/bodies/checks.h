@@ -35,4 +35,7 @@ void force_does_not_depend_on_the_grid(std::string_view name, double share);
 ToolPlace pressing(const ToolShape& shape, const ToolSize& size, double outer, double deep,
                    double y, double angle);
 
+/// Pressed into a fresh wall, it feels the same to `share` wherever elements lie under it.
+void force_is_even(std::string_view name, double share);
+
 }  // namespace onggi::body_checks

@@ -45,6 +45,7 @@ struct ToolCase {
   const char* tool;
   Distance distance;
   double grid_share;  // that grids may differ by; 0: it is finer than their elements
+  double even_share;  // that it may feel more on one place of the grid than on another
 };
 
 class EveryBody : public testing::TestWithParam<ToolCase> {};
@@ -71,14 +72,18 @@ TEST_P(EveryBody, FeelsTheSameOnAnyGrid) {
   force_does_not_depend_on_the_grid(GetParam().tool, GetParam().grid_share);
 }
 
+TEST_P(EveryBody, FeelsTheSameWhereverElementsLieUnderIt) {
+  force_is_even(GetParam().tool, GetParam().even_share);
+}
+
 INSTANTIATE_TEST_SUITE_P(Tools, EveryBody,
-                         testing::Values(ToolCase{"sphere", from_ball, 0.03},
-                                         ToolCase{"sponge", from_ball, 0.03},
-                                         ToolCase{"fingertip", from_capsule, 0.03},
-                                         ToolCase{"needle", from_capsule, 0.0},
-                                         ToolCase{"flat_rib", from_box, 0.03},
-                                         ToolCase{"curved_rib", from_cylinder, 0.05},
-                                         ToolCase{"loop_trimmer", from_cylinder, 0.05}),
+                         testing::Values(ToolCase{"sphere", from_ball, 0.03, 0.05},
+                                         ToolCase{"sponge", from_ball, 0.03, 0.05},
+                                         ToolCase{"fingertip", from_capsule, 0.03, 0.001},
+                                         ToolCase{"needle", from_capsule, 0.0, 0.03},
+                                         ToolCase{"flat_rib", from_box, 0.03, 0.001},
+                                         ToolCase{"curved_rib", from_cylinder, 0.05, 0.001},
+                                         ToolCase{"loop_trimmer", from_cylinder, 0.05, 0.001}),
                          [](const auto& each) { return std::string(each.param.tool); });
 
 }  // namespace

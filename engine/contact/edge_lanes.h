@@ -1,0 +1,80 @@
+#pragma once
+
+// What is felt at the edges of a body's print beside the sum over elements. Elements come under a
+// tool one after the other, and a sum over their middles is right only on average: without this it
+// goes up and down as they do. Clay gives way without it. For *_lanes.cpp only.
+
+#include "engine/clay/wall_side.h"
+#include "engine/math/lanes.h"
+
+namespace onggi::ONGGI_LANES {
+
+/// Eight elements as a body meets them, before any is pressed. `open`: their press, negative where
+/// the body is that far short of them, 0 where it is not met.
+struct Edged {
+  Float8 open, radius;
+  unsigned touched;  ///< Bit k: lane k is pressed.
+};
+
+/// What a sum over elements is short of at the edge between one that is pressed and its neighbour,
+/// where the body is `out` (< 0) short of the clay; `in` is the other neighbour's press. The press
+/// is a parabola through the three and ends where that does: what lies beyond the middle of the
+/// last element, less half of it, and a twelfth of the slope there (Euler and Maclaurin's first
+/// terms; with a straight line it is the same).
+ONGGI_INLINE Float8 edge_of(Float8 press, Float8 out, Float8 in) {
+  const Float8 zero = all(0.0f);
+  const Float8 half = all(0.5f);
+  const Float8 slope = half * (in - out);
+  const Float8 bend = half * (in + out) - press;
+  const Float8 root = sqrt(larger(slope * slope - all(4.0f) * bend * press, zero));
+  const Float8 way = (press + press) / larger(slope + root, all(1e-12f));
+  const Float8 edge = press * (way - half) + all(1.0f / 12.0f) * slope +
+                      way * way * (all(1.0f / 3.0f) * bend * way - half * slope);
+  // A print of one element or two is no parabola, nor is clay that lies at rest against the body,
+  // whose slope there no press has: the sum is left as it is.
+  const Float8 resolved = all(4.0f) - all(6.5f) * abs(bend) / larger(slope, all(1e-12f));
+  return edge * smaller(larger(resolved, zero), all(1.0f));
+}
+
+/// Where a block of eight lies in its turn, whose last block ends in padding.
+struct Seam {
+  int padding;
+  bool begins, ends;
+};
+struct Neighbours {
+  Float8 left, right;
+};
+/// Of each lane, one element back and one on.
+ONGGI_INLINE Neighbours neighbours(Float8 before, Float8 here, Float8 after, Seam seam) {
+  float line[3 * kLanes];
+  store(before, line);
+  store(here, line + kLanes);
+  store(after, line + 2 * kLanes);
+  if (seam.begins) line[kLanes - 1] = line[kLanes - 1 - seam.padding];
+  if (seam.ends) line[2 * kLanes - seam.padding] = line[2 * kLanes];
+  return {load(line + kLanes - 1), load(line + kLanes + 1)};
+}
+
+/// Of the elements `here`, between those `before` and `after`, what is felt beside their covered
+/// press, as a press at the beginning of the step. `mean`: of a press, what it is on average in the
+/// step, in which it fades; how far the body is short of the others stays.
+template <WallSide side, class Met>
+ONGGI_INLINE Float8 felt_beside(const Edged& before, const Edged& here, const Edged& after,
+                                const Met& met, Seam seam, Float8 mean) {
+  const Float8 zero = all(0.0f);
+  const Neighbours open = neighbours(before.open, here.open, after.open, seam);
+  const auto in_step = [&](Float8 press) { return select(press < zero, press, press * mean); };
+  const Float8 left = in_step(open.left), press = in_step(here.open), right = in_step(open.right);
+  const Float8 edges = only(left < zero, edge_of(press, left, right)) +
+                       only(right < zero, edge_of(press, right, left));
+  // The part that is not covered is as the neighbour on that side: all that the element has given
+  // way by is the covered part's.
+  const Neighbours face = neighbours(before.radius, here.radius, after.radius, seam);
+  const auto given = [&](Float8 neighbour) {
+    return larger(side == WallSide::outside ? neighbour - here.radius : here.radius - neighbour,
+                  zero);
+  };
+  return (edges * met.covered - met.left * given(face.left) - met.right * given(face.right)) / mean;
+}
+
+}  // namespace onggi::ONGGI_LANES
