@@ -20,6 +20,7 @@
 #include "kiosk/files/local_time.h"
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/stepped_potter.h"
+#include "kiosk/render/display_loss.h"
 #include "kiosk/souvenir/postcard.h"
 
 namespace fs = std::filesystem;
@@ -56,6 +57,11 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   auto renderer = render::Renderer::create(options.window);
   if (!renderer) return tl::unexpected(renderer.error());
   kiosk->renderer_ = std::move(*renderer);
+  render::when_display_is_lost([lost = kiosk.get()] {
+    log_line("The screen's X server is gone. What is under way is kept, and onggi ends.");
+    lost->postcard_ = 0;  // a picture of that screen
+    lost->settle();
+  });
   const render::RenderStatus drawn_by = kiosk->renderer_->status();
   log_line("Drawing with " + drawn_by.device + (drawn_by.software ? ", without a GPU." : "."));
 
@@ -84,6 +90,11 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
 }
 
 Kiosk::~Kiosk() {
+  render::when_display_is_lost({});
+  settle();
+}
+
+void Kiosk::settle() {
   if (!visit_) return;
   visit_->close(now_);
   while (const auto request = visit_->take_request())

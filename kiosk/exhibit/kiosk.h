@@ -108,6 +108,8 @@ class Kiosk {
  private:
   Kiosk() = default;
   Result<void> read_settings(const KioskOptions& options);
+  /// Ends the visit under way, and waits until keepsakes and visits are on the disk. Once.
+  void settle();
   bool look_at_shelf(double now);
   void note_shelf();
   void begin_visit(double now);

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <thread>
 
 #include "kiosk/files/child_process.h"
@@ -48,6 +52,64 @@ TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCountedThoughTheFormerStoreI
       store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
   EXPECT_EQ(counted.number("SELECT count(*) FROM visits"), 1) << text_of(log);
   EXPECT_EQ(counted.number("SELECT count(*) FROM visits WHERE ended = 'closed'"), 1);
+}
+
+/// A kiosk's X server, which a test ends before the kiosk does.
+class DoomedServer {
+ public:
+  DoomedServer() {
+    files::Channel number;
+    if (!number.open_for_reading()) return;
+    auto server = files::ChildProcess::start(
+        "Xvfb", {"-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp"},
+        {.out = number.theirs.get()});
+    number.theirs.close();
+    if (!server) return;
+    server_.emplace(std::move(*server));
+    pollfd waiting{number.ours.get(), POLLIN, 0};
+    char digit = 0;
+    while (digit != '\n' && ::poll(&waiting, 1, 10'000) == 1 &&
+           ::read(number.ours.get(), &digit, 1) == 1)
+      if (digit != '\n') name_ += digit;
+  }
+  std::string name() const { return name_.empty() ? "" : ":" + name_; }
+  void end() { server_->end(SIGKILL); }
+
+ private:
+  std::optional<files::ChildProcess> server_;
+  std::string name_;
+};
+
+TEST(Run, AVisitUnderWayWhenTheXServerEndsIsCountedAndTheProgramEndsForAnother) {
+  DoomedServer server;
+  if (server.name().empty()) GTEST_SKIP() << "Xvfb is not installed";
+  const TemporaryFolder folder, site;
+  const std::string log = (folder / "log").string();
+  const std::string exhibit = write_exhibit(
+      site, "first_touch", "[keepsake]\nfolder = \"" + (folder / "kept").string() + "\"\n");
+  auto kiosk = files::ChildProcess::start(
+      "sh",
+      {"-c", "export DISPLAY='" + server.name() +
+                 "'; exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" + exhibit + "' 2>'" +
+                 log + "'"},
+      {});
+  ASSERT_TRUE(kiosk);
+  for (int n = 0; n < 1200 && text_of(log).find("First picture") == std::string::npos; ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  // Touches, for longer than somebody who walks by.
+  ASSERT_EQ(std::system(("DISPLAY=" + server.name() +
+                         " sh -c 'for n in 1 2 3 4 5 6 7 8; do xdotool mousemove 160 120 click 1; "
+                         "sleep 0.6; done'")
+                            .c_str()),
+            0);
+  server.end();
+  EXPECT_TRUE(kiosk->wait_until(files::ChildProcess::Clock::now() + std::chrono::seconds(30)));
+  EXPECT_TRUE(WIFEXITED(kiosk->status()) && WEXITSTATUS(kiosk->status()) == 1) << text_of(log);
+  EXPECT_NE(text_of(log).find("X server is gone"), std::string::npos) << text_of(log);
+  store::Database counted =
+      store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
+  EXPECT_EQ(counted.number("SELECT count(*) FROM visits WHERE ended = 'closed'"), 1)
+      << text_of(log);
 }
 
 }  // namespace
