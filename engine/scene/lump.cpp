@@ -8,9 +8,11 @@
 namespace onggi {
 namespace {
 
-constexpr double kFingertip = 0.008;  // room for a tool of this radius inside
-constexpr double kKeptWall = 0.014;   // m: thick enough to stand, and nothing thins it by chance
-constexpr double kUnlike = 0.06;      // RMS distance from the target's outline, of its height
+constexpr double kFingertip = 0.008;   // room for a tool of this radius inside
+constexpr double kKeptWall = 0.014;    // m: thick enough to stand, and nothing thins it by chance
+constexpr double kOpenedWall = 0.006;  // m: of the ring that is opened as a whole to the belly
+constexpr double kBroad = 1.25;        // of the belly: a lump that is cut down
+constexpr double kUnlike = 0.06;       // RMS distance from the target's outline, of its height
 
 // RMS distance of the target's outline from a cylinder of `radius`, m.
 double mean_distance(const Profile& target, double radius) {
@@ -29,6 +31,16 @@ double widest_below(const Profile& target, double height) {
   for (const ProfilePoint& p : target.points)
     if (p.height <= height) widest = std::max(widest, p.outer);
   return widest;
+}
+
+// Inner radius of a lump that is `outer` wide. Where rings keep their clay, one of half the radius
+// would be a solid disc in a neck of half the belly: so it has what the belly wants and no more.
+double bore(const Profile& target, const SceneDef& scene, double outer) {
+  if (scene.volume) return outer - kKeptWall;
+  if (!scene.walls) return 0.45 * outer;
+  const double belly = std::max(target.max_radius(), kOpenedWall);
+  const double area = scene::area_of({belly, belly - kOpenedWall});
+  return std::min(std::sqrt(std::max(0.0, outer * outer - area)), outer - kOpenedWall);
 }
 
 // The height at which `lump` holds the clay of the target, and no more: clay that is kept gets
@@ -75,12 +87,12 @@ ClayDef lump_for(const Profile& target, const SceneDef& scene) {
   // Where that is near the outline itself (a cylinder, a wide foot), a broad lump is cut down
   // instead.
   if (mean_distance(target, best) < kUnlike * target.height() || best > belly)
-    best = std::max(1.4 * belly, roomy);
+    best = std::max(kBroad * belly, roomy);
   best = std::min(best, most_outer);
   def.outer_radius = best;
   const double most = best - def.wall_min - 0.001;
-  const double inner = scene.volume ? best - kKeptWall : 0.45 * best;
-  def.inner_radius = std::max(std::min(std::max(inner, room), most), def.radius_min);
+  def.inner_radius =
+      std::max(std::min(std::max(bore(target, scene, best), room), most), def.radius_min);
   if (scene.volume) weigh(target, scene, def);
   return def;
 }

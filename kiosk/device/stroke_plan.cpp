@@ -9,13 +9,15 @@ namespace {
 constexpr double kStep = 0.002;                 // m between the heights that are looked at
 constexpr double kFoot = 0.006;                 // m over the floor where strokes begin
 constexpr double kOut = 0.009;                  // m that a stroke widens at the most,
-constexpr double kIn = 0.006;                   // and narrows
+constexpr double kIn = 0.004;                   // and narrows
 constexpr double kFirst = 0.003, kRamp = 0.35;  // m that a stroke begins with at the foot, m a m
-constexpr double kBlend = 0.014;    // m of height over which a stroke sets in, to either side
-constexpr double kQuick = 0.03;     // m/s along a wall that is far off,
-constexpr double kSlow = 0.018;     // and along one that is nearly there
-constexpr double kNearly = 0.003;   // m
-constexpr double kMargin = 0.0015;  // m of wall under the rim that no stroke goes over
+constexpr double kBlend = 0.018;     // m of height over which a stroke sets in, to either side
+constexpr double kQuick = 0.03;      // m/s along a wall that is far off,
+constexpr double kSlow = 0.018;      // and along one that is nearly there
+constexpr double kNearly = 0.003;    // m
+constexpr double kSoftEdge = 0.006;  // m of height to either side over which that sets in
+constexpr double kEvening = 0.0015;  // m that the last stroke moves a wall at the most
+constexpr double kMargin = 0.0015;   // m of wall under the rim that no stroke goes over
 
 // Two hands that hold a wall this thick do not bring it anywhere as one: it is opened first, down
 // to what is left then.
@@ -106,8 +108,17 @@ std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, d
 Stroke last_stroke(const ClayView& clay, const Profile& target) {
   Stroke stroke;
   stroke.speed = kSlow;
-  for (const Off& at : differences(clay, target))
-    stroke.path.push_back({at.now + std::clamp(at.off, -0.002, 0.002), at.height});
+  // Drawn out over a hand's breadth: where the wall is off by more on one side of a height, the
+  // edge of what this stroke may do would stand as a ledge.
+  const std::vector<Off> all = differences(clay, target);
+  const auto reach = static_cast<std::size_t>(kSoftEdge / kStep);
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const std::size_t from = n > reach ? n - reach : 0, to = std::min(all.size() - 1, n + reach);
+    double deep = 0;
+    for (std::size_t m = from; m <= to; ++m)
+      deep += std::clamp(all[m].off, -kEvening, kEvening) / static_cast<double>(to - from + 1);
+    stroke.path.push_back({all[n].now + deep, all[n].height});
+  }
   return stroke;
 }
 

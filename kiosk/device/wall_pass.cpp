@@ -73,7 +73,7 @@ void WallPass::go(const WallHold& hold, const ClayView& clay, double height, dou
 }
 
 double WallPass::within(double reach) const {
-  const double first = std::max(kDeepest, kOfThickness * stood_.thickness);
+  const double first = std::clamp(kOfThickness * stood_.thickness, kDeepest, kMost);
   const double most = (backs_ > 0 ? kEvening : first) + std::max(0.0, on_);
   return std::clamp(reach, stood_.radius - most, stood_.radius + most);
 }

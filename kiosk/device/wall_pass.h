@@ -16,12 +16,12 @@ namespace onggi::device {
 /// is known here of any target. Allocates nothing; main thread.
 class WallPass {
  public:
-  /// m that a pass moves the face at the most (as a planned stroke, StrokePlan), and one that comes
-  /// back over it.
+  /// m that a pass moves the face at the most, where the wall is thin; and one that comes back over
+  /// it.
   static constexpr double kDeepest = 0.009, kEvening = 0.002;
-  /// Of the wall's thickness, where that is more: a lump is opened in large steps, a wall that is
-  /// thin already is worked gently.
-  static constexpr double kOfThickness = 0.8;
+  /// Of the wall's thickness, where that is more, and m at the most: a lump is opened in large
+  /// steps, a wall that is thin already is worked gently.
+  static constexpr double kOfThickness = 1.8, kMost = 0.020;
   /// m/s by which hands that stay at a height press on, once they have stayed for kStay / kPressOn:
   /// a stroke that turns back slowly would dent the wall there. Along the wall they use it up.
   static constexpr double kPressOn = 0.01, kStay = 0.003;
@@ -31,7 +31,7 @@ class WallPass {
   static constexpr double kBack = 0.006;
   /// Depth for each way along the wall, m/s of it beside that, and the way and time, m and s, over
   /// which it changes: a drawn line's corners, and a finger's tremble, are wider than that or none.
-  static constexpr double kSlope = 0.5, kDeeper = 0.02, kSoftWay = 0.006, kSoftTime = 0.15;
+  static constexpr double kSlope = 0.5, kDeeper = 0.02, kSoftWay = 0.010, kSoftTime = 0.15;
   /// m of way in which hands that are let go of come out of the clay: twice their depth, at most.
   static constexpr double kOut = 0.020;
 

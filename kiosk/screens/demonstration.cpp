@@ -10,8 +10,8 @@ constexpr double kWheel = 25.0;         // rad/s with a lump; slower the wider t
 constexpr double kRimSpeed = 2.0;       // m/s at the widest place
 constexpr double kWetting = 0.7;        // s of the sponge, at first and every third stroke
 constexpr double kBreath = 0.5;         // s between two strokes
-constexpr double kNearEnough = 0.0013;  // m
-constexpr int kMostStrokes = 16;
+constexpr double kNearEnough = 0.0015;  // m
+constexpr int kMostStrokes = 15;
 constexpr double kStand = 2.5;  // s in which the wheel comes to rest
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "engine/profile/measures.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/wall_ring.h"
 #include "tests/engine/script/vessels.h"
 
 namespace onggi {
@@ -32,6 +33,46 @@ TEST(Lump, IsAsTallAsTheTargetHasRoomForAFingerAndIsClearlyAnotherShape) {
     EXPECT_GT(m.outline_rms, 0.06) << name;
     EXPECT_LT(m.outline_overlap, 0.8) << name;
   }
+}
+
+/// Where rings keep their clay and the pot does not, what a vessel's lump is.
+SceneDef walled(const Profile& target) {
+  SceneDef def;
+  def.walls.emplace();
+  def.clay = lump_for(target, def);
+  return def;
+}
+
+TEST(Lump, WhereRingsKeepTheirClayItHasThatOfTheVesselsWallAndNoMore) {
+  for (const auto& [name, drawn] : vessels::all()) {
+    const Profile target = scaled(drawn, workspace_scale(drawn));
+    const SceneDef def = walled(target);
+    ASSERT_TRUE(validate(def)) << name;
+    const scene::WallRing lump{def.clay.outer_radius, def.clay.inner_radius};
+    EXPECT_GT(lump.outer - lump.inner, 1.25 * def.clay.wall_min) << name;
+    EXPECT_GT(lump.inner, def.tool.radius) << name;
+    const scene::WallRing belly = scene::worked(def, lump, target.max_radius());
+    EXPECT_GT(belly.outer - belly.inner, def.clay.wall_min - 1e-9) << name;
+    EXPECT_LT(belly.outer - belly.inner, 0.009) << name;
+    EXPECT_GT(compare(target, Scene::create(def)->clay().profile(), true).outline_rms, 0.06)
+        << name;
+  }
+}
+
+// A lump as wide as the belly by half, with a bore of half of that, was solid in any such neck.
+TEST(Lump, WhereRingsKeepTheirClayAMouthOfHalfTheBellyStaysOpen) {
+  int asked = 0;
+  for (const auto& [name, drawn] : vessels::all()) {
+    const Profile target = scaled(drawn, workspace_scale(drawn));
+    const double mouth = 0.5 * dimensions(target).mouth;
+    if (mouth < std::max(0.45 * target.max_radius(), 0.03)) continue;
+    ++asked;
+    const SceneDef def = walled(target);
+    const scene::WallRing rim =
+        scene::worked(def, {def.clay.outer_radius, def.clay.inner_radius}, mouth);
+    EXPECT_GT(rim.inner, 0.6 * rim.outer) << name;
+  }
+  EXPECT_GE(asked, 4);
 }
 
 }  // namespace

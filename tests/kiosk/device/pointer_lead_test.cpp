@@ -127,7 +127,7 @@ TEST(PointerLead, AScrubBesideTheWallLeavesItAboutWhereItStood) {
   ClayDef thin;
   thin.rows = 100;
   thin.sectors = 16;
-  thin.inner_radius = 0.045;
+  thin.inner_radius = 0.050;
   ClayView clay;
   clay.lay(thin);
   for (const double beside : {-0.03, 0.04}) {

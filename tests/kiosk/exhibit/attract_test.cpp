@@ -18,7 +18,7 @@ namespace {
 constexpr double kSmooth = 0.0003;  // m: what people call smooth
 // m above that, and above the turns of the vessel itself, in the middle of throwing: a press that
 // is under way has an upper and a lower edge. Scripts that went three times as fast left 4.3 mm.
-constexpr double kUnderWay = 0.00025;
+constexpr double kUnderWay = 0.0002;
 // Of the vessel's own turns: where a flat shoulder turns up into a neck, palms of 18 mm come to it
 // steeper for a while than it is.
 constexpr double kSteeper = 1.4;
