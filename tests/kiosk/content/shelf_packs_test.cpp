@@ -8,6 +8,9 @@
 #include <sstream>
 
 #include "kiosk/content/drawing.h"
+#include "kiosk/content/glaze.h"
+#include "kiosk/content/lesson.h"
+#include "kiosk/content/pack.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/settings/toml_reader.h"
 
@@ -37,7 +40,8 @@ const std::map<std::string, Pack>& packs() {
       root.text("licence", pack.licence);
       root.number("true_height_mm", pack.height, 1.0, 2000.0);
       root.number("true_diameter_mm", pack.diameter, 1.0, 2000.0);
-      for (const char* language : {"en", "ko"}) {
+      const PackRead read = read_pack(folder.path() / "vessel.toml");
+      for (const auto& [language, known] : read.pack.labels) {
         auto table = root.child("label").child(language);
         Label& label = pack.labels[language];
         table.text("title", label.title);
@@ -97,7 +101,30 @@ TEST(ShelfPacks, every_vessel_says_who_measured_it_and_who_may_use_it) {
   }
 }
 
-TEST(ShelfPacks, every_label_is_whole_in_english_and_korean) {
+/// The languages that `words` are in.
+template <class Words>
+std::set<std::string> languages_of(const std::map<std::string, Words>& words) {
+  std::set<std::string> codes;
+  for (const auto& [code, text] : words) codes.insert(code);
+  return codes;
+}
+
+TEST(ShelfPacks, a_language_that_one_label_has_all_labels_glazes_steps_and_screens_have) {
+  std::set<std::string> all;
+  for (const auto& [id, pack] : packs()) all.merge(languages_of(pack.labels));
+  for (const char* code : {"en", "ko", "es", "fr", "de"}) EXPECT_TRUE(all.contains(code)) << code;
+  for (const std::string& code : all)
+    EXPECT_TRUE(fs::exists("content/languages/" + code + ".toml")) << code;
+  for (const auto& [id, pack] : packs()) EXPECT_EQ(languages_of(pack.labels), all) << id;
+  for (const Glaze& glaze : read_glazes("content/glazes.toml").glazes) {
+    EXPECT_EQ(languages_of(glaze.name), all) << glaze.id;
+    EXPECT_EQ(languages_of(glaze.about), all) << glaze.id;
+  }
+  for (const LessonStep& step : read_lesson("content/lessons/first_minute.toml").steps)
+    EXPECT_EQ(languages_of(step.words), all) << step.id;
+}
+
+TEST(ShelfPacks, every_label_is_whole_in_each_of_its_languages) {
   for (const auto& [id, pack] : packs())
     for (const auto& [language, label] : pack.labels) {
       SCOPED_TRACE(id + " " + language);
@@ -122,11 +149,14 @@ TEST(ShelfPacks, no_label_is_longer_than_a_visitor_reads) {
 }
 
 TEST(ShelfPacks, a_vessel_that_no_wheel_made_is_called_a_shape_study) {
-  for (const char* id : {"black_topped_jar", "cylinder_vase", "olla"}) {
-    const Pack& pack = packs().at(id);
-    EXPECT_NE(pack.labels.at("en").made.find("shape study"), std::string::npos) << id;
-    EXPECT_NE(pack.labels.at("ko").made.find("형태 연구"), std::string::npos) << id;
-  }
+  const std::pair<const char*, const char*> calls[] = {{"en", "shape study"},
+                                                       {"ko", "형태 연구"},
+                                                       {"es", "estudio de forma"},
+                                                       {"fr", "étude de forme"},
+                                                       {"de", "Formstudie"}};
+  for (const char* id : {"black_topped_jar", "cylinder_vase", "olla"})
+    for (const auto& [code, words] : calls)
+      EXPECT_NE(packs().at(id).labels.at(code).made.find(words), std::string::npos) << id << code;
 }
 
 TEST(ShelfPacks, every_drawing_has_the_height_and_diameter_that_its_label_claims) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "kiosk/content/catalogue.h"
 #include "kiosk/render/text.h"
 #include "tests/kiosk/screens/layout_check.h"
@@ -7,13 +9,26 @@
 namespace onggi::screens {
 namespace {
 
-/// The exhibit's own shelf and the fonts it is shown in.
+/// All languages that come with the exhibit, whether it offers them or not.
+std::vector<content::Language> all_languages() {
+  std::vector<content::Language> all;
+  for (const auto& file : std::filesystem::directory_iterator("content/languages")) {
+    auto read = content::Language::read(file.path());
+    EXPECT_TRUE(read) << (read ? "" : to_text(read.error()));
+    if (read) all.push_back(*read);
+  }
+  EXPECT_GE(all.size(), 5u);
+  return all;
+}
+
+/// The exhibit's own shelf and the fonts it is shown in, in every language that comes.
 void check_all(int width, int height, bool larger = false) {
   const render::Typesetter fonts;
   const content::Catalogue shelf = content::open_shelf("content/vessels");
   ASSERT_GE(shelf.vessels.size(), 8u);
-  for (const bool korean : {false, true}) {
+  for (const content::Language& language : all_languages()) {
     Visitor v(0, &fonts, true);
+    v.languages = {language, v.languages.front()};
     v.vessels = shelf.vessels;
     for (content::Vessel& vessel : v.vessels) {
       const double scale = 0.2 / vessel.extracted.profile.height();
@@ -23,8 +38,7 @@ void check_all(int width, int height, bool larger = false) {
     v.height = height;
     v.exhibit.screen.larger_text = larger;
     v.show();
-    if (korean) v.touch("language");
-    walk(v, [&](const std::string& name) { check_layout(v, fonts, name); });
+    walk(v, [&](const std::string& name) { check_layout(v, fonts, language.code() + " " + name); });
   }
 }
 
@@ -36,18 +50,18 @@ TEST(Fonts, NothingIsCutOrOverlapsAt1024x600) { check_all(1024, 600); }
 TEST(Fonts, NorWithLargerTextUpright) { check_all(1080, 1920, true); }
 TEST(Fonts, NorWithLargerTextAcross) { check_all(1280, 720, true); }
 
-TEST(Fonts, EveryVesselsLabelIsReadToItsEndInBothLanguages) {
+TEST(Fonts, EveryVesselsLabelIsReadToItsEndInEveryLanguage) {
   const render::Typesetter fonts;
   const content::Catalogue shelf = content::open_shelf("content/vessels");
-  for (const bool korean : {false, true}) {
+  for (const content::Language& language : all_languages()) {
     Visitor v(0, &fonts);
+    v.languages = {language, v.languages.front()};
     v.vessels = shelf.vessels;
     for (content::Vessel& vessel : v.vessels)
       v.shelf.push_back({&vessel, 7, jar(0.08), 0.65, v.wheel});
     v.width = 1024;
     v.height = 600;
     v.show();
-    if (korean) v.touch("language");
     v.down(500, 5), v.up(500, 5);
     v.show();
     for (std::size_t i = 0; i < v.shelf.size(); ++i) {

@@ -28,11 +28,26 @@ std::multiset<std::string> places(const std::string& words) {
   return found;
 }
 
-TEST(Words, EnglishAndKoreanSayTheSameThingsWithTheSamePlaces) {
-  const auto en = read("en"), ko = read("ko");
-  EXPECT_EQ(en.keys(), ko.keys());
-  for (const std::string& key : en.keys())
-    EXPECT_EQ(places(en.say(key)), places(ko.say(key))) << key;
+/// All that come with the exhibit, offered or not.
+std::vector<content::Language> all_languages() {
+  std::vector<content::Language> all;
+  for (const auto& file : std::filesystem::directory_iterator("content/languages"))
+    all.push_back(read(file.path().stem().string()));
+  return all;
+}
+
+TEST(Words, EveryLanguageThatComesSaysTheSameThingsWithTheSamePlaces) {
+  const auto en = read("en");
+  const auto all = all_languages();
+  EXPECT_GE(all.size(), 5u);
+  std::set<std::string> codes;
+  for (const auto& language : all) {
+    SCOPED_TRACE(language.code());
+    EXPECT_TRUE(codes.insert(language.code()).second) << "two files have one code";
+    EXPECT_EQ(en.keys(), language.keys());
+    for (const std::string& key : en.keys())
+      EXPECT_EQ(places(en.say(key)), places(language.say(key))) << key;
+  }
 }
 
 TEST(Words, EveryKeyThatTheScreensUseIsThere) {
@@ -66,15 +81,13 @@ TEST(Words, EveryKeyThatTheScreensUseIsThere) {
 }
 
 TEST(Words, EveryRemarkOfAScoreHasItsWords) {
-  const auto en = read("en"), ko = read("ko");
-  for (const std::string& key : score::remark_keys()) {
-    EXPECT_NE(en.say(key).front(), '[') << key;
-    EXPECT_NE(ko.say(key).front(), '[') << key;
-  }
+  for (const auto& language : all_languages())
+    for (const std::string& key : score::remark_keys())
+      EXPECT_NE(language.say(key).front(), '[') << language.code() << " " << key;
 }
 
 TEST(Words, EveryScreenHasItsHelp) {
-  for (const auto& language : {read("en"), read("ko")})
+  for (const auto& language : all_languages())
     for (const char* screen : {"attract", "choose", "throw", "result", "kiln", "keepsake", "fault"})
       for (const char* kind : {"", "_keys"})
         EXPECT_NE(language.say(std::string("help.") + screen + kind).front(), '[');
