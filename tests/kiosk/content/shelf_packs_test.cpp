@@ -112,7 +112,8 @@ std::set<std::string> languages_of(const std::map<std::string, Words>& words) {
 TEST(ShelfPacks, a_language_that_one_label_has_all_labels_glazes_steps_and_screens_have) {
   std::set<std::string> all;
   for (const auto& [id, pack] : packs()) all.merge(languages_of(pack.labels));
-  for (const char* code : {"en", "ko", "es", "fr", "de"}) EXPECT_TRUE(all.contains(code)) << code;
+  for (const char* code : {"en", "ko", "es", "fr", "de", "ja", "zh", "ar"})
+    EXPECT_TRUE(all.contains(code)) << code;
   for (const std::string& code : all)
     EXPECT_TRUE(fs::exists("content/languages/" + code + ".toml")) << code;
   for (const auto& [id, pack] : packs()) EXPECT_EQ(languages_of(pack.labels), all) << id;
@@ -149,11 +150,10 @@ TEST(ShelfPacks, no_label_is_longer_than_a_visitor_reads) {
 }
 
 TEST(ShelfPacks, a_vessel_that_no_wheel_made_is_called_a_shape_study) {
-  const std::pair<const char*, const char*> calls[] = {{"en", "shape study"},
-                                                       {"ko", "형태 연구"},
-                                                       {"es", "estudio de forma"},
-                                                       {"fr", "étude de forme"},
-                                                       {"de", "Formstudie"}};
+  const std::pair<const char*, const char*> calls[] = {
+      {"en", "shape study"},    {"ko", "형태 연구"},  {"es", "estudio de forma"},
+      {"fr", "étude de forme"}, {"de", "Formstudie"}, {"ja", "形の研究"},
+      {"zh", "器形研究"},       {"ar", "دراسة للشكل"}};
   for (const char* id : {"black_topped_jar", "cylinder_vase", "olla"})
     for (const auto& [code, words] : calls)
       EXPECT_NE(packs().at(id).labels.at(code).made.find(words), std::string::npos) << id << code;
