@@ -6,9 +6,9 @@ set output ARG3
 
 set lmargin at screen 0.105
 set rmargin at screen 0.83
-set tmargin at screen 0.86
+set tmargin at screen 0.85
 set bmargin at screen 0.12
-set label 1 "How stiff a wall a device bears at 1 kHz" at screen 0.105,0.95 font "sans-serif,18" textcolor rgb ink
+set label 1 "How stiff a wall a device bears at 1 kHz" at screen 0.105,0.965 font "sans-serif,18" textcolor rgb ink
 set logscale y
 set xrange [-0.15:3.15]
 set yrange [2:4000]
@@ -18,7 +18,8 @@ set ylabel "stiffness, N/m" textcolor rgb ink
 green = "#009E73"
 of(b) = b < 0.3 ? paper : b < 0.7 ? corrected : green
 # A colour is a device, a kind of line what is asked of it.
-set label 2 "dashed: up to here a spring is passive; dots: what a device is given; triangles: stable behind the paper's filter" at screen 0.105,0.905 textcolor rgb published
+set label 2 "dashed: up to here a spring is passive; dots: what a device is given;" at screen 0.105,0.92 textcolor rgb published
+set label 3 "triangles: stable behind the paper's filter" at screen 0.105,0.885 textcolor rgb published
 set label 10 "the wheel head" at 3.2,501 textcolor rgb published
 set label 11 "1.0 N s/m" at 3.2,232 textcolor rgb green
 set label 12 "0.5 N s/m" at 3.2,116 textcolor rgb corrected
