@@ -49,6 +49,12 @@ void bind_texture(GLuint name) {
   glBindTexture(GL_TEXTURE_2D, name);
 }
 
+void bind_samples(int unit, GLuint name) {
+  ++work.switches;
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, name);
+}
+
 void draw_elements(GLenum mode, GLsizei count, GLenum type, std::size_t first) {
   ++work.draws;
   work.vertices += static_cast<std::uint64_t>(count);
@@ -56,10 +62,10 @@ void draw_elements(GLenum mode, GLsizei count, GLenum type, std::size_t first) {
   glDrawElements(mode, count, type, reinterpret_cast<const void*>(first * size));
 }
 
-void draw_arrays(GLenum mode, GLint first, GLsizei count) {
+void draw_elements_times(GLenum mode, GLsizei count, GLenum type, GLsizei times) {
   ++work.draws;
-  work.vertices += static_cast<std::uint64_t>(count);
-  glDrawArrays(mode, first, count);
+  work.vertices += static_cast<std::uint64_t>(count) * static_cast<std::uint64_t>(times);
+  glDrawElementsInstanced(mode, count, type, nullptr, times);
 }
 
 void buffer_data(GLenum target, std::size_t bytes, const void* data, GLenum usage) {
@@ -80,15 +86,24 @@ void texture_image(GLint level, GLint internal, int width, int height, GLenum fo
 }
 
 void texture_part(int x, int y, int width, int height, GLenum format, GLenum type,
-                  const void* pixels) {
+                  const void* pixels, int row_length) {
   work.bytes += area(width, height) * texel_bytes(format, type);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, row_length);
   glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, format, type, pixels);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-void copy(int width, int height) {
+void texture_samples(int samples, GLint internal, int width, int height) {
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, static_cast<GLenum>(internal), width,
+                          height, GL_TRUE);
+}
+
+void copy(int x, int y, int width, int height) {
+  if (width < 1 || height < 1) return;
   work.copied += area(width, height);
-  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitFramebuffer(x, y, x + width, y + height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
 }
 
 bool Shading::counted() { return epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query"); }

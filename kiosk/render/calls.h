@@ -19,22 +19,29 @@ void bind_framebuffer(GLenum target, GLuint name);
 void bind_texture(int unit, GLuint name);
 /// To the unit at hand: to upload, or to set how it is read.
 void bind_texture(GLuint name);
+/// One of many samples a texel.
+void bind_samples(int unit, GLuint name);
 
 /// `first`: of the indices, which are of `type`.
 void draw_elements(GLenum mode, GLsizei count, GLenum type, std::size_t first);
-void draw_arrays(GLenum mode, GLint first, GLsizei count);
+/// All of them so many times.
+void draw_elements_times(GLenum mode, GLsizei count, GLenum type, GLsizei times);
 
 /// `data` null: room, and nothing is uploaded.
 void buffer_data(GLenum target, std::size_t bytes, const void* data, GLenum usage);
 void buffer_part(GLenum target, std::size_t offset, std::size_t bytes, const void* data);
-/// Of the texture at hand, from rows without gaps. `pixels` null: room, and nothing is uploaded.
+/// Of the texture at hand. `pixels` null: room, and nothing is uploaded. Rows lie `row_length`
+/// pixels apart, 0: without gaps.
 void texture_image(GLint level, GLint internal, int width, int height, GLenum format, GLenum type,
                    const void* pixels);
 void texture_part(int x, int y, int width, int height, GLenum format, GLenum type,
-                  const void* pixels);
+                  const void* pixels, int row_length = 0);
 
-/// Colour of the read framebuffer's lower left width x height to the drawn one's.
-void copy(int width, int height);
+/// Room for a texture of many samples a texel, of the one at hand.
+void texture_samples(int samples, GLint internal, int width, int height);
+
+/// Colour of a rectangle of the read framebuffer to the same of the drawn one. From the lower left.
+void copy(int x, int y, int width, int height);
 
 /// Counts shader runs while it lives, where `on` and the driver can; waits for them at its end.
 class Shading {

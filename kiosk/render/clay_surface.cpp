@@ -7,12 +7,8 @@
 namespace onggi::render {
 namespace {
 
-// Radii wrap round the axis and end at foot and rim.
-Texture radius_texture(int sectors, int rows) {
-  Texture t = Texture::create(GL_R32F, sectors, rows, GL_RED, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  return t;
-}
+constexpr double kHalfTurn = 3.14159265358979, kLean = 0.35, kOutOfRound = 0.05;
+constexpr float kWiden = 1.25f;  // so that clay which spreads is not taken anew every frame
 
 }  // namespace
 
@@ -27,10 +23,17 @@ void ClaySurface::make_room(const ClayView& clay) {
   if (empty()) return;
   for (auto* each : {&mean_outer_, &mean_inner_, &middle_})
     each->assign(static_cast<std::size_t>(all_drawn_), 0.0f);
-  scratch_.resize(static_cast<std::size_t>(sectors_));
+  row_.resize(static_cast<std::size_t>(sectors_));
+  widest_ = 0;
   tears_.reset(all_drawn_, row_step_);
-  outer_ = radius_texture(sectors_, all_drawn_);
-  inner_ = radius_texture(sectors_, all_drawn_);
+  for (Radii* radii : {&outer_, &inner_}) {
+    radii->steps.assign(row_.size() * static_cast<std::size_t>(all_drawn_), 0);
+    radii->from = radii->to = 0;
+    radii->texture = Texture::create(GL_R16, sectors_, all_drawn_, GL_RED, GL_UNSIGNED_SHORT,
+                                     radii->steps.data());
+    // Radii wrap round the axis and end at foot and rim.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  }
 }
 
 void ClaySurface::show(const ClayView& clay) {
@@ -54,6 +57,7 @@ float ClaySurface::top_row() const {
 void ClaySurface::update(const ClayView& clay) {
   if (clay.room() != all_rows_ || clay.sectors() != all_sectors_) return show(clay);
   if (empty() || clay.change() == seen_) return;
+  make_wide(clay);
   if (height_ != clay.rim_height()) stacked_ = false;
   height_ = clay.rim_height();
   floor_top_ = clay.floor_top();
@@ -62,30 +66,65 @@ void ClaySurface::update(const ClayView& clay) {
     if (clay.placed_at(row) > seen_) tears_.note(row, clay.torn(row));
     if (row % row_step_ != 0 || row / row_step_ >= rows_) continue;
     const int j = row / row_step_;
-    if (clay.shaped_at(row) > seen_) upload_row(j, clay, row);
+    if (clay.shaped_at(row) > seen_) take_row(j, clay, row);
     float& middle = middle_[static_cast<std::size_t>(j)];
     const auto now = static_cast<float>(clay.row_height(row));
     if (middle != now) stacked_ = false;
     middle = now;
   }
+  for (Radii* radii : {&outer_, &inner_}) send(*radii);
   seen_ = clay.change();
   changed_ = true;
 }
 
-void ClaySurface::upload_row(int j, const ClayView& clay, int row) {
-  const auto upload = [&](const Texture& texture, std::span<const float> radii) {
-    if (sector_step_ > 1) {
-      for (std::size_t i = 0; i < scratch_.size(); ++i)
-        scratch_[i] = radii[i * static_cast<std::size_t>(sector_step_)];
-      radii = scratch_;
-    }
-    calls::bind_texture(texture.name.get());
-    calls::texture_part(0, j, sectors_, 1, GL_RED, GL_FLOAT, radii.data());
-  };
-  upload(outer_, clay.outer(row));
-  upload(inner_, clay.inner(row));
+void ClaySurface::make_wide(const ClayView& clay) {
+  float widest = 0;
+  for (int row = 0; row < clay.rows(); ++row)
+    for (const float r : clay.outer(row)) widest = std::max(widest, r);
+  if (widest <= widest_) return;
+  widest_ = kWiden * widest;
+  seen_ = 0;
+}
+
+void ClaySurface::take_row(int j, const ClayView& clay, int row) {
+  take_radii(outer_, j, clay.outer(row));
+  take_radii(inner_, j, clay.inner(row));
   mean_outer_[static_cast<std::size_t>(j)] = static_cast<float>(clay.mean_outer(row));
   mean_inner_[static_cast<std::size_t>(j)] = static_cast<float>(clay.mean_inner(row));
+}
+
+void ClaySurface::take_radii(Radii& radii, int j, std::span<const float> of) {
+  const float steps = 65535.0f / widest_;
+  const auto step = static_cast<std::size_t>(sector_step_);
+  for (std::size_t i = 0; i < row_.size(); ++i)
+    row_[i] = static_cast<std::uint16_t>(std::clamp(of[i * step] * steps + 0.5f, 0.0f, 65535.0f));
+  const std::span had =
+      std::span(radii.steps).subspan(row_.size() * static_cast<std::size_t>(j), row_.size());
+  const auto first = std::mismatch(row_.begin(), row_.end(), had.begin()).first;
+  if (first == row_.end()) return;
+  const auto last = std::mismatch(row_.rbegin(), row_.rend(), had.rbegin()).first;
+  const int left = static_cast<int>(first - row_.begin()),
+            right = static_cast<int>(row_.rend() - last);
+  std::copy(row_.begin(), row_.end(), had.begin());
+  // Rows that lie together go together.
+  if (radii.to != j) send(radii);
+  const bool begun = radii.from < radii.to;
+  if (!begun) radii.from = j;
+  radii.to = j + 1;
+  radii.left = begun ? std::min(radii.left, left) : left;
+  radii.right = begun ? std::max(radii.right, right) : right;
+}
+
+void ClaySurface::send(Radii& radii) {
+  if (radii.from < radii.to) {
+    calls::bind_texture(radii.texture.name.get());
+    calls::texture_part(radii.left, radii.from, radii.right - radii.left, radii.to - radii.from,
+                        GL_RED, GL_UNSIGNED_SHORT,
+                        &radii.steps[row_.size() * static_cast<std::size_t>(radii.from) +
+                                     static_cast<std::size_t>(radii.left)],
+                        sectors_);
+  }
+  radii.from = radii.to = 0;
 }
 
 // A height is between the middles of two rows; below the lowest and above the highest it is theirs.
@@ -115,9 +154,13 @@ void ClaySurface::stack() {
 }
 
 float ClaySurface::lip() const {
-  if (rows_ < 1) return 0.0f;
+  return std::min(static_cast<float>(kLipRadius), 0.5f * static_cast<float>(rim_wall()));
+}
+
+double ClaySurface::rim_wall() const {
+  if (rows_ < 1) return 0.0;
   const auto top = static_cast<std::size_t>(rows_ - 1);
-  return std::min(static_cast<float>(kLipRadius), 0.5f * (mean_outer_[top] - mean_inner_[top]));
+  return static_cast<double>(mean_outer_[top] - mean_inner_[top]);
 }
 
 bool ClaySurface::refresh(Texture& levels_texture) {
@@ -141,6 +184,39 @@ bool ClaySurface::refresh(Texture& levels_texture) {
   upload(levels_, levels_texture);
   changed_ = false;
   return true;
+}
+
+double ClaySurface::mouth() const {
+  return empty() ? 0.0 : static_cast<double>(mean_inner_[static_cast<std::size_t>(rows_ - 1)]);
+}
+
+// A wall of radius r and slope s at height y is seen `a` from the front where
+// cos a > (r + s (eye.y - y)) / distance.
+double ClaySurface::facing(Vec3 eye) const {
+  const double away = std::hypot(eye.x, eye.z);
+  if (rows_ < 2 || away < 2.0 * max_radius()) return 1.0;
+  double least = 1.0;
+  for (std::size_t j = 1; j < static_cast<std::size_t>(rows_); ++j) {
+    const double rise = std::max(static_cast<double>(middle_[j] - middle_[j - 1]), 1e-6);
+    const double slope = static_cast<double>(mean_outer_[j] - mean_outer_[j - 1]) / rise;
+    const double y = static_cast<double>(middle_[j]);
+    // Single rings lean more than means do.
+    const double tilt = slope * (eye.y - y) - kLean * std::abs(eye.y - y);
+    least = std::min(least, (static_cast<double>(mean_outer_[j]) + tilt) / away);
+  }
+  const double edge = least - kOutOfRound;
+  return edge <= -1.0 ? 1.0 : std::acos(std::min(edge, 1.0)) / kHalfTurn;
+}
+
+// What one sees past the near edge of the mouth lies no lower than where the steepest of all such
+// looks meets the widest ring.
+double ClaySurface::seen_into(Vec3 eye) const {
+  const double rim = height_ - kLipRadius, deepest = rim - floor_top_;
+  // Means round the axis are known; a pot that is out of round is wider here and there.
+  const double mouth = 1.2 * this->mouth() + 0.003, widest = 1.2 * max_radius() + 0.003;
+  const double away = std::hypot(eye.x, eye.z) - mouth;
+  if (away <= 0.01 || deepest <= 0.001) return 1.0;
+  return std::min(std::max(eye.y - rim, 0.0) / away * (mouth + widest) / deepest, 1.0);
 }
 
 double ClaySurface::max_radius() const {

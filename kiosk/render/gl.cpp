@@ -81,12 +81,13 @@ Target::Target(int width, int height, bool depth, int samples) : width_(width), 
   framebuffer_ = FramebufferName(name);
   calls::bind_framebuffer(GL_FRAMEBUFFER, name);
   if (samples > 0) {
-    GLuint buffer = 0;
-    glGenRenderbuffers(1, &buffer);
-    samples_ = RenderbufferName(buffer);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+    sampled_ = TextureName(new_texture());
+    bind_samples(0);
+    calls::texture_samples(samples, GL_RGBA8, width, height);
+    // A driver may take more than it was asked for.
+    glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &samples_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
+                           sampled_.get(), 0);
   } else {
     color_ = Texture::create(GL_RGBA8, width, height, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name.get(),
@@ -97,7 +98,7 @@ Target::Target(int width, int height, bool depth, int samples) : width_(width), 
     glGenRenderbuffers(1, &buffer);
     depth_ = RenderbufferName(buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8, width, height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH24_STENCIL8, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, buffer);
   }
 }
@@ -110,12 +111,12 @@ void Target::bind() const {
 void Target::resolve_to(const Target& to) const {
   calls::bind_framebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
   calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer());
-  calls::copy(width_, height_);
+  calls::copy(0, 0, width_, height_);
 }
 
 Mesh::Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indices,
-           std::size_t index_count, std::initializer_list<int> attributes)
-    : count_(static_cast<int>(index_count)) {
+           std::size_t index_count, std::initializer_list<int> attributes, Of of)
+    : count_(static_cast<int>(index_count)), of_(of) {
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   array_ = ArrayName(name);
@@ -144,7 +145,18 @@ Mesh::Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indic
 
 void Mesh::draw_some(int first, int count) const {
   calls::bind_array(array_.get());
-  calls::draw_elements(GL_TRIANGLES, count, GL_UNSIGNED_INT, static_cast<std::size_t>(first));
+  calls::draw_elements(of_ == Of::strip ? GL_TRIANGLE_STRIP : GL_TRIANGLES, count, GL_UNSIGNED_INT,
+                       static_cast<std::size_t>(first));
+}
+
+void Mesh::draw_times(int times) const {
+  calls::bind_array(array_.get());
+  calls::draw_elements_times(of_ == Of::strip ? GL_TRIANGLE_STRIP : GL_TRIANGLES, count_,
+                             GL_UNSIGNED_INT, times);
+}
+
+int indices_of_rows(int columns, int rows) {
+  return rows < 1 ? 0 : 1 + rows * 2 * (columns + 1) + 2 * (rows - 1);
 }
 
 Mesh unit_grid(int columns, int rows) {
@@ -157,32 +169,26 @@ Mesh unit_grid(int columns, int rows) {
       places.push_back(static_cast<float>(y) / static_cast<float>(rows));
     }
   }
-  // Row by row from the first, so that a part of the index list is a part of the height.
+  // The first vertex twice, so that triangles face as (a, b, b + 1) does, a below b; between rows
+  // two triangles without area.
+  indices.push_back(across);
   for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(rows); ++y) {
-    for (std::uint32_t x = 0; x < static_cast<std::uint32_t>(columns); ++x) {
-      const std::uint32_t a = y * across + x, b = a + across;
-      indices.insert(indices.end(), {a, b, b + 1, a, b + 1, a + 1});
-    }
+    if (y > 0) indices.insert(indices.end(), {indices.back(), (y + 1) * across});
+    for (std::uint32_t x = 0; x < across; ++x)
+      indices.insert(indices.end(), {(y + 1) * across + x, y * across + x});
   }
-  return Mesh(places.data(), places.size(), indices.data(), indices.size(), {2});
+  return Mesh(places.data(), places.size(), indices.data(), indices.size(), {2}, Mesh::Of::strip);
 }
 
-Mesh unit_disc(int corners) {
-  std::vector<float> places;
-  for (int i = 0; i < corners; ++i) {
-    places.push_back(static_cast<float>(i) / static_cast<float>(corners));
-    places.push_back(1.0f);
-  }
+std::vector<std::uint32_t> disc_indices(std::uint32_t corners) {
   // A triangle in the middle, and on each of its sides what is left of the circle, halved again and
   // again.
-  std::vector<std::uint32_t> indices;
-  const auto third = static_cast<std::uint32_t>(corners) / 3;
-  indices = {0, third, 2 * third};
-  const auto count = static_cast<std::uint32_t>(corners);
+  const std::uint32_t third = corners / 3;
+  std::vector<std::uint32_t> indices{0, third, 2 * third};
   for (std::uint32_t step = third; step > 1; step /= 2)
-    for (std::uint32_t from = 0; from < count; from += step)
-      indices.insert(indices.end(), {from, from + step / 2, (from + step) % count});
-  return Mesh(places.data(), places.size(), indices.data(), indices.size(), {2});
+    for (std::uint32_t from = 0; from < corners; from += step)
+      indices.insert(indices.end(), {from, from + step / 2, (from + step) % corners});
+  return indices;
 }
 
 }  // namespace onggi::render

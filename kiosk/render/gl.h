@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/math/vec.h"
@@ -99,38 +100,50 @@ class Target {
   void bind() const;
   /// Copies the picture into `to` (same size), resolving samples.
   void resolve_to(const Target& to) const;
+  int samples() const { return samples_; }
+  /// Only for targets with samples: to texture unit `unit`, to be fetched sample by sample.
+  void bind_samples(int unit) const { calls::bind_samples(unit, sampled_.get()); }
   /// Only for targets without samples.
   const Texture& color() const { return color_; }
   Texture take_color() { return std::move(color_); }
   GLuint framebuffer() const { return framebuffer_.get(); }
 
  private:
-  int width_ = 0, height_ = 0;
+  int width_ = 0, height_ = 0, samples_ = 0;
   FramebufferName framebuffer_;
   Texture color_;
-  RenderbufferName samples_, depth_;
+  TextureName sampled_;
+  RenderbufferName depth_;
 };
 
-/// Indexed triangles with interleaved float attributes of the given sizes, at locations 0, 1, ...
+/// Indexed triangles, or one strip of them, with interleaved float attributes of the given sizes,
+/// at locations 0, 1, ...
 class Mesh {
  public:
+  enum class Of : std::uint8_t { triangles, strip };
   Mesh() = default;
   Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indices,
-       std::size_t index_count, std::initializer_list<int> attributes);
+       std::size_t index_count, std::initializer_list<int> attributes, Of of = Of::triangles);
   void draw() const { draw_some(0, count_); }
   void draw_some(int first, int count) const;
+  /// All of it so many times, gl_InstanceID from 0, in one call.
+  void draw_times(int times) const;
   int count() const { return count_; }
 
  private:
   ArrayName array_;
   BufferName vertices_, indices_;
   int count_ = 0;
+  Of of_ = Of::triangles;
 };
 
-/// `columns` x `rows` cells over the unit square: the place attribute of most programs.
+/// `columns` x `rows` cells over the unit square, row by row from the first: the place attribute of
+/// most programs. One strip, as a third of the vertices make the same triangles.
 Mesh unit_grid(int columns, int rows);
-/// A disc whose rim has `corners` (3 times a power of two) corners, each (0..1 round, 1),
-/// out of few triangles as large as can be: no sliver of it reaches the middle.
-Mesh unit_disc(int corners);
+/// How many of its indices are its first `rows` rows.
+int indices_of_rows(int columns, int rows);
+/// A disc of `corners` (3 times a power of two) corners, numbered round it from 0, out of few
+/// triangles as large as can be: no sliver of it reaches the middle.
+std::vector<std::uint32_t> disc_indices(std::uint32_t corners);
 
 }  // namespace onggi::render

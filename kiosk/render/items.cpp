@@ -2,61 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <cstddef>
 
 #include "kiosk/render/shaders.h"
 
 namespace onggi::render {
 namespace {
 
-enum Mode { kBox = 0, kMask = 1, kPicture = 2, kLine = 3 };
+constexpr std::size_t kFlat = 0, kPicture = 1;  // MODE of item.glsl
 
-glm::vec4 premultiplied(view::Color c) { return {c.r * c.a, c.g * c.a, c.b * c.a, c.a}; }
-glm::vec4 as_vec(const view::Rect& r) { return {r.x, r.y, r.w, r.h}; }
+/// Of two lists the first and the end of what differs, beyond their common length too.
+template <typename Value>
+std::pair<std::size_t, std::size_t> changed(const std::vector<Value>& before,
+                                            const std::vector<Value>& now) {
+  const std::size_t common = std::min(before.size(), now.size());
+  std::size_t first = 0, end = now.size();
+  while (first < common && before[first] == now[first]) ++first;
+  if (before.size() == now.size())
+    while (end > first && before[end - 1] == now[end - 1]) --end;
+  return {first, end};
+}
 
-struct LineVertex {
-  glm::vec2 at;
-  glm::vec4 tint;
-  float across;
-};
-
-// A strip along the points, mitred at the corners and half a pixel longer at both ends. The strip
-// is wider than the line by a pixel, over which the shader fades it.
-std::vector<LineVertex> strip_of(const view::Line& line) {
-  std::vector<glm::vec2> p;
-  std::vector<glm::vec4> tint;
-  for (std::size_t i = 0; i < line.points.size(); ++i) {
-    const glm::vec2 at(line.points[i].first, line.points[i].second);
-    if (!p.empty() && glm::length(at - p.back()) < 0.01f) continue;
-    p.push_back(at);
-    const view::Color c = line.colors.empty()      ? view::Color{0, 0, 0, 1}
-                          : line.colors.size() > i ? line.colors[i]
-                                                   : line.colors.front();
-    tint.push_back(premultiplied(c));
+/// What differs of `now` goes into the buffer bound to `target`, which has `room` of them.
+template <typename Value>
+void renew(GLenum target, std::vector<Value>& before, const std::vector<Value>& now,
+           std::size_t& room) {
+  if (now.size() > room) {
+    room = 2 * now.size();
+    calls::buffer_data(target, room * sizeof(Value), nullptr, GL_DYNAMIC_DRAW);
+    before.clear();
   }
-  std::vector<LineVertex> out;
-  if (p.size() < 2) return out;
-  const float half = 0.5f * line.width + 1.0f;
-  const bool closed = p.size() > 3 && glm::length(p.front() - p.back()) < 0.5f;
-  const std::size_t n = p.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool first = i == 0, last = i + 1 == n;
-    glm::vec2 in = first ? (closed ? p[0] - p[n - 2] : p[1] - p[0]) : p[i] - p[i - 1];
-    glm::vec2 on = last ? (closed ? p[1] - p[0] : in) : p[i + 1] - p[i];
-    in = glm::normalize(in);
-    on = glm::normalize(on);
-    const glm::vec2 normal_in(-in.y, in.x), normal_on(-on.y, on.x);
-    glm::vec2 miter = normal_in + normal_on;
-    const float length = glm::length(miter);
-    miter = length < 0.2f ? normal_in : miter / length;
-    const float stretch = 1.0f / std::max(glm::dot(miter, normal_in), 0.4f);
-    glm::vec2 at = p[i];
-    if (!closed && first) at -= on * 0.5f;
-    if (!closed && last) at += in * 0.5f;
-    out.push_back({at + miter * (half * stretch), tint[i], half});
-    out.push_back({at - miter * (half * stretch), tint[i], -half});
-  }
-  return out;
+  const auto [first, end] = changed(before, now);
+  if (first < end)
+    calls::buffer_part(target, first * sizeof(Value), (end - first) * sizeof(Value), &now[first]);
+  before = now;
 }
 
 }  // namespace
@@ -69,22 +48,27 @@ Result<std::unique_ptr<ItemPainter>> ItemPainter::create() {
     if (!program) return tl::unexpected(program.error());
     painter->programs_[mode] = std::move(*program);
   }
-  painter->quad_ = unit_grid(1, 1);
+  painter->no_text_ = Texture::create(GL_R8, 1, 1, GL_RED, GL_UNSIGNED_BYTE, nullptr);
   GLuint name = 0;
   glGenVertexArrays(1, &name);
-  painter->line_array_ = ArrayName(name);
+  painter->array_ = ArrayName(name);
   calls::bind_array(name);
   glGenBuffers(1, &name);
-  painter->line_vertices_ = BufferName(name);
+  painter->vertices_ = BufferName(name);
   glBindBuffer(GL_ARRAY_BUFFER, name);
-  const auto attribute = [](GLuint at, int size, std::size_t offset) {
+  glGenBuffers(1, &name);
+  painter->indices_ = BufferName(name);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
+  const auto attribute = [](GLuint at, int size, GLenum type, std::size_t offset) {
     glEnableVertexAttribArray(at);
-    glVertexAttribPointer(at, size, GL_FLOAT, GL_FALSE, sizeof(LineVertex),
-                          reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(at, size, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE,
+                          sizeof(ItemVertex), reinterpret_cast<const void*>(offset));
   };
-  attribute(0, 2, offsetof(LineVertex, at));
-  attribute(1, 4, offsetof(LineVertex, tint));
-  attribute(2, 1, offsetof(LineVertex, across));
+  attribute(0, 2, GL_FLOAT, offsetof(ItemVertex, at));
+  attribute(1, 2, GL_FLOAT, offsetof(ItemVertex, own));
+  attribute(2, 4, GL_UNSIGNED_BYTE, offsetof(ItemVertex, fill));
+  attribute(3, 4, GL_UNSIGNED_BYTE, offsetof(ItemVertex, border_fill));
+  attribute(4, 4, GL_FLOAT, offsetof(ItemVertex, shape));
   return painter;
 }
 
@@ -94,69 +78,53 @@ void ItemPainter::begin(int width, int height) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   size_ = glm::vec2(width, height);
+  strips_.clear();
+  runs_.clear();
 }
 
-const Program& ItemPainter::use(int mode) const {
-  const Program& program = programs_[static_cast<std::size_t>(mode)];
-  program.use();
-  program.set("size", size_);
-  program.set("image", 0);
-  return program;
+void ItemPainter::go_on(bool picture, std::uint64_t name) {
+  if (!runs_.empty() && runs_.back().picture == picture) {
+    Run& run = runs_.back();
+    if (run.name == name || (!picture && name == 0)) return;
+    if (!picture && run.name == 0) {
+      run.name = name;
+      return;
+    }
+  }
+  runs_.push_back({picture, name, strips_.indices.size()});
 }
 
-void ItemPainter::draw(const view::Item& item, const Pictures& pictures) {
+void ItemPainter::add(const view::Item& item, const Pictures& pictures) {
   if (const auto* box = std::get_if<view::Box>(&item)) {
-    draw_box(*box);
+    go_on(false, 0);
+    strips_.add(*box);
   } else if (const auto* text = std::get_if<view::Text>(&item)) {
-    draw_text(*text);
+    add_text(*text);
   } else if (const auto* line = std::get_if<view::Line>(&item)) {
-    draw_line(*line);
+    go_on(false, 0);
+    strips_.add(*line);
   } else if (const auto* picture = std::get_if<view::Picture>(&item)) {
     const auto found = pictures.find(picture->id);
-    if (found != pictures.end()) draw_picture(*picture, found->second);
+    if (found != pictures.end()) add_picture(*picture, found->second);
   }
 }
 
-void ItemPainter::draw_box(const view::Box& box) {
-  if (box.rect.w <= 0 || box.rect.h <= 0) return;
-  const Program& program = use(kBox);
-  program.set("rect", as_vec(box.rect));
-  program.set("fill", premultiplied(box.fill));
-  program.set("border_fill", premultiplied(box.border_color));
-  program.set("radius", box.radius);
-  program.set("border", box.border);
-  quad_.draw();
-}
-
-void ItemPainter::draw_text(const view::Text& text) {
+void ItemPainter::add_text(const view::Text& text) {
   if (text.text.empty()) return;
   const Typesetter::Block& block = typesetter_.set(text.text, text.style, text.box.w);
   if (block.height > text.box.h + 1.0f || (text.box.w > 0 && block.width > text.box.w + 1.0f)) {
     ++overflows_;
     last_overflow_ = text.text;
   }
-  const auto pad = static_cast<float>(block.pad);
-  const Program& program = use(kMask);
-  program.set("rect", glm::vec4(std::round(text.box.x) - pad, std::round(text.box.y) - pad,
-                                block.mask.width, block.mask.height));
-  program.set("fill", premultiplied(text.color));
-  block.mask.bind(0);
-  quad_.draw();
+  if (block.w == 0) return;
+  go_on(false, block.mask.page);
+  strips_.add_mask({std::round(text.box.x) + static_cast<float>(block.x),
+                    std::round(text.box.y) + static_cast<float>(block.y),
+                    static_cast<float>(block.w), static_cast<float>(block.h)},
+                   block.mask.x, block.mask.y, text.color);
 }
 
-void ItemPainter::draw_line(const view::Line& line) {
-  const std::vector<LineVertex> strip = strip_of(line);
-  if (strip.empty()) return;
-  const Program& program = use(kLine);
-  program.set("radius", 0.5f * line.width);
-  calls::bind_array(line_array_.get());
-  glBindBuffer(GL_ARRAY_BUFFER, line_vertices_.get());
-  calls::buffer_data(GL_ARRAY_BUFFER, strip.size() * sizeof(LineVertex), strip.data(),
-                     GL_STREAM_DRAW);
-  calls::draw_arrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(strip.size()));
-}
-
-void ItemPainter::draw_picture(const view::Picture& picture, const Stored& stored) {
+void ItemPainter::add_picture(const view::Picture& picture, const Stored& stored) {
   const Texture& texture = stored.texture;
   const float w = static_cast<float>(texture.width), h = static_cast<float>(texture.height);
   const float fit = std::min(picture.box.w / w, picture.box.h / h);
@@ -164,23 +132,56 @@ void ItemPainter::draw_picture(const view::Picture& picture, const Stored& store
                 picture.box.y + 0.5f * (picture.box.h - h * fit), w * fit, h * fit};
   at.x = std::round(at.x);
   at.y = std::round(at.y);
-  const Program& program = use(kPicture);
-  program.set("rect", as_vec(at));
-  program.set("part", stored.bottom_up ? glm::vec4(0, 1, 1, -1) : glm::vec4(0, 0, 1, 1));
-  program.set("opacity", picture.opacity);
-  texture.bind(0);
-  quad_.draw();
+  go_on(true, picture.id);
+  strips_.add_picture(at, stored.bottom_up ? glm::vec4(0, 1, 1, -1) : glm::vec4(0, 0, 1, 1),
+                      picture.opacity);
 }
 
-void ItemPainter::draw_layer(const Texture& layer, const view::Rect& rect, glm::vec4 part,
-                             float opacity) {
-  const Program& program = use(kPicture);
-  program.set("rect", as_vec(rect));
+void ItemPainter::upload() {
+  calls::bind_array(array_.get());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+  renew(GL_ARRAY_BUFFER, uploaded_.vertices, strips_.vertices, room_);
+  renew(GL_ELEMENT_ARRAY_BUFFER, uploaded_.indices, strips_.indices, index_room_);
+}
+
+void ItemPainter::draw(const std::vector<view::Item>& items, const Pictures& pictures, int width,
+                       int height) {
+  begin(width, height);
+  for (const view::Item& item : items) add(item, pictures);
+  if (!strips_.indices.empty()) upload();
+  for (std::size_t n = 0; n < runs_.size(); ++n) {
+    const Run& run = runs_[n];
+    const std::size_t end = n + 1 < runs_.size() ? runs_[n + 1].first : strips_.indices.size();
+    if (end == run.first) continue;
+    const Program& program = programs_[run.picture ? kPicture : kFlat];
+    program.use();
+    program.set("size", size_);
+    program.set("image", 0);
+    if (run.picture)
+      pictures.at(static_cast<view::PictureId>(run.name)).texture.bind(0);
+    else if (run.name != 0)
+      typesetter_.masks().use(static_cast<std::uint32_t>(run.name)).bind(0);
+    else  // The target's own texture may be what is bound there.
+      no_text_.bind(0);
+    calls::draw_elements(GL_TRIANGLE_STRIP, static_cast<GLsizei>(end - run.first), GL_UNSIGNED_INT,
+                         run.first);
+  }
+  typesetter_.masks().end_of_use();
+}
+
+void ItemPainter::draw_layer(const Texture& layer, float opacity, int width, int height) {
+  begin(width, height);
   // Targets keep their rows from the bottom.
-  program.set("part", glm::vec4(part.x, 1.0f - part.y, part.z, -part.w));
-  program.set("opacity", opacity);
+  strips_.add_picture({0, 0, static_cast<float>(width), static_cast<float>(height)}, {0, 1, 1, -1},
+                      opacity);
+  upload();
+  const Program& program = programs_[kPicture];
+  program.use();
+  program.set("size", size_);
+  program.set("image", 0);
   layer.bind(0);
-  quad_.draw();
+  calls::draw_elements(GL_TRIANGLE_STRIP, static_cast<GLsizei>(strips_.indices.size()),
+                       GL_UNSIGNED_INT, 0);
 }
 
 }  // namespace onggi::render

@@ -5,15 +5,18 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "kiosk/render/gl.h"
+#include "kiosk/render/item_strips.h"
 #include "kiosk/render/text.h"
 #include "kiosk/view/frame.h"
 
 namespace onggi::render {
 
-/// Flat items over the picture: boxes, text, lines, pictures; and whole layers of pixels.
+/// Flat items over the picture: boxes, text, lines, pictures. All that lies between two pictures is
+/// one draw call, and of a buffer that hardly changed only that is uploaded.
 class ItemPainter {
  public:
   static Result<std::unique_ptr<ItemPainter>> create();
@@ -24,12 +27,10 @@ class ItemPainter {
   };
   using Pictures = std::unordered_map<view::PictureId, Stored>;
 
-  /// Starts a run of items for a frame of this size. Sets the blending they need.
-  void begin(int width, int height);
-  void draw(const view::Item& item, const Pictures& pictures);
-  /// A premultiplied layer over `rect`; `part` is the share of the texture to take (x, y, w, h,
-  /// from the top left, 0..1) of a target drawn by GL (rows from the bottom).
-  void draw_layer(const Texture& layer, const view::Rect& rect, glm::vec4 part, float opacity);
+  /// Draws `items` in order into the bound target, which is a frame of this size.
+  void draw(const std::vector<view::Item>& items, const Pictures& pictures, int width, int height);
+  /// `layer`, premultiplied and drawn by GL, over the whole of such a target.
+  void draw_layer(const Texture& layer, float opacity, int width, int height);
 
   const Typesetter& typesetter() const { return typesetter_; }
   std::uint64_t text_overflows() const { return overflows_; }
@@ -37,18 +38,28 @@ class ItemPainter {
 
  private:
   ItemPainter() = default;
-  void draw_box(const view::Box& box);
-  void draw_text(const view::Text& text);
-  void draw_line(const view::Line& line);
-  void draw_picture(const view::Picture& picture, const Stored& stored);
+  /// Indices that one texture goes with.
+  struct Run {
+    bool picture = false;
+    std::uint64_t name = 0;  // of the atlas page (0: no text yet), or of the picture
+    std::size_t first = 0;   // index
+  };
+  void add(const view::Item& item, const Pictures& pictures);
+  void add_text(const view::Text& text);
+  void add_picture(const view::Picture& picture, const Stored& stored);
+  /// The run goes on with text of this atlas page (0: with what has none), or with this picture.
+  void go_on(bool picture, std::uint64_t name);
+  void upload();
+  void begin(int width, int height);
 
-  const Program& use(int mode) const;
-
-  std::array<Program, 4> programs_;  // by mode
+  std::array<Program, 2> programs_;  // MODE of item.glsl
+  ArrayName array_;
+  BufferName vertices_, indices_;
+  Texture no_text_;
+  ItemStrips strips_, uploaded_;
+  std::vector<Run> runs_;
+  std::size_t room_ = 0, index_room_ = 0;  // in the buffers
   glm::vec2 size_{1.0f};
-  Mesh quad_;
-  ArrayName line_array_;
-  BufferName line_vertices_;
   Typesetter typesetter_;
   std::uint64_t overflows_ = 0;
   std::string last_overflow_;

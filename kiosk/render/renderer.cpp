@@ -67,7 +67,7 @@ class GlRenderer final : public Renderer {
 
   void present() override;
 
-  view::Image read_pixels() override { return screen_.read(*items_, pictures_); }
+  view::Image read_pixels() override { return screen_.read(painters()); }
 
   view::Image draw_offscreen(const view::Frame& frame) override {
     view::Frame still = frame;
@@ -75,8 +75,8 @@ class GlRenderer final : public Renderer {
     still.width = std::clamp(frame.width, 1, 4096);
     still.height = std::clamp(frame.height, 1, 4096);
     Canvas canvas;
-    canvas.paint(*stage_, *items_, pictures_, still, Quality{}, 1.0, Canvas::Onto::own);
-    return canvas.read(*items_, pictures_);
+    canvas.paint(painters(), still, Quality{}, 1.0, Canvas::Onto::own);
+    return canvas.read(painters());
   }
 
   view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
@@ -124,6 +124,7 @@ class GlRenderer final : public Renderer {
   void count_shading(bool on) override { shading_ = on; }
 
  private:
+  Painters painters() { return {*stage_, *items_, pictures_}; }
   double present_scale() const { return full_quality_ ? 1.0 : pacing_.scale(); }
   Quality moving_quality() const {
     if (!software_) return {};
@@ -182,12 +183,12 @@ void GlRenderer::draw(const view::Frame& frame) {
   changed_ = changed_ || !dropped_.empty();
   if (!changed_) return;
   const calls::Shading counted(shading_);
-  screen_.turn_to(frame, *items_, pictures_);
+  screen_.turn_to(frame, painters());
   for (const view::PictureId id : dropped_) pictures_.erase(id);
   dropped_.clear();
   if (!still || finer) drawn_full_ = finer || full_quality_ || !software_;
   const auto space = still && !finer ? Canvas::Space::keep : Canvas::Space::draw;
-  screen_.paint(*stage_, *items_, pictures_, frame, drawn_full_ ? Quality{} : moving_quality(),
+  screen_.paint(painters(), frame, drawn_full_ ? Quality{} : moving_quality(),
                 drawn_full_ ? 1.0 : pacing_.scale(),
                 fits(frame) ? Canvas::Onto::window : Canvas::Onto::own, space);
   glFinish();
@@ -203,7 +204,7 @@ void GlRenderer::present() {
   if (drawn_ && fits(*drawn_) && (changed_ || begun - swapped_ > kShownAgain)) {
     if (!changed_) {
       const calls::Shading counted(shading_);
-      screen_.show(*items_, pictures_);
+      screen_.show(painters());
     }
     window_->swap();
     glFinish();

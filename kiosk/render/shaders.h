@@ -10,6 +10,7 @@ extern const char* const k_clay_glsl;
 extern const char* const k_tool_glsl;
 extern const char* const k_torn_glsl;  ///< Behind clay.glsl, where rings are torn.
 extern const char* const k_solid_glsl;
+extern const char* const k_space_glsl;
 extern const char* const k_wheel_glsl;
 extern const char* const k_shadow_glsl;
 extern const char* const k_ground_glsl;

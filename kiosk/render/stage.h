@@ -2,11 +2,10 @@
 
 #include <array>
 #include <memory>
-#include <optional>
-#include <span>
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/render/backdrop.h"
 #include "kiosk/render/clay_skin.h"
 #include "kiosk/render/clay_surface.h"
 #include "kiosk/render/gl.h"
@@ -23,7 +22,7 @@ struct Quality {
   bool reflection = true;  ///< The pot mirrored in the wheel head.
   /// How much the clay may have moved since its shadow was cast, metres. Soft edges begin at 2.5
   /// mm.
-  double shadow_apart = 0.0;
+  double shadow_apart = 0.0005;
 };
 
 /// Everything in space: the clay, the wheel head, the tools, their light and shadow. Draws into the
@@ -33,21 +32,21 @@ class Stage {
   static Result<std::unique_ptr<Stage>> create();
 
   ClaySurface& clay() { return clay_; }
+  const Backdrop& backdrop() const { return *backdrop_; }
+  /// Before the others: what has changed of clay, light and water goes to the graphics side.
+  void prepare(const view::PotView& pot, const Quality& quality);
+  /// The pot's shadow on `plaster`, into the bound target of the same size.
+  void draw_ground(const view::PotView& pot, const Texture& plaster,
+                   const Backdrop::Extent& extent);
+  /// Of what stands on the ground: the wheel head, or the pot's foot. Metres.
+  float foot(const view::PotView& pot) const;
   /// Draws the pot into the bound target, which is `scale` times the camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
   void draw_portrait(const Portrait& portrait);
-  /// The plaster, over the whole bound target of this size.
-  void draw_plaster(int width, int height);
 
  private:
   Stage() = default;
-  /// `wheel_radius` 0: no wheel head.
-  /// `size` of the vessel, 1 where it has not shrunk.
-  void cast_shadow(double height, float wheel_radius, const Texture& levels, GLint back_to,
-                   float size = 1.0f);
   void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
-  void draw_ground(const glm::mat4& clip, bool wheel, float foot, float strength,
-                   glm::vec2 faded_size = glm::vec2(0.0f));
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
@@ -57,17 +56,16 @@ class Stage {
   Studio studio_;
   ClaySurface clay_;
   ClaySkin skin_;
-  std::array<std::array<Program, 6>, ClaySkin::kSkins> clay_programs_,
+  std::array<std::array<Program, 5>, ClaySkin::kSkins> clay_programs_,
       torn_programs_;  // by skin and part of clay.glsl; only walls and lips tear
   std::unique_ptr<ToolPainter> tools_;
-  std::array<Program, 2> wheel_programs_;
-  Program solid_program_, shadow_program_, ground_program_, plaster_program_;
-  std::array<Mesh, 4> walls_;
-  Mesh quad_, lip_, floor_, section_, disc_, edge_;
+  std::unique_ptr<Backdrop> backdrop_;
+  Program wheel_program_, solid_program_;
+  std::array<Mesh, 4> walls_, facing_;
+  std::array<Mesh, 3> lips_;
+  std::array<Mesh, 2> sections_;
+  Mesh mirrored_, floor_, wheel_;
   Texture clay_levels_, mesh_levels_;
-  Target shadow_;
-  std::optional<Levels> shadow_of_;  // nothing: another mesh's is in it
-  float shadow_wheel_ = 0, shadow_size_ = 1;
 };
 
 }  // namespace onggi::render

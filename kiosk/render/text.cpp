@@ -10,7 +10,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr std::size_t kMostBytes = 48u << 20;
 constexpr std::size_t kMostSizes = 4096;
 
 // Everything the look of a paragraph depends on but its colour, which the shader gives.
@@ -34,6 +33,33 @@ std::string families(const view::TextStyle& s) {
   out += serif ? ",Noto Naskh Arabic,Noto Serif Hebrew,Noto Serif Devanagari,Noto Serif Thai"
                : ",Noto Sans Arabic,Noto Sans Hebrew,Noto Sans Devanagari,Noto Sans Thai";
   return out + (serif ? ",serif" : ",sans-serif");
+}
+
+// The part of a mask that has ink: its bytes, and in `block` where it is.
+std::vector<std::uint8_t> ink_of(const unsigned char* from, std::size_t stride, int w, int h,
+                                 Typesetter::Block& block) {
+  int left = w, right = 0, top = h, bottom = 0;
+  for (int y = 0; y < h && from != nullptr; ++y) {
+    const unsigned char* row = from + static_cast<std::size_t>(y) * stride;
+    for (int x = 0; x < w; ++x) {
+      if (row[x] == 0) continue;
+      left = std::min(left, x);
+      right = std::max(right, x + 1);
+      top = std::min(top, y);
+      bottom = y + 1;
+    }
+  }
+  std::vector<std::uint8_t> mask;
+  if (right <= left) return mask;
+  block.x = left;
+  block.y = top;
+  block.w = right - left;
+  block.h = bottom - top;
+  for (int y = top; y < bottom; ++y) {
+    const unsigned char* row = from + static_cast<std::size_t>(y) * stride;
+    mask.insert(mask.end(), row + left, row + right);
+  }
+  return mask;
 }
 
 // Korean may break inside a word, but reads better when it does not (as museum labels are set).
@@ -120,53 +146,44 @@ view::TextMeasure::Size Typesetter::measure(const std::string& text, const view:
 const Typesetter::Block& Typesetter::set(const std::string& text, const view::TextStyle& style,
                                          float width) {
   std::string key = key_of(text, style, width);
-  if (const auto found = index_.find(key); found != index_.end()) {
-    blocks_.splice(blocks_.begin(), blocks_, found->second);
-    return found->second->second;
+  if (const auto found = blocks_.find(key); found != blocks_.end()) {
+    if (found->second.w > 0) masks_.use(found->second.mask.page);
+    return found->second;
   }
 
   PangoLayout* layout = pango_->layout(text, style, width);
   PangoRectangle logical;
   pango_layout_get_pixel_extents(layout, nullptr, &logical);
   Block block;
-  block.pad = static_cast<int>(std::ceil(0.4f * style.px));
+  // Pixels round the layout's box, for what overhangs it.
+  const int pad = static_cast<int>(std::ceil(0.4f * style.px));
   block.width = static_cast<float>(logical.width);
   block.height = static_cast<float>(logical.height);
   const int box = width > 0 ? static_cast<int>(std::ceil(width)) : 0;
-  const int w = std::clamp(std::max(box, logical.x + logical.width) + 2 * block.pad, 1, 8192);
-  const int h = std::clamp(logical.height + 2 * block.pad, 1, 8192);
+  const int w = std::clamp(std::max(box, logical.x + logical.width) + 2 * pad, 1, 8192);
+  const int h = std::clamp(logical.height + 2 * pad, 1, 8192);
   cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, w, h);
   cairo_t* cairo = cairo_create(surface);
   cairo_set_source_rgba(cairo, 1, 1, 1, 1);
-  cairo_move_to(cairo, block.pad, block.pad);
+  cairo_move_to(cairo, pad, pad);
   pango_cairo_show_layout(cairo, layout);
   cairo_destroy(cairo);
   cairo_surface_flush(surface);
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
-  std::vector<std::uint8_t> mask(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
-  const unsigned char* from = cairo_image_surface_get_data(surface);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(h) && from != nullptr; ++y) {
-    std::memcpy(&mask[y * static_cast<std::size_t>(w)], from + y * stride,
-                static_cast<std::size_t>(w));
-  }
+  const std::vector<std::uint8_t> mask =
+      ink_of(cairo_image_surface_get_data(surface), stride, w, h, block);
   cairo_surface_destroy(surface);
   g_object_unref(layout);
-
-  block.bytes = mask.size();
-  block.mask = Texture::create(GL_R8, w, h, GL_RED, GL_UNSIGNED_BYTE, mask.data());
-  // Pixel for pixel: filtering could only blur it.
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-
-  bytes_ += block.bytes;
-  blocks_.emplace_front(key, std::move(block));
-  index_[std::move(key)] = blocks_.begin();
-  while (bytes_ > kMostBytes && blocks_.size() > 1) {
-    bytes_ -= blocks_.back().second.bytes;
-    index_.erase(blocks_.back().first);
-    blocks_.pop_back();
+  block.x -= pad;
+  block.y -= pad;
+  if (block.w > 0) {
+    while (const std::uint32_t gone = masks_.drop_one())
+      std::erase_if(blocks_, [gone](const auto& one) {
+        return one.second.w > 0 && one.second.mask.page == gone;
+      });
+    block.mask = masks_.add(block.w, block.h, mask.data());
   }
-  return blocks_.front().second;
+  return blocks_[std::move(key)] = block;
 }
 
 }  // namespace onggi::render

@@ -1,19 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <list>
 #include <memory>
 #include <string>
 #include <unordered_map>
 
-#include "kiosk/render/gl.h"
+#include "kiosk/render/mask_atlas.h"
 #include "kiosk/view/measure.h"
 
 namespace onggi::render {
 
 /// Sets paragraphs with Pango: any script, right to left included, lines broken by the language's
 /// own habits, numbers in tabular figures. Measuring and drawing go through the same layout. Keeps
-/// what it has set, the least used first out. Main thread.
+/// what it has set, the pages least used first out. Main thread.
 class Typesetter final : public view::TextMeasure {
  public:
   Typesetter();
@@ -21,24 +20,22 @@ class Typesetter final : public view::TextMeasure {
 
   Size measure(const std::string& text, const view::TextStyle& style, float width) const override;
 
-  /// A paragraph as a coverage mask, ready to be drawn at (box.x - pad, box.y - pad).
+  /// A paragraph as a coverage mask, as small as its ink, to be drawn x, y from its box.
   struct Block {
-    Texture mask;
-    int pad = 0;      ///< Pixels round the layout's box, for what overhangs it.
-    float width = 0;  ///< Of the set text.
+    MaskAtlas::Place mask;
+    int x = 0, y = 0, w = 0, h = 0;  ///< Pixels; w 0: there is no ink.
+    float width = 0;                 ///< Of the set text.
     float height = 0;
-    std::size_t bytes = 0;
   };
-  /// Valid until the next call.
+  /// Valid until the next call; its mask until masks().end_of_use().
   const Block& set(const std::string& text, const view::TextStyle& style, float width);
+  MaskAtlas& masks() { return masks_; }
 
  private:
   struct Pango;
   std::unique_ptr<Pango> pango_;
-  using Entry = std::pair<std::string, Block>;
-  std::list<Entry> blocks_;  // most recently used first
-  std::unordered_map<std::string, std::list<Entry>::iterator> index_;
-  std::size_t bytes_ = 0;
+  MaskAtlas masks_;
+  std::unordered_map<std::string, Block> blocks_;
   mutable std::unordered_map<std::string, Size> sizes_;
 };
 

@@ -44,27 +44,33 @@ struct Maker {
   void face(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     t.insert(t.end(), {a, b, c, a, c, d});
   }
-  Mesh mesh() const { return Mesh(v.data(), v.size(), t.data(), t.size(), {3, 3, 1}); }
+  Mesh mesh(Mesh::Of of = Mesh::Of::triangles) const {
+    return Mesh(v.data(), v.size(), t.data(), t.size(), {3, 3, 1}, of);
+  }
 };
 
 /// A unit sphere about the origin whose upper half is the far one.
 Mesh capsule() {
   Maker make;
-  constexpr int kRound = 40, kDown = 12;  // of each half
-  for (int half = 0; half < 2; ++half)
-    for (int j = 0; j <= kDown; ++j) {
+  constexpr std::uint32_t kRound = 32, kDown = 8;  // of each half
+  for (std::uint32_t half = 0; half < 2; ++half)
+    for (std::uint32_t j = 0; j <= kDown; ++j) {
       const float polar =
           0.5f * glm::pi<float>() * (static_cast<float>(j) / kDown + static_cast<float>(half));
-      for (int i = 0; i <= kRound; ++i) {
+      for (std::uint32_t i = 0; i <= kRound; ++i) {
         const float a = 2 * glm::pi<float>() * static_cast<float>(i) / kRound;
         const glm::vec3 p(std::sin(polar) * std::cos(a), std::cos(polar),
                           std::sin(polar) * std::sin(a));
-        const std::uint32_t k = make.add(p, p, half == 0 ? 1.0f : 0.0f);
-        if (i == kRound || (half == 1 && j == kDown)) continue;
-        make.face(k, k + 1, k + kRound + 2, k + kRound + 1);
+        make.add(p, p, half == 0 ? 1.0f : 0.0f);
       }
     }
-  return make.mesh();
+  // One strip of the bands between rings.
+  for (std::uint32_t band = 0; band + 1 < 2 * (kDown + 1); ++band) {
+    const std::uint32_t upper = band * (kRound + 1), lower = upper + kRound + 1;
+    if (band > 0) make.t.insert(make.t.end(), {make.t.back(), lower});
+    for (std::uint32_t i = 0; i <= kRound; ++i) make.t.insert(make.t.end(), {lower + i, upper + i});
+  }
+  return make.mesh(Mesh::Of::strip);
 }
 
 Mesh box() {

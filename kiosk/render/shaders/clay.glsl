@@ -1,16 +1,19 @@
 // The clay: a mesh whose density is its own, displaced by the radius textures. Its columns stand
 // still in the studio while the texture turns past them, so the cut-away needs no discarded pixel.
-// PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of the floor, 5 of the wall. SKIN: 0
+// PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of floor and wall. SKIN: 0
 // dry clay, 1 wet clay, 2 glazed, 3 on its way to a glaze. Both are known when the program is made:
 // software rasterizers run every branch of a shader, and a scene without water has none of it.
 
 uniform mat4 clip_from_studio;
-uniform sampler2D outer_radius, inner_radius, grain;
+uniform sampler2D outer_radius, inner_radius;  // shares of the widest
+uniform float widest;
+uniform sampler2D grain;
 uniform sampler2D row_at;  // over the share of the height: share of the rows, and its slope
 uniform vec2 grid;  // sectors, rows of the textures
 uniform float first_wall_row, top_row, lip_radius, mean_lip;
-uniform float height, floor_height, clay_angle, open_from, open_angle, face_angle, pixel;
+uniform float height, floor_height, clay_angle, open_from, open_angle, front, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
+uniform float share;     // of the outer wall's height that is drawn, from the foot
 uniform float wetness, opened;
 uniform vec3 dry_color, wet_color;
 #if SKIN == 1
@@ -37,16 +40,19 @@ vec2 rows_at(float t) {
   float n = float(textureSize(row_at, 0).x);
   return textureLod(row_at, vec2((t * (n - 1.0) + 0.5) / n, 0.5), 0.0).rg;
 }
-float outer_at(float u, float t) { return textureLod(outer_radius, vec2(u, rows_at(t).x), 0.0).r; }
+float radius_at(sampler2D radius, float u, float row) {
+  return widest * textureLod(radius, vec2(u, row), 0.0).r;
+}
+float outer_at(float u, float t) { return radius_at(outer_radius, u, rows_at(t).x); }
 float inner_at(float u, float t) {
-  return textureLod(inner_radius, vec2(u, max(rows_at(t).x, first_wall_row)), 0.0).r;
+  return radius_at(inner_radius, u, max(rows_at(t).x, first_wall_row));
 }
 
 // A potter's wet finger leaves the lip round: half a torus on a thin wall, rounded edges on a thick
 // one. How deep it goes down at its faces.
 float lip_depth(float u) {
-  float inner = textureLod(inner_radius, vec2(u, top_row), 0.0).r;
-  float wall = textureLod(outer_radius, vec2(u, top_row), 0.0).r - inner;
+  float inner = radius_at(inner_radius, u, top_row);
+  float wall = radius_at(outer_radius, u, top_row) - inner;
   return min(lip_radius, inner > 0.0 ? 0.5 * wall : wall);
 }
 // And how far above that it is at `rho` from the axis. The top of a solid lump has one face only.
@@ -65,17 +71,17 @@ out vec2 surface;  // angle in the studio, share of the height
 
 void main() {
   float round_ = place.x, along = place.y;
-#if PART >= 4
-  float angle = face_angle;
+#if PART == 4
+  float angle = gl_InstanceID == 0 ? front : front - open_angle;
 #else
   float angle = open_from + open_angle + round_ * (2.0 * kPi - open_angle);
 #endif
   float u = turn_of(angle);
-#if PART != 3 && PART != 4
+#if PART != 3
   float depth = lip_depth(u), shoulder = height - depth;
 #endif
 #if PART == 0
-  float y = along * shoulder;
+  float y = along * share * shoulder;
   float r = outer_at(u, y / height);
 #elif PART == 1
   float top_outer = outer_at(u, shoulder / height), top_inner = inner_at(u, shoulder / height);
@@ -90,12 +96,11 @@ void main() {
 #elif PART == 3
   float y = floor_height;
   float r = inner_at(u, 0.0) * (1.0 - along);
-#elif PART == 4
-  float y = along * floor_height;
-  float r = round_ * outer_at(u, y / height);
 #else
-  float y = mix(min(floor_height, shoulder), shoulder, along);
-  float outer = outer_at(u, y / height), inner = inner_at(u, y / height);
+  bool of_floor = along < 0.0;
+  float y = of_floor ? (along + 1.0) * floor_height
+                     : mix(min(floor_height, shoulder), shoulder, along);
+  float outer = outer_at(u, y / height), inner = of_floor ? 0.0 : inner_at(u, y / height);
   float r = mix(inner, outer, 0.5 - 0.5 * cos(kPi * round_));
   y += along > 0.999 ? lip_rise(depth, inner, outer, r) : 0.0;
 #endif
@@ -116,13 +121,12 @@ out vec4 color;
 vec3 normal_of(sampler2D radius, float u, float t, float low, float side, out float bend) {
   vec2 row = rows_at(t);
   float v = max(row.x, low), metres = height / row.y;  // metres: that one whole share of rows is
-  float r = textureLod(radius, vec2(u, v), 0.0).r;
+  float r = radius_at(radius, u, v);
   float du = max(1.0 / grid.x, 0.7 * pixel / (2.0 * kPi * max(r, 0.01)));
   float dv = max(1.0 / grid.y, 0.7 * pixel / metres);
   float up = min(v + dv, top_row), down = max(v - dv, low);
-  float ru = textureLod(radius, vec2(u, up), 0.0).r, rd = textureLod(radius, vec2(u, down), 0.0).r;
-  float rl = textureLod(radius, vec2(u - du, v), 0.0).r;
-  float rr = textureLod(radius, vec2(u + du, v), 0.0).r;
+  float ru = radius_at(radius, u, up), rd = radius_at(radius, u, down);
+  float rl = radius_at(radius, u - du, v), rr = radius_at(radius, u + du, v);
   float slope_y = (ru - rd) / max((up - down) * metres, 1e-5);
   float slope_a = (rr - rl) / (2.0 * du * 2.0 * kPi * max(r, 0.002));
   float step_y = max(dv * metres, 1e-5);
@@ -230,9 +234,9 @@ vec3 section_color(float u) {
 
 void main() {
   float u = turn_of(surface.x), t = clamp(surface.y, 0.0, 1.0);
-#if PART >= 4
+#if PART == 4
   vec3 drawn = section_color(u);
-#if PART == 5 && defined(TORN)
+#ifdef TORN
   Tear tear = tear_at(u, inner_at(u, t), outer_at(u, t), 0.0);
   if (tear.gap > 0.0) {
     Surface clay;
@@ -246,7 +250,7 @@ void main() {
   }
 #endif
   color = vec4(dithered(to_display(tone(drawn)), gl_FragCoord.xy), 1.0);
-#if PART == 5 && defined(TORN)
+#ifdef TORN
   color.a = tear.cover;
 #endif
 #else

@@ -1,18 +1,25 @@
-// The vessel's shadow on the plaster: only what it takes away, as a warm dark layer with alpha.
+// The vessel's shadow on the plaster. MODE: 0 only what it takes away, as a warm dark layer with
+// alpha; 1 the plaster with it.
 
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow;
 uniform float reach, plane_y, foot;
 uniform float of_table;  // 1: the table's half of the shadow texture
 uniform float strength;
-uniform vec2 edge;  // pixels over which the shadow fades to the picture's edges; 0: it does not
-uniform vec2 size;
+uniform vec2 low, high;  // the part that is drawn, metres
+#if MODE == 1
+uniform sampler2D plaster;  // a texel a pixel
+uniform float opacity;
+#endif
+#if MODE == 0
+uniform vec2 edge, size;  // pixels: the shadow fades over `edge` to the edges of a picture of `size`
+#endif
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;
 out vec2 ground;
 void main() {
-  ground = (place * 2.0 - 1.0) * reach;
+  ground = mix(low, high, place);
   gl_Position = clip_from_studio * vec4(ground.x, plane_y, ground.y, 1.0);
 }
 #endif
@@ -27,11 +34,18 @@ void main() {
   // The sky's part is gone a hand's breadth from the foot: the real one never ends, a picture does.
   float sky = mix(lit.y * lit.y, 1.0, smoothstep(0.0, 0.24, length(ground) - foot));
   float light = 0.46 * lit.x + 0.54 * sky;
-  vec2 inset = min(gl_FragCoord.xy, size - gl_FragCoord.xy) / max(edge, vec2(1.0));
-  vec2 within = mix(vec2(1.0), smoothstep(0.0, 1.0, inset), step(vec2(1.0), edge));
-  float dark = (1.0 - light) * fade * within.x * within.y * strength;
+  float dark = (1.0 - light) * fade * strength;
+#if MODE == 0
+  vec2 within = smoothstep(0.0, 1.0, min(gl_FragCoord.xy, size - gl_FragCoord.xy) / edge);
+  dark *= within.x * within.y;
+#endif
   // Sky light fills a shadow from the north; clay and floor warm it.
   vec3 tint = mix(vec3(0.42, 0.335, 0.265), vec3(0.20, 0.15, 0.115), dark);
-  color = vec4(tint, 1.0) * clamp(dark * 0.92 + dither_noise(gl_FragCoord.xy) / 255.0 * step(0.004, dark), 0.0, 1.0);
+  float cover = clamp(dark * 0.92 + dither_noise(gl_FragCoord.xy) / 255.0 * step(0.004, dark), 0.0, 1.0);
+#if MODE == 0
+  color = vec4(tint, 1.0) * cover;
+#else
+  color = vec4(mix(texelFetch(plaster, ivec2(gl_FragCoord.xy), 0).rgb, tint, cover * opacity), 1.0);
+#endif
 }
 #endif

@@ -1,40 +1,44 @@
 // The wheel head: dark turned wood, wet with slip where the potter works, a dab of white slip to
-// show its turning. PART: 0 top, 1 rim.
+// show its turning.
 
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow, grain;
 uniform float radius, table_y, reach, wheel_angle, wetness, pixel, opened;
 
 #ifdef VERTEX
-layout(location = 0) in vec2 place;  // round, along
+layout(location = 0) in vec3 place;  // round, along, 1 on the rim's side
 out vec3 position;
+flat out float side;
 void main() {
+  side = place.z;
   float angle = place.x * 2.0 * kPi;
   vec2 d = vec2(cos(angle), sin(angle));
-  position = PART == 0 ? vec3(d.x * radius * place.y, 0.0, d.y * radius * place.y)
-                       : vec3(d.x * radius, table_y * place.y, d.y * radius);
+  position = place.z < 0.5 ? vec3(d.x * radius * place.y, 0.0, d.y * radius * place.y)
+                           : vec3(d.x * radius, table_y * place.y, d.y * radius);
   gl_Position = clip_from_studio * vec4(position, 1.0);
 }
 #endif
 
 #ifdef FRAGMENT
 in vec3 position;
+flat in float side;
 out vec4 color;
 
 void main() {
   float rho = length(position.xz);
   float c = cos(wheel_angle), s = sin(wheel_angle);
   vec2 own = vec2(c * position.x + s * position.z, -s * position.x + c * position.z);
-  vec3 n = PART == 0 ? vec3(0.0, 1.0, 0.0) : vec3(position.x, 0.0, position.z) / radius;
+  bool top = side < 0.5;
+  vec3 n = top ? vec3(0.0, 1.0, 0.0) : vec3(position.x, 0.0, position.z) / radius;
   // A turned edge catches the light.
   float edge = smoothstep(radius - 0.003, radius, rho);
-  if (PART == 0) n = normalize(n + vec3(position.x, 0.0, position.z) / rho * edge * 0.8);
+  if (top) n = normalize(n + vec3(position.x, 0.0, position.z) / rho * edge * 0.8);
 
   vec2 wood = own * vec2(2.2, 26.0);
   float fibre = textureLod(grain, wood * 0.6, 0.0).r - 0.5;
   float mottle = textureLod(grain, own * 2.3, 0.0).r - 0.5;
   vec3 albedo = vec3(0.105, 0.068, 0.046) * (1.0 + 0.30 * fibre + 0.25 * mottle);
-  if (PART == 0) {
+  if (top) {
     // Centring rings, every 15 mm, cut fine.
     float ring = abs(fract(rho / 0.015 + 0.5) - 0.5) * 0.015;
     float cut = 1.0 - smoothstep(0.0004, 0.0004 + 1.4 * pixel, ring);
@@ -47,10 +51,10 @@ void main() {
   }
   vec4 lit = texture(shadow, position.xz / reach * 0.5 + 0.5);
   Seen seen;
-  seen.window = PART == 0 ? lit.r : 1.0;
-  seen.sky = PART == 0 ? lit.g * lit.g : 0.35 + 0.65 * smoothstep(1.0, 0.0, position.y / table_y);
+  seen.window = top ? lit.r : 1.0;
+  seen.sky = top ? lit.g * lit.g : 0.35 + 0.65 * smoothstep(1.0, 0.0, position.y / table_y);
   // Where the pot stands is dark, but an opened pot lets light down to it.
-  if (PART == 0) seen.sky = max(seen.sky, 0.5 * opened);
+  if (top) seen.sky = max(seen.sky, 0.5 * opened);
   seen.bounce = vec3(1.0);
   vec3 v = normalize(eye - position);
   float rough = mix(0.62, 0.34, wetness) + 0.15 * mottle;

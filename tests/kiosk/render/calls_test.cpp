@@ -71,6 +71,7 @@ class Ear {
     glBindVertexArray(0);
     glUseProgram(0);
     glBindTexture(GL_TEXTURE_2D, 0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
     glDrawArrays(GL_TRIANGLES, 0, 0);
     glDrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_INT, nullptr);
     glDrawElementsInstanced(GL_TRIANGLES, 0, GL_UNSIGNED_INT, nullptr, 0);
