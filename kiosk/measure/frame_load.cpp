@@ -1,39 +1,14 @@
 #include "kiosk/measure/frame_load.h"
 
-#include <cstdlib>
-
-#include <system_error>
-
 #include "kiosk/exhibit/kiosk.h"
+#include "kiosk/measure/no_keepsakes.h"
 #include "kiosk/measure/scripted_visitor.h"
-
-namespace fs = std::filesystem;
 
 namespace onggi::measure {
 namespace {
 
 constexpr int kTicks = 16;          // of 1 ms, a frame
 constexpr double kToWheel = 120.0;  // s of visit
-
-/// A folder for keepsakes and counts that nobody wants.
-class NoKeepsakes {
- public:
-  NoKeepsakes() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "onggi-frames-XXXXXX").string();
-    if (!error && mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~NoKeepsakes() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  NoKeepsakes(const NoKeepsakes&) = delete;
-  NoKeepsakes& operator=(const NoKeepsakes&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 Problem shut() { return {"the window", "It was closed.", "Leave it open.", 1}; }
 
@@ -80,10 +55,11 @@ class Counted {
 }  // namespace
 
 Result<std::vector<FrameLoad>> measure_load(const FrameLoadPlan& plan) {
-  const NoKeepsakes nowhere;
+  const auto nowhere = NoKeepsakes::make();
+  if (!nowhere) return tl::unexpected(nowhere.error());
   exhibit::KioskOptions options;
   options.config = plan.config;
-  options.keepsakes = nowhere.path();
+  options.keepsakes = nowhere->path();
   options.window.width = plan.size.first;
   options.window.height = plan.size.second;
   options.devices = false;

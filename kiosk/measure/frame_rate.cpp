@@ -7,6 +7,7 @@
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/monotonic.h"
+#include "kiosk/measure/no_keepsakes.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/similarity.h"
 #include "kiosk/measure/tap.h"
@@ -167,8 +168,11 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
     std::fprintf(progress, "%d x %d: %s\n", size.first, size.second, what);
     std::fflush(progress);
   };
+  const auto nowhere = NoKeepsakes::make();
+  if (!nowhere) return tl::unexpected(nowhere.error());
   exhibit::KioskOptions options;
   options.config = plan.config;
+  options.keepsakes = nowhere->path();
   options.window.width = size.first;
   options.window.height = size.second;
   const double opening = monotonic_seconds();

@@ -13,6 +13,7 @@
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/measure/monotonic.h"
+#include "kiosk/measure/no_keepsakes.h"
 
 namespace onggi::measure {
 
@@ -179,8 +180,11 @@ Result<TimingReport> measure_loop(const std::filesystem::path& config, double se
   if (!alone) return tl::unexpected(alone.error());
   report.phases.push_back(std::move(*alone));
 
+  const auto nowhere = NoKeepsakes::make();
+  if (!nowhere) return tl::unexpected(nowhere.error());
   exhibit::KioskOptions options;
   options.config = config;
+  options.keepsakes = nowhere->path();
   options.window.width = 1280;
   options.window.height = 720;
   auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);

@@ -2,30 +2,15 @@
 
 #include <functional>
 
-#include "kiosk/content/catalogue.h"
 #include "kiosk/score/score.h"
 #include "tests/engine/profile/poses.h"
+#include "tests/kiosk/score/every_vessel.h"
 
 // What a score must keep, over every vessel that is there: the exhibit's own and, where they are
 // beside this clone, scans that nobody here made.
 
 namespace onggi::score {
 namespace {
-
-namespace fs = std::filesystem;
-
-const std::vector<content::Vessel>& vessels() {
-  static const std::vector<content::Vessel> all = [] {
-    std::vector<content::Vessel> out;
-    for (const char* shelf : {"content/vessels", "../shared/vessels"})
-      if (fs::exists(shelf))
-        for (content::Vessel& v : content::open_shelf(shelf).vessels) out.push_back(std::move(v));
-    return out;
-  }();
-  return all;
-}
-
-const Profile& profile(const content::Vessel& v) { return v.extracted.profile; }
 
 TEST(ScoreProperties, measures_are_the_same_both_ways_where_neither_has_a_size) {
   for (const auto& a : vessels())

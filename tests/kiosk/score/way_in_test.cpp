@@ -1,27 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "kiosk/content/catalogue.h"
 #include "kiosk/score/score.h"
+#include "tests/kiosk/score/every_vessel.h"
 
 // The way into a pot, over every vessel that is there: a pot that nothing goes into is none.
 
 namespace onggi::score {
 namespace {
-
-namespace fs = std::filesystem;
-
-const std::vector<content::Vessel>& vessels() {
-  static const std::vector<content::Vessel> all = [] {
-    std::vector<content::Vessel> out;
-    for (const char* shelf : {"content/vessels", "../shared/vessels"})
-      if (fs::exists(shelf))
-        for (content::Vessel& v : content::open_shelf(shelf).vessels) out.push_back(std::move(v));
-    return out;
-  }();
-  return all;
-}
-
-const Profile& profile(const content::Vessel& v) { return v.extracted.profile; }
 
 /// `from` that is no more open than `left` of its own way in over the top `deep` of the height.
 Profile narrowed(const Profile& from, double left, double deep) {
