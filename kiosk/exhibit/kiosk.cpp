@@ -1,17 +1,11 @@
 #include "kiosk/exhibit/kiosk.h"
 
 #include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <thread>
 #include <utility>
 
-#include "engine/clay/clay_mesh.h"
-#include "engine/profile/mesh.h"
 #include "engine/scene/lump.h"
 #include "engine/script/script.h"
-#include "kiosk/content/glb.h"
 #include "kiosk/device/hidapi_bus.h"
 #include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/log.h"
@@ -21,7 +15,6 @@
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/render/display_loss.h"
-#include "kiosk/souvenir/postcard.h"
 
 namespace fs = std::filesystem;
 
@@ -30,11 +23,6 @@ namespace onggi::exhibit {
 namespace {
 
 constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
-
-void shrink(TriangleMesh& mesh, double size) {
-  for (auto& at : mesh.positions)
-    for (float& x : at) x *= static_cast<float>(size);
-}
 
 }  // namespace
 
@@ -306,59 +294,15 @@ void Kiosk::carry_out(const screens::StartPot& request) {
 }
 
 void Kiosk::carry_out(const screens::MakeKeepsake& request) {
-  const screens::ShelfCard& card = shelf_->cards()[static_cast<std::size_t>(request.card)];
-  const content::Language& language = language_of(languages_, visit_->language());
-  const content::Label label = card.vessel->label(language.code());
-  const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
-  const content::Glaze* glaze =
-      fired_in ? &glazes()[static_cast<std::size_t>(request.glaze)] : nullptr;
-  const double size = fired_in ? fired_in->fired_size : 1.0;
-  KeptVisit kept;
-  kept.vessel_id = card.vessel->id;
-  kept.score = request.score;
-  kept.thrown_height = request.made.height();
-  kept.height = size * kept.thrown_height;
-  if (glaze != nullptr) kept.glaze = glaze->id;
-
-  souvenir::Keepsake keepsake;
-  const bool lent = potter_->with_scene([&](Scene& scene) {
-    kept.state_hash = scene.state_hash();
-    kept.ticks = scene.counters().ticks;
-  });
-  if (!lent) {
-    visit_->keepsake_failed({"the wheel", "The clay did not come back from the wheel in time.",
-                             "If this returns, look for a stuck 1 kHz loop in the log.", 1});
-    return;
-  }
-  // The pot rests since it was called done: the view has every row of it.
-  keepsake.pot = mesh_of(potter_->view().clay);
-  shrink(keepsake.pot, size);
-  if (potter_->dropped_records() == 0)
-    keepsake.replay = potter_->replay(kept.state_hash, kept.glaze);
-
-  souvenir::PostcardWords words = postcard_words(language, label, request.score.stars, exhibit_);
-  std::optional<view::Glazing> glazing;
-  content::GlbMaterial material;
-  if (glaze != nullptr) {
-    words.glaze =
-        language.say("postcard.glaze", {{"glaze", glaze->name_in(language.code())},
-                                        {"mm", std::to_string(std::lround(1000 * kept.height))}});
-    glazing = view::Glazing{glaze->look, fired_in->coat};
-    material = {glaze->id, content::swatch(glaze->look), 0.7f - 0.6f * glaze->look.gloss};
-  }
-  // The picture is drawn from the rows on the wheel, and a picture has no size.
-  const view::Image image = renderer_->draw_offscreen(
-      souvenir::compose_postcard(words, request.made, card.target, renderer_->measure(), glazing));
+  auto taken =
+      take_home(request, shelf_->cards()[static_cast<std::size_t>(request.card)],
+                language_of(languages_, visit_->language()), exhibit_, *potter_, *renderer_);
+  if (!taken) return visit_->keepsake_failed(taken.error());
   if (postcard_ != 0) renderer_->drop_picture(postcard_);
-  postcard_ = renderer_->make_picture(image);
+  postcard_ = renderer_->make_picture(taken->keepsake.postcard);
   visit_->show_postcard(postcard_);
-
-  keepsake.name = files::local_time(std::time(nullptr), files::kStamp) + '_' + card.vessel->id;
-  keepsake.postcard = image;
-  keepsake.caption = {words.title, exhibit_.credit, words.vessel};
-  keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit_.credit, material);
-  saving_ticket_ = keepsakes_->save(std::move(keepsake));
-  kept_ = std::move(kept);
+  saving_ticket_ = keepsakes_->save(std::move(taken->keepsake));
+  kept_ = std::move(taken->visit);
 }
 
 void Kiosk::carry_out(const screens::ForgetVisitor& request) {

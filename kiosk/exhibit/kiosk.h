@@ -16,6 +16,7 @@
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
 #include "kiosk/exhibit/studio_sound.h"
+#include "kiosk/exhibit/taken_home.h"
 #include "kiosk/exhibit/visit_counter.h"
 #include "kiosk/loop/fault_log.h"
 #include "kiosk/loop/potter_host.h"
@@ -38,18 +39,6 @@ struct KioskOptions {
   /// The clock on the wall, for opening hours; a stepped kiosk is always open.
   std::function<std::time_t()> wall = [] { return std::time(nullptr); };
   std::string language;  ///< Instead of the exhibit's first; empty keeps it.
-};
-
-/// What the last kept visit came to, for scripted visits.
-struct KeptVisit {
-  std::string vessel_id;
-  score::Score score;
-  std::string glaze;         ///< Its id; "": not fired.
-  double thrown_height = 0;  ///< Metres, on the wheel.
-  double height = 0;         ///< Metres, as it is kept: out of the kiln where there is one.
-  std::uint64_t state_hash = 0;
-  std::uint64_t ticks = 0;
-  std::optional<Result<souvenir::KeepsakeFiles>> saved;
 };
 
 /// The one place that knows everyone: settings and content into screens, screens' wishes to the

@@ -1,0 +1,72 @@
+#include "kiosk/exhibit/taken_home.h"
+
+#include <cmath>
+#include <ctime>
+
+#include "engine/clay/clay_mesh.h"
+#include "engine/profile/mesh.h"
+#include "kiosk/content/glb.h"
+#include "kiosk/exhibit/words.h"
+#include "kiosk/files/local_time.h"
+#include "kiosk/souvenir/postcard.h"
+
+namespace onggi::exhibit {
+
+namespace {
+
+void shrink(TriangleMesh& mesh, double size) {
+  for (auto& at : mesh.positions)
+    for (float& x : at) x *= static_cast<float>(size);
+}
+
+}  // namespace
+
+Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
+                            const content::Language& language, const settings::Exhibit& exhibit,
+                            loop::PotterHost& potter, render::Renderer& renderer) {
+  const content::Label label = card.vessel->label(language.code());
+  const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
+  const content::Glaze* glaze =
+      fired_in ? &(*fired_in->glazes)[static_cast<std::size_t>(request.glaze)] : nullptr;
+  const double size = fired_in ? fired_in->fired_size : 1.0;
+  TakenHome taken;
+  KeptVisit& kept = taken.visit;
+  kept.vessel_id = card.vessel->id;
+  kept.score = request.score;
+  kept.thrown_height = request.made.height();
+  kept.height = size * kept.thrown_height;
+  if (glaze != nullptr) kept.glaze = glaze->id;
+
+  const bool lent = potter.with_scene([&](Scene& scene) {
+    kept.state_hash = scene.state_hash();
+    kept.ticks = scene.counters().ticks;
+  });
+  if (!lent)
+    return problem("the wheel", "The clay did not come back from the wheel in time.",
+                   "If this returns, look for a stuck 1 kHz loop in the log.", 1);
+  souvenir::Keepsake& keepsake = taken.keepsake;
+  // The pot rests since it was called done: the view has every row of it.
+  keepsake.pot = mesh_of(potter.view().clay);
+  shrink(keepsake.pot, size);
+  if (potter.dropped_records() == 0) keepsake.replay = potter.replay(kept.state_hash, kept.glaze);
+
+  souvenir::PostcardWords words = postcard_words(language, label, request.score.stars, exhibit);
+  std::optional<view::Glazing> glazing;
+  content::GlbMaterial material;
+  if (glaze != nullptr) {
+    words.glaze =
+        language.say("postcard.glaze", {{"glaze", glaze->name_in(language.code())},
+                                        {"mm", std::to_string(std::lround(1000 * kept.height))}});
+    glazing = view::Glazing{glaze->look, fired_in->coat};
+    material = {glaze->id, content::swatch(glaze->look), 0.7f - 0.6f * glaze->look.gloss};
+  }
+  // The picture is drawn from the rows on the wheel, and a picture has no size.
+  keepsake.postcard = renderer.draw_offscreen(
+      souvenir::compose_postcard(words, request.made, card.target, renderer.measure(), glazing));
+  keepsake.name = files::local_time(std::time(nullptr), files::kStamp) + '_' + card.vessel->id;
+  keepsake.caption = {words.title, exhibit.credit, words.vessel};
+  keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit.credit, material);
+  return taken;
+}
+
+}  // namespace onggi::exhibit
