@@ -8,6 +8,7 @@
 #include "engine/profile/measures.h"
 #include "engine/profile/slices.h"
 #include "kiosk/content/gltf_parts.h"
+#include "kiosk/content/lighter_mesh.h"
 #include "kiosk/content/mesh_file.h"
 #include "kiosk/content/pack.h"
 #include "kiosk/content/scan_document.h"
@@ -99,6 +100,7 @@ void set_upright(Vessel& vessel, const TriangleMesh& mesh, const TrueSize& size)
   vessel.size_from = size.from;
   if (!size.doubt.empty()) found.warnings.push_back(size.doubt);
   vessel.mesh = upright(mesh, found, vessel.unit);
+  vessel.turning = lighter(vessel.mesh);
   found.profile = scaled(found.profile, vessel.unit);
   found.inferred_wall *= vessel.unit;
   if (size.from == SizeFrom::diameter) vessel.true_height = found.profile.height();

@@ -12,6 +12,7 @@
 #include "engine/profile/mesh.h"
 #include "kiosk/content/coloring.h"
 #include "kiosk/content/gltf_credit.h"
+#include "kiosk/content/lighter_mesh.h"
 #include "kiosk/content/true_size.h"
 #include "kiosk/settings/reader_limits.h"
 
@@ -45,6 +46,7 @@ struct Vessel {
   double true_height = 0.0;  ///< Metres, by the TOML's height or diameter; 0: not told.
   SizeFrom size_from = SizeFrom::file;
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
+  LighterMesh turning;         ///< Of it, for a picture that turns.
   ExtractedProfile extracted;  ///< Its profile in metres; the axis as the file has it, file units.
   double unit = 1.0;           ///< Metres that one unit of the file was taken for.
   std::array<float, 3> color = kClayColor;  ///< Linear base colour for its picture,

@@ -10,6 +10,7 @@
 #include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/paths.h"
+#include "kiosk/exhibit/vessel_model.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/files/local_time.h"
 #include "kiosk/loop/loop_thread.h"
@@ -282,6 +283,7 @@ void Kiosk::carry_out(const screens::StartPot& request) {
   ++pots_;
   if (!request.scripted) {
     potter_->record(card.vessel->id, seed_);
+    show_vessel(*renderer_, card);
     return;
   }
   potter_->show();

@@ -38,26 +38,26 @@ Result<std::unique_ptr<Backdrop>> Backdrop::create() {
   make(out->lay_programs_[1], "space", k_space_glsl, 1);
   if (!fine) return tl::unexpected(fine.error());
   out->quad_ = unit_grid(1, 1);
-  out->shadow_ = Target(kShadowSize, kShadowSize, false, 0);
+  for (Cast& cast : out->casts_) cast.shadow = Target(kShadowSize, kShadowSize, false, 0);
   return out;
 }
 
-void Backdrop::cast(const Levels& levels, const Texture& light, const Studio& studio,
+void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Studio& studio,
                     float wheel_radius, float size, double apart_by) {
-  if (shadow_of_ && wheel_ == wheel_radius && size_ == size &&
-      apart(*shadow_of_, levels) <= apart_by)
+  Cast& own = casts_[place(of)];
+  if (own.of && own.wheel == wheel_radius && own.size == size && apart(*own.of, levels) <= apart_by)
     return;
-  shadow_of_ = levels;
-  wheel_ = wheel_radius;
-  size_ = size;
-  ++serial_;
+  own.of = levels;
+  own.wheel = wheel_radius;
+  own.size = size;
+  ++own.serial;
   GLint viewport[4], back_to = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &back_to);
   glGetIntegerv(GL_VIEWPORT, viewport);
   // The canvas has cut out its part of the picture; the shadow has pixels of its own.
   const bool cut_out = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
   glDisable(GL_SCISSOR_TEST);
-  shadow_.bind();
+  own.shadow.bind();
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -99,11 +99,11 @@ void Backdrop::draw_plaster(int width, int height) const {
   quad_.draw();
 }
 
-void Backdrop::ground(const Program& program, const glm::mat4& clip, const Extent& extent,
+void Backdrop::ground(const Program& program, Of of, const glm::mat4& clip, const Extent& extent,
                       bool wheel, float foot, float strength) const {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  shadow().bind(kShadow);
+  shadow(of).bind(kShadow);
   program.set("shadow", kShadow);
   program.set("clip_from_studio", clip);
   program.set("low", glm::vec2(extent.left, extent.back));
@@ -119,21 +119,21 @@ void Backdrop::draw_ground(const glm::mat4& clip, const Texture& plaster, const 
                            bool wheel, float foot, float opacity) const {
   glDisable(GL_BLEND);
   ground_program_.use();
-  ground(ground_program_, clip, extent, wheel, foot, wheel ? 0.9f : 1.0f);
+  ground(ground_program_, Of::clay, clip, extent, wheel, foot, wheel ? 0.9f : 1.0f);
   plaster.bind(kGround);
   ground_program_.set("plaster", kGround);
   ground_program_.set("opacity", opacity);
   quad_.draw();
 }
 
-void Backdrop::draw_ground_layer(const glm::mat4& clip, float foot, float strength,
-                                 glm::vec2 size) const {
+void Backdrop::draw_ground_layer(const glm::mat4& clip, float foot, float strength, glm::vec2 size,
+                                 glm::vec2 edge) const {
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   layer_program_.use();
-  ground(layer_program_, clip, {-kReach, -kReach, kReach, kReach}, false, foot, strength);
+  ground(layer_program_, Of::mesh, clip, {-kReach, -kReach, kReach, kReach}, false, foot, strength);
   layer_program_.set("size", size);
-  layer_program_.set("edge", size * glm::vec2(0.28f, 0.14f));
+  layer_program_.set("edge", edge);
   quad_.draw();
 }
 

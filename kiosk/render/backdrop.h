@@ -23,15 +23,17 @@ class Backdrop {
   /// texture reaches.
   static constexpr float kTable = -0.024f, kReach = 0.62f;
 
+  /// Whose shadow: the clay's, or a mesh's.
+  enum class Of : std::uint8_t { clay, mesh };
   /// Casts the shadow of `levels`, whose texture is `light`, where it is more than `apart` metres
-  /// from the one that was cast last. `wheel_radius` 0: no wheel head; `size` of the vessel, 1
-  /// where it has not shrunk. Leaves the bound target as it was.
-  void cast(const Levels& levels, const Texture& light, const Studio& studio, float wheel_radius,
-            float size, double apart);
+  /// from the one that was cast last of its kind. `wheel_radius` 0: no wheel head; `size` of the
+  /// vessel, 1 where it has not shrunk. Leaves the bound target as it was.
+  void cast(Of of, const Levels& levels, const Texture& light, const Studio& studio,
+            float wheel_radius, float size, double apart);
   /// Of window and sky, on the wheel head's plane and on the table's.
-  const Texture& shadow() const { return shadow_.color(); }
+  const Texture& shadow(Of of = Of::clay) const { return casts_[place(of)].shadow.color(); }
   /// Another number with every shadow that is cast.
-  std::uint64_t cast_serial() const { return serial_; }
+  std::uint64_t cast_serial(Of of = Of::clay) const { return casts_[place(of)].serial; }
 
   /// A rectangle on the ground, metres from the axis.
   struct Extent {
@@ -47,9 +49,10 @@ class Backdrop {
   /// `plaster`. `foot`: radius of what stands on it, m.
   void draw_ground(const glm::mat4& clip, const Texture& plaster, const Extent& extent, bool wheel,
                    float foot, float opacity) const;
-  /// What the ground loses, as a layer over nothing, faded towards the edges of a picture of `size`
-  /// pixels.
-  void draw_ground_layer(const glm::mat4& clip, float foot, float strength, glm::vec2 size) const;
+  /// What the ground loses to a mesh, as a layer over what is there, faded over `edge` pixels to
+  /// the edges of a picture of `size`.
+  void draw_ground_layer(const glm::mat4& clip, float foot, float strength, glm::vec2 size,
+                         glm::vec2 edge) const;
 
   /// `box` (pixels of a width x height frame, from the top left) of the bound target becomes the
   /// picture in space over `ground`. `space` may be smaller than the frame; where it has samples it
@@ -59,16 +62,20 @@ class Backdrop {
 
  private:
   Backdrop() = default;
-  void ground(const Program& program, const glm::mat4& clip, const Extent& extent, bool wheel,
-              float foot, float strength) const;
+  void ground(const Program& program, Of of, const glm::mat4& clip, const Extent& extent,
+              bool wheel, float foot, float strength) const;
+  static std::size_t place(Of of) { return static_cast<std::size_t>(of); }
 
   Program shadow_program_, plaster_program_, ground_program_, layer_program_;
   std::array<Program, 2> lay_programs_;  // from one sample a pixel, from many
   Mesh quad_;
-  Target shadow_;
-  std::optional<Levels> shadow_of_;
-  float wheel_ = 0, size_ = 1;
-  std::uint64_t serial_ = 0;
+  struct Cast {
+    Target shadow;
+    std::optional<Levels> of;
+    float wheel = 0, size = 1;
+    std::uint64_t serial = 0;
+  };
+  std::array<Cast, 2> casts_;
 };
 
 }  // namespace onggi::render

@@ -56,6 +56,23 @@ view::Rect reach_of(const view::PotView& pot, double height, double radius, int 
   return {left, top, right - left, bottom - top};
 }
 
+namespace {
+
+view::Rect around(const view::Rect& a, const view::Rect& b) {
+  const float left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+  return {left, top, std::max(a.x + a.w, b.x + b.w) - left, std::max(a.y + a.h, b.y + b.h) - top};
+}
+
+view::Rect reach_of_vessel(const Stage& stage, const view::Frame& frame) {
+  view::PotView alone;
+  alone.camera = frame.pot->beside->camera;
+  alone.wheel = false;
+  return reach_of(alone, stage.vessel().levels.height, stage.vessel().radius, frame.width,
+                  frame.height, Reach::solid);
+}
+
+}  // namespace
+
 void Canvas::resize(int width, int height) {
   if (plaster_.width() == width && plaster_.height() == height) return;
   plaster_ = Target();
@@ -86,17 +103,22 @@ void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& qu
 
 void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
   const float foot = stage.foot(pot);
-  const Ground now{
-      pot.camera,
-      pot.wheel,
-      pot.opacity,
-      foot,
-      Backdrop::darkened(stage.clay().height(), stage.clay().max_radius(), pot.wheel, foot),
-      stage.backdrop().cast_serial()};
+  Ground now{pot.camera,
+             pot.wheel,
+             pot.opacity,
+             foot,
+             Backdrop::darkened(stage.clay().height(), stage.clay().max_radius(), pot.wheel, foot),
+             stage.backdrop().cast_serial(),
+             {},
+             0};
+  if (pot.beside) {
+    now.beside = pot.beside->camera;
+    now.its_shadow = stage.backdrop().cast_serial(Backdrop::Of::mesh);
+  }
   if (of_ground_ == now) return;
   // Where no shadow falls stays as it is, unless it lay elsewhere.
   if (!of_ground_ || of_ground_->camera != now.camera || of_ground_->wheel != now.wheel ||
-      of_ground_->extent != now.extent) {
+      of_ground_->extent != now.extent || of_ground_->beside || now.beside) {
     kept(ground_);
     calls::bind_framebuffer(GL_READ_FRAMEBUFFER, plaster_.framebuffer());
     calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, ground_.framebuffer());
@@ -104,6 +126,7 @@ void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
   }
   ground_.bind();
   stage.draw_ground(pot, plaster_.color(), now.extent);
+  if (pot.beside) stage.draw_vessel_ground(pot, ground_.width(), ground_.height());
   of_ground_ = now;
 }
 
@@ -133,6 +156,7 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
     stage.prepare(*frame.pot, quality);
     solid_ = reach_of(*frame.pot, stage.clay().height(), stage.clay().max_radius(), frame.width,
                       frame.height, Reach::solid);
+    if (frame.pot->beside) solid_ = around(solid_, reach_of_vessel(stage, frame));
     paint_ground(stage, *frame.pot);
     // Nothing outside can be touched, so nothing outside is cleared or laid over.
     glEnable(GL_SCISSOR_TEST);

@@ -56,6 +56,8 @@ class Canvas {
     float foot = 0;
     Backdrop::Extent extent;
     std::uint64_t shadow = 0;
+    std::optional<view::Camera> beside{};
+    std::uint64_t its_shadow = 0;
     friend bool operator==(const Ground&, const Ground&) = default;
   };
   Target picture_, plaster_, before_, space_, ground_;

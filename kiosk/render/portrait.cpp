@@ -47,7 +47,6 @@ TriangleMesh standing(const TriangleMesh& mesh) {
     p = {(p[0] - 0.5f * (low[0] + high[0])) * to, (p[1] - low[1]) * to,
          (p[2] - 0.5f * (low[2] + high[2])) * to};
   }
-  if (out.normals.size() != out.positions.size()) out.normals = normals_of(out);
   return out;
 }
 
@@ -180,19 +179,22 @@ Levels levels_of(const TriangleMesh& mesh) {
   return levels;
 }
 
-Portrait portrait_of(const TriangleMesh& mesh, std::array<float, 3> color,
-                     const content::Coloring& coloring, int width, int height) {
+Model model_of(const TriangleMesh& mesh, std::array<float, 3> color,
+               const content::Coloring& coloring, float size) {
   std::array<float, 256> light;
   for (std::size_t i = 0; i < light.size(); ++i)
     light[i] = content::light_of(static_cast<std::uint8_t>(i));
-  const TriangleMesh model = standing(mesh);
-  Portrait out;
-  out.levels = levels_of(model);
+  TriangleMesh sized = mesh;
+  for (Point& p : sized.positions)
+    for (float& x : p) x *= size;
+  if (sized.normals.size() != sized.positions.size()) sized.normals = normals_of(sized);
+  Model out;
+  out.levels = levels_of(sized);
   std::vector<float> vertices;
-  vertices.reserve(model.positions.size() * 11);
-  float radius = 1e-4f;
-  for (std::size_t i = 0; i < model.positions.size(); ++i) {
-    const Point &p = model.positions[i], &n = model.normals[i];
+  vertices.reserve(sized.positions.size() * 11);
+  out.radius = 1e-4f;
+  for (std::size_t i = 0; i < sized.positions.size(); ++i) {
+    const Point &p = sized.positions[i], &n = sized.normals[i];
     Point c = color;
     std::array<float, 2> place{};
     if (!coloring.empty())
@@ -200,13 +202,20 @@ Portrait portrait_of(const TriangleMesh& mesh, std::array<float, 3> color,
     if (!coloring.places.empty()) place = coloring.places[i];
     vertices.insert(vertices.end(),
                     {p[0], p[1], p[2], n[0], n[1], n[2], c[0], c[1], c[2], place[0], place[1]});
-    radius = std::max(radius, std::hypot(p[0], p[2]));
+    out.radius = std::max(out.radius, std::hypot(p[0], p[2]));
   }
-  const std::vector<std::uint32_t> indices = dress(model, coloring, out.coats);
+  const std::vector<std::uint32_t> indices = dress(sized, coloring, out.coats);
   out.mesh = Mesh(vertices.data(), vertices.size(), indices.data(), indices.size(), {3, 3, 3, 2});
+  return out;
+}
+
+Portrait portrait_of(const TriangleMesh& mesh, std::array<float, 3> color,
+                     const content::Coloring& coloring, int width, int height) {
+  Portrait out;
+  out.model = model_of(standing(mesh), color, coloring, 1.0f);
   const auto w = static_cast<float>(width), h = static_cast<float>(height);
   out.camera = view::frame_pot(width, height, {0.13f * w, 0.06f * h, 0.74f * w, 0.84f * h},
-                               out.levels.height, radius);
+                               out.model.levels.height, out.model.radius);
   return out;
 }
 

@@ -16,13 +16,24 @@ struct Coat {
   int first = 0, count = 0;
 };
 
-/// A mesh set up for its picture: what the stage needs to light and frame it.
-struct Portrait {
+/// A mesh set up to be drawn: what the stage needs to light it.
+struct Model {
   Mesh mesh;  ///< Places, normals, linear colours, places in the picture.
   std::vector<Coat> coats;
   Levels levels;
+  float radius = 0;  ///< Of what reaches farthest from the axis, handles too, m.
+};
+
+/// A model and how its picture is taken.
+struct Portrait {
+  Model model;
   view::Camera camera;
 };
+
+/// Sets up `mesh`, which stands on y = 0 about the y axis, times `size`. Linear `color` all over,
+/// or, where it is not empty, `coloring` of its positions.
+Model model_of(const TriangleMesh& mesh, std::array<float, 3> color,
+               const content::Coloring& coloring, float size);
 
 /// Stands `mesh` on the ground with its bounding box over the origin, 0.2 m in its largest side;
 /// takes its outer and inner radii at every level for the light; frames it in width x height with

@@ -63,6 +63,12 @@ class GlRenderer final : public Renderer {
   void show_clay(const ClayView& clay) override { stage_->clay().show(clay); }
   void update_clay(const ClayView& clay) override { stage_->clay().update(clay); }
 
+  void show_vessel(const TriangleMesh& mesh, std::array<float, 3> color,
+                   const content::Coloring& coloring, double size) override {
+    stage_->show_vessel(model_of(mesh, color, coloring, static_cast<float>(size)));
+    drawn_.reset();
+  }
+
   void draw(const view::Frame& frame) override;
 
   void present() override;

@@ -58,6 +58,11 @@ class Renderer {
   /// Once a frame: what changed of it since. Costs by the rows that did.
   virtual void update_clay(const ClayView& clay) = 0;
 
+  /// The vessel that view::PotView::beside shows from here on: `mesh` about the y axis, its foot at
+  /// 0, times `size`, in linear `color` or, where that is not empty, in its own `coloring`.
+  virtual void show_vessel(const TriangleMesh& mesh, std::array<float, 3> color,
+                           const content::Coloring& coloring, double size) = 0;
+
   /// Draws into the window's back buffer.
   virtual void draw(const view::Frame& frame) = 0;
   virtual void present() = 0;

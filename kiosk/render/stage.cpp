@@ -129,10 +129,13 @@ void Stage::set_light(const Program& program, const view::Camera& camera, const 
 
 void Stage::prepare(const view::PotView& pot, const Quality& quality) {
   clay_.refresh(clay_levels_);
-  backdrop_->cast(clay_.levels(), clay_levels_, studio_,
+  backdrop_->cast(Backdrop::Of::clay, clay_.levels(), clay_levels_, studio_,
                   pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f, size_of(pot),
                   quality.shadow_apart);
   skin_.prepare(pot);
+  if (!pot.beside) return;
+  upload(vessel_.levels, vessel_levels_);
+  backdrop_->cast(Backdrop::Of::mesh, vessel_.levels, vessel_levels_, studio_, 0.0f, 1.0f, 0.0);
 }
 
 float Stage::foot(const view::PotView& pot) const {
@@ -187,6 +190,12 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
   // 3. The tools, which fade into the air.
   draw_hands(pot, clip);
+  // 4. The vessel: open scans have no outside alone.
+  if (pot.beside) {
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    draw_model(vessel_, vessel_levels_, pot.beside->camera, pot.beside->angle);
+  }
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
 }
@@ -315,27 +324,41 @@ void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
                    [&](const Program& program) { set_light(program, pot.camera, clay_levels_); });
 }
 
-void Stage::draw_portrait(const Portrait& portrait) {
-  const Levels& levels = portrait.levels;
-  const view::Camera& camera = portrait.camera;
-  upload(levels, mesh_levels_);
-  backdrop_->cast(levels, mesh_levels_, studio_, 0.0f, 1.0f, 0.0);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const glm::mat4 clip = clip_of(camera);
-  backdrop_->draw_ground_layer(clip, levels.outer[0], 0.78f,
-                               glm::vec2(camera.width, camera.height));
-  glEnable(GL_DEPTH_TEST);
+void Stage::draw_vessel_ground(const view::PotView& pot, int width, int height) {
+  if (!pot.beside || vessel_.coats.empty()) return;
+  const glm::vec2 size(width, height);
+  backdrop_->draw_ground_layer(clip_of(pot.beside->camera), vessel_.levels.outer[0],
+                               static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0)), size,
+                               glm::vec2(1.0f));
+}
+
+void Stage::draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
+                       double turned) {
   const Program& program = solid_program_;
   program.use();
-  set_light(program, camera, mesh_levels_);
-  program.set("clip_from_studio", clip);
+  set_light(program, camera, levels);
+  program.set("clip_from_studio", clip_of(camera));
   program.set("own_picture", kOwnPicture);
-  program.set("height", static_cast<float>(levels.height));
-  for (const Coat& coat : portrait.coats) {
+  program.set("height", static_cast<float>(model.levels.height));
+  program.set("turned", static_cast<float>(turned));
+  for (const Coat& coat : model.coats) {
     coat.picture.bind(kOwnPicture);
-    portrait.mesh.draw_some(coat.first, coat.count);
+    model.mesh.draw_some(coat.first, coat.count);
   }
+}
+
+void Stage::draw_portrait(const Portrait& portrait) {
+  const Levels& levels = portrait.model.levels;
+  const view::Camera& camera = portrait.camera;
+  upload(levels, mesh_levels_);
+  backdrop_->cast(Backdrop::Of::mesh, levels, mesh_levels_, studio_, 0.0f, 1.0f, 0.0);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  const glm::vec2 size(camera.width, camera.height);
+  backdrop_->draw_ground_layer(clip_of(camera), levels.outer[0], 0.78f, size,
+                               size * glm::vec2(0.28f, 0.14f));
+  glEnable(GL_DEPTH_TEST);
+  draw_model(portrait.model, mesh_levels_, camera, 0.0);
   glDisable(GL_DEPTH_TEST);
 }
 

@@ -40,7 +40,13 @@ class Stage {
                    const Backdrop::Extent& extent);
   /// Of what stands on the ground: the wheel head, or the pot's foot. Metres.
   float foot(const view::PotView& pot) const;
-  /// Draws the pot into the bound target, which is `scale` times the camera's size.
+  /// The vessel that may stand beside the pot from here on; nothing while a pot is drawn alone.
+  void show_vessel(Model vessel) { vessel_ = std::move(vessel); }
+  const Model& vessel() const { return vessel_; }
+  /// Its shadow over a ground of this size. prepare() first.
+  void draw_vessel_ground(const view::PotView& pot, int width, int height);
+  /// Draws the pot, and what stands beside it, into the bound target, which is `scale` times the
+  /// camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
   void draw_portrait(const Portrait& portrait);
 
@@ -50,6 +56,8 @@ class Stage {
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
+  void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
+                  double turned);
   void draw_hands(const view::PotView& pot, const glm::mat4& clip);
   const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
 
@@ -65,7 +73,8 @@ class Stage {
   std::array<Mesh, 3> lips_;
   std::array<Mesh, 2> sections_;
   Mesh mirrored_, floor_, wheel_;
-  Texture clay_levels_, mesh_levels_;
+  Texture clay_levels_, mesh_levels_, vessel_levels_;
+  Model vessel_;
 };
 
 }  // namespace onggi::render

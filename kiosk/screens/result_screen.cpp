@@ -2,7 +2,7 @@
 
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
-#include "kiosk/screens/target_line.h"
+#include "kiosk/screens/side_by_side.h"
 
 namespace onggi::screens {
 
@@ -10,27 +10,26 @@ using view::Face;
 
 namespace {
 
-constexpr double kResultShowSpeed =
-    2.0;  // rad/s: slow enough to look at, once round in three seconds.
 constexpr std::size_t kMostRemarks = 2;  // Of each kind: more is not read.
 
-/// Stars and words: what is alike, what to try.
+/// Stars and words: what is alike, what to try; and the vessel beside the pot.
 class Result final : public Screen {
  public:
-  using Screen::Screen;
+  explicit Result(Desk& d) : Screen(d), both_(d) {}
   ScreenId id() const override { return ScreenId::result; }
   std::string first_focus() const override { return "result.keep"; }
 
   void update(double dt) override {
-    const ShelfCard* card = desk.shelf_card(desk.card);
-    picture_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
-    picture_.show_round(desk, dt, desk.screen().left_handed ? -kResultShowSpeed : kResultShowSpeed);
+    picture_.update(desk, dt, nullptr, false, false);
+    both_.update(desk, dt);
   }
-  std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
+  std::optional<view::PotView> pot(const Page& page) override {
+    return both_.view(picture_.view(desk, page), desk);
+  }
+  void pointer(const view::InputEvent& e, const Page&) override { both_.pointer(e); }
 
   void lay_out(Page& page) override {
-    if (const ShelfCard* card = desk.shelf_card(desk.card))
-      draw_ghost(page, picture_.camera(page), card->target, desk.made);
+    both_.lay_out(page, desk);
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
@@ -77,6 +76,7 @@ class Result final : public Screen {
   }
 
   PotPicture picture_;
+  SideBySide both_;
 };
 
 }  // namespace

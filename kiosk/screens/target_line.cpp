@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/screens/strokes.h"
+
 namespace onggi::screens {
 
 double tolerance(const Profile& target) { return std::max(0.0012, 0.025 * target.max_radius()); }
@@ -13,46 +15,8 @@ constexpr int kSamples = 72;
 
 struct Run {
   Fit fit;
-  std::vector<std::pair<float, float>> points;
+  Points points;
 };
-
-void stroke(Page& page, const std::vector<std::pair<float, float>>& points, view::Color color,
-            float width) {
-  if (points.size() < 2) return;
-  view::Line halo{points, {view::with_alpha(view::kPlaster, 0.6f)}, width + 2.5f};
-  page.draw(std::move(halo));
-  page.draw(view::Line{points, {color}, width});
-}
-
-/// `points` cut into dashes of `dash` pixels with as much between them.
-void dashes(Page& page, const std::vector<std::pair<float, float>>& points, view::Color color,
-            float width, float dash) {
-  float walked = 0;
-  std::vector<std::pair<float, float>> piece;
-  bool on = true;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    auto [x, y] = points[i];
-    const auto [x1, y1] = points[i + 1];
-    float left = std::hypot(x1 - x, y1 - y);
-    if (piece.empty() && on) piece.emplace_back(x, y);
-    while (left > 1e-4f) {
-      const float step = std::min(left, dash - walked);
-      const float share = step / left;
-      x += (x1 - x) * share;
-      y += (y1 - y) * share;
-      left -= step;
-      walked += step;
-      if (on) piece.emplace_back(x, y);
-      if (walked < dash - 1e-4f) continue;
-      if (on) stroke(page, piece, color, width);
-      piece.clear();
-      walked = 0;
-      on = !on;
-      if (on) piece.emplace_back(x, y);
-    }
-  }
-  if (on) stroke(page, piece, color, width);
-}
 
 /// How far `made` is outside `target` about height `h`: a mean over a finger's breadth, so that
 /// throwing lines do not make the ghost flicker.
@@ -97,13 +61,13 @@ void draw_ghost(Page& page, const view::Camera& camera, const Profile& target,
     for (const Run& run : runs) {
       switch (run.fit) {
         case Fit::near:
-          stroke(page, run.points, view::kFaintInk, 1.6f * unit);
+          draw_stroke(page, run.points, view::kFaintInk, 1.6f * unit);
           break;
         case Fit::wide:
-          stroke(page, run.points, view::kIron, 2.8f * unit);
+          draw_stroke(page, run.points, view::kIron, 2.8f * unit);
           break;
         case Fit::narrow:
-          dashes(page, run.points, view::kDeepCeladon, 2.8f * unit, 9.0f * unit);
+          draw_dashes(page, run.points, view::kDeepCeladon, 2.8f * unit, 9.0f * unit);
           break;
       }
     }
@@ -119,10 +83,10 @@ void draw_press(Page& page, const view::Camera& camera, const Profile& target, d
   const float sign = inward ? 1.0f : -1.0f;
   const float tip = x + sign * 8 * unit, tail = tip + sign * 40 * unit, head = 9 * unit;
   const view::Color color = inward ? view::kIron : view::kDeepCeladon;
-  stroke(page, {{tail, y}, {tip, y}}, color, 2.4f * unit);
-  stroke(page,
-         {{tip + sign * head, y - head * 0.7f}, {tip, y}, {tip + sign * head, y + head * 0.7f}},
-         color, 2.4f * unit);
+  draw_stroke(page, {{tail, y}, {tip, y}}, color, 2.4f * unit);
+  draw_stroke(
+      page, {{tip + sign * head, y - head * 0.7f}, {tip, y}, {tip + sign * head, y + head * 0.7f}},
+      color, 2.4f * unit);
 }
 
 }  // namespace onggi::screens

@@ -100,6 +100,14 @@ struct FiringView {
   friend bool operator==(const FiringView&, const FiringView&) = default;
 };
 
+/// The vessel that the renderer was shown, beside the pot: it stands on the same ground in a studio
+/// of its own, so that both have the same light, and `camera` differs from the pot's by its centre.
+struct VesselView {
+  Camera camera;
+  double angle = 0;  ///< Turned about its axis, rad.
+  friend bool operator==(const VesselView&, const VesselView&) = default;
+};
+
 /// The pot in its studio. Its shape is the ClayView that the renderer was shown.
 struct PotView {
   Camera camera;
@@ -114,10 +122,11 @@ struct PotView {
   double size = 1;    ///< What is left of every length since the clay was thrown, 0.5..1.
   double cut_away =
       0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
-  bool wheel = true;                ///< Draw the wheel head.
-  double wheel_radius = 0.175;      ///< Of its head, metres, 0.05..0.3.
-  std::array<HandView, 2> hands{};  ///< Those present are drawn, with what they hold.
-  double opacity = 1;               ///< 0..1, against the plaster, for fades.
+  bool wheel = true;                 ///< Draw the wheel head.
+  double wheel_radius = 0.175;       ///< Of its head, metres, 0.05..0.3.
+  std::array<HandView, 2> hands{};   ///< Those present are drawn, with what they hold.
+  double opacity = 1;                ///< 0..1, against the plaster, for fades.
+  std::optional<VesselView> beside;  ///< The vessel that it answers.
   friend bool operator==(const PotView&, const PotView&) = default;
 };
 

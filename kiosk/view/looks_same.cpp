@@ -32,6 +32,7 @@ bool looks_same(const PotView& drawn, const PotView& now) {
   forgive(seen.camera.target, drawn.camera.target);
   forgive(seen.camera.distance, drawn.camera.distance, kPlace);
   forgive(seen.wheel_radius, drawn.wheel_radius, kPlace);
+  if (seen.beside && drawn.beside) forgive(seen.beside->angle, drawn.beside->angle, kAngle);
   for (std::size_t n = 0; n < seen.hands.size(); ++n) forgive(seen.hands[n].at, drawn.hands[n].at);
   return seen == drawn;
 }

@@ -3,6 +3,7 @@
 uniform mat4 clip_from_studio;
 uniform sampler2D own_picture;  // sRGB: read as light
 uniform float height;
+uniform float turned;  // about its axis, rad
 
 #ifdef VERTEX
 layout(location = 0) in vec3 at;
@@ -13,8 +14,10 @@ out vec3 position, normal_v, color_v;
 out vec2 place_v;
 
 void main() {
-  position = at;
-  normal_v = normal_in;
+  float c = cos(turned), s = sin(turned);
+  mat3 turn = mat3(c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c);
+  position = turn * at;
+  normal_v = turn * normal_in;
   color_v = color_in;
   place_v = place_in;
   gl_Position = clip_from_studio * vec4(position, 1.0);

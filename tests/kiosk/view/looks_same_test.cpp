@@ -10,6 +10,7 @@ PotView a_pot() {
   pot.wheel_angle = 0.5;
   pot.wet_rows = {0.1f, 0.2f};
   pot.hands[0].present = true;
+  pot.beside.emplace();
   return pot;
 }
 
@@ -19,6 +20,7 @@ TEST(LooksSame, WhatNobodySeesIsNoNewPicture) {
   now.wet_rows[1] += 0.002f;
   now.hands[0].at.x += 1e-6;
   now.camera.distance += 1e-6;
+  now.beside->angle += 1e-5;
   EXPECT_TRUE(looks_same(a_pot(), now));
 }
 
@@ -37,6 +39,9 @@ TEST(LooksSame, EverythingThatIsSeenIs) {
   EXPECT_TRUE(differs([](PotView& p) { p.hands[0].present = false; }));
   EXPECT_TRUE(differs([](PotView& p) { p.hands[1].present = true; }));
   EXPECT_TRUE(differs([](PotView& p) { p.camera.azimuth = 0.1; }));
+  EXPECT_TRUE(differs([](PotView& p) { p.beside.reset(); }));
+  EXPECT_TRUE(differs([](PotView& p) { p.beside->angle += 0.01; }));
+  EXPECT_TRUE(differs([](PotView& p) { p.beside->camera.centre_x += 1; }));
   EXPECT_TRUE(differs([](PotView& p) { p.camera.target.y += 0.001; }));
   EXPECT_TRUE(differs([](PotView& p) { p.camera.width += 1; }));
   EXPECT_TRUE(differs([](PotView& p) { p.finish = Finish::fired; }));
