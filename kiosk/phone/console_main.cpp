@@ -12,13 +12,14 @@ namespace {
 constexpr const char* kHelp =
     "onggi-console: serves visitors' keepsakes to their phones. Play needs nothing of it.\n\n"
     "Usage: onggi-console --phone-only --keepsakes DIR [--listen 127.0.0.1:8080]\n"
+    "                     [--languages content/languages]\n"
     "       onggi-console --pass DIR/VISIT [--hours 24]   prints the path of a new page\n\n"
     "Example: onggi-console --phone-only --keepsakes /srv/onggi/keepsakes --listen "
     "192.168.4.1:8080\n"
     "Exit: 0 good, 1 the machine's fault, 2 the input's.\n";
 
 struct Arguments {
-  std::string keepsakes, listen = "127.0.0.1:8080", pass, hours = "24";
+  std::string keepsakes, listen = "127.0.0.1:8080", pass, hours = "24", languages;
   bool phone_only = false, help = false;
 };
 
@@ -34,11 +35,12 @@ onggi::Result<Arguments> read(int count, char** values) {
       a.phone_only = true;
       continue;
     }
-    std::string* field = name == "--keepsakes" ? &a.keepsakes
-                         : name == "--listen"  ? &a.listen
-                         : name == "--pass"    ? &a.pass
-                         : name == "--hours"   ? &a.hours
-                                               : nullptr;
+    std::string* field = name == "--keepsakes"   ? &a.keepsakes
+                         : name == "--listen"    ? &a.listen
+                         : name == "--pass"      ? &a.pass
+                         : name == "--hours"     ? &a.hours
+                         : name == "--languages" ? &a.languages
+                                                 : nullptr;
     if (field == nullptr || n + 1 == count)
       return onggi::problem(std::string(name),
                             field == nullptr ? "There is no such option." : "It wants a value.",
@@ -61,6 +63,21 @@ onggi::Result<int> give(const Arguments& a) {
   return 0;
 }
 
+/// The languages of the exhibit whose keepsakes these are, else those beside the program or above
+/// it: where it was built, and where it is installed.
+std::filesystem::path languages_for(const std::filesystem::path& keepsakes) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (auto folder : {std::filesystem::absolute(keepsakes, error).parent_path(), program})
+    for (;; folder = folder.parent_path()) {
+      if (const auto found = folder / "content/languages";
+          std::filesystem::is_directory(found, error))
+        return found;
+      if (folder == folder.parent_path()) break;
+    }
+  return {};
+}
+
 onggi::Result<int> serve(const Arguments& a) {
   const auto colon = a.listen.rfind(':');
   const std::string port = colon == std::string::npos ? "" : a.listen.substr(colon + 1);
@@ -72,8 +89,14 @@ onggi::Result<int> serve(const Arguments& a) {
   if (!std::filesystem::is_directory(a.keepsakes))
     return onggi::problem("--keepsakes " + a.keepsakes, "That is no folder.",
                           "Name the exhibit's folder of keepsakes.");
-  const onggi::phone::Answers answers(onggi::souvenir::Passes(a.keepsakes),
-                                      [] { return static_cast<std::int64_t>(std::time(nullptr)); });
+  std::vector<onggi::Problem> remarks;
+  const onggi::phone::Answers answers(
+      onggi::souvenir::Passes(a.keepsakes),
+      [] { return static_cast<std::int64_t>(std::time(nullptr)); },
+      onggi::phone::PhoneLanguages::read(
+          a.languages.empty() ? languages_for(a.keepsakes) : std::filesystem::path(a.languages),
+          remarks));
+  for (const onggi::Problem& remark : remarks) std::cerr << onggi::to_text(remark) << '\n';
   const auto server = onggi::phone::Server::listen(a.listen.substr(0, colon),
                                                    static_cast<std::uint16_t>(number), answers);
   if (!server) return tl::unexpected(server.error());

@@ -57,7 +57,7 @@ class Call : public std::enable_shared_from_this<Call> {
     Answer given = answers_.to(ask);
     response_.version(11);
     response_.result(static_cast<unsigned>(given.status));
-    response_.set(http::field::content_type, given.type);
+    if (!given.type.empty()) response_.set(http::field::content_type, given.type);
     response_.set(http::field::cache_control, "no-store");
     response_.set("X-Robots-Tag", "noindex, nofollow");
     response_.set("X-Content-Type-Options", "nosniff");
@@ -72,6 +72,8 @@ class Call : public std::enable_shared_from_this<Call> {
     response_.keep_alive(false);
     response_.body() = std::move(given.body);
     response_.prepare_payload();
+    // RFC 9110, 8.6: an answer without content says no length, and phones compare.
+    if (given.status == 204) response_.erase(http::field::content_length);
     stream_.expires_after(kPatience);
     http::async_write(stream_, response_,
                       [self = shared_from_this()](error_code error, std::size_t) {

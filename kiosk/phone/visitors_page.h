@@ -2,17 +2,15 @@
 
 #include <string>
 
+#include "kiosk/phone/phone_words.h"
+
 namespace onggi::phone {
 
-/// The pages, whole. `languages` is a phone's Accept-Language: the first of English and Korean that
-/// it names, else English.
-std::string visitors_page(const std::string& token, const std::string& languages);
-std::string nothing_page(const std::string& languages);
-std::string deleted_page(const std::string& languages);
-std::string not_deleted_page(const std::string& languages);
-
-/// From kiosk/phone/page/, in the program so that it needs no file beside it.
-extern const char* const k_page_js;
-extern const char* const k_page_css;
+/// The page of `token`, whole, in `words`. It offers every other language, `own` (the phone's, may
+/// be null) first and on top.
+std::string visitors_page(const std::string& token, const PhoneWords& words, const PhoneWords* own,
+                          const PhoneLanguages& languages);
+/// A page of one sentence: `key` of [text.phone].
+std::string sentence_page(const PhoneWords& words, const char* key);
 
 }  // namespace onggi::phone

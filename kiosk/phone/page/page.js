@@ -1,5 +1,5 @@
-// A pot in a small window, turned by a finger: the GLB that the kiosk writes, by WebGL alone. Where there is no
-// WebGL, or the file is none, the window stays hidden: the postcard is a picture of it.
+// A pot in a small window, turned by a finger and tilted and brought near by two: the GLB that the kiosk writes, by
+// WebGL alone. Where there is no WebGL, or the file is none, the window stays hidden: the postcard is a picture of it.
 "use strict";
 
 // GLB 2.0: the first primitive's positions, normals and triangles, and its colour.
@@ -42,7 +42,7 @@ function boundsOf(positions) {
 const VERTEX = `
 attribute vec3 at, normal;
 uniform vec3 middle;
-uniform float size, turn, tilt;
+uniform float size, turn, tilt, near;
 varying vec3 facing;
 vec3 turned(vec3 p) {
   vec3 q = vec3(cos(turn) * p.x + sin(turn) * p.z, p.y, cos(turn) * p.z - sin(turn) * p.x);
@@ -51,7 +51,7 @@ vec3 turned(vec3 p) {
 void main() {
   facing = turned(normal);
   vec3 p = turned(at - middle) / size;
-  gl_Position = vec4(p.xy * 1.4, -0.5 * p.z, 1.7 - 0.35 * p.z);
+  gl_Position = vec4(p.xy * 1.4 * near, -0.5 * p.z, 1.7 - 0.35 * p.z);
 }`;
 const FRAGMENT = `
 precision mediump float;
@@ -64,7 +64,9 @@ void main() {
 }`;
 
 function show(canvas, pot) {
-  const gl = canvas.getContext("webgl2") || canvas.getContext("webgl");
+  // What is not drawn anew stays.
+  const kept = { preserveDrawingBuffer: true };
+  const gl = canvas.getContext("webgl2", kept) || canvas.getContext("webgl", kept);
   if (!gl || !(gl instanceof WebGL2RenderingContext || gl.getExtension("OES_element_index_uint"))) return;
   const program = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
@@ -91,39 +93,71 @@ function show(canvas, pot) {
   gl.uniform1f(uniform("size"), half);
   gl.uniform3fv(uniform("color"), pot.color);
   gl.enable(gl.DEPTH_TEST);
-  canvas.hidden = false;
+  canvas.parentElement.hidden = false;
 
-  let turn = 0, held = null, before = null;
-  canvas.onpointerdown = (e) => { held = e.clientX; canvas.setPointerCapture(e.pointerId); };
-  canvas.onpointerup = canvas.onpointercancel = () => { held = null; };
-  canvas.onpointermove = (e) => {
-    if (held === null) return;
-    turn += (e.clientX - held) * 0.01;
-    held = e.clientX;
-  };
+  const look = hold(canvas);
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  let before = null, drawn = "", gone = false;
+  canvas.addEventListener("webglcontextlost", () => { gone = canvas.parentElement.hidden = true; });
   const frame = (now) => {
-    if (held === null && before !== null && !still) turn += (now - before) * 0.0006;
+    if (gone) return;
+    requestAnimationFrame(frame);
+    if (!look.held() && before !== null && !still) look.turn += (now - before) * 0.0006;
     before = now;
     const side = Math.round(canvas.clientWidth * Math.min(devicePixelRatio, 2));
+    const wanted = [side, look.turn, look.tilt, look.near].join();
+    if (wanted === drawn) return; // a phone's battery is the visitor's
+    drawn = wanted;
     if (canvas.width !== side) canvas.width = canvas.height = side;
     gl.viewport(0, 0, side, side);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.uniform1f(uniform("turn"), turn);
-    gl.uniform1f(uniform("tilt"), 0.35);
+    for (const name of ["turn", "tilt", "near"]) gl.uniform1f(uniform(name), look[name]);
     gl.drawElements(gl.TRIANGLES, pot.triangles.length, gl.UNSIGNED_INT, 0);
-    requestAnimationFrame(frame);
   };
   requestAnimationFrame(frame);
 }
 
-if (typeof document !== "undefined") {
-  const canvas = document.getElementById("pot");
-  fetch(canvas.dataset.glb)
-    .then((answer) => answer.arrayBuffer())
-    .then((bytes) => show(canvas, readPot(bytes)))
-    .catch(() => { canvas.hidden = true; });
-  for (const form of document.forms)
-    form.addEventListener("submit", (e) => { if (!confirm(form.dataset.sure)) e.preventDefault(); });
+// How the pot is looked at, as fingers, a mouse and keys on `canvas` change it. One finger turns: up and down it moves
+// the page. Two turn, tilt, and bring near as they part; a mouse turns and tilts.
+function hold(canvas) {
+  const look = { turn: 0, tilt: 0.35, near: 1 }, fingers = new Map();
+  const middle = () => [0, 1].map((k) => [...fingers.values()].reduce((sum, at) => sum + at[k], 0) / fingers.size);
+  const apart = () => {
+    const [a, b] = [...fingers.values()];
+    return b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
+  };
+  const between = (low, x, high) => Math.min(Math.max(x, low), high);
+  const move = (across, down) => {
+    look.turn += across * 0.01;
+    look.tilt = between(-1.2, look.tilt + down * 0.01, 1.2);
+  };
+  look.held = () => fingers.size > 0;
+  canvas.onpointerdown = (e) => {
+    fingers.set(e.pointerId, [e.clientX, e.clientY]);
+    canvas.setPointerCapture(e.pointerId);
+  };
+  canvas.onpointerup = canvas.onpointercancel = (e) => { fingers.delete(e.pointerId); };
+  canvas.onpointermove = (e) => {
+    if (!fingers.has(e.pointerId)) return;
+    const was = middle(), width = apart();
+    fingers.set(e.pointerId, [e.clientX, e.clientY]);
+    const is = middle();
+    move(is[0] - was[0], fingers.size > 1 || e.pointerType === "mouse" ? is[1] - was[1] : 0);
+    if (width > 0) look.near = between(0.7, look.near * apart() / width, 3);
+  };
+  canvas.onkeydown = (e) => {
+    const step = { ArrowLeft: [-15, 0], ArrowRight: [15, 0], ArrowUp: [0, -15], ArrowDown: [0, 15] }[e.key];
+    if (step) move(...step), e.preventDefault();
+  };
+  // Two fingers are the pot's; the page goes by one.
+  const ours = (e) => { if (e.touches.length > 1) e.preventDefault(); };
+  for (const kind of ["touchstart", "touchmove"]) canvas.addEventListener(kind, ours, { passive: false });
+  return look;
 }
+
+const canvas = document.getElementById("pot");
+fetch(canvas.dataset.glb)
+  .then((answer) => answer.arrayBuffer())
+  .then((bytes) => show(canvas, readPot(bytes)))
+  .catch(() => { canvas.parentElement.hidden = true; });

@@ -13,7 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "kiosk/phone/visitors_page.h"
+#include "kiosk/files/fetch_note.h"
+#include "kiosk/files/local_time.h"
+#include "kiosk/phone/page_files.h"
 #include "tests/kiosk/files/disk.h"
 
 namespace onggi::phone {
@@ -47,8 +49,8 @@ class PhoneTest : public ::testing::Test {
     server_->stop();
     runs_.join();
   }
-  std::string token(double hours = 24) {
-    const auto pass = passes_.give(kVisit, now_, hours);
+  std::string token(double hours = 24, const std::string& language = {}) {
+    const auto pass = passes_.give(kVisit, now_, hours, language);
     EXPECT_TRUE(pass) << to_text(pass.error());
     return pass->token;
   }
@@ -70,8 +72,10 @@ class PhoneTest : public ::testing::Test {
     close(phone);
     return heard;
   }
-  std::string get(const std::string& target, const std::string& method = "GET") const {
-    return hear(method + " " + target + " HTTP/1.1\r\nHost: kiosk\r\n\r\n");
+  std::string get(const std::string& target, const std::string& method = "GET",
+                  const std::string& languages = {}) const {
+    return hear(method + " " + target + " HTTP/1.1\r\nHost: kiosk\r\n" +
+                (languages.empty() ? "" : "Accept-Language: " + languages + "\r\n") + "\r\n");
   }
   static std::string body(const std::string& answer) {
     const auto end = answer.find("\r\n\r\n");
@@ -82,7 +86,9 @@ class PhoneTest : public ::testing::Test {
   fs::path keepsakes_ = folder_.path() / "kept";
   std::atomic<std::int64_t> now_{kNow};
   souvenir::Passes passes_{keepsakes_};
-  Answers answers_{passes_, [this] { return now_.load(); }};
+  std::vector<Problem> remarks_;
+  Answers answers_{passes_, [this] { return now_.load(); },
+                   PhoneLanguages::read("content/languages", remarks_)};
   std::unique_ptr<Server> server_;
   std::thread runs_;
 };
@@ -103,6 +109,7 @@ TEST_F(PhoneTest, AVisitorFindsPostcardPotAndPrintOnThePageAndNoOtherVisitor) {
   EXPECT_THAT(stl, HasSubstr("attachment; filename=\"pot.stl\""));
   EXPECT_EQ(body(get("/page.js")), k_page_js);
   EXPECT_EQ(body(get("/page.css")), k_page_css);
+  EXPECT_EQ(body(get("/page.svg")), k_page_svg);
 }
 
 TEST_F(PhoneTest, WhoeverHasNoPassIsToldTheSameWhateverIsAsked) {
@@ -160,7 +167,8 @@ TEST_F(PhoneTest, APageIsThereForItsHoursAndAClockThatJumpsMakesItNoOlder) {
   EXPECT_FALSE(passes_.served(std::time(nullptr) + souvenir::Passes::kSilent));
   answers_.end();
   EXPECT_FALSE(passes_.served(std::time(nullptr)));
-  EXPECT_TRUE(fs::is_empty(keepsakes_ / "phone")) << "no pass, and nobody there";
+  for (const auto& left : fs::directory_iterator(keepsakes_ / "phone"))
+    EXPECT_EQ(left.path().filename(), "fetched") << "no pass, and nobody there";
   EXPECT_TRUE(fs::exists(keepsakes_ / kVisit / "pot.glb")) << "the museum's copy has its own days";
 }
 
@@ -203,10 +211,86 @@ TEST_F(PhoneTest, AHundredPassesAreAllDifferentAndUseEveryLetterAlike) {
   EXPECT_FALSE(passes_.give("2026-05-04_141503_x/..", kNow, 24));
 }
 
-TEST(Page, APhoneIsSpokenToInTheFirstOfItsLanguagesThatThereIs) {
-  EXPECT_THAT(nothing_page("de-DE,ko;q=0.8,en;q=0.5"), HasSubstr("lang=\"ko\""));
-  EXPECT_THAT(nothing_page("en-GB,ko"), HasSubstr("lang=\"en\""));
-  EXPECT_THAT(nothing_page("fr"), HasSubstr("lang=\"en\""));
+TEST_F(PhoneTest, ThePageSpeaksAsTheVisitDidAndThePhonesOwnLanguageStandsOnTop) {
+  EXPECT_TRUE(remarks_.empty()) << to_text(remarks_.front());
+  const std::string at = "/k/" + token(24, "ar");
+  const std::string page = body(get(at, "GET", "de-DE,de;q=0.9"));
+  EXPECT_THAT(page, HasSubstr("<html lang=\"ar\" dir=\"rtl\">"));
+  EXPECT_THAT(page, HasSubstr("<p class=\"own\"><a lang=\"de\""));
+  EXPECT_THAT(body(get(at, "GET", "ar")), Not(HasSubstr("class=\"own\"")));
+  for (const char* code : {"de", "en", "es", "fr", "ja", "ko", "zh"}) {
+    const std::string chosen = at + "?lang=" + code;
+    EXPECT_THAT(page, HasSubstr("href=\"" + chosen + "\""));
+    EXPECT_THAT(get(chosen, "GET", "ko"), HasSubstr(std::string("<html lang=\"") + code));
+  }
+  EXPECT_THAT(get(at + "?lang=nn", "GET", "ko"), HasSubstr("<html lang=\"ar\""));
+  EXPECT_THAT(get(at + "?a=b&lang=fr"), HasSubstr("<html lang=\"fr\""));
+  EXPECT_THAT(get("/k/" + token(24, ""), "GET", "ko"), HasSubstr("<html lang=\"ar\""))
+      << "another pass to the same keepsake speaks as the first";
+  EXPECT_THAT(get(at + "/delete?lang=fr", "POST", "ko"), HasSubstr("<html lang=\"fr\""));
+  EXPECT_THAT(get(at, "GET", "ko"), HasSubstr("<html lang=\"ko\"")) << "nothing is known now";
+}
+
+TEST_F(PhoneTest, AKeepsakeIsCountedAsFetchedOnceWhoeverOpensItHoweverOften) {
+  const std::string one = token(), two = token();
+  EXPECT_TRUE(files::fetch_notes(passes_.fetched(), 9).empty());
+  get("/k/" + one + "/pot.glb");
+  get("/k/" + one.substr(1));
+  EXPECT_TRUE(files::fetch_notes(passes_.fetched(), 9).empty()) << "the page was not opened";
+  for (const std::string& each : {one, two, one}) get("/k/" + each);
+  const auto notes = files::fetch_notes(passes_.fetched(), 9);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].day, files::local_time(kNow, files::kDay));
+  EXPECT_NE(notes[0].id, one) << "it leads nowhere";
+  EXPECT_NE(notes[0].id, two);
+  get("/k/" + one + "/delete", "POST");
+  EXPECT_EQ(files::fetch_notes(passes_.fetched(), 9), notes) << "it was fetched all the same";
+}
+
+TEST_F(PhoneTest, AKeepsakeThatCannotBeDeletedIsNotCalledDeletedAndCanBeAskedForAgain) {
+  const std::string at = "/k/" + token();
+  const fs::path in_the_way = keepsakes_ / (std::string(kVisit) + ".partial");
+  std::ofstream(in_the_way) << "no folder";
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 500"));
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 200"));
+  fs::remove(in_the_way);
+  // A power cut came between, or the disk refused in the middle: some of it is still there.
+  fs::rename(keepsakes_ / kVisit, in_the_way);
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(get(at + "/pot.glb"), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  EXPECT_FALSE(fs::exists(in_the_way));
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 404"));
+}
+
+TEST_F(PhoneTest, APhoneThatAsksWhetherItsNetworkIsGoodIsToldSoToTheByte) {
+  const std::string success =
+      "<HTML><HEAD><TITLE>Success</TITLE></HEAD><BODY>Success</BODY></HTML>";
+  const std::vector<std::pair<std::string, std::string>> wanted = {
+      {"/hotspot-detect.html", success},
+      {"/library/test/success.html", success},
+      {"/connecttest.txt", "Microsoft Connect Test"},
+      {"/ncsi.txt", "Microsoft NCSI"},
+      {"/success.txt", "success\n"},
+      {"/success.txt?ipv4", "success\n"},
+      {"/nm", "NetworkManager is online\n"},
+      {"/check_network_status.txt", "NetworkManager is online\n"},
+      {"/canonical.html",
+       "<meta http-equiv=\"refresh\" "
+       "content=\"0;url=https://support.mozilla.org/kb/captive-portal\"/>"}};
+  for (const auto& [target, bytes] : wanted) {
+    const std::string answer = get(target);
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 200")) << target;
+    EXPECT_EQ(body(answer), bytes) << target;
+    EXPECT_THAT(answer, HasSubstr("Content-Length: " + std::to_string(bytes.size()) + "\r\n"));
+  }
+  for (const char* target : {"/generate_204", "/gen_204"}) {
+    const std::string answer = get(target);
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 204")) << target;
+    EXPECT_EQ(body(answer), "") << target;
+    EXPECT_THAT(answer, Not(HasSubstr("Content-Length"))) << "RFC 9110, 8.6";
+  }
+  EXPECT_EQ(get("/generate_204", "POST"), get("/"));
 }
 
 }  // namespace
