@@ -10,6 +10,7 @@ handle_trace.txt (what a force device is given).
 """
 
 import argparse
+import concurrent.futures
 import os
 import platform
 import shutil
@@ -99,29 +100,39 @@ def main():
                 return f"{name[2:]}: {result}"
         return "same"
 
+    # A run has one thread. Those of a build go side by side, beside the next build too, and are told in order.
+    runners = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+    told = []
     for compiler, level in [(c, v) for c in COMPILERS for v in LEVELS] if arguments.all else TELLING:
         if not shutil.which(compiler):
             print(f"{compiler} is not here: tests/packages.txt names it.")
             wrong += 1
             continue
-        print(f"{compiler} {level}", flush=True)
+        print(f"Compiling: {compiler} {level}", flush=True)
         name = f"{compiler}{level}".replace("+", "x").replace(" ", "").replace("=", "-")
         program = build(compiler, level, os.path.join(arguments.build, name))
+        rows = []
+        told.append((f"{compiler} {level}", program, rows))
         if not program:
-            report("build", "FAILED")
             continue
         kinds = run(program, "--kinds")
-        for kind in missing(kinds):
-            report(kind, "MISSING from this build")
-        for kind in kinds:
-            report(kind, all_of(program, "--vectors", kind))
+        rows += [(kind, lambda: "MISSING from this build") for kind in missing(kinds)]
+        rows += [(kind, runners.submit(all_of, program, "--vectors", kind).result) for kind in kinds]
         # Hidden only where libm's own answers change by it: else the row would test nothing.
         if run(program, "--libm") == run(program, "--libm", environment=HIDE_FMA):
             hidden.add(False)
-            print("  FMA hidden from libm         not run: libm gives the same bits either way")
         else:
             hidden.add(True)
-            report("FMA hidden from libm", all_of(program, environment=HIDE_FMA))
+            rows.append(("FMA hidden from libm",
+                         runners.submit(all_of, program, environment=HIDE_FMA).result))
+    for what, program, rows in told:
+        print(what, flush=True)
+        if not program:
+            report("build", "FAILED")
+        for row, result in rows:
+            report(row, result())
+    if False in hidden:
+        print("Where libm gives the same bits with FMA hidden, there is no row for it.")
 
     if True not in hidden:
         print("FMA could not be hidden on this machine, so that row is open.")
