@@ -8,8 +8,7 @@ namespace onggi::device {
 namespace {
 constexpr double kStep = 0.002;                 // m between the heights that are looked at
 constexpr double kFoot = 0.006;                 // m over the floor where strokes begin
-constexpr double kOut = 0.009;                  // m that a stroke widens at the most,
-constexpr double kIn = 0.004;                   // and narrows
+constexpr double kIn = 0.004;                   // m that a stroke narrows at the most
 constexpr double kFirst = 0.003, kRamp = 0.35;  // m that a stroke begins with at the foot, m a m
 constexpr double kBlend = 0.018;     // m of height over which a stroke sets in, to either side
 constexpr double kQuick = 0.03;      // m/s along a wall that is far off,
@@ -46,7 +45,7 @@ std::vector<Off> differences(const ClayView& clay, const Profile& target) {
   return all;
 }
 // From the floor to the rim, a hand inside.
-std::optional<Stroke> opening(const ClayView& clay, const Profile& target) {
+std::optional<Stroke> opening(const ClayView& clay, const Profile& target, double widens) {
   Stroke stroke;
   stroke.kind = Stroke::Kind::open;
   stroke.grip = Grip::inside;
@@ -59,7 +58,7 @@ std::optional<Stroke> opening(const ClayView& clay, const Profile& target) {
     // Where a wall opens as a whole, its ring keeps its clay, and the outer face goes along.
     const double along = std::sqrt(std::max(0.0, face * face - (out * out - in * in)));
     const double goal = std::min(std::min(out, face) - kOpened, along);
-    const double deep = std::clamp(goal - in, 0.0, kOut);
+    const double deep = std::clamp(goal - in, 0.0, widens);
     most = std::max(most, out - in > kThick ? deep : 0.0);
     stroke.path.push_back({in + deep, h});
   }
@@ -67,8 +66,9 @@ std::optional<Stroke> opening(const ClayView& clay, const Profile& target) {
 }
 }  // namespace
 
-std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, double near_enough) {
-  if (auto stroke = opening(clay, target)) return stroke;
+std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, double near_enough,
+                                  double widens) {
+  if (auto stroke = opening(clay, target, widens)) return stroke;
   const std::vector<Off> all = differences(clay, target);
   std::size_t first = all.size(), last = 0;
   double most = 0, sum = 0;
@@ -86,23 +86,47 @@ std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, d
   Stroke stroke;
   stroke.kind = sum > 0 ? Stroke::Kind::belly : Stroke::Kind::collar;
   stroke.speed = most > kNearly ? kQuick : kSlow;
-  // Where one stroke cannot bring it all the way, what it does is drawn out over a hand's breadth:
-  // the edge of a deep press would stand as a ledge until the next.
+  // The same share of its way for every height, so that a wall half-way to a shoulder is no steeper
+  // than the shoulder: were each height to go as far as it may, the neck would be there first, and
+  // stand on a step.
+  double share = 1;
+  for (std::size_t n = first; n <= last; ++n)
+    share =
+        std::min(share, (all[n].off > 0 ? widens : kIn) / std::max(std::abs(all[n].off), kNearly));
   for (std::size_t n = first; n <= last; ++n) {
-    double deep = 0;
-    const std::size_t from = n > reach ? n - reach : 0, to = std::min(all.size() - 1, n + reach);
-    const auto step = [&all](const Off& at) {
-      // Over the foot, which stays, a stroke sets in little by little.
-      const double most_here = kFirst + kRamp * (at.height - all.front().height);
-      return std::clamp(at.off, -std::min(kIn, most_here), std::min(kOut, most_here));
-    };
-    for (std::size_t m = from; m <= to; ++m)
-      deep += step(all[m]) / static_cast<double>(to - from + 1);
-    const double whole = step(all[n]);
-    const double share = std::clamp(most / kNearly - 1.0, 0.0, 1.0);
-    stroke.path.push_back({all[n].now + whole + share * (deep - whole), all[n].height});
+    // Over the foot, which stays, a stroke sets in little by little.
+    const double most_here = kFirst + kRamp * (all[n].height - all.front().height);
+    stroke.path.push_back(
+        {all[n].now + std::clamp(share * all[n].off, -most_here, most_here), all[n].height});
   }
   return stroke;
+}
+
+Profile rolled(const Profile& target, double radius) {
+  constexpr double kFine = 0.001;
+  Profile out = resampled(target, static_cast<int>(target.height() / kFine) + 2);
+  const int count = static_cast<int>(out.points.size());
+  const double step = target.height() / (count - 1);
+  const int reach = static_cast<int>(radius / step);
+  const auto bulge = [&](int n) {
+    return std::sqrt(std::max(0.0, radius * radius - n * n * step * step));
+  };
+  const auto outer = [&](int n) { return out.points[static_cast<std::size_t>(n)].outer; };
+  // Its middle's way, beyond foot and rim too.
+  std::vector<double> middle;
+  for (int n = -reach; n < count + reach; ++n) {
+    double far = 0;
+    for (int m = std::max(0, n - reach); m <= std::min(count - 1, n + reach); ++m)
+      far = std::max(far, outer(m) + bulge(m - n));
+    middle.push_back(far);
+  }
+  for (int n = 0; n < count; ++n) {
+    double face = middle[static_cast<std::size_t>(n + reach)] - radius;
+    for (int m = n - reach; m <= n + reach; ++m)
+      face = std::min(face, middle[static_cast<std::size_t>(m + reach)] - bulge(m - n));
+    out.points[static_cast<std::size_t>(n)].outer = face;
+  }
+  return out;
 }
 
 Stroke last_stroke(const ClayView& clay, const Profile& target) {
@@ -117,7 +141,9 @@ Stroke last_stroke(const ClayView& clay, const Profile& target) {
     double deep = 0;
     for (std::size_t m = from; m <= to; ++m)
       deep += std::clamp(all[m].off, -kEvening, kEvening) / static_cast<double>(to - from + 1);
-    stroke.path.push_back({all[n].now + deep, all[n].height});
+    // As every stroke, it sets in over the foot.
+    const double most_here = kRamp * (all[n].height - all.front().height);
+    stroke.path.push_back({all[n].now + std::clamp(deep, -most_here, most_here), all[n].height});
   }
   return stroke;
 }

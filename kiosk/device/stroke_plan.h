@@ -24,8 +24,14 @@ struct Stroke {
 
 /// The next stroke from `clay` towards `target`'s outer outline: from the foot to the rim where the
 /// wall is off, no deeper than soft clay follows two hands without a ridge, and slower the nearer
-/// it is. Nothing once all that hands can reach is within `near_enough` metres. Pure; allocates.
-std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, double near_enough);
+/// it is. It widens by `widens` m at the most. Nothing once all that hands can reach is within
+/// `near_enough` metres. Pure; allocates.
+std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, double near_enough,
+                                  double widens = 0.009);
+
+/// `target` as a ball of `radius`, m, rolled along its outside leaves it: where it bends inwards
+/// more sharply, as at a neck, rounder. Inside as `target`. Pure; allocates.
+Profile rolled(const Profile& target, double radius);
 
 /// One slow stroke of both hands along all of `target` that is on `clay`.
 Stroke last_stroke(const ClayView& clay, const Profile& target);

@@ -10,7 +10,9 @@ constexpr int kHeights = 64;         // from the lowest place of the tool's midd
 constexpr double kLowest = 0.2;      // of its radius: half of it stays clear of the wheel head
 constexpr double kTrimLook = 0.001;  // m
 constexpr double kTrimClear = 0.005, kTrimAway = 0.02;  // m off the clay, m/s there
+constexpr double kTrimUp = 0.06;                        // m/s, clear
 constexpr double kEnough = 0.0008;                      // m
+constexpr double kSpared = 0.001;                       // m
 
 double lowest_of(double radius) { return kLowest * radius; }
 }  // namespace
@@ -48,7 +50,10 @@ void TrimPass::next_pass(const ClayView& clay, const Profile& target) {
     const double touch =
         centre(h, [&](double at) { return clay.radius_at(at, WallSide::outside); });
     const double want = centre(h, [&](double at) { return target.outer_at(at); });
-    was_[n] = std::min(touch, std::max(want, touch - kDeep));
+    // Clear of what is the target's already: a loop that is only to touch takes a little each time.
+    const double over = touch - want;
+    const double taken = over > kEnough ? over : over + (over / kEnough - 1) * kSpared;
+    was_[n] = touch - std::clamp(taken, -kSpared, kDeep);
   }
   height_ = top_;
   clear_ = kTrimClear;
@@ -71,9 +76,13 @@ void TrimPass::follow(const ClayView& clay, const Profile& target, double dt) {
   } else if (stage_ == Stage::cutting) {
     height_ = std::max(low, height_ - kDown * dt);
     if (height_ == low) stage_ = Stage::leaving;
+  } else if (stage_ == Stage::leaving) {
+    clear_ = std::min(kTrimClear, clear_ + kTrimAway * dt);
+    if (clear_ == kTrimClear) stage_ = Stage::rising;
   } else {
-    clear_ += kTrimAway * dt;
-    if (clear_ > kTrimClear) next_pass(clay, target);
+    // Along the foot: a bowl's wall hangs over the straight way up.
+    height_ = std::min(top_, height_ + kTrimUp * dt);
+    if (height_ == top_) next_pass(clay, target);
   }
   const double place = (height_ - low) / (top_ - low) * (kHeights - 1);
   const int below = std::clamp(static_cast<int>(place), 0, kHeights - 2);

@@ -13,8 +13,8 @@ namespace onggi::device {
 class TrimPass {
  public:
   static constexpr double kDown = 0.016;   ///< m/s along the foot.
-  static constexpr double kDeep = 0.004;   ///< m that a pass takes at the most.
-  static constexpr double kAbove = 0.012;  ///< m over the floor where a pass begins.
+  static constexpr double kDeep = 0.0025;  ///< m that a pass takes at the most.
+  static constexpr double kAbove = 0.006;  ///< m over the floor where a pass begins.
   static constexpr int kMostPasses = 12;
 
   /// `tool`: HandInput::tool of a disc or ball of this radius, m.
@@ -28,7 +28,7 @@ class TrimPass {
   HandInput input(Vec3 right) const;
 
  private:
-  enum class Stage : std::uint8_t { setting, cutting, leaving, off };
+  enum class Stage : std::uint8_t { setting, cutting, leaving, rising, off };
   bool left_to_do(const ClayView& clay, const Profile& target) const;
   void next_pass(const ClayView& clay, const Profile& target);
   template <class Face>

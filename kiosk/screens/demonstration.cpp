@@ -5,12 +5,16 @@
 
 namespace onggi::screens {
 
+using device::WallHold;
+
 namespace {
 constexpr double kWheel = 25.0;         // rad/s with a lump; slower the wider the pot,
 constexpr double kRimSpeed = 2.0;       // m/s at the widest place
 constexpr double kWetting = 0.7;        // s of the sponge, at first and every third stroke
 constexpr double kBreath = 0.5;         // s between two strokes
 constexpr double kNearEnough = 0.0015;  // m
+constexpr double kWidens = 0.005;       // m that a stroke does: more leaves a ledge on its way
+constexpr double kSharp = 0.005;        // m that palms may leave of a neck
 constexpr int kMostStrokes = 15;
 constexpr double kStand = 2.5;  // s in which the wheel comes to rest
 }  // namespace
@@ -54,6 +58,20 @@ bool Demonstration::rested(double dt, double seconds) {
   return for_ > seconds;
 }
 
+// What is thrown is what its hands can: a palm leaves a sharp neck rounder than it is, and where it
+// would leave too much of one, fingertips work it.
+void Demonstration::take_hands(const Profile& target) {
+  const WallHold::Part palm{wheel_.palm, wheel_.palm_radius}, finger{0, wheel_.tool_radius};
+  worked_ = device::rolled(target, palm.radius);
+  double left = 0;
+  for (const ProfilePoint& at : worked_.points)
+    if (at.height > 0.5 * target.height())
+      left = std::max(left, at.outer - target.outer_at(at.height));
+  const bool sharp = left > kSharp;
+  if (sharp) worked_ = device::rolled(target, finger.radius);
+  hands_.take_up(sharp ? finger : palm, finger);
+}
+
 void Demonstration::throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
                              loop::PotterCommands& potter) {
   if (!rested(dt, kBreath)) return;
@@ -64,7 +82,7 @@ void Demonstration::throw_on(double dt, const loop::WheelView& wheel, const Prof
     potter.water(water_ = true);
     return;
   }
-  const auto stroke = device::next_stroke(wheel.clay, target, kNearEnough);
+  const auto stroke = device::next_stroke(wheel.clay, worked_, kNearEnough, kWidens);
   if (stroke && strokes_ < kMostStrokes) {
     ++strokes_;
     finger_.begin(*stroke, side_, hands_, wheel.clay);
@@ -107,7 +125,10 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
   for (const HandFeedback& felt : wheel.status.feedback.hand) contact = contact || felt.contact;
 
   if (stage_ == Stage::wet) {
-    if (for_ == 0) potter.water(true);
+    if (for_ == 0) {
+      take_hands(target);
+      potter.water(true);
+    }
     for_ += dt;
     if (for_ > kWetting + 0.8) {
       potter.water(false);
@@ -117,7 +138,8 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
     throw_on(dt, wheel, target, potter);
   } else if (stage_ == Stage::foot) {
     if (trimmer_) trimmer_->follow(wheel.clay, target, dt);
-    if (!trimmer_ || trimmer_->done()) next_stage(wheel, target);
+    // Up first: hands that went straight from the foot would go through the wall.
+    if ((!trimmer_ || trimmer_->done()) && rested(dt, kBreath)) next_stage(wheel, target);
   } else if (stage_ == Stage::even) {
     if (rested(dt, kBreath)) next_stage(wheel, target);
   } else if (stage_ == Stage::rib) {

@@ -35,6 +35,7 @@ class Demonstration {
   void send(Vec3 right, loop::PotterCommands& potter) const;
   bool rested(double dt, double seconds);
   void turn(double speed, loop::PotterCommands& potter);
+  void take_hands(const Profile& target);
   void next_stage(const loop::WheelView& wheel, const Profile& target);
   void throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
                 loop::PotterCommands& potter);
@@ -45,7 +46,8 @@ class Demonstration {
   std::optional<device::RibPass> rib_;
   std::optional<device::TrimPass> trimmer_;
   std::optional<WireCut> wire_;
-  double side_;  ///< +1 right of the axis, -1 left.
+  Profile worked_;  ///< The target as the hands can leave it.
+  double side_;     ///< +1 right of the axis, -1 left.
   Stage stage_ = Stage::wet;
   double for_ = 0;    ///< s in the stage, or since the last stroke.
   double turns_ = 0;  ///< rad/s, as the wheel was last asked.

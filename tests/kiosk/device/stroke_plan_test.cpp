@@ -58,6 +58,46 @@ TEST(StrokePlan, BothHandsWidenTowardsABellyAndNarrowTowardsANeckFromTheFootUp) 
   for (const Vec2& at : slim->path) EXPECT_TRUE(at.x < 0.0551 && at.x > 0.0469) << at.y;
 }
 
+TEST(StrokePlan, EveryHeightGoesTheSameShareOfWhatIsLeftToIt) {
+  const ClayView clay = tube(0.055, 0.006);
+  const Profile target = jar(0.055, 0.04);
+  const auto stroke = next_stroke(clay, target, 0.001, 0.005);
+  ASSERT_TRUE(stroke);
+  double most = 0;
+  for (const Vec2& at : stroke->path) {
+    const double left = target.outer_at(at.y) - 0.055, gone = at.x - 0.055;
+    most = std::max(most, gone);
+    // Over the foot it sets in.
+    if (at.y > 0.04) {
+      EXPECT_NEAR(gone / left, 0.005 / 0.04, 0.002) << at.y;
+    }
+  }
+  EXPECT_NEAR(most, 0.005, 1e-4);
+}
+
+TEST(StrokePlan, ABallRolledAlongAVesselFillsWhatIsNarrowerThanItselfAndNothingElse) {
+  // A tube with a groove of 10 mm round it, and a sharp shoulder up to a neck.
+  Profile p;
+  for (int n = 0; n <= 400; ++n) {
+    const double h = 0.0005 * n;
+    const double r = h > 0.16 ? 0.02 : std::abs(h - 0.08) < 0.005 ? 0.04 : 0.05;
+    p.points.push_back({h, r, 0.01});
+  }
+  constexpr double kBall = 0.018;
+  const Profile out = rolled(p, kBall);
+  EXPECT_NEAR(out.outer_at(0.03), 0.05, 1e-6);
+  // A ball lies on the groove's edges, and dips in by r - sqrt(r^2 - (w / 2)^2).
+  EXPECT_NEAR(out.outer_at(0.08), 0.05 - (kBall - std::sqrt(kBall * kBall - 25e-6)), 1e-4);
+  // In the corner under the neck it touches both: the neck a radius above the shoulder's edge.
+  EXPECT_NEAR(out.outer_at(0.16 + kBall), 0.02, 1e-3);
+  EXPECT_NEAR(out.outer_at(0.164), 0.038 - std::sqrt(kBall * kBall - 0.014 * 0.014), 0.002);
+  for (double h = 0; h <= 0.2; h += 0.001) {
+    EXPECT_GE(out.outer_at(h) + 2e-4, std::min(p.outer_at(h - 0.001), p.outer_at(h + 0.001))) << h;
+    EXPECT_NEAR(rolled(out, kBall).outer_at(h), out.outer_at(h), 3e-4) << h;
+    EXPECT_EQ(out.inner_at(h), 0.01);
+  }
+}
+
 TEST(StrokePlan, TheFootIsLeftAloneAndNothingIsLeftToDoOnAPotThatIsThere) {
   const auto stroke = next_stroke(tube(0.055, 0.006), jar(0.02, 0.06), 0.001);
   ASSERT_TRUE(stroke);
