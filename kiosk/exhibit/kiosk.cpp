@@ -41,6 +41,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   kiosk->keepsakes_ =
       std::make_unique<Keepsakes>(kept_in, souvenir::KeepsakeLimits{keep.quota_mb, keep.days},
                                   phone.address.empty() ? 0.0 : phone.hours);
+  if (keep.gallery) kiosk->todays_ = std::make_unique<TodaysPots>(kept_in, options.wall);
   if (kiosk->exhibit_.store.count)
     kiosk->counter_ = std::make_unique<VisitCounter>(store_file(kept_in), kiosk->exhibit_);
   auto renderer = render::Renderer::create(options.window);
@@ -126,6 +127,7 @@ void Kiosk::begin_visit(double now) {
   world.wheel = &potter_->view();
   world.potter = potter_.get();
   if (devices_) world.devices = &devices_->news();
+  if (todays_) world.todays = &todays_->pots();
   visit_ = std::make_unique<screens::Visit>(world);
   if (stepped_ == nullptr) visit_->wander();
   if (shelf_->cards().empty())
@@ -237,6 +239,7 @@ bool Kiosk::frame(double now, bool draw) {
   note_saved();
   if (counter_) log_problems(counter_->remarks());
   for (const std::string& line : fault_log_.news(potter_->view().status)) log_line(line);
+  if (todays_) todays_->look(now, *renderer_, stepped_ != nullptr);
   visit_->update(now);
   while (auto request = visit_->take_request())
     std::visit([this](const auto& wish) { carry_out(wish); }, *request);
@@ -328,6 +331,7 @@ void Kiosk::note_saved() {
     log_line("Kept " + saved->outcome->folder.string());
   else
     log_problem(saved->outcome.error());
+  if (todays_) todays_->hurry();
   const bool present = saved->ticket == saving_ticket_;
   if (counter_) counter_->saved(*saved);
   // A save that outlasted its visitor is none of the next one's business.

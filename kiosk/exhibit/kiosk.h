@@ -17,6 +17,7 @@
 #include "kiosk/exhibit/shelf.h"
 #include "kiosk/exhibit/studio_sound.h"
 #include "kiosk/exhibit/taken_home.h"
+#include "kiosk/exhibit/todays_pots.h"
 #include "kiosk/exhibit/visit_counter.h"
 #include "kiosk/loop/fault_log.h"
 #include "kiosk/loop/potter_host.h"
@@ -123,6 +124,7 @@ class Kiosk {
   std::unique_ptr<HandDevices> devices_;    ///< Null where none are to be used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Keepsakes> keepsakes_;
+  std::unique_ptr<TodaysPots> todays_;     ///< Null where the curator shows none.
   std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
   std::unique_ptr<screens::Visit> visit_;
   std::optional<Night> night_;  ///< None where it is always open.

@@ -19,6 +19,24 @@ void shrink(TriangleMesh& mesh, double size) {
     for (float& x : at) x *= static_cast<float>(size);
 }
 
+/// The pot alone, as the gallery shows it.
+view::Frame small_picture(const Profile& made, const std::optional<view::Glazing>& glazing) {
+  constexpr int kWidth = 240, kHeight = 300;
+  view::Frame frame;
+  frame.width = kWidth;
+  frame.height = kHeight;
+  view::PotView pot;
+  pot.camera =
+      view::frame_pot(kWidth, kHeight, {24, 24, 192, 236}, made.height(), made.max_radius());
+  pot.wheel = false;
+  if (glazing) {
+    pot.finish = view::Finish::fired;
+    pot.glazing = *glazing;
+  }
+  frame.pot = pot;
+  return frame;
+}
+
 }  // namespace
 
 Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
@@ -63,6 +81,9 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
   // The picture is drawn from the rows on the wheel, and a picture has no size.
   keepsake.postcard = renderer.draw_offscreen(
       souvenir::compose_postcard(words, request.made, card.target, renderer.measure(), glazing));
+  if (exhibit.keepsake.gallery)
+    keepsake.small = {renderer.draw_offscreen(small_picture(request.made, glazing)),
+                      card.vessel->id, request.score.stars};
   keepsake.name = files::local_time(std::time(nullptr), files::kStamp) + '_' + card.vessel->id;
   keepsake.caption = {words.title, exhibit.credit, words.vessel};
   keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit.credit, material);

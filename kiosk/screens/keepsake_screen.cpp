@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kiosk/screens/gallery_page.h"
 #include "kiosk/screens/overlays.h"
 #include "kiosk/view/square_code.h"
 
@@ -13,21 +14,36 @@ using view::Rect;
 
 namespace {
 
-/// The postcard, large, and where it is kept.
+/// The postcard, large, and where it is kept; from there today's pots.
 class Keepsake final : public Screen {
  public:
-  using Screen::Screen;
+  explicit Keepsake(Desk& d) : Screen(d), gallery_(d) {}
   ScreenId id() const override { return ScreenId::keepsake; }
   std::string first_focus() const override { return "keepsake.done"; }
 
+  void update(double dt) override {
+    gallery_.update(dt);
+    if (open_ && !gallery_.any()) turn_to(false);
+  }
+  bool drag(const view::InputEvent& e, const Page& page) override {
+    return open_ && gallery_.drag(e, page);
+  }
+  void pointer(const view::InputEvent& e, const Page&) override {
+    if (open_) gallery_.pointer(e);
+  }
+  void let_go() override { gallery_.let_go(); }
+
   void lay_out(Page& page) override {
+    const Button done{"keepsake.done", desk.say("keepsake.done"), Look::solid};
+    if (open_) return gallery_.lay_out(page, {done}, true);
     if (desk.postcard != 0) lay_out_card(page);
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
-    column.foot_buttons({{"keepsake.done", desk.say("keepsake.done"), Look::solid},
-                         {"keepsake.again", desk.say("keepsake.again"), Look::outline}});
+    std::vector<Button> ways{done, {"keepsake.again", desk.say("keepsake.again"), Look::outline}};
+    if (gallery_.any()) ways.push_back(gallery_.way("keepsake.gallery"));
+    column.foot_buttons(ways);
     column.foot_space(t.gap);
     const bool failed = desk.kept == Desk::Kept::failed;
     const bool making = desk.postcard == 0 && !failed;
@@ -56,10 +72,21 @@ class Keepsake final : public Screen {
   void press(const std::string& control) override {
     if (control == "keepsake.done") desk.go(ScreenId::attract);
     if (control == "keepsake.again") desk.go(ScreenId::choose);
+    if (control == "keepsake.gallery") turn_to(true);
+    if (open_) gallery_.press(control);
   }
-  void back() override { desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::result); }
+  void back() override {
+    if (open_) return turn_to(false);
+    desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::result);
+  }
 
  private:
+  void turn_to(bool open) {
+    open_ = open;
+    gallery_.begin();
+    desk.turned = true;
+  }
+
   /// For a phone, where one can reach it.
   void lay_out_code(Column& column) {
     Page& page = column.page();
@@ -76,6 +103,8 @@ class Keepsake final : public Screen {
     code_.draw(page.items(), x, room.y, wanted);
   }
 
+  GalleryPage gallery_;
+  bool open_ = false;      ///< The gallery is shown.
   std::string coded_;      ///< The address that code_ is of.
   view::SquareCode code_;  ///< Reckoned once for a page.
 

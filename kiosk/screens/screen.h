@@ -25,6 +25,8 @@ class Screen {
   /// A finger went down on a control; press() follows when it is lifted there.
   virtual void hold(const std::string& /*control*/) {}
   virtual void back() = 0;
+  /// Attract: a touch on `control` (none: "") begins a visit.
+  virtual bool begins_with(const std::string& /*control*/) const { return true; }
   /// Where the keyboard begins.
   virtual std::string first_focus() const = 0;
 

@@ -15,6 +15,7 @@
 #include "kiosk/score/score.h"
 #include "kiosk/screens/advice.h"
 #include "kiosk/screens/device_news.h"
+#include "kiosk/screens/todays_pot.h"
 #include "kiosk/screens/visit_notes.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/view/frame.h"
@@ -102,6 +103,8 @@ struct VisitWorld {
   const std::vector<content::LessonStep>* lesson =
       nullptr;                          ///< Of the first minute at the wheel; may be absent.
   const DeviceNews* devices = nullptr;  ///< May be absent: nothing is told of devices then.
+  const std::vector<TodaysPot>* todays =
+      nullptr;  ///< For the gallery, newest first; may be absent.
 };
 
 /// The throwing screen as a visitor sees it: where the pot is on the screen, the line to meet, the
@@ -153,7 +156,7 @@ class Visit {
   const score::Score& score() const;
 
   /// Where a control stands in the frame last made, for tests and the scripted visitor:
-  ///   attract   "attract.begin" (any touch begins)
+  ///   attract   "attract.begin" (any touch begins), "attract.gallery" (where pots were kept today)
   ///   choose    "choose.card.N" (N counts the whole shelf; only this page's are there),
   ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
   ///             "choose.more" (a long label read on), "choose.alike" (the label of the vessel
@@ -165,7 +168,8 @@ class Visit {
   ///             lasts); with a device that pushes "throw.softer", "throw.stronger"
   ///   result    "result.keep", "result.again", "result.other"
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
-  ///   keepsake  "keepsake.done"        fault  "fault.on"
+  ///   keepsake  "keepsake.done", "keepsake.gallery"        fault  "fault.on"
+  ///   the gallery in both  "gallery.next", "gallery.previous"
   ///   over any  "help", "help.close", "comfort", "comfort.close", "comfort.CHOICE" (Comfort),
   ///             "idle.stay", "language", "back"
   /// Nothing when it is not on the screen. A control acts when the pointer is lifted on it.

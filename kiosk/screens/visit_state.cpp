@@ -141,7 +141,7 @@ void Visit::State::pointer(const InputEvent& e) {
   if (e.kind == Kind::pointer_down) {
     // The first touch is never lost: wherever it lands, the visit begins.
     if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
-        on != "comfort" && !language_of(desk, on)) {
+        on != "comfort" && !language_of(desk, on) && screen->begins_with(on)) {
       desk.go(ScreenId::choose);
       return settle();
     }
@@ -176,7 +176,8 @@ void Visit::State::key(const InputEvent& e) {
   if (over == Over::help || over == Over::comfort) {
     if (e.key == Key::back) return cover(Over::nothing);
   } else {
-    if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none) {
+    if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none &&
+        screen->begins_with({})) {
       desk.go(ScreenId::choose);
       return settle();
     }

@@ -45,6 +45,7 @@ struct Exhibit {
     std::filesystem::path folder = "../keepsakes";  ///< Where postcards go; made when first needed.
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.
     int days = 0;         ///< After which a visit is removed, 1..3650; 0: only beyond the quota.
+    bool gallery = true;  ///< Pots kept today are shown to visitors, without a name.
   } keepsake;
   struct Store {
     bool count = true;  ///< Visits are counted, beside the keepsakes.

@@ -62,6 +62,13 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
   if (!png) return tl::unexpected(png.error());
   auto jpeg = encode(keepsake.postcard, Format::jpeg, keepsake.caption);
   if (!jpeg) return tl::unexpected(jpeg.error());
+  std::vector<std::byte> small;
+  if (keepsake.small) {
+    auto picture = encode(keepsake.small->picture, Format::jpeg, {});
+    if (!picture) return tl::unexpected(picture.error());
+    small = std::move(*picture);
+  }
+  const std::string shown = keepsake.small ? text_of(*keepsake.small) : std::string();
   const std::vector<std::byte> stl = write_stl(keepsake.pot, keepsake.caption.title);
 
   if (auto made = files::make_folder(folder); !made) return tl::unexpected(made.error());
@@ -77,12 +84,14 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     path = files.folder / file;
     return files::write_durably(partial.path() / file, bytes);
   };
+  fs::path unnamed;
   const bool has_pot = !keepsake.pot.triangles.empty();
   for (const Result<void>& written :
        {write(files.png, kPostcardPng, *png), write(files.jpeg, kPostcardJpeg, *jpeg),
         write(files.glb, kPotGlb, keepsake.glb),
         write(files.stl, kPotStl, has_pot ? std::span(stl) : std::span<const std::byte>()),
-        write(files.replay, kReplay, keepsake.replay)}) {
+        write(files.replay, kReplay, keepsake.replay), write(unnamed, kSmall, small),
+        write(unnamed, kShown, std::as_bytes(std::span(shown)))}) {
     if (!written) return tl::unexpected(written.error());
   }
   if (auto renamed = files::rename_durably(partial.path(), files.folder); !renamed) {

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <ctime>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
 #include "kiosk/souvenir/encode.h"
+#include "kiosk/souvenir/small_pot.h"
 #include "kiosk/view/image.h"
 
 namespace onggi::souvenir {
@@ -23,6 +25,8 @@ struct Keepsake {
   std::vector<std::byte> glb;     ///< Made by content::write_glb.
   TriangleMesh pot;               ///< For the STL, metres (written in millimetres).
   std::vector<std::byte> replay;  ///< May be empty.
+  /// For the gallery of the day's pots; absent: it is not shown there.
+  std::optional<SmallPot> small{};
 };
 
 /// Where they lie. A path is empty where there was nothing to write.
@@ -37,7 +41,8 @@ struct KeepsakeLimits {
   int days = 0;      ///< After which a visit goes, by the date in its name (tidy()); 0: never.
 };
 
-/// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi}`, then
+/// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi}` and, for the
+/// gallery, small.jpg and pot.txt, then
 /// tidies, never removing the one just written (what tidy() has to say waits for the next one that
 /// is asked for). A visit is whole or absent, whenever the power goes: it is written as
 /// `<name>.partial` and renamed. Nothing is ever removed but folders that save() wrote. On a

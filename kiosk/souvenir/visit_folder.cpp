@@ -33,8 +33,8 @@ bool is_plain(char c) {
 
 /// Only what save() writes: its files, or what a power cut left of one (".postcard.png.12-3.part").
 bool is_ours(const std::string& file) {
-  constexpr std::array<std::string_view, 5> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
-                                                  kReplay};
+  constexpr std::array<std::string_view, 7> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
+                                                  kReplay,      kSmall,        kShown};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return file == name ||
            (file.starts_with("." + std::string(name) + ".") && file.ends_with(".part"));

@@ -11,6 +11,8 @@ inline constexpr const char* kPostcardJpeg = "postcard.jpg";
 inline constexpr const char* kPotGlb = "pot.glb";
 inline constexpr const char* kPotStl = "pot.stl";
 inline constexpr const char* kReplay = "visit.onggi";
+inline constexpr const char* kSmall = "small.jpg";  ///< The pot alone, for the gallery,
+inline constexpr const char* kShown = "pot.txt";    ///< and what is said of it there.
 
 /// Behind the name of a folder that is being written or removed.
 inline constexpr const char* kPartial = ".partial";

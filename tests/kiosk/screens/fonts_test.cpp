@@ -37,6 +37,7 @@ void check_all(int width, int height, bool larger = false) {
     v.width = width;
     v.height = height;
     v.exhibit.screen.larger_text = larger;
+    v.keep_today(20);
     v.show();
     walk(v, [&](const std::string& name) { check_layout(v, fonts, language.code() + " " + name); });
   }

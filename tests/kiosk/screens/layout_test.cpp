@@ -17,6 +17,7 @@ void check_all(const std::function<void(settings::Exhibit::Screen&)>& choose) {
       v.width = width;
       v.height = height;
       choose(v.exhibit.screen);
+      v.keep_today(30);
       v.show();
       if (korean) v.touch("language");
       walk(v, [&](const std::string& name) { check_layout(v, v.plain, name); });

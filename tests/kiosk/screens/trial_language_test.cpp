@@ -83,6 +83,7 @@ void walk_in(const content::Language& language, std::pair<int, int> size, bool l
   std::tie(v.width, v.height) = size;
   v.languages = {language, v.languages.front()};
   v.exhibit.screen.larger_text = larger;
+  v.keep_today(20);
   v.show();
   walk(v, [&](const std::string& name) { check_layout(v, v.plain, name); });
 }

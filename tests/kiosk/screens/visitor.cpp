@@ -109,6 +109,7 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
   world.lesson = &lesson;
   world.potter = &potter;
   world.devices = &news;
+  world.todays = &todays;
   visit = std::make_unique<Visit>(world);
   show();
 }
@@ -148,6 +149,13 @@ void Visitor::up(float x, float y) {
 void Visitor::reach(const std::string& control) {
   for (const char* way : {"throw.more", "throw.less"})
     if (!visit->control(control) && visit->control(way)) touch(way);
+}
+
+void Visitor::keep_today(int pots) {
+  todays.clear();
+  for (int i = 0; i < pots; ++i)
+    todays.push_back({static_cast<view::PictureId>(1000 + i),
+                      vessels[static_cast<std::size_t>(i) % vessels.size()].id, i % 6});
 }
 
 void Visitor::touch(const std::string& control) {
@@ -242,6 +250,11 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.status.script_done = true;
   v.frames(2);
   with_help("attract");
+  if (v.visit->control("attract.gallery")) {
+    v.touch("attract.gallery");
+    with_help("attract gallery");
+    v.touch("back");
+  }
   v.down(400, 5), v.up(400, 5);
   with_help("choose");
   with_comfort("choose");
@@ -296,6 +309,11 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.visit->show_postcard(9);
   v.visit->keepsake_kept("2026-05-04_141503_panathenaic_amphora");
   with_help("keepsake");
+  if (v.visit->control("keepsake.gallery")) {
+    v.touch("keepsake.gallery");
+    settled("keepsake gallery");
+    v.touch("back");
+  }
   v.frames(v.exhibit.idle.result_after + 1);
   settled("idle");
   v.move(3, 3);

@@ -56,6 +56,8 @@ class Visitor {
   void down(float x, float y);
   void move(float x, float y);
   void up(float x, float y);
+  /// So many pots were kept today, of the shelf's vessels one after the other.
+  void keep_today(int pots);
   /// Down and up in the middle of a control, in the drawer too.
   void touch(const std::string& control);
   /// At the wheel: opens or closes the drawer where `control` is only seen so.
@@ -78,6 +80,7 @@ class Visitor {
   std::vector<ShelfCard> shelf;
   std::vector<content::Glaze> glazes;
   std::vector<content::LessonStep> lesson;  // none as it comes
+  std::vector<TodaysPot> todays;            // likewise
   Wheel wheel;                              // of every card
   PlainMeasure plain;
   RecordingPotter potter;

@@ -76,6 +76,7 @@ result_after = 90
 folder = "/var/lib/onggi/keepsakes"
 quota_mb = 10
 days = 30
+gallery = false
 [store]
 count = false
 months = 12
@@ -95,7 +96,7 @@ file_mb = 32
 vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 26);
+  EXPECT_EQ(r.keys_checked, 27);
   EXPECT_THAT(r.exhibit.attract_scripts, ElementsAre("follow", "collapse"));
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
@@ -104,6 +105,7 @@ vertices = 200000
   EXPECT_EQ(r.exhibit.keepsake.folder, "/var/lib/onggi/keepsakes");
   EXPECT_EQ(r.exhibit.keepsake.quota_mb, 10);
   EXPECT_EQ(r.exhibit.keepsake.days, 30);
+  EXPECT_FALSE(r.exhibit.keepsake.gallery);
   EXPECT_FALSE(r.exhibit.store.count);
   EXPECT_EQ(r.exhibit.store.months, 12);
   EXPECT_EQ(r.exhibit.idle.warn_after, 30);

@@ -1,0 +1,58 @@
+#include "kiosk/screens/gallery_page.h"
+
+#include "kiosk/screens/overlays.h"
+
+namespace onggi::screens {
+
+using view::Face;
+using view::Rect;
+
+int GalleryPage::count() const {
+  return desk_.world.todays == nullptr ? 0 : static_cast<int>(desk_.world.todays->size());
+}
+
+const TodaysPot& GalleryPage::pot(int i) const {
+  return (*desk_.world.todays)[static_cast<std::size_t>(i)];
+}
+
+view::PictureId GalleryPage::picture(int i) const { return pot(i).picture; }
+
+Button GalleryPage::way(const std::string& id) const {
+  return {id, desk_.say("gallery.open"), Look::outline};
+}
+
+void GalleryPage::lay_out(Page& page, const std::vector<Button>& onward, bool with_back) {
+  const TypeScale& t = page.type();
+  Column column(page, page.where().page);
+  column.text(desk_.say("gallery.title"), t.title, Face::serif);
+  column.text(desk_.say("gallery.lead"), t.body, Face::sans, view::kFaintInk);
+  column.foot_buttons(standing_buttons(desk_, with_back));
+  column.foot_space(t.gap * 1.5f);
+  column.foot_buttons(onward);
+  column.foot_space(t.gap * 1.5f);
+  column.space(t.gap * 1.5f);
+  shelf_.lay_out(page, column);
+}
+
+float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const {
+  const TypeScale& t = page.type();
+  float y = at.y;
+  const auto line = [&](const std::string& words, Face face, float px, view::Color color) {
+    if (words.empty()) return;
+    auto style = page.style(face, px, view::Align::centre);
+    style.line_height = 1.25f;
+    const auto size = page.size(words, style, at.w);
+    if (size.width > at.w + 2) page.overflowed();
+    if (opacity > 0)
+      page.words({at.x, y, at.w, size.height}, words, style, view::with_alpha(color, opacity));
+    y += size.height;
+  };
+  for (int card = 0; card < desk_.cards(); ++card)
+    if (desk_.shelf_card(card)->vessel->id == pot(i).vessel)
+      line(desk_.label(card).title, Face::serif, t.body, view::kInk);
+  line(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
+       t.body * 0.94f, view::kFaintInk);
+  return y - at.y + t.gap * 0.5f;
+}
+
+}  // namespace onggi::screens
