@@ -46,6 +46,8 @@ struct Neighbours {
 };
 /// Of each lane, one element back and one on.
 ONGGI_INLINE Neighbours neighbours(Float8 before, Float8 here, Float8 after, Seam seam) {
+  if (seam.padding == 0 || !(seam.begins || seam.ends))
+    return {one_back(before, here), one_on(here, after)};
   float line[3 * kLanes];
   store(before, line);
   store(here, line + kLanes);
@@ -65,8 +67,11 @@ ONGGI_INLINE Float8 felt_beside(const Edged& before, const Edged& here, const Ed
   const Neighbours open = neighbours(before.open, here.open, after.open, seam);
   const auto in_step = [&](Float8 press) { return select(press < zero, press, press * mean); };
   const Float8 left = in_step(open.left), press = in_step(here.open), right = in_step(open.right);
-  const Float8 edges = only(left < zero, edge_of(press, left, right)) +
-                       only(right < zero, edge_of(press, right, left));
+  // An element with an edge to both sides is a print of one, which edge_of() leaves to the sum.
+  const Mask8 ends_left = left < zero;
+  const Float8 edges =
+      only(ends_left | (right < zero),
+           edge_of(press, select(ends_left, left, right), select(ends_left, right, left)));
   // The part that is not covered is as the neighbour on that side: all that the element has given
   // way by is the covered part's.
   const Neighbours face = neighbours(before.radius, here.radius, after.radius, seam);

@@ -25,7 +25,7 @@ class Plan {
         side_(side),
         body_(body),
         sector_(static_cast<float>(2.0 * portable::kPi / clay.sectors())),
-        window_(clay, body.heights(), body.hull(), at) {
+        window_(clay, body.heights(), body.hull(), body.approach(), at) {
     if constexpr (kMayStand) {
       stands_ = body.upright();
       if (!stands_) return;

@@ -144,8 +144,8 @@ template <WallSide side, bool careful, bool hollow, bool keeps, class Row>
 ONGGI_INLINE void press_block(const Row& row, const StepFigures& step, float* face, float* behind,
                               int i, Pressed& pressed) {
   const Float8 radius = load(face + i);
-  const auto m =
-      row.template meet<side, careful>(load(step.ray_cos + i), load(step.ray_sin + i), radius);
+  typename Row::Met m;
+  row.template meet<side, careful>(load(step.ray_cos + i), load(step.ray_sin + i), radius, m);
   const Float8 press = press_of<side>(radius, target_of<side, careful>(m.end, step));
   const Mask8 touch = m.hit & (press > all(kSnap));
   if (none(touch)) return;
@@ -171,50 +171,47 @@ ONGGI_INLINE void press_edged_row(const Row& row, const StepFigures& step, const
                                   int stride, int sectors, float* face, float* behind,
                                   Pressed& pressed) {
   if (task.used == 0) return;
-  int left = task.ranges[0].end - task.ranges[0].begin;
-  if (task.used > 1) left += task.ranges[1].end - task.ranges[1].begin;
-  const bool circle = left * kLanes == stride;
+  int blocks = task.ranges[0].end - task.ranges[0].begin;
+  if (task.used > 1) blocks += task.ranges[1].end - task.ranges[1].begin;
+  const bool circle = blocks * kLanes == stride;
 
-  const auto meet = [&](int i) {
-    const Float8 radius = load(face + i);
-    return row.template meet<side, true>(load(step.ray_cos + i), load(step.ray_sin + i), radius);
+  struct Block {
+    typename Row::Met met;
+    Edged edged;
   };
-  const auto edged = [&](int i, const auto& m) {
-    const Float8 radius = load(face + i);
-    const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, step));
-    return Edged{only(m.hit, press), radius, bits(m.hit & (press > all(kSnap)))};
-  };
-  int i = task.ranges[0].begin * kLanes;
-  auto m = meet(i);
-  Edged here = edged(i, m);
-  const Edged first = here;
-  const int last = (i == 0 ? stride : i) - kLanes;
-  Edged before = circle ? edged(last, meet(last)) : Edged{all(0.0f), load(face + last), 0};
-  for (; left > 0; --left) {
-    const int next = i + kLanes < stride ? i + kLanes : 0;
-    auto next_m = m;
-    Edged after = first;
-    if (left > 1) {
-      next_m = meet(next);
-      after = edged(next, next_m);
-    } else if (!circle) {
-      after = {all(0.0f), load(face + next), 0};
+  Block three[3];  // taken in turns, since copies of them would cost more than the rest
+  Block *before = three, *here = three + 1, *after = three + 2;
+  Edged first{all(0.0f), all(0.0f), 0};
+  int at = 0, next = (task.ranges[0].begin > 0 ? task.ranges[0].begin * kLanes : stride) - kLanes;
+  for (int n = -1; n <= blocks; ++n) {
+    const Float8 radius = load(face + next);
+    if (n < blocks && (n >= 0 || circle)) {
+      row.template meet<side, true>(load(step.ray_cos + next), load(step.ray_sin + next), radius,
+                                    after->met);
+      const Float8 press = press_of<side>(radius, target_of<side, true>(after->met.end, step));
+      const Mask8 hit = after->met.hit;
+      after->edged = {only(hit, press), radius, bits(hit & (press > all(kSnap)))};
+      if (n == 0) first = after->edged;
+    } else {
+      after->edged = circle ? first : Edged{all(0.0f), radius, 0};
     }
-    if (here.touched != 0) {
-      const bool amid =
-          here.touched == 0xff && (before.touched & 0x80) != 0 && (after.touched & 1) != 0;
+    if (n > 0 && here->edged.touched != 0) {
+      const bool amid = here->edged.touched == 0xff && (before->edged.touched & 0x80) != 0 &&
+                        (after->edged.touched & 1) != 0;
       Float8 beside = all(0.0f);
       if (!amid)
-        beside = felt_beside<side>(before, here, after, m, {stride - sectors, i == 0, next == 0},
-                                   all(step.mean));
-      press_met<side, true, hollow, keeps, true>(row, step, face, behind, i, here.radius, m,
-                                                 here.open, here.open > all(kSnap), beside,
-                                                 pressed);
+        beside = felt_beside<side>(before->edged, here->edged, after->edged, here->met,
+                                   {stride - sectors, at == 0, next == 0}, all(step.mean));
+      press_met<side, true, hollow, keeps, true>(row, step, face, behind, at, here->edged.radius,
+                                                 here->met, here->edged.open,
+                                                 here->edged.open > all(kSnap), beside, pressed);
     }
+    Block* const free = before;
     before = here;
     here = after;
-    m = next_m;
-    i = next;
+    after = free;
+    at = next;
+    next = next + kLanes < stride ? next + kLanes : 0;
   }
 }
 
@@ -339,8 +336,8 @@ struct Kernel {
         for (int i = task->ranges[n].begin * kLanes; i < task->ranges[n].end * kLanes;
              i += kLanes) {
           const Float8 radius = load(face + i);
-          const auto m =
-              row.template meet<side, true>(load(step.ray_cos + i), load(step.ray_sin + i), radius);
+          typename Row::Met m;
+          row.template meet<side, true>(load(step.ray_cos + i), load(step.ray_sin + i), radius, m);
           const Float8 press = press_of<side>(radius, target_of<side, true>(m.end, step));
           deepest = larger(deepest, only(m.hit & (press > all(kSnap)), press));
         }

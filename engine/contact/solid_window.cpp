@@ -17,7 +17,7 @@ constexpr int kFew = 8;
 struct Circles {
   float half[kFew];
   float extent[kFew];
-  double angle[kFew];
+  body::Circle circle[kFew];
 
   bool reaches(int k) const { return half[k] >= 0.0f; }
 };
@@ -33,15 +33,13 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
   float radius[kFew] = {};
   float tangent[kFew] = {};
   std::fill_n(out.extent, kFew, 0.0f);
-  body::Circle last;
-  double last_angle = 0.0;
   int like = -1;  // the last row with a circle
   for (int k = 0; k < count; ++k) {
     radius[k] = -1.0f;
     if (!covered[k]) continue;
     if (like >= 0 && rows[k].outline == rows[like].outline) {
       out.extent[k] = extent_of(clay, side, first + k);
-      out.angle[k] = last_angle;
+      out.circle[k] = out.circle[like];
       distance[k] = distance[like];
       radius[k] = radius[like];
       tangent[k] = tangent[like];
@@ -50,11 +48,7 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
     const body::Circle circle = rows[k].outline.circle();
     if (circle.radius <= 0.0) continue;
     out.extent[k] = extent_of(clay, side, first + k);
-    if (circle.x != last.x || circle.z != last.z) {
-      last = circle;
-      last_angle = portable::atan2(circle.z, circle.x);
-    }
-    out.angle[k] = last_angle;
+    out.circle[k] = circle;
     const double away = std::sqrt(circle.x * circle.x + circle.z * circle.z);
     distance[k] = static_cast<float>(away);
     radius[k] = static_cast<float>(circle.radius);
@@ -92,16 +86,18 @@ int blocks_within(const Clay& clay, const RowShape& shape, const body::Turn& tur
 }  // namespace
 
 SolidWindow::SolidWindow(const Clay& clay, const body::Heights& between, const body::Hull& hull,
-                         Vec3 at) noexcept
+                         const body::Approach& of, Vec3 at) noexcept
     : heights(between),
       // Rows whose middles it misses may still be covered in part.
       first_row(std::max(clay.first_row_above(between.low) - 1, 0)),
       end_row(std::min(clay.first_row_above(between.high) + 1, clay.rows())),
-      turn(body::turn_of(hull, at)) {
+      turn(body::turn_of(hull, at)),
+      approach(of) {
   const body::AxisReach reach = body::reach_of(hull, at);
   // Along the ray of an element that the body meets at its edge, it is a little nearer.
   const double half_sector = portable::kPi / clay.sectors();
-  nearest = reach.nearest * (1.0 - 0.5 * half_sector * half_sector);
+  slanting = 1.0 - 0.5 * half_sector * half_sector;
+  nearest = reach.nearest * slanting;
   farthest = reach.farthest;
 }
 
@@ -114,8 +110,9 @@ bool cover_row(const Clay& clay, const SolidWindow& window, WallSide side, int j
   row.share = static_cast<float>((high - low) / (2.0 * half));
   row.y = 0.5 * (low + high);
   if (high <= low) return false;
-  return side == WallSide::outside ? window.nearest <= double{clay.outer_most(j)}
-                                   : window.farthest >= double{clay.inner_least(j)};
+  if (side == WallSide::inside) return window.farthest >= double{clay.inner_least(j)};
+  const double face = double{clay.outer_most(j)};
+  return window.nearest <= face && window.approach.nearest(row.y) * window.slanting <= face;
 }
 
 void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int first, int count,
@@ -127,6 +124,8 @@ void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int f
   int like = -1;
   double margin = 0.0;  // elements beyond
   body::Turn both;
+  body::Circle last;
+  double angle = 0.0;
   for (int k = 0; k < count; ++k) {
     if (!circles.reaches(k)) continue;
     if (like < 0 || !(rows[k].outline == rows[like].outline)) {
@@ -139,8 +138,13 @@ void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int f
                                          : std::min(most, double{circles.extent[n]});
         widest = std::max(widest, double{circles.half[n]});
       }
-      both = body::turn_of(rows[k].outline, side, most,
-                           body::overlap({circles.angle[k], widest}, window.turn));
+      const body::Circle& circle = circles.circle[k];
+      if (circle.x != last.x || circle.z != last.z) {
+        last = circle;
+        angle = portable::atan2(circle.z, circle.x);
+      }
+      both =
+          body::turn_of(rows[k].outline, side, most, body::overlap({angle, widest}, window.turn));
       margin = margin_of(clay, window, side, most);
     }
     rows[k].used = blocks_within(clay, shape, both, margin, rows[k].ranges);

@@ -12,12 +12,14 @@ namespace onggi::contact {
 struct SolidWindow {
   /// `at` is a point of the body, `hull` holds it.
   SolidWindow(const Clay& clay, const body::Heights& heights, const body::Hull& hull,
-              Vec3 at) noexcept;
+              const body::Approach& approach, Vec3 at) noexcept;
 
   body::Heights heights;
   int first_row, end_row;  ///< [first, end)
   body::Turn turn;
   double nearest, farthest;  ///< Nothing of the body is nearer to the axis, or farther.
+  body::Approach approach;
+  double slanting;  ///< Of a distance from the axis, what is left along the ray of an element.
 };
 
 /// What of a row such a body may touch.

@@ -42,6 +42,21 @@ inline constexpr int kLanes = 8;
 #if !defined(ONGGI_LANES_AVX2)  // which has its own
 namespace onggi::ONGGI_LANES {
 
+/// Of each lane the one before it; of the first, the last of `before`.
+ONGGI_INLINE Float8 one_back(Float8 before, Float8 a) {
+  float line[kLanes + 1];
+  store(before, line);
+  line[0] = line[kLanes - 1];
+  store(a, line + 1);
+  return load(line);
+}
+/// Of each lane the one after it; of the last, the first of `after`.
+ONGGI_INLINE Float8 one_on(Float8 a, Float8 after) {
+  float line[2 * kLanes];
+  store(a, line);
+  store(after, line + kLanes);
+  return load(line + 1);
+}
 /// Lanes added in pairs, always the same ones.
 ONGGI_INLINE float sum(Float8 a) {
   float v[kLanes];

@@ -74,6 +74,19 @@ struct Mask8 {
 }
 [[gnu::always_inline]] inline bool none(Mask8 m) { return _mm256_testz_ps(m.v, m.v) != 0; }
 
+/// Of each lane the one before it; of the first, the last of `before`.
+[[gnu::always_inline]] inline Float8 one_back(Float8 before, Float8 a) {
+  const __m256 across = _mm256_permute2f128_ps(before.v, a.v, 0x21);
+  return {_mm256_castsi256_ps(
+      _mm256_alignr_epi8(_mm256_castps_si256(a.v), _mm256_castps_si256(across), 12))};
+}
+/// Of each lane the one after it; of the last, the first of `after`.
+[[gnu::always_inline]] inline Float8 one_on(Float8 a, Float8 after) {
+  const __m256 across = _mm256_permute2f128_ps(a.v, after.v, 0x21);
+  return {_mm256_castsi256_ps(
+      _mm256_alignr_epi8(_mm256_castps_si256(across), _mm256_castps_si256(a.v), 4))};
+}
+
 /// Lanes in pairs: k with k + 4, those with the next but one, and the last two. As everywhere else.
 template <class Join>
 [[gnu::always_inline]] inline float joined(Float8 a, const Join& join) {

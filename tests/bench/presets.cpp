@@ -135,4 +135,37 @@ Figures asleep(Effort effort) {
   return figures;
 }
 
+Figures tools_pushed(Effort effort) {
+  SceneDef def = presets(400, 360).front().def;
+  def.clay.keep_undo = false;
+  const auto ticks = static_cast<std::size_t>(effort.few ? 40 : 4000);
+  Figures figures;
+  for (std::size_t tool = 0; tool <= def.tools.size(); ++tool) {
+    const std::string name = tool == 0 ? "ball" : def.tools[tool - 1].name;
+    if (name == "wire") continue;  // it cuts, and is not held
+    std::vector<double> least(ticks, std::numeric_limits<double>::infinity());
+    for (int pass = 0; pass < (effort.few ? 1 : kPasses); ++pass) {
+      Scene scene = made(def);
+      Hands hands;
+      hands.wheel_speed = 12.0;
+      HandInput& hand = hands.hand[0];
+      hand.tool = static_cast<std::uint8_t>(tool);
+      hand.side = SideWish::outside;
+      hand.position = {def.clay.outer_radius + 0.12, 0.5 * def.clay.height, 0.0};
+      hand.active = true;
+      while (!scene.step(hands, kTickSeconds).hand[0].contact) hand.position.x -= 2e-4;
+      for (std::size_t n = 0; n < ticks; ++n) {
+        hand.position.x -= 2.5e-6;
+        const double before = thread_ns();
+        scene.step(hands, kTickSeconds);
+        least[n] = std::min(least[n], thread_ns() - before);
+      }
+    }
+    const Times times = times_of(least);
+    figures.emplace_back("work_us_400x360_" + name, 1e-3 * times.median);
+    figures.emplace_back("work_p99_us_400x360_" + name, 1e-3 * times.p99);
+  }
+  return figures;
+}
+
 }  // namespace onggi::bench

@@ -33,5 +33,8 @@ ThrowingTimes measure_throwing(const SceneDef& def, std::string_view script, int
 Figures preset_tails(Effort effort);
 Figures finest_studio(Effort effort);
 Figures asleep(Effort effort);
+/// What each tool of first_touch takes that is pushed slowly into the turning lump: median and p99
+/// of the least of some passes of each tick, in the thread's own time, so of the work alone.
+Figures tools_pushed(Effort effort);
 
 }  // namespace onggi::bench

@@ -123,8 +123,10 @@ void declare(Effort effort) {
   goal("goal/presets", [=] { return preset_tails(effort); });
   goal("goal/finest_studio", [=] { return finest_studio(effort); });
   goal("goal/asleep", [=] { return asleep(effort); });
+  goal("goal/tools", [=] { return tools_pushed(effort); });
 #else
-  std::fprintf(stderr, "goal/presets, finest_studio, asleep: skipped, built without the kiosk.\n");
+  std::fprintf(stderr,
+               "goal/presets, finest_studio, asleep, tools: skipped, built without the kiosk.\n");
 #endif
   goal("goal/paper_400x360", [=] { return paper_ratio(400, 360, effort); });
   goal("goal/paper_6400x2880", [=] { return paper_ratio(6400, 2880, effort); });

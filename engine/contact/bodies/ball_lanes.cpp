@@ -11,6 +11,7 @@ struct BallLaw {
   static constexpr bool kEdges = false;
 
   struct Row {
+    using Met = Meeting;
     Float8 section;     // radius of the row's circle; negative where there is none
     Float8 at_x, at_z;  // of its middle
     Float8 edge;        // farthest that an element's ray may pass that is covered in part
@@ -27,18 +28,19 @@ struct BallLaw {
           above(all(ball.rows->above_radii[row.k])) {}
 
     template <WallSide side, bool careful>
-    ONGGI_INLINE Meeting meet(Float8 c, Float8 s, Float8) const {
+    ONGGI_INLINE void meet(Float8 c, Float8 s, Float8, Meeting& m) const {
       const Float8 along = at_x * c + at_z * s;
       const Float8 off = at_z * c - at_x * s;
       // Instead of r^2 - s^2: at a tangent ray the squares would cancel.
       const Float8 square = (section - off) * (section + off);
       const Float8 half_chord = sqrt(larger(square, all(0.0f)));
-      const Float8 end = side == WallSide::outside ? along - half_chord : along + half_chord;
-      if constexpr (!careful) return {end, end, square > all(0.0f)};
+      m.end = side == WallSide::outside ? along - half_chord : along + half_chord;
+      m.hit = square > all(0.0f);
+      if constexpr (!careful) return;
       const Float8 inside_edge = edge - abs(off);
-      const Mask8 hit = inside_edge > all(0.0f);
-      return {end, smaller(inside_edge * per_width, most_covered),
-              side == WallSide::outside ? hit & (along > all(0.0f)) : hit};
+      m.hit = inside_edge > all(0.0f);
+      if constexpr (side == WallSide::outside) m.hit = m.hit & (along > all(0.0f));
+      m.covered = smaller(inside_edge * per_width, most_covered);
     }
     ONGGI_INLINE void react(RowSum& sum, Float8 weight, const Meeting& m, Float8 c,
                             Float8 s) const {

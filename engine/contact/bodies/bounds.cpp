@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/bodies/ball.h"
 #include "engine/math/portable.h"
 
 namespace onggi::body {
-namespace {
-
-constexpr double kLevel = 0.1;  // |axis.y| below which a rod's cut is longer than any tool
-
-}  // namespace
-
 Circle Outline::circle() const noexcept {
   if (round < 0.0f) return {};
   const double sum = length(Vec2{double{ux} + double{vx}, double{uz} + double{vz}});
@@ -21,6 +16,18 @@ Circle Outline::circle() const noexcept {
   const double longest = std::sqrt(double{oval} * double{oval} + double{oval_ax} * double{oval_ax} +
                                    double{oval_az} * double{oval_az});
   return longest < block.radius ? Circle{double{oval_x}, double{oval_z}, longest} : block;
+}
+
+double Approach::nearest(double y) const noexcept {
+  constexpr double kSlack = 1e-6;  // m: rows and their faces are floats
+  if (!known) return -1e9;
+  const double up = y - level;
+  const Vec2 middle = at + up * lean;
+  const double away = length(middle);
+  if (away < 1e-9) return -1e9;
+  const double chord = cross_section(radius, std::max(std::fabs(up) - half, 0.0) / rise);
+  const double side = std::max(chord, 0.0) * std::fabs(dot(across, middle));
+  return away - kSlack - round - (std::fabs(dot(through, middle)) + side) / away;
 }
 
 Turn turn_of(const Hull& hull, Vec3 at) noexcept {
@@ -126,7 +133,7 @@ Turn overlap(const Turn& a, const Turn& b) noexcept {
 }
 
 void add_oval(Outline& outline, Vec3 through, Vec3 axis, double radius, double y) noexcept {
-  if (std::fabs(axis.y) < kLevel) return;
+  if (std::fabs(axis.y) < kAskew) return;
   const Vec3 at = through + ((y - through.y) / axis.y) * axis;
   outline.oval = static_cast<float>(radius);
   outline.oval_x = static_cast<float>(at.x);

@@ -7,6 +7,9 @@
 
 namespace onggi::body {
 
+/// A rod or a disc whose direction rises less than this is cut longer than any tool.
+inline constexpr double kAskew = 0.1;
+
 /// The lowest and the highest point of a tool, m.
 struct Heights {
   double low = 0.0, high = 0.0;
@@ -27,6 +30,23 @@ struct Hull {
 /// A circle in a level plane.
 struct Circle {
   double x = 0.0, z = 0.0, radius = 0.0;
+};
+
+/// How near the axis a tool's sections come, told of each at less cost than its outline. Metres.
+/// What says nothing of itself may be at the axis.
+struct Approach {
+  double level = 0.0;  ///< The height of the section whose middle is `at`.
+  Vec2 at;
+  Vec2 lean;                      ///< How far that goes aside for a metre up.
+  double round = 0.0;             ///< The section lies no farther from there,
+  Vec2 through;                   ///< but for this to either side,
+  Vec2 across;                    ///< and for the chord of a disc in this direction (unit):
+  double radius = 0.0;            ///< of this radius,
+  double half = 0.0, rise = 1.0;  ///< which loses so much of the height, and rises so steeply.
+  bool known = false;
+
+  /// Nothing of the section at height `y` is nearer to the axis; may be below 0.
+  double nearest(double y) const noexcept;
 };
 
 /// What a tool's section with a level plane lies within: a parallelogram, its corners rounded off

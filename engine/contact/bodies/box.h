@@ -17,6 +17,8 @@ struct Box {
 
   Heights heights() const noexcept;
   Hull hull() const noexcept;
+  /// Nothing is told: as potters hold it, it stands upright, and its rows are alike.
+  Approach approach() const noexcept { return {}; }
   /// Round its section with the level plane at `y`: exact where no corner lies in the plane's cut;
   /// else a little wide.
   Outline outline(double y) const noexcept;

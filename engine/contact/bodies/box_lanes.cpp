@@ -5,13 +5,26 @@ namespace {
 
 struct BoxShape {
   using Body = body::Box;
+  SlabLanes a, b, c;
+  bool asked;
+
+  ONGGI_INLINE explicit BoxShape(const Body::Section& in)
+      : a(in.a), b(in.b), c(in.c), asked(in.a.asked) {}
 
   template <WallSide side>
-  ONGGI_INLINE static FacingInterval interval(const Body::Section& in, Float8 c, Float8 s,
-                                              Float8 beside) {
-    const FacingInterval upright =
-        both<side>(in_slab<side>(in.b, c, s, beside), in_slab<side>(in.c, c, s, beside));
-    return in.a.asked ? both<side>(in_slab<side>(in.a, c, s, beside), upright) : upright;
+  ONGGI_INLINE FacingInterval interval(Float8 cos, Float8 sin, Float8 beside) const {
+    FacingInterval in =
+        both<side>(in_slab<side>(b, cos, sin, beside), in_slab<side>(c, cos, sin, beside));
+    if (asked) {
+      const FacingInterval last = both<side>(in_slab<side>(a, cos, sin, beside), in);
+      // Number by number: compilers take a copy of all of it through memory.
+      in.near = last.near;
+      in.far = last.far;
+      in.x = last.x;
+      in.y = last.y;
+      in.z = last.z;
+    }
+    return in;
   }
 };
 

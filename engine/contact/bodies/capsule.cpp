@@ -18,6 +18,18 @@ Hull Capsule::hull() const noexcept {
   return hull;
 }
 
+// Its sections are within those of the endless rod.
+Approach Capsule::approach() const noexcept {
+  Approach of;
+  of.known = std::fabs(axis.y) > kAskew;
+  if (!of.known) return of;
+  of.level = tip.y;
+  of.at = {tip.x, tip.z};
+  of.lean = {axis.x / axis.y, axis.z / axis.y};
+  of.round = radius / std::fabs(axis.y);
+  return of;
+}
+
 Outline Capsule::outline(double y) const noexcept {
   // The part of its line that comes within the radius of the plane.
   double from = 0.0;

@@ -15,6 +15,7 @@ struct Capsule {
   Vec3 end() const noexcept { return tip + length * axis; }
   Heights heights() const noexcept;
   Hull hull() const noexcept;
+  Approach approach() const noexcept;
   /// Round its section with the level plane at `y`; a little wide where it lies askew.
   Outline outline(double y) const noexcept;
   /// Its farthest point `towards` (unit) is this ball's; where its side faces that way, the middle.

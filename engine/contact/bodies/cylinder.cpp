@@ -21,12 +21,29 @@ Box box_round(Vec3 middle, Vec3 axis, double radius, double half) {
 Cylinder::Cylinder(Vec3 middle, Vec3 axis, double radius, double half) noexcept
     : box_(box_round(middle, axis, radius, half)) {}
 
+// A point of it is so far up its face as height is left by how far it is through it.
+Approach Cylinder::approach() const noexcept {
+  const Vec3 first = box_.axis[0], up = box_.axis[1];
+  Approach of;
+  of.known = up.y > kAskew;
+  if (!of.known) return of;
+  of.level = box_.middle.y;
+  of.at = {box_.middle.x, box_.middle.z};
+  of.lean = {up.x / up.y, up.z / up.y};
+  of.through = box_.half[2] * (Vec2{axis().x, axis().z} - axis().y * of.lean);
+  of.across = {first.x, first.z};
+  of.radius = radius();
+  of.half = box_.half[2] * std::fabs(axis().y);
+  of.rise = up.y;
+  return of;
+}
+
 Outline Cylinder::outline(double y) const noexcept {
   // How far up its face the plane can cut it at least; there its level chord is longest.
   const double rise = box_.axis[1].y;
   const double up = std::fabs(y - box_.middle.y) - box_.half[2] * std::fabs(axis().y);
   Box narrow = box_;
-  if (rise > 0.1) {
+  if (rise > kAskew) {
     const double chord = cross_section(radius(), std::max(up / rise, 0.0));
     if (chord <= 0.0) {
       Outline none;

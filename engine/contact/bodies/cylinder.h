@@ -17,6 +17,7 @@ class Cylinder {
   Vec3 axis() const noexcept { return box_.axis[2]; }
   Heights heights() const noexcept { return box_.heights(); }
   Hull hull() const noexcept { return box_.hull(); }
+  Approach approach() const noexcept;
   /// Round its section with the level plane at `y`; a little wide where it stands askew.
   Outline outline(double y) const noexcept;
   /// Its farthest point `towards` (unit) is this ball's; where a face faces that way, its middle.

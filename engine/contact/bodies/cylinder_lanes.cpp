@@ -5,15 +5,18 @@ namespace {
 
 struct CylinderShape {
   using Body = body::Cylinder;
+  RodLanes rod;
+  SlabLanes faces;
+
+  ONGGI_INLINE explicit CylinderShape(const Body::Section& in) : rod(in.rod), faces(in.faces) {}
 
   template <WallSide side>
-  ONGGI_INLINE static FacingInterval interval(const Body::Section& in, Float8 c, Float8 s,
-                                              Float8 beside) {
-    const Interval round = in_rod(in.rod, c, s, beside);
+  ONGGI_INLINE FacingInterval interval(Float8 c, Float8 s, Float8 beside) const {
+    const Interval round = in_rod(rod, c, s, beside);
     const Float8 t = worked_end<side>(round);
     const FacingInterval facing =
-        facing_rod(in.rod, round, t, along_rod(in.rod, t, c, s, beside), c, s, beside);
-    return both<side>(facing, in_slab<side>(in.faces, c, s, beside));
+        facing_rod(rod, round, t, along_rod(rod, t, c, s, beside), c, s, beside);
+    return both<side>(facing, in_slab<side>(faces, c, s, beside));
   }
 };
 

@@ -23,6 +23,35 @@ struct FacingInterval {
   Float8 x, y, z;
 };
 
+/// The figures of a cut as kernels read them: spread over eight lanes once a row.
+struct SlabLanes {
+  Float8 nx, ny, nz, half, off;
+
+  ONGGI_INLINE explicit SlabLanes(const SlabSection& slab)
+      : nx(all(slab.nx)),
+        ny(all(slab.ny)),
+        nz(all(slab.nz)),
+        half(all(slab.half)),
+        off(all(slab.off)) {}
+};
+struct RodLanes {
+  Float8 radius, over_radius, mx, my, mz, ax, ay, az, ay_square, wx, wz, m_along;
+
+  ONGGI_INLINE explicit RodLanes(const RodSection& rod)
+      : radius(all(rod.radius)),
+        over_radius(all(1.0f / rod.radius)),
+        mx(all(rod.mx)),
+        my(all(rod.my)),
+        mz(all(rod.mz)),
+        ax(all(rod.ax)),
+        ay(all(rod.ay)),
+        az(all(rod.az)),
+        ay_square(all(rod.ay * rod.ay)),
+        wx(all(rod.wx)),
+        wz(all(rod.wz)),
+        m_along(all(rod.m_along)) {}
+};
+
 ONGGI_INLINE Float8 off_zero(Float8 a) {
   const Float8 tiny = all(1e-7f);
   return select(abs(a) < tiny, tiny, a);
@@ -34,54 +63,52 @@ ONGGI_INLINE Float8 worked_end(const Interval& in) {
 }
 
 template <WallSide side>
-ONGGI_INLINE FacingInterval in_slab(const SlabSection& slab, Float8 c, Float8 s, Float8 beside) {
-  const Float8 slope = off_zero(all(slab.nx) * c + all(slab.nz) * s);
-  const Float8 k = all(slab.off) + beside * (all(slab.nz) * c - all(slab.nx) * s);
-  const Float8 a = (all(0.0f) - all(slab.half) - k) / slope;
-  const Float8 b = (all(slab.half) - k) / slope;
+ONGGI_INLINE FacingInterval in_slab(const SlabLanes& slab, Float8 c, Float8 s, Float8 beside) {
+  const Float8 slope = off_zero(slab.nx * c + slab.nz * s);
+  const Float8 k = slab.off + beside * (slab.nz * c - slab.nx * s);
+  const Float8 a = (all(0.0f) - slab.half - k) / slope;
+  const Float8 b = (slab.half - k) / slope;
   // The normal that points along the ray, or against it.
   const Float8 way = all(side == WallSide::outside ? 1.0f : -1.0f);
   const Float8 sign = select(slope < all(0.0f), all(0.0f) - way, way);
-  return {smaller(a, b), larger(a, b), all(slab.nx) * sign, all(slab.ny) * sign,
-          all(slab.nz) * sign};
+  return {smaller(a, b), larger(a, b), slab.nx * sign, slab.ny * sign, slab.nz * sign};
 }
 
 /// By the common perpendicular of ray and line: nothing cancels where the ray grazes the rod. Where
 /// it misses, far is before near.
-ONGGI_INLINE Interval in_rod(const RodSection& rod, Float8 c, Float8 s, Float8 beside) {
-  const Float8 along = all(rod.ax) * c + all(rod.az) * s;
-  const Float8 aside = all(rod.az) * c - all(rod.ax) * s;
-  const Float8 square = larger(all(rod.ay * rod.ay) + aside * aside, all(1e-9f));
+ONGGI_INLINE Interval in_rod(const RodLanes& rod, Float8 c, Float8 s, Float8 beside) {
+  const Float8 along = rod.ax * c + rod.az * s;
+  const Float8 aside = rod.az * c - rod.ax * s;
+  const Float8 square = larger(rod.ay_square + aside * aside, all(1e-9f));
   const Float8 sine = sqrt(square);
-  const Float8 apart = all(rod.wx) * c + all(rod.wz) * s + beside * all(rod.ay);
-  const Float8 on_axis = all(rod.m_along) + beside * aside;
-  const Float8 middle = (all(rod.mx) * c + all(rod.mz) * s + on_axis * along) / square;
-  const Float8 edge = all(rod.radius) * sine;
+  const Float8 apart = rod.wx * c + rod.wz * s + beside * rod.ay;
+  const Float8 on_axis = rod.m_along + beside * aside;
+  const Float8 middle = (rod.mx * c + rod.mz * s + on_axis * along) / square;
+  const Float8 edge = rod.radius * sine;
   const Float8 chord = (edge - apart) * (edge + apart);
   const Float8 half = select(chord > all(0.0f), sqrt(larger(chord, all(0.0f))), all(-1.0f));
   return {middle - half / square, middle + half / square};
 }
 /// How far along the rod's line the ray's point t is, from its point `middle`.
-ONGGI_INLINE Float8 along_rod(const RodSection& rod, Float8 t, Float8 c, Float8 s, Float8 beside) {
-  return all(rod.m_along) + beside * (all(rod.az) * c - all(rod.ax) * s) +
-         t * (all(rod.ax) * c + all(rod.az) * s);
+ONGGI_INLINE Float8 along_rod(const RodLanes& rod, Float8 t, Float8 c, Float8 s, Float8 beside) {
+  return rod.m_along + beside * (rod.az * c - rod.ax * s) + t * (rod.ax * c + rod.az * s);
 }
 /// From the ray's point t to the line's point `q` along, over the radius: where t is on the rod,
 /// unit, and against its outer normal.
-ONGGI_INLINE FacingInterval facing_rod(const RodSection& rod, const Interval& in, Float8 t,
-                                       Float8 q, Float8 c, Float8 s, Float8 beside) {
-  const Float8 over = all(1.0f / rod.radius);
-  return {in.near, in.far, (all(rod.mx) + q * all(rod.ax) - (t * c - beside * s)) * over,
-          (all(rod.my) + q * all(rod.ay)) * over,
-          (all(rod.mz) + q * all(rod.az) - (t * s + beside * c)) * over};
+ONGGI_INLINE FacingInterval facing_rod(const RodLanes& rod, const Interval& in, Float8 t, Float8 q,
+                                       Float8 c, Float8 s, Float8 beside) {
+  const Float8 over = rod.over_radius;
+  return {in.near, in.far, (rod.mx + q * rod.ax - (t * c - beside * s)) * over,
+          (rod.my + q * rod.ay) * over, (rod.mz + q * rod.az - (t * s + beside * c)) * over};
 }
 
 /// A ball of `radius` round (x, y, z), y from the row's height; `section` is its circle's radius
 /// there. Empty where it is missed.
-ONGGI_INLINE Interval in_ball(Float8 section, float x, float z, Float8 c, Float8 s, Float8 beside) {
-  const Float8 off = all(z) * c - all(x) * s - beside;
+ONGGI_INLINE Interval in_ball(Float8 section, Float8 x, Float8 z, Float8 c, Float8 s,
+                              Float8 beside) {
+  const Float8 off = z * c - x * s - beside;
   const Float8 chord = (section - off) * (section + off);
-  const Float8 along = all(x) * c + all(z) * s;
+  const Float8 along = x * c + z * s;
   const Float8 half = sqrt(larger(chord, all(0.0f)));
   const Mask8 met = chord > all(0.0f);
   return {select(met, along - half, all(1e9f)), select(met, along + half, all(-1e9f))};

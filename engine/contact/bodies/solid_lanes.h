@@ -4,13 +4,14 @@
 // their rays, and which way its surface faces there. Its file says where rays enter and leave its
 // section:
 //
-//   struct Section {
+//   struct Shape {
 //     using Body = ...;
-//     template <WallSide side> static FacingInterval interval(const Body::Section&, Float8 cos,
-//                                                             Float8 sin, Float8 beside);
+//     explicit Shape(const Body::Section&);  // once a row
+//     template <WallSide side> FacingInterval interval(Float8 cos, Float8 sin, Float8 beside)
+//     const;
 //   };
 //
-// and has the kernel Kernel<SolidLaw<Section>>. For *_lanes.cpp only.
+// and has the kernel Kernel<SolidLaw<Shape>>. For *_lanes.cpp only.
 
 #include "engine/contact/bodies/interval_lanes.h"
 #include "engine/contact/press_lanes.h"
@@ -37,12 +38,24 @@ struct SolidLaw {
   static constexpr bool kEdges = true;
 
   struct Row {
-    typename Body::Section section;
-    body::Outline outline;
-    float sector, share;
+    using Met = FacingMeeting;
+    Shape shape;
+    const body::Outline& outline;
+    Float8 x, z, ux, uz, vx, vz, round;  // of the outline
+    Float8 sector, share;
 
     ONGGI_INLINE Row(const BodyFigures<Body>&, const BodyRow<Body>& row)
-        : section(row.section), outline(*row.outline), sector(row.sector), share(row.share) {}
+        : shape(row.section),
+          outline(*row.outline),
+          x(all(outline.x)),
+          z(all(outline.z)),
+          ux(all(outline.ux)),
+          uz(all(outline.uz)),
+          vx(all(outline.vx)),
+          vz(all(outline.vz)),
+          round(all(outline.round)),
+          sector(all(row.sector)),
+          share(all(row.share)) {}
 
     // In elements from the ray.
     struct Strip {
@@ -56,24 +69,32 @@ struct SolidLaw {
       Float8 from = face;
       if constexpr (side == WallSide::outside)
         from = smaller(larger(along, all(0.5f) * face), face);
-      return beside / (larger(from, all(1e-6f)) * all(sector));
+      return beside / (larger(from, all(1e-6f)) * sector);
+    }
+    // The outline beside a ray, m: of its corners there, how far along the ray they are is `ahead`
+    // more and less than `along`.
+    struct Beside {
+      Float8 low, high, u, v;
+    };
+    ONGGI_INLINE Beside beside_of(Float8 c, Float8 s) const {
+      const Float8 off = z * c - x * s;
+      const Float8 u = uz * c - ux * s;
+      const Float8 v = vz * c - vx * s;
+      const Float8 half = abs(u) + abs(v) + round;
+      return {off - half, off + half, u, v};
     }
     template <WallSide side>
-    ONGGI_INLINE Strip covered_strip(Float8 c, Float8 s, Float8 face) const {
+    ONGGI_INLINE Strip covered_strip(Float8 c, Float8 s, Float8 face, const Beside& at) const {
       const body::Outline& o = outline;
       const Float8 zero = all(0.0f);
-      const Float8 off = all(o.z) * c - all(o.x) * s;
-      const Float8 along = all(o.x) * c + all(o.z) * s;
-      const Float8 u = all(o.uz) * c - all(o.ux) * s;
-      const Float8 v = all(o.vz) * c - all(o.vx) * s;
-      const Float8 half = abs(u) + abs(v) + all(o.round);
-      const Float8 ahead_u = all(o.ux) * c + all(o.uz) * s;
-      const Float8 ahead_v = all(o.vx) * c + all(o.vz) * s;
-      const Float8 ahead =
-          select(u < zero, zero - ahead_u, ahead_u) + select(v < zero, zero - ahead_v, ahead_v);
+      const Float8 along = x * c + z * s;
+      const Float8 ahead_u = ux * c + uz * s;
+      const Float8 ahead_v = vx * c + vz * s;
+      const Float8 ahead = select(at.u < zero, zero - ahead_u, ahead_u) +
+                           select(at.v < zero, zero - ahead_v, ahead_v);
       const Float8 edge = all(0.5f);
-      Strip strip{larger(in_elements<side>(off - half, along - ahead, face), zero - edge),
-                  smaller(in_elements<side>(off + half, along + ahead, face), edge)};
+      Strip strip{larger(in_elements<side>(at.low, along - ahead, face), zero - edge),
+                  smaller(in_elements<side>(at.high, along + ahead, face), edge)};
       if (o.oval > 0.0f) {
         const Float8 middle = all(o.oval_z) * c - all(o.oval_x) * s;
         const Float8 longer = all(o.oval_az) * c - all(o.oval_ax) * s;
@@ -83,24 +104,30 @@ struct SolidLaw {
       }
       return strip;
     }
-    template <WallSide side, bool careful>
-    ONGGI_INLINE FacingMeeting meet(Float8 c, Float8 s, Float8 face) const {
-      const Strip strip = covered_strip<side>(c, s, face);
+    template <WallSide side, bool>
+    ONGGI_INLINE void meet(Float8 c, Float8 s, Float8 face, FacingMeeting& m) const {
+      const Float8 zero = all(0.0f);
+      const Float8 width = larger(face, all(1e-6f)) * sector;
+      const Float8 edge = all(0.5f) * width;
+      const Beside at = beside_of(c, s);
+      Strip strip{all(-0.5f), all(0.5f)};
+      // At the face elements are widest: what the outline reaches across there it covers.
+      if (outline.oval > 0.0f || !none((at.low > zero - edge) | (at.high < edge)))
+        strip = covered_strip<side>(c, s, face, at);
       const Float8 part = strip.high - strip.low;
-      const Float8 width = larger(face, all(1e-6f)) * all(sector);
-      const FacingInterval in = Shape::template interval<side>(
-          section, c, s, all(0.5f) * (strip.low + strip.high) * width);
-      Mask8 hit = (part > all(0.0f)) & (in.far > in.near);
+      const FacingInterval in =
+          shape.template interval<side>(c, s, all(0.5f) * (strip.low + strip.high) * width);
+      Mask8 hit = (part > zero) & (in.far > in.near);
       // A body outside works the half of the clay that it stands over.
-      if constexpr (side == WallSide::outside) hit = hit & (in.near + in.far > all(0.0f));
-      return {side == WallSide::outside ? in.near : in.far,
-              smaller(part, all(1.0f)) * all(share),
-              hit,
-              (strip.low + all(0.5f)) * all(share),
-              (all(0.5f) - strip.high) * all(share),
-              in.x,
-              in.y,
-              in.z};
+      if constexpr (side == WallSide::outside) hit = hit & (in.near + in.far > zero);
+      m.end = side == WallSide::outside ? in.near : in.far;
+      m.hit = hit;
+      m.covered = smaller(part, all(1.0f)) * share;
+      m.left = (strip.low + all(0.5f)) * share;
+      m.right = (all(0.5f) - strip.high) * share;
+      m.x = in.x;
+      m.y = in.y;
+      m.z = in.z;
     }
     ONGGI_INLINE void react(RowSum& sum, Float8 weight, const FacingMeeting& m, Float8,
                             Float8) const {

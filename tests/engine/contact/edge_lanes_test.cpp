@@ -95,6 +95,38 @@ TEST(Edge, ThePartThatIsCoveredHasGivenWayByAllThatTheElementHas) {
   EXPECT_EQ(beside(1e-3, 0.0, 1e-3, -2e-4, 0.25, 1.0), 0.0);
 }
 
+// What is felt beside each lane of eight elements, of a sheet that nothing was pressed of yet.
+void beside_each(const float* open, float* felt) {
+  const Edged nothing{all(0.0f), all(0.05f), 0};
+  store(felt_beside<WallSide::outside>(nothing, {load(open), all(0.05f), 0xff}, nothing,
+                                       Met{all(1.0f), all(0.0f), all(0.0f)}, {0, false, false},
+                                       all(0.9f)),
+        felt);
+}
+
+TEST(Edge, APrintBeginsAsItEnds) {
+  const float ends[kLanes] = {1.7f, 1.4f, 1.0f, 0.3f, -0.6f, -1.7f, -2.0f, -2.1f};
+  float begins[kLanes], felt[kLanes], mirrored[kLanes];
+  for (int k = 0; k < kLanes; ++k) begins[k] = ends[kLanes - 1 - k];
+  beside_each(ends, felt);
+  beside_each(begins, mirrored);
+  EXPECT_NE(felt[3], 0.0f);
+  EXPECT_EQ(felt[3], mirrored[4]);
+  for (const int k : {1, 2}) {
+    EXPECT_EQ(felt[k], 0.0f) << k;
+    EXPECT_EQ(mirrored[kLanes - 1 - k], 0.0f) << k;
+  }
+}
+
+TEST(Edge, APrintOfOneElementIsLeftToTheSumThoughItHasTwoEdges) {
+  for (const float other : {-0.001f, -0.3f, -1.0f, -4.0f}) {
+    const float open[kLanes] = {-5.0f, -2.0f, other, 1.0f, -1.0f, -2.0f, -2.0f, -2.0f};
+    float felt[kLanes];
+    beside_each(open, felt);
+    EXPECT_EQ(felt[3], 0.0f) << other;
+  }
+}
+
 TEST(Edge, NeighboursGoOnRoundTheTurnPastItsPadding) {
   const float before[kLanes] = {0, 1, 2, 3, 4, -1, -1, -1};
   const float here[kLanes] = {10, 11, 12, 13, 14, 15, 16, 17};

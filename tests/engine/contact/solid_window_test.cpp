@@ -115,7 +115,7 @@ TEST(SolidWindow, PlansRowsThatAnUprightBlockCutsAlikeAsIfEachWereAsked) {
                         {0.05, random.uniform(0.0005, 0.02), random.uniform(0.0005, 0.02)}};
     ASSERT_TRUE(box.upright());
     const WallSide side = n % 2 == 0 ? WallSide::outside : WallSide::inside;
-    const SolidWindow window(clay, box.heights(), box.hull(), middle);
+    const SolidWindow window(clay, box.heights(), box.hull(), box.approach(), middle);
     const int first = 10 + n % 15;
     bool covered[kCount];
     SolidReach each[kCount];

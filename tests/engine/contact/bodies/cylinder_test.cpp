@@ -32,5 +32,31 @@ TEST(CurvedRib, ShapesTheWallToItsOwnCurve) {
   }
 }
 
+// A disc round the axis, a little off it, presses nearly all of a wall from inside: its window is
+// the whole turn, and its print's ends lie anywhere in it.
+TEST(CurvedRib, RoundTheAxisIsFeltAlikeWhereverItsPrintEndsInTheTurn) {
+  const ToolShape& rib = *find_tool_shape("curved_rib");
+  for (const int sectors : {64, 68}) {  // 68: the last block ends in padding
+    ClayDef def;
+    def.sectors = sectors;
+    def.inner_radius = 0.03;
+    double least = 1e9, most = 0.0;
+    for (int k = 0; k < sectors; ++k) {
+      Clay clay = std::move(*Clay::create(def));
+      const double angle = 2.0 * 3.141592653589793 * (k + 0.3) / sectors;
+      const double c = std::cos(angle), s = std::sin(angle);
+      const ToolPlace place{{0.004 * c, 0.1, 0.004 * s}, {c, 0.0, s}, {0, 1, 0}};
+      ToolSize size = rib.usual;
+      size.radius = 0.0338;
+      const double normal =
+          rib.press(clay, WallSide::inside, place, size, 0.001, {0.00949, 5e6}).normal;
+      least = std::min(least, normal);
+      most = std::max(most, normal);
+    }
+    EXPECT_GT(least, 0.5) << sectors;
+    EXPECT_LT(most / least - 1.0, 1e-5) << sectors;
+  }
+}
+
 }  // namespace
 }  // namespace onggi
