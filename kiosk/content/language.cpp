@@ -52,6 +52,14 @@ LanguageRead check_language(const std::filesystem::path& file) {
   root.text("code", read.language.code_);
   root.text("name", read.language.name_);
   root.boolean("right_to_left", read.language.right_to_left_);
+  std::string decimal;
+  if (root.text("decimal", decimal)) {
+    if (decimal == "." || decimal == "," || decimal == "\u066B")
+      read.language.decimal_ = decimal;
+    else
+      root.complain("decimal", "\"" + decimal + "\" stands before no tenths.",
+                    "Write decimal = \".\" or decimal = \",\".");
+  }
   if (!read.language.code_.empty() && read.language.code_ != file.stem().string())
     root.complain("code",
                   "code is \"" + read.language.code_ + "\", and the file is called " +

@@ -11,8 +11,8 @@ namespace onggi::content {
 
 struct LanguageRead;
 
-/// The words of one language, content/languages/<code>.toml: `code`, `name`, `right_to_left`, and a
-/// flat table [text] of key = "text", where {name} marks a place to fill.
+/// The words of one language, content/languages/<code>.toml: `code`, `name`, `right_to_left`,
+/// `decimal`, and a flat table [text] of key = "text", where {name} marks a place to fill.
 class Language {
  public:
   /// The language, or the first Problem of check_language().
@@ -20,6 +20,8 @@ class Language {
   const std::string& code() const { return code_; }
   const std::string& name() const { return name_; }  ///< In itself: "한국어".
   bool right_to_left() const { return right_to_left_; }
+  /// What stands before tenths: "." as it comes, or ",".
+  const std::string& decimal() const { return decimal_; }
   /// The text of `key` with {places} filled. A missing key gives "[key]" and is a test failure; a
   /// place that is not given stays as it is written.
   std::string say(const std::string& key,
@@ -31,7 +33,7 @@ class Language {
 
  private:
   friend LanguageRead check_language(const std::filesystem::path& file);
-  std::string code_, name_;
+  std::string code_, name_, decimal_ = ".";
   bool right_to_left_ = false;
   std::map<std::string, std::string> texts_;
 };

@@ -11,9 +11,9 @@ StudioSound::StudioSound(const loop::PotterHost& potter, double volume)
 void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
   speaker_.look(now);
   if (const std::string line = speaker_.remark(); !line.empty()) log_line(line);
-  const bool heard = visit != nullptr && !dark && !visit->shown_on().silent &&
+  const bool heard = visit != nullptr && !dark && visit->volume_share() > 0.0 &&
                      visit->screen() != screens::ScreenId::attract;
-  speaker_.volume(heard ? volume_ : 0.0);
+  speaker_.volume(heard ? volume_ * visit->volume_share() : 0.0);
   speaker_.fire(heard && visit->screen() == screens::ScreenId::kiln ? 1.0 : 0.0);
 }
 

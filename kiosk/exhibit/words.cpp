@@ -49,7 +49,11 @@ souvenir::PostcardWords postcard_words(const content::Language& language,
   souvenir::PostcardWords words;
   words.title = language.say("postcard.title", {{"vessel", label.title}});
   words.vessel = label.culture;
-  if (!label.date.empty()) words.vessel += (words.vessel.empty() ? "" : ", ") + label.date;
+  if (!label.date.empty())
+    words.vessel =
+        label.culture.empty()
+            ? label.date
+            : language.say("all.list", {{"first", label.culture}, {"second", label.date}});
   words.stars = stars;
   words.credit = exhibit.credit;
   words.date = language.say("postcard.date",

@@ -3,6 +3,7 @@
 #include <pango/pangocairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -12,12 +13,17 @@ namespace {
 
 constexpr std::size_t kMostSizes = 4096;
 
+// After which a list in Chinese or Japanese may be broken: commas, full stop, colon, semicolon,
+// three bytes each.
+constexpr std::array<const char*, 5> kListStops{"\u3001", "\uFF0C", "\u3002", "\uFF1A", "\uFF1B"};
+
 // Everything the look of a paragraph depends on but its colour, which the shader gives.
 std::string key_of(const std::string& text, const view::TextStyle& s, float width) {
   char head[64];
-  std::snprintf(head, sizeof head, "%d %.2f %d %d %.3f %.1f ", static_cast<int>(s.face),
-                static_cast<double>(s.px), s.bold ? 1 : 0, static_cast<int>(s.align),
-                static_cast<double>(s.line_height), static_cast<double>(std::max(width, 0.0f)));
+  std::snprintf(head, sizeof head, "%d %.2f %d %d %d %.3f %.1f ", static_cast<int>(s.face),
+                static_cast<double>(s.px), s.bold ? 1 : 0, s.right_to_left ? 1 : 0,
+                static_cast<int>(s.align), static_cast<double>(s.line_height),
+                static_cast<double>(std::max(width, 0.0f)));
   return head + s.language + '\n' + text;
 }
 
@@ -62,20 +68,43 @@ std::vector<std::uint8_t> ink_of(const unsigned char* from, std::size_t stride, 
   return mask;
 }
 
+void keep_together(std::size_t start, std::size_t end, PangoAttrList* attributes) {
+  constexpr std::size_t kLongest = 36;  // bytes: twelve syllables
+  if (end <= start + 1 || end - start > kLongest) return;
+  PangoAttribute* keep = pango_attr_allow_breaks_new(FALSE);
+  keep->start_index = static_cast<guint>(start);
+  keep->end_index = static_cast<guint>(end);
+  pango_attr_list_insert(attributes, keep);
+}
+
 // Korean may break inside a word, but reads better when it does not (as museum labels are set).
 void keep_korean_words(const std::string& text, PangoAttrList* attributes) {
-  constexpr std::size_t kLongest = 36;  // bytes: twelve syllables
   std::size_t start = 0;
   while (start < text.size()) {
     const std::size_t end = std::min(text.find_first_of(" \n\t", start), text.size());
-    if (end > start + 1 && end - start <= kLongest) {
-      PangoAttribute* keep = pango_attr_allow_breaks_new(FALSE);
-      keep->start_index = static_cast<guint>(start);
-      keep->end_index = static_cast<guint>(end);
-      pango_attr_list_insert(attributes, keep);
-    }
+    keep_together(start, end, attributes);
     start = end + 1;
   }
+}
+
+// Chinese and Japanese may break between any two letters, and in running text they do. A line of a
+// label ("Japan, Edo period") is a list: it breaks after its commas and at its spaces.
+void keep_parts_of_a_list(const std::string& text, PangoAttrList* attributes) {
+  constexpr std::size_t kLongestList = 90;  // bytes: thirty letters
+  if (text.size() > kLongestList) return;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool space = text[i] == ' ' || text[i] == '\n';
+    const bool wide = std::any_of(kListStops.begin(), kListStops.end(), [&](const char* stop) {
+      return text.compare(i, std::strlen(stop), stop) == 0;
+    });
+    if (!space && !wide) continue;
+    const std::size_t end = space ? i : i + 3;
+    keep_together(start, end, attributes);
+    start = space ? i + 1 : end;
+    if (wide) i += 2;
+  }
+  keep_together(start, text.size(), attributes);
 }
 
 }  // namespace
@@ -112,15 +141,23 @@ struct Typesetter::Pango {
     // An absolute line height keeps lines even where a fallback font is taller.
     pango_attr_list_insert(attributes, pango_attr_line_height_new_absolute(static_cast<int>(
                                            std::round(s.px * s.line_height) * PANGO_SCALE)));
-    if (s.language.compare(0, 2, "ko") == 0) keep_korean_words(text, attributes);
+    const std::string two = s.language.substr(0, 2);
+    if (two == "ko") keep_korean_words(text, attributes);
+    if (two == "ja" || two == "zh") keep_parts_of_a_list(text, attributes);
     pango_layout_set_attributes(layout, attributes);
     pango_attr_list_unref(attributes);
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
-    pango_layout_set_auto_dir(layout, TRUE);
-    // Left means start: Pango turns it round in right-to-left paragraphs.
+    // A hint that begins with a figure or a Latin word is still a paragraph from the right.
+    pango_layout_set_auto_dir(layout, s.right_to_left ? FALSE : TRUE);
+    pango_context_set_base_dir(context,
+                               s.right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
+    // Left means start where Pango takes the direction from the letters; it turns that round
+    // itself.
+    const auto start = s.right_to_left ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT;
+    const auto end = s.right_to_left ? PANGO_ALIGN_LEFT : PANGO_ALIGN_RIGHT;
     pango_layout_set_alignment(layout, s.align == view::Align::centre ? PANGO_ALIGN_CENTER
-                                       : s.align == view::Align::end  ? PANGO_ALIGN_RIGHT
-                                                                      : PANGO_ALIGN_LEFT);
+                                       : s.align == view::Align::end  ? end
+                                                                      : start);
     if (width > 0) pango_layout_set_width(layout, static_cast<int>(std::ceil(width)) * PANGO_SCALE);
     pango_layout_set_text(layout, text.c_str(), static_cast<int>(text.size()));
     return layout;

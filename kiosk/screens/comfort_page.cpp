@@ -1,6 +1,7 @@
 #include "kiosk/screens/comfort_page.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "kiosk/screens/overlays.h"
@@ -27,52 +28,105 @@ std::vector<Comfort::Choice> offered(const Page& page, const Desk& desk) {
       const Rect whole{0, 0, static_cast<float>(page.width()), static_cast<float>(page.height())};
       if (in_reach(low, page.width(), page.height()) == whole) continue;
     }
-    if (choice.of == &settings::Exhibit::Screen::silent && desk.world.exhibit->sound.volume == 0)
-      continue;
     all.push_back(choice);
   }
   return all;
 }
 
-/// A choice: its name and what it does, and at the far end the switch. All of it can be touched.
+/// How loud: a cell for silence with its word, then bars that grow, filled as far as it is loud.
+/// Each cell can be touched.
+class VolumeSteps {
+ public:
+  VolumeSteps(Page& page, const Desk& desk)
+      : page_(page),
+        level_(desk.comfort.volume(desk.world.exhibit->screen)),
+        right_to_left_(desk.words().right_to_left()) {
+    off_.id = Comfort::volume_control(0);
+    off_.words = desk.say("comfort.off");
+    off_.look = level_ == 0 ? Look::solid : Look::outline;
+    off_size_ = page.size(off_, -1);
+    cell_ = std::max(page.type().target, off_size_.height);
+    size_ = {off_size_.width + page.type().gap * 0.5f + Comfort::kLoudest * cell_,
+             std::max(off_size_.height, cell_)};
+  }
+  view::TextMeasure::Size size() const { return size_; }
+
+  void draw(float x, float y) const {
+    const auto placed = [&](float at, float width) {
+      return Rect{right_to_left_ ? x + size_.width - at - width : x + at, y, width, size_.height};
+    };
+    page_.button(off_, placed(0, off_size_.width));
+    const float from = off_size_.width + page_.type().gap * 0.5f;
+    for (int step = 1; step <= Comfort::kLoudest; ++step) {
+      const Rect cell = placed(from + static_cast<float>(step - 1) * cell_, cell_);
+      page_.control(Comfort::volume_control(step), cell);
+      const float share = static_cast<float>(step) / Comfort::kLoudest;
+      const float high = (0.3f + 0.55f * share) * cell.h, wide = 0.5f * cell.w;
+      const Rect bar{cell.x + (cell.w - wide) / 2, cell.y + 0.92f * cell.h - high, wide, high};
+      page_.draw(view::Box{bar, page_.type().body * 0.1f,
+                           view::with_alpha(view::kCobalt, step <= level_ ? 1.0f : 0.0f),
+                           page_.type().hairline * 1.5f, view::kCobalt});
+    }
+  }
+
+ private:
+  Page& page_;
+  int level_;
+  bool right_to_left_;
+  Button off_;
+  view::TextMeasure::Size off_size_, size_;
+  float cell_ = 0;
+};
+
+/// A choice: its name and what it does, and at the far end the switch, or the volume. A switch's
+/// row can be touched all over.
 class ChoiceRow {
  public:
-  ChoiceRow(Page& page, const Desk& desk, const Comfort::Choice& choice, float width,
-            bool explained)
+  ChoiceRow(Page& page, const Desk& desk, const std::string& id, std::optional<bool> on,
+            float width, bool explained)
       : page_(page),
-        id_(control_of(choice)),
+        id_(id),
         name_(desk.say(id_)),
         does_(explained ? desk.say(id_ + "_is") : std::string()),
         name_style_(page.style(Face::sans, page.type().body)),
         does_style_(page.style(Face::sans, page.type().body * 0.9f)),
         right_to_left_(desk.words().right_to_left()) {
-    switch_.words = desk.say("comfort.off");
-    switch_.other = desk.say("comfort.on");
-    switch_.other_on = desk.screen().*choice.of;
-    switch_size_ = page.size(switch_, width);
-    text_width_ = width - switch_size_.width - 2 * page.type().gap;
+    if (on) {
+      switch_.words = desk.say("comfort.off");
+      switch_.other = desk.say("comfort.on");
+      switch_.other_on = *on;
+      far_size_ = page.size(switch_, width);
+    } else {
+      volume_.emplace(page, desk);
+      far_size_ = volume_->size();
+    }
+    text_width_ = width - far_size_.width - 2 * page.type().gap;
     const auto name = page.size(name_, name_style_, text_width_);
     const auto does = explained ? page.size(does_, does_style_, text_width_) : Size{};
     if (std::max(name.width, does.width) > text_width_ + 2) page.overflowed();
     name_height_ = name.height;
     does_height_ = does.height;
-    height_ = std::max(name.height + does.height, switch_size_.height);
+    height_ = std::max(name.height + does.height, far_size_.height);
   }
 
   float height() const { return height_; }
 
   void draw(const Rect& at) const {
-    page_.control(id_, at);
     const float gap = page_.type().gap;
-    const float words_x = right_to_left_ ? at.x + switch_size_.width + 2 * gap : at.x;
-    const float switch_x = right_to_left_ ? at.x : at.x + at.w - switch_size_.width;
+    const float words_x = right_to_left_ ? at.x + far_size_.width + 2 * gap : at.x;
+    const float far_x = right_to_left_ ? at.x : at.x + at.w - far_size_.width;
     const float y = at.y + (at.h - name_height_ - does_height_) / 2;
-    page_.words({words_x, y, text_width_, name_height_}, name_, name_style_, view::kCobalt);
+    if (!volume_) page_.control(id_, at);
+    page_.words({words_x, y, text_width_, name_height_}, name_, name_style_,
+                volume_ ? view::kInk : view::kCobalt);
     if (does_height_ > 0)
       page_.words({words_x, y + name_height_, text_width_, does_height_}, does_, does_style_,
                   view::kFaintInk);
-    page_.button(switch_, {switch_x, at.y + (at.h - switch_size_.height) / 2, switch_size_.width,
-                           switch_size_.height});
+    const float far_y = at.y + (at.h - far_size_.height) / 2;
+    if (volume_)
+      volume_->draw(far_x, far_y);
+    else
+      page_.button(switch_, {far_x, far_y, far_size_.width, far_size_.height});
   }
 
  private:
@@ -82,7 +136,8 @@ class ChoiceRow {
   view::TextStyle name_style_, does_style_;
   bool right_to_left_;
   Button switch_;
-  Size switch_size_;
+  std::optional<VolumeSteps> volume_;
+  Size far_size_;
   float text_width_ = 0, name_height_ = 0, does_height_ = 0, height_ = 0;
 };
 
@@ -105,18 +160,19 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   const float width = abreast == 2 ? (rest.w - aside) / 2 : rest.w;
   const float between = t.gap * 1.6f;
   const std::vector<Comfort::Choice> choices = offered(page, desk);
-  const auto lines =
-      (choices.size() + static_cast<std::size_t>(abreast) - 1) / static_cast<std::size_t>(abreast);
+  const bool sound = desk.world.exhibit->sound.volume > 0;
+  const auto lines = (choices.size() + (sound ? 1 : 0) + static_cast<std::size_t>(abreast) - 1) /
+                     static_cast<std::size_t>(abreast);
   std::vector<ChoiceRow> rows;
   float height = 0;
   // Where names and what they do have no room, names say enough, and can be read.
   for (const bool explained : {true, false}) {
     rows.clear();
     height = t.target;
-    for (const Comfort::Choice& choice : choices) {
-      rows.emplace_back(page, desk, choice, width, explained);
-      height = std::max(height, rows.back().height());
-    }
+    for (const Comfort::Choice& choice : choices)
+      rows.emplace_back(page, desk, control_of(choice), desk.screen().*choice.of, width, explained);
+    if (sound) rows.emplace_back(page, desk, "comfort.volume", std::nullopt, width, explained);
+    for (const ChoiceRow& row : rows) height = std::max(height, row.height());
     if (static_cast<float>(lines) * (height + between) - between <= rest.h) break;
     if (!explained) page.overflowed();
   }

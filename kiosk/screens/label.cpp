@@ -1,21 +1,37 @@
 #include "kiosk/screens/label.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace onggi::screens {
 
-std::string label_line(const content::Label& label) {
-  if (label.culture.empty() || label.date.empty()) return label.culture + label.date;
-  return label.culture + ", " + label.date;
+namespace {
+
+/// Chinese and Japanese ends of a sentence, three bytes each and no space after them.
+constexpr std::array<const char*, 3> kWideStops{"\u3002", "\uFF01", "\uFF1F"};
+
+bool ends_wide(const std::string& words) {
+  return std::any_of(kWideStops.begin(), kWideStops.end(),
+                     [&](const char* stop) { return words.ends_with(stop); });
 }
 
-std::string centimetres(double metres) {
-  const double tenths = std::round(metres * 1000.0);
-  char text[32];
-  std::snprintf(text, sizeof text, std::fmod(tenths, 10.0) == 0.0 ? "%.0f" : "%.1f", tenths / 10.0);
+}  // namespace
+
+std::string label_line(const content::Label& label, const content::Language& language) {
+  if (label.culture.empty() || label.date.empty()) return label.culture + label.date;
+  return language.say("all.list", {{"first", label.culture}, {"second", label.date}});
+}
+
+std::string centimetres(double metres, const content::Language& language) {
+  const auto tenths = static_cast<long>(std::lround(metres * 1000.0));
+  std::string text = std::to_string(tenths / 10);
+  if (tenths % 10 != 0) text += language.decimal() + std::to_string(tenths % 10);
   return text;
+}
+
+std::string joined(const std::string& words, const std::string& sentence) {
+  return words.empty() ? sentence : words + (ends_wide(words) ? "" : " ") + sentence;
 }
 
 std::vector<std::string> sentences(const std::string& text) {
@@ -29,8 +45,7 @@ std::vector<std::string> sentences(const std::string& text) {
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {
     const char c = text[i];
     if ((c == '.' || c == '?' || c == '!') && text[i + 1] == ' ') take(i + 1);
-    // Chinese and Japanese full stop, U+3002, three bytes and no space after it.
-    if (text.compare(i, 3, "\xE3\x80\x82") == 0) take(i + 3);
+    if (ends_wide(text.substr(i, 3))) take(i + 3);
   }
   take(text.size());
   return found;
@@ -50,7 +65,7 @@ std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>
     std::string words;
     for (const std::string& sentence : sentences(paragraph)) {
       const float before = parts.back().empty() ? 0.0f : used + paragraph_gap(style);
-      const std::string longer = words.empty() ? sentence : words + " " + sentence;
+      const std::string longer = joined(words, sentence);
       if (before + height(longer) <= box.h) {
         words = longer;
         continue;

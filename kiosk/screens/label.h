@@ -3,16 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/content/language.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/screens/page.h"
 
 namespace onggi::screens {
 
-/// "Korea, Joseon dynasty, 18th century": what of it is there.
-std::string label_line(const content::Label& label);
+/// "Korea, Joseon dynasty, 18th century": what of it is there, as `language` lists it.
+std::string label_line(const content::Label& label, const content::Language& language);
 
-/// Metres as centimetres with one decimal where it is not a whole number: "30.5".
-std::string centimetres(double metres);
+/// Metres as centimetres with one decimal where it is not a whole number: "30.5", in German "30,5".
+std::string centimetres(double metres, const content::Language& language);
+
+/// One sentence after the other; of two, with what the writing has between them.
+std::string joined(const std::string& words, const std::string& sentence);
 
 /// Paragraphs that go on one page.
 using LabelPart = std::vector<std::string>;

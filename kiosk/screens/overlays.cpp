@@ -12,7 +12,9 @@ std::vector<Button> language_buttons(const Desk& desk) {
   const auto& all = *desk.world.languages;
   for (std::size_t k = 1; k < all.size(); ++k) {
     const auto& other = all[(desk.language + k) % all.size()];
-    row.push_back({k == 1 ? "language" : "language." + other.code(), other.name(), Look::quiet});
+    Button button{k == 1 ? "language" : "language." + other.code(), other.name(), Look::quiet};
+    button.language = other.code();
+    row.push_back(std::move(button));
   }
   return row;
 }

@@ -23,6 +23,7 @@ view::TextStyle Page::style(Face face, float px, Align align) const {
   s.align = align;
   s.line_height = face == Face::serif ? 1.22f : 1.4f;
   s.language = sheet_.language;
+  s.right_to_left = sheet_.right_to_left;
   return s;
 }
 
@@ -45,16 +46,17 @@ Padding padding(const Button& button, const TypeScale& t) {
   return {t.body * (button.tight ? 0.35f : 0.7f), t.body * 0.32f};
 }
 float swatch_width(const TypeScale& t) { return t.body * 1.2f; }
-view::TextStyle button_style(const Page& page) {
+view::TextStyle button_style(const Page& page, const Button& button) {
   view::TextStyle s = page.style(Face::sans, page.type().body, Align::centre);
   s.line_height = kButtonLine;
+  if (!button.language.empty()) s.language = button.language;
   return s;
 }
 }  // namespace
 
 view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
   const Padding pad = padding(button, type());
-  const auto style = button_style(*this);
+  const auto style = button_style(*this, button);
   const float aside = button.swatch ? swatch_width(type()) : 0;
   const auto room = [&](const std::string& words, float width) {
     auto text = size(words, style, -1);
@@ -74,7 +76,7 @@ void Page::button(const Button& button, const Rect& rect) {
     switch_halves(button, rect);
   } else {
     const Padding pad = padding(button, type());
-    const auto style = button_style(*this);
+    const auto style = button_style(*this, button);
     const float aside = button.swatch ? swatch_width(type()) : 0;
     const float inner = rect.w - 2 * pad.x - aside;
     const auto text = size(button.words, style, inner);
@@ -117,12 +119,12 @@ void Page::button(const Button& button, const Rect& rect) {
 
 void Page::switch_halves(const Button& button, const Rect& rect) {
   const float radius = type().body * 0.14f, half = rect.w / 2;
-  const auto style = button_style(*this);
+  const auto style = button_style(*this, button);
   const bool held = sheet_.attention.pressed == button.id && !button.id.empty();
   draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
                  type().hairline * 1.5f, view::kCobalt});
   for (const bool second : {false, true}) {
-    const Rect side{rect.x + (second ? half : 0), rect.y, half, rect.h};
+    const Rect side{rect.x + (second != right_to_left() ? half : 0), rect.y, half, rect.h};
     const bool on = second == button.other_on;
     if (on) draw(view::Box{side, radius, view::kCobalt, 0, {}});
     const std::string& text = second ? button.other : button.words;

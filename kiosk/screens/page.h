@@ -38,6 +38,7 @@ struct Button {
   bool other_on = false;
   std::optional<view::Color> swatch = {};  ///< A disc of this colour before the words.
   bool tight = false;                      ///< Less air beside the words.
+  std::string language = {};  ///< Code of the words, where they are of another than the page.
 };
 
 /// What a page is set on.

@@ -16,6 +16,7 @@ namespace {
 
 constexpr float kDrawing = 0.2f;       // of the pot's room
 constexpr float kDrawingLines = 3.6f;  // ems of the sentence, upright
+constexpr float kSmallest = 0.6f;      // of that: where many languages take the room
 
 std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   std::vector<std::string> all = all_hints(desk);
@@ -28,18 +29,18 @@ std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   return all;
 }
 
-/// Upright at the far end of the sentence; else under it, or where there is no room in the corner
-/// that is farthest from the words.
-view::Rect slip_for(const Page& page, const view::Rect& room, float taken, bool right_to_left) {
-  const view::Rect &pot = page.where().pot, &all = page.where().page;
+/// Upright at the far end of the sentence; else under it, smaller where there is less room, for
+/// over the pot it would hide it.
+view::Rect slip_for(Page& page, const view::Rect& room, float taken, bool right_to_left) {
+  const view::Rect& pot = page.where().pot;
   if (page.where().portrait) {
     const float side = telling_drawing(page) - page.type().gap;
     return {right_to_left ? room.x : room.x + room.w - side, room.y, side, side};
   }
-  const float side = kDrawing * std::min(pot.w, pot.h);
-  if (room.h - taken >= side)
-    return {room.x + (room.w - side) / 2, room.y + taken + (room.h - taken - side) / 2, side, side};
-  return {page.where().mirrored ? all.x : all.x + all.w - side, all.y, side, side};
+  const float wanted = kDrawing * std::min(pot.w, pot.h), left = room.h - taken;
+  const float side = std::min(wanted, left);
+  if (side < kSmallest * wanted) page.overflowed();
+  return {room.x + (room.w - side) / 2, room.y + taken + (left - side) / 2, side, side};
 }
 
 }  // namespace

@@ -87,15 +87,18 @@ void VesselLabel::lay_out(Page& page) {
   column.foot_buttons(onward);
   column.foot_space(t.gap * 1.5f);
   column.text(label.title, t.title, Face::serif);
-  std::string line = label_line(label);
+  std::string line = label_line(label, desk_.words());
   if (shelf->vessel->true_height > 0) {
     const std::string size =
-        desk_.say("choose.size", {{"cm", centimetres(shelf->vessel->true_height)}});
-    line += (line.empty() ? "" : ". ") + size;
+        desk_.say("choose.size", {{"cm", centimetres(shelf->vessel->true_height, desk_.words())}});
+    const auto add = [&](const std::string& more) {
+      line = line.empty() ? more : desk_.say("all.sentences", {{"first", line}, {"second", more}});
+    };
+    add(size);
     // A vessel is worked at a size that a hand can reach, and the label says which.
     if (const int percent = percent_of_size(*shelf); percent != 100)
-      line += ". " + desk_.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
-                               {{"percent", std::to_string(percent)}});
+      add(desk_.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
+                    {{"percent", std::to_string(percent)}}));
   }
   column.text(line, t.body, Face::sans, view::kFaintInk);
   column.space(t.gap);

@@ -155,7 +155,16 @@ void Visit::close(double now) {
 ScreenId Visit::screen() const { return state_->screen->id(); }
 bool Visit::idle_warning() const { return state_->over == Over::idle; }
 const std::string& Visit::language() const { return state_->desk.words().code(); }
+void Visit::speak(const std::string& code) {
+  const auto& all = *state_->desk.world.languages;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].code() == code) state_->set_language(i);
+}
 double Visit::force_share() const { return state_->desk.force.share(); }
+double Visit::volume_share() const {
+  const Desk& desk = state_->desk;
+  return static_cast<double>(desk.comfort.volume(desk.world.exhibit->screen)) / Comfort::kLoudest;
+}
 settings::Exhibit::Screen Visit::shown_on() const { return state_->desk.screen(); }
 const score::Score& Visit::score() const { return state_->desk.score; }
 

@@ -148,8 +148,12 @@ class Visit {
   ScreenId screen() const;
   bool idle_warning() const;
   const std::string& language() const;  ///< Code in use.
+  /// In the language of this code from here on, where the exhibit has it, though nobody asked.
+  void speak(const std::string& code);
   /// How much of the force the visitor would feel, 0 (off) .. 1.
   double force_share() const;
+  /// How loud this visitor would have it, 0 (silent) .. 1 of what the exhibit allows.
+  double volume_share() const;
   /// The exhibit's screen as this visitor has chosen to have it on the Comfort page.
   settings::Exhibit::Screen shown_on() const;
   /// Of the pot that was last called done, as the result screen tells it.

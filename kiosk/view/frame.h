@@ -40,6 +40,8 @@ struct TextStyle {
   Align align = Align::start;
   float line_height = 1.4f;     ///< Of px.
   std::string language = "en";  ///< BCP 47, for shaping and line breaks.
+  /// A paragraph is read from the right, whatever it begins with; false: as its first letter is.
+  bool right_to_left = false;
   friend bool operator==(const TextStyle&, const TextStyle&) = default;
 };
 

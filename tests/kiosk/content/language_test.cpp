@@ -23,6 +23,19 @@ TEST_F(LanguageTest, words_are_filled_into_their_places) {
   EXPECT_EQ(language->keys().size(), 2u);
 }
 
+TEST_F(LanguageTest, tenths_stand_behind_what_the_file_says) {
+  const auto read = [&](const std::string& line) {
+    return check_language(write(
+        "de.toml", "code = \"de\"\nname = \"Deutsch\"\n" + line + "[text]\nplain = \"Gefäß\"\n"));
+  };
+  EXPECT_EQ(read("").language.decimal(), ".");
+  EXPECT_EQ(read("decimal = \",\"\n").language.decimal(), ",");
+  const auto wrong = read("decimal = \"and\"\n");
+  ASSERT_EQ(wrong.problems.size(), 1u);
+  EXPECT_NE(to_text(wrong.problems[0]).find("de.toml:3:11"), std::string::npos)
+      << to_text(wrong.problems[0]);
+}
+
 TEST_F(LanguageTest, dotted_keys_need_no_quotes) {
   const auto language =
       Language::read(write("en.toml",
@@ -59,7 +72,7 @@ TEST_F(LanguageTest, what_differs_from_the_programs_english_is_named_and_still_s
   EXPECT_EQ(changed("Touch to begin", "Begin here"), "");
   const std::pair<std::pair<const char*, const char*>, std::vector<const char*>> slips[] = {
       {{"begin = \"Touch to begin\"\n", ""},
-       {"en.toml:11:", "attract.begin is missing", "begin = \"Touch to begin\""}},
+       {"en.toml:13:", "attract.begin is missing", "begin = \"Touch to begin\""}},
       {{"begin = ", "beginn = "}, {"attract.beginn", "Call it attract.begin"}},
       {{"help = \"Help\"\n", "help = \"Help\"\nnonsense = \"x\"\n"},
        {"all.nonsense", "Take it out"}},

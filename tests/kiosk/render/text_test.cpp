@@ -44,7 +44,51 @@ TEST(Typesetter, KoreanWordsAreNotBroken) {
   EXPECT_FLOAT_EQ(two.height, 2 * alone.height);
 }
 
+TEST(Typesetter, AListInChineseOrJapaneseBreaksAfterItsCommas) {
+  const Typesetter type;
+  for (const char* language : {"ja", "zh"}) {
+    const view::TextStyle style{.px = 30, .language = language};
+    const std::string first = "江戸時代、", second = "大和文華館";
+    const auto alone = type.measure(second, style, 0);
+    // Room for one part and a half: the second goes to the next line whole.
+    const auto both = type.measure(first + second, style, alone.width * 1.5f);
+    EXPECT_FLOAT_EQ(both.height, 2 * alone.height);
+    EXPECT_NEAR(both.width, alone.width, 12.0f) << language;
+  }
+}
+
+TEST(Typesetter, RunningTextInChineseOrJapaneseFillsItsLines) {
+  const Typesetter type;
+  const view::TextStyle style{.px = 30, .language = "ja"};
+  std::string words;
+  for (int i = 0; i < 12; ++i) words += "江戸時代大和文華館、";
+  const auto size = type.measure(words, style, 420);
+  EXPECT_GT(size.width, 385.0f);
+}
+
 using TextOnScreen = StudioTest;
+
+TEST_F(TextOnScreen, AParagraphFromTheRightStaysOneWhateverItBeginsWith) {
+  const auto left_ink = [&](bool right_to_left) {
+    view::Frame frame;
+    frame.width = 600;
+    frame.height = 100;
+    view::Text text;
+    text.box = {0, 20, 600, 60};
+    text.text = "STL \xD8\xAC\xD8\xB1\xD8\xA9";
+    text.style = {.px = 40, .language = "ar", .right_to_left = right_to_left};
+    text.color = view::kInk;
+    frame.items.emplace_back(text);
+    renderer().draw(frame);
+    const view::Image image = renderer().read_pixels();
+    for (int x = 0; x < 600; ++x)
+      for (int y = 20; y < 80; ++y)
+        if (pixel_at(image, x, y).r < 120) return x;
+    return 600;
+  };
+  EXPECT_LT(left_ink(false), 40) << "by its first letter";
+  EXPECT_GT(left_ink(true), 300);
+}
 
 TEST_F(TextOnScreen, RightToLeftStartsAtTheRight) {
   view::Frame frame;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "kiosk/screens/layout.h"
+#include "kiosk/view/palette.h"
 #include "tests/kiosk/screens/visitor.h"
 
 namespace onggi::screens {
@@ -212,15 +213,58 @@ TEST(Comfort, LowReachIsReckonedFromHowLargeTheScreenIsAndHowHighItHangs) {
   EXPECT_EQ(in_reach(screen, 600, 800), (view::Rect{0, 0, 600, 800}));
 }
 
-TEST(Comfort, SilenceIsNoChoiceWhereTheExhibitHasNoSound) {
+TEST(Comfort, TheVolumeIsNoChoiceWhereTheExhibitHasNoSound) {
   Visitor v;
   v.touch("comfort");
-  EXPECT_TRUE(v.visit->control("comfort.silent"));
+  EXPECT_TRUE(v.visit->control("comfort.volume.0"));
   v.touch("comfort.close");
   v.exhibit.sound.volume = 0.0;
   v.show();
   v.touch("comfort");
-  EXPECT_FALSE(v.visit->control("comfort.silent"));
+  EXPECT_FALSE(v.visit->control("comfort.volume.0"));
+}
+
+TEST(Comfort, EachVisitorHasItAsLoudAsTheyLikeUpToWhatTheExhibitAllowsAndTheNextFindsItAsItWas) {
+  Visitor v;
+  v.down(600, 300), v.up(600, 300);
+  v.show();
+  EXPECT_EQ(v.visit->volume_share(), 1.0);
+  v.touch("comfort");
+  double before = -1;
+  for (int step = 0; step <= Comfort::kLoudest; ++step) {
+    v.touch(Comfort::volume_control(step));
+    EXPECT_GT(v.visit->volume_share(), before);
+    EXPECT_EQ(v.visit->shown_on().silent, step == 0);
+    before = v.visit->volume_share();
+  }
+  EXPECT_EQ(before, 1.0);
+  ASSERT_TRUE(v.key_to("comfort.volume.2"));
+  EXPECT_EQ(v.visit->volume_share(), 0.5);
+  v.touch("comfort.close");
+  v.touch("back");
+  EXPECT_EQ(v.visit->screen(), ScreenId::attract);
+  EXPECT_EQ(v.visit->volume_share(), 1.0);
+  v.exhibit.screen.silent = true;
+  EXPECT_EQ(v.visit->volume_share(), 0.0) << "as a curator has it";
+}
+
+TEST(Comfort, TheVolumeIsTheBarsThatAreFilledMirroredWhereOneReadsFromTheRight) {
+  Visitor v;
+  v.touch("comfort");
+  v.touch("comfort.volume.3");
+  int filled = 0;
+  float last = -1;
+  for (int step = 1; step <= Comfort::kLoudest; ++step) {
+    const auto cell = *v.visit->control(Comfort::volume_control(step));
+    EXPECT_GT(cell.x, last);
+    last = cell.x;
+    for (const view::Item& item : v.frame.items)
+      if (const auto* box = std::get_if<view::Box>(&item);
+          box && cell.contains(box->rect.x, box->rect.y) && box->rect.w < cell.w &&
+          box->fill == view::kCobalt)
+        ++filled;
+  }
+  EXPECT_EQ(filled, 3);
 }
 
 TEST(Comfort, LowReachIsNoChoiceWhereAllOfTheScreenIsInReach) {
