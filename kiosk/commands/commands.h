@@ -24,6 +24,7 @@ Command setup_command();
 Command lab_loop_command();
 Command lab_frames_command();
 Command lab_sound_command();
+Command lab_screens_command();
 Command lab_naive_command();
 Command lab_scenes_command();
 

@@ -104,6 +104,7 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   auto exhibit = settings::read_exhibit(options.config);
   log_problems(exhibit.problems);
   exhibit_ = std::move(exhibit.exhibit);
+  if (!options.languages.empty()) exhibit_.languages = options.languages;
   scenes_ = std::make_unique<Scenes>(exhibit_);
 
   auto languages = read_languages(exhibit_, options.language);
@@ -154,6 +155,11 @@ void Kiosk::note_shelf() {
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
   log_problems(names_of_nothing(exhibit_, ids));
+}
+
+void Kiosk::show_as(const settings::Exhibit::Screen& screen, const std::string& language) {
+  exhibit_.screen = screen;
+  visit_->speak(language);
 }
 
 void Kiosk::advance(int ticks) {

@@ -39,7 +39,8 @@ struct KioskOptions {
   std::uint64_t seed = 1;
   /// The clock on the wall, for opening hours; a stepped kiosk is always open.
   std::function<std::time_t()> wall = [] { return std::time(nullptr); };
-  std::string language;  ///< Instead of the exhibit's first; empty keeps it.
+  std::string language;                  ///< Instead of the exhibit's first; empty keeps it.
+  std::vector<std::string> languages{};  ///< Instead of the exhibit's; empty keeps them.
 };
 
 /// The one place that knows everyone: settings and content into screens, screens' wishes to the
@@ -61,6 +62,9 @@ class Kiosk {
   view::Image picture();
   /// The last frame made.
   const view::Frame& shown() const { return last_frame_; }
+  /// For who looks at every screen: as an exhibit shows it that has this screen, in this language.
+  /// The visit goes on where it is.
+  void show_as(const settings::Exhibit::Screen& screen, const std::string& language);
   /// Stepped kiosks only: turns the wheel by `ticks` of 1 ms before the next frame.
   void advance(int ticks);
 

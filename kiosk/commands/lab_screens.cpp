@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "kiosk/commands/commands.h"
+#include "kiosk/exhibit/kiosk.h"
+#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/virtual_display.h"
+#include "kiosk/measure/contact_sheets.h"
+#include "kiosk/settings/exhibit.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::commands {
+
+namespace {
+
+struct ScreensArguments {
+  std::string config, out, sheets, vessel = "moon_jar";
+};
+
+/// All that lie beside the exhibit's own, the exhibit's first.
+std::vector<std::string> all_languages(const std::vector<std::string>& own, const fs::path& words) {
+  std::vector<std::string> rest;
+  std::error_code error;
+  for (fs::directory_iterator at(words, error), end; !error && at != end; at.increment(error))
+    if (at->path().extension() == ".toml" &&
+        std::find(own.begin(), own.end(), at->path().stem()) == own.end())
+      rest.push_back(at->path().stem());
+  std::sort(rest.rbegin(), rest.rend());
+  std::vector<std::string> all = own;
+  all.insert(all.end(), rest.begin(), rest.end());
+  return all;
+}
+
+Result<int> look(const ScreensArguments& arguments) {
+  std::error_code error;
+  if (arguments.out.empty() || (fs::create_directories(arguments.out, error), error))
+    return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
+                   "Name a folder that may be written.");
+  const auto config = exhibit::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  exhibit::KioskOptions options;
+  options.config = *config;
+  options.stepped = true;
+  options.devices = false;
+  options.keepsakes = fs::path(arguments.out) / "keepsakes";
+  options.window = {.width = 1280, .height = 720, .visible = false};
+  options.languages = all_languages(settings::read_exhibit(*config).exhibit.languages,
+                                    exhibit::language_folder(*config));
+  auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
+  if (!display) return tl::unexpected(display.error());
+  auto opened = exhibit::Kiosk::open(options);
+  if (!opened) return tl::unexpected(opened.error());
+  exhibit::Kiosk& kiosk = **opened;
+  int card = 0;
+  const auto& cards = kiosk.shelf().cards();
+  for (std::size_t i = 0; i < cards.size(); ++i)
+    if (cards[i].vessel->id == arguments.vessel) card = static_cast<int>(i);
+  if (cards.empty() || cards[static_cast<std::size_t>(card)].vessel->id != arguments.vessel)
+    return problem("--vessel " + arguments.vessel, "No such vessel is on the shelf.",
+                   "Name one of " + kiosk.exhibit().shelf.string() + ".");
+  const fs::path sheets = arguments.sheets.empty() ? arguments.out : arguments.sheets;
+  const auto drawn = measure::draw_contact_sheets(
+      kiosk, card, measure::plans(options.languages), arguments.out, sheets,
+      [](const std::string& state) { std::fprintf(stderr, "%s\n", state.c_str()); });
+  if (!drawn) return tl::unexpected(drawn.error());
+  return 0;
+}
+
+}  // namespace
+
+Command lab_screens_command() {
+  const auto a = std::make_shared<ScreensArguments>();
+  return {.name = "screens",
+          .help = "Every screen in every size, language and comfort, at full size and on sheets",
+          .examples =
+              "Example: onggi lab screens --out /tmp/screens\n"
+              "         onggi lab screens --out /tmp/screens --sheets kiosk/docs/screens\n"
+              "Some ten minutes without a GPU; ends with an error where words do not fit.",
+          .options = {{.name = "--out",
+                       .field = &a->out,
+                       .help = "Folder for the pictures at full size: SIGHT/NN_STATE.jpg",
+                       .required = true},
+                      {"--sheets", &a->sheets, "Folder for the contact sheets [OUT]"},
+                      {"--vessel", &a->vessel, "Of the shelf, to be thrown [moon_jar]"},
+                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+          .run = [a] { return look(*a); }};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,217 @@
+#include "kiosk/measure/contact_sheets.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <future>
+#include <map>
+#include <utility>
+
+#include "kiosk/files/durable_file.h"
+#include "kiosk/measure/every_screen.h"
+#include "kiosk/screens/comfort.h"
+#include "kiosk/souvenir/encode.h"
+#include "kiosk/view/palette.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::measure {
+
+namespace {
+
+constexpr int kSmallLong =
+    232;  // pixels of a small picture's longer side, across; upright 1.1 of it
+constexpr float kGap = 8, kHead = 22, kMargin = 16, kWords = 13;
+
+/// `image` in `width` x `height` pixels, each the mean of what it covers.
+view::Image smaller(const view::Image& image, int width, int height) {
+  view::Image out{width, height, {}};
+  out.rgba.resize(static_cast<std::size_t>(4 * width * height));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int x0 = x * image.width / width, x1 = std::max(x0 + 1, (x + 1) * image.width / width);
+      const int y0 = y * image.height / height,
+                y1 = std::max(y0 + 1, (y + 1) * image.height / height);
+      for (int k = 0; k < 4; ++k) {
+        int sum = 0;
+        for (int v = y0; v < y1; ++v)
+          for (int u = x0; u < x1; ++u)
+            sum += image.rgba[static_cast<std::size_t>(4 * (v * image.width + u) + k)];
+        const int count = (x1 - x0) * (y1 - y0);
+        out.rgba[static_cast<std::size_t>(4 * (y * width + x) + k)] =
+            static_cast<std::uint8_t>((sum + count / 2) / count);
+      }
+    }
+  return out;
+}
+
+Result<void> keep(const view::Image& image, const fs::path& file, const std::string& title) {
+  auto bytes = souvenir::encode(image, souvenir::Format::jpeg, {title, "", ""});
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (auto made = files::make_folder(file.parent_path()); !made) return made;
+  return files::write_durably(file, *bytes);
+}
+
+settings::Exhibit::Screen screen_of(settings::Exhibit::Screen screen, const std::string& comfort) {
+  for (const screens::Comfort::Choice& choice : screens::Comfort::kChoices)
+    if (comfort == "all" || comfort == choice.name) screen.*choice.of = true;
+  // As high as an exhibit may hang, where low reach leaves the least.
+  if (screen.low_reach) screen.lower_edge_mm = 1000;
+  return screen;
+}
+
+/// The pictures as they come, full size to the disk by two workers, small ones kept.
+class Album {
+ public:
+  Album(exhibit::Kiosk& kiosk, const std::vector<SheetPlan>& plans, fs::path folder)
+      : kiosk_(kiosk), plans_(plans), folder_(std::move(folder)), usual_(kiosk.exhibit().screen) {}
+
+  Result<void> look(const std::string& state) {
+    states_.push_back(state);
+    char number[8];
+    std::snprintf(number, sizeof number, "%02zu_", states_.size());
+    std::string file = number + state + ".jpg";
+    std::replace(file.begin(), file.end(), ' ', '_');
+    for (const SheetPlan& plan : plans_)
+      for (const Sight& sight : plan.sights) {
+        const std::string key = sight.name();
+        if (small_[key].size() == states_.size()) continue;
+        const view::Image image = picture(sight);
+        small_[key].push_back(
+            sight.width > sight.height
+                ? smaller(image, kSmallLong, kSmallLong * sight.height / sight.width)
+                : smaller(image, kSmallLong * sight.width / sight.height, kSmallLong));
+        if (auto good = write(image, folder_ / key / file, state); !good) return good;
+      }
+    kiosk_.show_as(usual_, plans_.front().sights.front().language);
+    const auto status = kiosk_.renderer().status();
+    if (status.text_overflows > overflows_)
+      return problem("screen " + state, "Words do not fit their box: " + status.last_overflow + ".",
+                     "This is a fault of the program: please report it.", 1);
+    return {};
+  }
+
+  Result<void> finish(const fs::path& sheets) {
+    while (!writing_.empty())
+      if (auto good = settle(); !good) return good;
+    for (const SheetPlan& plan : plans_)
+      if (plan.kept)
+        if (auto good = keep(sheet(plan), sheets / (plan.name + ".jpg"), plan.name); !good)
+          return good;
+    return {};
+  }
+
+ private:
+  view::Image picture(const Sight& sight) {
+    kiosk_.show_as(screen_of(usual_, sight.comfort), sight.language);
+    return kiosk_.renderer().draw_offscreen(kiosk_.visit().frame(sight.width, sight.height));
+  }
+
+  Result<void> write(const view::Image& image, const fs::path& file, const std::string& state) {
+    if (writing_.size() >= 2)
+      if (auto good = settle(); !good) return good;
+    writing_.push_back(std::async(std::launch::async, keep, image, file, "Onggi: " + state));
+    return {};
+  }
+  Result<void> settle() {
+    const Result<void> good = writing_.front().get();
+    writing_.erase(writing_.begin());
+    return good;
+  }
+
+  /// A column a sight, a row a state.
+  view::Image sheet(const SheetPlan& plan) {
+    view::Frame frame;
+    std::vector<view::PictureId> held;
+    const auto words = [&](float x, float y, float w, const std::string& text) {
+      view::Text line;
+      line.box = {x, y, w, kHead};
+      line.text = text;
+      line.style.px = kWords;
+      line.color = view::kInk;
+      frame.items.emplace_back(line);
+    };
+    float x = kMargin, bottom = 0;
+    for (const Sight& sight : plan.sights) {
+      const auto& column = small_[sight.name()];
+      const auto wide = static_cast<float>(column.front().width);
+      float y = kMargin;
+      words(x, y, wide + kGap, sight.name());
+      y += kHead;
+      for (std::size_t i = 0; i < column.size(); ++i) {
+        const auto high = static_cast<float>(column[i].height);
+        if (&sight == &plan.sights.front()) words(x, y, wide, states_[i]);
+        y += kHead;
+        held.push_back(kiosk_.renderer().make_picture(column[i]));
+        frame.items.emplace_back(view::Picture{{x, y, wide, high}, held.back(), 1});
+        y += high;
+      }
+      x += wide + kGap;
+      bottom = std::max(bottom, y);
+    }
+    frame.width = static_cast<int>(x - kGap + kMargin);
+    frame.height = static_cast<int>(bottom + kMargin);
+    view::Image image = kiosk_.renderer().draw_offscreen(frame);
+    for (const view::PictureId id : held) kiosk_.renderer().drop_picture(id);
+    return image;
+  }
+
+  exhibit::Kiosk& kiosk_;
+  const std::vector<SheetPlan>& plans_;
+  fs::path folder_;
+  settings::Exhibit::Screen usual_;
+  std::uint64_t overflows_ = kiosk_.renderer().status().text_overflows;
+  std::vector<std::string> states_;
+  std::map<std::string, std::vector<view::Image>> small_;
+  std::vector<std::future<Result<void>>> writing_;
+};
+
+}  // namespace
+
+std::string Sight::name() const {
+  return std::to_string(width) + "x" + std::to_string(height) + "_" + language +
+         (comfort.empty() ? "" : "_" + comfort);
+}
+
+std::vector<SheetPlan> plans(const std::vector<std::string>& languages) {
+  constexpr std::pair<int, int> kAcross{1280, 720}, kUpright{1080, 1920}, kLarge{1920, 1080},
+      kSmall{1024, 600};
+  const auto in_all = [&](std::pair<int, int> size) {
+    std::vector<Sight> sights;
+    for (const std::string& language : languages)
+      sights.push_back({size.first, size.second, language, ""});
+    return sights;
+  };
+  const auto comforts = [&](std::pair<int, int> size) {
+    std::vector<Sight> sights;
+    for (const screens::Comfort::Choice& choice : screens::Comfort::kChoices)
+      sights.push_back({size.first, size.second, languages.front(), choice.name});
+    sights.push_back({size.first, size.second, languages.front(), "all"});
+    if (languages.size() > 1) sights.push_back({size.first, size.second, languages.back(), "all"});
+    return sights;
+  };
+  std::vector<Sight> sizes{{kLarge.first, kLarge.second, languages.front(), ""},
+                           {kSmall.first, kSmall.second, languages.front(), ""},
+                           {kSmall.first, kSmall.second, languages.back(), ""}};
+  return {{"languages_across", in_all(kAcross)},
+          {"languages_upright", in_all(kUpright)},
+          {"comforts_across", comforts(kAcross)},
+          {"comforts_upright", comforts(kUpright)},
+          {"sizes", sizes},
+          {"large", in_all(kLarge), false},
+          {"small", in_all(kSmall), false}};
+}
+
+Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, int card,
+                                 const std::vector<SheetPlan>& plans, const fs::path& folder,
+                                 const fs::path& sheets,
+                                 const std::function<void(const std::string&)>& told) {
+  Album album(kiosk, plans, folder);
+  const auto walked = look_at_every_screen(kiosk, card, [&](const std::string& state) {
+    told(state);
+    return album.look(state);
+  });
+  if (!walked) return walked;
+  return album.finish(sheets);
+}
+
+}  // namespace onggi::measure
