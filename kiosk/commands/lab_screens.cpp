@@ -16,7 +16,8 @@ namespace onggi::commands {
 namespace {
 
 struct ScreensArguments {
-  std::string config, out, sheets, vessel = "moon_jar";
+  std::string config, out, vessel = "moon_jar";
+  bool full = false;
 };
 
 /// All that lie beside the exhibit's own, the exhibit's first.
@@ -60,9 +61,8 @@ Result<int> look(const ScreensArguments& arguments) {
   if (cards.empty() || cards[static_cast<std::size_t>(card)].vessel->id != arguments.vessel)
     return problem("--vessel " + arguments.vessel, "No such vessel is on the shelf.",
                    "Name one of " + kiosk.exhibit().shelf.string() + ".");
-  const fs::path sheets = arguments.sheets.empty() ? arguments.out : arguments.sheets;
   const auto drawn = measure::draw_contact_sheets(
-      kiosk, card, measure::plans(options.languages), arguments.out, sheets,
+      kiosk, card, measure::plans(options.languages), arguments.out, arguments.full,
       [](const std::string& state) { std::fprintf(stderr, "%s\n", state.c_str()); });
   if (!drawn) return tl::unexpected(drawn.error());
   return 0;
@@ -75,14 +75,14 @@ Command lab_screens_command() {
   return {.name = "screens",
           .help = "Every screen in every size, language and comfort, at full size and on sheets",
           .examples =
-              "Example: onggi lab screens --out /tmp/screens\n"
-              "         onggi lab screens --out /tmp/screens --sheets kiosk/docs/screens\n"
-              "Some ten minutes without a GPU; ends with an error where words do not fit.",
+              "Example: onggi lab screens --out /tmp/screens --full\n"
+              "Some minutes without a GPU, --full a quarter of an hour. Ends with an error "
+              "where words\ndo not fit.",
           .options = {{.name = "--out",
                        .field = &a->out,
-                       .help = "Folder for the pictures at full size: SIGHT/NN_STATE.jpg",
+                       .help = "Folder for the contact sheets",
                        .required = true},
-                      {"--sheets", &a->sheets, "Folder for the contact sheets [OUT]"},
+                      {"--full", &a->full, "Each picture too, as OUT/SIGHT/NN_STATE.jpg"},
                       {"--vessel", &a->vessel, "Of the shelf, to be thrown [moon_jar]"},
                       {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
           .run = [a] { return look(*a); }};

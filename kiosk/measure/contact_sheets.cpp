@@ -62,8 +62,12 @@ settings::Exhibit::Screen screen_of(settings::Exhibit::Screen screen, const std:
 /// The pictures as they come, full size to the disk by two workers, small ones kept.
 class Album {
  public:
-  Album(exhibit::Kiosk& kiosk, const std::vector<SheetPlan>& plans, fs::path folder)
-      : kiosk_(kiosk), plans_(plans), folder_(std::move(folder)), usual_(kiosk.exhibit().screen) {}
+  Album(exhibit::Kiosk& kiosk, const std::vector<SheetPlan>& plans, fs::path folder, bool full)
+      : kiosk_(kiosk),
+        plans_(plans),
+        folder_(std::move(folder)),
+        full_(full),
+        usual_(kiosk.exhibit().screen) {}
 
   Result<void> look(const std::string& state) {
     states_.push_back(state);
@@ -74,12 +78,13 @@ class Album {
     for (const SheetPlan& plan : plans_)
       for (const Sight& sight : plan.sights) {
         const std::string key = sight.name();
-        if (small_[key].size() == states_.size()) continue;
+        if (small_[key].size() == states_.size() || (!plan.kept && !full_)) continue;
         const view::Image image = picture(sight);
         small_[key].push_back(
             sight.width > sight.height
                 ? smaller(image, kSmallLong, kSmallLong * sight.height / sight.width)
                 : smaller(image, kSmallLong * sight.width / sight.height, kSmallLong));
+        if (!full_) continue;
         if (auto good = write(image, folder_ / key / file, state); !good) return good;
       }
     kiosk_.show_as(usual_, plans_.front().sights.front().language);
@@ -90,12 +95,12 @@ class Album {
     return {};
   }
 
-  Result<void> finish(const fs::path& sheets) {
+  Result<void> finish() {
     while (!writing_.empty())
       if (auto good = settle(); !good) return good;
     for (const SheetPlan& plan : plans_)
       if (plan.kept)
-        if (auto good = keep(sheet(plan), sheets / (plan.name + ".jpg"), plan.name); !good)
+        if (auto good = keep(sheet(plan), folder_ / (plan.name + ".jpg"), plan.name); !good)
           return good;
     return {};
   }
@@ -158,6 +163,7 @@ class Album {
   exhibit::Kiosk& kiosk_;
   const std::vector<SheetPlan>& plans_;
   fs::path folder_;
+  bool full_;
   settings::Exhibit::Screen usual_;
   std::uint64_t overflows_ = kiosk_.renderer().status().text_overflows;
   std::vector<std::string> states_;
@@ -203,15 +209,14 @@ std::vector<SheetPlan> plans(const std::vector<std::string>& languages) {
 
 Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, int card,
                                  const std::vector<SheetPlan>& plans, const fs::path& folder,
-                                 const fs::path& sheets,
-                                 const std::function<void(const std::string&)>& told) {
-  Album album(kiosk, plans, folder);
+                                 bool full, const std::function<void(const std::string&)>& told) {
+  Album album(kiosk, plans, folder, full);
   const auto walked = look_at_every_screen(kiosk, card, [&](const std::string& state) {
     told(state);
     return album.look(state);
   });
   if (!walked) return walked;
-  return album.finish(sheets);
+  return album.finish();
 }
 
 }  // namespace onggi::measure

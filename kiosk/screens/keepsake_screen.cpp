@@ -60,7 +60,10 @@ class Keepsake final : public Screen {
       case Desk::Kept::kept:
         column.text(desk.say("keepsake.kept"), t.body);
         column.space(t.gap);
-        column.text(desk.kept_as, t.body, Face::sans, view::kFaintInk);
+        // Date and time stay in their order among words from the right, too.
+        column.text(
+            desk.words().right_to_left() ? "\u2066" + desk.kept_as + "\u2069" : desk.kept_as,
+            t.body, Face::sans, view::kFaintInk);
         lay_out_code(column);
         break;
       case Desk::Kept::failed:

@@ -15,6 +15,7 @@ constexpr double kTurning = 0.5;  // rad/s: once round in a dozen seconds
 // Of a picture's height, beside the pot's own: its mouth is an ellipse.
 constexpr double kEllipse = 0.5;
 constexpr float kPicturesShare = 0.6f;  // of the height, where the drawing stands below
+constexpr float kShadows = 0.1f;        // of the page
 constexpr double kWholeTurn = 6.283185307179586;
 
 /// As large as its room holds it, pixels a metre.
@@ -29,7 +30,9 @@ Rect room_of(const Regions& where, float gap) {
   if (where.portrait) {
     room.h = where.words.y - 2 * gap - room.y;
   } else {
-    const float clear = where.words.w + 4 * gap;
+    // Shadows fall to the right: words that stand there are kept out of them.
+    const float shadows = where.mirrored ? kShadows * where.page.w : 0;
+    const float clear = where.words.w + 4 * gap + shadows;
     room.w -= clear;
     if (!where.mirrored) room.x += clear;
   }
@@ -105,13 +108,14 @@ SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const 
   const float all = tall + names + (abreast ? 0.0f : below + gap);
   const float top = room.y + (room.h - all) / 2;
   const auto column = [&](int n) {
-    const int place = page.right_to_left() ? (abreast ? 2 : 1) - n : n;
-    return Rect{room.x + static_cast<float>(place) * (width + 2 * gap), top, width, tall};
+    return Rect{room.x + static_cast<float>(n) * (width + 2 * gap), top, width, tall};
   };
-  at.vessel = column(0);
-  at.pot = column(1);
+  // The drawing stands at the left of both, where no shadow falls.
+  const int first = abreast ? 1 : 0, second = first + 1;
+  at.vessel = column(page.right_to_left() ? second : first);
+  at.pot = column(page.right_to_left() ? first : second);
   at.names = top + tall;
-  at.section = abreast ? column(2) : Rect{room.x, at.names + names + gap, room.w, below};
+  at.section = abreast ? column(0) : Rect{room.x, at.names + names + gap, room.w, below};
   return at;
 }
 

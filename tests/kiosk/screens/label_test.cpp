@@ -118,5 +118,16 @@ TEST(Label, WordsOfALanguageReadFromTheRightAreSetSoWhateverTheyBeginWith) {
     }
 }
 
+TEST(Label, TheNameOfAKeepsakeIsReadFromTheLeftInArabicToo) {
+  Visitor v(2);
+  v.languages = {language("ar")};
+  v.make_result();
+  v.touch("result.keep");
+  v.visit->show_postcard(9);
+  v.visit->keepsake_kept("2026-05-04_141503");
+  v.frames(1);
+  EXPECT_NE(words_in(v.frame).find("\u20662026-05-04_141503\u2069"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace onggi::screens
