@@ -66,6 +66,7 @@ view::Camera PotPicture::camera(const Page& page) const {
 
 view::Camera PotPicture::frame(const Page& page) const {
   constexpr double kHeadThickness = 0.024;
+  constexpr int kAround = 24;
   const double height = std::max(height_, 0.02), radius = std::max(radius_, 0.01);
   const Regions& where = page.where();
   view::Rect box = where.pot;
@@ -74,11 +75,20 @@ view::Camera PotPicture::frame(const Page& page) const {
     const view::Camera camera = view::frame_pot(page.width(), page.height(), box, height, radius);
     const double r = wheel_radius_;
     const auto front = camera.project({0, -kHeadThickness, r});
-    const auto left = camera.project({-r, 0, 0}), right = camera.project({r, 0, 0});
-    if (!front || !left || !right || i == 24) return camera;
-    const bool clear = where.portrait   ? front->second <= foot
-                       : where.mirrored ? right->first <= where.words.x
-                                        : left->first >= where.words.x + where.words.w;
+    float left = 1e9f, right = -1e9f;
+    for (int k = 0; k < kAround; ++k) {
+      const double a = 2 * 3.14159265358979 * k / kAround;
+      const auto at = camera.project({r * std::cos(a), 0, r * std::sin(a)});
+      if (!at) return camera;
+      left = std::min(left, at->first);
+      right = std::max(right, at->first);
+    }
+    if (!front || i == 24) return camera;
+    // All of the head is on the screen, and none of it under the words.
+    bool clear = left >= where.all.x && right <= where.all.x + where.all.w;
+    if (!where.portrait)
+      clear = clear &&
+              (where.mirrored ? right <= where.words.x : left >= where.words.x + where.words.w);
     if (clear && front->second <= foot) return camera;
     // Smaller: in portrait from below, so that the rim stays where it was.
     const float w = box.w * 0.97f, h = box.h * 0.97f;

@@ -72,6 +72,25 @@ void check_contrast(const Visitor& v, const std::string& where) {
   }
 }
 
+/// No control stands on the wheel head, and all of that is on the screen.
+void check_wheel(const Visitor& v, const std::string& where) {
+  const auto& pot = v.frame.pot;
+  if (!pot || !pot->wheel || pot->opacity < 0.5) return;
+  constexpr double kThick = 0.024;
+  for (int i = 0; i < 48; ++i)
+    for (const double y : {0.0, -kThick}) {
+      const double a = i * 0.1308996938995747, r = pot->wheel_radius;
+      const auto at = pot->camera.project({r * std::cos(a), y, r * std::sin(a)});
+      ASSERT_TRUE(at) << where;
+      const auto [px, py] = *at;
+      EXPECT_GE(px, -kTouching) << where << ": the wheel head is cut";
+      EXPECT_LE(px, static_cast<float>(v.width) + kTouching) << where << ": the wheel head is cut";
+      for (const auto& [id, rect] : v.visit->controls()) {
+        EXPECT_FALSE(rect.contains(px, py)) << where << ": " << id << " lies on the wheel head";
+      }
+    }
+}
+
 /// Millimetres above the floor, of a row of pixels.
 double above_floor(const Visitor& v, float y) {
   const settings::Exhibit::Screen screen = v.visit->shown_on();
@@ -90,6 +109,7 @@ void check_layout(const Visitor& v, const view::TextMeasure& measure, const std:
   const TypeScale type = type_scale(usual, v.width, v.height);
 
   check_contrast(v, where);
+  check_wheel(v, where);
   if (v.visit->shown_on().low_reach)
     for (const auto& [id, rect] : v.visit->controls()) {
       EXPECT_LE(above_floor(v, rect.y), 1220.5) << where << ": " << id;
