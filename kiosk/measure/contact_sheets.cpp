@@ -18,8 +18,7 @@ namespace onggi::measure {
 
 namespace {
 
-constexpr int kSmallLong =
-    232;  // pixels of a small picture's longer side, across; upright 1.1 of it
+constexpr int kSmallLong = 168;  // pixels of a small picture's longer side
 constexpr float kGap = 8, kHead = 22, kMargin = 16, kWords = 13;
 
 /// `image` in `width` x `height` pixels, each the mean of what it covers.
