@@ -16,6 +16,7 @@
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/render/display_loss.h"
+#include "kiosk/souvenir/pass.h"
 
 namespace fs = std::filesystem;
 
@@ -43,7 +44,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
                                   phone.address.empty() ? 0.0 : phone.hours);
   if (keep.gallery) kiosk->todays_ = std::make_unique<TodaysPots>(kept_in, options.wall);
   if (kiosk->exhibit_.store.count)
-    kiosk->counter_ = std::make_unique<VisitCounter>(store_file(kept_in), kiosk->exhibit_);
+    kiosk->counter_ = std::make_unique<VisitCounter>(store_file(kept_in), kiosk->exhibit_,
+                                                     souvenir::Passes(kept_in).fetched());
   auto renderer = render::Renderer::create(options.window);
   if (!renderer) return tl::unexpected(renderer.error());
   kiosk->renderer_ = std::move(*renderer);

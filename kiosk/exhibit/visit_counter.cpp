@@ -10,8 +10,10 @@ namespace fs = std::filesystem;
 
 namespace onggi::exhibit {
 
-VisitCounter::VisitCounter(const fs::path& file, const settings::Exhibit& exhibit)
-    : scene_(exhibit.scene.stem().string()), store_(file, exhibit.store.months) {
+VisitCounter::VisitCounter(const fs::path& file, const settings::Exhibit& exhibit,
+                           const fs::path& fetched)
+    : scene_(exhibit.scene.stem().string()),
+      store_(file, exhibit.store.months, store::StoreThread::kDaily, fetched) {
   for (const auto& [vessel, scene] : exhibit.vessel_scenes)
     vessel_scenes_[vessel] = scene.stem().string();
 }

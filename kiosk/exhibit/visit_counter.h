@@ -17,7 +17,9 @@ namespace onggi::exhibit {
 /// finish() waits for a disk.
 class VisitCounter {
  public:
-  VisitCounter(const std::filesystem::path& file, const settings::Exhibit& exhibit);
+  /// `fetched`: where phones' fetches are noted (souvenir::Passes::fetched()); "": nowhere.
+  VisitCounter(const std::filesystem::path& file, const settings::Exhibit& exhibit,
+               const std::filesystem::path& fetched = {});
 
   /// `vessel`: its name on the shelf, "" where none was chosen. `ticket`: of the visitor's last
   /// save; 0: nothing was to be kept.

@@ -56,10 +56,10 @@ std::string csv_cell(std::string text) {
   return out + '"';
 }
 
-std::string csv_line(const std::string& table, const Line& line) {
+std::string csv_line(const std::string& table, const Line& line, const std::string& fetched = {}) {
   return table + ',' + csv_cell(line.name) + ',' + text_or(line.visits, "") + ',' +
          text_or(line.kept, "") + ',' + text_or(line.active_min, "") + ',' +
-         text_or(line.likeness, "") + '\n';
+         text_or(line.likeness, "") + ',' + fetched + '\n';
 }
 
 std::string days_of(const PublishedStatistics& s) {
@@ -85,6 +85,13 @@ std::string put_table(const PublishedStatistics::Lines& table, const char* title
   return text;
 }
 
+/// Nothing where no phone ever fetched: most kiosks have none to fetch with.
+std::string fetched_words(const PublishedStatistics& s) {
+  if (!s.fetched) return ", of which a number that is too few to tell of were opened on a phone";
+  if (*s.fetched == 0) return {};
+  return "; " + std::to_string(*s.fetched) + " keepsakes were opened on a phone";
+}
+
 }  // namespace
 
 Json json_of(const PublishedStatistics& s) {
@@ -93,6 +100,7 @@ Json json_of(const PublishedStatistics& s) {
   put_line(json, s.all);
   json["brief"] = json_or_null(s.brief);
   json["pots"] = json_or_null(s.pots);
+  json["fetched_by_phone"] = json_or_null(s.fetched);
   json["median_minutes"] = json_or_null(s.median_min);
   json["throwing_minutes"] = json_or_null(s.throwing_min);
   Json tables = Json::object();
@@ -110,8 +118,8 @@ Json json_of(const PublishedStatistics& s) {
 }
 
 std::string csv_of(const PublishedStatistics& s) {
-  std::string text = "table,name,visits,keepsakes,active_minutes,likeness\n";
-  text += csv_line("all", s.all);
+  std::string text = "table,name,visits,keepsakes,active_minutes,likeness,fetched_by_phone\n";
+  text += csv_line("all", s.all, text_or(s.fetched, ""));
   for (const auto& table : s.tables)
     for (const Line& line : table.lines) text += csv_line(table.name, line);
   return text;
@@ -126,8 +134,8 @@ std::string words_of(const PublishedStatistics& s) {
           text_or(s.median_min, "-") + ", at the wheel " + text_or(s.throwing_min, "-") +
           " of them. They began " + text_or(s.pots, "-") + " pots and kept " +
           text_or(s.all.kept, "a number that is too few to tell of") + " (likeness " +
-          text_or(s.all.likeness, "-") + " of 100 on average). " + text_or(s.brief, "Few") +
-          " more only touched the screen in passing.\n";
+          text_or(s.all.likeness, "-") + " of 100 on average)" + fetched_words(s) + ". " +
+          text_or(s.brief, "Few") + " more only touched the screen in passing.\n";
   constexpr std::pair<const char*, const char*> kTold[] = {
       {"vessel", "Vessels"},     {"reached", "How far they came"}, {"left", "Where they left"},
       {"ended", "How it ended"}, {"language", "Language"},         {"way", "How they played"}};

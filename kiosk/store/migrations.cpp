@@ -8,7 +8,7 @@ namespace onggi::store {
 namespace {
 
 // Each was shipped: never change one, add the next.
-constexpr std::array<const char*, 4> kSteps{
+constexpr std::array<const char*, 5> kSteps{
     // 1: visits. `left` is a word of SQL.
     R"sql(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -59,6 +59,11 @@ CREATE TABLE settings (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 DROP TABLE IF EXISTS outbox;
 DROP TABLE IF EXISTS keepsakes;
 DROP TABLE IF EXISTS settings;
+)sql",
+    // 5: keepsakes that were opened on a phone. The id is random and of nothing else.
+    R"sql(
+CREATE TABLE fetches (id TEXT PRIMARY KEY, day TEXT NOT NULL) WITHOUT ROWID;
+CREATE INDEX fetches_by_day ON fetches (day);
 )sql"};
 
 }  // namespace

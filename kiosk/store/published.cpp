@@ -216,6 +216,9 @@ PublishedStatistics publish(const Statistics& s) {
   const Whole all{&s.all, !is_few(s.all.visits), is_share_told(s.all, &Cell::kept),
                   is_share_told(s.all, &Cell::judged)};
   p.all = line_of(s.all, all.visits, all.kept, all.judged);
+  // Who fetched is of those who kept. More than these are of keepsakes from days before.
+  if (all.visits && all.kept && !is_few(s.fetched) && !is_few(s.all.kept - s.fetched))
+    p.fetched = s.fetched;
   if (all.visits) {
     p.pots = s.pots;
     p.throwing_min = s.throwing_s / 60.0;

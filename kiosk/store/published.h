@@ -31,6 +31,7 @@ struct PublishedStatistics {
   std::string from, to;
   Line all;
   std::optional<std::int64_t> brief, pots;
+  std::optional<std::int64_t> fetched;  ///< Told where what was kept is, and of neither few.
   std::optional<double> median_min, throwing_min;
   std::vector<Lines> tables;
 };

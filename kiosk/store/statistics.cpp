@@ -75,6 +75,12 @@ class Reader {
     return sum / static_cast<double>(2 - visits % 2);
   }
 
+  std::int64_t fetched() {
+    Statement rows(database_, "SELECT count(*) FROM fetches WHERE day >= ? AND day <= ?");
+    rows.bind(from_).bind(to_);
+    return rows.step() ? rows.integer(0) : 0;
+  }
+
   std::int64_t brief() {
     Statement rows(database_,
                    "SELECT count(*) FROM visits WHERE day >= ? AND day <= ? AND active_s < ?");
@@ -103,6 +109,7 @@ Result<Statistics> read_statistics(Database& database, const std::string& from,
   }
   s.median_s = reader.median(s.all.visits);
   s.brief = reader.brief();
+  s.fetched = reader.fetched();
   for (const auto& [name, column] : kTables) s.tables.push_back(reader.table(name, column));
   if (database.trouble() != Trouble::none)
     return problem("the store", "Its visits could not be read: " + database.message() + ".",

@@ -35,6 +35,7 @@ struct Statistics {
   Cell all;  ///< Of every visit; without a name.
   std::int64_t pots = 0;  ///< Lumps begun.
   double throwing_s = 0.0;
+  std::int64_t fetched = 0;        ///< Keepsakes that were opened on a phone on those days.
   std::optional<double> median_s;  ///< Of a visit's active time; nothing where there is no visit.
   std::vector<Table> tables;
 

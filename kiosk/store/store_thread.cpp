@@ -1,5 +1,6 @@
 #include "kiosk/store/store_thread.h"
 
+#include <algorithm>
 #include <ctime>
 #include <utility>
 
@@ -11,8 +12,14 @@ namespace {
 std::string stamp() { return files::local_time(std::time(nullptr), files::kStamp); }
 }  // namespace
 
-StoreThread::StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget)
-    : file_(std::move(file)), months_(months), forget_every_(forget), thread_([this] { run(); }) {}
+StoreThread::StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget,
+                         std::filesystem::path fetched, std::chrono::milliseconds gather)
+    : file_(std::move(file)),
+      months_(months),
+      forget_every_(forget),
+      fetched_(std::move(fetched)),
+      gather_every_(fetched_.empty() ? kDaily : gather),
+      thread_([this] { run(); }) {}
 
 StoreThread::~StoreThread() { end(); }
 
@@ -48,13 +55,14 @@ void StoreThread::run() {
   using Clock = std::chrono::steady_clock;
   std::deque<VisitRecord> mine;
   forget();
-  Clock::time_point forgotten = Clock::now();
+  gather();
+  Clock::time_point forgotten = Clock::now(), gathered = forgotten;
   for (;;) {
     {
       std::unique_lock lock(mutex_);
       working_ = false;
       idle_.notify_all();
-      wake_.wait_until(lock, forgotten + forget_every_,
+      wake_.wait_until(lock, std::min(forgotten + forget_every_, gathered + gather_every_),
                        [this] { return !visits_.empty() || stop_; });
       if (visits_.empty() && stop_) break;
       working_ = true;
@@ -63,11 +71,16 @@ void StoreThread::run() {
     }
     write(mine);
     drop_oldest(mine);
+    if (Clock::now() - gathered >= gather_every_) {
+      gather();
+      gathered = Clock::now();
+    }
     if (Clock::now() - forgotten < forget_every_) continue;
     forget();
     forgotten = Clock::now();
   }
   write(mine);
+  gather();
   if (const std::size_t lost = mine.size() + dropped_; lost > 0)
     remark({file_.string(),
             std::to_string(lost) + (lost == 1 ? " visit" : " visits") +
@@ -132,6 +145,22 @@ void StoreThread::forget() {
         open();
     }
   if (auto good = VisitStore::forget_aside(file_, day); !good) say(good.error());
+}
+
+/// Notes stay until they are in the store: what the disk does not take now is there next time.
+void StoreThread::gather() {
+  if (fetched_.empty()) return;
+  const std::vector<files::FetchNote> notes = files::fetch_notes(fetched_, kMostNotes);
+  if (notes.empty() || !open()) return;
+  if (auto good = store_->add_fetches(notes); !good) {
+    // Damage that is found so is set aside as a visit's would be.
+    if (store_->trouble() == Trouble::damaged)
+      set_aside();
+    else
+      say(good.error());
+    return;
+  }
+  for (const files::FetchNote& note : notes) files::remove_fetch_note(fetched_, note);
 }
 
 /// What could be written is taken out of `visits`. A file that turns out damaged is set aside, and

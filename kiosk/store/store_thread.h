@@ -24,10 +24,15 @@ class StoreThread {
  public:
   static constexpr std::size_t kMost = 10'000;
   static constexpr std::chrono::hours kDaily{24};
+  static constexpr std::chrono::seconds kGather{60};
+  static constexpr std::size_t kMostNotes = 1000;  ///< Taken up at once.
 
   /// `months` (of 30 days) that a visit is counted, and that a damaged file lies aside, before it
   /// is forgotten; 0: for ever. That is seen to at the start and every `forget`.
-  StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget = kDaily);
+  /// What phones fetched is taken up from the notes in `fetched` (files::fetch_notes()) at the
+  /// start, every `gather` and at the end; "": from nowhere.
+  StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget = kDaily,
+              std::filesystem::path fetched = {}, std::chrono::milliseconds gather = kGather);
   /// As end().
   ~StoreThread();
   StoreThread(const StoreThread&) = delete;
@@ -50,12 +55,15 @@ class StoreThread {
   void drop_oldest(std::deque<VisitRecord>& visits);
   bool set_aside();
   void forget();
+  void gather();
   void remark(const Problem& problem);
   void say(const Problem& problem);
 
   const std::filesystem::path file_;
   const int months_;
   const std::chrono::milliseconds forget_every_;
+  const std::filesystem::path fetched_;
+  const std::chrono::milliseconds gather_every_;
   std::optional<VisitStore> store_;  ///< Its thread's, as what follows.
   std::set<std::string> said_;       ///< Since a visit was last counted: a trouble is said once.
   std::size_t dropped_ = 0;          ///< Visits since then.

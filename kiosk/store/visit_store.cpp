@@ -52,7 +52,9 @@ bool is_damaged(Database& database) {
 /// Every table of the newest version is there.
 bool is_whole(Database& database) {
   return database
-      .number("SELECT (SELECT count(value) FROM about) + (SELECT count(kept) FROM visits WHERE 0)")
+      .number(
+          "SELECT (SELECT count(value) FROM about) + (SELECT count(kept) FROM visits WHERE 0) + "
+          "(SELECT count(day) FROM fetches WHERE 0)")
       .has_value();
 }
 
@@ -174,6 +176,25 @@ Result<void> VisitStore::add(std::span<const VisitRecord> visits) {
   return failed("A visit could not be counted");
 }
 
+Result<void> VisitStore::add_fetches(std::span<const files::FetchNote> notes) {
+  database_.retry();
+  const auto written = [&] {
+    if (!database_.run("BEGIN IMMEDIATE")) return false;
+    // One that could not be removed after it was counted comes again.
+    Statement fetch(database_, "INSERT OR IGNORE INTO fetches (id, day) VALUES (?,?)");
+    for (const files::FetchNote& note : notes) {
+      fetch.bind(note.id).bind(note.day);
+      fetch.step();
+      if (!fetch.done()) return false;
+      fetch.reset();
+    }
+    return database_.run("COMMIT");
+  };
+  if (written()) return {};
+  database_.run("ROLLBACK");
+  return failed("What phones fetched could not be counted");
+}
+
 Result<bool> VisitStore::clock_leapt(std::int64_t now) {
   database_.retry();
   // Of times that lie close together two tell as much as all of them.
@@ -190,11 +211,16 @@ Result<bool> VisitStore::clock_leapt(std::int64_t now) {
 
 Result<void> VisitStore::forget_before(const std::string& day) {
   database_.retry();
-  Statement gone(database_, "DELETE FROM visits WHERE day < ?");
-  gone.bind(day);
-  gone.step();
+  bool gone = true;
+  for (const char* sql :
+       {"DELETE FROM visits WHERE day < ?", "DELETE FROM fetches WHERE day < ?"}) {
+    Statement rows(database_, sql);
+    rows.bind(day);
+    rows.step();
+    gone = gone && rows.done();
+  }
   // What was deleted is still in the log, until that is emptied.
-  if (gone.done() && database_.run("PRAGMA wal_checkpoint(TRUNCATE)")) return {};
+  if (gone && database_.run("PRAGMA wal_checkpoint(TRUNCATE)")) return {};
   return failed("Old visits could not be forgotten");
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/files/fetch_note.h"
 #include "kiosk/store/database.h"
 #include "kiosk/store/visit_record.h"
 
@@ -37,8 +38,11 @@ class VisitStore {
   Result<bool> clock_leapt(std::int64_t now);
   /// All of `visits` in one transaction: all or none is kept.
   Result<void> add(std::span<const VisitRecord> visits);
-  /// Visits that began before the local `day` are forgotten: nothing of them is left in the file or
-  /// its log.
+  /// Keepsakes that were opened on a phone, each once however often it is handed over; all of
+  /// `notes` or none.
+  Result<void> add_fetches(std::span<const files::FetchNote> notes);
+  /// Visits that began before the local `day`, and fetches before it, are forgotten: nothing of
+  /// them is left in the file or its log.
   Result<void> forget_before(const std::string& day);
 
   /// What the last call failed by; damage stays.

@@ -15,6 +15,7 @@ PublishedStatistics may() {
   s.all = {"", 120, 60, 240.04, 71.26};
   s.brief = 12;
   s.pots = 150;
+  s.fetched = 33;
   s.median_min = 1.55;
   s.throwing_min = 200.0;
   s.tables = {{"vessel",
@@ -33,6 +34,7 @@ TEST(FiguresReport, JsonTellsWhatIsToldAndNothingWhereItIsLeftOut) {
   EXPECT_EQ(json.at("active_minutes"), 240.0);
   EXPECT_EQ(json.at("likeness"), 71.3);
   EXPECT_EQ(json.at("least"), 5);
+  EXPECT_EQ(json.at("fetched_by_phone"), 33);
   const auto& vessels = json.at("tables").at("vessel");
   ASSERT_EQ(vessels.size(), 4u);
   EXPECT_EQ(vessels[0].at("keepsakes"), 55);
@@ -45,15 +47,15 @@ TEST(FiguresReport, NoSpreadsheetTakesACellForAFormula) {
   std::istringstream csv(csv_of(may()));
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "table,name,visits,keepsakes,active_minutes,likeness");
+  EXPECT_EQ(line, "table,name,visits,keepsakes,active_minutes,likeness,fetched_by_phone");
   std::getline(csv, line);
-  EXPECT_EQ(line, "all,,120,60,240.0,71.3");
+  EXPECT_EQ(line, "all,,120,60,240.0,71.3,33");
   std::getline(csv, line);
-  EXPECT_EQ(line, "vessel,moon_jar,100,55,200.0,70.0");
+  EXPECT_EQ(line, "vessel,moon_jar,100,55,200.0,70.0,");
   std::getline(csv, line);
-  EXPECT_EQ(line, R"(vessel,"'=HYPERLINK(""x""), a ""jar""",15,,30.0,)");
+  EXPECT_EQ(line, R"(vessel,"'=HYPERLINK(""x""), a ""jar""",15,,30.0,,)");
   std::getline(csv, line);
-  EXPECT_EQ(line, "vessel,cup,,,,");
+  EXPECT_EQ(line, "vessel,cup,,,,,");
 }
 
 TEST(FiguresReport, TheWordsNameNobodyWhoIsLeftOut) {
@@ -61,6 +63,12 @@ TEST(FiguresReport, TheWordsNameNobodyWhoIsLeftOut) {
   EXPECT_NE(words.find("120 visitors"), std::string::npos);
   EXPECT_NE(words.find("and 2 more, left out"), std::string::npos);
   EXPECT_EQ(words.find("cup"), std::string::npos);
+  EXPECT_NE(words.find("; 33 keepsakes were opened on a phone."), std::string::npos) << words;
+  PublishedStatistics some = may();
+  some.fetched.reset();
+  EXPECT_NE(words_of(some).find("too few to tell of were opened on a phone"), std::string::npos);
+  some.fetched = 0;
+  EXPECT_EQ(words_of(some).find("phone"), std::string::npos) << "most kiosks have none";
   PublishedStatistics few;
   EXPECT_NE(words_of(few).find("too few to tell"), std::string::npos);
   few.all.visits = 0;

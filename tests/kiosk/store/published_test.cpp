@@ -86,6 +86,22 @@ TEST(Published, AShareThatFewHaveOrAllButAFewIsLeftOutOfALineThatIsTold) {
   }
 }
 
+TEST(Published, HowManyFetchedIsToldWhereItIsAboutManyAndSoIsWhoDidNot) {
+  Statistics s;
+  s.all.visits = 100;
+  s.all.kept = 50;
+  const auto told = [&s](std::int64_t fetched) {
+    s.fetched = fetched;
+    return publish(s).fetched;
+  };
+  for (const std::int64_t many : {0, 5, 45, 50, 60}) EXPECT_EQ(told(many), many);
+  for (const std::int64_t few : {1, 4, 46, 49}) EXPECT_EQ(told(few), std::nullopt) << few;
+  s.all.kept = 97;
+  EXPECT_EQ(told(50), std::nullopt) << "how many kept is not told either";
+  s.all.kept = s.all.visits = 4;
+  EXPECT_EQ(told(0), std::nullopt);
+}
+
 TEST(Published, OfFourVisitorsNothingIsTold) {
   Statistics s;
   s.all = cell("", 4, 0, 4);

@@ -108,6 +108,8 @@ TEST(VisitStore, NothingInItSaysWhoItWas) {
        {"seq", "start", "day", "hour", "vessel", "scene", "language", "way", "reached", "left_at",
         "ended", "active_s", "throwing_s", "pots", "likeness", "kept"})
     known.insert(std::string("visits.") + column);
+  // Not the visit's row, nor the keepsake's name: nobody finds out whose it was.
+  known.insert({"fetches.id", "fetches.day"});
   EXPECT_EQ(columns, known) << "a further one is a decision: see kiosk/docs/store.md";
   EXPECT_EQ(count(folder.file(), "SELECT count(*) FROM about"), 1);
 }
@@ -121,6 +123,9 @@ TEST(VisitStore, AFileOfEveryFormerVersionIsBroughtForwardWithItsRows) {
       ASSERT_TRUE(
           old.run("INSERT INTO visits VALUES (7, 900, '2026-05-01', 10, 'moon_jar', 's', 'ko', "
                   "'touch', 'result', 'throw', 'idle', 61.5, 30, 2, 88.25, 1)"));
+      if (version >= 5) {
+        ASSERT_TRUE(old.run("INSERT INTO fetches VALUES ('an id', '2026-05-02')"));
+      }
       if (version < 4) {
         ASSERT_TRUE(old.run("INSERT INTO outbox VALUES (9, 'visit', '{a second copy}')"));
       }
@@ -138,6 +143,7 @@ TEST(VisitStore, AFileOfEveryFormerVersionIsBroughtForwardWithItsRows) {
     }
     EXPECT_EQ(count(folder.file(), "PRAGMA user_version"), newest_version());
     EXPECT_EQ(count(folder.file(), "SELECT count(*) FROM visits"), 4);
+    EXPECT_EQ(count(folder.file(), "SELECT count(*) FROM fetches"), version < 5 ? 0 : 1);
     EXPECT_EQ(count(folder.file(), "SELECT 1 FROM visits WHERE seq = 7 AND likeness = 88.25"), 1);
     EXPECT_EQ(folder.files_with("damaged"), 0);
     EXPECT_EQ(bytes_of(folder.file()).find("a second copy"), std::string::npos);
