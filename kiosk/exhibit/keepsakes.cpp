@@ -19,15 +19,6 @@ void wait_out(std::shared_future<T>& other) {
   other = {};
 }
 
-/// A keepsake is kept whether or not a phone can fetch it.
-std::string token_for(const std::string& visit, const std::filesystem::path& folder, double hours) {
-  const std::int64_t now = std::time(nullptr);
-  const souvenir::Passes passes(folder);
-  if (hours <= 0.0 || !passes.served(now)) return {};
-  const auto pass = passes.give(visit, now, hours);
-  return pass ? pass->token : std::string();
-}
-
 }  // namespace
 
 Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
@@ -43,6 +34,11 @@ void Keepsakes::wait() const {
   for (const auto& save : saving_) save.wait();
 }
 
+std::string Keepsakes::token() const {
+  if (phone_hours_ <= 0.0 || !souvenir::Passes(folder_).served(std::time(nullptr))) return {};
+  return souvenir::Passes::new_token().value_or("");
+}
+
 int Keepsakes::save(souvenir::Keepsake keepsake) {
   // Each save waits for the one before: two at once would each count the quota without the other.
   std::shared_future<Finished> before;
@@ -53,11 +49,7 @@ int Keepsakes::save(souvenir::Keepsake keepsake) {
                       wait_out(before);
                       wait_out(tidying);
                       const souvenir::Keepsake mine = std::move(kept);
-                      Finished done{ticket, souvenir::save(mine, folder_, limits_)};
-                      if (done.outcome)
-                        done.token = token_for(done.outcome->folder.filename().string(), folder_,
-                                               phone_hours_);
-                      return done;
+                      return Finished{ticket, souvenir::save(mine, folder_, limits_)};
                     }).share());
   return ticket;
 }

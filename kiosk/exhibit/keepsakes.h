@@ -18,18 +18,20 @@ class Keepsakes {
  public:
   static constexpr double kTidy = 24 * 3600.0;  ///< s
 
-  /// With `phone_hours` over 0 each keepsake gets a pass for so long, while phones are answered.
+  /// With `phone_hours` over 0 phones may fetch a keepsake for so long.
   Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
             double phone_hours = 0.0);
   ~Keepsakes();
 
+  /// A token for the next keepsake, for its postcard's code; "" where no phone may fetch it or none
+  /// is answered now.
+  std::string token() const;
   /// Begins a save; the ticket (> 0) names it in finished().
   int save(souvenir::Keepsake keepsake);
 
   struct Finished {
     int ticket = 0;
     Result<souvenir::KeepsakeFiles> outcome;
-    std::string token{};  ///< Of its pass; "": a phone cannot fetch it.
   };
   /// The oldest save that has come to an end, once each.
   std::optional<Finished> finished();

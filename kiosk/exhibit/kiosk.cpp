@@ -307,9 +307,9 @@ void Kiosk::carry_out(const screens::StartPot& request) {
 }
 
 void Kiosk::carry_out(const screens::MakeKeepsake& request) {
-  auto taken =
-      take_home(request, shelf_->cards()[static_cast<std::size_t>(request.card)],
-                language_of(languages_, visit_->language()), exhibit_, *potter_, *renderer_);
+  auto taken = take_home(request, shelf_->cards()[static_cast<std::size_t>(request.card)],
+                         language_of(languages_, visit_->language()), exhibit_, *potter_,
+                         *renderer_, keepsakes_->token());
   if (!taken) return visit_->keepsake_failed(taken.error());
   if (postcard_ != 0) renderer_->drop_picture(postcard_);
   postcard_ = renderer_->make_picture(taken->keepsake.postcard);
@@ -349,7 +349,7 @@ void Kiosk::note_saved() {
   if (saved->outcome)
     visit_->keepsake_kept(
         saved->outcome->folder.filename().string().substr(0, kSpokenName),
-        saved->token.empty() ? "" : exhibit_.phone.address + "/k/" + saved->token);
+        saved->outcome->token.empty() ? "" : phone_address(exhibit_, saved->outcome->token));
   else
     visit_->keepsake_failed(saved->outcome.error());
 }

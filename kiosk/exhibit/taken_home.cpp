@@ -41,7 +41,8 @@ view::Frame small_picture(const Profile& made, const std::optional<view::Glazing
 
 Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
                             const content::Language& language, const settings::Exhibit& exhibit,
-                            loop::PotterHost& potter, render::Renderer& renderer) {
+                            loop::PotterHost& potter, render::Renderer& renderer,
+                            const std::string& token) {
   const content::Label label = card.vessel->label(language.code());
   const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
   const content::Glaze* glaze =
@@ -79,8 +80,15 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
     material = {glaze->id, content::swatch(glaze->look), 0.7f - 0.6f * glaze->look.gloss};
   }
   // The picture is drawn from the rows on the wheel, and a picture has no size.
-  keepsake.postcard = renderer.draw_offscreen(
-      souvenir::compose_postcard(words, request.made, card.target, renderer.measure(), glazing));
+  const auto draw = [&] {
+    return renderer.draw_offscreen(
+        souvenir::compose_postcard(words, request.made, card.target, renderer.measure(), glazing));
+  };
+  keepsake.postcard = draw();
+  if (!token.empty()) {
+    words.phone = phone_address(exhibit, token);
+    keepsake.phone = souvenir::ByPhone{token, exhibit.phone.hours, language.code(), draw()};
+  }
   if (exhibit.keepsake.gallery)
     keepsake.small = {renderer.draw_offscreen(small_picture(request.made, glazing)),
                       card.vessel->id, request.score.stars};

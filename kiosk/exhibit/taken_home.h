@@ -35,9 +35,11 @@ struct TakenHome {
 
 /// Makes the keepsake of the pot on the wheel, which answers the vessel of `card`: its mesh, fired
 /// where `request` says so, its replay, and its postcard, drawn by `renderer` in the words of
-/// `language`. Problem (exit 1) where the clay does not come back from the wheel. Main thread.
+/// `language`; and with a `token` (Keepsakes::token()) the postcard with its code. Problem (exit 1)
+/// where the clay does not come back from the wheel. Main thread.
 Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
                             const content::Language& language, const settings::Exhibit& exhibit,
-                            loop::PotterHost& potter, render::Renderer& renderer);
+                            loop::PotterHost& potter, render::Renderer& renderer,
+                            const std::string& token);
 
 }  // namespace onggi::exhibit

@@ -5,6 +5,7 @@
 
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/paths.h"
+#include "kiosk/files/local_time.h"
 #include "kiosk/view/palette.h"
 
 namespace onggi::exhibit {
@@ -40,12 +41,26 @@ const content::Language& language_of(const std::vector<content::Language>& langu
   return languages.front();
 }
 
+namespace {
+
+std::string date_in(const content::Language& language, std::time_t at) {
+  const files::LocalMoment day = files::local_moment(at);
+  return language.say("postcard.date",
+                      {{"day", std::to_string(day.day)},
+                       {"month", language.say("month." + std::to_string(day.month))},
+                       {"year", std::to_string(day.year)}});
+}
+
+}  // namespace
+
+std::string phone_address(const settings::Exhibit& exhibit, const std::string& token) {
+  return exhibit.phone.address + "/k/" + token;
+}
+
 souvenir::PostcardWords postcard_words(const content::Language& language,
                                        const content::Label& label, int stars,
                                        const settings::Exhibit& exhibit) {
   const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
   souvenir::PostcardWords words;
   words.title = language.say("postcard.title", {{"vessel", label.title}});
   words.vessel = label.culture;
@@ -56,12 +71,13 @@ souvenir::PostcardWords postcard_words(const content::Language& language,
             : language.say("all.list", {{"first", label.culture}, {"second", label.date}});
   words.stars = stars;
   words.credit = exhibit.credit;
-  words.date = language.say("postcard.date",
-                            {{"day", std::to_string(local.tm_mday)},
-                             {"month", language.say("month." + std::to_string(local.tm_mon + 1))},
-                             {"year", std::to_string(local.tm_year + 1900)}});
+  words.date = date_in(language, now);
   words.language = language.code();
+  words.right_to_left = language.right_to_left();
   words.address = label.address;
+  words.address_words = language.say("postcard.museum");
+  const auto good_for = static_cast<std::time_t>(exhibit.phone.hours * 3600.0);
+  words.phone_words = language.say("postcard.phone", {{"date", date_in(language, now + good_for)}});
   return words;
 }
 

@@ -21,6 +21,9 @@ Result<std::vector<content::Language>> read_languages(const settings::Exhibit& e
 const content::Language& language_of(const std::vector<content::Language>& languages,
                                      const std::string& code);
 
+/// Where a phone finds the keepsake of `token`.
+std::string phone_address(const settings::Exhibit& exhibit, const std::string& token);
+
 /// What the postcard says, in `language`, dated today.
 souvenir::PostcardWords postcard_words(const content::Language& language,
                                        const content::Label& label, int stars,

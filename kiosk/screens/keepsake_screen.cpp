@@ -5,6 +5,7 @@
 
 #include "kiosk/screens/gallery_page.h"
 #include "kiosk/screens/overlays.h"
+#include "kiosk/settings/wifi_code.h"
 #include "kiosk/view/square_code.h"
 
 namespace onggi::screens {
@@ -64,7 +65,7 @@ class Keepsake final : public Screen {
         column.text(
             desk.words().right_to_left() ? "\u2066" + desk.kept_as + "\u2069" : desk.kept_as,
             t.body, Face::sans, view::kFaintInk);
-        lay_out_code(column);
+        lay_out_codes(column);
         break;
       case Desk::Kept::failed:
         column.text(desk.say("keepsake.failed"), t.body);
@@ -90,26 +91,61 @@ class Keepsake final : public Screen {
     desk.turned = true;
   }
 
-  /// For a phone, where one can reach it.
-  void lay_out_code(Column& column) {
+  /// For a phone, where one can reach it: in the museum's network the page, behind the kiosk's own
+  /// access point first the network and then the page.
+  void lay_out_codes(Column& column) {
+    const auto& phone = desk.world.exhibit->phone;
+    const std::string network =
+        desk.kept_at.empty() ? "" : settings::wifi_code(phone.network, phone.password);
+    if (std::exchange(coded_, network + desk.kept_at) != network + desk.kept_at) {
+      page_code_ = view::SquareCode(desk.kept_at);
+      network_code_ = view::SquareCode(network);
+    }
+    if (page_code_.empty()) return;
     Page& page = column.page();
-    if (std::exchange(coded_, desk.kept_at) != desk.kept_at) code_ = view::SquareCode(desk.kept_at);
-    if (code_.empty()) return;
     const TypeScale& t = page.type();
     column.space(t.gap);
-    column.text(desk.say("keepsake.phone"), t.body);
-    // Its own quiet zone is air enough.
-    const float wanted = t.body * 7, side = code_.width(wanted);
+    if (network_code_.empty()) {
+      column.text(desk.say("keepsake.phone"), t.body);
+      return put_code(page, page_code_, column.rest());
+    }
+    // One beside the other in the order that they are read, and both on one line.
     const view::Rect room = column.rest();
+    const float half = (room.w - t.gap) / 2;
+    float words_high = 0;
+    for (const char* step : {"keepsake.join", "keepsake.then"}) {
+      const auto size = page.size(desk.say(step), page.style(Face::sans, t.body), half);
+      words_high = std::max(words_high, size.height);
+      if (size.width > half + 1) page.overflowed();
+    }
+    const bool from_right = page.right_to_left();
+    const view::Rect first{from_right ? room.x + room.w - half : room.x, room.y, half, room.h};
+    const view::Rect then{from_right ? room.x : room.x + room.w - half, room.y, half, room.h};
+    for (const auto& [at, step, code] :
+         {Step{first, "keepsake.join", &network_code_}, Step{then, "keepsake.then", &page_code_}}) {
+      const auto style = page.style(Face::sans, t.body);
+      page.words({at.x, at.y, at.w, words_high}, desk.say(step), style, view::kInk);
+      put_code(page, *code, {at.x, at.y + words_high, at.w, at.h - words_high});
+    }
+  }
+
+  struct Step {
+    Rect at;
+    const char* words;
+    const view::SquareCode* code;
+  };
+
+  /// At the top of `room`, where its words begin. Its own quiet zone is air enough.
+  static void put_code(Page& page, const view::SquareCode& code, const Rect& room) {
+    const float wanted = page.type().body * 7, side = code.width(wanted);
     if (side > room.h || side > room.w) return page.overflowed();
-    const float x = desk.words().right_to_left() ? room.x + room.w - side : room.x;
-    code_.draw(page.items(), x, room.y, wanted);
+    code.draw(page.items(), page.right_to_left() ? room.x + room.w - side : room.x, room.y, wanted);
   }
 
   GalleryPage gallery_;
-  bool open_ = false;      ///< The gallery is shown.
-  std::string coded_;      ///< The address that code_ is of.
-  view::SquareCode code_;  ///< Reckoned once for a page.
+  bool open_ = false;                          ///< The gallery is shown.
+  std::string coded_;                          ///< What the codes are of.
+  view::SquareCode page_code_, network_code_;  ///< Reckoned once for a page.
 
   /// A card of 5:7 lying on the plaster: a soft shadow laid in films, no frame.
   void lay_out_card(Page& page) const {

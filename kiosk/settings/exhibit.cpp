@@ -243,6 +243,31 @@ void read_store(Table table, Exhibit::Store& store) {
   table.finish();
 }
 
+void read_network(Table& table, Exhibit::Phone& phone) {
+  constexpr std::size_t kLongest = 32, kShort = 8, kLong = 63;  // IEEE 802.11; WPA2
+  std::string network, password;
+  if (table.text("network", network)) {
+    if (network.size() > kLongest || has_control_character(network))
+      table.complain(
+          "network", "\"" + network + "\" is no name that a network can have.",
+          "Write 1 to 32 letters, as hostapd.conf has them; fewer where they are not Latin.");
+    else
+      phone.network = network;
+  }
+  if (table.text("password", password)) {
+    const bool printable =
+        std::all_of(password.begin(), password.end(), [](char c) { return c >= ' ' && c <= '~'; });
+    if (!password.empty() && (password.size() < kShort || password.size() > kLong || !printable))
+      table.complain("password", "That is no password that WPA2 takes.",
+                     "Write 8 to 63 Latin letters and digits, as hostapd.conf has them.");
+    else
+      phone.password = password;
+  }
+  if (!phone.network.empty() && phone.address.empty())
+    table.complain("network", "There is a network for phones, and no address in it.",
+                   "Write the kiosk's own: address = \"http://192.168.4.1\".");
+}
+
 void read_phone(Table table, Exhibit::Phone& phone) {
   constexpr std::size_t kLongest = 100;  // a code that a phone reads off the screen
   std::string address;
@@ -257,6 +282,7 @@ void read_phone(Table table, Exhibit::Phone& phone) {
       phone.address = address;
   }
   table.number("hours", phone.hours, 1, 720, "hours");
+  read_network(table, phone);
   table.finish();
 }
 

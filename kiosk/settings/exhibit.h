@@ -70,7 +70,9 @@ struct Exhibit {
   struct Phone {
     std::string
         address;  ///< Where phones reach onggi-console, "http://192.168.4.1:8080"; "": nowhere.
-    double hours = 24;  ///< That a visitor's page is there, 1..720.
+    double hours = 24;     ///< That a visitor's page is there, 1..720.
+    std::string network;   ///< Name of the kiosk's own access point, 32 bytes; "": there is none.
+    std::string password;  ///< Of that, 8..63 printable letters; "": it has none.
   } phone;
   Hours hours;          ///< [hours]: when the museum is open.
   ReaderLimits reader;  ///< [reader]: what is allowed of a vessel's file.

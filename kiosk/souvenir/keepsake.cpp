@@ -1,9 +1,12 @@
 #include "kiosk/souvenir/keepsake.h"
 
+#include <ctime>
+#include <optional>
 #include <span>
 #include <system_error>
 
 #include "kiosk/files/durable_file.h"
+#include "kiosk/souvenir/pass.h"
 #include "kiosk/souvenir/stl.h"
 #include "kiosk/souvenir/visit_folder.h"
 
@@ -29,6 +32,30 @@ class PartialFolder {
 
  private:
   fs::path path_;
+};
+
+/// A pass that is taken back unless its keepsake is kept.
+class GivenPass {
+ public:
+  explicit GivenPass(const fs::path& folder) : passes_(folder) {}
+  ~GivenPass() {
+    if (pass_) passes_.take_back(*pass_);
+  }
+  GivenPass(const GivenPass&) = delete;
+  GivenPass& operator=(const GivenPass&) = delete;
+  /// Its token; "" where the disk refuses: the keepsake is kept whether or not a phone gets it.
+  std::string give(const std::string& visit, const ByPhone& phone) {
+    const auto pass =
+        passes_.give(visit, std::time(nullptr), phone.hours, phone.language, phone.token);
+    if (!pass) return {};
+    pass_ = *pass;
+    return pass->token;
+  }
+  void keep() { pass_.reset(); }
+
+ private:
+  Passes passes_;
+  std::optional<Pass> pass_;
 };
 
 /// A name that neither a visit nor one in the making has, its .partial folder made.
@@ -58,7 +85,8 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
                    "This is a fault of the program: report it with the log.", 1);
   }
   // Encode first: what fails here has not touched the disk.
-  auto png = encode(keepsake.postcard, Format::png, keepsake.caption);
+  auto png = encode(keepsake.phone ? keepsake.phone->card : keepsake.postcard, Format::png,
+                    keepsake.caption);
   if (!png) return tl::unexpected(png.error());
   auto jpeg = encode(keepsake.postcard, Format::jpeg, keepsake.caption);
   if (!jpeg) return tl::unexpected(jpeg.error());
@@ -78,6 +106,12 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
 
   KeepsakeFiles files;
   files.folder = folder / *name;
+  GivenPass given(folder);
+  if (keepsake.phone) {
+    files.token = given.give(*name, *keepsake.phone);
+    if (files.token.empty()) png = encode(keepsake.postcard, Format::png, keepsake.caption);
+    if (!png) return tl::unexpected(png.error());
+  }
   const auto write = [&](fs::path& path, const char* file,
                          std::span<const std::byte> bytes) -> Result<void> {
     if (bytes.empty()) return {};
@@ -98,6 +132,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     return tl::unexpected(renamed.error());
   }
   partial.keep();
+  given.keep();
   // This visit is kept, whatever becomes of others.
   (void)tidy(folder, limits, *name);
   return files;

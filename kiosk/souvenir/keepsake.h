@@ -15,24 +15,34 @@
 
 namespace onggi::souvenir {
 
+/// The way to a keepsake by phone, before anybody may go it.
+struct ByPhone {
+  std::string token;     ///< Passes::new_token(); in the code on `card`.
+  double hours = 24.0;   ///< That it is good for.
+  std::string language;  ///< Code of the visit's.
+  view::Image card;      ///< The postcard with the code, for the printer.
+};
+
 /// Everything a visitor takes home from one visit.
 struct Keepsake {
   /// The visit's folder: "2026-05-04_141503_" and the vessel's id. What no file name should hold
   /// becomes '_'; a name that is taken gets "_2", "_3"...
   std::string name;
-  view::Image postcard;  ///< 1500 x 2100.
+  view::Image postcard;  ///< 1500 x 2100; without a code of the visitor's own page.
   Caption caption;
   std::vector<std::byte> glb;     ///< Made by content::write_glb.
   TriangleMesh pot;               ///< For the STL, metres (written in millimetres).
   std::vector<std::byte> replay;  ///< May be empty.
   /// For the gallery of the day's pots; absent: it is not shown there.
   std::optional<SmallPot> small{};
+  std::optional<ByPhone> phone{};  ///< Nothing: no phone reaches it.
 };
 
 /// Where they lie. A path is empty where there was nothing to write.
 struct KeepsakeFiles {
   std::filesystem::path folder;
   std::filesystem::path png, jpeg, glb, stl, replay;
+  std::string token{};  ///< Of the pass that was given; "": a phone cannot fetch it.
 };
 
 /// What a folder of keepsakes may hold. What goes is said at tidy().
@@ -47,7 +57,10 @@ struct KeepsakeLimits {
 /// is asked for). A visit is whole or absent, whenever the power goes: it is written as
 /// `<name>.partial` and renamed. Nothing is ever removed but folders that save() wrote. On a
 /// Problem (exit 1) nothing half-written is left. Blocks (worker thread); not two at once for the
-/// same folder.
+/// same folder. With `keepsake.phone` its pass is given before the folder is whole, and is good
+/// from then on. Only then has postcard.png the code: the way is there, or no code is.
+/// postcard.jpg, which goes to the phone and from there to anybody, never has it: who has the code
+/// may delete.
 Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path& folder,
                            const KeepsakeLimits& limits);
 

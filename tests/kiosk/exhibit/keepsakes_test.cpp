@@ -63,17 +63,24 @@ TEST(Keepsakes, APassIsGivenWhilePhonesAreAnsweredAndOnlyThen) {
     keepsake.name = "2026-05-04_141503_jar";
     keepsake.postcard = {2, 2, std::vector<std::uint8_t>(16, 128)};
     keepsake.glb.resize(10);
+    if (const std::string token = keepsakes.token(); !token.empty())
+      keepsake.phone =
+          souvenir::ByPhone{token, 24.0, "ar", {3, 3, std::vector<std::uint8_t>(36, 128)}};
     keepsakes.save(std::move(keepsake));
     keepsakes.wait();
     return *keepsakes.finished();
   };
-  EXPECT_EQ(kept().token, "") << "nobody would answer";
+  EXPECT_EQ(keepsakes.token(), "") << "nobody would answer";
+  EXPECT_EQ(kept().outcome->token, "");
   passes.serve();
   const auto done = kept();
   ASSERT_TRUE(done.outcome) << to_text(done.outcome.error());
-  const auto pass = passes.find(done.token, std::time(nullptr));
+  const auto pass = passes.find(done.outcome->token, std::time(nullptr));
   ASSERT_TRUE(pass);
   EXPECT_EQ(pass->visit, done.outcome->folder.filename().string());
+  EXPECT_EQ(pass->language, "ar");
+  EXPECT_NE(kept().outcome->token, done.outcome->token);
+  EXPECT_EQ(Keepsakes(scratch.path(), {100, 0}).token(), "") << "the museum wants no phones";
 }
 
 // A kiosk saves and tidies for months without a reload between.

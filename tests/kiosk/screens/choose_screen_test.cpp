@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <zbar.h>
 
 #include <algorithm>
 #include <memory>
@@ -10,6 +9,7 @@
 #include "kiosk/view/palette.h"
 #include "kiosk/view/square_code.h"
 #include "tests/kiosk/render/studio_fixture.h"
+#include "tests/kiosk/screens/codes_in.h"
 #include "tests/kiosk/screens/layout_check.h"
 
 // The museum's page on a label and on a postcard: a phone must read it off the picture, so zbar
@@ -20,30 +20,6 @@ namespace {
 
 const std::string kPage = "https://www.museum.go.kr/site/main/relic/search/view?relicId=305";
 const std::string kLongest = "https://museum.org/" + std::string(181, 'x');
-
-/// What a scanner finds in the whole picture.
-std::vector<std::string> codes_in(const view::Image& image) {
-  std::vector<std::uint8_t> grey;
-  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
-    grey.push_back(static_cast<std::uint8_t>(
-        (299 * image.rgba[i] + 587 * image.rgba[i + 1] + 114 * image.rgba[i + 2]) / 1000));
-  const std::unique_ptr<zbar::zbar_image_scanner_t, void (*)(zbar::zbar_image_scanner_t*)> scanner(
-      zbar::zbar_image_scanner_create(), zbar::zbar_image_scanner_destroy);
-  zbar::zbar_image_scanner_set_config(scanner.get(), zbar::ZBAR_NONE, zbar::ZBAR_CFG_ENABLE, 0);
-  zbar::zbar_image_scanner_set_config(scanner.get(), zbar::ZBAR_QRCODE, zbar::ZBAR_CFG_ENABLE, 1);
-  const std::unique_ptr<zbar::zbar_image_t, void (*)(zbar::zbar_image_t*)> seen(
-      zbar::zbar_image_create(), zbar::zbar_image_destroy);
-  zbar::zbar_image_set_format(seen.get(), 'Y' | '8' << 8 | '0' << 16 | '0' << 24);
-  zbar::zbar_image_set_size(seen.get(), static_cast<unsigned>(image.width),
-                            static_cast<unsigned>(image.height));
-  zbar::zbar_image_set_data(seen.get(), grey.data(), grey.size(), nullptr);
-  zbar::zbar_scan_image(scanner.get(), seen.get());
-  std::vector<std::string> found;
-  for (const auto* at = zbar::zbar_image_first_symbol(seen.get()); at != nullptr;
-       at = zbar::zbar_symbol_next(at))
-    found.emplace_back(zbar::zbar_symbol_get_data(at), zbar::zbar_symbol_get_data_length(at));
-  return found;
-}
 
 /// Somebody reading the first vessel's label, in the exhibit's own fonts.
 struct Reader {
@@ -78,31 +54,6 @@ TEST_F(AMuseumsPage, IsReadOffTheLabelAtEverySizeInBothLanguages) {
         render::testing::keep_for_looking(image, name);
         EXPECT_EQ(codes_in(image), std::vector<std::string>{page}) << name;
       }
-}
-
-TEST_F(AMuseumsPage, AVisitorsOwnIsReadOffTheLastScreenWhileAPhoneCanReachItAndOnlyThen) {
-  const std::string page = "http://192.168.4.1:8080/k/u9fvw8wdsscd3zfq6bmprfmaqa";
-  for (const auto& [width, height] : kScreens)
-    for (const bool korean : {false, true}) {
-      const render::Typesetter fonts;
-      Visitor v(3, &fonts, true);
-      v.width = width;
-      v.height = height;
-      v.show();
-      if (korean) v.touch("language");
-      v.make_result();
-      v.glaze_and_fire();
-      v.touch("kiln.keep");
-      v.frames(1);
-      const bool reached = width != 1024;
-      v.visit->keepsake_kept("2026-05-04_141503", reached ? page : "");
-      v.frames(1);
-      check_layout(v, fonts, "keepsake for a phone");
-      const view::Image image = renderer().draw_offscreen(v.frame);
-      const std::string name = "phone_" + std::to_string(width) + (korean ? "_ko" : "_en");
-      render::testing::keep_for_looking(image, name);
-      EXPECT_EQ(codes_in(image), reached ? std::vector{page} : std::vector<std::string>{}) << name;
-    }
 }
 
 TEST_F(AMuseumsPage, IsReadOffThePostcard) {

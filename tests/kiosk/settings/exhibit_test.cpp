@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "kiosk/settings/wifi_code.h"
+
 namespace onggi::settings {
 namespace {
 
@@ -289,6 +291,33 @@ TEST_F(ExhibitTest, an_address_that_no_phone_opens_is_named_and_no_code_is_shown
     EXPECT_THAT(all(r.problems), HasSubstr("no address that a phone can open")) << wrong;
     EXPECT_EQ(r.exhibit.phone.address, "");
   }
+}
+
+std::string join(const ExhibitRead& read) {
+  return wifi_code(read.exhibit.phone.network, read.exhibit.phone.password);
+}
+
+TEST_F(ExhibitTest, a_phone_joins_the_kiosks_own_network_by_what_its_code_says) {
+  const std::string address = "[phone]\naddress = \"http://192.168.4.1\"\n";
+  EXPECT_EQ(join(read(address)), "");
+  EXPECT_EQ(join(read(address + "network = \"Onggi\"")), "WIFI:T:nopass;S:Onggi;;");
+  // What has a meaning in the code is escaped, and the password never comes first.
+  const ExhibitRead good =
+      read(address + "network = \"Wheel; \\\"a\\\", b:c\"\npassword = \"moon;jar:1,2\"");
+  EXPECT_THAT(good.problems, IsEmpty()) << all(good.problems);
+  EXPECT_EQ(join(good), R"(WIFI:T:WPA;S:Wheel\; \"a\"\, b\:c;P:moon\;jar\:1\,2;;)");
+  for (const std::string& wrong : {std::string(33, 'n'), std::string("a\\u0007b")}) {
+    const ExhibitRead r = read(address + "network = \"" + wrong + "\"");
+    EXPECT_THAT(all(r.problems), HasSubstr("no name that a network can have")) << wrong;
+    EXPECT_EQ(join(r), "");
+  }
+  for (const std::string& wrong :
+       {std::string("seven77"), std::string(64, 'p'), std::string("달항아리달항아리")}) {
+    const ExhibitRead r = read(address + "password = \"" + wrong + "\"");
+    EXPECT_THAT(all(r.problems), HasSubstr("no password that WPA2 takes")) << wrong;
+    EXPECT_THAT(all(r.problems), Not(HasSubstr(wrong))) << "a log is no place for it";
+  }
+  EXPECT_THAT(all(read("[phone]\nnetwork = \"Onggi\"").problems), HasSubstr("no address in it"));
 }
 
 TEST(exhibit, the_exhibit_that_ships_is_without_fault) {
