@@ -69,7 +69,8 @@ PhoneLanguages PhoneLanguages::read(const fs::path& folder, std::vector<Problem>
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
     if (at->path().extension() == ".toml") files.push_back(at->path());
   if (error)
-    remarks.push_back({folder.string(), "No languages can be read there: " + error.message() + ".",
+    remarks.push_back({folder.empty() ? "content/languages" : folder.string(),
+                       "No languages can be read there: " + error.message() + ".",
                        "Phones are spoken to in English. Name a folder by --languages.", 1});
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
