@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -17,6 +18,7 @@
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/virtual_display.h"
+#include "kiosk/measure/aided_walk.h"
 #include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/visit_report.h"
@@ -32,13 +34,13 @@ namespace {
 constexpr int kScriptTicks = 40, kStrokeTicks = 20;
 constexpr double kTick = 0.001;       // s
 constexpr double kFilmSeconds = 5.0;  // between the pictures of a film
-constexpr const char* kNaive = "naive";
+constexpr const char *kNaive = "naive", *kBlind = "blind", *kSwitch = "switch";
 
 struct VisitArguments {
   std::string config, script = "follow", vessel, out, window = "1280x720", language, shelf, glaze,
                       hand = "script", film, pointer = "mouse";
   files::Output json{files::Output::Kind::json};
-  double seconds = 90;
+  double seconds = 90, pace = 1.5;
   std::uint64_t seed = 1;
   bool realtime = false;
 };
@@ -163,6 +165,27 @@ Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, int 
   return {};
 }
 
+bool aided(const VisitArguments& arguments) {
+  return arguments.script == kBlind || arguments.script == kSwitch;
+}
+
+/// Without eyes or with one switch; what was said goes to OUT/said.txt.
+Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int card, int glaze,
+                  ScreenAlbum& album) {
+  measure::AidedWalk how;
+  how.blind = arguments.script == kBlind;
+  how.card = card;
+  how.glaze = glaze;
+  how.realtime = arguments.realtime;
+  const auto said = walk_aided(kiosk, how, [&album](const std::string& name) { album.take(name); });
+  if (!said) return tl::unexpected(said.error());
+  std::string lines;
+  for (const access::Utterance& one : *said)
+    if (!one.text.empty()) lines += one.text + '\n';
+  return files::write_durably(fs::path(arguments.out) / "said.txt",
+                              std::as_bytes(std::span(lines)));
+}
+
 /// What can be known to be wrong before a visit of a minute begins.
 Result<void> check(const VisitArguments& arguments) {
   if (arguments.vessel.empty())
@@ -185,7 +208,7 @@ Result<void> check(const VisitArguments& arguments) {
       return problem("--film " + arguments.film, "It is no folder, and none can be made there.",
                      "Name a folder that may be written.");
   }
-  if (arguments.script == kNaive) return {};
+  if (arguments.script == kNaive || aided(arguments)) return {};
   const auto names = script_names();
   if (std::find(names.begin(), names.end(), arguments.script) == names.end()) {
     // make_script has the words for it.
@@ -205,6 +228,7 @@ Result<int> visit(const VisitArguments& arguments) {
   options.devices = arguments.hand == "device";
   options.seed = arguments.seed;
   options.language = arguments.language;
+  options.scan_seconds = arguments.pace;
   options.keepsakes = fs::path(arguments.out);
   options.window.visible = arguments.realtime;
   if (auto good = read_window_size(arguments.window, options.window); !good)
@@ -241,8 +265,10 @@ Result<int> visit(const VisitArguments& arguments) {
                                    [&album](const std::string& name) { album.take(name); });
   int first_tick = 0;
   ScreenAlbum film(kiosk, arguments.film);
-  const auto walked = walk(kiosk, visitor, naive ? kStrokeTicks : kScriptTicks, arguments.realtime,
-                           arguments.film.empty() ? nullptr : &film, first_tick);
+  const auto walked = aided(arguments) ? walk(kiosk, arguments, *card, *glaze, album)
+                                       : walk(kiosk, visitor, naive ? kStrokeTicks : kScriptTicks,
+                                              arguments.realtime,
+                                              arguments.film.empty() ? nullptr : &film, first_tick);
   // The pictures are wanted most of all when something went wrong.
   const auto pages = album.write();
   if (!walked) return tl::unexpected(walked.error());
@@ -264,7 +290,7 @@ Result<int> visit(const VisitArguments& arguments) {
 
 Command visit_command() {
   const auto a = std::make_shared<VisitArguments>();
-  std::string scripts = kNaive;
+  std::string scripts = std::string(kNaive) + ", " + kBlind + ", " + kSwitch;
   for (const std::string_view name : script_names()) scripts += ", " + std::string(name);
   return {
       .name = "visit",
@@ -294,6 +320,11 @@ Command visit_command() {
                    .help = "How long naive hands throw [90]",
                    .least = 5,
                    .most = 600},
+                  {.name = "--pace",
+                   .field = &a->pace,
+                   .help = "Seconds from one item to the next for one switch [1.5]",
+                   .least = 0.5,
+                   .most = 5},
                   {"--pointer", &a->pointer, "What naive hands use: mouse or finger [mouse]"},
                   {"--film", &a->film, "A folder for a picture of every five seconds' throwing"},
                   {"--json", &a->json,

@@ -4,6 +4,10 @@
 
 namespace onggi::device {
 
+namespace {
+constexpr double kApart = 0.02;  // m between two fingers that squeeze nothing yet
+}
+
 void GhostFinger::begin(Stroke stroke, double sign, PointerLead& hands, const ClayView& clay) {
   if (stroke.path.empty()) return;
   stroke_ = std::move(stroke);
@@ -13,9 +17,17 @@ void GhostFinger::begin(Stroke stroke, double sign, PointerLead& hands, const Cl
   at_ = stroke_->path.front();
   hands.lift();
   hands.grab({sign_ * at_.x, at_.y}, clay, stroke_->grip);
+  if (stroke_->squeeze < 1) hands.pinch(Vec2{sign_ * (at_.x - kApart), at_.y}, clay);
 }
 
-void GhostFinger::draw(double dt, PointerLead& hands) {
+// A second finger beside the first squeezes the wall between the hands.
+void GhostFinger::drag(PointerLead& hands, const ClayView& clay) {
+  hands.drag({sign_ * at_.x, at_.y});
+  if (stroke_->squeeze < 1)
+    hands.pinch(Vec2{sign_ * (at_.x - kApart * stroke_->squeeze), at_.y}, clay);
+}
+
+void GhostFinger::draw(double dt, PointerLead& hands, const ClayView& clay) {
   if (!stroke_) return;
   if (waits_ > 0) {
     waits_ -= dt;
@@ -30,13 +42,13 @@ void GhostFinger::draw(double dt, PointerLead& hands) {
     const double left = length(rest);
     if (left > way) {
       at_ = at_ + (way / left) * rest;
-      hands.drag({sign_ * at_.x, at_.y});
+      drag(hands, clay);
       return;
     }
     way -= left;
     at_ = to;
     ++next_;
-    hands.drag({sign_ * at_.x, at_.y});
+    drag(hands, clay);
   }
   if (next_ >= stroke_->path.size()) waits_ = kRest;
 }

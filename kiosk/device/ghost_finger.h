@@ -16,7 +16,7 @@ class GhostFinger {
   /// Goes down where the stroke begins, at `sign` (+1 right of the axis, -1 left) of the pot.
   void begin(Stroke stroke, double sign, PointerLead& hands, const ClayView& clay);
   /// Once a frame, before PointerLead::follow: draws on. Lifts at the stroke's end.
-  void draw(double dt, PointerLead& hands);
+  void draw(double dt, PointerLead& hands, const ClayView& clay);
   /// Lifts where it is; the hands come off at once.
   void stop(PointerLead& hands);
 
@@ -25,6 +25,8 @@ class GhostFinger {
   const std::optional<Stroke>& stroke() const { return stroke_; }
 
  private:
+  void drag(PointerLead& hands, const ClayView& clay);
+
   std::optional<Stroke> stroke_;
   double sign_ = 1, waits_ = 0;
   std::size_t next_ = 0;  ///< Of the path.

@@ -28,24 +28,23 @@ struct Off {
   double height, now, off;  // of the target's face from the clay's
 };
 
-// Of the target where it answers `height` on the clay: clay that is kept gets lower as it widens
-// and comes to the target's height with its shape.
-double wanted(const ClayView& clay, const Profile& target, double height) {
-  return target.outer_at(height * target.height() / std::max(clay.rim_height(), 0.01));
-}
-
 std::vector<Off> differences(const ClayView& clay, const Profile& target) {
   std::vector<Off> all;
   const double top = clay.rim_height() - kMargin;
   // A foot is solid: two hands only dig into it.
   for (double h = clay.floor_top() + kFoot; h <= top; h += kStep) {
     const double now = clay.radius_at(h, WallSide::outside);
-    all.push_back({h, now, wanted(clay, target, h) - now});
+    all.push_back({h, now, wanted_radius(clay, target, h) - now});
   }
   return all;
 }
-// From the floor to the rim, a hand inside.
-std::optional<Stroke> opening(const ClayView& clay, const Profile& target, double widens) {
+}  // namespace
+
+double wanted_radius(const ClayView& clay, const Profile& target, double height) {
+  return target.outer_at(height * target.height() / std::max(clay.rim_height(), 0.01));
+}
+
+std::optional<Stroke> opening_stroke(const ClayView& clay, const Profile& target, double widens) {
   Stroke stroke;
   stroke.kind = Stroke::Kind::open;
   stroke.grip = Grip::inside;
@@ -54,7 +53,7 @@ std::optional<Stroke> opening(const ClayView& clay, const Profile& target, doubl
   for (double h = clay.floor_top() + kHandsRoom; h <= clay.rim_height() - kRimLeft; h += kStep) {
     const double in = clay.radius_at(h, WallSide::inside);
     const double out = clay.radius_at(h, WallSide::outside);
-    const double face = wanted(clay, target, h);
+    const double face = wanted_radius(clay, target, h);
     // Where a wall opens as a whole, its ring keeps its clay, and the outer face goes along.
     const double along = std::sqrt(std::max(0.0, face * face - (out * out - in * in)));
     const double goal = std::min(std::min(out, face) - kOpened, along);
@@ -64,11 +63,10 @@ std::optional<Stroke> opening(const ClayView& clay, const Profile& target, doubl
   }
   return most > kNearly ? std::optional(stroke) : std::nullopt;
 }
-}  // namespace
 
 std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, double near_enough,
                                   double widens) {
-  if (auto stroke = opening(clay, target, widens)) return stroke;
+  if (auto stroke = opening_stroke(clay, target, widens)) return stroke;
   const std::vector<Off> all = differences(clay, target);
   std::size_t first = all.size(), last = 0;
   double most = 0, sum = 0;

@@ -9,6 +9,10 @@ namespace onggi::device {
 /// Which hands work the wall. Both: one on each face with the wall between them, as potters open
 /// and collar a pot; where it is solid, or too narrow for a hand, the outer one alone.
 enum class Grip : std::uint8_t { both, outside, inside };
+/// The three of them, one after the other.
+constexpr Grip next_grip(Grip now) {
+  return now == Grip::both ? Grip::outside : now == Grip::outside ? Grip::inside : Grip::both;
+}
 
 /// How hands stand at a wall so that the face they work is where it is asked to be. Each touches it
 /// square on: on a shoulder the outer hand lies above the height it works at and the inner one

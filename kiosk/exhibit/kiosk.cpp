@@ -72,6 +72,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
       kiosk->sound_ = std::make_unique<StudioSound>(*kiosk->potter_, kiosk->exhibit_.sound.volume);
   }
   kiosk->wall_ = options.wall;
+  kiosk->attendant_ = std::make_unique<Attendant>(kiosk->exhibit_, !options.stepped);
   if (kiosk->exhibit_.hours.kept && !options.stepped) kiosk->night_.emplace(kiosk->exhibit_.hours);
   if (options.devices)
     kiosk->devices_ = std::make_unique<HandDevices>(
@@ -107,6 +108,7 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   log_problems(exhibit.problems);
   exhibit_ = std::move(exhibit.exhibit);
   if (!options.languages.empty()) exhibit_.languages = options.languages;
+  if (options.scan_seconds) exhibit_.screen.scan_seconds = *options.scan_seconds;
   scenes_ = std::make_unique<Scenes>(exhibit_);
 
   auto languages = read_languages(exhibit_, options.language);
@@ -230,7 +232,7 @@ bool Kiosk::frame(double now, bool draw) {
   }
   for (const view::InputEvent& event : events) {
     if (visit_)
-      visit_->input(event, now);
+      attendant_->input(event, *visit_, renderer_->width(), renderer_->height(), now);
     else if (event.kind == view::InputEvent::Kind::pointer_down ||
              event.kind == view::InputEvent::Kind::key_down)
       early_touch_ = event;
@@ -257,6 +259,7 @@ bool Kiosk::frame(double now, bool draw) {
   else
     shelf_->draw_next_picture(*renderer_);
   last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
+  attendant_->frame(*visit_, last_frame_, now);
   if (draw) {
     renderer_->draw(last_frame_);
     renderer_->present();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kiosk/content/language.h"
+#include "kiosk/exhibit/attendant.h"
 #include "kiosk/exhibit/hand_devices.h"
 #include "kiosk/exhibit/keepsakes.h"
 #include "kiosk/exhibit/night.h"
@@ -41,6 +42,7 @@ struct KioskOptions {
   std::function<std::time_t()> wall = [] { return std::time(nullptr); };
   std::string language;                  ///< Instead of the exhibit's first; empty keeps it.
   std::vector<std::string> languages{};  ///< Instead of the exhibit's; empty keeps them.
+  std::optional<double> scan_seconds{};  ///< Instead of the exhibit's, s.
 };
 
 /// The one place that knows everyone: settings and content into screens, screens' wishes to the
@@ -69,6 +71,8 @@ class Kiosk {
   void advance(int ticks);
 
   screens::Visit& visit() { return *visit_; }
+  /// Between the window and visit(): a visitor who does not see, or has one switch.
+  Attendant& attendant() { return *attendant_; }
   loop::PotterHost& potter() { return *potter_; }
   render::Renderer& renderer() { return *renderer_; }
   Shelf& shelf() { return *shelf_; }
@@ -131,6 +135,7 @@ class Kiosk {
   std::unique_ptr<TodaysPots> todays_;     ///< Null where the curator shows none.
   std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
   std::unique_ptr<screens::Visit> visit_;
+  std::unique_ptr<Attendant> attendant_;
   std::optional<Night> night_;  ///< None where it is always open.
   std::function<std::time_t()> wall_;
   bool hands_taken_ = false;

@@ -7,8 +7,10 @@
 #include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
+#include "kiosk/access/assistant.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/loop/stepped_potter.h"
+#include "kiosk/measure/aided_visitor.h"
 #include "kiosk/measure/tap.h"
 #include "kiosk/score/score.h"
 #include "kiosk/screens/visit.h"
@@ -19,12 +21,14 @@ namespace onggi::measure {
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
-constexpr int kFrameTicks = 20;     // of 1 ms: 50 frames a second
-constexpr double kMind = 1.5;       // s until a mishap is read and its button found
-constexpr double kOften = 0.5;      // s between two looks for a handsome pot
-constexpr double kOffLump = 0.004;  // m: it is no longer the lump
-constexpr double kGrace = 60.0;     // s that a last look waits for a fallen pot to be taken back
-constexpr double kLongest = 900.0;  // s of a script
+constexpr int kFrameTicks = 20;      // of 1 ms: 50 frames a second
+constexpr double kMind = 1.5;        // s until a mishap is read and its button found
+constexpr double kOften = 0.5;       // s between two looks for a handsome pot
+constexpr double kOffLump = 0.004;   // m: it is no longer the lump
+constexpr double kGrace = 60.0;      // s that a last look waits for a fallen pot to be taken back
+constexpr double kTooLong = 3600.0;  // s of a visit without eyes or with one switch
+constexpr double kPxPerMm = 2.4;     // of a screen of 600 mm
+constexpr double kLongest = 900.0;   // s of a script
 
 /// Letters of 0.4 em: only the room that buttons and tray take is asked of it.
 struct RoughMeasure final : view::TextMeasure {
@@ -66,9 +70,15 @@ class Walk {
     potter.advance(kFrameTicks);
     potter.collect();
     visit_.update(now);
-    while (auto request = visit_.take_request())
+    while (auto request = visit_.take_request()) {
       if (const auto* start = std::get_if<screens::StartPot>(&*request)) begin(start->card);
-    visit_.frame(kWidth, kHeight);
+      if (const auto* keep = std::get_if<screens::MakeKeepsake>(&*request)) {
+        points = keep->score.points;
+        kept = true;
+        visit_.keepsake_kept("kept");
+      }
+    }
+    shown = visit_.frame(kWidth, kHeight);
     now += kFrameTicks * 1e-3;
   }
   void frames(int count) {
@@ -104,6 +114,9 @@ class Walk {
 
   loop::SteppedPotter potter;
   double now = 0;
+  view::Frame shown;
+  bool kept = false;
+  double points = 0;  ///< Of what was kept.
 
  private:
   void begin(int card) {
@@ -136,7 +149,8 @@ PotLook look_at(const screens::ShelfCard& card, const Profile& made, const ClayV
 }  // namespace
 
 Result<std::unique_ptr<QuietVisits>> QuietVisits::open(const std::string& exhibit_file,
-                                                       const std::string& scene) {
+                                                       const std::string& scene,
+                                                       const std::string& language) {
   auto read = settings::read_exhibit(exhibit_file);
   if (!read.problems.empty()) return tl::unexpected(read.problems.front());
   std::unique_ptr<QuietVisits> out(new QuietVisits);
@@ -147,7 +161,7 @@ Result<std::unique_ptr<QuietVisits>> QuietVisits::open(const std::string& exhibi
     out->exhibit_.scene = scene;
     out->exhibit_.vessel_scenes.clear();
   }
-  auto languages = exhibit::read_languages(out->exhibit_, "");
+  auto languages = exhibit::read_languages(out->exhibit_, language);
   if (!languages) return tl::unexpected(languages.error());
   out->languages_ = std::move(*languages);
   out->scenes_ = std::make_unique<exhibit::Scenes>(out->exhibit_);
@@ -214,6 +228,77 @@ Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed, NaiveHands
   }
   while (out.looks.size() < moments.size()) note(moments[out.looks.size()]);
   return out;
+}
+
+template <class Act>
+Result<AidedOutcome> QuietVisits::aided(int card, double pace, Act&& act) const {
+  settings::Exhibit exhibit = exhibit_;
+  exhibit.screen.scan_seconds = pace;
+  Walk walk(exhibit, *scenes_, cards(), languages_);
+  access::Assistant assistant(exhibit.access.hold_to_speak);
+  walk.frames(50);
+  const double begun = walk.now;
+  AidedOutcome out;
+  bool left_attract = false;
+  while (!left_attract || walk.visit().screen() != screens::ScreenId::attract) {
+    left_attract = left_attract || walk.visit().screen() != screens::ScreenId::attract;
+    walk.frame();
+    assistant.look(walk.visit(), walk.shown, walk.now);
+    auto said = assistant.take();
+    const std::vector<view::InputEvent> events =
+        act(walk.visit(), assistant, said ? &*said : nullptr, walk.now, out);
+    for (const view::InputEvent& event : events)
+      assistant.input(event, walk.visit(), kPxPerMm, walk.now);
+    if (said) out.said.push_back(std::move(*said));
+    if (walk.now - begun > kTooLong)
+      return problem("the visit on " + cards()[static_cast<std::size_t>(card)].vessel->id,
+                     "It is not over after an hour.", "Report it.", 1);
+  }
+  assistant.look(walk.visit(), walk.shown, walk.now);
+  if (auto said = assistant.take()) out.said.push_back(std::move(*said));
+  out.points = walk.points;
+  out.kept = walk.kept;
+  out.seconds = walk.now - begun;
+  return out;
+}
+
+VisitPlan QuietVisits::plan(int card, int strokes) const {
+  const screens::ShelfCard& which = cards()[static_cast<std::size_t>(card)];
+  const content::Language& language = languages_.front();
+  std::string glaze;
+  if (which.wheel.kiln) glaze = which.wheel.kiln->glazes->front().name_in(language.code());
+  return {language, which.vessel->label(language.code()).title, glaze, strokes};
+}
+
+Result<AidedOutcome> QuietVisits::blind(int card, int strokes) const {
+  BlindVisitor visitor(languages_.front(), plan(card, strokes), exhibit_.access.hold_to_speak);
+  std::string lost;
+  auto outcome = aided(card, exhibit_.screen.scan_seconds,
+                       [&](screens::Visit&, access::Assistant& assistant,
+                           const access::Utterance* said, double now, AidedOutcome& out) {
+                         if (said != nullptr) {
+                           visitor.hear(*said, now);
+                           assistant.ended(said->id);
+                         }
+                         out.presses = visitor.presses();
+                         out.strokes = visitor.plan().strokes();
+                         return visitor.step(now);
+                       });
+  if (!visitor.lost().empty())
+    return problem("the visit", "Nobody said where \"" + visitor.lost() + "\" is.", "Report it.",
+                   1);
+  return outcome;
+}
+
+Result<AidedOutcome> QuietVisits::one_switch(int card, int strokes, double pace) const {
+  SwitchVisitor visitor(plan(card, strokes), exhibit_.access.hold_to_speak);
+  return aided(card, pace,
+               [&](screens::Visit& visit, access::Assistant& assistant, const access::Utterance*,
+                   double now, AidedOutcome& out) {
+                 out.presses = visitor.presses();
+                 out.strokes = visitor.plan().strokes();
+                 return visitor.step(visit.reading(), assistant.scan().shown(), now);
+               });
 }
 
 Result<QuietOutcome> QuietVisits::careful(int card, std::uint64_t seed) const {

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/access/utterance.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
+#include "kiosk/measure/aided_visitor.h"
 #include "kiosk/measure/handsome.h"
 #include "kiosk/measure/naive_hands.h"
 #include "kiosk/settings/exhibit.h"
@@ -34,16 +36,28 @@ struct QuietOutcome {
   int mishaps = 0;                    ///< Falls and tears that were taken back.
 };
 
+/// What came of a visit without eyes, or with one switch.
+struct AidedOutcome {
+  double points = 0;   ///< As the result screen would say, 0 to 100.
+  int strokes = 0;     ///< That were asked for.
+  int presses = 0;     ///< Of keys, or of the switch.
+  double seconds = 0;  ///< From the first touch to attract again.
+  bool kept = false;   ///< A keepsake was asked for and made.
+  std::vector<access::Utterance> said;
+};
+
 /// Visits that nobody watches: the real screens (screens::Visit), clay and hands, stepped as fast
 /// as the machine can and never drawn, so that two hundred are made in the time of ten drawn ones.
 /// Words are measured roughly: nothing of them but the tray's room is used. One exhibit, read once;
 /// the visits are const and may be made on several threads at once.
 class QuietVisits {
  public:
-  /// `scene`: instead of the exhibit's own scenes, for every vessel; empty for those. Problem where
-  /// exhibit, scene or languages cannot be read, or the shelf is empty.
+  /// `language`: instead of the exhibit's first. `scene`: instead of the exhibit's own scenes, for
+  /// every vessel; empty for those. Problem where exhibit, scene or languages cannot be read, or
+  /// the shelf is empty.
   static Result<std::unique_ptr<QuietVisits>> open(const std::string& exhibit_file,
-                                                   const std::string& scene = {});
+                                                   const std::string& scene = {},
+                                                   const std::string& language = {});
 
   const std::vector<screens::ShelfCard>& cards() const { return shelf_->cards(); }
   /// The card of `vessel`. Problem with what there is, where it is not on the shelf.
@@ -52,11 +66,20 @@ class QuietVisits {
   /// until the last. Problem where the screens lack a control that visitors need.
   Result<QuietOutcome> naive(int card, std::uint64_t seed, NaiveHands::Pointer pointer,
                              const std::vector<double>& moments) const;
+  /// A whole visit, from attract to attract, in the language that the visits were opened in.
+  /// Without eyes: speech is heard and keys are pressed, until `strokes` were made or the pot is
+  /// close everywhere. Problem where the visitor finds no way on, or it takes over an hour.
+  Result<AidedOutcome> blind(int card, int strokes) const;
+  /// With one switch and `pace` s from one item to the next, 0.5 to 5.
+  Result<AidedOutcome> one_switch(int card, int strokes, double pace) const;
   /// The script `follow`, a potter who knows the vessel, to its end: one look, 0 mishaps.
   Result<QuietOutcome> careful(int card, std::uint64_t seed) const;
 
  private:
   QuietVisits() = default;
+  VisitPlan plan(int card, int strokes) const;
+  template <class Act>
+  Result<AidedOutcome> aided(int card, double pace, Act&& act) const;
 
   settings::Exhibit exhibit_;
   std::unique_ptr<exhibit::Scenes> scenes_;

@@ -28,7 +28,7 @@ std::string last_error() {
   return text != nullptr ? text : "no reason given";
 }
 
-Key key_of(int key) {
+Key key_of(int key, bool shift) {
   switch (key) {
     case GLFW_KEY_UP:
       return Key::up;
@@ -74,8 +74,12 @@ Key key_of(int key) {
       return Key::language;
     case GLFW_KEY_A:
       return Key::comfort;
+    case GLFW_KEY_TAB:
+      return shift ? Key::previous : Key::next;
+    case GLFW_KEY_V:
+      return Key::tell;
     default:
-      return Key::none;
+      return Key::other;
   }
 }
 
@@ -177,8 +181,9 @@ void Window::listen() {
                    .y = self(w)->y_,
                    .scroll = static_cast<float>(notches)});
   });
-  glfwSetKeyCallback(
-      window_, [](GLFWwindow* w, int key, int, int action, int) { self(w)->key(key, action); });
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+    self(w)->key(key, action, mods);
+  });
   // A lost monitor makes GLFW fall back to a small window before anyone is told; go back to full
   // screen when there is a monitor again. None at all is a legal state: keep running.
   glfwSetMonitorCallback([](GLFWmonitor*, int) {
@@ -204,9 +209,8 @@ void Window::pointer(InputEvent::Kind kind, double x, double y) {
   push({.kind = kind, .x = x_, .y = y_});
 }
 
-void Window::key(int key, int action) {
-  const Key named = key_of(key);
-  if (named == Key::none) return;
+void Window::key(int key, int action, int mods) {
+  const Key named = key_of(key, (mods & GLFW_MOD_SHIFT) != 0);
   push({.kind = action == GLFW_RELEASE ? InputEvent::Kind::key_up : InputEvent::Kind::key_down,
         .key = named,
         .repeat = action == GLFW_REPEAT});

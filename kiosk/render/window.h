@@ -36,7 +36,7 @@ class Window {
   void listen();
   void push(view::InputEvent event);
   void pointer(view::InputEvent::Kind kind, double x, double y);
-  void key(int key, int action);
+  void key(int key, int action, int mods);
   void mind_monitor(double now);
   void mind_cursor(double now);
 

@@ -178,7 +178,7 @@ void CardShelf::lay_out_card(Page& page, int i, const Rect& card, float picture,
   if (share <= 0) return;
   const std::string control = cards_.control(i);
   if (share > 0.999f && !control.empty())
-    page.control(control, card);
+    page.control({control, card, cards_.spoken(i)});
   else if (share <= 0.999f && i / rows_ >= scroll_.first() + scroll_.shown())
     peeking_ = peeking_.w > 0 ? Rect{left, peeking_.y, right - left, card.y + card.h - peeking_.y}
                               : Rect{left, card.y, right - left, card.h};
@@ -250,6 +250,7 @@ void CardShelf::draw_foot(Page& page, const Foot& foot) const {
   page.words({turned(own_row ? whole.x : x, widest), foot.y + (foot.height - size.height) / 2,
               widest, size.height},
              count, style, view::kFaintInk);
+  page.tell(foot.y, count);
   x += widest + t.gap;
   for (const bool onward : {false, true}) {
     const Button& b = buttons[onward ? 1 : 0];

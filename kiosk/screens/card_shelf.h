@@ -25,6 +25,8 @@ class CardShelf {
     virtual view::PictureId picture(int i) const = 0;
     /// Its words, from the top of `at`; gives their height. Draws where `opacity` is more than 0.
     virtual float words(Page& page, int i, const view::Rect& at, float opacity) const = 0;
+    /// Its words in a line, for who is told what it is.
+    virtual std::string spoken(int i) const = 0;
     /// What a touch on it presses; empty: nothing.
     virtual std::string control(int i) const = 0;
   };

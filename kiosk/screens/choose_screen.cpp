@@ -72,6 +72,13 @@ class Choose final : public Screen, private CardShelf::Cards {
 
   int count() const override { return desk.cards(); }
   view::PictureId picture(int i) const override { return desk.shelf_card(i)->picture; }
+  std::string spoken(int i) const override {
+    const content::Label label = desk.label(i);
+    std::string name = label.title;
+    for (const std::string& more : {label.culture, label.date})
+      if (!more.empty()) name += ", " + more;
+    return name;
+  }
   std::string control(int i) const override { return "choose.card." + std::to_string(i); }
 
   void lay_out_shelf(Page& page) {

@@ -1,6 +1,7 @@
 #include "kiosk/screens/comfort_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,14 @@ constexpr float kTwoAbreast = 36.0f;  // em: from here on a page holds two colum
 
 std::string control_of(const Comfort::Choice& choice) {
   return std::string("comfort.") + choice.name;
+}
+
+/// "1.5 s" of the switch's steps.
+std::string pace(const Desk& desk, double seconds) {
+  const long tenths = std::lround(10 * seconds);
+  std::string number = std::to_string(tenths / 10);
+  if (tenths % 10 != 0) number += "." + std::to_string(tenths % 10);
+  return desk.say("comfort.pace", {{"seconds", number}});
 }
 
 std::vector<Comfort::Choice> offered(const Page& page, const Desk& desk) {
@@ -40,9 +49,12 @@ class VolumeSteps {
   VolumeSteps(Page& page, const Desk& desk)
       : page_(page),
         level_(desk.comfort.volume(desk.world.exhibit->screen)),
+        name_(desk.say("comfort.volume")),
         right_to_left_(desk.words().right_to_left()) {
     off_.id = Comfort::volume_control(0);
     off_.words = desk.say("comfort.off");
+    off_.on = level_ == 0;
+    off_.note = name_;
     off_.look = level_ == 0 ? Look::solid : Look::outline;
     off_size_ = page.size(off_, -1);
     cell_ = std::max(page.type().target, off_size_.height);
@@ -59,7 +71,9 @@ class VolumeSteps {
     const float from = off_size_.width + page_.type().gap * 0.5f;
     for (int step = 1; step <= Comfort::kLoudest; ++step) {
       const Rect cell = placed(from + static_cast<float>(step - 1) * cell_, cell_);
-      page_.control(Comfort::volume_control(step), cell);
+      page_.control({Comfort::volume_control(step), cell,
+                     name_ + " " + std::to_string(100 * step / Comfort::kLoudest) + " %",
+                     step == level_});
       const float share = static_cast<float>(step) / Comfort::kLoudest;
       const float high = (0.3f + 0.55f * share) * cell.h, wide = 0.5f * cell.w;
       const Rect bar{cell.x + (cell.w - wide) / 2, cell.y + 0.92f * cell.h - high, wide, high};
@@ -72,6 +86,7 @@ class VolumeSteps {
  private:
   Page& page_;
   int level_;
+  std::string name_;
   bool right_to_left_;
   Button off_;
   view::TextMeasure::Size off_size_, size_;
@@ -116,7 +131,7 @@ class ChoiceRow {
     const float words_x = right_to_left_ ? at.x + far_size_.width + 2 * gap : at.x;
     const float far_x = right_to_left_ ? at.x : at.x + at.w - far_size_.width;
     const float y = at.y + (at.h - name_height_ - does_height_) / 2;
-    if (!volume_) page_.control(id_, at);
+    if (!volume_) page_.control({id_, at, name_, switch_.other_on, does_});
     page_.words({words_x, y, text_width_, name_height_}, name_, name_style_,
                 volume_ ? view::kInk : view::kCobalt);
     if (does_height_ > 0)
@@ -148,7 +163,13 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   Column column(page, page.where().page);
   column.foot_buttons(language_buttons(desk));
   column.foot_space(t.gap);
-  column.foot_buttons({{"comfort.close", desk.say("comfort.close"), Look::solid}});
+  std::vector<Button> foot{{"comfort.close", desk.say("comfort.close"), Look::solid}};
+  if (desk.screen().one_switch)
+    foot.insert(foot.end(),
+                {{Comfort::kFaster, desk.say("comfort.faster"), Look::outline},
+                 {"", pace(desk, desk.screen().scan_seconds), Look::plain, pace(desk, 0.5)},
+                 {Comfort::kSlower, desk.say("comfort.slower"), Look::outline}});
+  column.foot_buttons(foot);
   column.foot_space(t.gap * 2);
   column.text(desk.say("comfort.title"), t.title, Face::serif);
   column.text(desk.say("comfort.lead"), t.body, Face::sans, view::kFaintInk);

@@ -146,7 +146,7 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
     if (rib_) rib_->follow(wheel.clay, dt);
     if (!rib_ || rib_->done()) next_stage(wheel, target);
   }
-  finger_.draw(dt, hands_);
+  finger_.draw(dt, hands_, wheel.clay);
   hands_.follow(wheel.clay, dt, contact);
   send(right, potter);
   if (stage_ == Stage::stand) turn(0, potter);

@@ -49,6 +49,18 @@ const Wheel& Desk::wheel() const {
   return shelf != nullptr ? shelf->wheel : kNone;
 }
 
+void Desk::judge(const ShelfCard& answered) {
+  made = world.wheel->clay.profile();
+  const settings::Rubric& rubric = world.exhibit->rubric;
+  const bool known = answered.vessel == nullptr || content::is_known(answered.vessel->size_from);
+  const double true_scale = !known ? 0 : answered.scale > 0 ? 1 / answered.scale : 1;
+  score = score::judge(answered.target, made, !rubric.size_counts, true_scale, rubric);
+  notes.judged(score.points);
+  kept = Kept::not_asked;
+  glaze = -1;
+  postcard = 0;
+}
+
 void Desk::keep_pot() {
   if (kept != Kept::not_asked && kept_glaze_ == glaze) return;
   requests.emplace_back(MakeKeepsake{card, score, made, glaze});

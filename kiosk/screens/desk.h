@@ -65,6 +65,8 @@ class Desk {
   /// Of the visitor's vessel, or of attract's.
   const Wheel& wheel() const;
 
+  /// The pot on the wheel, which rests, is the visitor's answer to `card`.
+  void judge(const ShelfCard& card);
   /// Asks for the keepsake, once for a pot and its glaze.
   void keep_pot();
   /// Asks for a fresh lump; until it is on the wheel, pot_ready() is false.

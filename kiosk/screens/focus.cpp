@@ -54,4 +54,32 @@ std::string step_focus(const std::vector<Control>& controls, const std::string& 
   return controls[onward ? (i + 1) % n : (i + n - 1) % n].id;
 }
 
+std::vector<std::vector<std::size_t>> rows_of(const std::vector<Control>& all, bool right_to_left) {
+  const auto middle = [&](std::size_t i) { return all[i].rect.y + all[i].rect.h / 2; };
+  std::vector<std::size_t> order(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return middle(a) < middle(b); });
+  std::vector<std::vector<std::size_t>> rows;
+  for (const std::size_t i : order) {
+    const bool level =
+        !rows.empty() && std::abs(middle(i) - middle(rows.back().front())) <
+                             0.5f * std::min(all[i].rect.h, all[rows.back().front()].rect.h);
+    if (!level) rows.emplace_back();
+    rows.back().push_back(i);
+  }
+  for (auto& row : rows)
+    std::stable_sort(row.begin(), row.end(), [&](std::size_t a, std::size_t b) {
+      return right_to_left ? all[a].rect.x > all[b].rect.x : all[a].rect.x < all[b].rect.x;
+    });
+  return rows;
+}
+
+std::vector<Control> in_reading_order(const std::vector<Control>& controls, bool right_to_left) {
+  std::vector<Control> out;
+  for (const auto& row : rows_of(controls, right_to_left))
+    for (const std::size_t i : row) out.push_back(controls[i]);
+  return out;
+}
+
 }  // namespace onggi::screens

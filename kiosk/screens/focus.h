@@ -16,4 +16,11 @@ enum class Direction { up, down, left, right };
 std::string step_focus(const std::vector<Control>& controls, const std::string& from,
                        Direction direction);
 
+/// `controls` in rows as they stand on the page, from the top down, each in the order in which it
+/// is read. Indices.
+std::vector<std::vector<std::size_t>> rows_of(const std::vector<Control>& controls,
+                                              bool right_to_left);
+/// And one after the other, as Tab goes.
+std::vector<Control> in_reading_order(const std::vector<Control>& controls, bool right_to_left);
+
 }  // namespace onggi::screens

@@ -52,7 +52,15 @@ float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const
       line(desk_.label(card).title, Face::serif, t.body, view::kInk);
   line(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
        t.body * 0.94f, view::kFaintInk);
+  if (opacity > 0) page.tell(at.y, spoken(i));  // It is no control: nothing else says it.
   return y - at.y + t.gap * 0.5f;
+}
+
+std::string GalleryPage::spoken(int i) const {
+  std::string all;
+  for (int card = 0; card < desk_.cards(); ++card)
+    if (desk_.shelf_card(card)->vessel->id == pot(i).vessel) all = desk_.label(card).title + ", ";
+  return all + desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}});
 }
 
 }  // namespace onggi::screens

@@ -71,7 +71,8 @@ view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
 }
 
 void Page::button(const Button& button, const Rect& rect) {
-  if (!button.id.empty()) controls_.push_back({button.id, rect});
+  if (!button.id.empty())
+    controls_.push_back({button.id, rect, button.words, button.on, button.note});
   if (!button.other.empty()) {
     switch_halves(button, rect);
   } else {
@@ -136,11 +137,21 @@ void Page::switch_halves(const Button& button, const Rect& rect) {
   }
 }
 
-void Page::control(const std::string& id, const Rect& rect) {
-  controls_.push_back({id, rect});
+void Page::control(const Control& control) {
+  const auto& [id, rect, words, on, note] = control;
+  controls_.push_back(control);
   if (sheet_.attention.pressed == id)
     draw(view::Box{rect, type().body * 0.14f, view::with_alpha(view::kCobalt, 0.08f), 0, {}});
   if (sheet_.attention.focused == id) focus_ring(rect);
+}
+
+std::vector<std::string> Page::told() const {
+  auto ordered = told_;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> out;
+  for (auto& [y, words] : ordered) out.push_back(std::move(words));
+  return out;
 }
 
 void Page::focus_ring(const Rect& rect) {
@@ -160,6 +171,7 @@ void Column::text(const std::string& words, float px, Face face, Color color, Al
   const auto size = page_.size(words, style, width);
   if (size.width > width + kSlack) page_.overflowed();
   page_.words({turned(box_.x, width), top_, width, size.height}, words, style, color);
+  page_.tell(top_, words);
   top_ += size.height;
   check();
 }
@@ -171,6 +183,7 @@ void Column::foot_text(const std::string& words, float px, Face face, Color colo
   const auto size = page_.size(words, style, width);
   foot_ -= size.height;
   page_.words({turned(box_.x, width), foot_, width, size.height}, words, style, color);
+  page_.tell(foot_, words);
   check();
 }
 
@@ -280,6 +293,7 @@ void Column::circles(int full, int count, const std::string& words) {
   const float room = size.width + kSlack;
   if (x + room > box_.x + box_.w) page_.overflowed();
   page_.words({turned(x, room), top_, room, size.height}, words, style, view::kFaintInk);
+  page_.tell(top_, words);
   top_ += size.height;
   check();
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kiosk/screens/layout.h"
@@ -11,10 +12,13 @@
 
 namespace onggi::screens {
 
-/// Something that can be pressed.
+/// Something that can be pressed, and what it is to somebody who is told it.
 struct Control {
   std::string id;
   view::Rect rect;
+  std::string words = {};       ///< Its name.
+  std::optional<bool> on = {};  ///< Of a switch or a choice: whether it is on.
+  std::string note = {};        ///< What else is so of it just now.
 };
 
 /// Which control the keyboard is on and which one a finger holds down; both may be empty.
@@ -38,7 +42,9 @@ struct Button {
   bool other_on = false;
   std::optional<view::Color> swatch = {};  ///< A disc of this colour before the words.
   bool tight = false;                      ///< Less air beside the words.
-  std::string language = {};  ///< Code of the words, where they are of another than the page.
+  std::string language = {};    ///< Code of the words, where they are of another than the page.
+  std::optional<bool> on = {};  ///< Of one that stays on: whether it is, in words.
+  std::string note = {};        ///< Control::note.
 };
 
 /// What a page is set on.
@@ -76,8 +82,12 @@ class Page {
   /// Size that `button` needs when at most `width` wide.
   view::TextMeasure::Size size(const Button& button, float at_most) const;
   void button(const Button& button, const view::Rect& rect);
-  /// A control without words of its own (a card); draws its focus and touch.
-  void control(const std::string& id, const view::Rect& rect);
+  /// A control whose words are drawn elsewhere (a card); draws its focus and touch.
+  void control(const Control& control);
+  /// Words that are read, beside those of controls; `y`: where they stand.
+  void tell(float y, const std::string& words) { told_.emplace_back(y, words); }
+  /// They, from the top of the page down.
+  std::vector<std::string> told() const;
   void overflowed() { overflow_ = true; }
   /// The screen learned something while laying out and wants to be laid out once more.
   void restart() { restart_ = true; }
@@ -95,6 +105,7 @@ class Page {
   Sheet sheet_;
   std::vector<view::Item> items_;
   std::vector<Control> controls_;
+  std::vector<std::pair<float, std::string>> told_;
   bool overflow_ = false, restart_ = false;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "kiosk/screens/desk.h"
 #include "kiosk/screens/focus.h"
@@ -47,6 +49,13 @@ class Screen {
   virtual void comforted() {}
   /// Of a screen with a pot to be worked.
   virtual std::optional<Sight> sight() const { return std::nullopt; }
+  /// Of a screen with a pot to be worked: Reading has it.
+  struct PotTold {
+    bool working = false;
+    int asked = 0;
+    std::vector<std::string> differences;
+  };
+  virtual std::optional<PotTold> told() const { return std::nullopt; }
   /// Of "help.NAME" in the languages.
   std::string help_key() const { return "help." + std::string(name_of(id())); }
 

@@ -12,6 +12,7 @@ void ShowMe::begin(const Desk& desk, const Profile& target, double side,
                    device::PointerLead& hands) {
   const ClayView& clay = desk.world.wheel->clay;
   if (!desk.pot_ready() || clay.rows() == 0) return;
+  asked_ = false;
   auto stroke = device::next_stroke(clay, target, 0.5 * tolerance(target));
   finger_.begin(stroke ? std::move(*stroke) : device::last_stroke(clay, target), side, hands, clay);
 }
@@ -36,15 +37,23 @@ void ShowMe::press(const Desk& desk, const Profile& target, double side,
   if (!std::exchange(ended_, false) && desk.now - since > kHold) stop(hands);
 }
 
-void ShowMe::draw(double dt, device::PointerLead& hands) { finger_.draw(dt, hands); }
+void ShowMe::draw(double dt, device::PointerLead& hands, const ClayView& clay) {
+  finger_.draw(dt, hands, clay);
+}
+
+void ShowMe::make(Stroke stroke, const ClayView& clay, double side, device::PointerLead& hands) {
+  stop(hands);
+  asked_ = true;
+  finger_.begin(std::move(stroke), side, hands, clay);
+}
 
 void ShowMe::stop(device::PointerLead& hands) { finger_.stop(hands); }
 
 Button ShowMe::button(const Desk& desk, bool away) const {
   return {away ? "" : "throw.show", desk.say("throw.show"),
-          away        ? Look::plain
-          : showing() ? Look::solid
-                      : Look::outline};
+          away                   ? Look::plain
+          : showing() && !asked_ ? Look::solid
+                                 : Look::outline};
 }
 
 std::string ShowMe::key() const {

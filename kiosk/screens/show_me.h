@@ -21,7 +21,9 @@ class ShowMe {
   /// The button comes up, or was pressed by a key.
   void press(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
   /// Once a frame, before PointerLead::follow.
-  void draw(double dt, device::PointerLead& hands);
+  void draw(double dt, device::PointerLead& hands, const ClayView& clay);
+  /// A stroke that was asked for by name begins, instead of the one under way.
+  void make(device::Stroke stroke, const ClayView& clay, double side, device::PointerLead& hands);
   /// The visitor takes over.
   void stop(device::PointerLead& hands);
 
@@ -38,6 +40,7 @@ class ShowMe {
 
   device::GhostFinger finger_;
   double held_since_ = -1;  ///< s, by the desk's clock; below 0: the button is up.
+  bool asked_ = false;      ///< The stroke under way was asked for by name.
   bool ended_ = false;      ///< It was pressed to end a stroke.
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/screens/hint.h"
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/telling.h"
 #include "kiosk/screens/tool_tray.h"
@@ -36,16 +37,18 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
   Page& page = column.page();
   const bool happened = now.mishap != Mishap::none;
   std::vector<Button> cells;
-  const auto add = [&](const char* id, const char* words, Look look, bool there) {
+  const auto add = [&](const char* id, const char* words, Look look, bool there,
+                       std::optional<bool> on = std::nullopt) {
     cells.push_back({there ? id : "", desk.say(words), look});
     cells.back().tight = true;
+    cells.back().on = on;
   };
   if (happened) {
     const bool fell = now.mishap == Mishap::fell;
     add("throw.restore", fell ? "throw.before_fall" : "throw.before_tear", Look::solid,
         desk.status.can_restore);
   } else {
-    add("throw.water", "throw.water", now.water ? Look::solid : Look::outline, true);
+    add("throw.water", "throw.water", now.water ? Look::solid : Look::outline, true, now.water);
     add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
   }
   add("throw.done", "throw.done", happened ? Look::outline : Look::solid, true);
@@ -55,12 +58,21 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.foot_space(page.type().gap);
 }
 
+Button way_of(const Desk& desk, const ThrowingControls& now) {
+  return now.drawer ? Button{"throw.less", desk.say("throw.less"), Look::solid}
+                    : drawer_button(desk, now);
+}
+
 /// What stands at the foot of the page: the way to all else, or back from it, and what any screen
 /// has.
 void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
-  const Button less{"throw.less", desk.say("throw.less"), Look::solid};
-  const Button way = now.drawer ? less : drawer_button(desk, now);
+  const Button way = way_of(desk, now);
   std::vector<Button> row = standing_buttons(desk, true);
+  if (now.board && !now.drawer) {  // There it stands among the strokes.
+    column.foot_buttons(row);
+    column.foot_space(column.page().type().gap);
+    return;
+  }
   if (column.page().where().portrait) row.insert(row.begin(), way);  // There one row holds it all.
   column.foot_buttons(row);
   column.foot_space(column.page().type().gap);
@@ -86,6 +98,7 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
   page.words({from_right ? at.x + at.w - width : at.x, at.y + (height - size.height) / 2, width,
               size.height},
              title, style, view::kFaintInk);
+  page.tell(at.y, title);
   if (now.skip)
     page.button(skip,
                 {from_right ? at.x : at.x + at.w - skip_size.width, at.y, skip_size.width, height});
@@ -123,7 +136,9 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   ToolTray::lay_out(column, desk, now.held);
   column.space(t.gap);
   const auto grip = [&](const char* id, Grip which) {
-    return Button{id, desk.say(id), now.grip == which ? Look::solid : Look::outline};
+    Button one{id, desk.say(id), now.grip == which ? Look::solid : Look::outline};
+    one.on = now.grip == which;
+    return one;
   };
   const auto rpm = [&](double speed) {
     const auto turns = static_cast<int>(std::lround(speed * 60.0 / (2 * 3.14159265358979)));
@@ -135,9 +150,9 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   const std::vector<Button> wheel{{"throw.slower", desk.say("throw.slower"), Look::outline},
                                   {"", rpm(now.speed), Look::plain, rpm(desk.wheel().max_speed)},
                                   {"throw.faster", desk.say("throw.faster"), Look::outline}};
-  const std::vector<Button> clay{
-      {"throw.cut", desk.say("throw.cut"), now.cut ? Look::solid : Look::outline},
-      {"throw.renew", desk.say("throw.renew"), Look::outline}};
+  Button cut{"throw.cut", desk.say("throw.cut"), now.cut ? Look::solid : Look::outline};
+  cut.on = now.cut;
+  const std::vector<Button> clay{cut, {"throw.renew", desk.say("throw.renew"), Look::outline}};
   const std::vector<Button> feels = desk.force.buttons(desk);
   const std::string of_hand = desk.say("throw.hand"), of_wheel = desk.say("throw.wheel"),
                     of_clay = desk.say("throw.clay"), of_force = desk.say("throw.force");
@@ -149,6 +164,11 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   drawer_row(column, of_clay, clay, captions);
   if (!feels.empty()) drawer_row(column, of_force, feels, captions);
   column.check();
+}
+
+/// News go before the hint. The lesson is of hands that draw.
+std::string sentence_of(const Desk& desk, const Hint& hint) {
+  return desk.note().empty() ? words_of(hint, desk) : desk.say(desk.note());
 }
 
 /// What the words' part of the page needs at least, `width` pixels wide, whatever happens.
@@ -174,6 +194,19 @@ float height_needed(const Page& page, const Desk& desk, const ThrowingControls& 
         column.space(longest_telling(page, desk, width - telling_drawing(page)));
     });
   };
+  const auto by_strokes = [&](Column& column, const ThrowingControls& then) {
+    most_used(column, desk, then);
+    std::string longest;
+    for (std::string& hint : all_hints(desk))
+      if (hint.size() > longest.size()) longest = std::move(hint);
+    then.board->lay_out(column, desk, way_of(desk, then), then.parts, false, longest);
+  };
+  if (now.board)
+    return std::max(height_of(true, Mishap::none,
+                              [&](Column& column, const ThrowingControls& then) {
+                                drawer(column, desk, then);
+                              }),
+                    height_of(false, Mishap::none, by_strokes));
   float most = height_of(true, Mishap::none, [&](Column& column, const ThrowingControls& then) {
     drawer(column, desk, then);
   });
@@ -183,6 +216,28 @@ float height_needed(const Page& page, const Desk& desk, const ThrowingControls& 
 }
 
 }  // namespace
+
+KeyedControl control_of(view::Key key) {
+  using view::Key;
+  switch (key) {
+    case Key::water:
+      return {"throw.water"};
+    case Key::cut:
+      return {"throw.cut"};
+    case Key::renew:
+      return {"throw.renew"};
+    case Key::restore:
+      return {"throw.restore", true};
+    case Key::faster:
+      return {"throw.faster", true};
+    case Key::slower:
+      return {"throw.slower", true};
+    case Key::tell:
+      return {"throw.tell"};
+    default:
+      return {};
+  }
+}
 
 void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls& now) {
   Regions r = page.where();
@@ -198,8 +253,8 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     page.divide(r);
     return;
   }
-  const bool larger = desk.screen().larger_text;
-  r.words.w = std::round(all.w * (larger ? kLargerColumn : kColumn));
+  const bool wide = desk.screen().larger_text || StrokeBoard::wanted(desk);
+  r.words.w = std::round(all.w * (wide ? kLargerColumn : kColumn));
   r.words.x = all.x + margin;
   const float left = r.words.x + r.words.w + margin;
   // The axis on the vertical third, or in the middle of what is left where that lies farther out.
@@ -219,6 +274,9 @@ void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now,
   standing(column, desk, now);
   if (now.drawer) return drawer(column, desk, now);
   most_used(column, desk, now);
+  if (now.board)
+    return now.board->lay_out(column, desk, way_of(desk, now), now.parts, now.working,
+                              sentence_of(desk, hint));
   heading(column, desk, now);
   if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);
   lay_out_telling(column, desk, show, hint);

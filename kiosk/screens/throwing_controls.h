@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "kiosk/device/wall_hold.h"
 #include "kiosk/screens/desk.h"
 #include "kiosk/screens/mishap.h"
 #include "kiosk/screens/page.h"
 #include "kiosk/screens/show_me.h"
+#include "kiosk/screens/stroke_board.h"
 
 namespace onggi::screens {
 
@@ -22,7 +24,18 @@ struct ThrowingControls {
   bool drawer = false;   ///< Open.
   std::size_t held = 0;  ///< Of the tray: 0 the hands.
   Mishap mishap = Mishap::none;
+  const StrokeBoard* board = nullptr;  ///< Strokes by buttons, and what they are told of.
+  std::vector<PartOff> parts = {};
+  bool working = false;
 };
+
+/// What a key presses at the wheel, on the screen or not; null: nothing of itself. `repeats`: as
+/// long as it is held.
+struct KeyedControl {
+  const char* control = nullptr;
+  bool repeats = false;
+};
+KeyedControl control_of(view::Key key);
 
 /// Divides the page so that the pot has all that words and controls do not need, whether the drawer
 /// is open or not: upright they lie below it, across they are a narrow column beside it.

@@ -9,9 +9,11 @@
 #include "kiosk/screens/mishap.h"
 #include "kiosk/screens/pot_picture.h"
 #include "kiosk/screens/show_me.h"
+#include "kiosk/screens/stroke_board.h"
 #include "kiosk/screens/target_line.h"
 #include "kiosk/screens/throwing_controls.h"
 #include "kiosk/screens/tool_tray.h"
+#include "kiosk/screens/water_button.h"
 #include "kiosk/screens/wire_cut.h"
 
 namespace onggi::screens {
@@ -28,7 +30,6 @@ constexpr double kFirstSpeed =
 constexpr double kSpeedStep = 2.5;  // rad/s
 constexpr double kNotch = 0.002;    // m a scroll notch or a key press.
 constexpr double kLookIn = 0.8;     // s that the pot stays cut away after a hand was inside.
-constexpr double kSoakHold = 0.6;   // s: a press this long on Water is a sponge held, not a switch.
 
 /// The wheel, the clay and the visitor's hand.
 class Throwing final : public Screen {
@@ -39,7 +40,9 @@ class Throwing final : public Screen {
         speed_(std::min(kFirstSpeed, d.wheel().max_speed)) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
-    return !menu_ ? "" : drawer_ ? "throw.less" : mishap_ ? "throw.restore" : "throw.done";
+    if (!by_buttons()) return "";
+    const char* usual = menu_ ? "throw.done" : StrokeBoard::kFirst;
+    return drawer_ ? "throw.less" : mishap_ ? "throw.restore" : usual;
   }
 
   void update(double dt) override {
@@ -48,7 +51,7 @@ class Throwing final : public Screen {
       serial_ = desk.status.scene_serial;
       desk.world.potter->pause(false);
       send_wheel();
-      desk.world.potter->water(water_);
+      desk.world.potter->water(water_.wet());
     }
     if (done_) return finish();
     // Cut free, by whatever wire: there is nothing more to throw.
@@ -64,7 +67,7 @@ class Throwing final : public Screen {
     bool contact = false;
     for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
     if (hand_.active() && desk.pot_ready()) {
-      show_.draw(dt, hand_);
+      show_.draw(dt, hand_, desk.world.wheel->clay);
       hand_.follow(desk.world.wheel->clay, dt, contact);
       send_hand();
     }
@@ -72,7 +75,7 @@ class Throwing final : public Screen {
       touched_ = true;
       dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
     }
-    if (water_) dry_ = 0;
+    if (water_.wet()) dry_ = 0;
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
     hint_.update(desk.now, {target, &picture_.made(), std::abs(speed_) > 0.5, grip_, touched_,
@@ -91,14 +94,17 @@ class Throwing final : public Screen {
     const bool whole = !mishap_;
     const ThrowingControls now{speed_,
                                grip(),
-                               water_,
+                               water_.wet(),
                                cut_,
                                desk.status.can_restore && whole,
                                show_.button(desk, aim() == nullptr),
                                whole && LessonLine::shown(desk) != nullptr,
                                drawer_,
                                held_,
-                               mishap_.now()};
+                               mishap_.now(),
+                               StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
+                               parts(),
+                               working()};
     give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
@@ -123,9 +129,8 @@ class Throwing final : public Screen {
       if (speed_ < kSpeedStep * 0.5) speed_ = 0;
       send_wheel();
     } else if (control == "throw.water") {
-      const bool sponge = soaked_at_ >= 0 && desk.now - soaked_at_ > kSoakHold;
-      set_water(soaked_at_ >= 0 ? !sponge && !was_wet_ : !water_);
-      soaked_at_ = -1;
+      water_.press(desk.now);
+      set_water(water_.wet());
     } else if (control == "throw.cut") {
       cut_ = !cut_;
       cut_chosen_ = true;
@@ -145,6 +150,8 @@ class Throwing final : public Screen {
       LessonLine::skip(desk);
     } else if (control == "throw.done") {
       finish();
+    } else if (const auto ask = board_.press(control)) {
+      make_stroke(*ask);
     } else if (const auto tool = ToolTray::of_control(control)) {
       take_up(*tool);
     } else {
@@ -159,8 +166,7 @@ class Throwing final : public Screen {
       send_hand();
     }
     if (control != "throw.water") return;
-    soaked_at_ = desk.now;
-    was_wet_ = water_;
+    water_.hold(desk.now);
     set_water(true);
   }
 
@@ -208,23 +214,15 @@ class Throwing final : public Screen {
   }
 
   bool key(Key key, bool repeat) override {
+    if (const KeyedControl pressed = control_of(key); pressed.control != nullptr) {
+      const bool there = key != Key::restore || desk.status.can_restore;
+      if (there && (!repeat || pressed.repeats)) press(pressed.control);
+      return true;
+    }
     switch (key) {
       case Key::side:
-        if (!repeat) hold_with(next_grip());
+        if (!repeat) hold_with(device::next_grip(grip_));
         return true;
-      case Key::water:
-        return repeat || (set_water(!water_), true);
-      case Key::cut:
-        return repeat || (press("throw.cut"), true);
-      case Key::renew:
-        return repeat || (press("throw.renew"), true);
-      case Key::restore:
-        if (desk.status.can_restore) press("throw.restore");
-        return true;
-      case Key::faster:
-        return press("throw.faster"), true;
-      case Key::slower:
-        return press("throw.slower"), true;
       case Key::depth_in:
         return move_by_keys(-kNotch, 0), true;
       case Key::depth_out:
@@ -232,24 +230,15 @@ class Throwing final : public Screen {
       default:
         break;
     }
-    if (menu_) return false;
+    if (by_buttons()) return false;
     // The hand works on the column's far side, where the pot is clear of the words.
     const double left = key_sign();
-    switch (key) {
-      case Key::up:
-        return move_by_keys(0, kNotch), true;
-      case Key::down:
-        return move_by_keys(0, -kNotch), true;
-      case Key::left:
-        return move_by_keys(-kNotch * left, 0), true;
-      case Key::right:
-        return move_by_keys(kNotch * left, 0), true;
-      case Key::enter:
-        menu_ = true;
-        return true;
-      default:
-        return false;
-    }
+    if (key == Key::enter) return menu_ = true;
+    if (key == Key::up || key == Key::down)
+      return move_by_keys(0, key == Key::up ? kNotch : -kNotch), true;
+    if (key == Key::left || key == Key::right)
+      return move_by_keys(key == Key::left ? -kNotch * left : kNotch * left, 0), true;
+    return false;
   }
 
   void let_go() override {
@@ -259,7 +248,25 @@ class Throwing final : public Screen {
   }
   void comforted() override { send_wheel(); }
 
+  std::optional<PotTold> told() const override {
+    if (mishap_) return std::nullopt;
+    return PotTold{working(), board_.asked(), StrokeBoard::told(desk, parts())};
+  }
+
  private:
+  /// The keys move among buttons, and not the hand.
+  bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
+  bool working() const { return show_.showing() || hand_.active() || cut_off_; }
+  std::vector<PartOff> parts() const {
+    return parts_off(desk.shelf_card(desk.card), picture_.made());
+  }
+  void make_stroke(device::Ask ask) {
+    if (held_ > 0) take_up(0);
+    const ClayView& clay = desk.world.wheel->clay;
+    if (const Profile* target = aim(); target != nullptr && clay.rows() > 0)
+      show_.make(asked_stroke(clay, *target, ask, board_.part()), clay, key_sign(), hand_);
+    send_hand();
+  }
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
   void send_hand() {
     Vec3 right, up, back;
@@ -278,9 +285,6 @@ class Throwing final : public Screen {
   const Profile* aim() const {
     const ShelfCard* card = desk.shelf_card(desk.card);
     return card != nullptr && desk.pot_ready() && !mishap_ && !cut_off_ ? &card->target : nullptr;
-  }
-  Grip next_grip() const {
-    return grip_ == Grip::both ? Grip::outside : grip_ == Grip::outside ? Grip::inside : Grip::both;
   }
   void hold_with(Grip grip) {
     grip_ = grip;
@@ -319,7 +323,7 @@ class Throwing final : public Screen {
   }
   void send_wheel() { desk.world.potter->wheel(desk.screen().left_handed ? -speed_ : speed_); }
   void set_water(bool on) {
-    water_ = on;
+    water_.set(on);
     desk.world.potter->water(on);
   }
 
@@ -346,15 +350,7 @@ class Throwing final : public Screen {
     desk.world.potter->pause(true);
     done_ = !desk.world.potter->settle();
     if (done_) return;
-    desk.made = desk.world.wheel->clay.profile();
-    const settings::Rubric& rubric = desk.world.exhibit->rubric;
-    const bool known = card->vessel == nullptr || content::is_known(card->vessel->size_from);
-    const double true_scale = !known ? 0 : card->scale > 0 ? 1 / card->scale : 1;
-    desk.score = score::judge(card->target, desk.made, !rubric.size_counts, true_scale, rubric);
-    desk.notes.judged(desk.score.points);
-    desk.kept = Desk::Kept::not_asked;
-    desk.glaze = -1;
-    desk.postcard = 0;
+    desk.judge(*card);
     desk.go(ScreenId::result);
   }
 
@@ -382,13 +378,15 @@ class Throwing final : public Screen {
   std::size_t held_ = 0;  ///< Of the tray: 0 the hands.
   std::optional<WireCut> cut_off_;
   ShowMe show_;
+  StrokeBoard board_;
+  WaterButton water_;
   LessonLine lesson_;
   view::Camera camera_;
   double speed_;
   Grip grip_ = Grip::both;
-  bool cut_ = false, cut_chosen_ = false, water_ = false, was_wet_ = false, touched_ = false,
-       menu_ = false, drawer_ = false, done_ = false;
-  double soaked_at_ = -1, dry_ = 0, inside_until_ = -1;
+  bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, drawer_ = false,
+       done_ = false;
+  double dry_ = 0, inside_until_ = -1;
   std::uint32_t serial_ = 0;
 };
 

@@ -142,8 +142,8 @@ void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
     const Rect cell{strip.x + grid.cell * place, strip.y + row * (height + t.gap * 0.5f), grid.cell,
                     height};
     const Rect button{cell.x + 2, cell.y, cell.w - 4, cell.h};
-    page.control(std::string(kControl) + std::to_string(n), button);
     const bool on = n == held;
+    page.control({std::string(kControl) + std::to_string(n), button, name_of(desk, n), on});
     page.draw(view::Box{button, t.body * 0.2f, view::with_alpha(view::kCobalt, on ? 0.10f : 0.0f),
                         on ? t.hairline * 2 : 0, view::kCobalt});
     const float x = cell.x + (cell.w - grid.side) / 2, y = cell.y + t.gap * 0.4f;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kiosk/screens/focus.h"
 #include "kiosk/screens/visit_state.h"
 #include "kiosk/view/high_contrast.h"
 
@@ -10,9 +11,10 @@ namespace onggi::screens {
 using view::InputEvent;
 
 namespace {
-constexpr double kFade = 0.3;           // s
-constexpr double kLookedAway = 60.0;    // s that help and another language stay over attract
-constexpr double kDeviceMoved = 0.002;  // m: more than a device at rest trembles.
+constexpr double kFade = 0.3;         // s
+constexpr double kLookedAway = 60.0;  // s that help and another language stay over attract
+constexpr double kStepsToAct = 40, kStepsToStay = 10;  // of one switch
+constexpr double kDeviceMoved = 0.002;                 // m: more than a device at rest trembles.
 }  // namespace
 
 Visit::Visit(const VisitWorld& world) : state_(std::make_unique<State>(world)) {}
@@ -70,7 +72,11 @@ void Visit::update(double now) {
   } else {
     const auto& wait = s.desk.world.exhibit->idle;
     const bool reading = id == ScreenId::result || id == ScreenId::kiln || id == ScreenId::keepsake;
-    switch (s.idle.look(now, reading ? wait.result_after : wait.warn_after, wait.countdown)) {
+    // Who steps through everything with one switch comes to it later.
+    const settings::Exhibit::Screen own = s.desk.screen();
+    const double step = own.one_switch ? own.scan_seconds : 0.0;
+    switch (s.idle.look(now, (reading ? wait.result_after : wait.warn_after) + kStepsToAct * step,
+                        wait.countdown + kStepsToStay * step)) {
       case IdleWatch::Word::none:
         break;
       case IdleWatch::Word::warn:
@@ -173,6 +179,52 @@ std::vector<std::pair<std::string, view::Rect>> Visit::controls() const {
   if (state_->page)
     for (const Control& c : state_->page->controls()) all.emplace_back(c.id, c.rect);
   return all;
+}
+
+Reading Visit::reading() const {
+  const State& s = *state_;
+  Reading r;
+  r.screen = s.screen->id();
+  r.over = s.over == Over::help      ? "help"
+           : s.over == Over::comfort ? "comfort"
+           : s.over == Over::idle    ? "idle"
+                                     : "";
+  r.language = &s.desk.words();
+  if (s.page) {
+    r.words = s.page->told();
+    r.controls = in_reading_order(s.page->controls(), s.page->right_to_left());
+  }
+  r.first = s.first_control();
+  r.focus = s.focused;
+  const settings::Exhibit::Screen shown = s.desk.screen();
+  r.spoken = shown.spoken;
+  r.one_switch = shown.one_switch;
+  r.scan_seconds = shown.scan_seconds;
+  if (s.over == Over::nothing)
+    if (auto pot = s.screen->told()) {
+      r.working = pot->working;
+      r.asked = pot->asked;
+      r.differences = std::move(pot->differences);
+    }
+  return r;
+}
+
+void Visit::activate(const std::string& control, double now) {
+  State& s = *state_;
+  s.desk.now = now;
+  s.idle.touched(now);
+  s.desk.notes.touch(NoteTaker::By::keys, now);
+  s.by_keys = !s.desk.screen().one_switch;  // It has a ring of its own.
+  if (!control.empty()) s.press(control);
+  s.settle();
+}
+
+void Visit::focus_on(const std::string& control, double now) {
+  State& s = *state_;
+  s.desk.now = now;
+  s.idle.touched(now);
+  s.by_keys = true;
+  s.focused = control;
 }
 
 std::optional<Sight> Visit::sight() const { return state_->screen->sight(); }

@@ -15,6 +15,7 @@
 #include "kiosk/score/score.h"
 #include "kiosk/screens/advice.h"
 #include "kiosk/screens/device_news.h"
+#include "kiosk/screens/reading.h"
 #include "kiosk/screens/todays_pot.h"
 #include "kiosk/screens/visit_notes.h"
 #include "kiosk/settings/exhibit.h"
@@ -183,6 +184,13 @@ class Visit {
   std::optional<Sight> sight() const;
   /// All of them, in reading order.
   std::vector<std::pair<std::string, view::Rect>> controls() const;
+  /// What stands on the screen since the last frame().
+  Reading reading() const;
+  /// As a key does it that is pressed on `control`, on the screen or not; nothing where it means
+  /// nothing there. Empty: somebody is there, and that is all.
+  void activate(const std::string& control, double now);
+  /// The keyboard is on `control`, which is on the screen.
+  void focus_on(const std::string& control, double now);
   /// The control that the keyboard is on; empty while a pointer is used or the keys move the hand.
   const std::string& focus() const;
 

@@ -177,7 +177,7 @@ void Visit::State::key(const InputEvent& e) {
     if (e.key == Key::back) return cover(Over::nothing);
   } else {
     if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none &&
-        screen->begins_with({})) {
+        e.key != Key::other && screen->begins_with({})) {
       desk.go(ScreenId::choose);
       return settle();
     }
@@ -185,6 +185,14 @@ void Visit::State::key(const InputEvent& e) {
     if (e.key == Key::back && !e.repeat) return press("back");
   }
   if (!page || page->controls().empty()) return;
+  const auto in_order = [&](bool onward) {
+    const std::vector<Control> all = in_reading_order(page->controls(), page->right_to_left());
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const Control& c) { return c.id == focused; });
+    if (at == all.end()) return;
+    const auto i = static_cast<std::size_t>(at - all.begin());
+    focused = all[(i + (onward ? 1 : all.size() - 1)) % all.size()].id;
+  };
   const auto step = [&](Direction to) {
     if (focused.empty()) return;
     const std::string known = over == Over::nothing ? screen->step(focused, to) : std::string();
@@ -204,6 +212,9 @@ void Visit::State::key(const InputEvent& e) {
       return step(Direction::left);
     case Key::right:
       return step(Direction::right);
+    case Key::next:
+    case Key::previous:
+      return in_order(e.key == Key::next);
     case Key::enter:
       if (!focused.empty() && !e.repeat) press(focused);
       return;
@@ -212,13 +223,18 @@ void Visit::State::key(const InputEvent& e) {
   }
 }
 
+/// Where the keyboard begins; nothing where the keys move the hand.
+std::string Visit::State::first_control() const {
+  return over == Over::help      ? "help.close"
+         : over == Over::comfort ? first_comfort()
+         : over == Over::idle    ? "idle.stay"
+                                 : screen->first_focus();
+}
+
 /// While keys are used something is always focused, unless the keys move the hand.
 void Visit::State::keep_focus() {
   if (!by_keys) return focused.clear();
-  const std::string first = over == Over::help      ? "help.close"
-                            : over == Over::comfort ? first_comfort()
-                            : over == Over::idle    ? "idle.stay"
-                                                    : screen->first_focus();
+  const std::string first = first_control();
   if (first.empty()) return focused.clear();
   const auto is_there = [&](const std::string& id) {
     return page && std::any_of(page->controls().begin(), page->controls().end(),

@@ -43,6 +43,7 @@ struct Visit::State {
   void press(const std::string& control);
   void pointer(const view::InputEvent& e);
   void key(const view::InputEvent& e);
+  std::string first_control() const;
   void keep_focus();
   std::string control_at(float x, float y) const;
   Page lay_out(int width, int height, float size);

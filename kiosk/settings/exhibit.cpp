@@ -237,6 +237,18 @@ void read_sound(Table table, Exhibit::Sound& sound) {
   table.finish();
 }
 
+void read_access(Table table, Exhibit::Access& access) {
+  double hold = access.hold_to_speak;
+  if (table.number("hold_to_speak", hold, 0, 10, "s")) {
+    if (hold > 0 && hold < 1)
+      table.complain("hold_to_speak", "A touch of less than a second is any visitor's.",
+                     "Write 1 to 10 s, or 0 for no such gesture.");
+    else
+      access.hold_to_speak = hold;
+  }
+  table.finish();
+}
+
 void read_store(Table table, Exhibit::Store& store) {
   table.boolean("count", store.count);
   table.integer("months", store.months, 1, 240, "months");
@@ -295,6 +307,9 @@ void read_screen(Table table, Exhibit::Screen& screen) {
   table.boolean("high_contrast", screen.high_contrast);
   table.boolean("larger_text", screen.larger_text);
   table.boolean("low_reach", screen.low_reach);
+  table.boolean("spoken", screen.spoken);
+  table.boolean("one_switch", screen.one_switch);
+  table.number("scan_seconds", screen.scan_seconds, 0.5, 5, "s");
   table.boolean("silent", screen.silent);
   table.number("force", screen.force, 0, 1);
   table.finish();
@@ -378,6 +393,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_store(root.child("store"), exhibit.store);
   read_screen(root.child("screen"), exhibit.screen);
   read_sound(root.child("sound"), exhibit.sound);
+  read_access(root.child("access"), exhibit.access);
   read_phone(root.child("phone"), exhibit.phone);
   read_hours(root.child("hours"), exhibit.hours);
   read_reader(root.child("reader"), exhibit.reader);

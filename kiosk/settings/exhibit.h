@@ -60,13 +60,21 @@ struct Exhibit {
     bool left_handed = false;    ///< Mirrors the layout and the wheel.
     bool high_contrast = false;  ///< Words 7:1 on what they stand on, heavier lines.
     bool larger_text = false;
-    bool low_reach = false;  ///< Everything between 380 and 1,220 mm above the floor.
-    bool silent = false;     ///< No sound, whatever [sound] says.
-    double force = 1.0;      ///< 0 (off) .. 1 of the device's cap.
+    bool low_reach = false;     ///< Everything between 380 and 1,220 mm above the floor.
+    bool spoken = false;        ///< What is on the screen is said aloud.
+    bool one_switch = false;    ///< Any key, button or touch is the one switch of the visitor,
+    double scan_seconds = 1.5;  ///< and this long each thing stands to be chosen, s, 0.5..5.
+    bool silent = false;        ///< No sound, whatever [sound] says.
+    double force = 1.0;         ///< 0 (off) .. 1 of the device's cap.
   } screen;
   struct Sound {
     double volume = 0.5;  ///< 0 (none is made) .. 1.
   } sound;
+  struct Access {
+    /// s that a finger or a key is held for what is on the screen to be said aloud, 1..10; 0: it is
+    /// not begun so. Held twice as long it is the one switch too.
+    double hold_to_speak = 3.0;
+  } access;
   struct Phone {
     std::string
         address;  ///< Where phones reach onggi-console, "http://192.168.4.1:8080"; "": nowhere.

@@ -23,6 +23,10 @@ enum class Key : std::uint8_t {
   cut,       ///< "s", "w", "r", "z", "c".
   language,  ///< "l"
   comfort,   ///< "a"
+  next,
+  previous,  ///< Tab, and with Shift: every control, one after the other.
+  other,     ///< Any key that has no name here: to one switch it is as good as another.
+  tell,      ///< "v": what is on the screen is said, or said again.
   none,
 };
 

@@ -55,7 +55,8 @@ TEST(Comfort, NothingOfWhatAVisitorChoseIsLeftInAttractOrForTheNext) {
     choose_all(v);
     v.touch("language");
     if (left_alone)
-      v.frames(v.exhibit.idle.warn_after + v.exhibit.idle.countdown + 1);
+      v.frames(v.exhibit.idle.warn_after + v.exhibit.idle.countdown +
+               50 * v.exhibit.screen.scan_seconds + 1);  // one switch has its time
     else
       v.touch("back");
     ASSERT_EQ(v.visit->screen(), ScreenId::attract);

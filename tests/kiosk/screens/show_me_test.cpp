@@ -44,7 +44,7 @@ struct RealWheel {
     for (int n = 0; n < count; ++n) {
       potter.advance(20);
       potter.collect();
-      show.draw(0.02, hands);
+      show.draw(0.02, hands, potter.view().clay);
       bool contact = false;
       for (const HandFeedback& f : potter.view().status.feedback.hand) contact |= f.contact;
       hands.follow(potter.view().clay, 0.02, contact);

@@ -1,0 +1,94 @@
+#include "kiosk/measure/aided_walk.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "kiosk/measure/aided_visitor.h"
+#include "kiosk/measure/monotonic.h"
+
+namespace onggi::measure {
+
+using screens::ScreenId;
+
+namespace {
+constexpr int kTicks = 20;         // of 1 ms: 50 frames a second
+constexpr double kSeen = 1.2;      // s until a screen has faded in
+constexpr double kTooLong = 3600;  // s of visit
+constexpr double kFirst = 1.0;     // s that attract is looked at
+}  // namespace
+
+Result<std::vector<access::Utterance>> walk_aided(
+    exhibit::Kiosk& kiosk, const AidedWalk& how,
+    const std::function<void(const std::string&)>& passed) {
+  std::vector<access::Utterance> said, fresh;
+  kiosk.attendant().listen([&](const access::Utterance& one) {
+    said.push_back(one);
+    fresh.push_back(one);
+  });
+  kiosk.advance(kTicks);
+  if (!kiosk.frame(0, how.realtime)) return said;
+  const content::Language language = *kiosk.visit().reading().language;
+  const auto& card = kiosk.shelf().cards()[static_cast<std::size_t>(how.card)];
+  std::string glaze;
+  if (card.wheel.kiln)
+    glaze = kiosk.glazes()[static_cast<std::size_t>(how.glaze)].name_in(language.code());
+  const VisitPlan plan(language, card.vessel->label(language.code()).title, glaze, how.strokes);
+  const double hold = kiosk.exhibit().access.hold_to_speak;
+  if (hold <= 0)
+    return problem("[access] hold_to_speak", "It is 0, so this visitor cannot begin.",
+                   "Write 3, or leave it out.");
+  BlindVisitor blind(language, plan, hold);
+  SwitchVisitor one_switch(plan, hold);
+
+  std::set<std::string> seen;
+  ScreenId screen = ScreenId::attract;
+  bool begun = false;
+  double entered = 0;
+  const double started = monotonic_seconds();
+  for (int n = 1;; ++n) {
+    const double now = n * kTicks * 1e-3;
+    fresh.clear();
+    kiosk.advance(kTicks);
+    if (!kiosk.frame(now, how.realtime))
+      return problem("the window", "It was closed during the visit.", "Leave it open.", 1);
+    screens::Visit& visit = kiosk.visit();
+    if (visit.screen() == ScreenId::fault)
+      return problem("the visit", "The kiosk shows its fault screen.", "Its log says why.", 1);
+    if (visit.screen() != screen) {
+      screen = visit.screen();
+      entered = now;
+    }
+    begun = begun || screen != ScreenId::attract;
+    if (begun && screen == ScreenId::attract) break;
+    const screens::Reading reading = visit.reading();
+    const std::string name = std::string(name_of(screen)) + (reading.working ? "_at_work" : "");
+    if (now - entered > kSeen && seen.insert(name).second) passed(name);
+    for (const access::Utterance& one : fresh) blind.hear(one, now);
+    if (!blind.lost().empty())
+      return problem("the visit", "Nobody said where \"" + blind.lost() + "\" is.",
+                     "This is a fault of the program: please report it.", 1);
+    // The keepsake is on its way; who would leave now?
+    const bool waits = screen == ScreenId::keepsake && !(kiosk.kept() && kiosk.kept()->saved);
+    if (now > kFirst && !waits)
+      for (const view::InputEvent& event :
+           how.blind ? blind.step(now) : one_switch.step(reading, kiosk.attendant().shown(), now))
+        kiosk.attendant().input(event, visit, kiosk.renderer().width(), kiosk.renderer().height(),
+                                now);
+    if (now > kTooLong)
+      return problem("the visit", "It is not over after an hour.",
+                     "This is a fault of the program: please report it.", 1);
+    if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (how.realtime)
+      std::this_thread::sleep_for(
+          std::chrono::duration<double>(std::max(0.0, started + now - monotonic_seconds())));
+  }
+  kiosk.attendant().listen({});
+  if (!kiosk.kept())
+    return problem("the visit", "It went back to the start before the keepsake was made.",
+                   "This is a fault of the program: please report it.", 1);
+  return said;
+}
+
+}  // namespace onggi::measure
