@@ -8,22 +8,23 @@ namespace onggi::device {
 
 namespace {
 
-constexpr double kStep = 0.002;                 // m between the heights of a path
-constexpr double kFoot = 0.006, kRim = 0.0015;  // m over the floor and under the rim: no stroke
-constexpr double kOut = 0.009, kIn = 0.004;     // m of a stroke on its way to the outline
-constexpr double kOutMore = 0.003, kInMore = 0.002;  // m of one that leaves it
-constexpr double kAtIt = 0.0004;                     // m: the wall is at the outline
-constexpr double kSpeed = 0.025, kSlow = 0.018;      // m/s
-constexpr double kSqueeze = 0.75;                    // of the wall's thickness, pulled up
-constexpr double kLeast = 0.02;  // of a weight: farther out a stroke does nothing
+constexpr double kAskStep = 0.002;  // m between the heights of a path
+constexpr double kOverFloor = 0.006,
+                 kUnderRim = 0.0015;               // m over the floor and under the rim: no stroke
+constexpr double kAskOut = 0.009, kAskIn = 0.004;  // m of a stroke on its way to the outline
+constexpr double kAskOutMore = 0.003, kAskInMore = 0.002;  // m of one that leaves it
+constexpr double kAtIt = 0.0004;                           // m: the wall is at the outline
+constexpr double kAskSpeed = 0.025, kEvenSpeed = 0.018;    // m/s
+constexpr double kSqueeze = 0.75;                          // of the wall's thickness, pulled up
+constexpr double kLeastWeight = 0.02;  // of a weight: farther out a stroke does nothing
 
 constexpr std::array<double, 5> kMiddles{0.08, 0.29, 0.5, 0.71, 0.92};
 
 /// m outwards; `left`: m of this kind's way that the part still has to the outline.
-double step_of(Ask ask, double off, double left) {
+double asked_step(Ask ask, double off, double left) {
   const bool on = left <= kAtIt;  // All of it is there: whoever asks goes on.
-  if (ask == Ask::widen) return on ? kOutMore : std::clamp(off, 0.0, kOut);
-  if (ask == Ask::narrow) return on ? -kInMore : std::clamp(off, -kIn, 0.0);
+  if (ask == Ask::widen) return on ? kAskOutMore : std::clamp(off, 0.0, kAskOut);
+  if (ask == Ask::narrow) return on ? -kAskInMore : std::clamp(off, -kAskIn, 0.0);
   return 0;
 }
 
@@ -53,7 +54,7 @@ Stroke asked_stroke(const ClayView& clay, const Profile& target, Ask ask, WallPa
   stroke.kind = ask == Ask::widen    ? Stroke::Kind::belly
                 : ask == Ask::narrow ? Stroke::Kind::collar
                                      : Stroke::Kind::smooth;
-  stroke.speed = ask == Ask::widen || ask == Ask::narrow ? kSpeed : kSlow;
+  stroke.speed = ask == Ask::widen || ask == Ask::narrow ? kAskSpeed : kEvenSpeed;
   if (ask == Ask::pull) stroke.squeeze = kSqueeze;
   struct At {
     double height, now, off, weight;
@@ -61,16 +62,16 @@ Stroke asked_stroke(const ClayView& clay, const Profile& target, Ask ask, WallPa
   std::vector<At> all;
   double left = 0;
   const double rim = clay.rim_height();
-  for (double h = clay.floor_top() + kFoot; h <= rim - kRim; h += kStep) {
+  for (double h = clay.floor_top() + kOverFloor; h <= rim - kUnderRim; h += kAskStep) {
     const double weight = weight_of(part, h / rim);
-    if (weight < kLeast) continue;
+    if (weight < kLeastWeight) continue;
     const double now = clay.radius_at(h, WallSide::outside);
     const double off = wanted_radius(clay, target, h) - now;
     all.push_back({h, now, off, weight});
     left = std::max(left, weight * (ask == Ask::narrow ? -off : off));
   }
   for (const At& at : all)
-    stroke.path.push_back({at.now + at.weight * step_of(ask, at.off, left), at.height});
+    stroke.path.push_back({at.now + at.weight * asked_step(ask, at.off, left), at.height});
   return stroke;
 }
 

@@ -13,8 +13,8 @@ using view::Key;
 
 namespace {
 
-constexpr int kOpenings = 2;        // strokes with which any pot begins
-constexpr double kPatience = 30.0;  // s for a stroke to end by itself
+constexpr int kOpenings = 2;              // strokes with which any pot begins
+constexpr double kStrokePatience = 30.0;  // s for a stroke to end by itself
 constexpr int kMostTabs = 60;
 
 bool begins_with(const std::string& text, const std::string& name) {
@@ -127,7 +127,7 @@ std::vector<InputEvent> BlindVisitor::step(double now) {
   if (wanted.empty()) {
     // A stroke is told of when it is done; else one asks.
     if (waits_since_ < 0) waits_since_ = now;
-    if (plan_.strokes() > 0 && now - waits_since_ < kPatience) return {};
+    if (plan_.strokes() > 0 && now - waits_since_ < kStrokePatience) return {};
     waits_since_ = now;
     return press(Key::tell);
   }

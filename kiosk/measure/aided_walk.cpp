@@ -13,10 +13,10 @@ namespace onggi::measure {
 using screens::ScreenId;
 
 namespace {
-constexpr int kTicks = 20;         // of 1 ms: 50 frames a second
-constexpr double kSeen = 1.2;      // s until a screen has faded in
-constexpr double kTooLong = 3600;  // s of visit
-constexpr double kFirst = 1.0;     // s that attract is looked at
+constexpr int kAidedTicks = 20;         // of 1 ms: 50 frames a second
+constexpr double kFadedIn = 1.2;        // s until a screen has faded in
+constexpr double kAidedTooLong = 3600;  // s of visit
+constexpr double kAttractSeen = 1.0;    // s that attract is looked at
 }  // namespace
 
 Result<std::vector<access::Utterance>> walk_aided(
@@ -27,7 +27,7 @@ Result<std::vector<access::Utterance>> walk_aided(
     said.push_back(one);
     fresh.push_back(one);
   });
-  kiosk.advance(kTicks);
+  kiosk.advance(kAidedTicks);
   if (!kiosk.frame(0, how.realtime)) return said;
   const content::Language language = *kiosk.visit().reading().language;
   const auto& card = kiosk.shelf().cards()[static_cast<std::size_t>(how.card)];
@@ -48,9 +48,9 @@ Result<std::vector<access::Utterance>> walk_aided(
   double entered = 0;
   const double started = monotonic_seconds();
   for (int n = 1;; ++n) {
-    const double now = n * kTicks * 1e-3;
+    const double now = n * kAidedTicks * 1e-3;
     fresh.clear();
-    kiosk.advance(kTicks);
+    kiosk.advance(kAidedTicks);
     if (!kiosk.frame(now, how.realtime))
       return problem("the window", "It was closed during the visit.", "Leave it open.", 1);
     screens::Visit& visit = kiosk.visit();
@@ -64,19 +64,19 @@ Result<std::vector<access::Utterance>> walk_aided(
     if (begun && screen == ScreenId::attract) break;
     const screens::Reading reading = visit.reading();
     const std::string name = std::string(name_of(screen)) + (reading.working ? "_at_work" : "");
-    if (now - entered > kSeen && seen.insert(name).second) passed(name);
+    if (now - entered > kFadedIn && seen.insert(name).second) passed(name);
     for (const access::Utterance& one : fresh) blind.hear(one, now);
     if (!blind.lost().empty())
       return problem("the visit", "Nobody said where \"" + blind.lost() + "\" is.",
                      "This is a fault of the program: please report it.", 1);
     // The keepsake is on its way; who would leave now?
     const bool waits = screen == ScreenId::keepsake && !(kiosk.kept() && kiosk.kept()->saved);
-    if (now > kFirst && !waits)
+    if (now > kAttractSeen && !waits)
       for (const view::InputEvent& event :
            how.blind ? blind.step(now) : one_switch.step(reading, kiosk.attendant().shown(), now))
         kiosk.attendant().input(event, visit, kiosk.renderer().width(), kiosk.renderer().height(),
                                 now);
-    if (now > kTooLong)
+    if (now > kAidedTooLong)
       return problem("the visit", "It is not over after an hour.",
                      "This is a fault of the program: please report it.", 1);
     if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));

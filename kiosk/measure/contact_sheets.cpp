@@ -19,7 +19,7 @@ namespace onggi::measure {
 namespace {
 
 constexpr int kSmallLong = 168;  // pixels of a small picture's longer side
-constexpr float kGap = 8, kHead = 22, kMargin = 16, kWords = 13;
+constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13;
 
 /// `image` in `width` x `height` pixels, each the mean of what it covers.
 view::Image smaller(const view::Image& image, int width, int height) {
@@ -128,7 +128,7 @@ class Album {
     std::vector<view::PictureId> held;
     const auto words = [&](float x, float y, float w, const std::string& text) {
       view::Text line;
-      line.box = {x, y, w, kHead};
+      line.box = {x, y, w, kSheetHead};
       line.text = text;
       line.style.px = kWords;
       line.color = view::kInk;
@@ -140,11 +140,11 @@ class Album {
       const auto wide = static_cast<float>(column.front().width);
       float y = kMargin;
       words(x, y, wide + kGap, sight.name());
-      y += kHead;
+      y += kSheetHead;
       for (std::size_t i = 0; i < column.size(); ++i) {
         const auto high = static_cast<float>(column[i].height);
         if (&sight == &plan.sights.front()) words(x, y, wide, states_[i]);
-        y += kHead;
+        y += kSheetHead;
         held.push_back(kiosk_.renderer().make_picture(column[i]));
         frame.items.emplace_back(view::Picture{{x, y, wide, high}, held.back(), 1});
         y += high;

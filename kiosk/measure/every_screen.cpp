@@ -10,10 +10,10 @@ namespace onggi::measure {
 
 namespace {
 
-constexpr int kTicks = 40;                 // a frame
-constexpr double kFrame = 0.001 * kTicks;  // s
-constexpr double kSettled = 1.5;           // s: cross-fades and easing are over
-constexpr double kLongest = 400.0;         // s in which attract's pot has to be done, or a script
+constexpr int kScreenTicks = 40;                 // a frame
+constexpr double kFrame = 0.001 * kScreenTicks;  // s
+constexpr double kSettled = 1.5;                 // s: cross-fades and easing are over
+constexpr double kLongestWait = 400.0;  // s in which attract's pot has to be done, or a script
 
 class Looker {
  public:
@@ -27,7 +27,7 @@ class Looker {
   }
   template <class Done>
   void until(const char* what, const Done& done, bool here = true) {
-    for (const double last = now_ + kLongest; good() && !done();) {
+    for (const double last = now_ + kLongestWait; good() && !done();) {
       // Who works at the wheel is there.
       view::InputEvent moved;
       moved.kind = view::InputEvent::Kind::pointer_move;
@@ -71,7 +71,7 @@ class Looker {
 
  private:
   void frame() {
-    kiosk_.advance(kTicks);
+    kiosk_.advance(kScreenTicks);
     kiosk_.frame(now_ += kFrame, false);
     // A save runs on a worker, at its own pace.
     if (kiosk_.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
