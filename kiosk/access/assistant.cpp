@@ -174,6 +174,13 @@ void Assistant::look(Visit& visit, view::Frame& frame, double now) {
   static const std::vector<std::string> kNothing;
   if (auto said = narrator_.look(reading, shown.one_switch ? scan_.shown() : kNothing, now))
     next_ = std::move(said);
+  const int before = std::exchange(asked_, reading.asked);
+  song_waits_ = (song_waits_ || reading.asked > before) && !reading.working &&
+                reading.screen == ScreenId::throwing;
+  if (song_waits_ && !narrator_.speaks(now)) {
+    song_waits_ = false;
+    sings_ = true;
+  }
 }
 
 std::optional<Utterance> Assistant::take() { return std::exchange(next_, std::nullopt); }

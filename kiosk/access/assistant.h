@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kiosk/access/narrator.h"
@@ -24,6 +25,9 @@ class Assistant {
   void input(const view::InputEvent& event, screens::Visit& visit, double px_per_mm, double now);
   /// Once a frame, when it has been made: what the switch stands on is drawn over it.
   void look(screens::Visit& visit, view::Frame& frame, double now);
+  /// Once, when it was asked how the pot differs and that has been said: now it may be heard as
+  /// pitch, too.
+  bool sings() { return std::exchange(sings_, false); }
   /// What is to be said now; at most one thing a frame.
   std::optional<Utterance> take();
   void ended(std::uint64_t id) { narrator_.ended(id); }
@@ -50,7 +54,9 @@ class Assistant {
   std::optional<Hold> held_;
   std::string explored_;  ///< What a finger came to last.
   std::string armed_;     ///< What a finger came down on for the second time.
-  bool on_pot_ = false;   ///< It is on the clay.
+  int asked_ = 0;
+  bool song_waits_ = false, sings_ = false;
+  bool on_pot_ = false;  ///< It is on the clay.
 };
 
 }  // namespace onggi::access

@@ -24,6 +24,8 @@ class Narrator {
                                 const std::vector<std::string>& shown, double now);
   /// Somebody asks where they are: the page is said again.
   void again() { again_ = true; }
+  /// Something is being said, as far as one knows.
+  bool speaks(double now) const { return under_way_ != 0 && now < until_; }
   /// The voice has said it, or ended it.
   void ended(std::uint64_t id);
   /// The visitor has gone.

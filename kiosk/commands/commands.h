@@ -21,6 +21,7 @@ Command devices_command();
 Command setup_command();
 
 /// Of `onggi lab`.
+Command lab_access_command();
 Command lab_loop_command();
 Command lab_frames_command();
 Command lab_sound_command();

@@ -194,17 +194,18 @@ Command timing_command() {
 }  // namespace
 
 Command lab_command() {
-  return {
-      .name = "lab",
-      .help = "Measure the engine on this machine",
-      .examples =
-          "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
-          "         onggi lab timing\n         onggi lab loop\n         onggi lab frames\n"
-          "         onggi lab naive\n         onggi lab sound --wav studio.wav\n"
-          "         onggi lab screens --out /tmp/screens",
-      .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
-                   tune_command(), lab_loop_command(), lab_frames_command(), lab_naive_command(),
-                   lab_scenes_command(), lab_sound_command(), lab_screens_command()}};
+  return {.name = "lab",
+          .help = "Measure the engine on this machine",
+          .examples =
+              "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
+              "         onggi lab timing\n         onggi lab loop\n         onggi lab frames\n"
+              "         onggi lab naive\n         onggi lab sound --wav studio.wav\n"
+              "         onggi lab screens --out /tmp/screens\n"
+              "         onggi lab access",
+          .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
+                       tune_command(), lab_loop_command(), lab_frames_command(),
+                       lab_naive_command(), lab_scenes_command(), lab_sound_command(),
+                       lab_screens_command(), lab_access_command()}};
 }
 
 }  // namespace onggi::commands

@@ -23,6 +23,8 @@ class Attendant {
   void frame(screens::Visit& visit, view::Frame& frame, double now);
   /// What one switch stands on: ids of controls.
   const std::vector<std::string>& shown() const { return assistant_.scan().shown(); }
+  /// As Assistant's.
+  bool sings() { return assistant_.sings(); }
   /// Hears what is said, voice or not.
   void listen(Heard heard) { heard_ = std::move(heard); }
 

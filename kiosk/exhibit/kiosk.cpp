@@ -260,6 +260,8 @@ bool Kiosk::frame(double now, bool draw) {
     shelf_->draw_next_picture(*renderer_);
   last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
   attendant_->frame(*visit_, last_frame_, now);
+  if (const auto sight = visit_->sight(); attendant_->sings() && sound_ && sight)
+    sound_->sing(*sight);
   if (draw) {
     renderer_->draw(last_frame_);
     renderer_->present();

@@ -1,5 +1,7 @@
 #include "kiosk/exhibit/studio_sound.h"
 
+#include <array>
+
 #include "kiosk/exhibit/log.h"
 #include "kiosk/sound/ear.h"
 
@@ -15,6 +17,16 @@ void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
                      visit->screen() != screens::ScreenId::attract;
   speaker_.volume(heard ? volume_ * visit->volume_share() : 0.0);
   speaker_.fire(heard && visit->screen() == screens::ScreenId::kiln ? 1.0 : 0.0);
+}
+
+void StudioSound::sing(const screens::Sight& sight) {
+  std::array<double, sound::OutlineSong::kSteps> vessel{}, pot{};
+  for (std::size_t n = 0; n < vessel.size(); ++n) {
+    const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(vessel.size());
+    vessel[n] = sight.target->outer_at(share * sight.target->height());
+    pot[n] = sight.made->outer_at(share * sight.made->height());
+  }
+  speaker_.sing(sound::outline_song(vessel, pot));
 }
 
 }  // namespace onggi::exhibit

@@ -16,6 +16,8 @@ class StudioSound {
   StudioSound(const loop::PotterHost& potter, double volume);
   /// Once a frame, `now` in s on a clock that never goes back; `visit` may be null.
   void frame(double now, const screens::Visit* visit, bool dark);
+  /// The widths of vessel and pot as pitch, from the foot to the rim.
+  void sing(const screens::Sight& sight);
   const sound::Speaker& speaker() const { return speaker_; }
 
  private:

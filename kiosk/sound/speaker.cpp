@@ -73,6 +73,12 @@ void Speaker::look(double now) {
   open();
 }
 
+void Speaker::sing(const OutlineSong& song) {
+  const unsigned next = sung_.load(std::memory_order_relaxed) + 1;
+  songs_[next % songs_.size()] = song;
+  sung_.store(next, std::memory_order_release);
+}
+
 std::string Speaker::remark() { return std::exchange(remark_, {}); }
 
 Speaker::Status Speaker::status() const {
@@ -104,6 +110,10 @@ void Speaker::play(float* out, int samples) noexcept {
     touches_.fetch_add(1, std::memory_order_release);
   }
   rubs_ = rubs;
+  if (const unsigned newest = sung_.load(std::memory_order_acquire); newest != heard_song_) {
+    heard_song_ = newest;
+    synthesis_.sing(songs_[newest % songs_.size()]);
+  }
   synthesis_.play(heard, std::span(out, static_cast<std::size_t>(samples)));
   blocks_.fetch_add(1, std::memory_order_relaxed);
 }

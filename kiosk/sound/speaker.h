@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -35,7 +36,9 @@ class Speaker {
   Speaker& operator=(const Speaker&) = delete;
 
   void volume(double share) { volume_.store(share, std::memory_order_relaxed); }  ///< 0..1
-  void fire(double share) { fire_.store(share, std::memory_order_relaxed); }      ///< 0..1
+  /// Heard from the next block on.
+  void sing(const OutlineSong& song);
+  void fire(double share) { fire_.store(share, std::memory_order_relaxed); }  ///< 0..1
   /// Once a frame, `now` in s on a clock that never goes back.
   void look(double now);
   /// A line for the log, once each: which card plays, or why none does. Empty: nothing new.
@@ -62,6 +65,10 @@ class Speaker {
   Synthesis synthesis_;  ///< SDL's thread.
   bool rubs_ = false;    ///< Likewise, and when the last block was asked for.
   std::int64_t asked_ns_ = 0;
+  /// The newest is copied by SDL's thread within a block, long before its place is needed again.
+  std::array<OutlineSong, 4> songs_;
+  std::atomic<unsigned> sung_{0};
+  unsigned heard_song_ = 0;  ///< SDL's thread.
   std::atomic<double> volume_{0.0}, fire_{0.0};
   std::atomic<std::uint64_t> blocks_{0}, late_{0}, touches_{0};
   std::atomic<std::int64_t> worst_gap_ns_{0}, touched_ns_{0};

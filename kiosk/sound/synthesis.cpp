@@ -109,7 +109,7 @@ void Synthesis::play(const Heard& heard, std::span<float> out) noexcept {
   for (float& sample : out) {
     const bool tune = sample_++ % kTuned == 0;
     const double wet = wet_.to(wet_now);
-    double sum = hum(heard.wheel) + fire_.next(heard.fire, tune);
+    double sum = hum(heard.wheel) + fire_.next(heard.fire, tune) + song_.next();
     for (std::size_t i = 0; i < rubs_.size(); ++i) sum += rubs_[i].next(heard.rub[i], wet, tune);
     // Loudness goes by the square, roughly, so that half of the slider sounds like half.
     const double level = volume_.to(volume);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "kiosk/sound/heard.h"
+#include "kiosk/sound/outline_song.h"
 #include "kiosk/sound/voice.h"
 
 namespace onggi::sound {
@@ -17,6 +18,8 @@ class Synthesis {
   /// Goes on by out.size() samples of one channel, kRate a second, while all is as in `heard`. What
   /// touches now is two thirds as loud as it will be after 3 ms.
   void play(const Heard& heard, std::span<float> out) noexcept;
+  /// Begins with the next sample, over whatever else is heard.
+  void sing(const OutlineSong& song) noexcept { song_.sing(song); }
 
  private:
   /// What rubs: noise through a band, and what a sponge or a wire adds.
@@ -39,6 +42,7 @@ class Synthesis {
 
   std::array<RubVoice, kMaxHands> rubs_{RubVoice{3}, RubVoice{5}};
   FireVoice fire_;
+  OutlineVoice song_;
   std::array<Tone, 3> partials_;
   Tone turn_;
   Glide wheel_{0.15}, wet_{0.2}, volume_{0.02};

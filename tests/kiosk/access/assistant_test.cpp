@@ -23,7 +23,7 @@ struct Aided {
       v.show();
       assistant.look(*v.visit, v.frame, v.now);
       if (auto one = assistant.take()) {
-        assistant.ended(one->id);
+        if (quick) assistant.ended(one->id);
         said.push_back(one->text);
       }
     }
@@ -54,6 +54,7 @@ struct Aided {
   Visitor v;
   Assistant assistant;
   std::vector<std::string> said;
+  bool quick = true;  ///< The voice has said each at once.
 };
 
 TEST(Assistant, AKeyOrAFingerThatIsHeldForThreeSecondsHasTheScreenReadAndForSixIsOneSwitch) {
@@ -134,6 +135,24 @@ TEST(Assistant, TheKeyAndTheCornerSayWhereOneIsAndAtTheWheelHowThePotDiffers) {
     ASSERT_FALSE(a.said.empty());
     EXPECT_NE(a.said[0].find("mm too"), std::string::npos) << a.said[0];
   }
+}
+
+TEST(Assistant, HowThePotDiffersIsSungOnceItHasBeenSaid) {
+  Aided a;
+  a.hold_a_key(3.3);
+  a.v.visit->activate("choose.card.0", a.v.now), a.wait(0.2);
+  a.v.visit->activate("choose.throw", a.v.now), a.wait(8);
+  EXPECT_FALSE(a.assistant.sings());
+  a.event(Kind::key_down, 0, 0, Key::tell);
+  a.wait(0.3);
+  EXPECT_TRUE(a.assistant.sings()) << "the voice of this test is done at once";
+  EXPECT_FALSE(a.assistant.sings()) << "and once";
+  a.quick = false;
+  a.event(Kind::key_up, 0, 0, Key::tell), a.event(Kind::key_down, 0, 0, Key::tell);
+  a.wait(0.3);
+  EXPECT_FALSE(a.assistant.sings()) << "not while it is being said";
+  a.wait(8);
+  EXPECT_TRUE(a.assistant.sings());
 }
 
 TEST(Assistant, WithOneSwitchATouchAnywhereAndAnyKeyAreTheSame) {
