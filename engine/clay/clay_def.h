@@ -6,6 +6,8 @@
 
 namespace onggi {
 
+inline constexpr int kMostSectors = 8192;
+
 /// The lump on the wheel: a thick-walled cylinder with a floor, and the grid that carries it.
 struct ClayDef {
   int rows = 400;                  ///< Rows over the height, 8..20000.

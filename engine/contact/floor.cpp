@@ -12,7 +12,7 @@ namespace {
 constexpr double kSnap = 2e-8;  // m: a press below this is none; a height is no float
 
 // (1 - e^-x) / x and (1 - that) / x, also where x is nearly 0.
-double mean_decay(double x) { return x > 1e-8 ? -portable::expm1(-x) / x : 1.0 - 0.5 * x; }
+double mean_decay(double x) { return x > 0.0 ? -portable::expm1(-x) / x : 1.0; }
 double mean_lag(double x) { return x > 1e-4 ? (1.0 - mean_decay(x)) / x : 0.5 - x / 6.0; }
 
 // A press l on clay that gives way at x = dt / tau while the tool comes `deeper` by an even pace:

@@ -153,7 +153,7 @@ int first_pressed_row(const Clay& clay, WallSide side, int first) {
 
 contact::StepFigures figures_of(const Clay& clay, WallSide side) {
   const ClayDef& def = clay.def();
-  contact::StepFigures step;
+  contact::StepFigures step{};
   step.ray_cos = clay.ray_cos().data();
   step.ray_sin = clay.ray_sin().data();
   step.limit = static_cast<float>(side == WallSide::outside ? def.radius_min + def.wall_min

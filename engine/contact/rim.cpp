@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kSnap = 2e-8;         // m: a press below this is none; a height is no float
 constexpr double kThinnestRow = 0.25;  // of its first thickness: a row pressed together is firm
-constexpr int kMostSectors = 8192;
 
 // Gauss and Legendre's places and weights on -1..1: exact to the eleventh power.
 constexpr std::array<double, 6> kNode{-0.932469514203152, -0.661209386466265, -0.238619186083197,
@@ -50,7 +49,6 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
                          double crown, double radius) {
   SectorPress sum;
   const double square = (radius - off) * (radius + off);
-  if (square <= 0.0) return sum;
   // Only rays that meet the ball below the crown.
   const double reach = above > 0.0 ? square - above * above : square;
   if (reach <= 0.0) return sum;
@@ -108,7 +106,7 @@ double lower_rim(Clay& clay, double sink, double reach) {
     above += free;
     --end;
   }
-  if (!(room > 1e-9)) return 0.0;
+  if (!(room > 0.0)) return 0.0;
   const double part = std::min(sink / room, 0.5);
   above = 0.0;
   for (int j = clay.rows() - 1; j >= end; --j) {

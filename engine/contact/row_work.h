@@ -22,10 +22,10 @@ struct StepFigures {
                        ///< and radius_max.
   float wall_min = 0;  ///< m
   float gone = 0;      ///< 1 - e^(-dt/tau): how much of a press the clay gives way by in the step.
-  float mean = 1;      ///< (tau/dt) (1 - e^(-dt/tau)): of a press, its mean over the step.
+  float mean = 0;      ///< (tau/dt) (1 - e^(-dt/tau)): of a press, its mean over the step.
   float along = 0;     ///< Yielding::along
   float farthest = 0;  ///< That the other face may go, m: radius_min outside, radius_max inside.
-  bool keeps = false;  ///< What rows lose is summed, and the other face may go along.
+  bool keeps;          ///< What rows lose is summed, and the other face may go along.
 };
 
 /// Where rows lie that are planned together, and what is known of each: row k is the k-th of them.

@@ -37,9 +37,8 @@ struct AlikeRows {
   explicit AlikeRows(const body::Outline& outline) noexcept;
 
   body::Outline outline;
-  float distance = 0, radius = 0,
-        tangent = 0;  ///< Of the circle about it, m; radius <= 0: nothing.
-  double angle = 0;   ///< Of its middle.
+  float distance = 0, radius = 0, tangent = 0;  ///< Of the circle about it, m; radius <= 0: none.
+  double angle = 0;                             ///< Of its middle.
 };
 
 /// The middle of the part of row `j` that the body covers, and how much of the row that is; false

@@ -60,10 +60,10 @@ void WireCut::cut(const Clay& clay, int row, const WireSweep& sweep, Vec3 way) n
     // goes out from the axis.
     const bool in_front = facing >= 0.0;
     double at = -1.0;
-    if (in_front == (before > 0.0)) at = std::fabs(facing) > 1e-12 ? before / facing : -1.0;
+    if (in_front == (before > 0.0)) at = before / facing;
     if (in_front && before <= 0.0) at = 0.0;
     if (at >= 0.0 && std::fabs(at * (u.x * c + u.z * s) - aside) <= 0.5 * sweep.length) {
-      const auto reach = static_cast<float>(std::min(at, 1e6));
+      const auto reach = static_cast<float>(at);
       if (in_front)
         from_outside_[i] = std::min(from_outside_[i], reach);
       else

@@ -19,8 +19,8 @@ inline constexpr int kMostBlocks = 4;
 
 /// Where the elements are: of stored row 0, and which stored row stands at each place.
 struct Columns {
-  bool outside = true;
-  int blocks = 1;  ///< Of eight elements side by side, 1..kMostBlocks.
+  bool outside;
+  int blocks = 0;  ///< Of eight elements side by side, 1..kMostBlocks.
   int rows = 0;
   int stride = 0;               ///< Floats from one stored row to the next.
   const int* stored = nullptr;  ///< Of each row.

@@ -10,8 +10,7 @@ namespace row_kernels {
 
 /// How a face may move: see limits_of() in move_face.h. Metres.
 struct FaceMove {
-  bool outside = true;
-  bool hollow = true;  ///< There is another face.
+  bool outside, hollow;  ///< There is another face.
   float near = 0.0f, far = 0.0f;
   float wall_min = 0.0f;
   float along = 0.0f;
@@ -40,7 +39,7 @@ struct Harmonic {
 /// Both faces by x times cosine and z times sine, the inner one held to `least` and `most` - wall,
 /// the outer one to a wall's thickness and `most`, as if a solid row had a hole of `least`.
 struct RowPush {
-  bool hollow = true;
+  bool hollow;
   float x = 0.0f, z = 0.0f;
   float least = 0.0f, most = 0.0f, wall_min = 0.0f;
 };

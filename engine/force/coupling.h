@@ -66,7 +66,7 @@ class Coupling {
   std::array<Past, kMost> past_;  ///< Of the last ticks of this touch, a ring.
   Vec3 mean_, ahead_;             ///< The tool's mean place, and how far before its slow mean.
   int next_ = 0, held_ = 0;
-  double seconds_ = 0.001;
+  double seconds_ = 0.0;
   double gives_ = 1.0;  ///< Of the push that a touch says fades, the share that does.
   double push_ = 0.0;   ///< |touch_.push|, as it is guessed to be now.
 };

@@ -69,7 +69,8 @@ def code_of(line):
     """The part of a line in which something may be changed."""
     if re.match(r"\s*(#|//|/\*|template|static_assert|using |namespace|struct |class |return \"|\})", line):
         return ""
-    if re.match(r"\s*[\w:<>, ]+ \w+ = (0|0\.0f?);", line):  # a beginning that is written over before it is read
+    # Beginnings that are written over before they are read.
+    if re.match(r"\s*[\w:<>, ]+ \w+ = (0|0\.0f?)(, \w+ = (0|0\.0f?))*;", line):
         return ""
     return line.split("//")[0].split('"')[0]
 

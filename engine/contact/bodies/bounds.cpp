@@ -20,7 +20,6 @@ Circle Outline::circle() const noexcept {
 
 double Approach::nearest(double y) const noexcept {
   constexpr double kSlack = 1e-6;  // m: rows and their faces are floats
-  if (!known) return -1e9;
   const double up = y - level;
   const Vec2 middle = at + up * lean;
   const double away = length(middle);
@@ -91,9 +90,7 @@ Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse)
   // What it spans there ends at corners, or where its sides cross the extent's circle.
   double low = 1e9;
   double high = -1e9;
-  bool behind = false;
   const auto take = [&](Vec2 p) {
-    behind = behind || p.x < 1e-6;
     const double slope = p.y / p.x;
     low = std::min(low, slope);
     high = std::max(high, slope);
@@ -107,13 +104,12 @@ Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse)
     const double square = dot(way, way);
     const double along = dot(p, way);
     const double root = along * along - square * beyond;
-    if (root < 0.0 || square < 1e-18) continue;
+    if (root < 0.0) continue;
     for (const double sign : {-1.0, 1.0}) {
       const double t = (-along + sign * std::sqrt(root)) / square;
       if (t >= 0.0 && t <= 1.0) take(p + t * way);
     }
   }
-  if (behind) return coarse;
   if (low > high) return {coarse.middle, -1.0};
   const double from = portable::atan2(low, 1.0);
   const double to = portable::atan2(high, 1.0);

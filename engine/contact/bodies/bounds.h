@@ -33,7 +33,7 @@ struct Circle {
 };
 
 /// How near the axis a tool's sections come, told of each at less cost than its outline. Metres.
-/// What says nothing of itself may be at the axis.
+/// One that says nothing is at the axis.
 struct Approach {
   double level = 0.0;  ///< The height of the section whose middle is `at`.
   Vec2 at;
@@ -42,8 +42,7 @@ struct Approach {
   Vec2 through;                   ///< but for this to either side,
   Vec2 across;                    ///< and for the chord of a disc in this direction (unit):
   double radius = 0.0;            ///< of this radius,
-  double half = 0.0, rise = 1.0;  ///< which loses so much of the height, and rises so steeply.
-  bool known = false;
+  double half = 0.0, rise = 0.0;  ///< which loses so much of the height, and rises so steeply.
 
   /// Nothing of the section at height `y` is nearer to the axis; may be below 0.
   double nearest(double y) const noexcept;

@@ -21,8 +21,7 @@ Hull Capsule::hull() const noexcept {
 // Its sections are within those of the endless rod.
 Approach Capsule::approach() const noexcept {
   Approach of;
-  of.known = std::fabs(axis.y) > kAskew;
-  if (!of.known) return of;
+  if (std::fabs(axis.y) < kAskew) return of;
   of.level = tip.y;
   of.at = {tip.x, tip.z};
   of.lean = {axis.x / axis.y, axis.z / axis.y};

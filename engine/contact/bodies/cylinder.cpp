@@ -25,8 +25,7 @@ Cylinder::Cylinder(Vec3 middle, Vec3 axis, double radius, double half) noexcept
 Approach Cylinder::approach() const noexcept {
   const Vec3 first = box_.axis[0], up = box_.axis[1];
   Approach of;
-  of.known = up.y > kAskew;
-  if (!of.known) return of;
+  if (up.y < kAskew) return of;
   of.level = box_.middle.y;
   of.at = {box_.middle.x, box_.middle.z};
   of.lean = {up.x / up.y, up.z / up.y};

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <string_view>
+
 #include "tests/support/sphere.h"
 
 namespace onggi {
@@ -19,6 +22,47 @@ TEST(Sponge, IsABallToTheClay) {
   EXPECT_EQ(one.hash(), other.hash());
 }
 
+// What scenes and replays count on that name a tool and no size.
+TEST(Tools, AreAsLargeAsTheirPageSaysAndNoLargerOrSmallerThanItAllows) {
+  struct Size {
+    std::string_view name;
+    ToolSize usual, least, most;
+    double softness, relaxation;
+    std::string_view does;
+  };
+  const Size sizes[] = {
+      {"curved_rib", {.04, 0, .004}, {.01, 0, .001}, {.1, 0, .02}, 1, 1, "smooths"},
+      {"fingertip", {.008, .022, 0}, {.003, .001, 0}, {.02, .08, 0}, 1, 1, ""},
+      {"flat_rib", {.02, .09, .003}, {.005, .02, .001}, {.06, .25, .02}, 1, 1, "smooths"},
+      {"loop_trimmer", {.008, 0, .003}, {.002, 0, .0005}, {.04, 0, .01}, 1, .2, "cuts"},
+      {"needle", {.0006, .06, 0}, {.0002, .005, 0}, {.003, .2, 0}, 1, .2, "cuts"},
+      {"palm", {.018, 0, 0}, {.01, 0, 0}, {.05, 0, 0}, 1, 1, "smooths"},
+      {"sphere", {.008, 0, 0}, {.001, 0, 0}, {.05, 0, 0}, 1, 1, ""},
+      {"sponge", {.03, 0, 0}, {.01, 0, 0}, {.05, 0, 0}, .15, 1, "wets smooths"},
+      {"wire", {.0005, .4, 0}, {.0001, .1, 0}, {.002, 1, 0}, 1, 1, "cuts"},
+  };
+  ASSERT_EQ(tool_shapes().size(), std::size(sizes));
+  const auto same = [](const ToolSize& a, const ToolSize& b) {
+    return a.radius == b.radius && a.length == b.length && a.thickness == b.thickness;
+  };
+  for (std::size_t n = 0; n < std::size(sizes); ++n) {
+    const ToolShape& is = tool_shapes()[n];
+    const Size& told = sizes[n];
+    EXPECT_EQ(is.name, told.name);
+    EXPECT_TRUE(same(is.usual, told.usual)) << told.name;
+    EXPECT_TRUE(same(is.least, told.least)) << told.name;
+    EXPECT_TRUE(same(is.most, told.most)) << told.name;
+    EXPECT_EQ(is.softness, told.softness) << told.name;
+    EXPECT_EQ(is.relaxation, told.relaxation) << told.name;
+    const auto does = [&](const char* what) {
+      return told.does.find(what) != std::string_view::npos;
+    };
+    EXPECT_EQ(is.cuts, does("cuts")) << told.name;
+    EXPECT_EQ(is.wets, does("wets")) << told.name;
+    EXPECT_EQ(is.smooths, does("smooths")) << told.name;
+  }
+}
+
 TEST(Hold, IsByUnitDirectionsAtRightAnglesForEveryToolAndByDefault) {
   const auto expect_frame = [](Vec3 along, Vec3 across, std::string_view what) {
     EXPECT_NEAR(dot(along, along), 1.0, 1e-12) << what;
@@ -30,6 +74,7 @@ TEST(Hold, IsByUnitDirectionsAtRightAnglesForEveryToolAndByDefault) {
     expect_frame(tool.hold.along, tool.hold.across, tool.name);
   expect_frame(ToolPlace{}.along, ToolPlace{}.across, "a place");
   expect_frame(Hold{}.along, Hold{}.across, "a hold");
+  expect_frame(ToolSweep{}.along, ToolSweep{}.across, "a sweep");
 }
 
 // Two springs in a row: pressed as far as a firm ball, it is felt for its softness, and the clay

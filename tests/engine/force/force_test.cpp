@@ -33,6 +33,18 @@ RC_GTEST_PROP(GuardProperty, WhateverGoesInItIsFiniteSmallAndSlow, ()) {
   }
 }
 
+TEST(Guard, AForceWhoseLengthOverflowsIsShortenedAndKeepsItsWay) {
+  Guard guard;
+  bool ok = true;
+  for (int n = 0; n < 1000; ++n) guard.step({}, 0.001, kLimits, ok);
+  for (const double size : {1e90, 1e170, 4e307}) {
+    for (int n = 0; n < 20; ++n) guard.step({3.0 * size, -4.0 * size, 0.0}, 0.001, kLimits, ok);
+    EXPECT_TRUE(ok);
+    EXPECT_NEAR(guard.force().x, 0.6 * kLimits.max_force, 1e-9) << size;
+    EXPECT_NEAR(guard.force().y, -0.8 * kLimits.max_force, 1e-9) << size;
+  }
+}
+
 TEST(Guard, RampsAHandInOverTheEngageTime) {
   Guard guard;
   bool ok = true;

@@ -44,5 +44,15 @@ TEST(Haptics, AHandThatWasAwayHasNoDebt) {
   EXPECT_EQ(haptics.coupling().stretch(), Vec3{});
 }
 
+TEST(Haptics, MostDampingIsAQuarterOfWhatItsLagBears) {
+  // 45 g over half a tick of the hold and half of the window of 4 ms, and the delay's ticks.
+  HapticLimits limits;
+  EXPECT_NEAR(limits.most_damping(kMs), 0.25 * 0.045 / 0.0025, 1e-12);
+  limits.delay = 3;
+  limits.mass = 0.09;
+  EXPECT_NEAR(limits.most_damping(kMs), 0.25 * 0.09 / 0.0055, 1e-12);
+  EXPECT_NEAR(limits.most_damping(2.0 * kMs), 0.25 * 0.09 / 0.009, 1e-12);
+}
+
 }  // namespace
 }  // namespace onggi::force
