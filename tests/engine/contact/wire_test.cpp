@@ -50,6 +50,32 @@ TEST(Wire, DrawnThroughUnderThePotCutsItFree) {
   EXPECT_EQ(cut.share(), 1.0);
 }
 
+TEST(Wire, CutsAndDragsAsMuchWhicheverWayItIsDrawn) {
+  const Clay clay = lump();
+  const auto drawn = [&](double angle, double& drag) {
+    const Vec3 way{-std::cos(angle), 0.0, -std::sin(angle)};
+    WireCut cut(360);
+    WireHand hand;
+    for (int n = 0; n < 900; ++n) {
+      const Vec3 from = Vec3{0.0, 0.002, 0.0} + (1e-4 * n - 0.08) * way;
+      const Press felt = cut.draw(
+          clay, {from, from + 1e-4 * way, {-way.z, 0.0, way.x}, 0.4, 0.0, 0.001}, hand, 5e6);
+      drag = -dot(felt.force, way);
+    }
+    return cut.share();
+  };
+  double straight = 0.0;
+  const double share = drawn(0.0, straight);
+  EXPECT_GT(share, 0.5);
+  EXPECT_LT(share, 0.9);
+  EXPECT_GT(straight, 0.0);
+  for (const double angle : {0.7, 2.2, 3.9, 5.6}) {
+    double drag = 0.0;
+    EXPECT_NEAR(drawn(angle, drag), share, 0.01) << angle;
+    EXPECT_NEAR(drag / straight, 1.0, 0.03) << angle;
+  }
+}
+
 // Half of a disc is cut when the wire stands at the axis; a segment's share elsewhere.
 TEST(Wire, HasCutTheSegmentOfTheDiscThatItHasPassed) {
   for (const int sectors : {90, 1440}) {

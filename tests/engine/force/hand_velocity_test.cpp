@@ -39,6 +39,17 @@ TEST(HandVelocity, OfAnEvenWayIsExactAtAnyTick) {
     }
 }
 
+TEST(HandVelocity, OfASlowHandIsToldOverTwoCountsAndNotFromTickToTick) {
+  // 25 mm/s is a count in 2.2 ms: from tick to tick it would be nothing, or 55 mm/s.
+  HandVelocity hand;
+  for (int n = 0; n < 400; ++n) {
+    const double v = hand.go({told(2.5e-5 * n), 0.0, 0.0}, 0.001).x;
+    if (n < 20) continue;
+    EXPECT_GT(v, 0.013) << n;
+    EXPECT_LT(v, 0.038) << n;
+  }
+}
+
 TEST(HandVelocity, OfOneThatSetsOutIsThereWithinTwoMilliseconds) {
   // Friction is felt by nine tenths from twice the slip speed on: 20 mm/s.
   for (const double speed : {0.1, 0.2, 0.5}) {
