@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "kiosk/files/wall_clock.h"
 #include "kiosk/souvenir/pass.h"
 
 namespace onggi::exhibit {

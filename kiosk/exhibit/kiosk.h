@@ -20,6 +20,7 @@
 #include "kiosk/exhibit/taken_home.h"
 #include "kiosk/exhibit/todays_pots.h"
 #include "kiosk/exhibit/visit_counter.h"
+#include "kiosk/files/wall_clock.h"
 #include "kiosk/loop/fault_log.h"
 #include "kiosk/loop/potter_host.h"
 #include "kiosk/loop/stepped_potter.h"
@@ -39,7 +40,7 @@ struct KioskOptions {
   bool stepped = false;  ///< Turn the wheel by hand (advance()), not by the 1 kHz thread.
   std::uint64_t seed = 1;
   /// The clock on the wall, for opening hours; a stepped kiosk is always open.
-  std::function<std::time_t()> wall = [] { return std::time(nullptr); };
+  std::function<std::time_t()> wall = [] { return files::wall_now(); };
   std::string language;                  ///< Instead of the exhibit's first; empty keeps it.
   std::vector<std::string> languages{};  ///< Instead of the exhibit's; empty keeps them.
   std::optional<double> scan_seconds{};  ///< Instead of the exhibit's, s.

@@ -8,6 +8,7 @@
 #include "kiosk/content/glb.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/wall_clock.h"
 #include "kiosk/souvenir/postcard.h"
 
 namespace onggi::exhibit {
@@ -92,7 +93,7 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
   if (exhibit.keepsake.gallery)
     keepsake.small = {renderer.draw_offscreen(small_picture(request.made, glazing)),
                       card.vessel->id, request.score.stars};
-  keepsake.name = files::local_time(std::time(nullptr), files::kStamp) + '_' + card.vessel->id;
+  keepsake.name = files::local_time(files::wall_now(), files::kStamp) + '_' + card.vessel->id;
   keepsake.caption = {words.title, exhibit.credit, words.vessel};
   keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit.credit, material);
   return taken;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/wall_clock.h"
 
 namespace fs = std::filesystem;
 
@@ -33,7 +34,7 @@ std::string VisitCounter::scene_of(const std::string& vessel) const {
 void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::string& vessel,
                               int ticket) {
   store::VisitRecord visit;
-  const std::time_t start = std::time(nullptr) - static_cast<std::time_t>(notes.since_s);
+  const std::time_t start = files::wall_now() - static_cast<std::time_t>(notes.since_s);
   visit.day = files::local_time(start, files::kDay);
   visit.hour = std::stoi(files::local_time(start, "%H"));
   visit.start = start;

@@ -6,6 +6,7 @@
 #include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/wall_clock.h"
 #include "kiosk/view/palette.h"
 
 namespace onggi::exhibit {
@@ -60,7 +61,7 @@ std::string phone_address(const settings::Exhibit& exhibit, const std::string& t
 souvenir::PostcardWords postcard_words(const content::Language& language,
                                        const content::Label& label, int stars,
                                        const settings::Exhibit& exhibit) {
-  const std::time_t now = std::time(nullptr);
+  const std::time_t now = files::wall_now();
   souvenir::PostcardWords words;
   words.title = language.say("postcard.title", {{"vessel", label.title}});
   words.vessel = label.culture;

@@ -55,12 +55,16 @@ Result<std::vector<std::byte>> encode_with(const fs::path& helper, const view::I
   }
   // Noise does not compress, so PNG may need all bytes and a little; the rest is metadata.
   const std::size_t most = 5 * pixels + (1u << 20);
-  auto picture = files::run_helper({.program = helper.string(),
-                                    .head = header(image, format, caption),
-                                    .body = image.rgba,
-                                    .timeout_s = timeout_s,
-                                    .most_bytes = most,
-                                    .answer = "picture"});
+  const files::Helper work{.program = helper.string(),
+                           .head = header(image, format, caption),
+                           .body = image.rgba,
+                           .timeout_s = timeout_s,
+                           .most_bytes = most,
+                           .answer = "picture"};
+  auto picture = files::run_helper(work);
+  // What was killed or hung (memory that ran short, a driver) is done by another; what cannot be
+  // done is told by the second.
+  if (!picture) picture = files::run_helper(work);
   if (picture && !is_whole(*picture, format)) {
     return problem(helper.string(), "The helper gave less than a whole picture.",
                    "Free memory, and build the kiosk again if this returns.", 1);

@@ -9,6 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/files/wall_clock.h"
 #include "kiosk/souvenir/encode.h"
 #include "kiosk/souvenir/small_pot.h"
 #include "kiosk/view/image.h"
@@ -73,6 +74,6 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path
 /// its days for a day. `now`: s since 1970. Problem, exit 1: a visit that was to go is still there;
 /// the first of them, and the others were tried. Blocks, as save() does.
 Result<void> tidy(const std::filesystem::path& folder, const KeepsakeLimits& limits,
-                  const std::string& keep = {}, std::time_t now = std::time(nullptr));
+                  const std::string& keep = {}, std::time_t now = files::wall_now());
 
 }  // namespace onggi::souvenir

@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/wall_clock.h"
 
 namespace onggi::store {
 
 namespace {
-std::string stamp() { return files::local_time(std::time(nullptr), files::kStamp); }
+std::string stamp() { return files::local_time(files::wall_now(), files::kStamp); }
 }  // namespace
 
 StoreThread::StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget,
@@ -131,7 +132,7 @@ bool StoreThread::set_aside() {
 void StoreThread::forget() {
   const bool opened = open();
   if (months_ <= 0) return;
-  const std::time_t now = std::time(nullptr);
+  const std::time_t now = files::wall_now();
   const std::time_t oldest = now - static_cast<std::time_t>(months_) * 30 * 24 * 3600;
   const std::string day = files::local_time(oldest, files::kDay);
   // A clock that is ten years ahead for an hour must not cost three years of visits.

@@ -185,6 +185,17 @@ TEST_F(BadHelper, one_that_dies_is_told_by_its_signal) {
   EXPECT_THAT(encoded.error().what, HasSubstr("signal 11"));
 }
 
+TEST_F(BadHelper, what_was_killed_at_work_is_done_by_another_and_twice_is_told) {
+  const std::string once = "[ -e " + (scratch_.path() / "been").string() + " ] && exec '" +
+                           helper().string() + "'; touch " + (scratch_.path() / "been").string() +
+                           "; ";
+  const auto encoded = with_helper(once + "kill -KILL $$");
+  ASSERT_TRUE(encoded) << encoded.error().what;
+  EXPECT_EQ(*encoded, *encode(picture(8, 8), Format::png, kCaption));
+  const auto hung = with_helper("rm -f " + (scratch_.path() / "been").string() + "; " + once, 1);
+  EXPECT_FALSE(with_helper("kill -KILL $$"));
+}
+
 TEST_F(BadHelper, one_that_never_listens_does_not_break_us_by_a_signal) {
   const auto encoded = with_helper("exec 0<&-; sleep 0.2; exit 4");
   ASSERT_FALSE(encoded);
