@@ -146,9 +146,7 @@ void SoakTroubles::after() {
   kind_ = Kind::none;
 }
 
-bool SoakTroubles::may_refuse() const {
-  return kind_ == Kind::disk_full;
-}
+bool SoakTroubles::may_refuse() const { return kind_ == Kind::disk_full; }
 
 std::vector<std::string> SoakTroubles::told() const {
   std::vector<std::string> lines;

@@ -23,8 +23,8 @@ inline constexpr int kLargestSide = 16384;
 /// Encodes in a helper process (onggi-encode, beside this program), so that OpenImageIO's start-up,
 /// its 260 libraries and its exits on error never reach the kiosk. sRGB, 300 dots an inch; PNG
 /// keeps alpha where there is any, JPEG (quality 92) lies on white. Blocks; call off the main
-/// thread. Problem (exit 1) when the helper is missing, dies, takes over `timeout_s`, or gives less
-/// than a whole picture.
+/// thread. A helper that dies or takes over `timeout_s` is followed by one other. Problem (exit 1)
+/// when it is missing, that does so too, or gives less than a whole picture.
 Result<std::vector<std::byte>> encode(const view::Image& image, Format format,
                                       const Caption& caption, double timeout_s = 20.0);
 
