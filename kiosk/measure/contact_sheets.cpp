@@ -18,7 +18,7 @@ namespace onggi::measure {
 
 namespace {
 
-constexpr int kSmallLong = 168;  // pixels of a small picture's longer side
+constexpr int kSmallLong = 150;  // pixels of a small picture's longer side
 constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13;
 
 /// `image` in `width` x `height` pixels, each the mean of what it covers.
