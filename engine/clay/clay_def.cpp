@@ -8,7 +8,7 @@ Result<void> validate(const ClayDef& def, const std::string& where) {
   constexpr double kMostElements = 32.0 * 1024 * 1024;
   FieldCheck check(where);
   check.range("rows", def.rows, 8, 20000, "");
-  check.range("sectors", def.sectors, 16, kMostSectors, "");
+  check.range("sectors", def.sectors, 16, clay::kMostSectors, "");
   const double elements = static_cast<double>(def.rows) * def.sectors;
   check.require(elements <= kMostElements, "rows",
                 "times sectors makes " + number_text(elements) +

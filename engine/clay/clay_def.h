@@ -4,9 +4,12 @@
 
 #include "engine/base/result.h"
 
-namespace onggi {
-
+namespace onggi::clay {
+/// Of a grid.
 inline constexpr int kMostSectors = 8192;
+}  // namespace onggi::clay
+
+namespace onggi {
 
 /// The lump on the wheel: a thick-walled cylinder with a floor, and the grid that carries it.
 struct ClayDef {

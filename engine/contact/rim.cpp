@@ -201,7 +201,7 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
   out.visited = under.count;
 
   // What every sector under the ball takes up, and how far that pushes it aside.
-  std::array<float, kMostSectors> push;  // not cleared: only `under.count` are used
+  std::array<float, clay::kMostSectors> push;  // not cleared: only `under.count` are used
   SectorPress sum;
   Vec3 force;
   double area = 0.0;
