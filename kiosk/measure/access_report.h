@@ -31,7 +31,8 @@ struct AccessReport {
 };
 
 /// Walks through the exhibit's screens by their own controls, help, Comfort and the warning too, on
-/// a stepped kiosk with its window open. Problem where a control is missing. Blocks for some minutes.
+/// a stepped kiosk with its window open. Problem where a control is missing. Blocks for some
+/// minutes.
 Result<AccessReport> measure_access(exhibit::Kiosk& kiosk);
 
 files::Json json_of(const AccessReport& report);
