@@ -118,6 +118,22 @@ TEST(Scan, WhatComesAndGoesElsewhereTakesNobodyAway) {
   EXPECT_EQ(p.scan.press(p.reading, p.now), std::optional<std::string>("d"));
 }
 
+TEST(Scan, AndTakesNoTimeFromWhatIsShown) {
+  Page p;
+  p.wait(1.7);
+  EXPECT_EQ(p.shown(), "f");
+  // News that come and go, such as a way back, while a row is shown for its second.
+  for (int n = 0; n < 4; ++n) {
+    p.wait(0.2);
+    if (n % 2 == 0)
+      p.reading.controls.push_back({"news", {0, 90, 10, 10}});
+    else
+      p.reading.controls.pop_back();
+  }
+  p.wait(0.3);
+  EXPECT_NE(p.shown(), "f") << "it has had its second";
+}
+
 TEST(Scan, ThePaceIsTheVisitorsFromHalfASecondToFive) {
   for (const double pace : {0.5, 5.0}) {
     Page p;
