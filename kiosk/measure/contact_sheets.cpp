@@ -19,7 +19,7 @@ namespace onggi::measure {
 namespace {
 
 constexpr int kSmallLong = 150;  // pixels of a small picture's longer side
-constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13;
+constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13, kNarrow = 120;
 
 /// `image` in `width` x `height` pixels, each the mean of what it covers.
 view::Image smaller(const view::Image& image, int width, int height) {
@@ -126,9 +126,9 @@ class Album {
   view::Image sheet(const SheetPlan& plan) {
     view::Frame frame;
     std::vector<view::PictureId> held;
-    const auto words = [&](float x, float y, float w, const std::string& text) {
+    const auto words = [&](float x, float y, float w, const std::string& text, float lines = 1) {
       view::Text line;
-      line.box = {x, y, w, kSheetHead};
+      line.box = {x, y, w, lines * kSheetHead};
       line.text = text;
       line.style.px = kWords;
       line.color = view::kInk;
@@ -139,8 +139,12 @@ class Album {
       const auto& column = small_[sight.name()];
       const auto wide = static_cast<float>(column.front().width);
       float y = kMargin;
-      words(x, y, wide + kGap, sight.name());
-      y += kSheetHead;
+      // Over a narrow column a name stands in three lines.
+      const float lines = wide < kNarrow ? 3 : 1;
+      std::string name = sight.name();
+      std::replace(name.begin(), name.end(), '_', ' ');
+      words(x, y, wide, name, lines);
+      y += lines * kSheetHead;
       for (std::size_t i = 0; i < column.size(); ++i) {
         const auto high = static_cast<float>(column[i].height);
         if (&sight == &plan.sights.front()) words(x, y, wide, states_[i]);
