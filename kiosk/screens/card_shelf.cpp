@@ -18,6 +18,17 @@ constexpr float kLegible = 0.9f;    // of a card on the screen: from here on its
 
 }  // namespace
 
+void CardWords::add(const std::string& words, Face face, float px, view::Color color) {
+  if (words.empty()) return;
+  auto style = page_.style(face, px, view::Align::centre);
+  style.line_height = 1.25f;
+  const auto size = page_.size(words, style, at_.w);
+  if (size.width > at_.w + 2) page_.overflowed();
+  if (opacity_ > 0)
+    page_.words({at_.x, y_, at_.w, size.height}, words, style, view::with_alpha(color, opacity_));
+  y_ += size.height;
+}
+
 void CardShelf::update(double dt) {
   if (finger_) watch_finger();
   scroll_.update(dt, desk_.still());

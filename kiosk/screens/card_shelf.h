@@ -12,6 +12,23 @@
 
 namespace onggi::screens {
 
+/// A card's words below each other, in the middle of `at` from its top. Nothing is drawn where
+/// `opacity` is 0; words that `at` is too narrow for are told to `page`. One use.
+class CardWords {
+ public:
+  CardWords(Page& page, const view::Rect& at, float opacity)
+      : page_(page), at_(at), opacity_(opacity), y_(at.y) {}
+  /// On as many lines as it takes; "" takes none.
+  void add(const std::string& words, view::Face face, float px, view::Color color);
+  /// Of what was added, and a little room.
+  float height() const { return y_ - at_.y + page_.type().gap * 0.5f; }
+
+ private:
+  Page& page_;
+  view::Rect at_;
+  float opacity_, y_;
+};
+
 /// Cards with a picture and words each, in rows and columns: a page of them, or a shelf that goes
 /// along with a finger, with a line and words that say how much more there is, and two buttons for
 /// who does not swipe.

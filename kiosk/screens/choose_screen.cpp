@@ -97,21 +97,11 @@ class Choose final : public Screen, private CardShelf::Cards {
   float words(Page& page, int index, const Rect& at, float opacity) const override {
     const TypeScale& t = page.type();
     const content::Label label = desk.label(index);
-    float y = at.y;
-    const auto line = [&](const std::string& words, Face face, float px, view::Color color) {
-      if (words.empty()) return;
-      auto style = page.style(face, px, view::Align::centre);
-      style.line_height = 1.25f;
-      const auto size = page.size(words, style, at.w);
-      if (size.width > at.w + 2) page.overflowed();
-      if (opacity > 0)
-        page.words({at.x, y, at.w, size.height}, words, style, view::with_alpha(color, opacity));
-      y += size.height;
-    };
-    line(label.title, Face::serif, t.body * 1.12f, view::kCobalt);
-    line(label.culture, Face::sans, t.body * 0.94f, view::kFaintInk);
-    line(label.date, Face::sans, t.body * 0.94f, view::kFaintInk);
-    return y - at.y + t.gap * 0.5f;
+    CardWords lines(page, at, opacity);
+    lines.add(label.title, Face::serif, t.body * 1.12f, view::kCobalt);
+    lines.add(label.culture, Face::sans, t.body * 0.94f, view::kFaintInk);
+    lines.add(label.date, Face::sans, t.body * 0.94f, view::kFaintInk);
+    return lines.height();
   }
 
   VesselLabel label_;

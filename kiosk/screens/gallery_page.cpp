@@ -36,24 +36,14 @@ void GalleryPage::lay_out(Page& page, const std::vector<Button>& onward, bool wi
 
 float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const {
   const TypeScale& t = page.type();
-  float y = at.y;
-  const auto line = [&](const std::string& words, Face face, float px, view::Color color) {
-    if (words.empty()) return;
-    auto style = page.style(face, px, view::Align::centre);
-    style.line_height = 1.25f;
-    const auto size = page.size(words, style, at.w);
-    if (size.width > at.w + 2) page.overflowed();
-    if (opacity > 0)
-      page.words({at.x, y, at.w, size.height}, words, style, view::with_alpha(color, opacity));
-    y += size.height;
-  };
+  CardWords lines(page, at, opacity);
   for (int card = 0; card < desk_.cards(); ++card)
     if (desk_.shelf_card(card)->vessel->id == pot(i).vessel)
-      line(desk_.label(card).title, Face::serif, t.body, view::kInk);
-  line(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
-       t.body * 0.94f, view::kFaintInk);
+      lines.add(desk_.label(card).title, Face::serif, t.body, view::kInk);
+  lines.add(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
+            t.body * 0.94f, view::kFaintInk);
   if (opacity > 0) page.tell(at.y, spoken(i));  // It is no control: nothing else says it.
-  return y - at.y + t.gap * 0.5f;
+  return lines.height();
 }
 
 std::string GalleryPage::spoken(int i) const {
