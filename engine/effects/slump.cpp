@@ -60,7 +60,7 @@ Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& v
   const double load = def.density * kGravity * (above_ + 0.5 * volume.of_row(j));
   const double weight = load / area;
   double hoop = 0.0;
-  if (around.wheel_speed != 0.0 && j >= clay.floor_rows()) {
+  if (j >= clay.floor_rows()) {
     const double rim_speed = around.wheel_speed * middle_of(clay, j);
     hoop = def.density * rim_speed * rim_speed;
   }

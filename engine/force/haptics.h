@@ -29,7 +29,8 @@ class Haptics {
     seconds_ = seconds;
     return coupling_.tool(hand, seconds, {limits.stiffness, limits.max_force});
   }
-  /// `share` of the force is to be felt, 0..1. At 0 nothing is, an old debt neither.
+  /// Of the place that tool() was last given; so never before it. `share` of the force is to be
+  /// felt, 0..1. At 0 nothing is, an old debt neither.
   Vec3 feel(const Touch& touch, double share, const HapticLimits& limits) noexcept {
     const Vec3 force = share * coupling_.feel(touch, {limits.stiffness, limits.max_force});
     const double most = share > 0.0 ? limits.most_damping(seconds_) : 0.0;
@@ -47,7 +48,7 @@ class Haptics {
   Coupling coupling_;
   PassivityControl passivity_;
   Vec3 hand_;
-  double seconds_ = 0.001;
+  double seconds_ = 0;
 };
 
 }  // namespace onggi::force

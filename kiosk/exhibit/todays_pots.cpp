@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "kiosk/content/texture_file.h"
@@ -11,8 +10,6 @@
 namespace onggi::exhibit {
 
 namespace {
-
-using Encoded = std::vector<std::span<const std::uint8_t>>;
 
 /// 0 at a picture's edge .. 1 from a tenth of its width on: its plaster goes over into the page's.
 double cover(int at, int size, int width) {
@@ -36,15 +33,16 @@ view::Image image_of(const textures::TexturePixels& pixels) {
   return image;
 }
 
-/// Each that can be read. One that ends the helper takes no other with it.
-std::vector<std::optional<view::Image>> decoded(const Encoded& pictures) {
+/// Each that can be read: all in one go, and where the helper came to its end, one by one.
+std::vector<std::optional<view::Image>> decoded(const TodaysPots::Encoded& pictures,
+                                                const TodaysPots::Reader& read) {
   std::vector<std::optional<view::Image>> out(pictures.size());
   if (pictures.empty()) return out;
-  const auto all = content::read_textures(pictures, {});
+  const auto all = read(pictures);
   if (!all && pictures.size() == 1) return out;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (!all)
-      out[i] = decoded({pictures[i]}).front();
+      out[i] = decoded({pictures[i]}, read).front();
     else if ((*all)[i])
       out[i] = image_of(*(*all)[i]);
   }
@@ -53,23 +51,27 @@ std::vector<std::optional<view::Image>> decoded(const Encoded& pictures) {
 
 }  // namespace
 
+Result<std::vector<textures::Decoded>> TodaysPots::by_helper(const Encoded& pictures) {
+  return content::read_textures(pictures, {});
+}
+
 TodaysPots::~TodaysPots() {
   if (finding_.valid()) finding_.wait();
 }
 
 TodaysPots::Found TodaysPots::find(const std::filesystem::path& folder, std::time_t now,
-                                   const std::vector<std::string>& known) {
+                                   const std::vector<std::string>& known, const Reader& read) {
   Found found;
   found.pots = souvenir::pots_of_today(folder, now, kMost);
   std::vector<std::string> keys;
   std::vector<files::Bytes> bytes;
   for (const souvenir::KeptPot& pot : found.pots) {
     if (std::find(known.begin(), known.end(), key_of(pot)) != known.end()) continue;
-    auto read = souvenir::picture_of(folder, pot);
+    auto picture = souvenir::picture_of(folder, pot);
     keys.push_back(key_of(pot));
-    bytes.push_back(read ? std::move(*read) : files::Bytes());
+    bytes.push_back(picture ? std::move(*picture) : files::Bytes());
   }
-  const auto pictures = decoded({bytes.begin(), bytes.end()});
+  const auto pictures = decoded({bytes.begin(), bytes.end()}, read);
   for (std::size_t i = 0; i < keys.size(); ++i)
     found.pictures[keys[i]] = pictures[i].value_or(view::Image{});
   return found;
@@ -81,7 +83,7 @@ void TodaysPots::look(double now, render::Renderer& renderer, bool wait) {
     std::vector<std::string> known;
     for (const auto& [key, picture] : pictures_) known.push_back(key);
     for (const auto& [key, image] : to_be_shown_) known.push_back(key);
-    finding_ = std::async(std::launch::async, find, folder_, wall_(), std::move(known));
+    finding_ = std::async(std::launch::async, find, folder_, wall_(), std::move(known), read_);
   }
   if (finding_.valid() &&
       (wait || finding_.wait_for(std::chrono::seconds(0)) == std::future_status::ready))

@@ -1,17 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <ctime>
 #include <deque>
 #include <filesystem>
 #include <functional>
 #include <future>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "kiosk/render/renderer.h"
 #include "kiosk/screens/todays_pot.h"
 #include "kiosk/souvenir/small_pot.h"
+#include "kiosk/textures/texture_pixels.h"
 
 namespace onggi::exhibit {
 
@@ -24,9 +28,15 @@ class TodaysPots {
   static constexpr double kLook = 1.0;       ///< s
   static constexpr std::size_t kMost = 120;  ///< The newest; a picture takes 0.4 MB.
 
-  /// `wall`: the clock on the wall.
-  TodaysPots(std::filesystem::path folder, std::function<std::time_t()> wall)
-      : folder_(std::move(folder)), wall_(std::move(wall)) {}
+  using Encoded = std::vector<std::span<const std::uint8_t>>;
+  /// The pixels of each; a Problem where the helper that reads them did not end well.
+  using Reader = std::function<Result<std::vector<textures::Decoded>>(const Encoded&)>;
+
+  /// `wall`: the clock on the wall. `read`: by the helper, asked on a worker; one picture that ends
+  /// it takes no other with it.
+  TodaysPots(std::filesystem::path folder, std::function<std::time_t()> wall,
+             Reader read = by_helper)
+      : folder_(std::move(folder)), wall_(std::move(wall)), read_(std::move(read)) {}
   ~TodaysPots();
 
   /// Once a frame. `now` in s on a clock that never goes back. `wait`: for the worker, and for all
@@ -44,13 +54,15 @@ class TodaysPots {
     std::map<std::string, view::Image> pictures;  ///< By visit and revision.
   };
   static std::string key_of(const souvenir::KeptPot& pot) { return pot.visit + ' ' + pot.revision; }
+  static Result<std::vector<textures::Decoded>> by_helper(const Encoded& pictures);
   static Found find(const std::filesystem::path& folder, std::time_t now,
-                    const std::vector<std::string>& known);
+                    const std::vector<std::string>& known, const Reader& read);
   void take(Found found, render::Renderer& renderer);
   void show();
 
   std::filesystem::path folder_;
   std::function<std::time_t()> wall_;
+  Reader read_;
   std::future<Found> finding_;
   double looked_at_ = -kLook;
   std::vector<souvenir::KeptPot> kept_;

@@ -130,6 +130,20 @@ TEST(PaperModel, AWallThatIsPressedTakesItsInnerFaceWithItOnceItIsAtItsThinnest)
   EXPECT_NEAR(double{clay.outer(row)[0]} - double{clay.inner(row)[0]}, def.wall_min, 1e-8);
 }
 
+TEST(PaperModel, AToolOverTheRimOrUnderTheFootIsOnTheSideOfTheRowThatIsNext) {
+  Clay clay = sheet();
+  const int top = clay.rows() - 1;
+  for (float& r : clay.outer_mut(top)) r = 0.060f;
+  for (float& r : clay.outer_mut(0)) r = 0.040f;
+  const auto side = [&](double y) {
+    return PaperModel::mode(clay, {0.0, y, 0.05}, 1.0, SideWish::by_position);
+  };
+  EXPECT_EQ(side(0.0721), WallSide::inside);
+  EXPECT_EQ(side(0.5), WallSide::inside);
+  EXPECT_EQ(side(-0.0001), WallSide::outside);
+  EXPECT_EQ(side(-0.5), WallSide::outside);
+}
+
 TEST(PaperFilter, AFilterThatIsSettledGivesNothingForNothing) {
   PaperFilter filter;
   filter.filter({1.0, -2.0, 3.0});

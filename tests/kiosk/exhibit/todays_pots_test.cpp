@@ -144,6 +144,32 @@ TEST(TodaysPots, ADamagedPictureIsLeftOutAndAskedForOnce) {
   EXPECT_EQ(museum.renderer.made, 1u);
 }
 
+TEST(TodaysPots, APictureThatEndsTheHelperTakesNoOtherWithIt) {
+  Museum museum;
+  for (const char* name :
+       {"2026-05-04_120000_jar", "2026-05-04_120100_jar", "2026-05-04_120200_jar"})
+    museum.keep(name, name[14] - '0');
+  const fs::path deadly = museum.folder() / "2026-05-04_120100_jar" / souvenir::kSmall;
+  std::ofstream(deadly) << "deadly";
+  int asked = 0;
+  TodaysPots pots(
+      museum.folder(), museum.clock(),
+      [&](const TodaysPots::Encoded& pictures) -> Result<std::vector<textures::Decoded>> {
+        ++asked;
+        for (const auto& one : pictures)
+          if (one.size() == 6) return problem("helper", "It ended.", "None.", 1);
+        textures::TexturePixels grey{1, 1, {120, 120, 120}};
+        return std::vector<textures::Decoded>(pictures.size(), grey);
+      });
+  museum.look(pots);
+  ASSERT_EQ(pots.pots().size(), 2u);
+  EXPECT_EQ(pots.pots()[0].stars, 2);
+  EXPECT_EQ(pots.pots()[1].stars, 0);
+  EXPECT_EQ(asked, 1 + 3) << "once all, then each";
+  museum.look(pots);
+  EXPECT_EQ(asked, 1 + 3) << "and never again";
+}
+
 TEST(TodaysPots, TheFolderMayBeTakenAwayAndComeBack) {
   Museum museum;
   museum.keep("2026-05-04_120000_jar");
