@@ -21,6 +21,8 @@ std::vector<Preset> presets(int rows, int sectors);
 /// A script for an effect (engine/script/demonstrations.h), thrown in a preset.
 struct ThrowingTimes {
   Times wall, cpu;    ///< Of every tick of every pass.
+  Times work;         ///< Of the least of all passes of each tick, in the thread's own time: a tick
+                      ///< does the same at every pass, so this is the engine's and no machine's.
   double asleep = 0;  ///< Median of the last second, ns, wall clock: hands away, wheel at rest.
 };
 /// Throws it `passes` times from the same lump. `most_ticks` of the script at most; 0: all.
