@@ -181,7 +181,7 @@ ONGGI_INLINE void press_edged_row(const Row& row, const StepFigures& step, const
   };
   Block three[3];  // taken in turns, since copies of them would cost more than the rest
   Block *before = three, *here = three + 1, *after = three + 2;
-  Edged first{all(0.0f), all(0.0f), 0};
+  Edged first{};
   int at = 0, next = (task.ranges[0].begin > 0 ? task.ranges[0].begin * kLanes : stride) - kLanes;
   for (int n = -1; n <= blocks; ++n) {
     const Float8 radius = load(face + next);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/clay/clay.h"
@@ -40,7 +41,7 @@ class Tearing {
   void add_to(StateHash& hash, Clay& clay) const;
 
  private:
-  static constexpr int kFreshLump = -1;
+  static constexpr int kFreshLump = std::numeric_limits<int>::min();
   struct Event {
     std::uint64_t step = 0;
     int row = kFreshLump;  // stored, that tore
