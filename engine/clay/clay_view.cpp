@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/clay/row_means.h"
+#include "engine/math/portable.h"
 
 namespace onggi {
 
@@ -105,6 +106,21 @@ double ClayView::radius_at(double h, WallSide side) const {
   const double gap = middle_[above] - middle_[below];
   const double share = gap > 0.0 ? std::clamp((h - middle_[below]) / gap, 0.0, 1.0) : 0.0;
   return means[below] * (1.0 - share) + means[above] * share;
+}
+
+double ClayView::capacity() const {
+  const int rows = rows_;
+  double sum = 0.0;  // of the squares of radii, times heights
+  for (int j = std::max(floor_rows(), 0); j < rows && !torn(j); ++j) {
+    const double here = row_height(j);
+    const double below =
+        j == floor_rows() || j == 0 ? floor_top() : 0.5 * (row_height(j - 1) + here);
+    const double above = j + 1 == rows ? rim_height() : 0.5 * (here + row_height(j + 1));
+    double squares = 0.0;
+    for (const float radius : inner(j)) squares += double{radius} * double{radius};
+    sum += squares * std::max(0.0, above - below);
+  }
+  return rows == 0 ? 0.0 : portable::kPi * sum / sectors();
 }
 
 }  // namespace onggi

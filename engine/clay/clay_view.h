@@ -65,6 +65,12 @@ class ClayView {
 
   /// The outline, by the row means. Heights rise even while rows are on their way. O(rows).
   Profile profile() const;
+  /// What the pot holds, filled to the brim, m^3: from the upper face of its floor to its rim, or
+  /// to the lowest ring that is torn, where it would run out. Of the inner wall as it stands, each
+  /// sector with its own radius (Lee et al. 2008: circular sectors), each row as high as to
+  /// half-way to its neighbours: a mid-point sum over the rows. 0 before the first lump. O(rows x
+  /// sectors), no allocation, the same bits on every machine.
+  double capacity() const;
   /// Mean radius of a face at height `h` (clamped), metres.
   double radius_at(double h, WallSide side) const;
 

@@ -38,7 +38,7 @@ constexpr const char *kNaive = "naive", *kBlind = "blind", *kSwitch = "switch";
 
 struct VisitArguments {
   std::string config, script = "follow", vessel, out, window = "1280x720", language, shelf, glaze,
-                      hand = "script", film, pointer = "mouse";
+                      hand = "script", film, pointer = "mouse", mission;
   files::Output json{files::Output::Kind::json};
   double seconds = 90, pace = 1.5;
   std::uint64_t seed = 1;
@@ -84,6 +84,27 @@ Result<int> find_card(const exhibit::Kiosk& kiosk, exhibit::Shelf& shelf, const 
       "--vessel " + choice.id,
       "No such file, and no such vessel on the shelf " + searched.string() + ".",
       (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + ("There are: " + all + "."));
+}
+
+/// Which of those that are on; -1: none is wanted.
+Result<int> find_mission(const exhibit::Kiosk& kiosk, const std::string& id) {
+  if (id.empty()) return -1;
+  const auto& cards = kiosk.missions().cards();
+  for (std::size_t n = 0; n < cards.size(); ++n)
+    if (cards[n].mission->id == id) return static_cast<int>(n);
+  const auto& file = kiosk.exhibit().missions;
+  if (!file)
+    return problem("--mission " + id, "The exhibit has no missions.",
+                   "Write missions = \"FILE\" in " + kiosk.exhibit().file.string() + ".");
+  std::vector<std::string> ids;
+  for (const settings::Mission& one : settings::read_missions(*file).missions)
+    ids.push_back(one.id);
+  const std::string nearest = nearest_name(id, ids);
+  std::string all;
+  for (const std::string& one : ids) all += (all.empty() ? "" : ", ") + one;
+  return problem("--mission " + id, "It is no mission that can be played.",
+                 (nearest.empty() || nearest == id ? "" : "Did you mean " + nearest + "? ") +
+                     "In " + file->string() + " there are: " + all + ". Try onggi check.");
 }
 
 Result<int> find_glaze(const exhibit::Kiosk& kiosk, const std::string& id) {
@@ -188,8 +209,12 @@ Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int ca
 
 /// What can be known to be wrong before a visit of a minute begins.
 Result<void> check(const VisitArguments& arguments) {
-  if (arguments.vessel.empty())
-    return problem("--vessel", "It is empty.", "Name a vessel of the shelf, or a file.");
+  if (arguments.vessel.empty() == arguments.mission.empty())
+    return problem("--vessel", "A visitor throws a vessel, or does a mission.",
+                   "Name a vessel of the shelf or a file, or a mission.");
+  if (aided(arguments) && !arguments.mission.empty())
+    return problem("--script " + arguments.script, "That visitor does no missions yet.",
+                   "Leave --mission out, or take another script.");
   if (arguments.out.empty())
     return problem("--out", "It is empty.", "Name a folder for the keepsake and the pictures.");
   std::error_code error;
@@ -230,6 +255,7 @@ Result<int> visit(const VisitArguments& arguments) {
   options.language = arguments.language;
   options.scan_seconds = arguments.pace;
   options.keepsakes = fs::path(arguments.out);
+  options.mission = arguments.mission;
   options.window.visible = arguments.realtime;
   if (auto good = read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());
@@ -244,10 +270,14 @@ Result<int> visit(const VisitArguments& arguments) {
   const auto card = find_card(kiosk, kiosk.shelf(), choice);
   if (!card) return tl::unexpected(card.error());
 
+  const auto mission = find_mission(kiosk, arguments.mission);
+  if (!mission) return tl::unexpected(mission.error());
+
   ScreenAlbum album(kiosk, fs::path(arguments.out) / "screens");
   measure::ScriptedVisitor::Plan plan;
   plan.script = arguments.script;
   plan.card = *card;
+  plan.mission = *mission;
   plan.seed = arguments.seed;
   using Hand = measure::ScriptedVisitor::Plan::Hand;
   plan.hand = arguments.hand == "mouse"    ? Hand::pointer
@@ -277,6 +307,7 @@ Result<int> visit(const VisitArguments& arguments) {
 
   files::Json report = measure::visit_report(*kiosk.kept(), *pages, visitor.looks());
   report["first_tick"] = first_tick;
+  if (!arguments.mission.empty()) report["mission"] = arguments.mission;
   const auto kept = put_report(
       report, files::Output(files::Output::Kind::json, fs::path(arguments.out) / "visit.json"));
   if (!kept) return tl::unexpected(kept.error());
@@ -302,8 +333,8 @@ Command visit_command() {
       .options = {{"--script", &a->script, "What the hands do: " + scripts + " [follow]"},
                   {.name = "--vessel",
                    .field = &a->vessel,
-                   .help = "A vessel of the shelf, a pack, or a GLB/glTF file",
-                   .required = true},
+                   .help = "A vessel of the shelf, a pack, or a GLB/glTF file"},
+                  {"--mission", &a->mission, "Instead: a mission by its id, on or off"},
                   {.name = "--out",
                    .field = &a->out,
                    .help = "Folder for the keepsake and the screens' pictures",

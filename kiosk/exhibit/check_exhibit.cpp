@@ -11,6 +11,7 @@
 #include "kiosk/content/language.h"
 #include "kiosk/content/lesson.h"
 #include "kiosk/exhibit/device_files.h"
+#include "kiosk/exhibit/missions.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/settings/exhibit.h"
@@ -68,6 +69,23 @@ void check_lesson(CheckReport& report, const fs::path& file,
   add(report, file, lesson.keys_checked, std::move(lesson.problems));
 }
 
+/// `exhibit`: that they are of, null where it is not known; `shelf`: the ids there.
+void check_missions(CheckReport& report, const fs::path& file,
+                    const std::vector<std::string>& languages,
+                    const settings::Exhibit* exhibit = nullptr,
+                    const std::vector<std::string>& shelf = {}) {
+  auto missions = settings::read_missions(file, languages, shelf);
+  if (exhibit != nullptr) {
+    const SceneDef scene = settings::read_scene(exhibit->scene).def;
+    for (const settings::Mission& mission : missions.missions)
+      if (mission.kind == settings::Mission::Kind::describe)
+        if (const auto jar = jar_for(mission, scene); !jar)
+          missions.problems.push_back(
+              {file.string() + ", mission " + mission.id, jar.error().what, jar.error().remedy});
+  }
+  add(report, file, missions.keys_checked, std::move(missions.problems));
+}
+
 std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
                                        const std::vector<std::string>& languages,
                                        const settings::ReaderLimits& limits = {},
@@ -106,10 +124,13 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
   for (const std::string& code : exhibit.languages)
     if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
       check_language(report, words);
-  if (fs::is_directory(exhibit.shelf, ignored))
-    note(report, 0,
-         names_of_nothing(exhibit, check_vessels(report, exhibit.shelf, exhibit.languages,
-                                                 exhibit.reader, stop)));
+  std::vector<std::string> shelf;
+  if (fs::is_directory(exhibit.shelf, ignored)) {
+    shelf = check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader, stop);
+    note(report, 0, names_of_nothing(exhibit, shelf));
+  }
+  if (exhibit.missions)
+    check_missions(report, *exhibit.missions, exhibit.languages, &exhibit, shelf);
 }
 
 bool is_scene_table(const std::string& key) {
@@ -139,6 +160,8 @@ void check_toml(CheckReport& report, const fs::path& file,
     check_glazes(report, file);
   } else if (has("step")) {
     check_lesson(report, file, languages);
+  } else if (has("mission")) {
+    check_missions(report, file, languages);
   } else if (has("text") && has("code")) {
     check_language(report, file);
   } else if (has("outline") || has("stars") || has("size_counts")) {

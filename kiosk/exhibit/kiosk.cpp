@@ -34,6 +34,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
   kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
                                           *kiosk->scenes_, kiosk->exhibit_.reader);
+  kiosk->missions_ =
+      std::make_unique<Missions>(kiosk->exhibit_, *kiosk->scenes_, options.wall, options.mission);
   const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
   // A stepped visit is the same wherever it is made: its grids are the scenes' own.
   if (!options.stepped) kiosk->scenes_->tune(kept_in);
@@ -64,6 +66,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     kiosk->renderer_->set_full_quality(true);
     kiosk->shelf_->wait();
     kiosk->note_shelf();
+    kiosk->missions_->look(kiosk->shelf_->cards(), true, true);
   } else {
     auto loop = std::make_unique<loop::LoopThread>();
     for (const std::string& remark : loop->remarks()) log_line(remark);
@@ -133,6 +136,7 @@ void Kiosk::begin_visit(double now) {
   world.potter = potter_.get();
   if (devices_) world.devices = &devices_->news();
   if (todays_) world.todays = &todays_->pots();
+  world.missions = &missions_->cards();
   visit_ = std::make_unique<screens::Visit>(world);
   if (stepped_ == nullptr) visit_->wander();
   if (shelf_->cards().empty())
@@ -152,6 +156,7 @@ bool Kiosk::look_at_shelf(double now) {
   const bool complete = shelf_->complete();
   const bool ready = shelf_->look(now);
   if (!complete && shelf_->complete()) note_shelf();
+  missions_->look(shelf_->cards(), shelf_->complete(), nobody_is_here());
   return ready;
 }
 
@@ -254,10 +259,10 @@ bool Kiosk::frame(double now, bool draw) {
   while (auto request = visit_->take_request())
     std::visit([this](const auto& wish) { carry_out(wish); }, *request);
   if (stepped_ != nullptr)
-    while (shelf_->draw_next_picture(*renderer_)) {
+    while (shelf_->draw_next_picture(*renderer_) || missions_->draw_next_picture(*renderer_)) {
     }
-  else
-    shelf_->draw_next_picture(*renderer_);
+  else if (!shelf_->draw_next_picture(*renderer_))
+    missions_->draw_next_picture(*renderer_);
   last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
   attendant_->frame(*visit_, last_frame_, now);
   if (const auto sight = visit_->sight(); attendant_->sings() && sound_ && sight)
@@ -281,9 +286,9 @@ view::Frame Kiosk::opening_frame() const {
 }
 
 void Kiosk::carry_out(const screens::StartPot& request) {
-  const auto& cards = shelf_->cards();
-  if (request.card < 0 || request.card >= static_cast<int>(cards.size())) return;
-  const screens::ShelfCard& card = cards[static_cast<std::size_t>(request.card)];
+  const screens::ShelfCard* wanted = this->card(request.card);
+  if (wanted == nullptr) return;
+  const screens::ShelfCard& card = *wanted;
   SceneDef def = scenes_->of(card.vessel->id);
   def.clay = lump_for(card.target, def);
   auto scene = Scene::create(def);
@@ -312,9 +317,10 @@ void Kiosk::carry_out(const screens::StartPot& request) {
 }
 
 void Kiosk::carry_out(const screens::MakeKeepsake& request) {
-  auto taken = take_home(request, shelf_->cards()[static_cast<std::size_t>(request.card)],
-                         language_of(languages_, visit_->language()), exhibit_, *potter_,
-                         *renderer_, keepsakes_->token());
+  const screens::ShelfCard* answered = card(request.card);
+  if (answered == nullptr) return;
+  auto taken = take_home(request, *answered, language_of(languages_, visit_->language()), exhibit_,
+                         *potter_, *renderer_, keepsakes_->token());
   if (!taken) return visit_->keepsake_failed(taken.error());
   if (postcard_ != 0) renderer_->drop_picture(postcard_);
   postcard_ = renderer_->make_picture(taken->keepsake.postcard);
@@ -325,10 +331,8 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
 
 void Kiosk::carry_out(const screens::ForgetVisitor& request) {
   if (counter_ && request.notes) {
-    const auto& cards = shelf_->cards();
-    const int card = request.notes->card;
-    const bool chosen = card >= 0 && card < static_cast<int>(cards.size());
-    const std::string vessel = chosen ? cards[static_cast<std::size_t>(card)].vessel->id : "";
+    const screens::ShelfCard* chosen = card(request.notes->card);
+    const std::string vessel = chosen != nullptr ? chosen->vessel->id : "";
     counter_->visit_over(*request.notes, vessel, saving_ticket_);
   }
   potter_->stop_recording();

@@ -13,6 +13,7 @@
 #include "kiosk/exhibit/attendant.h"
 #include "kiosk/exhibit/hand_devices.h"
 #include "kiosk/exhibit/keepsakes.h"
+#include "kiosk/exhibit/missions.h"
 #include "kiosk/exhibit/night.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
@@ -44,6 +45,7 @@ struct KioskOptions {
   std::string language;                  ///< Instead of the exhibit's first; empty keeps it.
   std::vector<std::string> languages{};  ///< Instead of the exhibit's; empty keeps them.
   std::optional<double> scan_seconds{};  ///< Instead of the exhibit's, s.
+  std::string mission{};                 ///< One that is on, whatever its file says; empty: none.
 };
 
 /// The one place that knows everyone: settings and content into screens, screens' wishes to the
@@ -78,9 +80,15 @@ class Kiosk {
   render::Renderer& renderer() { return *renderer_; }
   Shelf& shelf() { return *shelf_; }
   const settings::Exhibit& exhibit() const { return exhibit_; }
-  /// The scene of the pot on the wheel, and its card on the shelf (-1 before the first pot).
+  /// The scene of the pot on the wheel, and its card on the shelf (-1 before the first pot), or a
+  /// mission's own.
   const SceneDef& pot_def() const { return pot_def_; }
   int pot_card() const { return pot_card_; }
+  /// Null where there is none.
+  const screens::ShelfCard* card(int index) const {
+    return missions_->card(index, shelf_->cards());
+  }
+  const Missions& missions() const { return *missions_; }
   const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
   const std::optional<KeptVisit>& kept() const { return kept_; }
   bool saving() const { return keepsakes_->busy(); }
@@ -132,6 +140,7 @@ class Kiosk {
   std::unique_ptr<StudioSound> sound_;      ///< Null where none is made. Listens to potter_.
   std::unique_ptr<HandDevices> devices_;    ///< Null where none are to be used.
   std::unique_ptr<Shelf> shelf_;
+  std::unique_ptr<Missions> missions_;
   std::unique_ptr<Keepsakes> keepsakes_;
   std::unique_ptr<TodaysPots> todays_;     ///< Null where the curator shows none.
   std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.

@@ -15,9 +15,9 @@
 namespace onggi::exhibit {
 
 /// Notices that the files of the museum's exhibit have changed (exhibit, scenes, devices, shelf,
-/// languages, glazes, lesson), and checks them, as `onggi check` does, before anybody opens them.
-/// One for the process: it goes on while the exhibit is opened anew. Files are read on a worker;
-/// look() never waits for one. Main thread.
+/// languages, glazes, lesson, missions), and checks them, as `onggi check` does, before anybody
+/// opens them. One for the process: it goes on while the exhibit is opened anew. Files are read on
+/// a worker; look() never waits for one. Main thread.
 class Reload {
  public:
   /// What is on the screen from now on.

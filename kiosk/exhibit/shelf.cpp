@@ -71,11 +71,15 @@ void Shelf::take(double now) {
              std::to_string(problems_.size()) + " could not be used.");
 }
 
+view::PictureId Shelf::draw_picture(render::Renderer& renderer, const content::Vessel& vessel) {
+  return renderer.make_picture(vessel.mesh, vessel.color, vessel.coloring, kPictureWidth,
+                               kPictureHeight);
+}
+
 bool Shelf::draw_next_picture(render::Renderer& renderer) {
   for (screens::ShelfCard& card : cards_) {
     if (card.picture != 0) continue;
-    card.picture = renderer.make_picture(card.vessel->mesh, card.vessel->color,
-                                         card.vessel->coloring, kPictureWidth, kPictureHeight);
+    card.picture = draw_picture(renderer, *card.vessel);
     return true;
   }
   return false;

@@ -38,6 +38,8 @@ class Shelf {
 
   /// Draws the next missing picture; false when none is missing.
   bool draw_next_picture(render::Renderer& renderer);
+  /// As large as a card has it.
+  static view::PictureId draw_picture(render::Renderer& renderer, const content::Vessel& vessel);
 
  private:
   void take(double now);

@@ -80,10 +80,12 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
     glazing = view::Glazing{glaze->look, fired_in->coat};
     material = {glaze->id, content::swatch(glaze->look), 0.7f - 0.6f * glaze->look.gloss};
   }
+  // A pot that answers a description has no vessel under its own section.
+  const Profile& target = screens::mission_of_own(request.card) >= 0 ? request.made : card.target;
   // The picture is drawn from the rows on the wheel, and a picture has no size.
   const auto draw = [&] {
     return renderer.draw_offscreen(
-        souvenir::compose_postcard(words, request.made, card.target, renderer.measure(), glazing));
+        souvenir::compose_postcard(words, request.made, target, renderer.measure(), glazing));
   };
   keepsake.postcard = draw();
   if (!token.empty()) {

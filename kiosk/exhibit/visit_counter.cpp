@@ -39,6 +39,7 @@ void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::strin
   visit.hour = std::stoi(files::local_time(start, "%H"));
   visit.start = start;
   visit.vessel = vessel;
+  visit.mission = notes.mission;
   visit.scene = scene_of(vessel);
   visit.language = notes.language;
   visit.way = notes.way;

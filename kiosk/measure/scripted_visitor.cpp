@@ -88,7 +88,8 @@ Result<void> ScriptedVisitor::step(double now) {
 }
 
 Result<void> ScriptedVisitor::on_choose() {
-  const std::string card = "choose.card." + std::to_string(plan_.card);
+  const std::string card = plan_.mission >= 0 ? "choose.mission." + std::to_string(plan_.mission)
+                                              : "choose.card." + std::to_string(plan_.card);
   if (!label_open_) {
     if (!kiosk_.visit().control(card)) {
       entered_ = now_;  // The next page fades in.
@@ -165,7 +166,7 @@ Result<void> ScriptedVisitor::on_throw(double now) {
 }
 
 Result<void> ScriptedVisitor::begin_throwing(double now) {
-  const auto& target = kiosk_.shelf().cards()[static_cast<std::size_t>(kiosk_.pot_card())].target;
+  const auto& target = kiosk_.card(kiosk_.pot_card())->target;
   auto script = make_script(plan_.script, {kiosk_.pot_def(), &target, plan_.seed, plan_.pace});
   if (!script) return tl::unexpected(script.error());
   pass("throw_begin");

@@ -24,6 +24,7 @@ class ScriptedVisitor {
     std::string script = "follow";
     std::optional<Naive> naive;  ///< Instead of the script: strokes on the screen, by the seed.
     int card = 0;                ///< Of the shelf.
+    int mission = -1;            ///< Instead: of the missions that are on.
     int glaze = 0;               ///< Of the exhibit's, where the scene has a kiln.
     std::uint64_t seed = 1;
     double pace = 1.0;    ///< Of the script.

@@ -69,6 +69,13 @@ Json visit_report(const exhibit::KeptVisit& kept, const std::vector<std::filesys
                               {"ticks", kept.ticks},
                               {"screens", pictures},
                               {"files", Json::list_of(files_of(kept))}});
+  Json asked = Json::object();
+  for (const score::Remark& one : kept.score.asked) {
+    Json figures = Json::object();
+    for (const auto& [place, value] : one.places) figures[place] = std::stol(value);
+    asked[one.key] = std::move(figures);
+  }
+  if (!kept.score.asked.empty()) report["asked"] = std::move(asked);
   if (looks)
     report["naive"] =
         Json::object({{"roughness", looks->end.roughness},

@@ -53,14 +53,14 @@ double points_of(const Measures& m, const Profile& target, bool scale_free,
   return std::min(left, most_with(m.outline_worst_firm, rubric.worst));
 }
 
+}  // namespace
+
 int stars_of(double points, const settings::Rubric& rubric) {
   int stars = 1;
   for (const double step : rubric.stars)
     if (points >= step) ++stars;
   return stars;
 }
-
-}  // namespace
 
 Score judge(const Profile& target, const Profile& made, bool scale_free, double true_scale,
             const settings::Rubric& rubric) {

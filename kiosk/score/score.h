@@ -50,7 +50,14 @@ struct Score {
   std::optional<Remark> largest;  ///< The largest difference; absent where there is none of 1 mm.
   std::vector<Remark> try_next;  ///< What to try, largest difference first; none to three, and none
                                  ///< above 97 points.
+  /// Of a pot that answers a description (described.h) each figure beside what was asked, and
+  /// nothing is alike: mission.holds {litres} {wanted}, in hundredths of a litre; mission.height
+  /// and mission.mouth {mm} {least} {most}.
+  std::vector<Remark> asked{};
 };
+
+/// One to five, as `rubric` has its steps.
+int stars_of(double points, const settings::Rubric& rubric);
 
 /// What `rubric` makes of the measures; its size_counts is not asked, `scale_free` is. Both
 /// profiles valid, metres. `true_scale` is true metres for one metre of `target` (1 / the workspace

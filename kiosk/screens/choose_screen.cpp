@@ -18,7 +18,7 @@ namespace {
 class Choose final : public Screen, private CardShelf::Cards {
  public:
   explicit Choose(Desk& d)
-      : Screen(d), label_(d), shelf_(d, *this, "choose", std::max(d.card, 0)) {}
+      : Screen(d), label_(d), shelf_(d, *this, "choose", place_of(d.card, d.mission)) {}
   ScreenId id() const override { return ScreenId::choose; }
   std::string first_focus() const override {
     return !open() ? control(shelf_.in_front()) : "choose.throw";
@@ -29,12 +29,16 @@ class Choose final : public Screen, private CardShelf::Cards {
   void press(const std::string& control) override {
     if (shelf_.press(control)) return;
     desk.turned = true;
-    if (const auto card = card_of(control)) {
-      label_.open(*card);
+    if (const auto place = place_of(control)) {
+      if (*place < desk.missions())
+        label_.open(desk.mission_card(*place).card, *place);
+      else
+        label_.open(*place - desk.missions());
     } else if (label_.press(control)) {
       return;
     } else if (control == "choose.throw") {
       desk.card = label_.card();
+      desk.mission = label_.mission();
       desk.start_pot(label_.card(), false);
       desk.go(ScreenId::throwing);
     }
@@ -42,7 +46,7 @@ class Choose final : public Screen, private CardShelf::Cards {
 
   void back() override {
     if (!open()) return desk.go(ScreenId::attract);
-    shelf_.want(label_.card());
+    shelf_.want(place_of(label_.card(), label_.mission()));
     label_.close();
     desk.turned = true;
   }
@@ -55,37 +59,57 @@ class Choose final : public Screen, private CardShelf::Cards {
     if (!open()) shelf_.pointer(e);
   }
   std::string step(const std::string& from, Direction to) override {
-    const auto card = card_of(from);
-    const int next = open() || !card ? -1 : shelf_.step(*card, to);
+    const auto place = place_of(from);
+    const int next = open() || !place ? -1 : shelf_.step(*place, to);
     return next < 0 ? std::string() : control(next);
   }
 
   void lay_out(Page& page) override { open() ? label_.lay_out(page) : lay_out_shelf(page); }
 
  private:
-  bool open() const { return label_.card() >= 0; }
-  static std::optional<int> card_of(const std::string& control) {
-    const std::string card = "choose.card.";
+  bool open() const { return label_.card() != -1; }
+  // Missions stand before the vessels.
+  int place_of(int card, int mission) const {
+    return mission >= 0 ? mission : desk.missions() + std::max(card, 0);
+  }
+  std::optional<int> place_of(const std::string& control) const {
+    const std::string card = "choose.card.", mission = "choose.mission.";
+    if (control.starts_with(mission)) return std::stoi(control.substr(mission.size()));
     if (!control.starts_with(card)) return std::nullopt;
-    return std::stoi(control.substr(card.size()));
+    return desk.missions() + std::stoi(control.substr(card.size()));
+  }
+  /// Of the shelf or a mission's, what stands at `place`.
+  int card_at(int place) const {
+    return place < desk.missions() ? desk.mission_card(place).card : place - desk.missions();
   }
 
-  int count() const override { return desk.cards(); }
-  view::PictureId picture(int i) const override { return desk.shelf_card(i)->picture; }
+  int count() const override { return desk.missions() + desk.cards(); }
+  view::PictureId picture(int i) const override {
+    const ShelfCard* card = desk.shelf_card(card_at(i));
+    return card != nullptr ? card->picture : 0;
+  }
   std::string spoken(int i) const override {
-    const content::Label label = desk.label(i);
+    const content::Label label = desk.label(card_at(i));
     std::string name = label.title;
+    if (i < desk.missions()) {
+      const MissionCard& mission = desk.mission_card(i);
+      name = desk.say("mission.card") + ", " + mission.mission->title_in(desk.words().code());
+      return mission_of_own(mission.card) < 0 ? name + ", " + label.title : name;
+    }
     for (const std::string& more : {label.culture, label.date})
       if (!more.empty()) name += ", " + more;
     return name;
   }
-  std::string control(int i) const override { return "choose.card." + std::to_string(i); }
+  std::string control(int i) const override {
+    return i < desk.missions() ? "choose.mission." + std::to_string(i)
+                               : "choose.card." + std::to_string(i - desk.missions());
+  }
 
   void lay_out_shelf(Page& page) {
     const TypeScale& t = page.type();
     Column column(page, page.where().page);
     column.text(desk.say("choose.title"), t.title, Face::serif);
-    column.text(desk.say(desk.cards() > 0 ? "choose.lead" : "choose.empty"), t.body, Face::sans,
+    column.text(desk.say(count() > 0 ? "choose.lead" : "choose.empty"), t.body, Face::sans,
                 view::kFaintInk);
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
@@ -93,11 +117,20 @@ class Choose final : public Screen, private CardShelf::Cards {
     shelf_.lay_out(page, column);
   }
 
-  /// Title in cobalt, culture and date.
+  /// Title in cobalt; of a vessel culture and date, of a mission that it is one, and its vessel.
   float words(Page& page, int index, const Rect& at, float opacity) const override {
     const TypeScale& t = page.type();
-    const content::Label label = desk.label(index);
+    const content::Label label = desk.label(card_at(index));
     CardWords lines(page, at, opacity);
+    if (index < desk.missions()) {
+      const MissionCard& mission = desk.mission_card(index);
+      lines.add(mission.mission->title_in(desk.words().code()), Face::serif, t.body * 1.12f,
+                view::kCobalt);
+      lines.add(desk.say("mission.card"), Face::sans, t.body * 0.94f, view::kFaintInk);
+      if (mission_of_own(mission.card) < 0)
+        lines.add(label.title, Face::sans, t.body * 0.94f, view::kFaintInk);
+      return lines.height();
+    }
     lines.add(label.title, Face::serif, t.body * 1.12f, view::kCobalt);
     lines.add(label.culture, Face::sans, t.body * 0.94f, view::kFaintInk);
     lines.add(label.date, Face::sans, t.body * 0.94f, view::kFaintInk);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "kiosk/score/described.h"
 #include "kiosk/screens/comfort.h"
 #include "kiosk/screens/fault_note.h"
 #include "kiosk/screens/force_slider.h"
@@ -31,7 +32,9 @@ class Desk {
 
   /// Of the visitor.
   std::size_t language = 0;
-  int card = -1;
+  int card = -1;                          ///< Of the shelf, or own_card().
+  int mission = -1;                       ///< Of the world's, if one was chosen.
+  std::optional<score::Figures> figures;  ///< Of the pot that answers a description, as it stands.
   Profile made;
   score::Score score;
   ForceSlider force;
@@ -60,10 +63,24 @@ class Desk {
   bool mirrored() const { return screen().left_handed != words().right_to_left(); }
 
   int cards() const { return static_cast<int>(world.shelf->size()); }
+  /// Of the shelf, or a mission's own.
   const ShelfCard* shelf_card(int index) const;
   content::Label label(int index) const;
   /// Of the visitor's vessel, or of attract's.
   const Wheel& wheel() const;
+
+  int missions() const;
+  const MissionCard& mission_card(int index) const;
+  /// What the visitor has chosen to do; null: a vessel of the shelf, and that is all.
+  const settings::Mission* on() const;
+  /// What the pot is to measure, where there is no vessel to be met.
+  const settings::Mission::Described* described() const;
+  /// What stands over the pot: the vessel's name, or the mission's.
+  std::string heading() const;
+  /// And over what it came to: "Your answer to: Moon jar".
+  std::string answer() const;
+  /// A remark in the visitor's language, litres with its own decimal sign.
+  std::string said(const score::Remark& remark) const;
 
   /// The pot on the wheel, which rests, is the visitor's answer to `card`.
   void judge(const ShelfCard& card);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/screens/measured_pot.h"
 #include "kiosk/screens/target_line.h"
 
 namespace onggi::screens {
@@ -59,6 +60,7 @@ Hint next_hint(const HintInput& in) {
   if (in.target == nullptr || in.made == nullptr || in.made->points.empty())
     return {"hint.begin", {}, {}};
   if (in.dry_too_long) return {"hint.dry", {}, {}};
+  if (!in.described.empty()) return {in.described, {}, {}};
   const Difference d = worst(in);
   if (std::abs(d.off) <= tolerance(*in.target)) return {"hint.close", {}, {}};
 
@@ -83,6 +85,8 @@ std::vector<std::string> all_hints(const Desk& desk) {
   std::vector<std::string> all;
   for (const char* key : {"hint.wheel_still", "hint.begin", "hint.dry", "hint.close"})
     all.push_back(desk.say(key));
+  if (desk.described() != nullptr)
+    for (const std::string& key : MeasuredPot::hints()) all.push_back(desk.say(key));
   for (const char* key :
        {"hint.first_in", "hint.press_in", "hint.press_out", "hint.go_outside", "hint.go_inside"})
     for (const char* place : kPlaces) all.push_back(desk.say(key, {{"place", desk.say(place)}}));

@@ -18,6 +18,8 @@ struct HintInput {
   bool touched = false;       ///< The visitor has touched this pot.
   bool dry_too_long = false;  ///< Long rubbed without water.
   double tool_radius = 0.008;
+  std::string
+      described{};  ///< Where figures are asked for, and no outline: the hint that they give.
 };
 
 /// The most useful hint for what is true now. Pure.

@@ -105,8 +105,7 @@ class KilnScreen final : public Screen {
     column.foot_space(t.gap);
 
     if (!desk.screen().larger_text) {  // What is needed goes before what has been said.
-      column.text(desk.say("result.answer", {{"vessel", desk.label(desk.card).title}}), t.body,
-                  Face::sans, view::kFaintInk);
+      column.text(desk.answer(), t.body, Face::sans, view::kFaintInk);
       column.space(t.gap * 0.5f);
     }
     keep_room(page, column.rest());

@@ -30,6 +30,14 @@ std::string centimetres(double metres, const content::Language& language) {
   return text;
 }
 
+std::string hundredths(long number, const content::Language& language) {
+  std::string text = std::to_string(number / 100);
+  const long rest = number % 100;
+  if (rest == 0) return text;
+  text += language.decimal() + std::to_string(rest / 10);
+  return rest % 10 == 0 ? text : text + std::to_string(rest % 10);
+}
+
 std::string joined(const std::string& words, const std::string& sentence) {
   return words.empty() ? sentence : words + (ends_wide(words) ? "" : " ") + sentence;
 }

@@ -15,6 +15,9 @@ std::string label_line(const content::Label& label, const content::Language& lan
 /// Metres as centimetres with one decimal where it is not a whole number: "30.5", in German "30,5".
 std::string centimetres(double metres, const content::Language& language);
 
+/// "0.93" of 93, "0.9" of 90, "1" of 100; in German "0,93".
+std::string hundredths(long number, const content::Language& language);
+
 /// One sentence after the other; of two, with what the writing has between them.
 std::string joined(const std::string& words, const std::string& sentence);
 

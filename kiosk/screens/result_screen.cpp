@@ -11,25 +11,35 @@ using view::Face;
 namespace {
 
 constexpr std::size_t kMostRemarks = 2;  // Of each kind: more is not read.
+constexpr double kAlone = 0.5;           // rad/s that a pot turns before the eye
 
-/// Stars and words: what is alike, what to try; and the vessel beside the pot.
+/// Stars and words: what is alike, what to try; and the vessel beside the pot. Of a description,
+/// what the pot measures, and the pot alone.
 class Result final : public Screen {
  public:
-  explicit Result(Desk& d) : Screen(d), both_(d) {}
+  explicit Result(Desk& d) : Screen(d) {
+    if (d.described() == nullptr) both_.emplace(d);
+  }
   ScreenId id() const override { return ScreenId::result; }
   std::string first_focus() const override { return "result.keep"; }
 
   void update(double dt) override {
     picture_.update(desk, dt, nullptr, false, false);
-    both_.update(desk, dt);
+    if (both_) both_->update(desk, dt);
+    if (!both_) picture_.show_round(desk, dt, desk.screen().left_handed ? -kAlone : kAlone);
   }
   std::optional<view::PotView> pot(const Page& page) override {
-    return both_.view(picture_.view(desk, page), desk);
+    if (both_) return both_->view(picture_.view(desk, page), desk);
+    view::PotView pot = picture_.view(desk, page);
+    pot.hands = {};
+    return pot;
   }
-  void pointer(const view::InputEvent& e, const Page&) override { both_.pointer(e); }
+  void pointer(const view::InputEvent& e, const Page&) override {
+    if (both_) both_->pointer(e);
+  }
 
   void lay_out(Page& page) override {
-    both_.lay_out(page, desk);
+    if (both_) both_->lay_out(page, desk);
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
@@ -41,16 +51,17 @@ class Result final : public Screen {
     column.foot_space(t.gap);
 
     const std::string stars = std::to_string(desk.score.stars);
-    column.text(desk.say("result.answer", {{"vessel", desk.label(desk.card).title}}), t.body,
-                Face::sans, view::kFaintInk);
+    column.text(desk.answer(), t.body, Face::sans, view::kFaintInk);
     column.space(t.gap * 0.5f);
-    column.text(desk.say("result.title_" + stars), t.title, Face::serif);
+    column.text(desk.say((both_ ? "result.title_" : "mission.title_") + stars), t.title,
+                Face::serif);
     column.space(t.gap);
     column.circles(desk.score.stars, 5, desk.say("result.stars", {{"stars", stars}}));
     column.space(t.gap);
+    remarks(column, t, "mission.asked", desk.score.asked, desk.score.asked.size());
     remarks(column, t, "result.alike", desk.score.alike);
     if (!desk.score.try_next.empty()) column.space(t.gap);
-    remarks(column, t, "result.try", desk.score.try_next);
+    remarks(column, t, both_ ? "result.try" : "mission.try", desk.score.try_next);
   }
 
   void press(const std::string& control) override {
@@ -68,15 +79,15 @@ class Result final : public Screen {
 
  private:
   void remarks(Column& column, const TypeScale& t, const std::string& heading,
-               const std::vector<score::Remark>& all) const {
+               const std::vector<score::Remark>& all, std::size_t most = kMostRemarks) const {
     if (all.empty()) return;
     column.text(desk.say(heading), t.body, Face::serif, view::kFaintInk);
-    for (std::size_t i = 0; i < std::min(all.size(), kMostRemarks); ++i)
-      column.text(desk.say(all[i].key, all[i].places), t.body);
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+      column.text(desk.said(all[i]), t.body);
   }
 
   PotPicture picture_;
-  SideBySide both_;
+  std::optional<SideBySide> both_;  ///< None where no vessel was to be met.
 };
 
 }  // namespace

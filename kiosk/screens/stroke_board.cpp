@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "kiosk/screens/measured_pot.h"
 #include "kiosk/screens/target_line.h"
 
 namespace onggi::screens {
@@ -87,6 +88,10 @@ std::optional<Ask> StrokeBoard::press(const std::string& control) {
 
 std::vector<std::string> StrokeBoard::told(const Desk& desk, const std::vector<PartOff>& parts,
                                            std::size_t most) {
+  if (std::vector<std::string> figures = MeasuredPot::sentences(desk); !figures.empty()) {
+    figures.push_back(desk.say(MeasuredPot::hint(desk)));
+    return figures;
+  }
   std::vector<PartOff> worst;
   for (const PartOff& part : parts)
     if (!part.near) worst.push_back(part);
@@ -124,7 +129,7 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const Button& way,
     where.push_back({kPartControl + std::to_string(n), part_name(desk, part),
                      part == part_ ? Look::solid : Look::outline});
     where.back().on = part == part_;
-    if (static_cast<std::size_t>(n) < parts.size())
+    if (static_cast<std::size_t>(n) < parts.size() && desk.described() == nullptr)
       where.back().note = off_in_words(desk, parts[static_cast<std::size_t>(n)]);
   }
   grid(what);
@@ -138,7 +143,9 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const Button& way,
     for (const std::string& one : told(desk, parts))
       sentence += (sentence.empty() ? "" : " ") + one;
   }
-  column.page().tell(column.rest().y - 1, desk.label(desk.card).title);
+  column.page().tell(column.rest().y - 1, desk.heading());
+  if (!telling_ || working)
+    for (const std::string& figure : MeasuredPot::sentences(desk)) column.text(figure, t.body);
   column.text(sentence, t.body);
   column.check();
 }

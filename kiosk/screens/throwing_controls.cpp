@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kiosk/screens/hint.h"
+#include "kiosk/screens/measured_pot.h"
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/telling.h"
 #include "kiosk/screens/tool_tray.h"
@@ -90,7 +91,7 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
   const auto skip_size = page.size(skip, at.w);
   const auto style = page.style(Face::serif, t.body);
   const float width = at.w - skip_size.width - t.gap;
-  const std::string& title = desk.label(desk.card).title;
+  const std::string title = desk.heading();
   const auto size = page.size(title, style, width);
   if (size.width > width + 2) page.overflowed();
   const float height = std::max(skip_size.height, size.height);
@@ -103,6 +104,7 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
     page.button(skip,
                 {from_right ? at.x : at.x + at.w - skip_size.width, at.y, skip_size.width, height});
   column.space(height);
+  for (const std::string& figure : MeasuredPot::sentences(desk)) column.text(figure, t.body);
   if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
     column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
   column.space(t.gap * 0.5f);

@@ -6,6 +6,7 @@
 #include "kiosk/device/pointer_lead.h"
 #include "kiosk/screens/hint.h"
 #include "kiosk/screens/lesson_line.h"
+#include "kiosk/screens/measured_pot.h"
 #include "kiosk/screens/mishap.h"
 #include "kiosk/screens/pot_picture.h"
 #include "kiosk/screens/show_me.h"
@@ -14,6 +15,7 @@
 #include "kiosk/screens/throwing_controls.h"
 #include "kiosk/screens/tool_tray.h"
 #include "kiosk/screens/water_button.h"
+#include "kiosk/screens/wheel_speed.h"
 #include "kiosk/screens/wire_cut.h"
 
 namespace onggi::screens {
@@ -25,11 +27,8 @@ using view::Key;
 
 namespace {
 
-constexpr double kFirstSpeed =
-    25.0;                           // rad/s: some 240 turns a minute, so that touch works at once.
-constexpr double kSpeedStep = 2.5;  // rad/s
-constexpr double kNotch = 0.002;    // m a scroll notch or a key press.
-constexpr double kLookIn = 0.8;     // s that the pot stays cut away after a hand was inside.
+constexpr double kNotch = 0.002;  // m a scroll notch or a key press.
+constexpr double kLookIn = 0.8;   // s that the pot stays cut away after a hand was inside.
 
 /// The wheel, the clay and the visitor's hand.
 class Throwing final : public Screen {
@@ -37,7 +36,7 @@ class Throwing final : public Screen {
   explicit Throwing(Desk& d)
       : Screen(d),
         hand_({d.wheel().palm, d.wheel().palm_radius}, {0, d.wheel().tool_radius}),
-        speed_(std::min(kFirstSpeed, d.wheel().max_speed)) {}
+        speed_(d) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     if (!by_buttons()) return "";
@@ -50,7 +49,7 @@ class Throwing final : public Screen {
       // A new pot finds the wheel standing, and one that was called done has rested.
       serial_ = desk.status.scene_serial;
       desk.world.potter->pause(false);
-      send_wheel();
+      speed_.send(desk);
       desk.world.potter->water(water_.wet());
     }
     if (done_) return finish();
@@ -78,8 +77,9 @@ class Throwing final : public Screen {
     if (water_.wet()) dry_ = 0;
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
-    hint_.update(desk.now, {target, &picture_.made(), std::abs(speed_) > 0.5, grip_, touched_,
-                            dry_ > 20.0, desk.wheel().tool_radius});
+    measured_.update(desk, picture_.made());
+    hint_.update(desk.now, {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
+                            dry_ > 20.0, desk.wheel().tool_radius, MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
@@ -92,7 +92,7 @@ class Throwing final : public Screen {
 
   void lay_out(Page& page) override {
     const bool whole = !mishap_;
-    const ThrowingControls now{speed_,
+    const ThrowingControls now{speed_.asked(),
                                grip(),
                                water_.wet(),
                                cut_,
@@ -108,7 +108,7 @@ class Throwing final : public Screen {
     give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
-      draw_ghost(page, camera_, card->target, picture_.made());
+      if (desk.described() == nullptr) draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press;
           press && !hand_.grabbed() && whole && LessonLine::shown(desk) == nullptr)
         draw_press(page, camera_, card->target, press->height, press->inward);
@@ -123,11 +123,6 @@ class Throwing final : public Screen {
       hold_with(Grip::outside);
     } else if (control == "throw.inside") {
       hold_with(Grip::inside);
-    } else if (control == "throw.faster" || control == "throw.slower") {
-      speed_ = std::clamp(speed_ + (control == "throw.faster" ? kSpeedStep : -kSpeedStep), 0.0,
-                          desk.wheel().max_speed);
-      if (speed_ < kSpeedStep * 0.5) speed_ = 0;
-      send_wheel();
     } else if (control == "throw.water") {
       water_.press(desk.now);
       set_water(water_.wet());
@@ -154,7 +149,7 @@ class Throwing final : public Screen {
       make_stroke(*ask);
     } else if (const auto tool = ToolTray::of_control(control)) {
       take_up(*tool);
-    } else {
+    } else if (!speed_.press(control, desk)) {
       desk.force.press(control);
     }
   }
@@ -246,7 +241,7 @@ class Throwing final : public Screen {
     hand_.lift();
     send_hand();
   }
-  void comforted() override { send_wheel(); }
+  void comforted() override { speed_.send(desk); }
 
   std::optional<PotTold> told() const override {
     if (mishap_) return std::nullopt;
@@ -321,7 +316,6 @@ class Throwing final : public Screen {
     cut_off_.reset();
     finish();
   }
-  void send_wheel() { desk.world.potter->wheel(desk.screen().left_handed ? -speed_ : speed_); }
   void set_water(bool on) {
     water_.set(on);
     desk.world.potter->water(on);
@@ -382,7 +376,8 @@ class Throwing final : public Screen {
   WaterButton water_;
   LessonLine lesson_;
   view::Camera camera_;
-  double speed_;
+  WheelSpeed speed_;
+  MeasuredPot measured_;
   Grip grip_ = Grip::both;
   bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, drawer_ = false,
        done_ = false;

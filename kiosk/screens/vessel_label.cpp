@@ -33,13 +33,14 @@ bool VesselLabel::press(const std::string& control) {
   return true;
 }
 
-void VesselLabel::open(int card) {
+void VesselLabel::open(int card, int mission) {
   card_ = card;
+  mission_ = mission;
   part_ = 0;
   parts_ = 1;
   alike_ = -1;
   const ShelfCard* shelf = desk_.shelf_card(card);
-  if (shelf == nullptr) return;
+  if (shelf == nullptr || mission >= 0) return;
   std::vector<const Profile*> others;
   for (int i = 0; i < desk_.cards(); ++i) others.push_back(&desk_.shelf_card(i)->target);
   if (const auto found = score::most_alike(shelf->target, others))
@@ -70,13 +71,16 @@ void VesselLabel::lay_out(Page& page) {
     }
   }
   const content::Label label = desk_.label(card_);
+  const settings::Mission* mission = mission_ >= 0 ? desk_.mission_card(mission_).mission : nullptr;
   lay_out_picture(page, *shelf, label, picture);
 
   Column column(page, words);
   column.foot_buttons(standing_buttons(desk_, true));
   column.foot_space(t.gap * 1.5f);
   const bool several = parts_ > 1;
-  std::vector<Button> onward{{"choose.throw", desk_.say("choose.throw"), Look::solid}};
+  std::vector<Button> onward{{"choose.throw",
+                              desk_.say(mission != nullptr ? "mission.begin" : "choose.throw"),
+                              Look::solid}};
   if (several)
     onward.push_back({"choose.more", desk_.say(part_ + 1 < parts_ ? "choose.more" : "choose.first"),
                       Look::outline});
@@ -86,8 +90,16 @@ void VesselLabel::lay_out(Page& page) {
                       Look::quiet});
   column.foot_buttons(onward);
   column.foot_space(t.gap * 1.5f);
-  column.text(label.title, t.title, Face::serif);
+  const std::string& code = desk_.words().code();
+  column.text(mission != nullptr ? mission->title_in(code) : label.title, t.title, Face::serif);
   std::string line = label_line(label, desk_.words());
+  std::vector<std::string> paragraphs{label.text, label.made};
+  if (mission != nullptr) {
+    paragraphs.insert(paragraphs.begin(), mission->about_in(code));
+    if (mission_of_own(card_) < 0)
+      line = line.empty() ? label.title
+                          : desk_.say("all.sentences", {{"first", label.title}, {"second", line}});
+  }
   if (shelf->vessel->true_height > 0) {
     const std::string size =
         desk_.say("choose.size", {{"cm", centimetres(shelf->vessel->true_height, desk_.words())}});
@@ -100,11 +112,11 @@ void VesselLabel::lay_out(Page& page) {
       add(desk_.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
                     {{"percent", std::to_string(percent)}}));
   }
-  column.text(line, t.body, Face::sans, view::kFaintInk);
+  if (!line.empty()) column.text(line, t.body, Face::sans, view::kFaintInk);
   column.space(t.gap);
 
   const auto style = page.style(Face::sans, t.body);
-  const auto parts = parts_that_fit(page, {label.text, label.made}, style, column.rest());
+  const auto parts = parts_that_fit(page, paragraphs, style, column.rest());
   part_ = std::clamp(part_, 0, static_cast<int>(parts.size()) - 1);
   bool first = true;
   for (const std::string& paragraph : parts[static_cast<std::size_t>(part_)]) {

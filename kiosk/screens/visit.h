@@ -19,6 +19,7 @@
 #include "kiosk/screens/todays_pot.h"
 #include "kiosk/screens/visit_notes.h"
 #include "kiosk/settings/exhibit.h"
+#include "kiosk/settings/mission_file.h"
 #include "kiosk/view/frame.h"
 #include "kiosk/view/input.h"
 #include "kiosk/view/measure.h"
@@ -73,9 +74,21 @@ struct ShelfCard {
   Wheel wheel;
 };
 
+/// Something to do at the wheel that is on today, and stands before the shelf.
+struct MissionCard {
+  const settings::Mission* mission = nullptr;
+  int card = -1;  ///< What is to be thrown: of the shelf, or own_card() of this one.
+  ShelfCard own;  ///< Of a description: one pot that answers it, which is nobody's vessel.
+};
+
+/// Cards that are of no shelf: the own one of the `mission`th MissionCard, below -1.
+constexpr int own_card(int mission) { return -2 - mission; }
+/// And back; below 0 for those of the shelf, and for none.
+constexpr int mission_of_own(int card) { return -2 - card; }
+
 /// What the visit asks of the program, carried out by app between frames.
 struct StartPot {
-  int card = 0;
+  int card = 0;  ///< As Visit's; also own_card().
   bool scripted = false;
   std::string script = "follow";
 };  ///< A fresh lump for this vessel; scripted: thrown so (attract), by the screen where that is
@@ -106,13 +119,15 @@ struct VisitWorld {
   const DeviceNews* devices = nullptr;  ///< May be absent: nothing is told of devices then.
   const std::vector<TodaysPot>* todays =
       nullptr;  ///< For the gallery, newest first; may be absent.
+  const std::vector<MissionCard>* missions =
+      nullptr;  ///< In their order; may be absent. Changes only while nobody is here.
 };
 
 /// The throwing screen as a visitor sees it: where the pot is on the screen, the line to meet, the
 /// outline of the clay, and what the hint says. Pointers live until the next frame.
 struct Sight {
   view::Camera camera;
-  const Profile* target = nullptr;
+  const Profile* target = nullptr;  ///< Or one pot that answers the description.
   const Profile* made = nullptr;
   Hint hint;
 };
@@ -162,7 +177,8 @@ class Visit {
 
   /// Where a control stands in the frame last made, for tests and the scripted visitor:
   ///   attract   "attract.begin" (any touch begins), "attract.gallery" (where pots were kept today)
-  ///   choose    "choose.card.N" (N counts the whole shelf; only this page's are there),
+  ///   choose    "choose.mission.N" (of those that are on, before the shelf),
+  ///             "choose.card.N" (N counts the whole shelf; only this page's are there),
   ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
   ///             "choose.more" (a long label read on), "choose.alike" (the label of the vessel
   ///             most like it, where one is), "back" to the shelf

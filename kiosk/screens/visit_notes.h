@@ -22,6 +22,7 @@ struct VisitNotes {
   ScreenId reached = ScreenId::choose;  ///< The furthest but the fault.
   ScreenId left = ScreenId::choose;     ///< The last.
   End end = End::back;
+  std::string mission{};           ///< Id of what was chosen last to be done; "": a vessel alone.
   std::string language;            ///< Its code, at the end.
   std::string way;                 ///< "touch", "mouse", "keys", or the device that moved a hand.
   std::optional<double> likeness;  ///< 0..100, of the last pot that was called done.

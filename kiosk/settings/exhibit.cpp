@@ -182,6 +182,20 @@ void read_lesson_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
         "no lesson, one without steps.");
 }
 
+/// Likewise missions.
+void read_missions_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
+  const bool named = root.has("missions");
+  fs::path missions = "../content/missions.toml";
+  read_path(root, "missions", folder, missions);
+  std::error_code error;
+  if (fs::is_regular_file(missions, error))
+    exhibit.missions = missions;
+  else if (named)
+    root.complain("missions", "There is no file of missions " + missions.string() + ".",
+                  "Write missions = \"FILE\" with a file such as content/missions.toml, or leave "
+                  "the key out.");
+}
+
 /// Reads the rubric too; without the key and without the file the defaults stand.
 void read_rubric_of(Table& root, const fs::path& folder, ExhibitRead& read) {
   const bool named = root.has("rubric");
@@ -343,6 +357,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_shelf_and_scene(root, folder, exhibit);
   read_vessel_scenes(root.child("vessel_scenes"), folder, exhibit);
   read_lesson_of(root, folder, exhibit);
+  read_missions_of(root, folder, exhibit);
   read_rubric_of(root, folder, read);
   read_attract(root.child("attract"), exhibit.attract_scripts);
   read_idle(root.child("idle"), exhibit.idle);

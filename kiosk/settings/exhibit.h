@@ -41,6 +41,8 @@ struct Exhibit {
       "../content/glazes.toml";  ///< The glazes to choose from; used where the scene has a kiln.
   /// TOML of the lesson of the first minute; nothing where there is none.
   std::optional<std::filesystem::path> lesson;
+  /// TOML of the missions that may be chosen before a vessel; nothing where there is none.
+  std::optional<std::filesystem::path> missions;
   struct Keepsake {
     std::filesystem::path folder = "../keepsakes";  ///< Where postcards go; made when first needed.
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.

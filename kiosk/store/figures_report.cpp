@@ -1,5 +1,6 @@
 #include "kiosk/store/figures_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <type_traits>
@@ -85,6 +86,12 @@ std::string put_table(const PublishedStatistics::Lines& table, const char* title
   return text;
 }
 
+/// An exhibit without missions need not be told that nobody chose one.
+bool any_named(const PublishedStatistics::Lines& table) {
+  return table.too_few || std::any_of(table.lines.begin(), table.lines.end(),
+                                      [](const Line& line) { return !line.name.empty(); });
+}
+
 /// Nothing where no phone ever fetched: most kiosks have none to fetch with.
 std::string fetched_words(const PublishedStatistics& s) {
   if (!s.fetched) return ", of which a number that is too few to tell of were opened on a phone";
@@ -137,11 +144,13 @@ std::string words_of(const PublishedStatistics& s) {
           text_or(s.all.likeness, "-") + " of 100 on average)" + fetched_words(s) + ". " +
           text_or(s.brief, "Few") + " more only touched the screen in passing.\n";
   constexpr std::pair<const char*, const char*> kTold[] = {
-      {"vessel", "Vessels"},     {"reached", "How far they came"}, {"left", "Where they left"},
-      {"ended", "How it ended"}, {"language", "Language"},         {"way", "How they played"}};
+      {"vessel", "Vessels"},       {"mission", "Missions"},   {"reached", "How far they came"},
+      {"left", "Where they left"}, {"ended", "How it ended"}, {"language", "Language"},
+      {"way", "How they played"}};
   for (const auto& [name, title] : kTold)
     for (const auto& table : s.tables)
-      if (table.name == name) text += put_table(table, title);
+      if (table.name == name && (table.name != "mission" || any_named(table)))
+        text += put_table(table, title);
   return text;
 }
 

@@ -8,7 +8,7 @@ namespace onggi::store {
 namespace {
 
 // Each was shipped: never change one, add the next.
-constexpr std::array<const char*, 5> kSteps{
+constexpr std::array<const char*, 6> kSteps{
     // 1: visits. `left` is a word of SQL.
     R"sql(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -64,6 +64,10 @@ DROP TABLE IF EXISTS settings;
     R"sql(
 CREATE TABLE fetches (id TEXT PRIMARY KEY, day TEXT NOT NULL) WITHOUT ROWID;
 CREATE INDEX fetches_by_day ON fetches (day);
+)sql",
+    // 6: what the visitor had chosen to do: the id of a mission, or nothing.
+    R"sql(
+ALTER TABLE visits ADD COLUMN mission TEXT NOT NULL DEFAULT '';
 )sql"};
 
 }  // namespace

@@ -117,24 +117,35 @@ void screen_days(Screened& days, const Screened& months) {
   }
 }
 
-/// Whoever leaves at a fault is whose visit a fault ended: two lines, one figure. True where one
-/// was told and the other was not.
-bool join_faults(std::vector<Screened>& all) {
+/// Line `name` of two tables is of the same visits: two lines, one figure. True where one was told
+/// and the other was not.
+bool join(Screened* one, Screened* other, const std::string& name) {
   bool changed = false;
-  Screened *const left = table_named(all, "left"), *const ended = table_named(all, "ended");
-  if (left == nullptr || ended == nullptr) return false;
-  const auto fault_of = [](const Screened& s) {
+  if (one == nullptr || other == nullptr) return false;
+  const auto line_of = [&name](const Screened& s) {
     const auto& cells = s.table->cells;
     return static_cast<std::size_t>(
-        std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return c.name == "fault"; }) -
+        std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.name == name; }) -
         cells.begin());
   };
-  const std::size_t l = fault_of(*left), e = fault_of(*ended);
-  if (l == left->visits.size() || e == ended->visits.size()) return false;
+  const std::size_t a = line_of(*one), b = line_of(*other);
+  if (a == one->visits.size() || b == other->visits.size()) return false;
   for (auto flags : {&Screened::visits, &Screened::kept, &Screened::judged}) {
-    if ((left->*flags)[l] == (ended->*flags)[e]) continue;
-    (left->*flags)[l] = (ended->*flags)[e] = changed = true;
+    if ((one->*flags)[a] == (other->*flags)[b]) continue;
+    (one->*flags)[a] = (other->*flags)[b] = changed = true;
   }
+  return changed;
+}
+
+/// Whoever leaves at a fault is whose visit a fault ended; a pot that answers a description is
+/// called by it among the vessels too.
+bool join_same(std::vector<Screened>& all) {
+  bool changed = join(table_named(all, "left"), table_named(all, "ended"), "fault");
+  Screened* const missions = table_named(all, "mission");
+  if (missions == nullptr) return changed;
+  for (const Cell& mission : missions->table->cells)
+    if (!mission.name.empty())
+      changed = join(missions, table_named(all, "vessel"), mission.name) || changed;
   return changed;
 }
 
@@ -149,7 +160,7 @@ std::vector<Screened> screened(const Statistics& s, const Whole& all) {
       screen(one, lines, all);
     }
     if (days != nullptr && months != nullptr) screen_days(*days, *months);
-  } while (join_faults(tables));
+  } while (join_same(tables));
   return tables;
 }
 

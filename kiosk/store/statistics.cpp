@@ -17,15 +17,12 @@ namespace onggi::store {
 
 namespace {
 
-constexpr std::pair<const char*, const char*> kTables[] = {{"vessel", "vessel"},
-                                                           {"reached", "reached"},
-                                                           {"left", "left_at"},
-                                                           {"ended", "ended"},
-                                                           {"language", "language"},
-                                                           {"way", "way"},
-                                                           {"month", "substr(day, 1, 7)"},
-                                                           {"day", "day"},
-                                                           {"hour", "printf('%02d', hour)"}};
+constexpr std::pair<const char*, const char*> kTables[] = {
+    {"vessel", "vessel"},   {"mission", "mission"},
+    {"reached", "reached"}, {"left", "left_at"},
+    {"ended", "ended"},     {"language", "language"},
+    {"way", "way"},         {"month", "substr(day, 1, 7)"},
+    {"day", "day"},         {"hour", "printf('%02d', hour)"}};
 
 constexpr const char* kSums =
     "count(*), total(kept), total(active_s), count(likeness), total(likeness)";

@@ -22,7 +22,7 @@ struct Cell {
 };
 
 struct Table {
-  std::string name;  ///< "vessel", "left", "language", "way", "reached", "ended",
+  std::string name;  ///< "vessel", "mission", "left", "language", "way", "reached", "ended",
                      ///< "month", "day", "hour".
   std::vector<Cell> cells;
 };

@@ -13,6 +13,7 @@ struct VisitRecord {
   std::string day;          ///< Where the kiosk stands: "2026-05-04".
   int hour = 0;             ///< Likewise, 0..23.
   std::string vessel;       ///< On the shelf; "": none was chosen.
+  std::string mission{};    ///< Its id; "": a vessel, and that was all.
   std::string scene;        ///< File name of the scene it was thrown in; "" likewise.
   std::string language;     ///< Code in use at the end.
   std::string way;          ///< How they played: "touch", "mouse", "keys", or a device's kind.

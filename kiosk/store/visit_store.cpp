@@ -53,7 +53,7 @@ bool is_damaged(Database& database) {
 bool is_whole(Database& database) {
   return database
       .number(
-          "SELECT (SELECT count(value) FROM about) + (SELECT count(kept) FROM visits WHERE 0) + "
+          "SELECT (SELECT count(value) FROM about) + (SELECT count(mission) FROM visits WHERE 0) + "
           "(SELECT count(day) FROM fetches WHERE 0)")
       .has_value();
 }
@@ -157,14 +157,14 @@ Result<void> VisitStore::add(std::span<const VisitRecord> visits) {
     if (!database_.run("BEGIN IMMEDIATE")) return false;
     Statement visit(database_,
                     "INSERT INTO visits (start, day, hour, vessel, scene, language, way, reached, "
-                    "left_at, ended, active_s, throwing_s, pots, likeness, kept) "
-                    "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+                    "left_at, ended, active_s, throwing_s, pots, likeness, kept, mission) "
+                    "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
     for (const VisitRecord& v : visits) {
       const std::int64_t start = v.start - ((v.start % kQuarter) + kQuarter) % kQuarter;
       visit.bind(start).bind(v.day).bind(std::int64_t{v.hour}).bind(v.vessel).bind(v.scene);
       visit.bind(v.language).bind(v.way).bind(v.reached).bind(v.left).bind(v.ended);
       visit.bind(v.active_s).bind(v.throwing_s).bind(std::int64_t{v.pots}).bind(v.likeness);
-      visit.bind(std::int64_t{v.kept});
+      visit.bind(std::int64_t{v.kept}).bind(v.mission);
       visit.step();
       if (!visit.done()) return false;
       visit.reset();

@@ -91,6 +91,40 @@ TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
   }
 }
 
+/// An exhibit with the missions that come with onggi, and a scene whose pots are soon thrown.
+std::string with_missions(const TemporaryFolder& folder) {
+  std::ofstream(folder / "coarse.toml") << "[clay]\nrows = 160\nsectors = 120\n[walls]\n";
+  return write_exhibit(folder, "first_touch",
+                       "missions = \"" + fs::current_path().string() +
+                           "/content/missions.toml\"\n[vessel_scenes]\nlitre_jar = "
+                           "\"coarse.toml\"\n");
+}
+
+TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
+  const TemporaryFolder folder;
+  const Outcome run = onggi("visit --mission litre_jar --window 640x480 --config " +
+                            with_missions(folder) + " --json - --out " + (folder / "out").string());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json visit = Json::parse(run.out);
+  EXPECT_EQ(visit["mission"], "litre_jar");
+  EXPECT_EQ(visit["vessel"], "litre_jar") << "what is taken home is called so";
+  EXPECT_EQ(visit["asked"]["mission.holds"]["wanted"], 100);
+  EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 15);
+  EXPECT_GT(visit["score"].get<double>(), 80.0);
+  EXPECT_EQ(visit["files"].size(), 5u);
+}
+
+TEST(Visit, AnUnknownMissionIsRefusedWithTheNearestRightNameAndSoAreAVesselAndAMissionAtOnce) {
+  const TemporaryFolder folder;
+  const std::string out = " --out " + (folder / "out").string();
+  const Outcome wrong = onggi("visit --mission litre_jra" + out);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("Did you mean litre_jar?"), std::string::npos) << wrong.err;
+  const Outcome both = onggi("visit --mission litre_jar --vessel moon_jar" + out);
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_EQ(onggi("visit" + out).exit_code, 2) << "nor neither";
+}
+
 TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "in the way";

@@ -110,6 +110,7 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
   world.potter = &potter;
   world.devices = &news;
   world.todays = &todays;
+  world.missions = &missions;
   visit = std::make_unique<Visit>(world);
   show();
 }
@@ -156,6 +157,32 @@ void Visitor::keep_today(int pots) {
   for (int i = 0; i < pots; ++i)
     todays.push_back({static_cast<view::PictureId>(1000 + i),
                       vessels[static_cast<std::size_t>(i) % vessels.size()].id, i % 6});
+}
+
+settings::Mission Visitor::described(double litres) {
+  settings::Mission mission;
+  mission.id = "litre_jar";
+  mission.kind = settings::Mission::Kind::describe;
+  mission.title = {{"en", "A jar that holds a litre"}, {"ko", "1리터가 담기는 항아리"}};
+  mission.about = {{"en", "No vessel to follow: any shape will do that holds a litre."},
+                   {"ko", "따라 할 그릇은 없습니다."}};
+  mission.wanted.volume = 1e-3 * litres;
+  mission.wanted.height = settings::Mission::Described::Bounds{0.1, 0.15};
+  mission.wanted.mouth = settings::Mission::Described::Bounds{0.06, 0.09};
+  return mission;
+}
+
+void Visitor::put_on(const settings::Mission& mission, int card) {
+  on.push_back(mission);
+  MissionCard one{&on.back(), card, {}};
+  if (mission.kind == settings::Mission::Kind::describe) {
+    one.card = own_card(static_cast<int>(missions.size()));
+    for (const auto& [code, title] : mission.title) jar_of_mission.labels[code].title = title;
+    jar_of_mission.id = mission.id;
+    one.own = {&jar_of_mission, 7, jar(0.06), 1.0, wheel};
+  }
+  missions.push_back(one);
+  show();
 }
 
 void Visitor::touch(const std::string& control) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -58,6 +59,11 @@ class Visitor {
   void up(float x, float y);
   /// So many pots were kept today, of the shelf's vessels one after the other.
   void keep_today(int pots);
+  /// A mission that is on, the next of those that stand before the shelf; a description has a
+  /// jar of its own, else it is the vessel `card` of the shelf.
+  void put_on(const settings::Mission& mission, int card = 0);
+  /// "A jar that holds a litre", or another.
+  static settings::Mission described(double litres);
   /// Down and up in the middle of a control, in the drawer too.
   void touch(const std::string& control);
   /// At the wheel: opens or closes the drawer where `control` is only seen so.
@@ -81,7 +87,10 @@ class Visitor {
   std::vector<content::Glaze> glazes;
   std::vector<content::LessonStep> lesson;  // none as it comes
   std::vector<TodaysPot> todays;            // likewise
-  Wheel wheel;                              // of every card
+  std::deque<settings::Mission> on;         // likewise
+  std::vector<MissionCard> missions;        // of them
+  content::Vessel jar_of_mission;
+  Wheel wheel;  // of every card
   PlainMeasure plain;
   RecordingPotter potter;
   DeviceNews news;

@@ -8,6 +8,7 @@
 
 #include "kiosk/content/language.h"
 #include "kiosk/score/score.h"
+#include "kiosk/screens/measured_pot.h"
 #include "tests/kiosk/screens/visitor.h"
 
 namespace onggi::screens {
@@ -55,7 +56,8 @@ TEST(Words, EveryKeyThatTheScreensUseIsThere) {
   const auto all = en.keys();
   const std::set<std::string> keys(all.begin(), all.end());
   static const std::regex kKey(
-      "\"((?:all|attract|choose|throw|hint|place|result|kiln|keepsake|idle|fault|help|comfort)\\.["
+      "\"((?:all|attract|choose|throw|hint|place|result|mission|kiln|keepsake|idle|fault|help|"
+      "comfort)\\.["
       "a-z_0-9]+"
       ")\"");
   int seen = 0;
@@ -71,7 +73,8 @@ TEST(Words, EveryKeyThatTheScreensUseIsThere) {
         // A control may share a line with its words; only what is in neither list is missing.
         const std::string key = (*i)[1];
         const bool control = line.find("{\"" + key + "\"") != std::string::npos ||
-                             key == "result.title_" || key == "throw.done" || key == "kiln.glaze.0";
+                             key.ends_with(".title_") || key == "throw.done" ||
+                             key == "kiln.glaze.0";
         EXPECT_TRUE(control || keys.count(key) > 0) << file.path() << ": " << key;
         ++seen;
       }
@@ -83,6 +86,18 @@ TEST(Words, EveryKeyThatTheScreensUseIsThere) {
 TEST(Words, EveryRemarkOfAScoreHasItsWords) {
   for (const auto& language : all_languages())
     for (const std::string& key : score::remark_keys())
+      EXPECT_NE(language.say(key).front(), '[') << language.code() << " " << key;
+}
+
+TEST(Words, EveryHintAndTitleOfADescriptionHasItsWords) {
+  std::vector<std::string> keys = MeasuredPot::hints();
+  for (int stars = 1; stars <= 5; ++stars) keys.push_back("mission.title_" + std::to_string(stars));
+  settings::Mission::Described wanted;
+  wanted.height = wanted.mouth = settings::Mission::Described::Bounds{0.1, 0.1};
+  for (const auto& one : score::asked_of(wanted, {})) keys.push_back(one.key);
+  EXPECT_EQ(keys.size(), 15u);
+  for (const auto& language : all_languages())
+    for (const std::string& key : keys)
       EXPECT_NE(language.say(key).front(), '[') << language.code() << " " << key;
 }
 

@@ -39,6 +39,7 @@ struct Tally {
     const std::string month = v.day.substr(0, 7);
     for (const auto& [table, name] :
          {std::pair<const char*, const std::string&>{"vessel", v.vessel},
+          {"mission", v.mission},
           {"reached", v.reached},
           {"left", v.left},
           {"ended", v.ended},

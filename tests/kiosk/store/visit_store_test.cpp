@@ -106,7 +106,7 @@ TEST(VisitStore, NothingInItSaysWhoItWas) {
                               "sqlite_sequence.seq"};
   for (const char* column :
        {"seq", "start", "day", "hour", "vessel", "scene", "language", "way", "reached", "left_at",
-        "ended", "active_s", "throwing_s", "pots", "likeness", "kept"})
+        "ended", "active_s", "throwing_s", "pots", "likeness", "kept", "mission"})
     known.insert(std::string("visits.") + column);
   // Not the visit's row, nor the keepsake's name: nobody finds out whose it was.
   known.insert({"fetches.id", "fetches.day"});
@@ -122,7 +122,8 @@ TEST(VisitStore, AFileOfEveryFormerVersionIsBroughtForwardWithItsRows) {
       ASSERT_TRUE(migrate(old, version));
       ASSERT_TRUE(
           old.run("INSERT INTO visits VALUES (7, 900, '2026-05-01', 10, 'moon_jar', 's', 'ko', "
-                  "'touch', 'result', 'throw', 'idle', 61.5, 30, 2, 88.25, 1)"));
+                  "'touch', 'result', 'throw', 'idle', 61.5, 30, 2, 88.25, 1" +
+                  std::string(version < 6 ? ")" : ", 'litre_jar')")));
       if (version >= 5) {
         ASSERT_TRUE(old.run("INSERT INTO fetches VALUES ('an id', '2026-05-02')"));
       }
@@ -145,6 +146,9 @@ TEST(VisitStore, AFileOfEveryFormerVersionIsBroughtForwardWithItsRows) {
     EXPECT_EQ(count(folder.file(), "SELECT count(*) FROM visits"), 4);
     EXPECT_EQ(count(folder.file(), "SELECT count(*) FROM fetches"), version < 5 ? 0 : 1);
     EXPECT_EQ(count(folder.file(), "SELECT 1 FROM visits WHERE seq = 7 AND likeness = 88.25"), 1);
+    EXPECT_EQ(count(folder.file(), "SELECT count(*) FROM visits WHERE seq = 7 AND mission = ''"),
+              version < 6 ? 1 : 0)
+        << "what was chosen before there were missions was none";
     EXPECT_EQ(folder.files_with("damaged"), 0);
     EXPECT_EQ(bytes_of(folder.file()).find("a second copy"), std::string::npos);
   }

@@ -58,6 +58,10 @@ inline VisitRecord scripted_visit(std::mt19937& random, int days = 28) {
   v.left = pick(4) == 0 ? screens[static_cast<std::size_t>(pick(reached + 1))] : v.reached;
   // The rarer the later in the list: a table with small cells.
   v.vessel = reached == 0 ? "" : vessels[static_cast<std::size_t>(std::min(pick(5), pick(5)))];
+  // A pot by figures is called by its mission among the vessels too.
+  const std::vector<std::string> missions{"", "", "todays_vessel", "litre_jar"};
+  if (reached > 0) v.mission = missions[static_cast<std::size_t>(pick(4))];
+  if (v.mission == "litre_jar") v.vessel = v.mission;
   v.scene = "first_touch";
   v.language = pick(3) == 0 ? "ko" : "en";
   v.way = ways[static_cast<std::size_t>(std::min(pick(4), pick(4)))];

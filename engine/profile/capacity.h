@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/profile/profile.h"
+
+namespace onggi {
+
+/// What `profile` holds, filled to its rim, m^3: between its floor (the lowest point with an inner
+/// radius) and its rim, by its inner radii, linear between points. 0 where it has none. No
+/// allocation.
+double capacity(const Profile& profile);
+
+}  // namespace onggi

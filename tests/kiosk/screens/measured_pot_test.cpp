@@ -1,0 +1,242 @@
+#include "kiosk/screens/measured_pot.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "tests/kiosk/screens/layout_check.h"
+#include "tests/kiosk/screens/visitor.h"
+
+// Missions as a visitor meets them: before the shelf, at the wheel, and in what they came to.
+
+namespace onggi::screens {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+settings::Mission todays() {
+  settings::Mission mission;
+  mission.id = "todays_vessel";
+  mission.title = {{"en", "Today’s vessel"}};
+  mission.about = {{"en", "Everybody throws this one today."}};
+  return mission;
+}
+
+void to_the_shelf(Visitor& v) {
+  v.touch("attract.begin");
+  v.show();
+}
+void begin(Visitor& v, int mission = 0) {
+  to_the_shelf(v);
+  v.touch("choose.mission." + std::to_string(mission));
+  v.touch("choose.throw");
+  v.frames(1);
+}
+/// The pot on the wheel, hollow all the way up to `radius`.
+void hollow(Visitor& v, double radius) {
+  const auto sectors = static_cast<std::size_t>(v.clay.sectors());
+  for (int j = v.clay.floor_rows(); j < v.clay.rows(); ++j)
+    v.clay.shape(j, std::vector<float>(sectors, static_cast<float>(radius + 0.006)),
+                 std::vector<float>(sectors, static_cast<float>(radius)));
+  v.frames(1);
+}
+const StartPot* started(const std::vector<Request>& requests) {
+  const StartPot* last = nullptr;
+  for (const Request& one : requests)
+    if (const auto* start = std::get_if<StartPot>(&one); start && !start->scripted) last = start;
+  return last;
+}
+
+TEST(MissionOnTheShelf, StandsBeforeTheVesselsAndIsOneToTheKeysToo) {
+  Visitor v;
+  v.put_on(todays(), 2);
+  v.put_on(Visitor::described(1));
+  to_the_shelf(v);
+  const auto today = v.visit->control("choose.mission.0"),
+             jar = v.visit->control("choose.mission.1"), vessel = v.visit->control("choose.card.0");
+  ASSERT_TRUE(today && jar && vessel);
+  EXPECT_LT(today->x, jar->x);
+  EXPECT_LT(jar->x, vessel->x);
+  EXPECT_THAT(words_in(v.frame), HasSubstr("A jar that holds a litre"));
+  Visitor keys;
+  keys.put_on(todays(), 2);
+  keys.key(view::Key::enter);
+  keys.show();
+  keys.key(view::Key::down);
+  EXPECT_EQ(keys.visit->focus(), "choose.mission.0");
+  for (const Control& c : keys.visit->reading().controls)
+    if (c.id == "choose.mission.0") {
+      EXPECT_THAT(c.words, HasSubstr("Today’s vessel"));
+      EXPECT_THAT(c.words, HasSubstr(keys.vessels[2].labels["en"].title));
+    }
+}
+
+TEST(MissionOnTheShelf, IsNotSpokenOfWhereNoneIsOn) {
+  Visitor v;
+  to_the_shelf(v);
+  EXPECT_FALSE(v.visit->control("choose.mission.0"));
+  EXPECT_THAT(words_in(v.frame), Not(HasSubstr("Mission")));
+}
+
+TEST(TodaysMission, IsThrownAsAnyVesselAndTheResultSaysWhatItWas) {
+  Visitor v;
+  v.put_on(todays(), 2);
+  begin(v);
+  const auto asked = v.requests();
+  ASSERT_NE(started(asked), nullptr);
+  EXPECT_EQ(started(asked)->card, 2);
+  ASSERT_TRUE(v.visit->sight());
+  v.touch("throw.done");
+  v.frames(1);
+  EXPECT_THAT(words_in(v.frame), HasSubstr("Today’s vessel: Moon jar"));
+  EXPECT_THAT(words_in(v.frame), HasSubstr("What is alike"));
+}
+
+TEST(Description, SaysWhatThePotHoldsWhileItIsThrownAndWhatWouldBringItNearer) {
+  Visitor v;
+  v.put_on(Visitor::described(1));
+  begin(v);
+  EXPECT_EQ(started(v.requests())->card, own_card(0));
+  for (const double radius : {0.03, 0.0409, 0.05}) {
+    hollow(v, radius);
+    const long hundredths = std::lround(v.clay.capacity() * 1e5);
+    char litres[16];
+    std::snprintf(litres, sizeof litres, "%ld.%02ld", hundredths / 100, hundredths % 100);
+    std::string said = litres;
+    while (said.back() == '0') said.pop_back();
+    if (said.back() == '.') said.pop_back();
+    EXPECT_THAT(words_in(v.frame), HasSubstr("It holds " + said + " l of 1 l."));
+    v.frames(3);
+    EXPECT_THAT(words_in(v.frame), HasSubstr(hundredths < 97    ? "From inside, draw"
+                                             : hundredths > 110 ? "From outside, draw"
+                                                                : "to be lower"))
+        << litres;
+  }
+}
+
+TEST(Description, ChangesItsFiguresNoMoreThanTwiceASecond) {
+  Visitor v;
+  v.put_on(Visitor::described(1));
+  begin(v);
+  std::string before;
+  int changes = 0;
+  for (int n = 0; n < 90; ++n) {
+    const auto sectors = static_cast<std::size_t>(v.clay.sectors());
+    for (int j = v.clay.floor_rows(); j < v.clay.rows(); ++j)
+      v.clay.shape(j, std::vector<float>(sectors, 0.08f),
+                   std::vector<float>(sectors, 0.03f + 0.0003f * static_cast<float>(n)));
+    v.show();
+    const std::string now = v.visit->reading().words.size() > 1 ? words_in(v.frame) : "";
+    changes += now != before ? 1 : 0;
+    before = now;
+  }
+  EXPECT_GE(changes, 3);
+  EXPECT_LE(changes, 8) << "of ninety frames in three seconds; hints come every two";
+}
+
+TEST(Description, IsJudgedByItsFiguresWithNoVesselBesideIt) {
+  Visitor v(9, nullptr, true);
+  v.put_on(Visitor::described(1));
+  begin(v);
+  hollow(v, 0.0409);
+  v.touch("throw.done");
+  v.frames(1);
+  EXPECT_EQ(v.visit->screen(), ScreenId::result);
+  ASSERT_TRUE(v.frame.pot);
+  EXPECT_FALSE(v.frame.pot->beside) << "there is none";
+  const std::string words = words_in(v.frame);
+  EXPECT_THAT(words, HasSubstr("What was asked"));
+  EXPECT_THAT(words, HasSubstr("l of 1 l."));
+  EXPECT_THAT(words, HasSubstr("100 to 150 mm were asked"));
+  EXPECT_THAT(words, Not(HasSubstr("What is alike")));
+  EXPECT_EQ(v.visit->score().asked.size(), 3u);
+  v.touch("result.keep");
+  v.touch("kiln.glaze.0");
+  v.frames(12);
+  v.touch("kiln.keep");
+  const auto asked = v.requests();
+  const auto keep = std::find_if(asked.begin(), asked.end(), [](const Request& one) {
+    return std::holds_alternative<MakeKeepsake>(one);
+  });
+  ASSERT_NE(keep, asked.end());
+  EXPECT_EQ(std::get<MakeKeepsake>(*keep).card, own_card(0));
+}
+
+TEST(Description, IsToldToWhoDoesNotSeeTheScreen) {
+  Visitor v;
+  v.exhibit.screen.spoken = true;
+  v.put_on(Visitor::described(1));
+  begin(v);
+  hollow(v, 0.03);
+  v.touch("throw.tell");
+  v.frames(1);
+  const Reading reading = v.visit->reading();
+  EXPECT_THAT(reading.differences, Contains(HasSubstr("l of 1 l.")));
+  EXPECT_THAT(reading.differences, Contains(HasSubstr("From inside, draw")));
+  for (const Control& c : reading.controls) EXPECT_THAT(c.note, Not(HasSubstr("mm")));
+}
+
+TEST(Mission, IsCountedByItsIdAndTheNextVisitorBeginsWithNone) {
+  Visitor v;
+  v.put_on(Visitor::described(1));
+  begin(v);
+  v.requests();
+  v.touch("back");
+  v.touch("back");
+  v.touch("back");
+  v.show();
+  ASSERT_EQ(v.visit->screen(), ScreenId::attract);
+  std::optional<VisitNotes> notes;
+  for (const Request& one : v.requests())
+    if (const auto* over = std::get_if<ForgetVisitor>(&one)) notes = over->notes;
+  ASSERT_TRUE(notes);
+  EXPECT_EQ(notes->mission, "litre_jar");
+  v.throw_a_pot();
+  v.frames(1);
+  EXPECT_THAT(words_in(v.frame), Not(HasSubstr("l of 1 l.")));
+  v.visit->close(v.now);
+  v.show();
+  for (const Request& one : v.requests())
+    if (const auto* over = std::get_if<ForgetVisitor>(&one)) notes = over->notes;
+  EXPECT_EQ(notes->mission, "");
+}
+
+TEST(Mission, LosesNoWordOnAnyScreenInAnySizeLanguageOrComfort) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, {1024, 600}, {1080, 1920}})
+    for (const bool all : {false, true})
+      for (const char* language : {"en", "de", "ar", "ja"}) {
+        SCOPED_TRACE(std::to_string(width) + " " + language + (all ? " all comforts" : ""));
+        Visitor v(9, nullptr, true);
+        v.languages.insert(
+            v.languages.begin(),
+            *content::Language::read(std::string("content/languages/") + language + ".toml"));
+        v.width = width;
+        v.height = height;
+        v.exhibit.screen.larger_text = v.exhibit.screen.high_contrast = all;
+        v.put_on(todays(), 2);
+        v.put_on(Visitor::described(1));
+        const auto look = [&](const std::string& name) {
+          v.frames(1);
+          check_layout(v, v.plain, name);
+        };
+        to_the_shelf(v);
+        look("choose");
+        v.touch("choose.mission.1");
+        look("label");
+        v.touch("choose.throw");
+        look("throw");
+        v.touch("throw.more");
+        look("drawer");
+        v.touch("throw.less");
+        hollow(v, 0.03);
+        v.touch("throw.done");
+        look("result");
+        v.touch("result.keep");
+        look("kiln");
+      }
+}
+
+}  // namespace
+}  // namespace onggi::screens
