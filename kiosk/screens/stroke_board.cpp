@@ -144,8 +144,8 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const Button& way,
       sentence += (sentence.empty() ? "" : " ") + one;
   }
   column.page().tell(column.rest().y - 1, desk.heading());
-  if (!telling_ || working)
-    for (const std::string& figure : MeasuredPot::sentences(desk)) column.text(figure, t.body);
+  if (const auto figures = MeasuredPot::sentences(desk); !figures.empty() && !telling_)
+    column.text(figures.front(), t.body);
   column.text(sentence, t.body);
   column.check();
 }

@@ -104,7 +104,9 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
     page.button(skip,
                 {from_right ? at.x : at.x + at.w - skip_size.width, at.y, skip_size.width, height});
   column.space(height);
-  for (const std::string& figure : MeasuredPot::sentences(desk)) column.text(figure, t.body);
+  // What else was asked is said by the hint, where it is off.
+  if (const auto figures = MeasuredPot::sentences(desk); !figures.empty())
+    column.text(figures.front(), t.body);
   if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
     column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
   column.space(t.gap * 0.5f);

@@ -13,7 +13,6 @@ struct VisitRecord {
   std::string day;          ///< Where the kiosk stands: "2026-05-04".
   int hour = 0;             ///< Likewise, 0..23.
   std::string vessel;       ///< On the shelf; "": none was chosen.
-  std::string mission{};    ///< Its id; "": a vessel, and that was all.
   std::string scene;        ///< File name of the scene it was thrown in; "" likewise.
   std::string language;     ///< Code in use at the end.
   std::string way;          ///< How they played: "touch", "mouse", "keys", or a device's kind.
@@ -25,6 +24,7 @@ struct VisitRecord {
   int pots = 0;             ///< Lumps that were begun.
   std::optional<double> likeness;  ///< 0..100, of the last pot that was called done.
   bool kept = false;               ///< A keepsake is on the disk.
+  std::string mission{};           ///< Id of what was to be done; "": a vessel, and that was all.
   friend bool operator==(const VisitRecord&, const VisitRecord&) = default;
 };
 

@@ -53,7 +53,7 @@ TEST(VisitStore, AVisitComesBackAsItWasButForItsMomentAndItsNumberIsNeverUsedTwi
     Database database = Database::open(folder.file(), Database::Mode::read);
     Statement row(database,
                   "SELECT start, day, hour, vessel, scene, language, way, reached, left_at, ended, "
-                  "active_s, throwing_s, pots, likeness, kept FROM visits ORDER BY seq");
+                  "active_s, throwing_s, pots, likeness, kept, mission FROM visits ORDER BY seq");
     for (VisitRecord visit : visits) {
       ASSERT_TRUE(row.step());
       EXPECT_EQ(row.integer(0) % 900, 0) << "no moment, a quarter of an hour";
@@ -74,7 +74,8 @@ TEST(VisitStore, AVisitComesBackAsItWasButForItsMomentAndItsNumberIsNeverUsedTwi
                               row.real(11),
                               static_cast<int>(row.integer(12)),
                               row.null(13) ? std::nullopt : std::optional(row.real(13)),
-                              row.integer(14) != 0};
+                              row.integer(14) != 0,
+                              row.text(15)};
       EXPECT_EQ(found, visit);
     }
     EXPECT_FALSE(row.step());
