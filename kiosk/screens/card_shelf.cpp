@@ -63,6 +63,7 @@ bool CardShelf::drag(const view::InputEvent& e, const Page& page) {
     if (ran) scroll_.hold();
     return ran;  // Who stops it means no vessel.
   }
+  if (e.kind == Kind::pointer_up) tapped_ = finger_.has_value();
   if (!finger_) return false;
   if (e.kind == Kind::pointer_move) {
     if (!finger_->drags && std::abs(e.x - finger_->from) > kSlip * page.type().target) {
@@ -88,7 +89,8 @@ void CardShelf::pointer(const view::InputEvent& e) {
     const int whole = static_cast<int>(notches_);
     notches_ -= whole;
     scroll_.step(whole);
-  } else if (e.kind == view::InputEvent::Kind::pointer_up && peeking_.contains(e.x, e.y)) {
+  } else if (e.kind == view::InputEvent::Kind::pointer_up && tapped_ &&
+             peeking_.contains(e.x, e.y)) {
     scroll_.step(1);
   }
 }

@@ -104,6 +104,7 @@ class CardShelf {
   float pitch_ = 0;              ///< Pixels from a column to the next.
   view::Rect shelf_, peeking_;  ///< Where a finger takes it along; what is seen of the next column.
   std::optional<Finger> finger_;
+  bool tapped_ = false;  ///< What lifted last went down here too, and not on the screen before.
   double notches_ = 0;
 };
 

@@ -1,6 +1,5 @@
 #include "kiosk/screens/choose_screen.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "kiosk/screens/card_shelf.h"
@@ -70,7 +69,7 @@ class Choose final : public Screen, private CardShelf::Cards {
   bool open() const { return label_.card() != -1; }
   // Missions stand before the vessels.
   int place_of(int card, int mission) const {
-    return mission >= 0 ? mission : desk.missions() + std::max(card, 0);
+    return mission >= 0 ? mission : card < 0 ? 0 : desk.missions() + card;
   }
   std::optional<int> place_of(const std::string& control) const {
     const std::string card = "choose.card.", mission = "choose.mission.";

@@ -324,5 +324,21 @@ TEST(TheShelf, WhoComesBackFromALabelFindsTheShelfWhereItWas) {
   EXPECT_EQ(v.seen().first, first);
 }
 
+// It went down on attract; where it lifts, the next column peeks in by now.
+TEST(TheShelf, IsNotTurnedByTheLiftOfTheTouchThatBegan) {
+  Visitor v(20);
+  const float x = static_cast<float>(v.width) - 4, y = 0.5f * static_cast<float>(v.height);
+  v.down(x, y);
+  v.show();
+  ASSERT_EQ(v.visit->screen(), ScreenId::choose);
+  v.up(x, y);
+  v.frames(2);
+  EXPECT_TRUE(v.visit->control("choose.card.0"));
+  v.down(x, y);
+  v.up(x, y);
+  v.frames(2);
+  EXPECT_FALSE(v.visit->control("choose.card.0")) << "a touch on what peeks in turns it";
+}
+
 }  // namespace
 }  // namespace onggi::screens
