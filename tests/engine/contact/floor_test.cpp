@@ -205,5 +205,32 @@ TEST(Floor, AToolIsReportedOnTheFloorWhileItPressesIt) {
   EXPECT_EQ(contact.place(), Place::inside);
 }
 
+// Rows are pressed 32 at a time: the floor's edge lies in each such lot in turn, above and below.
+TEST(Press, OfFirmClayWallsGoAsAWholeAndTheFloorGivesNoWayWhereverItEnds) {
+  ClayDef def;
+  def.rows = 1000;
+  def.sectors = 90;
+  def.floor_thickness = 0.1;
+  for (double y = 0.0942; y <= 0.1026; y += 0.0002) {
+    Clay soft = lump(def);
+    soft.keep_areas();
+    Clay firm = soft;
+    firm.areas()->harden_all(true, false);
+    for (Clay* clay : {&soft, &firm})
+      press_sphere(*clay, WallSide::outside, {0.061, y, 0.0}, kRadius, 0.001, kClay);
+    for (int j = 0; j < firm.rows(); ++j) {
+      const float was = 0.055f, now = firm.outer(j)[0];
+      if (j < firm.floor_rows()) {
+        ASSERT_EQ(now, was) << "row " << j << " of the floor, hand at " << y;
+        continue;
+      }
+      ASSERT_EQ(now < was, soft.outer(j)[0] < was) << "row " << j << ", hand at " << y;
+      const float within = firm.inner(j)[0];
+      ASSERT_NEAR(now * now - within * within, was * was - 0.022f * 0.022f, 1e-8)
+          << "row " << j << ", hand at " << y;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace onggi
