@@ -95,8 +95,9 @@ int least_divisor_step(int n, int most) {
 
 }  // namespace
 
-TriangleMesh mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
-  TriangleMesh mesh;
+ClayMesh faced_mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
+  ClayMesh faced;
+  TriangleMesh& mesh = faced.mesh;
   const int sector_step = least_divisor_step(clay.sectors(), std::max(3, most_sectors));
   const int row_step = std::max(1, (clay.rows() + most_rows - 1) / std::max(2, most_rows));
   const int last = clay.rows() - 1;
@@ -104,11 +105,15 @@ TriangleMesh mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
   const double top = clay.rim_height();
   const double floor = clay.floor_rows() < clay.rows() ? clay.floor_top() : top;
   const auto face = [&] { return Face(mesh, clay, sector_step); };
+  const auto finish = [&](Face& done, ClayFace which) {
+    done.finish();
+    faced.faces.resize(mesh.positions.size(), which);
+  };
 
   Face foot = face();
   foot.ring(0, {});
   foot.ring(0, clay.outer(0));
-  foot.finish();
+  finish(foot, ClayFace::foot);
 
   // The lip is round: the faces end at its shoulders.
   const double below_lip = top - kLipRadius;
@@ -126,25 +131,29 @@ TriangleMesh mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
   for (int j = 0; j <= last && clay.row_height(j) < below_lip; j += row_step)
     outer.ring(clay.row_height(j), clay.outer(j));
   outer.ring(lip(0.0));
-  outer.finish();
+  finish(outer, ClayFace::outer);
 
   Face rim = face();
   for (int n = 0; n <= kLipRings; ++n)  // closest where it is round
     rim.ring(lip(0.5 - 0.5 * portable::cos(portable::kPi * n / kLipRings)));
-  rim.finish();
+  finish(rim, ClayFace::rim);
 
   Face inner = face();
   inner.ring(lip(1.0));
   for (int j = last; j >= floor_row; j -= row_step)
     if (clay.row_height(j) < below_lip) inner.ring(clay.row_height(j), clay.inner(j));
   inner.ring(floor, clay.inner(floor_row));
-  inner.finish();
+  finish(inner, ClayFace::inner);
 
   Face base = face();
   base.ring(floor, clay.inner(floor_row));
   base.ring(floor, {});
-  base.finish();
-  return mesh;
+  finish(base, ClayFace::floor);
+  return faced;
+}
+
+TriangleMesh mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
+  return faced_mesh_of(clay, most_rows, most_sectors).mesh;
 }
 
 }  // namespace onggi

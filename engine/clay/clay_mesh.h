@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "engine/clay/clay_view.h"
 #include "engine/profile/mesh.h"
 
@@ -10,5 +13,15 @@ namespace onggi {
 /// them at `most_rows` x `most_sectors`; edges between the five faces are sharp (their vertices are
 /// doubled, at equal positions). Metres, y up, foot at 0. Allocates; O(vertices).
 TriangleMesh mesh_of(const ClayView& clay, int most_rows = 400, int most_sectors = 180);
+
+/// The faces of that mesh, in the order of its positions.
+enum class ClayFace : std::uint8_t { foot, outer, rim, inner, floor };
+
+/// The mesh of mesh_of(), and on which face each of its positions lies.
+struct ClayMesh {
+  TriangleMesh mesh;
+  std::vector<ClayFace> faces;  ///< One a position.
+};
+ClayMesh faced_mesh_of(const ClayView& clay, int most_rows = 400, int most_sectors = 180);
 
 }  // namespace onggi

@@ -15,12 +15,32 @@ namespace {
 constexpr int kUnsignedShort = 5123, kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962,
               kElementBuffer = 34963;
 
+using files::Json;
+
+Json json_of(const GlbMaterial& material) {
+  // Four digits are more than an eye tells apart, and the same on every machine.
+  const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
+  return Json::object(
+      {{"name", material.name},
+       {"pbrMetallicRoughness",
+        Json::object(
+            {{"baseColorFactor", Json::list({digits(material.color[0]), digits(material.color[1]),
+                                             digits(material.color[2]), 1.0})},
+             {"metallicFactor", 0.0},
+             {"roughnessFactor", digits(material.roughness)}})}});
+}
+
 }  // namespace
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const GlbMaterial& material,
                                  const std::vector<std::array<float, 3>>& colors) {
-  using files::Json;
+  return write_glb(mesh, title, copyright, std::vector<GlbPart>{{0, material}}, colors);
+}
+
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
+                                 const std::string& copyright, const std::vector<GlbPart>& parts,
+                                 const std::vector<std::array<float, 3>>& colors) {
   const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
 
   files::ByteWriter bin;
@@ -74,11 +94,20 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
                                       {"type", "VEC3"}}));
     attributes["NORMAL"] = 1;
   }
-  accessors.push_back(Json::object({{"bufferView", normals ? 2 : 1},
-                                    {"componentType", kUnsignedInt},
-                                    {"count", 3 * mesh.triangles.size()},
-                                    {"type", "SCALAR"}}));
-
+  const auto count = [&](std::size_t part) {
+    const bool last = part + 1 == parts.size();
+    return (last ? mesh.triangles.size() : parts[part + 1].first) - parts[part].first;
+  };
+  // The first part's indices come before the colours, the other parts' after.
+  const auto indices = [&](std::size_t part) {
+    Json accessor = Json::object({{"bufferView", normals ? 2 : 1},
+                                  {"componentType", kUnsignedInt},
+                                  {"count", 3 * count(part)},
+                                  {"type", "SCALAR"}});
+    if (part > 0) accessor["byteOffset"] = 12 * parts[part].first;
+    accessors.push_back(accessor);
+  };
+  indices(0);
   if (!colors.empty()) {
     accessors.push_back(Json::object({{"bufferView", normals ? 3 : 2},
                                       {"componentType", kUnsignedShort},
@@ -90,26 +119,23 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
 
   Json asset = Json::object({{"version", "2.0"}, {"generator", "Onggi"}});
   if (!copyright.empty()) asset["copyright"] = copyright;
-  // Four digits are more than an eye tells apart, and the same on every machine.
-  const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
-  const Json surface = Json::object(
-      {{"name", material.name},
-       {"pbrMetallicRoughness",
-        Json::object(
-            {{"baseColorFactor", Json::list({digits(material.color[0]), digits(material.color[1]),
-                                             digits(material.color[2]), 1.0})},
-             {"metallicFactor", 0.0},
-             {"roughnessFactor", digits(material.roughness)}})}});
-  const Json primitive =
-      Json::object({{"attributes", attributes}, {"indices", normals ? 2 : 1}, {"material", 0}});
+  Json materials = Json::list(), primitives = Json::list();
+  const std::size_t later = (normals ? 2u : 1u) + (colors.empty() ? 0u : 1u);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    if (part > 0) indices(part);
+    const std::size_t first = normals ? 2 : 1;
+    primitives.push_back(Json::object({{"attributes", attributes},
+                                       {"indices", part == 0 ? first : later + part},
+                                       {"material", part}}));
+    materials.push_back(json_of(parts[part].material));
+  }
   const Json document = Json::object(
       {{"asset", asset},
        {"scene", 0},
        {"scenes", Json::list({Json::object({{"name", title}, {"nodes", Json::list({0})}})})},
        {"nodes", Json::list({Json::object({{"name", title}, {"mesh", 0}})})},
-       {"meshes",
-        Json::list({Json::object({{"name", title}, {"primitives", Json::list({primitive})}})})},
-       {"materials", Json::list({surface})},
+       {"meshes", Json::list({Json::object({{"name", title}, {"primitives", primitives}})})},
+       {"materials", materials},
        {"accessors", accessors},
        {"bufferViews", views},
        {"buffers", Json::list({Json::object({{"byteLength", bin.size()}})})}});

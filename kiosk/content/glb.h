@@ -20,11 +20,21 @@ struct GlbMaterial {
   float roughness = 0.9f;                              ///< 0..1
 };
 
+/// The triangles of a GLB from `first` on, as far as the next part's.
+struct GlbPart {
+  std::size_t first = 0;
+  GlbMaterial material;
+};
+
 /// A GLB of one mesh with one material; `title`, `copyright` go into the asset. Where `colors` is
 /// not empty it has one a position, linear, 0..1, and they are written as COLOR_0. Deterministic
 /// bytes.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const GlbMaterial& material = {},
+                                 const std::vector<std::array<float, 3>>& colors = {});
+/// The same with a material for each of `parts`, the first of which begins at 0.
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
+                                 const std::string& copyright, const std::vector<GlbPart>& parts,
                                  const std::vector<std::array<float, 3>>& colors = {});
 
 }  // namespace onggi::content

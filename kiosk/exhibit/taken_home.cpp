@@ -5,7 +5,7 @@
 
 #include "engine/clay/clay_mesh.h"
 #include "engine/profile/mesh.h"
-#include "kiosk/content/glb.h"
+#include "kiosk/exhibit/pot_model.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/files/local_time.h"
 #include "kiosk/files/wall_clock.h"
@@ -66,19 +66,16 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
                    "If this returns, look for a stuck 1 kHz loop in the log.", 1);
   souvenir::Keepsake& keepsake = taken.keepsake;
   // The pot rests since it was called done: the view has every row of it.
-  keepsake.pot = mesh_of(potter.view().clay);
-  shrink(keepsake.pot, size);
+  ClayMesh pot = faced_mesh_of(potter.view().clay);
   if (potter.dropped_records() == 0) keepsake.replay = potter.replay(kept.state_hash, kept.glaze);
 
   souvenir::PostcardWords words = postcard_words(language, label, request.score.stars, exhibit);
-  std::optional<view::Glazing> glazing;
-  content::GlbMaterial material;
+  std::optional<view::Glazing>& glazing = taken.glazing;
   if (glaze != nullptr) {
     words.glaze =
         language.say("postcard.glaze", {{"glaze", glaze->name_in(language.code())},
                                         {"mm", std::to_string(std::lround(1000 * kept.height))}});
     glazing = view::Glazing{glaze->look, fired_in->coat};
-    material = {glaze->id, content::swatch(glaze->look), 0.7f - 0.6f * glaze->look.gloss};
   }
   // A pot that answers a description has no vessel under its own section.
   const Profile& target = screens::mission_of_own(request.card) >= 0 ? request.made : card.target;
@@ -97,7 +94,12 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
                       card.vessel->id, request.score.stars};
   keepsake.name = files::local_time(files::wall_now(), files::kStamp) + '_' + card.vessel->id;
   keepsake.caption = {words.title, exhibit.credit, words.vessel};
-  keepsake.glb = content::write_glb(keepsake.pot, words.title, exhibit.credit, material);
+  // The surface is read where the clay was thrown; what the kiln shrank is the model.
+  const std::vector<view::SkinPoint> skin = renderer.read_skin(pot, glazing);
+  keepsake.pot = std::move(pot.mesh);
+  shrink(keepsake.pot, size);
+  keepsake.glb = pot_model(keepsake.pot, skin, glaze != nullptr ? glaze->id : "clay", words.title,
+                           exhibit.credit);
   return taken;
 }
 

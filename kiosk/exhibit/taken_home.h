@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -25,12 +26,14 @@ struct KeptVisit {
   std::uint64_t state_hash = 0;
   std::uint64_t ticks = 0;
   std::optional<Result<souvenir::KeepsakeFiles>> saved;
+  std::optional<Result<std::filesystem::path>> turning;  ///< It follows, or nothing does.
 };
 
 /// A pot as it is taken home, of which nothing is on the disk yet.
 struct TakenHome {
   KeptVisit visit;
   souvenir::Keepsake keepsake;
+  std::optional<view::Glazing> glazing;  ///< None: not fired.
 };
 
 /// Makes the keepsake of the pot on the wheel, which answers the vessel of `card`: its mesh, fired

@@ -5,6 +5,12 @@
 namespace onggi::render {
 namespace {
 
+GLenum mode_of(Mesh::Of of) {
+  return of == Mesh::Of::strip    ? GL_TRIANGLE_STRIP
+         : of == Mesh::Of::points ? GL_POINTS
+                                  : GL_TRIANGLES;
+}
+
 GLuint new_texture() {
   GLuint name = 0;
   glGenTextures(1, &name);
@@ -145,14 +151,12 @@ Mesh::Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indic
 
 void Mesh::draw_some(int first, int count) const {
   calls::bind_array(array_.get());
-  calls::draw_elements(of_ == Of::strip ? GL_TRIANGLE_STRIP : GL_TRIANGLES, count, GL_UNSIGNED_INT,
-                       static_cast<std::size_t>(first));
+  calls::draw_elements(mode_of(of_), count, GL_UNSIGNED_INT, static_cast<std::size_t>(first));
 }
 
 void Mesh::draw_times(int times) const {
   calls::bind_array(array_.get());
-  calls::draw_elements_times(of_ == Of::strip ? GL_TRIANGLE_STRIP : GL_TRIANGLES, count_,
-                             GL_UNSIGNED_INT, times);
+  calls::draw_elements_times(mode_of(of_), count_, GL_UNSIGNED_INT, times);
 }
 
 int indices_of_rows(int columns, int rows) {

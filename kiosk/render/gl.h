@@ -116,11 +116,11 @@ class Target {
   RenderbufferName depth_;
 };
 
-/// Indexed triangles, or one strip of them, with interleaved float attributes of the given sizes,
-/// at locations 0, 1, ...
+/// Indexed triangles, or one strip of them, or points, with interleaved float attributes of the
+/// given sizes, at locations 0, 1, ...
 class Mesh {
  public:
-  enum class Of : std::uint8_t { triangles, strip };
+  enum class Of : std::uint8_t { triangles, strip, points };
   Mesh() = default;
   Mesh(const float* vertices, std::size_t floats, const std::uint32_t* indices,
        std::size_t index_count, std::initializer_list<int> attributes, Of of = Of::triangles);

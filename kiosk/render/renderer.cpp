@@ -85,6 +85,11 @@ class GlRenderer final : public Renderer {
     return canvas.read(painters());
   }
 
+  std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
+                                         const std::optional<view::Glazing>& glazing) override {
+    return stage_->read_skin(mesh, glazing);
+  }
+
   view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
                                const content::Coloring& coloring, int width, int height) override {
     const Portrait portrait = portrait_of(mesh, color, coloring, width, height);

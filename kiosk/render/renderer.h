@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/clay/clay_mesh.h"
 #include "engine/clay/clay_view.h"
 #include "engine/profile/mesh.h"
 #include "kiosk/content/coloring.h"
@@ -14,6 +16,7 @@
 #include "kiosk/view/image.h"
 #include "kiosk/view/input.h"
 #include "kiosk/view/measure.h"
+#include "kiosk/view/skin_point.h"
 
 namespace onggi::render {
 
@@ -71,6 +74,10 @@ class Renderer {
   /// Draws `frame` (its own width and height, any up to 4096) off screen at full quality with the
   /// present grid.
   virtual view::Image draw_offscreen(const view::Frame& frame) = 0;
+  /// What the surface of the clay that is shown is at each position of `mesh`, which is its own:
+  /// dry clay, or fired in `glazing`. By the shader that draws it, so they are one.
+  virtual std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
+                                                 const std::optional<view::Glazing>& glazing) = 0;
 
   /// A picture of a mesh on a transparent ground with its soft shadow, studio light, linear base
   /// `color`, or in its own `coloring` where that is not empty.

@@ -30,6 +30,8 @@ constexpr double kMirroredHeight = 0.12;  // m
 constexpr std::array<Wall, 3> kLips{{{64, 6, 160.0f}, {96, 8, 370.0f}, {160, 12, 1e9f}}};
 // Of the wall's section, by the pot's height.
 constexpr std::array<std::pair<int, float>, 2> kSections{{{96, 580.0f}, {192, 1e9f}}};
+// What a position of a mesh stands for, as a pixel of a screen does, m.
+constexpr float kReadPixel = 0.0005f;
 constexpr int kRim = 96;  // corners of the wheel head
 
 // Texture units.
@@ -99,6 +101,9 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   auto tools = ToolPainter::create();
   if (!tools) return tl::unexpected(tools.error());
   stage->tools_ = std::move(*tools);
+  auto reader = SkinReader::create();
+  if (!reader) return tl::unexpected(reader.error());
+  stage->skin_reader_ = std::move(*reader);
   auto backdrop = Backdrop::create();
   if (!backdrop) return tl::unexpected(backdrop.error());
   stage->backdrop_ = std::move(*backdrop);
@@ -219,7 +224,6 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
 
 const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::mat4& clip,
                                float pixel) {
-  const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
   const bool torn = clay_.tears().any() && kTears[part];
   const Program& program =
       (torn ? torn_programs_ : clay_programs_)[ClaySkin::of(pot)][static_cast<std::size_t>(part)];
@@ -229,6 +233,13 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
     program.set("torn_at", kTornAt);
     program.set("soft_edges", 0.0f);
   }
+  set_clay(program, pot, clip, pixel);
+  return program;
+}
+
+void Stage::set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
+                     float pixel) {
+  const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
   set_light(program, pot.camera, clay_levels_);
   // All is computed at the thrown size; a pot that has shrunk is seen from as much farther away.
   const float size = size_of(pot);
@@ -259,7 +270,20 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
   program.set("pixel", pixel / size);
   program.set("wetness", static_cast<float>(pot.wetness));
   skin_.set(program, pot, kWetRows);
-  return program;
+}
+
+std::vector<view::SkinPoint> Stage::read_skin(const ClayMesh& mesh,
+                                              const std::optional<view::Glazing>& glazing) {
+  if (clay_.empty()) return std::vector<view::SkinPoint>(mesh.faces.size());
+  view::PotView pot;
+  if (glazing) {
+    pot.finish = view::Finish::fired;
+    pot.glazing = *glazing;
+  }
+  clay_.refresh(clay_levels_);
+  return skin_reader_->read(mesh, glazing.has_value(), [&](const Program& program) {
+    set_clay(program, pot, glm::mat4(1.0f), kReadPixel);
+  });
 }
 
 void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft) {

@@ -10,6 +10,7 @@
 #include "kiosk/render/clay_surface.h"
 #include "kiosk/render/gl.h"
 #include "kiosk/render/portrait.h"
+#include "kiosk/render/skin_reader.h"
 #include "kiosk/render/studio.h"
 #include "kiosk/render/tool_painter.h"
 #include "kiosk/view/frame.h"
@@ -49,6 +50,10 @@ class Stage {
   /// camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
   void draw_portrait(const Portrait& portrait);
+  /// What the clay's surface is at the positions of `mesh`, which is its own: dry, or fired in
+  /// `glazing`. Uses the bound target for nothing, and leaves another one bound.
+  std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
+                                         const std::optional<view::Glazing>& glazing);
 
  private:
   Stage() = default;
@@ -59,6 +64,9 @@ class Stage {
   void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
                   double turned);
   void draw_hands(const view::PotView& pot, const glm::mat4& clip);
+  /// For a program of clay.glsl that is in use: all but what it is drawn with or torn by.
+  void set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
+                float pixel);
   const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
 
   Studio studio_;
@@ -67,6 +75,7 @@ class Stage {
   std::array<std::array<Program, 5>, ClaySkin::kSkins> clay_programs_,
       torn_programs_;  // by skin and part of clay.glsl; only walls and lips tear
   std::unique_ptr<ToolPainter> tools_;
+  std::unique_ptr<SkinReader> skin_reader_;
   std::unique_ptr<Backdrop> backdrop_;
   Program wheel_program_, solid_program_;
   std::array<Mesh, 4> walls_, facing_;

@@ -2,7 +2,8 @@
 // WebGL alone. Where there is no WebGL, or the file is none, the window stays hidden: the postcard is a picture of it.
 "use strict";
 
-// GLB 2.0: the first primitive's positions, normals and triangles, and its colour.
+// GLB 2.0, as the kiosk writes it: positions, normals and colours that all primitives share, and of each its triangles,
+// its colour and how rough it is.
 function readPot(bytes) {
   const head = new DataView(bytes);
   if (head.getUint32(0, true) !== 0x46546c67) throw new Error("no GLB");
@@ -12,17 +13,25 @@ function readPot(bytes) {
   const array = (index) => {
     const accessor = gltf.accessors[index], view = gltf.bufferViews[accessor.bufferView];
     const from = bin + (view.byteOffset || 0) + (accessor.byteOffset || 0);
-    const count = accessor.count * (accessor.type === "VEC3" ? 3 : 1);
+    const count = accessor.count * { SCALAR: 1, VEC3: 3, VEC4: 4 }[accessor.type];
     const Type = { 5126: Float32Array, 5125: Uint32Array, 5123: Uint16Array }[accessor.componentType];
     return new Type(bytes.slice(from, from + count * Type.BYTES_PER_ELEMENT));
   };
-  const shape = gltf.meshes[0].primitives[0];
-  const surface = gltf.materials ? gltf.materials[shape.material || 0].pbrMetallicRoughness : {};
+  const shapes = gltf.meshes[0].primitives, { POSITION, NORMAL, COLOR_0 } = shapes[0].attributes;
+  const positions = array(POSITION), triangles = [];
+  const coats = shapes.map((shape) => {
+    const surface = gltf.materials ? gltf.materials[shape.material || 0].pbrMetallicRoughness : {};
+    const own = array(shape.indices), first = triangles.length;
+    for (const corner of own) triangles.push(corner);
+    const { baseColorFactor: color = [0.7, 0.6, 0.5, 1], roughnessFactor: rough = 1 } = surface;
+    return { first, count: own.length, color: color.slice(0, 3), rough };
+  });
   return {
-    positions: array(shape.attributes.POSITION),
-    normals: array(shape.attributes.NORMAL),
-    triangles: Uint32Array.from(array(shape.indices)),
-    color: (surface.baseColorFactor || [0.7, 0.6, 0.5, 1]).slice(0, 3),
+    positions,
+    normals: array(NORMAL),
+    colors: COLOR_0 === undefined ? new Uint16Array(positions.length / 3 * 4).fill(65535) : array(COLOR_0),
+    triangles: Uint32Array.from(triangles),
+    coats,
   };
 }
 
@@ -40,27 +49,34 @@ function boundsOf(positions) {
 }
 
 const VERTEX = `
-attribute vec3 at, normal;
+attribute vec3 at, normal, tint;
 uniform vec3 middle;
 uniform float size, turn, tilt, near;
-varying vec3 facing;
+varying vec3 facing, own, place;
 vec3 turned(vec3 p) {
   vec3 q = vec3(cos(turn) * p.x + sin(turn) * p.z, p.y, cos(turn) * p.z - sin(turn) * p.x);
   return vec3(q.x, cos(tilt) * q.y - sin(tilt) * q.z, sin(tilt) * q.y + cos(tilt) * q.z);
 }
 void main() {
   facing = turned(normal);
+  own = tint;
   vec3 p = turned(at - middle) / size;
+  place = p;
   gl_Position = vec4(p.xy * 1.4 * near, -0.5 * p.z, 1.7 - 0.35 * p.z);
 }`;
 const FRAGMENT = `
-precision mediump float;
+precision highp float;
 uniform vec3 color;
-varying vec3 facing;
+uniform float rough;
+varying vec3 facing, own, place;
 void main() {
-  vec3 n = normalize(gl_FrontFacing ? facing : -facing);
-  float light = 0.25 + 0.15 * n.y + 0.6 * (0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.6, 0.8))));
-  gl_FragColor = vec4(pow(color * light, vec3(0.4545)), 1.0);
+  vec3 n = normalize(gl_FrontFacing ? facing : -facing), window = normalize(vec3(-0.5, 0.6, 0.8));
+  float light = 0.25 + 0.15 * n.y + 0.6 * (0.5 + 0.5 * dot(n, window));
+  // A window's light on the glass, as wide as the glaze is rough; glass gives back a twenty-fifth.
+  float wide = max(rough, 0.3), sharp = 2.0 / (wide * wide * wide * wide) - 2.0;
+  vec3 eye = normalize(vec3(0.0, 0.0, 4.86) - place);
+  float shine = 0.04 * (sharp + 8.0) / 25.0 * pow(max(dot(n, normalize(window + eye)), 0.0), sharp);
+  gl_FragColor = vec4(pow(min(color * own * light + shine, 1.0), vec3(0.4545)), 1.0);
 }`;
 
 function show(canvas, pot) {
@@ -78,12 +94,12 @@ function show(canvas, pot) {
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return;
   gl.useProgram(program);
-  for (const [name, values] of [["at", pot.positions], ["normal", pot.normals]]) {
+  for (const [name, values, wide] of [["at", pot.positions, 3], ["normal", pot.normals, 3], ["tint", pot.colors, 4]]) {
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
     const place = gl.getAttribLocation(program, name);
     gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
+    gl.vertexAttribPointer(place, wide, wide === 4 ? gl.UNSIGNED_SHORT : gl.FLOAT, wide === 4, 0, 0);
   }
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, pot.triangles, gl.STATIC_DRAW);
@@ -91,7 +107,6 @@ function show(canvas, pot) {
   const { middle, half } = boundsOf(pot.positions);
   gl.uniform3fv(uniform("middle"), middle);
   gl.uniform1f(uniform("size"), half);
-  gl.uniform3fv(uniform("color"), pot.color);
   gl.enable(gl.DEPTH_TEST);
   canvas.parentElement.hidden = false;
 
@@ -113,7 +128,11 @@ function show(canvas, pot) {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     for (const name of ["turn", "tilt", "near"]) gl.uniform1f(uniform(name), look[name]);
-    gl.drawElements(gl.TRIANGLES, pot.triangles.length, gl.UNSIGNED_INT, 0);
+    for (const coat of pot.coats) {
+      gl.uniform3fv(uniform("color"), coat.color);
+      gl.uniform1f(uniform("rough"), coat.rough);
+      gl.drawElements(gl.TRIANGLES, coat.count, gl.UNSIGNED_INT, 4 * coat.first);
+    }
   };
   requestAnimationFrame(frame);
 }

@@ -2,7 +2,8 @@
 // still in the studio while the texture turns past them, so the cut-away needs no discarded pixel.
 // PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of floor and wall. SKIN: 0
 // dry clay, 1 wet clay, 2 glazed, 3 on its way to a glaze. Both are known when the program is made:
-// software rasterizers run every branch of a shader, and a scene without water has none of it.
+// software rasterizers run every branch of a shader, and a scene without water has none of it. READ:
+// what the surface is at given places is written down, and nothing is lit (skin_reader.cpp).
 
 uniform mat4 clip_from_studio;
 uniform sampler2D outer_radius, inner_radius;  // shares of the widest
@@ -65,9 +66,20 @@ float lip_rise(float depth, float inner, float outer, float rho) {
 }
 
 #ifdef VERTEX
-layout(location = 0) in vec2 place;  // round (or across the wall), along
 out vec3 position;
 out vec2 surface;  // angle in the studio, share of the height
+#ifdef READ
+layout(location = 0) in vec3 place;  // metres, in the clay's own frame
+layout(location = 1) in vec2 texel;  // where it is written
+
+void main() {
+  position = place;
+  surface = vec2(atan(place.z, place.x == 0.0 && place.z == 0.0 ? 1.0 : place.x), place.y / height);
+  gl_Position = vec4(texel, 0.0, 1.0);
+  gl_PointSize = 1.0;
+}
+#else
+layout(location = 0) in vec2 place;  // round (or across the wall), along
 
 void main() {
   float round_ = place.x, along = place.y;
@@ -109,6 +121,7 @@ void main() {
   vec3 drawn = mirrored > 0.5 ? vec3(position.x, -position.y, position.z) : position;
   gl_Position = clip_from_studio * vec4(drawn, 1.0);
 }
+#endif
 #endif
 
 #ifdef FRAGMENT
@@ -303,6 +316,10 @@ void main() {
                         : 0.25 * smoothstep(-mean_lip - 0.0016, -mean_lip, position.y - height);
   float wiped = PART == 0 ? 1.0 - smoothstep(0.0042, 0.0056, position.y + 0.0012 * fleck) : 0.0;
   Surface skin = of_glaze(glaze, u, t, groove, fleck, lip, wiped);
+#endif
+#ifdef READ
+  color = vec4(skin.albedo, skin.roughness);
+  return;
 #endif
 #if SKIN == 3
   // The new glaze comes in patches, from the foot up as the kiln's heat does.

@@ -32,6 +32,10 @@ class PictureKeeper final : public render::Renderer {
   void present() override {}
   view::Image read_pixels() override { return {}; }
   view::Image draw_offscreen(const view::Frame&) override { return {}; }
+  std::vector<view::SkinPoint> read_skin(const ClayMesh&,
+                                         const std::optional<view::Glazing>&) override {
+    return {};
+  }
   view::PictureId make_picture(const TriangleMesh&, std::array<float, 3>, const content::Coloring&,
                                int, int) override {
     return 0;

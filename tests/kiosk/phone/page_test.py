@@ -7,6 +7,7 @@ Skipped (77) where there is no chromium.
 import argparse
 import itertools
 import json
+import math
 import pathlib
 import random
 import re
@@ -82,6 +83,39 @@ def lopsided(glb):
     return bytes(out)
 
 
+def two_coloured(rough):
+    """A ball, red below and blue above, where it is so rough, as the kiosk writes a glazed pot."""
+    places, normals, colours, halves = [], [], [], ([], [])
+    for row in range(9):
+        for k in range(32):
+            round_, up = k * math.pi / 16, (row - 4) * math.pi / 8
+            normals += [math.cos(up) * math.cos(round_), math.sin(up), math.cos(up) * math.sin(round_)]
+            places += [0.5 * v for v in normals[-3:]]
+            colours += [65535, 6000, 0, 65535] if row < 4 else [0, 6000, 65535, 65535]
+            if row < 8:
+                a, b = row * 32 + k, row * 32 + (k + 1) % 32
+                halves[row >= 4].extend([a, a + 32, b, b, a + 32, b + 32])
+    parts = [struct.pack(f"<{len(v)}{t}", *v) for t, v in (("f", places), ("f", normals), ("I", halves[0] + halves[1]),
+                                                         ("H", colours))]
+    views, at = [], 0
+    for part in parts:
+        views.append({"buffer": 0, "byteOffset": at, "byteLength": len(part)})
+        at += len(part)
+    corners = {"POSITION": 0, "NORMAL": 1, "COLOR_0": 3}
+    coats = [{"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.8, 0.5, 1], "roughnessFactor": r}} for r in (0.7, rough)]
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "materials": coats, "bufferViews": views, "buffers": [{"byteLength": at}],
+        "meshes": [{"primitives": [{"attributes": corners, "indices": 2 + 2 * n, "material": n} for n in (0, 1)]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 288, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5126, "count": 288, "type": "VEC3"},
+                      {"bufferView": 2, "componentType": 5125, "count": 768, "type": "SCALAR"},
+                      {"bufferView": 3, "componentType": 5123, "count": 288, "type": "VEC4", "normalized": True},
+                      {"bufferView": 2, "byteOffset": 3072, "componentType": 5125, "count": 768, "type": "SCALAR"}]})
+    text += " " * (-len(text) % 4)
+    head = struct.pack("<IIIII", 0x46546c67, 2, 28 + len(text) + at, len(text), 0x4e4f534a)
+    return head + text.encode() + struct.pack("<II", at, 0x004e4942) + b"".join(parts)
+
+
 def covered(picture):
     return sum(a > 0 for a in picture[3::4]) / (len(picture) / 4)
 
@@ -118,6 +152,7 @@ class PageTest(unittest.TestCase):
             return cls.kept
         visit.mkdir(parents=True)
         (visit / "pot.glb").write_bytes(lopsided((ROOT / "content/vessels/moon_jar/vessel.glb").read_bytes()))
+        (visit / "turning.gif").write_bytes(random.Random(8).randbytes(3_000_000))
         (visit / "pot.stl").write_bytes(random.Random(7).randbytes(14_000_000))
         # A picture of a postcard's shape: whoever shows it looks at its bytes, not at its name.
         (visit / "postcard.jpg").write_bytes((ROOT / "kiosk/docs/pictures/sheet.png").read_bytes())
@@ -221,6 +256,24 @@ class PageTest(unittest.TestCase):
             time.sleep(0.5)
             self.assertGreater(changed(before, page.value(POT)), 0.05)
 
+    def test_the_pot_is_shown_in_its_glaze_and_what_is_smooth_shines(self):
+        glazed, brightest = "2026-05-04_180000_glazed", {}
+        shutil.copytree(self.kept / VISIT, self.kept / glazed)
+        for rough in (0.12, 0.7):
+            (self.kept / glazed / "pot.glb").write_bytes(two_coloured(rough))
+            with self.page() as page:
+                page.go(self.at + self.token(glazed))
+                page.wait("!document.getElementById('turning').hidden", "the pot is shown")
+                seen = page.value(POT)
+                pixels = [seen[4 * n:4 * n + 4] for n in range(48 * 48)]
+                above = [p for p in pixels[:48 * 20] if p[3] > 250]
+                below = [p for p in pixels[48 * 34:] if p[3] > 250]
+                self.assertGreater(len([p for p in above if p[2] > p[0] + 60]), 100, "blue above")
+                self.assertGreater(len([p for p in below if p[0] > p[2] + 60]), 100, "red below")
+                brightest[rough] = max(p[0] for p in above)  # blue has no red of its own
+                self.looked_at(page, f"glazed_{rough}")
+        self.assertGreater(brightest[0.12], brightest[0.7] + 60, "a window is seen in glass and not in clay")
+
     def test_without_webgl_or_with_a_broken_pot_the_postcard_stays(self):
         broken = "2026-05-04_160000_broken"
         shutil.copytree(self.kept / VISIT, self.kept / broken)
@@ -240,7 +293,7 @@ class PageTest(unittest.TestCase):
             to = self.folder / "taken"
             self.browser.say("Browser.setDownloadBehavior", behavior="allow", browserContextId=page.context,
                              downloadPath=str(to), eventsEnabled=True)
-            for file in ("postcard.jpg", "pot.glb", "pot.stl"):
+            for file in ("postcard.jpg", "turning.gif", "pot.glb", "pot.stl"):
                 page.tap(f'a.take[href$="{file}"]')
                 self.browser.until(lambda: (to / file).is_file() and
                                    (to / file).stat().st_size == (self.kept / VISIT / file).stat().st_size, file)

@@ -1,0 +1,189 @@
+#include "kiosk/render/skin_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "kiosk/content/glaze.h"
+#include "tests/kiosk/render/studio_fixture.h"
+
+// What a pot is taken home with against what the kiln shows. Light falls out of it: of three
+// pictures of one pot (the glaze, a white one, a black one, all as smooth) light and shine are the
+// same, so (glaze - black) / (white - black) at a pixel is the glaze's colour there, as a share of
+// the white's.
+
+namespace onggi::render::testing {
+namespace {
+
+using Color = std::array<double, 3>;
+
+constexpr double kPotHeight = 0.18;
+constexpr float kWhite = 0.3f;        // of the light comes back from the body
+constexpr double kUnderGlass = 0.86;  // and of that through clear glass
+const ClayDef kPotGrid = grid_of(360, 180, kPotHeight, 0.012);
+
+double belly(double t) { return 0.045 + 0.02 * std::sin(3.0 * t); }
+ClayView grooved_pot() { return thrown_clay(kPotGrid, belly, 0.006, 0.00025); }
+
+double light(std::uint8_t display) {
+  const double s = display / 255.0;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+view::Frame in_the_kiln(const content::GlazeLook& look) {
+  view::Frame frame = frame_with_pot(1100, 1100, kPotHeight, 0.066);
+  frame.pot->wheel = false;
+  frame.pot->finish = view::Finish::fired;
+  frame.pot->glazing.look = look;
+  return frame;
+}
+
+content::GlazeLook clear_over(float body) {
+  content::GlazeLook look;
+  look.body = {body, body, body};
+  look.glass = {1, 1, 1};
+  look.slip_cover = look.brushed = look.pooling = look.band_width = look.gloss = 0;
+  return look;
+}
+
+class SkinReading : public StudioTest {
+ protected:
+  /// A short arc of the outer wall in front, at one height.
+  struct Arc {
+    Color read{}, shown{};  ///< Means of its colours, as read off and as the kiln shows them.
+    int count = 0;
+  };
+  /// By row of the mesh, and by arc. `look` is matt.
+  static std::map<std::pair<int, int>, Arc> arcs_of(const content::GlazeLook& look,
+                                                    const ClayMesh& mesh) {
+    Renderer& r = renderer();
+    const view::Image glazed = r.draw_offscreen(in_the_kiln(look));
+    const view::Image white = r.draw_offscreen(in_the_kiln(clear_over(kWhite)));
+    const view::Image black = r.draw_offscreen(in_the_kiln(clear_over(0.0f)));
+    const view::Glazing glazing{look, 1.0};
+    const auto skin = r.read_skin(mesh, glazing);
+    EXPECT_EQ(skin.size(), mesh.mesh.positions.size());
+    const view::Camera camera = in_the_kiln(look).pot->camera;
+    const Vec3 eye = camera.eye();
+    std::map<std::pair<int, int>, Arc> arcs;
+    for (std::size_t i = 0; i < skin.size(); ++i) {
+      if (mesh.faces[i] != ClayFace::outer) continue;
+      const auto& p = mesh.mesh.positions[i];
+      const auto& n = mesh.mesh.normals[i];
+      const Vec3 at{p[0], p[1], p[2]}, out{n[0], n[1], n[2]};
+      // What is seen aslant is less than a pixel wide, and the lip and foot have edges.
+      if (dot(out, eye - at) < 0.7 * length(eye - at) || at.y < 0.008 || at.y > 0.172) continue;
+      const auto [x, y] = *camera.project(at);
+      const std::size_t pixel = static_cast<std::size_t>(y) * 1100u + static_cast<std::size_t>(x);
+      Arc& arc = arcs[{static_cast<int>(at.y * 2000), static_cast<int>(i % 180) / 10}];
+      ++arc.count;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double dark = light(black.rgba[4 * pixel + k]);
+        const double lit = light(white.rgba[4 * pixel + k]) - dark;
+        arc.shown[k] += kUnderGlass * static_cast<double>(kWhite) *
+                        (light(glazed.rgba[4 * pixel + k]) - dark) / std::max(lit, 1e-3);
+        arc.read[k] += static_cast<double>(skin[i].color[k]);
+      }
+    }
+    std::erase_if(arcs, [](const auto& one) { return one.second.count < 5; });
+    for (auto& [where, arc] : arcs)
+      for (std::size_t k = 0; k < 3; ++k) {
+        arc.read[k] /= arc.count;
+        arc.shown[k] /= arc.count;
+      }
+    return arcs;
+  }
+};
+
+TEST_F(SkinReading, EveryGlazeIsReadOffAsTheKilnShowsItPlaceForPlace) {
+  const ClayView clay = grooved_pot();
+  renderer().show_clay(clay);
+  const ClayMesh mesh = faced_mesh_of(clay);
+  const auto glazes = content::read_glazes("content/glazes.toml").glazes;
+  ASSERT_FALSE(glazes.empty());
+  for (const content::Glaze& glaze : glazes) {
+    content::GlazeLook look = glaze.look;
+    look.gloss = 0;
+    const auto arcs = arcs_of(look, mesh);
+    ASSERT_GT(arcs.size(), 500u) << glaze.id;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // How far apart they are, how much the colour changes from place to place, and whether both
+      // change together.
+      double apart = 0, mean_read = 0, mean_shown = 0, both = 0, read2 = 0, shown2 = 0;
+      const auto n = static_cast<double>(arcs.size());
+      for (const auto& [where, arc] : arcs) {
+        apart += std::abs(arc.read[k] - arc.shown[k]) / n;
+        mean_read += arc.read[k] / n;
+        mean_shown += arc.shown[k] / n;
+      }
+      for (const auto& [where, arc] : arcs) {
+        const double a = arc.read[k] - mean_read, b = arc.shown[k] - mean_shown;
+        both += a * b;
+        read2 += a * a;
+        shown2 += b * b;
+      }
+      RecordProperty(glaze.id + std::to_string(k), std::to_string(apart / mean_shown));
+      EXPECT_LT(apart, 0.05 * mean_shown + 0.002) << glaze.id << ' ' << k;
+      EXPECT_GT(both / std::sqrt(read2 * shown2), 0.9) << glaze.id << ' ' << k;
+      EXPECT_NEAR(std::sqrt(read2 / shown2), 1.0, 0.25) << glaze.id << ' ' << k;
+    }
+  }
+}
+
+TEST_F(SkinReading, TheFootIsBareClayAndAGlossierGlazeIsSmoother) {
+  const ClayView clay = grooved_pot();
+  renderer().show_clay(clay);
+  const ClayMesh mesh = faced_mesh_of(clay);
+  std::array<double, 2> wall{};
+  for (const bool glossy : {false, true}) {
+    content::GlazeLook look;
+    look.gloss = glossy ? 0.9f : 0.2f;
+    const auto skin = renderer().read_skin(mesh, view::Glazing{look, 1.0});
+    int walls = 0, feet = 0;
+    for (std::size_t i = 0; i < skin.size(); ++i) {
+      const float y = mesh.mesh.positions[i][1];
+      if (mesh.faces[i] == ClayFace::foot) {
+        ++feet;
+        EXPECT_NEAR(skin[i].roughness, 0.7, 0.01);
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_NEAR(skin[i].color[k], look.body[k], 0.16 * look.body[k])
+              << "the glaze was wiped off";
+      } else if (mesh.faces[i] == ClayFace::outer && y > 0.05f && y < 0.13f) {
+        ++walls;
+        wall[glossy] += static_cast<double>(skin[i].roughness);
+      }
+    }
+    ASSERT_GT(feet, 0);
+    ASSERT_GT(walls, 1000);
+    wall[glossy] /= walls;
+  }
+  EXPECT_LT(wall[1], 0.2);
+  EXPECT_GT(wall[0], 0.45);
+}
+
+TEST_F(SkinReading, APotThatWasNotFiredIsDryClay) {
+  const ClayView clay = grooved_pot();
+  renderer().show_clay(clay);
+  const auto skin = renderer().read_skin(faced_mesh_of(clay), std::nullopt);
+  Color mean{};
+  for (const view::SkinPoint& point : skin) {
+    EXPECT_NEAR(point.roughness, 0.78, 0.01);
+    for (std::size_t k = 0; k < 3; ++k)
+      mean[k] += static_cast<double>(point.color[k]) / static_cast<double>(skin.size());
+  }
+  const Color look_md{0.405, 0.240, 0.137};  // "dry clay #B08968"
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(mean[k] / look_md[k], 1.0, 0.05) << k;
+}
+
+TEST_F(SkinReading, AfterAReadingEveryPictureIsAsItWasBefore) {
+  const ClayView clay = grooved_pot();
+  renderer().show_clay(clay);
+  const view::Frame frame = in_the_kiln(content::GlazeLook{});
+  const view::Image before = renderer().draw_offscreen(frame);
+  (void)renderer().read_skin(faced_mesh_of(clay), view::Glazing{});
+  EXPECT_EQ(renderer().draw_offscreen(frame).rgba, before.rgba);
+}
+
+}  // namespace
+}  // namespace onggi::render::testing
