@@ -178,7 +178,8 @@ Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, int 
       if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
     }
     // A save runs on a worker: give it wall time, or the visit's clock would outrun it.
-    if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (kiosk.saving() || kiosk.turning())
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (realtime)
       std::this_thread::sleep_for(std::chrono::duration<double>(
           std::max(0.0, begun + now + step - measure::monotonic_seconds())));

@@ -1,5 +1,6 @@
 #include "kiosk/exhibit/keepsakes.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <string>
@@ -33,6 +34,7 @@ Keepsakes::~Keepsakes() {
 
 void Keepsakes::wait() const {
   for (const auto& save : saving_) save.wait();
+  for (const auto& picture : adding_) picture.wait();
 }
 
 std::string Keepsakes::token() const {
@@ -50,9 +52,40 @@ int Keepsakes::save(souvenir::Keepsake keepsake) {
                       wait_out(before);
                       wait_out(tidying);
                       const souvenir::Keepsake mine = std::move(kept);
+                      const std::lock_guard one_at_a_time(folder_in_use_);
                       return Finished{ticket, souvenir::save(mine, folder_, limits_)};
                     }).share());
+  last_save_ = {ticket, saving_.back()};
   return ticket;
+}
+
+void Keepsakes::add(int ticket, souvenir::Turning turning, souvenir::Caption caption) {
+  if (ticket != last_save_.first) return;
+  adding_.push_back(std::async(
+      std::launch::async, [this, ticket, save = std::exchange(last_save_, {}).second,
+                           turning = std::move(turning), caption = std::move(caption)]() mutable {
+        const auto gif = souvenir::turning_picture(turning, caption);
+        turning = {};
+        const Result<souvenir::KeepsakeFiles> kept = save.get().outcome;
+        save = {};
+        const auto add = [&]() -> Result<std::filesystem::path> {
+          if (!kept) return tl::unexpected(kept.error());
+          if (!gif) return tl::unexpected(gif.error());
+          const std::lock_guard one_at_a_time(folder_in_use_);
+          return souvenir::add_turning(kept->folder, *gif, limits_);
+        };
+        return Added{ticket, add()};
+      }));
+}
+
+std::optional<Keepsakes::Added> Keepsakes::added() {
+  const auto done = std::find_if(adding_.begin(), adding_.end(), [](const auto& picture) {
+    return picture.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  });
+  if (done == adding_.end()) return std::nullopt;
+  Added added = done->get();
+  adding_.erase(done);
+  return added;
 }
 
 void Keepsakes::look(double now) {
@@ -64,6 +97,7 @@ void Keepsakes::look(double now) {
   tidying_ = std::async(std::launch::async, [this, before, last = tidying_]() mutable {
                wait_out(before);
                wait_out(last);
+               const std::lock_guard one_at_a_time(folder_in_use_);
                return souvenir::tidy(folder_, limits_);
              }).share();
 }

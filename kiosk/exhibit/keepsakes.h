@@ -2,18 +2,22 @@
 
 #include <filesystem>
 #include <future>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "kiosk/souvenir/keepsake.h"
+#include "kiosk/souvenir/turning.h"
 
 namespace onggi::exhibit {
 
 /// Saves keepsakes on a worker, one at a time in order, so that the screen never waits for a disk,
 /// and tidies their folder (souvenir::tidy) at once, at each save and every kTidy. A save that has
-/// begun is finished even when the program ends. Main thread.
+/// begun is finished even when the program ends. A turning picture follows its save and is waited
+/// for by no other. Main thread.
 class Keepsakes {
  public:
   static constexpr double kTidy = 24 * 3600.0;  ///< s
@@ -36,7 +40,17 @@ class Keepsakes {
   /// The oldest save that has come to an end, once each.
   std::optional<Finished> finished();
   bool busy() const { return !saving_.empty(); }
-  /// Waits for all saves that have begun.
+  /// Adds `turning` to the keepsake that `ticket`'s save made, once it is made; to none, where it
+  /// failed.
+  void add(int ticket, souvenir::Turning turning, souvenir::Caption caption);
+  struct Added {
+    int ticket = 0;
+    Result<std::filesystem::path> outcome;  ///< The file.
+  };
+  /// The next turning picture that has come to an end, once each.
+  std::optional<Added> added();
+  bool adding() const { return !adding_.empty(); }
+  /// Waits for all saves and turning pictures that have begun.
   void wait() const;
   /// Once a frame. `now` in seconds on a clock that never goes back.
   void look(double now);
@@ -50,6 +64,10 @@ class Keepsakes {
   double phone_hours_;
   int tickets_ = 0;
   std::vector<std::shared_future<Finished>> saving_;
+  /// The last save, which finished() may have told already: its turning picture comes later.
+  std::pair<int, std::shared_future<Finished>> last_save_;
+  std::vector<std::future<Added>> adding_;
+  std::mutex folder_in_use_;  ///< One worker at a time writes there; pictures are encoded before.
   std::shared_future<Result<void>> tidying_;
   std::optional<double> tidied_at_;
   bool told_ = false;  ///< What tidying_ came to.

@@ -96,7 +96,7 @@ void Kiosk::settle() {
   while (const auto request = visit_->take_request())
     if (const auto* over = std::get_if<screens::ForgetVisitor>(&*request)) carry_out(*over);
   keepsakes_->wait();
-  while (keepsakes_->busy()) note_saved();
+  while (keepsakes_->busy() || keepsakes_->adding()) note_saved();
   if (!counter_) return;
   counter_->finish();
   log_problems(counter_->remarks());
@@ -264,6 +264,7 @@ bool Kiosk::frame(double now, bool draw) {
   else if (!shelf_->draw_next_picture(*renderer_))
     missions_->draw_next_picture(*renderer_);
   last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
+  draw_turning();
   attendant_->frame(*visit_, last_frame_, now);
   if (const auto sight = visit_->sight(); attendant_->sings() && sound_ && sight)
     sound_->sing(*sight);
@@ -325,7 +326,10 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   if (postcard_ != 0) renderer_->drop_picture(postcard_);
   postcard_ = renderer_->make_picture(taken->keepsake.postcard);
   visit_->show_postcard(postcard_);
-  saving_ticket_ = keepsakes_->save(std::move(taken->keepsake));
+  const souvenir::Caption caption = taken->keepsake.caption;
+  kept_ticket_ = saving_ticket_ = keepsakes_->save(std::move(taken->keepsake));
+  if (exhibit_.keepsake.turning)
+    turning_.begin(saving_ticket_, caption, request.made, taken->glazing, potter_->view().clay);
   kept_ = std::move(taken->visit);
 }
 
@@ -340,7 +344,22 @@ void Kiosk::carry_out(const screens::ForgetVisitor& request) {
   if (postcard_ != 0) renderer_->drop_picture(std::exchange(postcard_, 0));
 }
 
+/// A picture a frame, and none while one screen fades into another.
+void Kiosk::draw_turning() {
+  if (last_frame_.fade > 0) return;
+  auto drawn = turning_.draw(potter_->view().clay, *renderer_);
+  if (drawn) keepsakes_->add(drawn->ticket, std::move(drawn->turning), std::move(drawn->caption));
+}
+
 void Kiosk::note_saved() {
+  if (const auto added = keepsakes_->added()) {
+    if (added->outcome)
+      log_line("Kept " + added->outcome->string());
+    else
+      log_problem(added->outcome.error());
+    // The pot of kept() is the last that was saved, and its picture has the same ticket.
+    if (kept_ && added->ticket == kept_ticket_) kept_->turning = added->outcome;
+  }
   const auto saved = keepsakes_->finished();
   if (!saved) return;
   ++(saved->outcome ? saved_.kept : saved_.refused);

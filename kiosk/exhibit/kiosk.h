@@ -20,6 +20,7 @@
 #include "kiosk/exhibit/studio_sound.h"
 #include "kiosk/exhibit/taken_home.h"
 #include "kiosk/exhibit/todays_pots.h"
+#include "kiosk/exhibit/turning_pot.h"
 #include "kiosk/exhibit/visit_counter.h"
 #include "kiosk/files/wall_clock.h"
 #include "kiosk/loop/fault_log.h"
@@ -92,6 +93,8 @@ class Kiosk {
   const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
   const std::optional<KeptVisit>& kept() const { return kept_; }
   bool saving() const { return keepsakes_->busy(); }
+  /// A turning picture is drawn, or written. Nobody need wait for it.
+  bool turning() const { return turning_.drawing() || keepsakes_->adding(); }
   /// Keepsakes that were kept since the kiosk opened, and those that the disk refused.
   struct SavedCount {
     std::uint64_t kept = 0, refused = 0;
@@ -109,7 +112,8 @@ class Kiosk {
   /// Attract plays, and every keepsake is on the disk: the kiosk may be closed and nobody misses
   /// it.
   bool nobody_is_here() const {
-    return visit_ && visit_->screen() == screens::ScreenId::attract && !saving();
+    return visit_ && visit_->screen() == screens::ScreenId::attract && !saving() &&
+           !keepsakes_->adding();
   }
 
  private:
@@ -124,6 +128,7 @@ class Kiosk {
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::ForgetVisitor& request);
   void note_saved();
+  void draw_turning();
   std::vector<view::InputEvent> look_after_devices(double now);
   view::Frame opening_frame() const;
   bool is_night(double now, const std::vector<view::InputEvent>& events);
@@ -142,6 +147,7 @@ class Kiosk {
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Missions> missions_;
   std::unique_ptr<Keepsakes> keepsakes_;
+  TurningPot turning_;
   std::unique_ptr<TodaysPots> todays_;     ///< Null where the curator shows none.
   std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
   std::unique_ptr<screens::Visit> visit_;
@@ -157,6 +163,7 @@ class Kiosk {
   std::optional<KeptVisit> kept_;
   loop::FaultLog fault_log_;
   SavedCount saved_;
+  int kept_ticket_ = 0;    ///< Of kept_'s save.
   int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.
   std::optional<view::InputEvent>
       early_touch_;  ///< The first touch, while the shelf is being read.

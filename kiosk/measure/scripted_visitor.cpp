@@ -219,6 +219,8 @@ Result<void> ScriptedVisitor::on_keepsake() {
                      "This is a fault of the program: please report it.", 1);
     return {};
   }
+  // Who takes all home waits for the picture that follows, too.
+  if (kiosk_.turning()) return {};
   if (!kept_seen_) {
     kept_seen_ = true;  // One more linger, so that the words about it are on the screen.
     entered_ = now_;

@@ -199,7 +199,7 @@ Result<void> SoakDays::visit() {
   while (!visitor_->done()) {
     // A save takes its own time: six times as long for a visitor, a helper that hangs would let
     // them be taken for gone.
-    faster_ = kiosk_->saving() ? 1 : kFaster;
+    faster_ = kiosk_->saving() || kiosk_->turning() ? 1 : kFaster;
     if (auto good = frame(); !good) return good;
     troubles_->during(kiosk_->saving());
     if (!changed_language && kiosk_->visit().screen() == screens::ScreenId::choose &&

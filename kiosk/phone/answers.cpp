@@ -21,6 +21,7 @@ struct File {
   bool saved;
 };
 constexpr File kFiles[] = {{souvenir::kPostcardJpeg, "image/jpeg", false},
+                           {souvenir::kTurning, "image/gif", false},
                            {souvenir::kPotGlb, "model/gltf-binary", false},
                            {souvenir::kPotStl, "model/stl", true}};
 
@@ -84,7 +85,9 @@ Answer Answers::to(const Ask& ask) const {
   if (ask.method != "GET" || !pass->whole) return nothing_here(ask);
   if (slash == std::string_view::npos) {
     passes_.note_fetched(*pass, now);
-    return {.status = 200, .body = visitors_page(pass->token, *words, own, languages_)};
+    return {.status = 200,
+            .body = visitors_page(pass->token, *words, own, languages_,
+                                  passes_.has_file(*pass, souvenir::kTurning))};
   }
   for (const File& file : kFiles) {
     if (what != file.name) continue;

@@ -27,7 +27,7 @@ struct Answer {
 /// The visitor's page and what belongs to it:
 ///   GET  /k/TOKEN               the page: postcard, pot that turns, what to take, delete; in the
 ///                               visit's language, or that of ?lang=CODE
-///   GET  /k/TOKEN/postcard.jpg, pot.glb, pot.stl
+///   GET  /k/TOKEN/postcard.jpg, turning.gif, pot.glb, pot.stl
 ///   POST /k/TOKEN/delete        every copy goes, at once
 ///   GET  /page.js, .css, .svg   the same for everybody
 ///   GET  /generate_204 ...      what a phone asks of a network that it has joined (probes.h)

@@ -243,6 +243,7 @@ void read_keepsake(Table table, const fs::path& folder, Exhibit::Keepsake& keeps
   table.integer("quota_mb", keepsake.quota_mb, 10, 1000000, "MB");
   table.integer("days", keepsake.days, 0, 3650, "days");
   table.boolean("gallery", keepsake.gallery);
+  table.boolean("turning", keepsake.turning);
   table.finish();
 }
 

@@ -48,6 +48,7 @@ struct Exhibit {
     int quota_mb = 2000;  ///< Oldest visits are removed beyond this, 10..1000000.
     int days = 0;         ///< After which a visit is removed, 1..3650; 0: only beyond the quota.
     bool gallery = true;  ///< Pots kept today are shown to visitors, without a name.
+    bool turning = true;  ///< A picture of the pot that turns is kept, too.
   } keepsake;
   struct Store {
     bool count = true;  ///< Visits are counted, beside the keepsakes.

@@ -3,8 +3,9 @@
 //   onggi-encode < header-and-pixels > picture
 //   onggi-encode --describe FILE       what another reader finds in FILE, as JSON
 //
-// Standard input: one line of JSON {width, height, format: png|jpeg, title, copyright, description,
-// software}, then width * height * 4 bytes of sRGB with straight alpha. Exit 0, or 1 with the
+// Standard input: one line of JSON {width, height, format: png|jpeg|gif, title, copyright,
+// description, software, and of a gif: frames, hundredths (of a second, for each)}, then width *
+// height * 4 bytes of sRGB with straight alpha, as often as there are frames. Exit 0, or 1 with the
 // reason on standard error. It never writes a file: OpenImageIO tells nothing of a full disk.
 
 #include <OpenImageIO/filesystem.h>
@@ -18,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/souvenir/gif.h"
 #include "kiosk/souvenir/picture_bytes.h"
 
 namespace {
@@ -25,6 +27,7 @@ namespace {
 using onggi::souvenir::Caption;
 using onggi::souvenir::Format;
 using onggi::souvenir::kLargestSide;
+using onggi::souvenir::kMostFrames;
 
 constexpr int kJpegQuality = 92;
 constexpr std::size_t kLongestText = 1000;  // bytes; a JPEG's metadata must fit into 64 KiB
@@ -33,6 +36,7 @@ constexpr float kDotsPerInch = 300.0f;      // 1500 x 2100 is then the 5 x 7 inc
 struct Order {
   int width = 0, height = 0;
   Format format = Format::png;
+  int frames = 1, hundredths = 0;
   Caption caption;
   std::string software;
   std::vector<unsigned char> rgba;
@@ -64,12 +68,22 @@ std::string read_order(std::istream& in, Order& order) {
   order.width = static_cast<int>(side("width"));
   order.height = static_cast<int>(side("height"));
   const std::string format = text("format");
-  if (format != "png" && format != "jpeg") return "the format is to be png or jpeg";
-  order.format = format == "png" ? Format::png : Format::jpeg;
+  if (format != "png" && format != "jpeg" && format != "gif")
+    return "the format is to be png, jpeg or gif";
+  order.format = format == "png" ? Format::png : format == "jpeg" ? Format::jpeg : Format::gif;
+  if (order.format == Format::gif) {
+    if (side("frames") < 1 || side("frames") > kMostFrames)
+      return "frames are to be 1 to " + std::to_string(kMostFrames);
+    if (side("hundredths") < 2 || side("hundredths") > 1000)
+      return "a frame is to stand for 2 to 1000 hundredths of a second";
+    order.frames = static_cast<int>(side("frames"));
+    order.hundredths = static_cast<int>(side("hundredths"));
+  }
   order.caption = {text("title"), text("copyright"), text("description")};
   order.software = text("software");
   order.rgba.resize(4 * static_cast<std::size_t>(order.width) *
-                    static_cast<std::size_t>(order.height));
+                    static_cast<std::size_t>(order.height) *
+                    static_cast<std::size_t>(order.frames));
   in.read(reinterpret_cast<char*>(order.rgba.data()),
           static_cast<std::streamsize>(order.rgba.size()));
   if (static_cast<std::size_t>(in.gcount()) != order.rgba.size()) return "pixels are missing";
@@ -118,8 +132,17 @@ void describe_picture(const Order& order, OIIO::ImageSpec& spec) {
   tell("IPTC:ObjectName", title);
 }
 
+/// An animated GIF's bytes. By ourselves: OpenImageIO's has other bytes each time that it is
+/// written, and a palette for each picture, by which what stands still shimmers.
+std::vector<std::byte> encode_turning(const Order& order) {
+  const std::vector<std::byte> gif =
+      onggi::souvenir::write_gif(order.width, order.height, order.hundredths, on_white(order.rgba));
+  return onggi::souvenir::with_comments(gif, order.caption, order.software);
+}
+
 /// The picture's bytes; `fault` says why there are none.
 std::vector<std::byte> encode(const Order& order, std::string& fault) {
+  if (order.format == Format::gif) return encode_turning(order);
   const bool alpha = order.format == Format::png && has_alpha(order.rgba);
   const std::vector<unsigned char> rgb =
       alpha ? std::vector<unsigned char>() : on_white(order.rgba);

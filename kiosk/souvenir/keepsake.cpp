@@ -17,23 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr int kMostOfOneName = 99;
 
-/// A folder that goes away with everything in it unless it is kept.
-class PartialFolder {
- public:
-  explicit PartialFolder(fs::path path) : path_(std::move(path)) {}
-  ~PartialFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  PartialFolder(const PartialFolder&) = delete;
-  PartialFolder& operator=(const PartialFolder&) = delete;
-  const fs::path& path() const { return path_; }
-  void keep() { path_.clear(); }
-
- private:
-  fs::path path_;
-};
-
 /// A pass that is taken back unless its keepsake is kept.
 class GivenPass {
  public:

@@ -165,6 +165,11 @@ std::optional<std::string> Passes::file_of(const Pass& pass, const char* name) c
   return std::string(bytes->begin(), bytes->end());
 }
 
+bool Passes::has_file(const Pass& pass, const char* name) const {
+  std::error_code error;
+  return fs::symlink_status(keepsakes_ / pass.visit / name, error).type() == fs::file_type::regular;
+}
+
 Result<void> Passes::remove_all_of(const Pass& pass) const {
   const fs::path visit = keepsakes_ / pass.visit;
   std::error_code error;

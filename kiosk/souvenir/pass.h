@@ -50,6 +50,8 @@ class Passes {
   std::optional<Pass> find(std::string_view token, std::int64_t now, Work* work = nullptr) const;
   /// A file of its keepsake, one of souvenir's; nothing where it is not there.
   std::optional<std::string> file_of(const Pass& pass, const char* name) const;
+  /// It is there. It may come later than the others.
+  bool has_file(const Pass& pass, const char* name) const;
   /// Removes the keepsake, all of it, and every pass to it. Problem, exit 1, where some is left:
   /// then the pass is good, and it may be asked for again.
   Result<void> remove_all_of(const Pass& pass) const;

@@ -16,6 +16,9 @@ constexpr std::string_view kPngStart = "\x89PNG\r\n\x1a\n"sv;
 constexpr std::string_view kPngEnd = "\0\0\0\0IEND\xae\x42\x60\x82"sv;
 constexpr std::string_view kJpegStart = "\xff\xd8\xff"sv;
 constexpr std::string_view kJpegEnd = "\xff\xd9"sv;
+constexpr std::string_view kGifStart = "GIF89a"sv;
+constexpr std::string_view kGifEnd = "\0\x3b"sv;  // the end of the last picture's data, and of all
+constexpr std::size_t kGifHead = 13;              // signature and screen descriptor
 // Signature, then IHDR: length 4, name 4, data 13, checksum 4.
 constexpr std::size_t kBehindHeader = 8 + 4 + 4 + 13 + 4;
 
@@ -54,6 +57,8 @@ std::string text_chunk(std::string_view keyword, std::string_view text) {
 }  // namespace
 
 bool is_whole(std::span<const std::byte> bytes, Format format) {
+  if (format == Format::gif)
+    return starts_and_ends(bytes, kGifStart, kGifEnd) && bytes.size() > kGifHead;
   return format == Format::png ? starts_and_ends(bytes, kPngStart, kPngEnd) &&
                                      bytes.size() > kBehindHeader + kPngEnd.size()
                                : starts_and_ends(bytes, kJpegStart, kJpegEnd);
@@ -75,6 +80,30 @@ std::vector<std::byte> with_texts(std::span<const std::byte> png, const Caption&
   std::transform(chunks.begin(), chunks.end(), std::back_inserter(out),
                  [](char c) { return static_cast<std::byte>(c); });
   out.insert(out.end(), png.begin() + kBehindHeader, png.end());
+  return out;
+}
+
+std::vector<std::byte> with_comments(std::span<const std::byte> gif, const Caption& caption,
+                                     const std::string& software) {
+  std::string comments;
+  for (const std::string& text :
+       {caption.title, caption.copyright, caption.description, software}) {
+    if (text.empty()) continue;
+    // GIF89a, 24: blocks of up to 255 bytes, each behind its length, until one of none.
+    comments += "\x21\xfe"sv;
+    for (std::size_t at = 0; at < text.size(); at += 255) {
+      const std::string part = text.substr(at, 255);
+      comments += static_cast<char>(part.size());
+      comments += part;
+    }
+    comments += '\0';
+  }
+  // Last of all: some viewers want the word that it goes on without end to be the first.
+  std::vector<std::byte> out(gif.begin(), gif.end() - 1);
+  out.reserve(gif.size() + comments.size());
+  std::transform(comments.begin(), comments.end(), std::back_inserter(out),
+                 [](char c) { return static_cast<std::byte>(c); });
+  out.push_back(gif.back());
   return out;
 }
 

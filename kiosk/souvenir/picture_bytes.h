@@ -9,7 +9,7 @@
 
 namespace onggi::souvenir {
 
-/// Is this the whole of a PNG or JPEG: its first bytes and its closing mark?
+/// Is this the whole of a PNG, JPEG or GIF: its first bytes and its closing mark?
 bool is_whole(std::span<const std::byte> bytes, Format format);
 
 /// `png` with title, copyright, description and software as chunks behind its header: tEXt for
@@ -17,5 +17,10 @@ bool is_whole(std::span<const std::byte> bytes, Format format);
 /// 달항아리. Empty texts are left out. `png` must be whole.
 std::vector<std::byte> with_texts(std::span<const std::byte> png, const Caption& caption,
                                   const std::string& software);
+
+/// `gif` with the same as comments at its end, UTF-8. Empty texts are left out. `gif` must be
+/// whole.
+std::vector<std::byte> with_comments(std::span<const std::byte> gif, const Caption& caption,
+                                     const std::string& software);
 
 }  // namespace onggi::souvenir

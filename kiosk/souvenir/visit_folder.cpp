@@ -33,8 +33,8 @@ bool is_plain(char c) {
 
 /// Only what save() writes: its files, or what a power cut left of one (".postcard.png.12-3.part").
 bool is_ours(const std::string& file) {
-  constexpr std::array<std::string_view, 7> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
-                                                  kReplay,      kSmall,        kShown};
+  constexpr std::array<std::string_view, 8> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
+                                                  kReplay,      kSmall,        kShown,  kTurning};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return file == name ||
            (file.starts_with("." + std::string(name) + ".") && file.ends_with(".part"));
@@ -65,6 +65,9 @@ Result<void> remove_visit(const fs::path& folder) {
   fs::path going = folder;
   going += kPartial;
   std::error_code error;
+  // What a power cut left of its turning picture is in the way.
+  std::uintmax_t bytes = 0;
+  if (holds_only_ours(going, bytes)) fs::remove_all(going, error);
   fs::rename(folder, going, error);
   if (!error) fs::remove_all(going, error);
   if (!error) return {};

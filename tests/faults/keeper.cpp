@@ -5,6 +5,7 @@
 // a kiosk would say it:
 //   kept NAME            its folder is whole
 //   refused NAME: WORDS  and will be tried again by nobody
+//   turned NAME          its picture that turns is there, too
 //   remark WORDS         what staff should know of the store
 //   counted N            of this run, visits that are in the store: unless there was a remark
 //   before
@@ -54,6 +55,13 @@ souvenir::Keepsake keepsake_of(int n) {
   return all;
 }
 
+souvenir::Turning turning() {
+  souvenir::Turning all{12, 12, 3, 1.0, {}};
+  for (int k = 0; k < 3 * 12 * 12 * 4; ++k)
+    all.rgba.push_back(static_cast<std::uint8_t>(k % 4 == 3 ? 255 : k * 5 / 3));
+  return all;
+}
+
 store::VisitRecord record_now() {
   store::VisitRecord visit;
   visit.start = std::time(nullptr);
@@ -89,12 +97,16 @@ int main(int argc, char** argv) {
   double now = 0.0;
   for (int n = first; n < first + count; ++n) {
     keepsakes.look(now += 60.0);
-    keepsakes.save(keepsake_of(n));
+    const int ticket = keepsakes.save(keepsake_of(n));
+    keepsakes.add(ticket, turning(), {"Moon jar", "A museum", "thrown by hand"});
     std::optional<exhibit::Keepsakes::Finished> done;
     while (!(done = keepsakes.finished()))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     say(done->outcome ? "kept " + done->outcome->folder.filename().string()
                       : "refused " + name_of(n) + ": " + to_text(done->outcome.error()));
+    std::optional<exhibit::Keepsakes::Added> added;
+    while (!(added = keepsakes.added())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (added->outcome) say("turned " + added->outcome->parent_path().filename().string());
     store.visit(record_now());
     store.finish();
     const auto remarks = store.remarks();

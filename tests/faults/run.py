@@ -31,6 +31,7 @@ import time
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 FILES = ("postcard.png", "postcard.jpg", "pot.glb", "pot.stl", "visit.onggi")
+TURNING = "turning.gif"  # follows the others: whole, or not there
 YEARS = 10 * 365 * 24 * 3600
 KINDS = ("EIO", "EIO+", "ENOSPC", "ENOSPC+", "EROFS+", "short", "kill", "killed", "gone",
          f"clock:{YEARS}", f"clock:-{YEARS}")
@@ -49,6 +50,7 @@ class Folder:
     def __init__(self, path):
         self.path = path
         self.kept, self.counted, self.tried, self.refused = set(), 0, 0, 0
+        self.turned = set()
 
     def heard(self, lines, visits):
         """Takes in what a run of so many visits said. A visit counts as counted once that was said; after a remark
@@ -58,6 +60,8 @@ class Folder:
             word, _, rest = line.partition(" ")
             if word == "kept":
                 self.kept.add(rest)
+            elif word == "turned":
+                self.turned.add(rest)
             elif word == "refused":
                 self.refused += 1
             elif word == "remark":
@@ -82,6 +86,8 @@ class Folder:
             for file in os.listdir(os.path.join(self.path, name)):
                 with open(os.path.join(self.path, name, file), "rb") as f:
                     found[file] = f.read()
+            if TURNING not in found and name not in self.turned:
+                found[TURNING] = whole[TURNING]
             if found != whole:
                 bad.append(f"{name} is not whole: {sorted(k for k in set(found) | set(whole) if found.get(k) != whole.get(k))}")
         bad += [f"{name} was set aside" for name in names if "damaged" in name]
@@ -146,7 +152,7 @@ class Keeper:
             raise SystemExit("The keeper does not keep, with nothing wrong: " + " / ".join(lines))
         (name,) = [line[5:] for line in lines if line.startswith("kept ")]
         whole = {}
-        for file in FILES:
+        for file in (*FILES, TURNING):
             with open(os.path.join(folder, name, file), "rb") as f:
                 whole[file] = f.read()
         return whole

@@ -83,6 +83,70 @@ TEST(Keepsakes, APassIsGivenWhilePhonesAreAnsweredAndOnlyThen) {
   EXPECT_EQ(Keepsakes(scratch.path(), {100, 0}).token(), "") << "the museum wants no phones";
 }
 
+souvenir::Turning a_turning(std::uint8_t shade) {
+  return {8, 8, 4, 1.0, std::vector<std::uint8_t>(4 * 8 * 8 * 4, shade)};
+}
+
+souvenir::Keepsake a_keepsake(const char* name) {
+  souvenir::Keepsake keepsake;
+  keepsake.name = name;
+  keepsake.postcard = {2, 2, std::vector<std::uint8_t>(16, 128)};
+  keepsake.glb.resize(10);
+  return keepsake;
+}
+
+TEST(Keepsakes, ATurningPictureFollowsItsSaveAndNoOtherAndTheProgramEndsWithIt) {
+  const ScratchFolder scratch;
+  {
+    Keepsakes keepsakes(scratch.path(), {100, 0});
+    const int first = keepsakes.save(a_keepsake("2026-05-04_141503_jar"));
+    const int second = keepsakes.save(a_keepsake("2026-05-04_150000_jar"));
+    keepsakes.add(first, a_turning(10), {});
+    EXPECT_FALSE(keepsakes.adding()) << "another pot was kept since";
+    keepsakes.add(second, a_turning(20), {});
+    EXPECT_TRUE(keepsakes.adding());
+  }
+  EXPECT_FALSE(fs::exists(scratch.path() / "2026-05-04_141503_jar/turning.gif"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "2026-05-04_150000_jar/turning.gif"));
+}
+
+TEST(Keepsakes, ASaveIsToldBeforeItsTurningPictureAndWhetherOrNotThatComesToAnything) {
+  const ScratchFolder scratch;
+  Keepsakes keepsakes(scratch.path(), {100, 0});
+  const int ticket = keepsakes.save(a_keepsake("2026-05-04_141503_jar"));
+  keepsakes.wait();
+  const auto saved = keepsakes.finished();
+  ASSERT_TRUE(saved && saved->outcome);
+  EXPECT_FALSE(keepsakes.busy());
+  fs::remove_all(saved->outcome->folder);
+  keepsakes.add(ticket, a_turning(10), {});
+  keepsakes.wait();
+  EXPECT_FALSE(keepsakes.busy()) << "a picture is no save";
+  const auto added = keepsakes.added();
+  ASSERT_TRUE(added);
+  EXPECT_EQ(added->ticket, ticket);
+  EXPECT_FALSE(added->outcome) << "its visitor deleted it";
+  EXPECT_FALSE(keepsakes.added());
+  EXPECT_FALSE(keepsakes.adding());
+}
+
+TEST(Keepsakes, NoSaveWaitsForAPictureThatIsEncoded) {
+  const ScratchFolder scratch;
+  Keepsakes keepsakes(scratch.path(), {100, 0});
+  const int ticket = keepsakes.save(a_keepsake("2026-05-04_141503_jar"));
+  souvenir::Turning large{500, 500, 40, 4.0, {}};
+  for (std::size_t k = 0; k < 500u * 500u * 40u * 4u; ++k)
+    large.rgba.push_back(static_cast<std::uint8_t>(k * k >> 7));
+  keepsakes.add(ticket, std::move(large), {});
+  keepsakes.save(a_keepsake("2026-05-04_150000_jar"));
+  for (int n = 0; n < 20'000 && keepsakes.busy(); ++n) {
+    (void)keepsakes.finished();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(fs::exists(scratch.path() / "2026-05-04_150000_jar"));
+  EXPECT_FALSE(keepsakes.added()) << "ten million pixels are still at work";
+}
+
 // A kiosk saves and tidies for months without a reload between.
 TEST(Keepsakes, WhatASaveHeldIsGivenBackWhenItHasEndedAndATidyingThatWaitedForItTooIs) {
   constexpr std::ptrdiff_t kReplay = 16 << 20;  // by mmap, so that it is counted apart

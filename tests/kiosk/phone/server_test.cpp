@@ -112,6 +112,19 @@ TEST_F(PhoneTest, AVisitorFindsPostcardPotAndPrintOnThePageAndNoOtherVisitor) {
   EXPECT_EQ(body(get("/page.svg")), k_page_svg);
 }
 
+TEST_F(PhoneTest, ThePictureThatTurnsIsOfferedFromWhenItIsThere) {
+  const std::string at = "/k/" + token();
+  EXPECT_THAT(get(at), Not(HasSubstr("turning.gif")));
+  EXPECT_THAT(get(at + "/turning.gif"), StartsWith("HTTP/1.1 404"));
+  std::ofstream(keepsakes_ / kVisit / "turning.gif") << "it turns";
+  EXPECT_THAT(get(at), HasSubstr("download href=\"" + at + "/turning.gif\""));
+  const std::string gif = get(at + "/turning.gif");
+  EXPECT_THAT(gif, HasSubstr("Content-Type: image/gif"));
+  EXPECT_EQ(body(gif), "it turns");
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  EXPECT_FALSE(fs::exists(keepsakes_ / kVisit));
+}
+
 TEST_F(PhoneTest, WhoeverHasNoPassIsToldTheSameWhateverIsAsked) {
   const std::string good = token(), expired = token(1), deleted = token();
   now_ = kNow + 2 * kHour;

@@ -125,7 +125,7 @@ try:
 
     status, page = get(port, "/k/" + token)
     sure(status == 200 and b'<html lang="ko"' in page, "the page opens, in the visit's language")
-    for file in ("postcard.jpg", "pot.glb", "pot.stl"):
+    for file in ("postcard.jpg", "turning.gif", "pot.glb", "pot.stl"):
         status, body = get(port, f"/k/{token}/{file}")
         sure(status == 200 and body == (folder / file).read_bytes(), f"{file} is whole")
 

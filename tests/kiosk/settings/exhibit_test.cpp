@@ -79,6 +79,7 @@ folder = "/var/lib/onggi/keepsakes"
 quota_mb = 10
 days = 30
 gallery = false
+turning = false
 [store]
 count = false
 months = 12
@@ -98,7 +99,7 @@ file_mb = 32
 vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 27);
+  EXPECT_EQ(r.keys_checked, 28);
   EXPECT_THAT(r.exhibit.attract_scripts, ElementsAre("follow", "collapse"));
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
@@ -108,6 +109,7 @@ vertices = 200000
   EXPECT_EQ(r.exhibit.keepsake.quota_mb, 10);
   EXPECT_EQ(r.exhibit.keepsake.days, 30);
   EXPECT_FALSE(r.exhibit.keepsake.gallery);
+  EXPECT_FALSE(r.exhibit.keepsake.turning);
   EXPECT_FALSE(r.exhibit.store.count);
   EXPECT_EQ(r.exhibit.store.months, 12);
   EXPECT_EQ(r.exhibit.idle.warn_after, 30);

@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <tuple>
 
 #include "kiosk/files/durable_file.h"
 #include "kiosk/souvenir/picture_bytes.h"
@@ -148,6 +150,85 @@ TEST(encode, a_picture_that_is_none_is_refused) {
   for (const view::Image& image : {view::Image{}, view::Image{10, 10, {1, 2, 3}},
                                    view::Image{-1, 4, {}}, view::Image{1 << 20, 1, {}}}) {
     const auto encoded = encode(image, Format::png, {});
+    ASSERT_FALSE(encoded);
+    EXPECT_EQ(encoded.error().exit_code, 1);
+  }
+}
+
+/// What a GIF is made of, read by ourselves (GIF89a, appendix A): its pictures' times in hundredths
+/// of a second, how often all are shown (0: without end), its comments.
+struct GifParts {
+  std::vector<int> times;
+  std::optional<int> times_shown;
+  std::string comments;
+  std::size_t pictures = 0;
+};
+GifParts parts_of(const std::vector<std::byte>& gif) {
+  GifParts parts;
+  const auto at = [&](std::size_t i) { return std::to_integer<std::size_t>(gif.at(i)); };
+  const auto table = [&](std::size_t i) {
+    return (at(i) & 0x80u) != 0 ? 3u << ((at(i) & 7u) + 1) : 0u;
+  };
+  std::size_t i = 13 + table(10);
+  while (at(i) != 0x3b) {
+    std::size_t kind = 0;
+    if (at(i) == 0x21) {
+      kind = at(i + 1);
+      if (kind == 0xf9) parts.times.push_back(static_cast<int>(at(i + 4) + 256 * at(i + 5)));
+      if (kind == 0xff) parts.times_shown = static_cast<int>(at(i + 16) + 256 * at(i + 17));
+      i += 2;
+    } else {
+      EXPECT_EQ(at(i), 0x2cu);
+      ++parts.pictures;
+      i += 11 + table(i + 9);
+    }
+    for (; at(i) != 0; i += at(i) + 1)
+      if (kind == 0xfe)
+        for (std::size_t k = 1; k <= at(i); ++k)
+          parts.comments += static_cast<char>(std::to_integer<unsigned char>(gif.at(i + k)));
+    ++i;
+  }
+  EXPECT_EQ(i + 1, gif.size());
+  return parts;
+}
+
+Turning turning(int frames, double seconds) {
+  Turning all{40, 30, frames, seconds, {}};
+  for (int n = 0; n < frames; ++n) {
+    view::Image one = picture(40, 30);
+    for (std::size_t k = 0; k < one.rgba.size(); k += 4)
+      one.rgba[k] = static_cast<std::uint8_t>(250 * n / frames);
+    all.rgba.insert(all.rgba.end(), one.rgba.begin(), one.rgba.end());
+  }
+  return all;
+}
+
+TEST(encode, a_turning_picture_has_all_its_frames_takes_its_time_and_goes_on_without_end) {
+  for (const auto& [frames, seconds, hundredths] :
+       {std::tuple(40, 4.0, 10), {36, 4.0, 11}, {7, 0.5, 7}, {3, 0.03, 2}, {1, 4.0, 400}}) {
+    const auto gif = encode(turning(frames, seconds), kCaption);
+    ASSERT_TRUE(gif) << to_text(gif.error());
+    const GifParts parts = parts_of(*gif);
+    EXPECT_EQ(parts.pictures, static_cast<std::size_t>(frames));
+    EXPECT_EQ(parts.times, std::vector<int>(static_cast<std::size_t>(frames), hundredths));
+    EXPECT_EQ(parts.times_shown, 0);
+    EXPECT_EQ(parts.comments, kCaption.title + kCaption.copyright + kCaption.description +
+                                  parts.comments.substr(parts.comments.find("Onggi 0.")));
+    const auto read = read_back(*gif, "turning.gif");
+    EXPECT_EQ(read["width"], 40);
+    EXPECT_EQ(read["height"], 30);
+  }
+  EXPECT_EQ(*encode(turning(5, 1), kCaption), *encode(turning(5, 1), kCaption)) << "the same bytes";
+}
+
+TEST(encode, a_turning_picture_that_is_none_is_refused) {
+  Turning short_of_one = turning(4, 1.0);
+  short_of_one.frames = 5;
+  Turning endless = turning(1, 1.0);
+  endless.frames = kMostFrames + 1;
+  endless.rgba.resize(endless.rgba.size() * static_cast<std::size_t>(endless.frames));
+  for (const Turning& none : {Turning{}, short_of_one, endless}) {
+    const auto encoded = encode(none, {});
     ASSERT_FALSE(encoded);
     EXPECT_EQ(encoded.error().exit_code, 1);
   }

@@ -1,0 +1,43 @@
+#include "kiosk/exhibit/turning_pot.h"
+
+#include <utility>
+
+#include "engine/math/portable.h"
+
+namespace onggi::exhibit {
+
+void TurningPot::begin(int ticket, const souvenir::Caption& caption, const Profile& made,
+                       const std::optional<view::Glazing>& glazing, const ClayView& clay) {
+  constexpr float kMargin = 0.09f * kSide;
+  drawn_ = {ticket, caption, {kSide, kSide, 0, kTurn, {}}};
+  clay_ = clay.change();
+  frame_ = {};
+  frame_.width = frame_.height = kSide;
+  view::PotView pot;
+  pot.camera =
+      view::frame_pot(kSide, kSide, {kMargin, kMargin, kSide - 2 * kMargin, kSide - 2.2f * kMargin},
+                      made.height(), made.max_radius());
+  pot.wheel = false;
+  if (glazing) {
+    pot.finish = view::Finish::fired;
+    pot.glazing = *glazing;
+  }
+  frame_.pot = pot;
+}
+
+std::optional<TurningPot::Drawn> TurningPot::draw(const ClayView& clay,
+                                                  render::Renderer& renderer) {
+  if (!drawing()) return std::nullopt;
+  if (clay.change() != clay_) {
+    stop();
+    return std::nullopt;
+  }
+  souvenir::Turning& turning = drawn_.turning;
+  frame_.pot->clay_angle = 2.0 * portable::kPi * turning.frames / kPictures;
+  const view::Image picture = renderer.draw_offscreen(frame_);
+  turning.rgba.insert(turning.rgba.end(), picture.rgba.begin(), picture.rgba.end());
+  if (++turning.frames < kPictures) return std::nullopt;
+  return std::exchange(drawn_, {});
+}
+
+}  // namespace onggi::exhibit
