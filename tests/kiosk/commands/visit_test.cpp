@@ -37,10 +37,20 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
               1e-4);
 
   EXPECT_GE(reports[0]["screens"].size(), 6u);
-  ASSERT_EQ(reports[0]["files"].size(), 5u);
+  ASSERT_EQ(reports[0]["files"].size(), 6u);
   for (const char* list : {"screens", "files"})
     for (const Json& file : reports[0][list])
       EXPECT_GT(fs::file_size(file.get<std::string>()), 1000u) << file;
+
+  // The glazed model and the picture that turns are drawn, and are the same to the byte.
+  for (const std::size_t drawn : {2u, 5u}) {
+    const auto bytes = [&](int i) {
+      std::ifstream file(reports[i]["files"][drawn].get<std::string>(), std::ios::binary);
+      return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    EXPECT_EQ(bytes(0), bytes(1)) << reports[0]["files"][drawn];
+  }
+  EXPECT_LT(fs::file_size(reports[0]["files"][5].get<std::string>()), 4'000'000u);
 
   // The replay that the visitor left throws the same pot in the engine alone.
   const Outcome replay = onggi("replay --json - " + reports[0]["files"][4].get<std::string>());
