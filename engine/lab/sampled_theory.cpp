@@ -57,8 +57,8 @@ Motion motion_of(const DeviceModel& device, const HandModel& hand, double second
   const double mass = device.mass + hand.mass;
   using Three = std::array<std::array<double, 3>, 3>;
   // e^(A t) by scaling and squaring of Taylor's series.
-  constexpr int kHalvings = 10;
-  const double t = seconds / (1 << kHalvings);
+  constexpr int kSampledHalvings = 10;
+  const double t = seconds / (1 << kSampledHalvings);
   const Three a{
       {{0.0, t, 0.0},
        {-hand.stiffness / mass * t, -(device.damping + hand.damping) / mass * t, t / mass},
@@ -79,7 +79,7 @@ Motion motion_of(const DeviceModel& device, const HandModel& hand, double second
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) sum[i][j] += term[i][j];
   }
-  for (int n = 0; n < kHalvings; ++n) sum = times(sum, sum);
+  for (int n = 0; n < kSampledHalvings; ++n) sum = times(sum, sum);
   return {{{sum[0], sum[1]}}};
 }
 

@@ -84,7 +84,8 @@ void make_nonsense(Random& random, Stroke& stroke, std::size_t tools) {
   HandInput& hand = stroke.hand[random.bits() % kMaxHands].begins;
   hand.active = true;
   static constexpr double kOdd[] = {kNan, 1e300, -11.0, std::numeric_limits<double>::infinity()};
-  static constexpr double kTimes[] = {0.0, -1.0, kNan, kDenormal, 1e-12, 3600.0, 0.005, 1e-300};
+  static constexpr double kTrialTimes[] = {0.0,   -1.0,   kNan,  kDenormal,
+                                           1e-12, 3600.0, 0.005, 1e-300};
   switch (below(random, 7)) {
     case 0:
       hand.position.y = kOdd[random.bits() % 4];
@@ -105,7 +106,7 @@ void make_nonsense(Random& random, Stroke& stroke, std::size_t tools) {
       hand.position = {kDenormal, hand.position.y, -kDenormal};
       break;
     default:
-      stroke.dt = kTimes[random.bits() % 8];
+      stroke.dt = kTrialTimes[random.bits() % 8];
       break;
   }
 }

@@ -12,7 +12,7 @@ namespace onggi::extraction {
 
 namespace {
 
-constexpr int kSlices = 24;
+constexpr int kUpSlices = 24;
 
 constexpr double kAlong = 0.5;  ///< Cosine: an up within 60 degrees of the axis is meant.
 
@@ -95,7 +95,8 @@ Standing stand_upright(const TriangleMesh& mesh, const AxisFrame& frame, const B
   const Slicer slicer(mesh, frame);
   const double height = body.top - body.bottom, inset = 0.004 * height;
   std::vector<double> heights{body.bottom + inset};
-  for (int i = 0; i < kSlices; ++i) heights.push_back(body.bottom + height * (i + 0.5) / kSlices);
+  for (int i = 0; i < kUpSlices; ++i)
+    heights.push_back(body.bottom + height * (i + 0.5) / kUpSlices);
   heights.push_back(body.top - inset);
   const auto slices = read_walls(slicer, heights, rays, body.size, body.facing_known);
 
@@ -114,10 +115,10 @@ Standing stand_upright(const TriangleMesh& mesh, const AxisFrame& frame, const B
     // At least what was looked into through the end itself; a belly behind a neck holds more.
     const double seen = view.openness * end.radius * end.radius;
     double volume = 0.0;
-    for (int i = 0; i < kSlices; ++i) {
-      const double t = (i + 0.5) / kSlices;
+    for (int i = 0; i < kUpSlices; ++i) {
+      const double t = (i + 0.5) / kUpSlices;
       const double inner = slices[static_cast<std::size_t>(i) + 1].inner / body.size;
-      if ((from_top ? 1.0 - t : t) < end.depth) volume += inner * inner / kSlices;
+      if ((from_top ? 1.0 - t : t) < end.depth) volume += inner * inner / kUpSlices;
     }
     end.holds = std::clamp(std::max(seen, view.openness > 0.0 ? volume : 0.0), 0.0, 1.0);
     if (body.facing_known) end.holds *= 1.0 - (1.0 - kBehind) * view.behind;
@@ -128,12 +129,12 @@ Standing stand_upright(const TriangleMesh& mesh, const AxisFrame& frame, const B
   signs.below = signs_of(out.base, under, false);
   signs.file = by_file(frame.up);
   double off = 0.0, high = 0.0;
-  for (int i = 0; i < kSlices; ++i) {
+  for (int i = 0; i < kUpSlices; ++i) {
     const double masked = slices[static_cast<std::size_t>(i) + 1].masked;
     off += masked;
-    high += masked * (2.0 * (i + 0.5) / kSlices - 1.0);
+    high += masked * (2.0 * (i + 0.5) / kUpSlices - 1.0);
   }
-  const double share = off / (kSlices * static_cast<double>(rays.fan().count()));
+  const double share = off / (kUpSlices * static_cast<double>(rays.fan().count()));
   if (off > 0.0) signs.handles = high / off * std::min(1.0, share / kHandled);
   signs.mass = by_mass(slicer, body);
   out.choice = weigh(signs);

@@ -187,11 +187,11 @@ bool AccuracySheet::free(const std::array<double, 4>& box) const {
 
 /// Small, each tied to its mark, on the side where no line is.
 void AccuracySheet::pots_beside_marks(const ChartPanel& p) {
-  constexpr int kSmall = 82;
+  constexpr int kPotSide = 82;
   for (const AccuracyChart::Pot& pot : chart_.pots) {
     if (!pot.at) continue;
     const view::Image image =
-        paint_pot({pot.columns, pot.rows, pot.height, pot.radius, pot.off}, kSmall);
+        paint_pot({pot.columns, pot.rows, pot.height, pot.radius, pot.off}, kPotSide);
     const double x = p.x(pot.at->us), y = p.y(pot.at->mm), w = image.width, h = image.height;
     const double beside = x - 42 - w, under = x - 0.5 * w;
     const std::array<std::array<double, 2>, 6> places{{{beside, y - 0.5 * h},

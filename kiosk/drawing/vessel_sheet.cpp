@@ -15,7 +15,7 @@ namespace {
 constexpr double kStandsOff = 0.025;
 /// An edge is drawn where the outline turns by more than this within a hundredth of the height.
 constexpr double kEdgeCos = 0.90;  // 26 degrees
-constexpr int kSamples = 200;
+constexpr int kOutlineSamples = 200;
 
 std::string text(const char* format, double value) {
   char out[64];
@@ -78,16 +78,16 @@ std::vector<std::array<Vec2, 2>> slice_left(const TriangleMesh& mesh) {
 template <class Radius>
 std::vector<double> sharp_turns(double low, double high, const Radius& radius) {
   std::vector<double> out;
-  const double step = (high - low) / kSamples;
+  const double step = (high - low) / kOutlineSamples;
   if (!(step > 0.0)) return out;
-  std::vector<double> cosine(kSamples + 1, 1.0);
-  for (int i = 2; i + 2 <= kSamples; ++i) {
+  std::vector<double> cosine(kOutlineSamples + 1, 1.0);
+  for (int i = 2; i + 2 <= kOutlineSamples; ++i) {
     const double h = low + i * step;
     const Vec2 a{radius(h) - radius(h - 2 * step), 2 * step},
         b{radius(h + 2 * step) - radius(h), 2 * step};
     cosine[static_cast<std::size_t>(i)] = dot(a, b) / (length(a) * length(b));
   }
-  for (int i = 3; i + 3 <= kSamples; ++i) {
+  for (int i = 3; i + 3 <= kOutlineSamples; ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (cosine[at] >= kEdgeCos) continue;
     if (*std::min_element(cosine.begin() + i - 3, cosine.begin() + i + 4) == cosine[at] &&

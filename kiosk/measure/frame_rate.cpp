@@ -17,7 +17,7 @@
 namespace onggi::measure {
 namespace {
 
-constexpr double kOpening = 120.0, kWarmUp = 3.0, kReach = 60.0, kPatience = 15.0;  // s
+constexpr double kOpening = 120.0, kWarmUp = 3.0, kReachedBy = 60.0, kComesAbout = 15.0;  // s
 constexpr double kCompared = 1.0;  // s between comparisons
 
 Problem closed() { return {"the window", "It was closed.", "Leave it open.", 1}; }
@@ -37,7 +37,7 @@ class Watched {
  private:
   void compare(std::vector<double>& similar);
   template <typename Until>
-  /// False where it has not come about in kPatience.
+  /// False where it has not come about in kComesAbout.
   Result<bool> frames_until(Until&& until);
 
   exhibit::Kiosk& kiosk_;
@@ -102,7 +102,7 @@ Result<bool> Watched::frames_until(Until&& until) {
   const double from = monotonic_seconds();
   while (!until()) {
     if (!frame()) return tl::unexpected(closed());
-    if (monotonic_seconds() - from > kPatience) return false;
+    if (monotonic_seconds() - from > kComesAbout) return false;
   }
   return true;
 }
@@ -199,7 +199,7 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
   while (!visitor.throwing()) {
     if (!watched.frame()) return tl::unexpected(closed());
     if (auto good = visitor.step(monotonic_seconds()); !good) return tl::unexpected(good.error());
-    if (monotonic_seconds() - asked > kReach)
+    if (monotonic_seconds() - asked > kReachedBy)
       return problem("the exhibit", "Its wheel was not reached within a minute.",
                      "Look into its log.", 1);
   }

@@ -14,7 +14,7 @@ constexpr float kSkyGone = 0.24f;  // m from the foot; ground.glsl
 constexpr float kEven = 0.02f;     // m: extents are multiples, so that they seldom change
 
 // Texture units.
-constexpr int kLevelsUnit = 2, kSky = 3, kShadow = 5, kSpace = 0, kGround = 1;
+constexpr int kGroundLevels = 2, kGroundSky = 3, kGroundShadow = 5, kSpace = 0, kGround = 1;
 
 }  // namespace
 
@@ -62,9 +62,9 @@ void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Stu
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   shadow_program_.use();
-  studio.light(shadow_program_, kSky);
-  light.bind(kLevelsUnit);
-  shadow_program_.set("levels", kLevelsUnit);
+  studio.light(shadow_program_, kGroundSky);
+  light.bind(kGroundLevels);
+  shadow_program_.set("levels", kGroundLevels);
   // A smaller pot in the studio is the pot in a larger studio: light from afar knows no size.
   shadow_program_.set("reach", kReach / size);
   shadow_program_.set("height", static_cast<float>(levels.height));
@@ -103,8 +103,8 @@ void Backdrop::ground(const Program& program, Of of, const glm::mat4& clip, cons
                       bool wheel, float foot, float strength) const {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  shadow(of).bind(kShadow);
-  program.set("shadow", kShadow);
+  shadow(of).bind(kGroundShadow);
+  program.set("shadow", kGroundShadow);
   program.set("clip_from_studio", clip);
   program.set("low", glm::vec2(extent.left, extent.back));
   program.set("high", glm::vec2(extent.right, extent.front));

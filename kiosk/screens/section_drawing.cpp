@@ -9,7 +9,7 @@ namespace onggi::screens {
 
 namespace {
 
-constexpr int kHeights = 96;
+constexpr int kDrawnHeights = 96;
 constexpr float kTone = 0.22f;  // of the ink, on the vessel's cut wall
 
 float unit_of(const Page& page) { return page.type().body / 25.0f; }
@@ -26,14 +26,14 @@ struct Paper {
 /// Foot to rim on the right, over the rim, and down to the foot on the left.
 Points outline(const Paper& paper, const Profile& p) {
   Points line;
-  for (int i = 0; i <= kHeights; ++i) {
-    const double h = p.height() * i / kHeights;
+  for (int i = 0; i <= kDrawnHeights; ++i) {
+    const double h = p.height() * i / kDrawnHeights;
     line.push_back(paper.at(p.outer_at(h), h));
   }
   const double top = p.height(), rim = p.inner_at(top);
   line.push_back(paper.at(-rim, top));
-  for (int i = kHeights; i >= 0; --i) {
-    const double h = p.height() * i / kHeights;
+  for (int i = kDrawnHeights; i >= 0; --i) {
+    const double h = p.height() * i / kDrawnHeights;
     line.push_back(paper.at(-p.outer_at(h), h));
   }
   line.push_back(line.front());
@@ -44,8 +44,8 @@ Points outline(const Paper& paper, const Profile& p) {
 Points inside(const Paper& paper, const Profile& p) {
   Points line;
   const double floor = p.floor_height();
-  for (int i = kHeights; i >= 0; --i) {
-    const double h = floor + (p.height() - floor) * i / kHeights;
+  for (int i = kDrawnHeights; i >= 0; --i) {
+    const double h = floor + (p.height() - floor) * i / kDrawnHeights;
     line.push_back(paper.at(-p.inner_at(h), h));
   }
   line.push_back(paper.at(0, floor));

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house rules of engine/docs/house.md, checked. Prints where, what is wrong and what to do.
 
-  tests/house/house.py includes|links|length|headers|layout|names|docs|format [--root DIR]
+  tests/house/house.py includes|links|length|headers|layout|names|unity|docs|format [--root DIR]
   tests/house/house.py table    writes the table of rooms into engine/docs/house.md
   exit 0: kept, 1: broken, 77: cannot be checked here (says why)
 """
@@ -17,6 +17,7 @@ import sys
 import page_truth
 import public_names
 import room_table
+import unity_names
 
 MAX_LINES = 400
 CPP = (".h", ".cpp")
@@ -323,6 +324,11 @@ def check_names(root, _table):
     return public_names.check(files_of(root), lambda name: "\n".join(read_lines(root, name)), room_of)
 
 
+def check_unity(root, _table):
+    """Constants of sources that may be compiled together have names of their own."""
+    return unity_names.check(files_of(root), lambda name: read_lines(root, name), room_of)
+
+
 def check_format(root, _table):
     """clang-format 14, as .clang-format says."""
     tool = next((t for t in ("clang-format-14", "clang-format") if shutil.which(t)), None)
@@ -345,7 +351,7 @@ def check_format(root, _table):
 
 CHECKS = {"includes": check_includes, "links": check_links, "length": check_length,
           "headers": check_headers, "layout": check_layout, "names": check_names,
-          "docs": check_docs, "format": check_format}
+          "unity": check_unity, "docs": check_docs, "format": check_format}
 
 
 def main():

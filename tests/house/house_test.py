@@ -74,6 +74,18 @@ class House(unittest.TestCase):
         self.write("tests/house/public_names.txt", "engine/clay : bake area kLip throw\n")
         self.assert_broken("names", "public_names.txt:1", "throw")
 
+    def test_two_constants_of_one_name_fail_in_a_room_that_may_be_compiled_together(self):
+        one, two = "namespace {\nconstexpr int kMost = 3, kLeast = 1;\n}\n", "constexpr double kLeast{2.0};\n"
+        for room, fails in (("engine/clay", False), ("engine/profile", True)):
+            self.write(f"{room}/a.cpp", one)
+            self.write(f"{room}/b.cpp", "void f() {\n  " + two + "}\n")
+            if fails:
+                self.assert_broken("unity", f"{room}/b.cpp:2", "kLeast", f"{room}/a.cpp:2")
+            else:
+                self.assertEqual(self.check("unity"), [])
+        self.write("engine/profile/b.cpp", "void f() {\n  if (kMost == 3) return;\n}\n")
+        self.assertEqual(self.check("unity"), [])
+
     def test_effects_and_force_do_not_meet(self):
         self.write("engine/force/guard.cpp", '  #  include "engine/effects/slump.h"\n')
         self.assert_broken("includes", "engine/force/guard.cpp:1", "engine/effects")
