@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "kiosk/settings/spoken.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::content {
@@ -11,14 +12,6 @@ namespace onggi::content {
 namespace {
 
 using Table = settings::TomlReader::Table;
-
-const std::string kNothing;
-
-const std::string& in_language(const std::map<std::string, std::string>& words,
-                               const std::string& language) {
-  if (const auto own = words.find(language); own != words.end()) return own->second;
-  return words.empty() ? kNothing : words.begin()->second;
-}
 
 bool is_id(const std::string& text) {
   return !text.empty() && text.size() <= 40 && std::all_of(text.begin(), text.end(), [](char c) {
@@ -111,10 +104,10 @@ bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& 
 }  // namespace
 
 const std::string& Glaze::name_in(const std::string& language) const {
-  return in_language(name, language);
+  return settings::spoken(name, language);
 }
 const std::string& Glaze::about_in(const std::string& language) const {
-  return in_language(about, language);
+  return settings::spoken(about, language);
 }
 
 GlazesRead read_glazes(const std::filesystem::path& file,

@@ -36,7 +36,7 @@ struct Glaze {
   std::map<std::string, std::string> about;  ///< By language: a sentence or two; may be empty.
   GlazeLook look;
 
-  /// In `language`, else in the first there is; empty where there is none.
+  /// In `language`, else in English, else in the first there is; empty where there is none.
   const std::string& name_in(const std::string& language) const;
   const std::string& about_in(const std::string& language) const;
 };

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "engine/base/nearest_name.h"
+#include "kiosk/settings/spoken.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::content {
@@ -12,8 +13,6 @@ namespace onggi::content {
 namespace {
 
 using LessonTable = settings::TomlReader::Table;
-
-const std::string kNoWords;
 
 bool is_step_id(const std::string& text) {
   return !text.empty() && text.size() <= 40 && std::ranges::all_of(text, [](char c) {
@@ -92,8 +91,7 @@ bool read_step(LessonTable& table, const std::vector<std::string>& languages, Le
 }  // namespace
 
 const std::string& LessonStep::words_in(const std::string& language) const {
-  if (const auto own = words.find(language); own != words.end()) return own->second;
-  return words.empty() ? kNoWords : words.begin()->second;
+  return settings::spoken(words, language);
 }
 
 LessonRead read_lesson(const std::filesystem::path& file,

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kiosk/screens/label.h"
+#include "kiosk/settings/spoken.h"
 
 namespace onggi::screens {
 
@@ -32,8 +33,7 @@ void Desk::forget() {
 
 std::string Desk::title() const {
   const auto& titles = world.exhibit->title;
-  if (const auto own = titles.find(words().code()); own != titles.end()) return own->second;
-  return titles.empty() ? say("attract.title") : titles.begin()->second;
+  return titles.empty() ? say("attract.title") : settings::spoken(titles, words().code());
 }
 
 const ShelfCard* Desk::shelf_card(int index) const {

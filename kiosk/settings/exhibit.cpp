@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kiosk/settings/hours_table.h"
+#include "kiosk/settings/spoken.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::settings {
@@ -109,8 +110,13 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   }
   table.finish();
   if (table.present() && !titles.empty()) out = titles;
-  // Languages without a title of their own show the first there is, never nothing.
-  for (const std::string& code : languages) out.try_emplace(code, out.begin()->second);
+  // Languages without a title of their own show the English one, else that of the first of them
+  // that has one, never nothing.
+  std::string other = spoken(out, "en");
+  if (!out.contains("en"))
+    for (auto code = languages.rbegin(); code != languages.rend(); ++code)
+      if (const auto own = out.find(*code); own != out.end()) other = own->second;
+  for (const std::string& code : languages) out.try_emplace(code, other);
 }
 
 /// Reads a path and takes it from `folder`; what is not good leaves the default. True if good.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/base/nearest_name.h"
+#include "kiosk/settings/spoken.h"
 #include "kiosk/settings/toml_reader.h"
 
 namespace onggi::settings {
@@ -13,8 +14,6 @@ namespace onggi::settings {
 namespace {
 
 using MissionTable = TomlReader::Table;
-
-const std::string kNotSaid;
 
 bool is_mission_id(const std::string& text) {
   return !text.empty() && text.size() <= 40 && std::ranges::all_of(text, [](char c) {
@@ -163,20 +162,13 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
   return good;
 }
 
-const std::string& said_in(const std::map<std::string, std::string>& words,
-                           const std::string& language) {
-  for (const std::string& code : {language, std::string("en")})
-    if (const auto own = words.find(code); own != words.end()) return own->second;
-  return words.empty() ? kNotSaid : words.begin()->second;
-}
-
 }  // namespace
 
 const std::string& Mission::title_in(const std::string& language) const {
-  return said_in(title, language);
+  return spoken(title, language);
 }
 const std::string& Mission::about_in(const std::string& language) const {
-  return said_in(about, language);
+  return spoken(about, language);
 }
 
 MissionsRead read_missions(const std::filesystem::path& file,

@@ -51,7 +51,7 @@ TEST_F(GlazeTest, ACuratorAddsOneByWritingIt) {
   ASSERT_THAT(r.glazes, SizeIs(1));
   const GlazeLook& look = r.glazes[0].look;
   EXPECT_EQ(r.glazes[0].name_in("ko"), "재");
-  EXPECT_EQ(r.glazes[0].name_in("fr"), "Ash") << "a language without a name shows one there is";
+  EXPECT_EQ(r.glazes[0].name_in("fr"), "Ash") << "a language without a name shows the English one";
   EXPECT_EQ(look.glass, (LinearColor{1, 1, 1}));
   EXPECT_NEAR(look.body[0], 0.2159, 1e-3);  // 128/255 as light
   EXPECT_EQ(look.gloss, 0.3f);

@@ -179,6 +179,20 @@ TEST_F(ExhibitTest, a_language_without_words_or_title_is_named) {
   EXPECT_EQ(r.exhibit.title.at("ja"), "Throw") << "a visitor still sees a title";
 }
 
+TEST_F(ExhibitTest,
+       a_language_without_a_title_shows_the_english_one_else_that_of_the_first_language) {
+  const ExhibitRead english = read(
+      "languages = [\"ko\", \"de\", \"ja\", \"en\"]\n"
+      "[title]\nko = \"빚기\"\nde = \"Töpfern\"\nen = \"Throw\"\n");
+  EXPECT_EQ(english.exhibit.title.at("ja"), "Throw");
+  EXPECT_EQ(english.exhibit.title.at("de"), "Töpfern");
+  const ExhibitRead none =
+      read("languages = [\"ko\", \"de\", \"ja\"]\n[title]\nko = \"빚기\"\nde = \"Töpfern\"\n");
+  EXPECT_EQ(none.exhibit.title.at("ja"), "빚기") << "de comes before ko only in the alphabet";
+  for (const ExhibitRead& r : {english, none})
+    EXPECT_THAT(all(r.problems), HasSubstr("There is no title for the language \"ja\"."));
+}
+
 TEST_F(ExhibitTest, a_language_code_can_never_lead_out_of_its_folder) {
   for (const std::string code : {"../en", "/etc/passwd", "", "e", "en/", "en_US", "en.", "-en"}) {
     const ExhibitRead r = read("languages = [\"" + code + "\", \"en\"]\n");
