@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kiosk/view/studio_window.h"
+
 namespace onggi::render {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr int kSkySize = 32;   // texels of the sharpest level
 constexpr int kSkyLevels = 5;  // roughness 0, 1/4 .. 1
 constexpr int kGrainSize = 256;
 
-const glm::vec3 kWindow = glm::normalize(glm::vec3(-0.86f, 0.60f, 0.36f));
+const glm::vec3 kWindow = glm::normalize(vec(view::kWindow));
 
 glm::vec3 octahedral(float x, float z) {
   glm::vec3 d(x, 1.0f - std::abs(x) - std::abs(z), z);

@@ -125,14 +125,14 @@ class Choose final : public Screen, private CardShelf::Cards {
       const MissionCard& mission = desk.mission_card(index);
       lines.add(mission.mission->title_in(desk.words().code()), Face::serif, t.body * 1.12f,
                 view::kCobalt);
-      lines.add(desk.say("mission.card"), Face::sans, t.body * 0.94f, view::kFaintInk);
+      lines.add(desk.say("mission.card"), Face::sans, t.body, view::kFaintInk);
       if (mission_of_own(mission.card) < 0)
-        lines.add(label.title, Face::sans, t.body * 0.94f, view::kFaintInk);
+        lines.add(label.title, Face::sans, t.body, view::kFaintInk);
       return lines.height();
     }
     lines.add(label.title, Face::serif, t.body * 1.12f, view::kCobalt);
-    lines.add(label.culture, Face::sans, t.body * 0.94f, view::kFaintInk);
-    lines.add(label.date, Face::sans, t.body * 0.94f, view::kFaintInk);
+    lines.add(label.culture, Face::sans, t.body, view::kFaintInk);
+    lines.add(label.date, Face::sans, t.body, view::kFaintInk);
     return lines.height();
   }
 

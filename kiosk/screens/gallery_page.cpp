@@ -41,7 +41,7 @@ float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const
     if (desk_.shelf_card(card)->vessel->id == pot(i).vessel)
       lines.add(desk_.label(card).title, Face::serif, t.body, view::kInk);
   lines.add(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
-            t.body * 0.94f, view::kFaintInk);
+            t.body, view::kFaintInk);
   if (opacity > 0) page.tell(at.y, spoken(i));  // It is no control: nothing else says it.
   return lines.height();
 }

@@ -20,7 +20,6 @@ namespace {
 
 constexpr float kMostUsed = 4.0f / 3.0f;                // of the least touch target: 20 mm
 constexpr float kColumn = 0.3f, kLargerColumn = 0.42f;  // of the width
-constexpr float kCaption = 0.78f;                       // of body text
 
 Button drawer_button(const Desk& desk, const ThrowingControls& now) {
   const std::string closed = desk.say("throw.more");
@@ -128,7 +127,7 @@ void drawer_row(Column& column, const std::string& caption, const std::vector<Bu
   if (column.page().where().portrait) {
     column.buttons(row, caption, captions);
   } else {
-    column.text(caption, t.body * kCaption, Face::sans, view::kFaintInk);
+    column.text(caption, t.body, Face::sans, view::kFaintInk);
     column.buttons(row);
   }
   column.space(t.gap * 0.7f);

@@ -14,7 +14,9 @@ using view::Rect;
 namespace {
 
 constexpr std::string_view kControl = "throw.tool.";
-constexpr float kNameShare = 0.78f;  // of body text: a name under its drawing, not a sentence
+// Of body text: names are as legible as any words, but on an upright screen, where they would take
+// a row more from the pot.
+constexpr float kUprightName = 0.78f;
 
 /// A stroke of a drawing, in a square of 24 with y down.
 using PenStroke = std::vector<std::pair<float, float>>;
@@ -96,11 +98,15 @@ float longest_word(const Page& page, const std::string& name, const view::TextSt
   return longest;
 }
 
+float name_px(const Page& page) {
+  return page.type().body * (page.where().portrait ? kUprightName : 1.0f);
+}
+
 /// The fewest rows in `width` pixels in which no word of a name is broken.
 TrayGrid tray_grid(const Page& page, const Desk& desk, float width) {
   const TypeScale& t = page.type();
   const std::size_t count = desk.wheel().tools.size() + 1;
-  const auto style = page.style(view::Face::sans, t.body * kNameShare, view::Align::centre);
+  const auto style = page.style(view::Face::sans, name_px(page), view::Align::centre);
   TrayGrid grid;
   for (grid.rows = 1; grid.rows <= count; ++grid.rows) {
     grid.per_row = (count + grid.rows - 1) / grid.rows;
@@ -134,7 +140,7 @@ void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
   const TrayGrid grid = tray_grid(page, desk, strip.w);
   if (!grid.fits) page.overflowed();
   const float height = grid.side + grid.name + t.gap;
-  const auto style = page.style(view::Face::sans, t.body * kNameShare, view::Align::centre);
+  const auto style = page.style(view::Face::sans, name_px(page), view::Align::centre);
   for (std::size_t n = 0; n <= wheel.tools.size(); ++n) {
     const auto row = static_cast<float>(n / grid.per_row);
     auto place = static_cast<float>(n % grid.per_row);

@@ -25,6 +25,30 @@ void check_all(const std::function<void(settings::Exhibit::Screen&)>& choose) {
   }
 }
 
+// EN 301 549 5.1.4: capitals of 0.7 degrees, which body text has.
+TEST(Layout, OnLandscapeScreensNoWordsAreSmallerThanBodyText) {
+  for (const auto& [width, height] : {std::pair(1280, 720), std::pair(1920, 1080)})
+    for (const bool korean : {false, true}) {
+      Visitor v(9, nullptr, true);
+      v.width = width;
+      v.height = height;
+      v.keep_today(30);
+      v.put_on(Visitor::described(1.0));
+      v.show();
+      if (korean) v.touch("language");
+      const float body = type_scale(v.exhibit.screen, width, height).body;
+      walk(v, [&](const std::string& name) {
+        // walk() calls it by a folder's name, which is longer than the date and time of a kiosk.
+        if (name == "keepsake") return;
+        for (const view::Item& item : v.frame.items) {
+          const auto* text = std::get_if<view::Text>(&item);
+          if (text == nullptr || text->color.a <= 0) continue;
+          EXPECT_GE(text->style.px, 0.999f * body) << name << ": " << text->text;
+        }
+      });
+    }
+}
+
 TEST(Layout, NothingIsCutAndNothingOverlapsAtAnySizeInEitherLanguage) {
   check_all([](settings::Exhibit::Screen&) {});
 }
