@@ -166,6 +166,15 @@ TEST(Gif, WhatStandsStillInThePicturesStandsStillInIt) {
   EXPECT_LT(off / (8 * 3 * kSide * kSide / 2), 8.0);
 }
 
+TEST(Gif, WhatStandsStillTakesNoRoom) {
+  const auto one = chequers(100, 1, 90);
+  const Pictures ten(10, one[0]);
+  const std::size_t alone = write_gif(100, 100, 10, joined(one)).size();
+  const auto all = write_gif(100, 100, 10, joined(ten));
+  EXPECT_LT(all.size(), alone + 9 * 40);
+  EXPECT_EQ(shown(all), ten);
+}
+
 TEST(Gif, ASlowShadeIsDitheredAndKeepsItsMean) {
   constexpr int kSide = 128;
   Pictures pictures(1);
