@@ -162,6 +162,30 @@ TEST_F(SkinReading, TheFootIsBareClayAndAGlossierGlazeIsSmoother) {
   EXPECT_GT(wall[0], 0.45);
 }
 
+TEST_F(SkinReading, InsideItPoolsInTheGroovesToo) {
+  const ClayView clay = grooved_pot();
+  renderer().show_clay(clay);
+  const ClayMesh mesh = faced_mesh_of(clay);
+  // From a groove to the ridge beside it: how far green goes up and down.
+  std::array<double, 2> ripple{};
+  for (const bool pools : {false, true}) {
+    content::GlazeLook look;
+    look.pooling = pools ? 0.75f : 0.0f;
+    const auto skin = renderer().read_skin(mesh, view::Glazing{look, 1.0});
+    int inside = 0;
+    for (std::size_t i = 0; i + 5 * 180 < skin.size(); ++i) {
+      const float y = mesh.mesh.positions[i][1];
+      const auto green = static_cast<double>(skin[i].color[1]);
+      if (mesh.faces[i] != ClayFace::inner || y < 0.08f || y > 0.12f) continue;
+      ++inside;
+      ripple[pools] += std::abs(green - static_cast<double>(skin[i + 5 * 180].color[1]));
+    }
+    ASSERT_GT(inside, 1000);
+    ripple[pools] /= inside;
+  }
+  EXPECT_GT(ripple[1], 2.0 * ripple[0]);
+}
+
 TEST_F(SkinReading, APotThatWasNotFiredIsDryClay) {
   const ClayView clay = grooved_pot();
   renderer().show_clay(clay);
