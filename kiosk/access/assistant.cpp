@@ -154,7 +154,7 @@ void Assistant::look(Visit& visit, view::Frame& frame, double now) {
   }
   const bool attract = visit.screen() == ScreenId::attract;
   const screens::Reading reading =
-      shown.one_switch || shown.spoken ? visit.reading() : screens::Reading{};
+      shown.one_switch || visit.spoken() ? visit.reading() : screens::Reading{};
   if (shown.one_switch && !attract) {
     scan_.look(reading, now);
     const float px = static_cast<float>(std::min(frame.width, frame.height)) / 360.0f;

@@ -118,7 +118,7 @@ Narrator::Wish Narrator::wish(const Reading& reading, const std::vector<std::str
     news_at_ = counted_at_ = now;
     waiting_.clear();
     std::string text = page(reading);
-    if (!begun_) text = joined({reading.language->say("access.begun"), text});
+    if (!begun_ && !reading.unasked) text = joined({reading.language->say("access.begun"), text});
     begun_ = true;
     return {joined({text, on}), reading.over == "idle" ? kWarningWeight : kDoneWeight};
   }

@@ -34,10 +34,10 @@ namespace {
 constexpr int kScriptTicks = 40, kStrokeTicks = 20;
 constexpr double kTick = 0.001;       // s
 constexpr double kFilmSeconds = 5.0;  // between the pictures of a film
-constexpr const char *kNaive = "naive", *kBlind = "blind", *kSwitch = "switch";
+constexpr const char *kNaive = "naive", *kBlind = "blind", *kSwitch = "switch", *kFollow = "follow";
 
 struct VisitArguments {
-  std::string config, script = "follow", vessel, out, window = "1280x720", language, shelf, glaze,
+  std::string config, script = kFollow, vessel, out, window = "1280x720", language, shelf, glaze,
                       hand = "script", film, pointer = "mouse", mission;
   files::Output json{files::Output::Kind::json};
   double seconds = 90, pace = 1.5;
@@ -279,6 +279,10 @@ Result<int> visit(const VisitArguments& arguments) {
   plan.script = arguments.script;
   plan.card = *card;
   plan.mission = *mission;
+  // A script leads both hands of one visitor.
+  plan.two = *mission >= 0 && arguments.script == kFollow &&
+             kiosk.missions().cards()[static_cast<std::size_t>(*mission)].mission->kind ==
+                 settings::Mission::Kind::two_hands;
   plan.seed = arguments.seed;
   using Hand = measure::ScriptedVisitor::Plan::Hand;
   plan.hand = arguments.hand == "mouse"    ? Hand::pointer
@@ -296,10 +300,11 @@ Result<int> visit(const VisitArguments& arguments) {
                                    [&album](const std::string& name) { album.take(name); });
   int first_tick = 0;
   ScreenAlbum film(kiosk, arguments.film);
-  const auto walked = aided(arguments) ? walk(kiosk, arguments, *card, *glaze, album)
-                                       : walk(kiosk, visitor, naive ? kStrokeTicks : kScriptTicks,
-                                              arguments.realtime,
-                                              arguments.film.empty() ? nullptr : &film, first_tick);
+  const auto walked =
+      aided(arguments)
+          ? walk(kiosk, arguments, *card, *glaze, album)
+          : walk(kiosk, visitor, naive || plan.two ? kStrokeTicks : kScriptTicks,
+                 arguments.realtime, arguments.film.empty() ? nullptr : &film, first_tick);
   // The pictures are wanted most of all when something went wrong.
   const auto pages = album.write();
   if (!walked) return tl::unexpected(walked.error());

@@ -27,7 +27,7 @@ void Attendant::frame(screens::Visit& visit, view::Frame& frame, double now) {
   const auto said = assistant_.take();
   if (said && heard_) heard_(*said);
   if (!voice_) return;
-  if (visit.shown_on().spoken && visit.screen() != screens::ScreenId::attract) voice_->begin(now);
+  if (visit.spoken() && visit.screen() != screens::ScreenId::attract) voice_->begin(now);
   if (said) voice_->say(*said, now);
   voice_->look(now);
   for (const std::uint64_t id : voice_->ended()) assistant_.ended(id);

@@ -24,6 +24,7 @@ namespace onggi::exhibit {
 
 namespace {
 
+constexpr double kAskFingers = 5.0;  // s: a glass that is plugged in is seen so soon
 constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
 
 }  // namespace
@@ -156,8 +157,18 @@ bool Kiosk::look_at_shelf(double now) {
   const bool complete = shelf_->complete();
   const bool ready = shelf_->look(now);
   if (!complete && shelf_->complete()) note_shelf();
-  missions_->look(shelf_->cards(), shelf_->complete(), nobody_is_here());
+  missions_->look(shelf_->cards(), shelf_->complete(), nobody_is_here(), able());
   return ready;
+}
+
+/// A scripted visitor has ears and fingers of its own.
+Able Kiosk::able() {
+  if (stepped_ != nullptr) return {};
+  if (now_ >= fingers_asked_ + kAskFingers) {
+    fingers_asked_ = now_;
+    two_fingers_ = renderer_->fingers() >= 2;
+  }
+  return {sound_ && sound_->speaker().playing() && !exhibit_.screen.silent, two_fingers_};
 }
 
 void Kiosk::note_shelf() {

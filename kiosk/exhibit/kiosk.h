@@ -123,6 +123,7 @@ class Kiosk {
   void settle();
   bool look_at_shelf(double now);
   void note_shelf();
+  Able able();
   void begin_visit(double now);
   void carry_out(const screens::StartPot& request);
   void carry_out(const screens::MakeKeepsake& request);
@@ -154,8 +155,9 @@ class Kiosk {
   std::unique_ptr<Attendant> attendant_;
   std::optional<Night> night_;  ///< None where it is always open.
   std::function<std::time_t()> wall_;
-  bool hands_taken_ = false;
-  double now_ = 0.0;  ///< Of the last frame.
+  bool hands_taken_ = false, two_fingers_ = false;
+  double fingers_asked_ = -1e9;  ///< When the glass was asked how many it tells apart.
+  double now_ = 0.0;             ///< Of the last frame.
   std::uint64_t seed_ = 1;
   std::uint64_t pots_ = 0;
   int pot_card_ = -1;

@@ -31,7 +31,26 @@ content::Vessel jar_vessel(const Mission& mission, Profile jar) {
   return vessel;
 }
 
+/// 0 for "".
+int place_of(const std::string& id, const std::vector<screens::ShelfCard>& shelf) {
+  if (id.empty()) return 0;
+  const auto found = std::find_if(shelf.begin(), shelf.end(),
+                                  [&](const auto& one) { return one.vessel->id == id; });
+  return static_cast<int>(found - shelf.begin());
+}
+
 }  // namespace
+
+std::string why_not(const Mission& mission, const Able& able) {
+  if (mission.kind == Mission::Kind::eyes_closed && !able.sound)
+    return "there is no sound, and it is thrown by ear. Plug a sound card in, and give [sound] a "
+           "volume.";
+  if (mission.kind == Mission::Kind::two_hands && mission.second == Mission::Second::finger &&
+      !able.two_fingers)
+    return "this screen does not tell two fingers apart. With a keyboard beside the mouse write "
+           "second = \"keys\".";
+  return {};
+}
 
 std::size_t of_the_day(const files::LocalMoment& day, std::size_t vessels) {
   const std::chrono::sys_days date{std::chrono::year(day.year) /
@@ -59,15 +78,30 @@ Missions::Missions(const settings::Exhibit& exhibit, const Scenes& scenes,
       switched_on_(std::move(switched_on)) {}
 
 void Missions::look(const std::vector<screens::ShelfCard>& shelf, bool complete,
-                    bool nobody_is_here) {
+                    bool nobody_is_here, const Able& able) {
   if (!complete || shelf.empty() || !exhibit_.missions) return;
   const files::LocalMoment now = files::local_moment(wall_());
   // Before the first look nobody has seen them, so none is pulled away from anybody.
-  if (read_ && (!nobody_is_here || number_of(now) == day_)) return;
+  if (read_ && (!nobody_is_here || (number_of(now) == day_ && able == able_))) return;
+  if (!std::exchange(read_, true)) read(shelf);
   day_ = number_of(now);
-  if (!std::exchange(read_, true)) return read(shelf);
-  for (screens::MissionCard& card : cards_)
+  able_ = able;
+  offer(shelf, able);
+}
+
+void Missions::offer(const std::vector<screens::ShelfCard>& shelf, const Able& able) {
+  cards_.clear();
+  for (const screens::MissionCard& one : every_) {
+    if (const std::string why = why_not(*one.mission, able); !why.empty()) {
+      log_line("The mission " + one.mission->id + " is not offered: " + why);
+      continue;
+    }
+    cards_.push_back(one);
+    screens::MissionCard& card = cards_.back();
     if (card.mission->kind == Mission::Kind::today) card.card = todays(*card.mission, shelf);
+    if (card.own.vessel != nullptr)
+      card.card = screens::own_card(static_cast<int>(cards_.size()) - 1);
+  }
 }
 
 int Missions::todays(const Mission& mission, const std::vector<screens::ShelfCard>& shelf) const {
@@ -76,10 +110,7 @@ int Missions::todays(const Mission& mission, const std::vector<screens::ShelfCar
     for (const screens::ShelfCard& one : shelf) ids.push_back(one.vessel->id);
     std::sort(ids.begin(), ids.end());
   }
-  const std::string& id = ids[of_the_day(files::local_moment(wall_()), ids.size())];
-  const auto found = std::find_if(shelf.begin(), shelf.end(),
-                                  [&](const auto& one) { return one.vessel->id == id; });
-  return static_cast<int>(found - shelf.begin());
+  return place_of(ids[of_the_day(files::local_moment(wall_()), ids.size())], shelf);
 }
 
 void Missions::read(const std::vector<screens::ShelfCard>& shelf) {
@@ -97,7 +128,10 @@ void Missions::add(const Mission& mission, const std::vector<screens::ShelfCard>
   card.mission = &mission;
   switch (mission.kind) {
     case Mission::Kind::today:
-      card.card = todays(mission, shelf);
+      break;  // It is another every day.
+    case Mission::Kind::eyes_closed:
+    case Mission::Kind::two_hands:
+      card.card = place_of(mission.vessel, shelf);
       break;
     case Mission::Kind::describe: {
       auto jar = jar_for(mission, scenes_.of(mission.id));
@@ -105,20 +139,21 @@ void Missions::add(const Mission& mission, const std::vector<screens::ShelfCard>
         return log_problem({exhibit_.missions->string() + ", mission " + mission.id,
                             jar.error().what, jar.error().remedy});
       jars_.push_back(jar_vessel(mission, std::move(*jar)));
-      card.card = screens::own_card(static_cast<int>(cards_.size()));
       card.own.vessel = &jars_.back();
       card.own.target = jars_.back().extracted.profile;
       card.own.wheel = scenes_.wheel_of(mission.id);
       break;
     }
   }
-  cards_.push_back(std::move(card));
+  every_.push_back(std::move(card));
 }
 
 bool Missions::draw_next_picture(render::Renderer& renderer) {
-  for (screens::MissionCard& card : cards_) {
+  for (screens::MissionCard& card : every_) {
     if (card.own.vessel == nullptr || card.own.picture != 0) continue;
     card.own.picture = Shelf::draw_picture(renderer, *card.own.vessel);
+    for (screens::MissionCard& offered : cards_)
+      if (offered.mission == card.mission) offered.own.picture = card.own.picture;
     return true;
   }
   return false;

@@ -145,7 +145,31 @@ Result<void> ScriptedVisitor::on_naive(double now) {
   return {};
 }
 
+Result<void> ScriptedVisitor::on_two(double now) {
+  if (!two_) {
+    pass("throw_begin");
+    two_.emplace();
+    playing_ = true;
+    entered_ = now;
+    return {};
+  }
+  if (touched_) return {};
+  const auto sight = kiosk_.visit().sight();
+  if (!sight) return touch("throw.restore");
+  if (!half_shown_ && progress() > 0.5) {
+    half_shown_ = true;
+    pass("throw");
+  }
+  for (const view::InputEvent& event : two_->step(now - entered_, *sight))
+    kiosk_.visit().input(event, now);
+  if (!two_->done(now - entered_)) return {};
+  touched_ = true;
+  pass("throw_done");
+  return touch("throw.done");
+}
+
 Result<void> ScriptedVisitor::on_throw(double now) {
+  if (plan_.two) return on_two(now);
   if (plan_.naive) return on_naive(now);
   if (!playing_) return begin_throwing(now);
   if (hand_ && !hand_->step(now - std::exchange(moved_at_, now), kiosk_.potter()))
@@ -183,6 +207,7 @@ Result<void> ScriptedVisitor::begin_throwing(double now) {
 
 double ScriptedVisitor::progress() const {
   if (hands_) return std::min(1.0, (now_ - entered_) / plan_.naive->seconds);
+  if (two_) return std::min(1.0, (now_ - entered_) / TwoVisitors::kSeconds);
   if (plan_.hand == Plan::Hand::device_alone) return (now_ - entered_) / plan_.watch;
   if (hand_) return hand_->done() ? 1.0 : hand_->progress();
   const loop::LoopStatus status = kiosk_.potter().status();

@@ -8,6 +8,7 @@
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/measure/handsome.h"
 #include "kiosk/measure/naive_hands.h"
+#include "kiosk/measure/two_visitors.h"
 #include "kiosk/measure/visitors_hand.h"
 
 namespace onggi::measure {
@@ -23,6 +24,7 @@ class ScriptedVisitor {
   struct Plan {
     std::string script = "follow";
     std::optional<Naive> naive;  ///< Instead of the script: strokes on the screen, by the seed.
+    bool two = false;            ///< Likewise: strokes of two visitors, a finger each.
     int card = 0;                ///< Of the shelf.
     int mission = -1;            ///< Instead: of the missions that are on.
     int glaze = 0;               ///< Of the exhibit's, where the scene has a kiln.
@@ -61,6 +63,7 @@ class ScriptedVisitor {
   Result<void> on_throw(double now);
   Result<void> begin_throwing(double now);
   Result<void> on_naive(double now);
+  Result<void> on_two(double now);
   Result<void> on_kiln();
   Result<void> on_keepsake();
   Result<void> touch(const std::string& control);
@@ -79,6 +82,7 @@ class ScriptedVisitor {
        kept_seen_ = false;
   bool done_ = false;
   std::optional<NaiveHands> hands_;
+  std::optional<TwoVisitors> two_;
   std::optional<Looks> looks_;
   Profile lump_;  ///< As it lay on the wheel.
   double looked_at_ = 0, troubled_at_ = -1;

@@ -58,6 +58,7 @@ class GlRenderer final : public Renderer {
   int height() const override { return window_->height(); }
   std::vector<view::InputEvent> poll() override { return window_->poll(); }
   void sleep(bool on) override { window_->sleep(on); }
+  int fingers() const override { return window_->fingers(); }
   std::vector<std::string> remarks() override { return window_->remarks(); }
 
   void show_clay(const ClayView& clay) override { stage_->clay().show(clay); }

@@ -51,6 +51,8 @@ class Renderer {
   virtual int height() const = 0;
   /// Everything since the last call, in order. Waits for nothing.
   virtual std::vector<view::InputEvent> poll() = 0;
+  /// How many fingers the screen's glass tells apart at once; 0: it has none. Asks the display.
+  virtual int fingers() const = 0;
   /// Once a frame: the monitor sleeps, or is awake. Nothing where it is not all ours.
   virtual void sleep(bool on) = 0;
   /// What staff should know of monitors and touch screens, a line each, once.

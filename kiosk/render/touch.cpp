@@ -4,6 +4,8 @@
 #include <GLFW/glfw3.h>
 #include <X11/extensions/XInput2.h>
 
+#include <algorithm>
+
 // From GLFW/glfw3native.h, which also wants the headers of Xrandr.
 extern "C" Display* glfwGetX11Display(void);
 extern "C" Window glfwGetX11Window(GLFWwindow* window);
@@ -65,6 +67,23 @@ Touch::~Touch() = default;
 
 bool Touch::active() const {
   return fingers_.any() || (last_time_ > 0 && glfwGetTime() - last_time_ < kEchoSeconds);
+}
+
+int Touch::fingers() const {
+  int count = 0, most = 0;
+  XIDeviceInfo* const all = XIQueryDevice(connection_->display, XIAllDevices, &count);
+  for (int n = 0; all != nullptr && n < count; ++n) {
+    if (all[n].use != XISlavePointer && all[n].use != XIFloatingSlave) continue;
+    for (int k = 0; k < all[n].num_classes; ++k) {
+      if (all[n].classes[k]->type != XITouchClass) continue;
+      const auto* glass = reinterpret_cast<const XITouchClassInfo*>(all[n].classes[k]);
+      if (glass->mode != XIDirectTouch) continue;  // A touch pad is a mouse.
+      // None stands for as many as there are.
+      most = std::max(most, glass->num_touches == 0 ? view::Fingers::kMost : glass->num_touches);
+    }
+  }
+  if (all != nullptr) XIFreeDeviceInfo(all);
+  return most;
 }
 
 std::vector<view::InputEvent> Touch::poll() {

@@ -22,6 +22,8 @@ class Touch {
   std::vector<view::InputEvent> poll();
   /// A finger is down, or lifted so recently that its emulated mouse events may still come.
   bool active() const;
+  /// How many fingers the glass tells apart at once, of the one that tells most; 0: there is none.
+  int fingers() const;
   /// When a finger last moved, s on GLFW's clock; 0 never.
   double last_time() const { return last_time_; }
 

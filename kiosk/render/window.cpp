@@ -248,6 +248,8 @@ void Window::sleep(bool on) {
   displays_->sleep(on);
 }
 
+int Window::fingers() const { return touch_ != nullptr ? touch_->fingers() : 0; }
+
 std::vector<std::string> Window::remarks() {
   return displays_ != nullptr ? displays_->remarks() : std::vector<std::string>();
 }

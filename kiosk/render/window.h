@@ -25,6 +25,7 @@ class Window {
   int height() const { return height_; }
   bool visible() const { return visible_; }
   std::vector<view::InputEvent> poll();
+  int fingers() const;  ///< As Touch's.
   void swap();
   /// Once a frame: the monitor sleeps, or is awake; nothing in a window.
   void sleep(bool on);

@@ -75,6 +75,10 @@ class Desk {
   const settings::Mission* on() const;
   /// What the pot is to measure, where there is no vessel to be met.
   const settings::Mission::Described* described() const;
+  /// The pot is thrown by ear.
+  bool eyes_closed() const { return does(settings::Mission::Kind::eyes_closed); }
+  /// Two visitors throw it, a hand each.
+  bool two_hands() const { return does(settings::Mission::Kind::two_hands); }
   /// What stands over the pot: the vessel's name, or the mission's.
   std::string heading() const;
   /// And over what it came to: "Your answer to: Moon jar".
@@ -97,6 +101,8 @@ class Desk {
   void look();
 
  private:
+  bool does(settings::Mission::Kind kind) const { return on() != nullptr && on()->kind == kind; }
+
   int kept_glaze_ = -1;                   ///< As it was last asked for.
   std::optional<std::uint32_t> awaited_;  ///< Serial of the pot that is to be replaced.
   double pot_since_ = 0;

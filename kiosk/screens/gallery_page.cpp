@@ -34,12 +34,20 @@ void GalleryPage::lay_out(Page& page, const std::vector<Button>& onward, bool wi
   shelf_.lay_out(page, column);
 }
 
+/// Of a vessel that is on the shelf, or of a mission that is on; else empty.
+std::string GalleryPage::title_of(const std::string& vessel) const {
+  for (int card = 0; card < desk_.cards(); ++card)
+    if (desk_.shelf_card(card)->vessel->id == vessel) return desk_.label(card).title;
+  for (int n = 0; n < desk_.missions(); ++n)
+    if (desk_.mission_card(n).mission->id == vessel)
+      return desk_.mission_card(n).mission->title_in(desk_.words().code());
+  return {};
+}
+
 float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const {
   const TypeScale& t = page.type();
   CardWords lines(page, at, opacity);
-  for (int card = 0; card < desk_.cards(); ++card)
-    if (desk_.shelf_card(card)->vessel->id == pot(i).vessel)
-      lines.add(desk_.label(card).title, Face::serif, t.body, view::kInk);
+  lines.add(title_of(pot(i).vessel), Face::serif, t.body, view::kInk);
   lines.add(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
             t.body, view::kFaintInk);
   if (opacity > 0) page.tell(at.y, spoken(i));  // It is no control: nothing else says it.
@@ -47,9 +55,8 @@ float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const
 }
 
 std::string GalleryPage::spoken(int i) const {
-  std::string all;
-  for (int card = 0; card < desk_.cards(); ++card)
-    if (desk_.shelf_card(card)->vessel->id == pot(i).vessel) all = desk_.label(card).title + ", ";
+  std::string all = title_of(pot(i).vessel);
+  if (!all.empty()) all += ", ";
   return all + desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}});
 }
 

@@ -33,6 +33,7 @@ class GalleryPage final : private CardShelf::Cards {
   view::PictureId picture(int i) const override;
   float words(Page& page, int i, const view::Rect& at, float opacity) const override;
   std::string spoken(int i) const override;
+  std::string title_of(const std::string& vessel) const;
   std::string control(int) const override { return {}; }
   const TodaysPot& pot(int i) const;
 

@@ -31,6 +31,8 @@ double share_on_line(const Profile& made, const Profile& target) {
 }  // namespace
 
 const LessonStep* LessonLine::shown(const Desk& desk) {
+  // It is of an outline that is seen and met by both of one's hands.
+  if (desk.on() != nullptr && desk.on()->kind != settings::Mission::Kind::today) return nullptr;
   const auto* lesson = desk.world.lesson;
   return lesson != nullptr && desk.lesson_step < lesson->size() ? &(*lesson)[desk.lesson_step]
                                                                 : nullptr;

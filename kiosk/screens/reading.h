@@ -20,8 +20,9 @@ struct Reading {
   std::vector<Control> controls;   ///< In the order in which they are read.
   std::string first;               ///< The control where a keyboard begins; may be none.
   std::string focus;               ///< The one that it is on; may be none.
-  bool spoken = false, one_switch = false;  ///< As this visitor has chosen.
-  double scan_seconds = 1.5;                ///< From one item of the switch to the next.
+  bool spoken = false, one_switch = false;  ///< As this visitor has chosen, or the screen is dark.
+  bool unasked = false;  ///< It is spoken though nobody chose so: how to be read to is not told.
+  double scan_seconds = 1.5;  ///< From one item of the switch to the next.
 
   /// At the wheel.
   bool working = false;                  ///< Hands are on the clay.

@@ -22,6 +22,8 @@ class Screen {
   virtual ScreenId id() const = 0;
   virtual void lay_out(Page& page) = 0;
   virtual std::optional<view::PotView> pot(const Page&) { return std::nullopt; }
+  /// It is dark, with words alone, and what is on it is told by sound too.
+  virtual bool dark() const { return false; }
   /// A control of its own was pressed.
   virtual void press(const std::string& control) = 0;
   /// A finger went down on a control; press() follows when it is lifted there.

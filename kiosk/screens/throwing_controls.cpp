@@ -106,6 +106,7 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
   // What else was asked is said by the hint, where it is off.
   if (const auto figures = MeasuredPot::sentences(desk); !figures.empty())
     column.text(figures.front(), t.body);
+  if (desk.two_hands()) column.text(desk.say("mission.halves"), t.body);
   if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
     column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
   column.space(t.gap * 0.5f);
@@ -162,7 +163,7 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   float captions = 0;
   for (const std::string& words : {of_hand, of_wheel, of_clay, feels.empty() ? of_clay : of_force})
     captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
-  drawer_row(column, of_hand, hand, captions);
+  if (!desk.two_hands()) drawer_row(column, of_hand, hand, captions);
   drawer_row(column, of_wheel, wheel, captions);
   drawer_row(column, of_clay, clay, captions);
   if (!feels.empty()) drawer_row(column, of_force, feels, captions);

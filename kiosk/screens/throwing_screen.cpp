@@ -1,9 +1,10 @@
 #include "kiosk/screens/throwing_screen.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
-#include "kiosk/device/pointer_lead.h"
 #include "kiosk/screens/hint.h"
 #include "kiosk/screens/lesson_line.h"
 #include "kiosk/screens/measured_pot.h"
@@ -15,6 +16,7 @@
 #include "kiosk/screens/throwing_controls.h"
 #include "kiosk/screens/tool_tray.h"
 #include "kiosk/screens/water_button.h"
+#include "kiosk/screens/wheel_hands.h"
 #include "kiosk/screens/wheel_speed.h"
 #include "kiosk/screens/wire_cut.h"
 
@@ -27,16 +29,13 @@ using view::Key;
 
 namespace {
 
-constexpr double kNotch = 0.002;  // m a scroll notch or a key press.
-constexpr double kLookIn = 0.8;   // s that the pot stays cut away after a hand was inside.
+constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside.
 
 /// The wheel, the clay and the visitor's hand.
 class Throwing final : public Screen {
  public:
   explicit Throwing(Desk& d)
-      : Screen(d),
-        hand_({d.wheel().palm, d.wheel().palm_radius}, {0, d.wheel().tool_radius}),
-        speed_(d) {}
+      : Screen(d), hands_(d.wheel(), d.two_hands() && !StrokeBoard::wanted(d)), speed_(d) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     if (!by_buttons()) return "";
@@ -59,17 +58,20 @@ class Throwing final : public Screen {
     look_for_mishaps();
     const ShelfCard* card = desk.shelf_card(desk.card);
     const Profile* target = card != nullptr ? &card->target : nullptr;
-    inside_until_ = hand_.inside() ? desk.now + kLookIn : inside_until_;
+    inside_until_ = hands_.inside() ? desk.now + kLookIn : inside_until_;
     picture_.update(desk, dt, target, cut_chosen_ ? cut_ : cut_ || desk.now < inside_until_,
-                    hand_.grabbed());
+                    hands_.grabbed());
 
-    bool contact = false;
-    for (const HandFeedback& f : desk.status.feedback.hand) contact = contact || f.contact;
-    if (hand_.active() && desk.pot_ready()) {
-      show_.draw(dt, hand_, desk.world.wheel->clay);
-      hand_.follow(desk.world.wheel->clay, dt, contact);
+    std::array<bool, kMaxHands> contacts{};
+    for (std::size_t n = 0; n < contacts.size(); ++n)
+      contacts[n] = desk.status.feedback.hand[n].contact;
+    const bool contact = std::find(contacts.begin(), contacts.end(), true) != contacts.end();
+    if (hands_.active() && desk.pot_ready()) {
+      show_.draw(dt, hands_.lead(), desk.world.wheel->clay);
+      hands_.follow(desk.world.wheel->clay, dt, contacts);
       send_hand();
     }
+    strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
     if (contact) {
       touched_ = true;
       dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
@@ -82,7 +84,11 @@ class Throwing final : public Screen {
                             dry_ > 20.0, desk.wheel().tool_radius, MeasuredPot::hint(desk)});
   }
 
-  std::optional<view::PotView> pot(const Page& page) override { return picture_.view(desk, page); }
+  std::optional<view::PotView> pot(const Page& page) override {
+    if (dark()) return std::nullopt;
+    return picture_.view(desk, page);
+  }
+  bool dark() const override { return desk.eyes_closed(); }
 
   std::optional<Sight> sight() const override {
     const ShelfCard* card = desk.shelf_card(desk.card);
@@ -97,7 +103,7 @@ class Throwing final : public Screen {
                                water_.wet(),
                                cut_,
                                desk.status.can_restore && whole,
-                               show_.button(desk, aim() == nullptr),
+                               show_.button(desk, aim() == nullptr || dark() || hands_.two()),
                                whole && LessonLine::shown(desk) != nullptr,
                                drawer_,
                                held_,
@@ -107,10 +113,11 @@ class Throwing final : public Screen {
                                working()};
     give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
-    if (const ShelfCard* card = desk.shelf_card(desk.card); card != nullptr && desk.pot_ready()) {
+    if (const ShelfCard* card = desk.shelf_card(desk.card);
+        card != nullptr && desk.pot_ready() && !dark()) {
       if (desk.described() == nullptr) draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press;
-          press && !hand_.grabbed() && whole && LessonLine::shown(desk) == nullptr)
+          press && !hands_.grabbed() && whole && LessonLine::shown(desk) == nullptr)
         draw_press(page, camera_, card->target, press->height, press->inward);
     }
     lay_out_throwing(page, desk, now, show_, hint_.shown());
@@ -137,7 +144,7 @@ class Throwing final : public Screen {
       mishap_.go_back(desk);
     } else if (control == "throw.show") {
       if (held_ > 0) take_up(0);
-      if (const Profile* target = aim()) show_.press(desk, *target, key_sign(), hand_);
+      if (const Profile* target = aim()) show_.press(desk, *target, key_sign(), hands_.lead());
       send_hand();
     } else if (control == "throw.more" || control == "throw.less") {
       open_drawer(control == "throw.more");
@@ -157,7 +164,7 @@ class Throwing final : public Screen {
   void hold(const std::string& control) override {
     if (control == "throw.show") {
       if (held_ > 0) take_up(0);
-      if (const Profile* target = aim()) show_.hold(desk, *target, key_sign(), hand_);
+      if (const Profile* target = aim()) show_.hold(desk, *target, key_sign(), hands_.lead());
       send_hand();
     }
     if (control != "throw.water") return;
@@ -170,7 +177,7 @@ class Throwing final : public Screen {
       open_drawer(false);
     } else if (menu_) {
       menu_ = false;
-    } else if (hand_.active() && !hand_.grabbed()) {
+    } else if (hands_.active() && !hands_.grabbed()) {
       let_go();
     } else {
       desk.go(ScreenId::choose);
@@ -180,32 +187,18 @@ class Throwing final : public Screen {
   void pointer(const InputEvent& e, const Page& page) override {
     menu_ = false;
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
-    const Vec2 at = camera_.on_axis_plane(e.x, e.y);
-    if (e.finger != 0) return second_finger(e, at);
-    switch (e.kind) {
-      case InputEvent::Kind::pointer_down:
-        if (page.where().words.contains(e.x, e.y)) return;
-        open_drawer(false);
-        mishap_.stay();
-        let_go();  // Hands that still finish a stroke would go to the next through the pot.
-        hand_.grab(at, desk.world.wheel->clay, grip());
-        break;
-      case InputEvent::Kind::pointer_move:
-        if (!hand_.grabbed() || show_.showing()) return;
-        hand_.drag(at);
-        break;
-      case InputEvent::Kind::pointer_up:
-        if (!hand_.grabbed() || show_.showing()) return;
-        hand_.release();
-        break;
-      case InputEvent::Kind::scroll:
-        if (!hand_.active() || show_.showing()) return;
-        hand_.move(-kNotch * static_cast<double>(e.scroll), 0);
-        break;
-      default:
-        return;
+    const bool down = e.kind == InputEvent::Kind::pointer_down;
+    if (down && (e.finger == 0 || hands_.two())) {
+      if (page.where().words.contains(e.x, e.y)) return;
+      open_drawer(false);
+      mishap_.stay();
+      // Hands that still finish a stroke would go to the next through the pot; of two visitors the
+      // other one's go on.
+      hands_.two() ? show_.stop(hands_.lead()) : let_go();
     }
-    send_hand();
+    if (show_.showing()) return;
+    const Vec2 at = camera_.on_axis_plane(e.x, e.y);
+    if (hands_.pointer(e, at, desk.world.wheel->clay, grip(), held_ > 0)) send_hand();
   }
 
   bool key(Key key, bool repeat) override {
@@ -219,39 +212,41 @@ class Throwing final : public Screen {
         if (!repeat) hold_with(device::next_grip(grip_));
         return true;
       case Key::depth_in:
-        return move_by_keys(-kNotch, 0), true;
+        return move_by_keys(-WheelHands::kNotch, 0), true;
       case Key::depth_out:
-        return move_by_keys(kNotch, 0), true;
+        return move_by_keys(WheelHands::kNotch, 0), true;
       default:
         break;
     }
     if (by_buttons()) return false;
     // The hand works on the column's far side, where the pot is clear of the words.
-    const double left = key_sign();
+    const double left = key_sign(), notch = WheelHands::kNotch;
     if (key == Key::enter) return menu_ = true;
     if (key == Key::up || key == Key::down)
-      return move_by_keys(0, key == Key::up ? kNotch : -kNotch), true;
+      return move_by_keys(0, key == Key::up ? notch : -notch), true;
     if (key == Key::left || key == Key::right)
-      return move_by_keys(key == Key::left ? -kNotch * left : kNotch * left, 0), true;
+      return move_by_keys(key == Key::left ? -notch * left : notch * left, 0), true;
     return false;
   }
 
   void let_go() override {
-    show_.stop(hand_);
-    hand_.lift();
+    show_.stop(hands_.lead());
+    hands_.lift();
     send_hand();
   }
   void comforted() override { speed_.send(desk); }
 
   std::optional<PotTold> told() const override {
     if (mishap_) return std::nullopt;
-    return PotTold{working(), board_.asked(), StrokeBoard::told(desk, parts())};
+    // With eyes closed every stroke asks how the pot differs.
+    const int asked = board_.asked() + (dark() ? strokes_ : 0);
+    return PotTold{working(), asked, StrokeBoard::told(desk, parts())};
   }
 
  private:
   /// The keys move among buttons, and not the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
-  bool working() const { return show_.showing() || hand_.active() || cut_off_; }
+  bool working() const { return show_.showing() || hands_.active() || cut_off_; }
   std::vector<PartOff> parts() const {
     return parts_off(desk.shelf_card(desk.card), picture_.made());
   }
@@ -259,22 +254,16 @@ class Throwing final : public Screen {
     if (held_ > 0) take_up(0);
     const ClayView& clay = desk.world.wheel->clay;
     if (const Profile* target = aim(); target != nullptr && clay.rows() > 0)
-      show_.make(asked_stroke(clay, *target, ask, board_.part()), clay, key_sign(), hand_);
+      show_.make(asked_stroke(clay, *target, ask, board_.part()), clay, key_sign(), hands_.lead());
     send_hand();
   }
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
   void send_hand() {
     Vec3 right, up, back;
     camera_.basis(right, up, back);
-    const auto hands = hand_.input(right);
+    const auto hands = hands_.input(right);
     for (int n = 0; n < kMaxHands; ++n)
       desk.world.potter->hand(n, hands[static_cast<std::size_t>(n)]);
-  }
-  /// Two fingers hold the wall between them; more of them rest on the glass.
-  void second_finger(const InputEvent& e, Vec2 at) {
-    if (e.finger != 1 || held_ > 0 || grip_ != Grip::both || show_.showing()) return;
-    const bool up = e.kind == InputEvent::Kind::pointer_up;
-    hand_.pinch(up ? std::nullopt : std::optional(at), desk.world.wheel->clay);
   }
   /// The outline to be met, where a hand may work towards it.
   const Profile* aim() const {
@@ -303,9 +292,9 @@ class Throwing final : public Screen {
       return;
     }
     held_ = which;
-    if (which == 0) return hand_.take_up({wheel.palm, wheel.palm_radius}, fine);
+    if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
     const Wheel::Tool& tool = wheel.tools[which - 1];
-    hand_.take_up({tool.tool, tool.reach, tool.below}, fine);
+    hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
   }
   /// The wheel comes to rest, the wire passes under the pot, and the pot is done.
   void draw_wire(double dt) {
@@ -326,11 +315,8 @@ class Throwing final : public Screen {
     menu_ = false;
     open_drawer(false);
     mishap_.stay();
-    show_.stop(hand_);
-    if (hand_.active())
-      hand_.move(outward, up);
-    else
-      hand_.begin_by_keys(desk.world.wheel->clay, grip(), key_sign());
+    show_.stop(hands_.lead());
+    hands_.move_by_keys(desk.world.wheel->clay, grip(), key_sign(), outward, up);
     send_hand();
   }
 
@@ -368,7 +354,7 @@ class Throwing final : public Screen {
   PotPicture picture_;
   HintLine hint_;
   MishapWatch mishap_;
-  device::PointerLead hand_;
+  WheelHands hands_;
   std::size_t held_ = 0;  ///< Of the tray: 0 the hands.
   std::optional<WireCut> cut_off_;
   ShowMe show_;
@@ -380,7 +366,8 @@ class Throwing final : public Screen {
   MeasuredPot measured_;
   Grip grip_ = Grip::both;
   bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, drawer_ = false,
-       done_ = false;
+       done_ = false, worked_ = false;
+  int strokes_ = 0;  ///< That are over.
   double dry_ = 0, inside_until_ = -1;
   std::uint32_t serial_ = 0;
 };

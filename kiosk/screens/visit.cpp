@@ -4,6 +4,7 @@
 
 #include "kiosk/screens/focus.h"
 #include "kiosk/screens/visit_state.h"
+#include "kiosk/view/dark.h"
 #include "kiosk/view/high_contrast.h"
 
 namespace onggi::screens {
@@ -106,7 +107,10 @@ view::Frame Visit::frame(int width, int height) {
   frame.pot = s.screen->pot(*s.page);
   if (frame.pot && s.over != Over::nothing) frame.pot->opacity *= 0.12;
   frame.items = std::move(s.page->items());
-  if (s.desk.screen().high_contrast) view::to_high_contrast(frame.items);
+  if (s.screen->dark())
+    view::to_dark(frame.items, width, height);
+  else if (s.desk.screen().high_contrast)
+    view::to_high_contrast(frame.items);
   frame.screen_serial = s.serial;
   const double since = (s.desk.now - s.changed_at) / kFade;
   if (!s.desk.still() && since < 1) frame.fade = static_cast<float>(1 - std::max(0.0, since));
@@ -197,7 +201,8 @@ Reading Visit::reading() const {
   r.first = s.first_control();
   r.focus = s.focused;
   const settings::Exhibit::Screen shown = s.desk.screen();
-  r.spoken = shown.spoken;
+  r.spoken = spoken();
+  r.unasked = !shown.spoken;
   r.one_switch = shown.one_switch;
   r.scan_seconds = shown.scan_seconds;
   if (s.over == Over::nothing)
@@ -208,6 +213,8 @@ Reading Visit::reading() const {
     }
   return r;
 }
+
+bool Visit::spoken() const { return state_->desk.screen().spoken || state_->screen->dark(); }
 
 void Visit::activate(const std::string& control, double now) {
   State& s = *state_;

@@ -172,6 +172,8 @@ class Visit {
   double volume_share() const;
   /// The exhibit's screen as this visitor has chosen to have it on the Comfort page.
   settings::Exhibit::Screen shown_on() const;
+  /// What is on the screen is said aloud: this visitor has chosen so, or the screen is dark.
+  bool spoken() const;
   /// Of the pot that was last called done, as the result screen tells it.
   const score::Score& score() const;
 

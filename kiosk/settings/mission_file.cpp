@@ -64,21 +64,27 @@ bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
   return !out.empty();
 }
 
-bool read_kind(MissionTable& mission, Mission::Kind& kind) {
-  const std::string all = joined_names(kMissionKinds);
-  mission.require("kind", "Write kind = \"...\", one of " + all + ".");
+/// One of `names`; false where it is none, or not there.
+template <class Choice, std::size_t kCount>
+bool read_one_of(MissionTable& mission, const std::string& key, const std::string& what,
+                 const std::array<std::string_view, kCount>& names, Choice& out) {
   std::string text;
-  if (!mission.text("kind", text)) return false;
-  const auto found = std::ranges::find(kMissionKinds, text);
-  if (found != kMissionKinds.end()) {
-    kind = static_cast<Mission::Kind>(found - kMissionKinds.begin());
+  if (!mission.text(key, text)) return false;
+  const auto found = std::ranges::find(names, text);
+  if (found != names.end()) {
+    out = static_cast<Choice>(found - names.begin());
     return true;
   }
-  const std::string nearest = nearest_name(text, std::span<const std::string_view>(kMissionKinds));
-  mission.complain(
-      "kind", "There is no kind of mission \"" + text + "\".",
-      (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "Choose of " + all + ".");
+  const std::string nearest = nearest_name(text, std::span<const std::string_view>(names));
+  mission.complain(key, "There is no " + what + " \"" + text + "\".",
+                   (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "Choose of " +
+                       joined_names(names) + ".");
   return false;
+}
+
+bool read_kind(MissionTable& mission, Mission::Kind& kind) {
+  mission.require("kind", "Write kind = \"...\", one of " + joined_names(kMissionKinds) + ".");
+  return read_one_of(mission, "kind", "kind of mission", kMissionKinds, kind);
 }
 
 bool is_on_shelf(MissionTable& mission, const std::string& key, std::size_t index, bool of_list,
@@ -103,6 +109,11 @@ bool read_today(MissionTable& mission, const std::vector<std::string>& shelf, Mi
   for (std::size_t n = 0; n < out.vessels.size(); ++n)
     good = is_on_shelf(mission, "vessels", n, true, out.vessels[n], shelf) && good;
   return good;
+}
+
+bool read_vessel(MissionTable& mission, const std::vector<std::string>& shelf, std::string& out) {
+  if (!mission.has("vessel")) return true;
+  return mission.text("vessel", out) && is_on_shelf(mission, "vessel", 0, false, out, shelf);
 }
 
 /// [from, to] in mm.
@@ -156,6 +167,14 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
       break;
     case Mission::Kind::describe:
       good = read_described(table, mission.wanted) && good;
+      break;
+    case Mission::Kind::eyes_closed:
+      good = read_vessel(table, shelf, mission.vessel) && good;
+      break;
+    case Mission::Kind::two_hands:
+      good = read_vessel(table, shelf, mission.vessel) && good;
+      if (table.has("second"))
+        good = read_one_of(table, "second", "second hand", kSecondHands, mission.second) && good;
       break;
   }
   table.finish();

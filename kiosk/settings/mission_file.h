@@ -15,8 +15,10 @@ namespace onggi::settings {
 /// Something else to do at the wheel than to choose a vessel, which a curator may switch on.
 struct Mission {
   enum class Kind : std::uint8_t {
-    today,    ///< One vessel of the shelf a day.
-    describe  ///< No vessel: a shape by figures.
+    today,        ///< One vessel of the shelf a day.
+    describe,     ///< No vessel: a shape by figures.
+    eyes_closed,  ///< The pot is not shown: sound alone tells of it.
+    two_hands     ///< Two visitors, a hand each.
   };
   /// What a pot is to measure, as it is thrown; metres.
   struct Described {
@@ -37,13 +39,22 @@ struct Mission {
   std::map<std::string, std::string> about;  ///< By language: what there is to do.
   std::vector<std::string> vessels;  ///< Today's: of the shelf, day by day; empty: all of it.
   Described wanted;                  ///< Of a description.
+  std::string vessel;                ///< Of the last two, on the shelf; empty: the shelf's first.
+  /// Of two hands, what the second visitor has.
+  enum class Second : std::uint8_t {
+    finger,  ///< A second finger on the glass.
+    keys     ///< A keyboard, beside the mouse or finger of the first.
+  };
+  Second second = Second::finger;
 
   /// In `language`, else in English, else in the first there is; empty where there is none.
   const std::string& title_in(const std::string& language) const;
   const std::string& about_in(const std::string& language) const;
 };
 
-inline constexpr std::array<std::string_view, 2> kMissionKinds{"today", "describe"};
+inline constexpr std::array<std::string_view, 4> kMissionKinds{"today", "describe", "eyes_closed",
+                                                               "two_hands"};
+inline constexpr std::array<std::string_view, 2> kSecondHands{"finger", "keys"};
 inline constexpr std::size_t kMostMissions = 6;
 inline constexpr std::size_t kMostTitleLetters = 40;   ///< Of a mission's title: a card's width.
 inline constexpr std::size_t kMostAboutLetters = 240;  ///< Of what it says of itself.

@@ -107,7 +107,7 @@ std::string with_missions(const TemporaryFolder& folder) {
   return write_exhibit(folder, "first_touch",
                        "missions = \"" + fs::current_path().string() +
                            "/content/missions.toml\"\n[vessel_scenes]\nlitre_jar = "
-                           "\"coarse.toml\"\n");
+                           "\"coarse.toml\"\nmoon_jar = \"coarse.toml\"\n");
 }
 
 TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
@@ -122,6 +122,21 @@ TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
   EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 15);
   EXPECT_GT(visit["score"].get<double>(), 80.0);
   EXPECT_EQ(visit["files"].size(), 5u);
+}
+
+TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEach) {
+  const TemporaryFolder folder;
+  const std::string config = with_missions(folder);
+  for (const char* mission : {"eyes_closed", "two_hands"}) {
+    const Outcome run =
+        onggi("visit --mission " + std::string(mission) + " --window 640x480 --config " + config +
+              " --json - --out " + (folder / mission).string());
+    ASSERT_EQ(run.exit_code, 0) << mission << ": " << run.err;
+    const Json visit = Json::parse(run.out);
+    EXPECT_EQ(visit["mission"], mission);
+    EXPECT_EQ(visit["vessel"], "moon_jar");
+    EXPECT_GT(visit["score"].get<double>(), 60.0) << mission;
+  }
 }
 
 TEST(Visit, AnUnknownMissionIsRefusedWithTheNearestRightNameAndSoAreAVesselAndAMissionAtOnce) {

@@ -109,5 +109,42 @@ TEST_F(MissionsTest, OneThatIsOffOrCannotBeIsNotThereAndTheOthersAre) {
   EXPECT_EQ(asked.cards()[0].mission->id, "off");
 }
 
+TEST_F(MissionsTest, OneThatNeedsWhatIsNotThereIsOfferedOnceItIsAndNotBeforeSomebodysEyes) {
+  write("kind = \"eyes_closed\"", "dark");
+  write("kind = \"describe\"\nlitres = 1", "litre");
+  write("kind = \"two_hands\"\nvessel = \"moon_jar\"", "two");
+  write("kind = \"two_hands\"\nsecond = \"keys\"", "keys");
+  const Scenes scenes(exhibit);
+  Missions missions(exhibit, scenes, [this] { return wall; });
+  const auto offered = [&] {
+    std::string all;
+    for (const screens::MissionCard& card : missions.cards()) all += card.mission->id + ' ';
+    return all;
+  };
+  missions.look(shelf, true, true, {false, false});
+  EXPECT_EQ(offered(), "litre keys ");
+  EXPECT_EQ(screens::mission_of_own(missions.cards()[0].card), 0);
+  missions.look(shelf, true, false, {true, true});
+  EXPECT_EQ(offered(), "litre keys ");
+  missions.look(shelf, true, true, {true, true});
+  EXPECT_EQ(offered(), "dark litre two keys ");
+  EXPECT_EQ(screens::mission_of_own(missions.cards()[1].card), 1) << "its own card goes along";
+  EXPECT_EQ(missions.card(missions.cards()[1].card, shelf)->vessel->id, "litre");
+  EXPECT_EQ(missions.card(missions.cards()[2].card, shelf)->vessel->id, "moon_jar");
+  EXPECT_EQ(missions.cards()[0].card, 0) << "without a name the shelf's first";
+  missions.look(shelf, true, true, {true, false});
+  EXPECT_EQ(offered(), "dark litre keys ");
+}
+
+TEST_F(MissionsTest, WhyOneIsNotOfferedIsSaidWithARemedy) {
+  settings::Mission one;
+  one.kind = settings::Mission::Kind::eyes_closed;
+  EXPECT_EQ(why_not(one, {true, false}), "");
+  EXPECT_NE(why_not(one, {false, true}).find("[sound]"), std::string::npos);
+  one.kind = settings::Mission::Kind::two_hands;
+  EXPECT_EQ(why_not(one, {false, true}), "");
+  EXPECT_NE(why_not(one, {true, false}).find("second = \"keys\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace onggi::exhibit

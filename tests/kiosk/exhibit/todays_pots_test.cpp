@@ -22,6 +22,7 @@ class PictureKeeper final : public render::Renderer {
   int width() const override { return 1280; }
   int height() const override { return 720; }
   std::vector<view::InputEvent> poll() override { return {}; }
+  int fingers() const override { return 0; }
   void sleep(bool) override {}
   std::vector<std::string> remarks() override { return {}; }
   void show_clay(const ClayView&) override {}

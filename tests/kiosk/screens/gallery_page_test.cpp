@@ -146,5 +146,16 @@ TEST(Gallery, APotSaysWhatItAnswersAndHowAlikeItIsAndNothingElse) {
   EXPECT_EQ(words.find("any more"), std::string::npos);
 }
 
+TEST(Gallery, APotThatAnswersADescriptionIsCalledByItsMission) {
+  Visitor v(9, nullptr, false, true);
+  v.put_on(Visitor::described(1));
+  v.keep_today(1);
+  v.todays[0].vessel = "litre_jar";
+  v.frames(2);
+  finish_attracts_pot(v);
+  ASSERT_TRUE(shows_gallery(v));
+  EXPECT_NE(words_in(v.frame).find("A jar that holds a litre"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace onggi::screens

@@ -129,5 +129,19 @@ TEST_F(MissionFile, SixStandAndASeventhIsOneTooMany) {
   EXPECT_THAT(read("").problems, IsEmpty()) << "and none are none";
 }
 
+TEST_F(MissionFile, EyesAndHandsNameAVesselAndWhatTheSecondHas) {
+  const MissionsRead r = read(mission("dark", "kind = \"eyes_closed\"\nvessel = \"tea_bowl\"\n") +
+                              mission("two", "kind = \"two_hands\"\nsecond = \"keys\"\n") +
+                              mission("a", "kind = \"two_hands\"\nsecond = \"key\"\n") +
+                              mission("b", "kind = \"eyes_closed\"\nvessel = \"teabowl\"\n"));
+  ASSERT_THAT(r.problems, SizeIs(2));
+  EXPECT_THAT(r.problems[0].remedy, HasSubstr("\"keys\""));
+  EXPECT_THAT(r.problems[1].remedy, HasSubstr("tea_bowl"));
+  ASSERT_THAT(r.missions, SizeIs(2));
+  EXPECT_EQ(r.missions[0].vessel, "tea_bowl");
+  EXPECT_EQ(r.missions[1].vessel, "");
+  EXPECT_EQ(r.missions[1].second, Mission::Second::keys);
+}
+
 }  // namespace
 }  // namespace onggi::settings
