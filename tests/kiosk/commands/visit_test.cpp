@@ -121,7 +121,7 @@ TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
   EXPECT_EQ(visit["asked"]["mission.holds"]["wanted"], 100);
   EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 15);
   EXPECT_GT(visit["score"].get<double>(), 80.0);
-  EXPECT_EQ(visit["files"].size(), 5u);
+  EXPECT_GE(visit["files"].size(), 5u) << "postcard, model and replay";
 }
 
 TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEach) {
