@@ -7,7 +7,9 @@
 
 #include <chrono>
 #include <ctime>
+#include <map>
 
+#include "kiosk/files/clock_leap.h"
 #include "kiosk/files/local_time.h"
 #include "kiosk/souvenir/visit_folder.h"
 #include "tests/kiosk/files/disk.h"
@@ -168,6 +170,37 @@ TEST(keepsake, a_clock_that_leapt_years_ahead_takes_nothing_until_it_has_gone_on
   EXPECT_EQ(visits_after(kNow, kNow), 3u) << "the first one since the leap";
   EXPECT_EQ(visits_after(kNow + kDay / 2, kNow + kDay - 1), 4u);
   EXPECT_EQ(visits_after(kNow + kDay, kNow + kDay), 3u) << "now the clock is believed";
+}
+
+// A visit every half an hour over both nights on which the clocks are set, one of which has an hour
+// twice: its names do not tell its order, and a visit goes an hour early or late at the most.
+TEST(keepsake, the_nights_of_summer_time_take_no_visit_before_its_day_is_over) {
+  EXPECT_EQ(in_child([] {
+              ::setenv("TZ", "CET-1CEST,M3.5.0,M10.5.0/3", 1);
+              ::tzset();
+              constexpr std::time_t kHour = 3600;
+              bool right = true;
+              for (const char* noon : {"2026-03-28_120000", "2026-10-24_120000"}) {
+                const ScratchFolder scratch;
+                const std::time_t first = *files::time_of_stamp(noon);
+                std::map<std::string, std::time_t> made;
+                for (std::time_t now = first; now < first + 72 * kHour; now += kHour / 2) {
+                  std::string name = files::local_time(now, files::kStamp) + "_jar";
+                  while (made.count(name) > 0) name += "_2";
+                  made[name] = now;
+                  put_visit(scratch.path(), name, 1);
+                  right &= tidy(scratch.path(), {100, 1}, {}, now).has_value();
+                  const auto left = names_in(scratch.path());
+                  for (const auto& [visit, at] : made) {
+                    const bool there = std::find(left.begin(), left.end(), visit) != left.end();
+                    if (now - at < 23 * kHour) right &= there;
+                    if (now - at > 25 * kHour) right &= !there;
+                  }
+                }
+              }
+              return right;
+            }),
+            0);
 }
 
 TEST(keepsake, what_was_to_go_and_could_not_is_told_and_the_rest_goes) {
