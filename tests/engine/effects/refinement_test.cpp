@@ -170,6 +170,28 @@ TEST(Refinement, APotThatMayGetNoTallerHoldsAndAHandFeelsIt) {
   expect_whole(clay);
 }
 
+TEST(Refinement, TheOnlyThinRowsAreFoundWhereverTheyStand) {
+  for (const auto &[rows, pair] : {std::pair{80, 40}, {80, 41}, {81, 40}, {81, 41}, {81, 78}}) {
+    ClayDef def;
+    def.rows = rows;
+    def.sectors = 48;
+    Clay clay = std::move(*Clay::create(def, best_vectors(), 5));
+    Volume volume(clay);
+    Refinement refinement;
+    clay::divide_row(clay, pair, volume.of_row(pair));
+    volume.row_divided(clay, pair);
+    volume.keep(clay, 0.001);
+    int found = 0;
+    for (int n = 0; n < 2 * clay.rows(); ++n) {
+      const Refinement::Change change = refinement.next(clay, volume);
+      if (change.kind != Refinement::Change::Kind::join) continue;
+      EXPECT_EQ(change.row, pair);
+      ++found;
+    }
+    EXPECT_GT(found, 0) << "row " << pair << " of " << rows;
+  }
+}
+
 TEST(Refinement, WhereSpareRowsAreFewThinOnesAreJoinedAndNoMoreThanAreWanted) {
   ClayDef def;
   def.rows = 80;

@@ -195,6 +195,22 @@ TEST(Smoothing, WithVolumeNoClayIsLostWhateverARibDoes) {
   }
 }
 
+// What a row reaches to is what hands look for it by: a hollow that fills reaches farther than it
+// did.
+TEST(Smoothing, EveryRowsExtentHoldsItAsItsLinesFade) {
+  Lined wall;
+  for (int j = 0; j < wall.clay.rows(); ++j)
+    wall.clay.set_extent(j, std::ranges::max(wall.clay.outer(j)),
+                         std::ranges::min(wall.clay.inner(j)));
+  const double hollow = wall.least();
+  for (int n = 0; n < 20; ++n) {
+    wall.rib({}, 0.001);
+    for (int j = 0; j < wall.clay.rows(); ++j)
+      ASSERT_GE(wall.clay.outer_most(j), std::ranges::max(wall.clay.outer(j))) << "row " << j;
+  }
+  EXPECT_GT(wall.least(), hollow + 1e-5);
+}
+
 // Rows that are told as changed are drawn anew, and looked at by other effects: rest must be rest.
 TEST(Smoothing, ARibOnAWallThatIsEvenChangesNothingAndTellsNobody) {
   Lined wall(0.0);

@@ -159,6 +159,23 @@ TEST(Walls, AThinWallIsFeltAsSofterThanAThickOneUnlessTheOtherHandHoldsIt) {
   EXPECT_GT(pushed(0.003, 9000.0, true), 0.9 * pushed(0.003, 0.0, true)) << "held from inside";
 }
 
+TEST(Walls, TheWallBehindAToolIsThatOfItsOwnRowWhicheverWayItStands) {
+  ClayDef def;
+  def.rows = 100;
+  def.sectors = 90;
+  Clay clay = std::move(*Clay::create(def));
+  const auto thickness = [](int j) { return 0.010f + 0.0001f * static_cast<float>(j); };
+  for (int j = 0; j < clay.rows(); ++j)
+    for (float& r : clay.inner_mut(j)) r = 0.055f - thickness(j);
+  for (int j = clay.floor_rows(); j < clay.rows(); ++j)
+    for (const double distance : {0.0, 0.01, 0.055})
+      for (const double angle : {0.0, 1e-9, 1.0, 3.1415, -3.1415, -1.0, -1e-9})
+        ASSERT_NEAR(wall_thickness(clay, {distance * std::cos(angle), clay.row_height(j) - 1e-6,
+                                          distance * std::sin(angle)}),
+                    static_cast<double>(thickness(j)), 1e-7)
+            << "row " << j << " at " << angle << ", " << distance << " m from the axis";
+}
+
 TEST(Walls, BearAPushByTheSquareOfTheirThicknessAndNeverMore) {
   WallsDef def;
   def.yield_stress = 8000.0;
