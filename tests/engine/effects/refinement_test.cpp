@@ -171,7 +171,7 @@ TEST(Refinement, APotThatMayGetNoTallerHoldsAndAHandFeelsIt) {
 }
 
 TEST(Refinement, TheOnlyThinRowsAreFoundWhereverTheyStand) {
-  for (const auto &[rows, pair] : {std::pair{80, 40}, {80, 41}, {81, 40}, {81, 41}, {81, 78}}) {
+  for (const auto& [rows, pair] : {std::pair{80, 40}, {80, 41}, {81, 40}, {81, 41}, {81, 78}}) {
     ClayDef def;
     def.rows = rows;
     def.sectors = 48;
