@@ -122,7 +122,10 @@ class Folder:
 STAND_IN = """#!/bin/sh
 read -r head
 cat > /dev/null
-case $head in *'"jpeg"'*) exec cat '{folder}/postcard.jpg' ;; esac
+case $head in
+  *'"jpeg"'*) exec cat '{folder}/postcard.jpg' ;;
+  *'"gif"'*) exec cat '{folder}/turning.gif' ;;
+esac
 exec cat '{folder}/postcard.png'
 """
 
