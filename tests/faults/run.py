@@ -183,13 +183,6 @@ class Keeper:
         os.chmod(helper, 0o755)
         return Keeper(folder)
 
-    def time_of_two(self, scratch):
-        folder = os.path.join(scratch, "timed")
-        shutil.rmtree(folder, ignore_errors=True)
-        began = time.monotonic()
-        self.run(folder, 0, 2)
-        return time.monotonic() - began
-
     def things_done(self, scratch, visits):
         log = os.path.join(scratch, "log")
         self.run(os.path.join(scratch, "counted"), 0, visits, log=log)
@@ -266,21 +259,26 @@ def kills(a, scratch):
     length = {}
     folder = Folder(os.path.join(scratch, "killed"))
     wrong, done, first = 0, 0, 0
+
+    def visits(keeper, count, kill_after=None):
+        nonlocal first
+        code, lines = keeper.run(folder.path, first, count, kill_after=kill_after)
+        folder.heard(lines, count)
+        first += count
+        return code, lines
+
     began = time.monotonic()
     for n in range(1, a.times + 1):
-        if n % 100 == 1:  # anew, since a machine has other things to do, too
-            length = {k: k.time_of_two(scratch) for k in (real, quick)}
+        if n % 100 == 1:  # how long two take by now: the folder grows, and a machine has other things to do
+            for keeper in (real, quick):
+                started = time.monotonic()
+                visits(keeper, 2)
+                length[keeper] = time.monotonic() - started
         keeper = real if n % 20 == 0 else quick
-        code, lines = keeper.run(folder.path, first, 2, kill_after=draw.uniform(0.0, length[keeper]))
-        folder.heard(lines, 2)
-        done += code == -signal.SIGKILL
-        first += 2
+        done += visits(keeper, 2, draw.uniform(0.0, length[keeper]))[0] == -signal.SIGKILL
         if n % 100 == 0 or n == a.times:
-            # A folder that grows for ever would make every look slower than the one before.
             folder.age_leftovers()
-            code, lines = real.run(folder.path, first, 1)
-            folder.heard(lines, 1)
-            first += 1
+            code, lines = visits(real, 1)
             problems = folder.wrong(whole) + [f"{name} lies about" for name in folder.leftovers()]
             if code != 0 or "ended" not in lines:
                 problems.append(f"the next start did not come to its end: {code}")
