@@ -31,6 +31,16 @@ content::Vessel jar_vessel(const Mission& mission, Profile jar) {
   return vessel;
 }
 
+/// A vessel that it names and that is not on the shelf; "" where all are. Of one that is off no
+/// reader asked.
+std::string missing_from(const std::vector<std::string>& shelf, const Mission& mission) {
+  std::vector<std::string> named = mission.vessels;
+  if (!mission.vessel.empty()) named.push_back(mission.vessel);
+  for (const std::string& id : named)
+    if (std::find(shelf.begin(), shelf.end(), id) == shelf.end()) return id;
+  return {};
+}
+
 /// 0 for "".
 int place_of(const std::string& id, const std::vector<screens::ShelfCard>& shelf) {
   if (id.empty()) return 0;
@@ -119,8 +129,15 @@ void Missions::read(const std::vector<screens::ShelfCard>& shelf) {
   auto read = settings::read_missions(*exhibit_.missions, exhibit_.languages, ids);
   log_problems(read.problems);
   missions_ = std::move(read.missions);
-  for (const Mission& mission : missions_)
-    if (mission.on || mission.id == switched_on_) add(mission, shelf);
+  for (const Mission& mission : missions_) {
+    if (!mission.on && mission.id != switched_on_) continue;
+    if (const std::string missing = missing_from(ids, mission); missing.empty())
+      add(mission, shelf);
+    else
+      log_problem({exhibit_.missions->string() + ", mission " + mission.id,
+                   "There is no vessel \"" + missing + "\" on the shelf.",
+                   "Write the name of its folder on the shelf, or take it out."});
+  }
 }
 
 void Missions::add(const Mission& mission, const std::vector<screens::ShelfCard>& shelf) {

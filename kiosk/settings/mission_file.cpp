@@ -161,18 +161,20 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
   good = read_said(table, "title", kMostTitleLetters, languages, mission.title) && good;
   good = read_said(table, "about", kMostAboutLetters, languages, mission.about) && good;
   if (!read_kind(table, mission.kind)) return false;  // What else it may say hangs on that.
+  // What is off may name vessels that a museum took from its shelf.
+  const std::vector<std::string> there = mission.on ? shelf : std::vector<std::string>();
   switch (mission.kind) {
     case Mission::Kind::today:
-      good = read_today(table, shelf, mission) && good;
+      good = read_today(table, there, mission) && good;
       break;
     case Mission::Kind::describe:
       good = read_described(table, mission.wanted) && good;
       break;
     case Mission::Kind::eyes_closed:
-      good = read_vessel(table, shelf, mission.vessel) && good;
+      good = read_vessel(table, there, mission.vessel) && good;
       break;
     case Mission::Kind::two_hands:
-      good = read_vessel(table, shelf, mission.vessel) && good;
+      good = read_vessel(table, there, mission.vessel) && good;
       if (table.has("second"))
         good = read_one_of(table, "second", "second hand", kSecondHands, mission.second) && good;
       break;

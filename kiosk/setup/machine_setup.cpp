@@ -69,6 +69,8 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
       {Kind::tree, site / "content/vessels", content / "vessels", "the shelf, yours too"},
       {Kind::tree, site / "content/lessons", content / "lessons", "what the first minute teaches"},
       {Kind::tree, site / "content/glazes.toml", content / "glazes.toml", "the kiln's glazes"},
+      {Kind::tree, site / "content/missions.toml", content / "missions.toml",
+       "what else visitors may be asked to do"},
       {Kind::folder, site / "keepsakes", {}, "what visitors made"},
       {Kind::link, "/etc/X11/xorg.conf.d/90-onggi.conf", files / "90-onggi.conf",
        "the screen stays on, and no keys leave it"},

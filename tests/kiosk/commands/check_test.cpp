@@ -21,6 +21,7 @@ class CopiedSite : public ::testing::Test {
     fs::copy("content/languages", at("content/languages"));
     fs::copy("content/lessons", at("content/lessons"));
     fs::copy("content/glazes.toml", at("content/glazes.toml"));
+    fs::copy("content/missions.toml", at("content/missions.toml"));
     for (const char* id : {"moon_jar", "tea_bowl"})
       fs::copy(std::string("content/vessels/") + id, at(std::string("content/vessels/") + id));
   }
@@ -44,8 +45,9 @@ TEST_F(CopiedSite, IsWhatIsCheckedWhereOneStandsInItAndEachOfItsFilesIsNamed) {
   for (const char* name :
        {"config/exhibit.toml", "config/scenes/first_touch.toml", "config/rubric.toml",
         "content/languages/en.toml", "content/languages/ko.toml", "content/glazes.toml",
-        "content/lessons/first_minute.toml", "content/vessels/moon_jar/vessel.toml",
-        "content/vessels/moon_jar/profile.toml", "content/vessels/tea_bowl/vessel.glb"})
+        "content/missions.toml", "content/lessons/first_minute.toml",
+        "content/vessels/moon_jar/vessel.toml", "content/vessels/moon_jar/profile.toml",
+        "content/vessels/tea_bowl/vessel.glb"})
     EXPECT_NE(run.out.find("looked at " + at(name) + "\n"), std::string::npos) << name << run.out;
   // The last line counts what the others name.
   const auto named = std::count(run.out.begin(), run.out.end(), '\n') - 1;

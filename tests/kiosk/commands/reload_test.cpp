@@ -28,6 +28,7 @@ class OpenSite {
     fs::create_directories(folder_ / "content/vessels");
     fs::copy("content/lessons", folder_ / "content/lessons", fs::copy_options::recursive);
     fs::copy("content/glazes.toml", folder_ / "content/glazes.toml");
+    fs::copy("content/missions.toml", folder_ / "content/missions.toml");
     add_vessel("tea_bowl");
     if (!display_) return;
     const std::string command = "exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" +

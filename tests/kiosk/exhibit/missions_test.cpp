@@ -109,6 +109,18 @@ TEST_F(MissionsTest, OneThatIsOffOrCannotBeIsNotThereAndTheOthersAre) {
   EXPECT_EQ(asked.cards()[0].mission->id, "off");
 }
 
+TEST_F(MissionsTest, OneThatIsOffAndAskedForIsNotThereWhereItsVesselIsNot) {
+  write("kind = \"two_hands\"\non = false\nvessel = \"urn\"", "hands");
+  write("kind = \"today\"\non = false\nvessels = [\"tea_bowl\", \"urn\"]", "today");
+  const Scenes scenes(exhibit);
+  for (const char* id : {"hands", "today"}) {
+    Missions missions(
+        exhibit, scenes, [this] { return wall; }, id);
+    missions.look(shelf, true, true);
+    EXPECT_TRUE(missions.cards().empty()) << id;
+  }
+}
+
 TEST_F(MissionsTest, OneThatNeedsWhatIsNotThereIsOfferedOnceItIsAndNotBeforeSomebodysEyes) {
   write("kind = \"eyes_closed\"", "dark");
   write("kind = \"describe\"\nlitres = 1", "litre");

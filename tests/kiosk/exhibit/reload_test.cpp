@@ -25,6 +25,7 @@ class Museum {
     fs::create_directories(at("keepsakes"));
     fs::copy("content/lessons", at("content/lessons"), fs::copy_options::recursive);
     fs::copy("content/glazes.toml", at("content/glazes.toml"));
+    fs::copy("content/missions.toml", at("content/missions.toml"));
     add_vessel("tea_bowl");
   }
   fs::path at(const std::string& name) const { return folder_.path() / name; }

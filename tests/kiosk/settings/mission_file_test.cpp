@@ -129,6 +129,17 @@ TEST_F(MissionFile, SixStandAndASeventhIsOneTooMany) {
   EXPECT_THAT(read("").problems, IsEmpty()) << "and none are none";
 }
 
+// Those that come with onggi are off, and a museum's shelf need not have their vessels.
+TEST_F(MissionFile, OneThatIsOffMayNameAVesselThatIsNotOnTheShelf) {
+  const std::string gone = "kind = \"eyes_closed\"\nvessel = \"amphora\"\n";
+  const MissionsRead off =
+      read(mission("a", "on = false\n" + gone) +
+           mission("b", "on = false\nkind = \"today\"\nvessels = [\"urn\"]\n"));
+  EXPECT_THAT(off.problems, IsEmpty());
+  EXPECT_THAT(off.missions, SizeIs(2));
+  EXPECT_THAT(read(mission("a", "on = true\n" + gone)).problems, SizeIs(1));
+}
+
 TEST_F(MissionFile, EyesAndHandsNameAVesselAndWhatTheSecondHas) {
   const MissionsRead r = read(mission("dark", "kind = \"eyes_closed\"\nvessel = \"tea_bowl\"\n") +
                               mission("two", "kind = \"two_hands\"\nsecond = \"keys\"\n") +

@@ -34,6 +34,7 @@ class Image {
     put("usr/share/onggi/content/vessels/jar/vessel.toml", "jar");
     put("usr/share/onggi/content/lessons/first.toml", "lesson");
     put("usr/share/onggi/content/glazes.toml", "glazes");
+    put("usr/share/onggi/content/missions.toml", "missions");
     put("usr/share/onggi/system/90-onggi.conf", "screen");
     put("usr/share/onggi/system/journald.conf", "log");
     for (const char* unit : {"onggi", "onggi-display", "gdm3"})
@@ -84,6 +85,7 @@ TEST(machine_setup, a_bare_machine_becomes_a_kiosk) {
   EXPECT_EQ(content(image.root() / "srv/onggi/config/scenes/soft.toml"), "clay");
   EXPECT_EQ(content(image.root() / "srv/onggi/content/vessels/jar/vessel.toml"), "jar");
   EXPECT_EQ(content(image.root() / "srv/onggi/content/glazes.toml"), "glazes");
+  EXPECT_EQ(content(image.root() / "srv/onggi/content/missions.toml"), "missions");
   EXPECT_TRUE(fs::is_directory(image.root() / "srv/onggi/keepsakes"));
   EXPECT_EQ(fs::read_symlink(image.root() / "etc/X11/xorg.conf.d/90-onggi.conf"),
             "/usr/share/onggi/system/90-onggi.conf");
@@ -256,7 +258,7 @@ TEST(machine_setup, a_step_that_fails_is_told_and_undo_takes_back_those_before_i
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().exit_code, 1);
   fs::remove(image.root() / "etc/X11");
-  EXPECT_THAT(good(undo_setup(image.system())).stayed, SizeIs(5));
+  EXPECT_THAT(good(undo_setup(image.system())).stayed, SizeIs(6));
   EXPECT_TRUE(image.starts("getty@tty1.service", "getty"));
   EXPECT_EQ(content(image.root() / "etc/passwd"), before.at(image.root() / "etc/passwd"));
 }
