@@ -19,6 +19,7 @@ exit 0: nothing was lost, 1: something was, told with the ONGGI_FAULTS that does
 """
 
 import argparse
+import contextlib
 import glob
 import os
 import random
@@ -102,7 +103,8 @@ class Folder:
 
     def rows(self):
         try:
-            with sqlite3.connect(os.path.join(self.path, "onggi.sqlite")) as db:
+            # One that stays open would keep the next start from counting.
+            with contextlib.closing(sqlite3.connect(os.path.join(self.path, "onggi.sqlite"))) as db:
                 if db.execute("PRAGMA integrity_check").fetchone()[0] != "ok":
                     return None
                 return db.execute("SELECT count(*) FROM visits").fetchone()[0]
@@ -253,12 +255,12 @@ def sweep(a, scratch):
 def kills(a, scratch):
     real = Keeper(a.bin)
     whole = real.reference(scratch)
-    (kept,) = glob.glob(os.path.join(glob.escape(scratch), "reference", "*_jar_000000"))
-    quick = real.with_pictures_of(kept, scratch)
+    (made,) = glob.glob(os.path.join(glob.escape(scratch), "reference", "*_jar_000000"))
+    quick = real.with_pictures_of(made, scratch)
     draw = random.Random(a.seed)
     length = {}
     folder = Folder(os.path.join(scratch, "killed"))
-    wrong, done, first = 0, 0, 0
+    wrong, done, first, kept, counted = 0, 0, 0, 0, 0
 
     def visits(keeper, count, kill_after=None):
         nonlocal first
@@ -270,6 +272,9 @@ def kills(a, scratch):
     began = time.monotonic()
     for n in range(1, a.times + 1):
         if n % 100 == 1:  # how long two take by now: the folder grows, and a machine has other things to do
+            if n % 500 == 1:
+                kept, counted = kept + len(folder.kept), counted + folder.counted
+                folder = Folder(os.path.join(scratch, f"killed{n}"))
             for keeper in (real, quick):
                 started = time.monotonic()
                 visits(keeper, 2)
@@ -287,10 +292,10 @@ def kills(a, scratch):
             wrong += len(problems)
             if n % 1000 == 0:
                 left = (time.monotonic() - began) / n * (a.times - n)
-                print(f"[{n} of {a.times}, {left / 60:.0f} min left] {len(folder.kept)} kept, {folder.counted} counted",
-                      flush=True)
-    print(f"{a.times} starts, {done} of them killed at a random moment (seed {a.seed}): {len(folder.kept)} keepsakes called "
-          f"kept, {folder.counted} visits called counted; {wrong} lost or broken.")
+                print(f"[{n} of {a.times}, {left / 60:.0f} min left] {kept + len(folder.kept)} kept, "
+                      f"{counted + folder.counted} counted", flush=True)
+    print(f"{a.times} starts, {done} of them killed at a random moment (seed {a.seed}): {kept + len(folder.kept)} keepsakes called "
+          f"kept, {counted + folder.counted} visits called counted; {wrong} lost or broken.")
     return wrong
 
 
