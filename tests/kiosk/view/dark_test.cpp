@@ -35,5 +35,17 @@ TEST(Dark, LiesBelowAllAndKeepsPlacesOpacityAndOtherColours) {
   EXPECT_EQ(box.border_color.a, 0.25f);
 }
 
+TEST(Dark, WordsBoxesAndLinesAllBecomePaler) {
+  std::vector<Item> items{Text{}, Box{{1, 2, 3, 4}, 0, kCobalt, 1, kInk},
+                          Line{{{0, 0}, {1, 1}}, {kInk, kIron}, 2}};
+  std::get<Text>(items[0]).color = kFaintInk;
+  to_dark(items, 640, 480);
+  EXPECT_EQ(std::get<Text>(items[1]).color, in_the_dark(kFaintInk));
+  EXPECT_EQ(std::get<Box>(items[2]).fill, in_the_dark(kCobalt));
+  EXPECT_EQ(std::get<Box>(items[2]).border_color, in_the_dark(kInk));
+  EXPECT_EQ(std::get<Line>(items[3]).colors,
+            (std::vector<Color>{in_the_dark(kInk), in_the_dark(kIron)}));
+}
+
 }  // namespace
 }  // namespace onggi::view
