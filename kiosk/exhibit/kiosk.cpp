@@ -340,7 +340,8 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   const souvenir::Caption caption = taken->keepsake.caption;
   kept_ticket_ = saving_ticket_ = keepsakes_->save(std::move(taken->keepsake));
   if (exhibit_.keepsake.turning)
-    turning_.begin(saving_ticket_, caption, request.made, taken->glazing, potter_->view().clay);
+    turning_.begin(saving_ticket_, caption, request.made, taken->glazing, potter_->view().clay,
+                   visit_->shown_on().left_handed);
   kept_ = std::move(taken->visit);
 }
 

@@ -7,10 +7,12 @@
 namespace onggi::exhibit {
 
 void TurningPot::begin(int ticket, const souvenir::Caption& caption, const Profile& made,
-                       const std::optional<view::Glazing>& glazing, const ClayView& clay) {
+                       const std::optional<view::Glazing>& glazing, const ClayView& clay,
+                       bool left_handed) {
   constexpr float kMargin = 0.09f * kSide;
   drawn_ = {ticket, caption, {kSide, kSide, 0, kTurn, {}}};
   clay_ = clay.change();
+  step_ = (left_handed ? -2.0 : 2.0) * portable::kPi / kPictures;
   frame_ = {};
   frame_.width = frame_.height = kSide;
   view::PotView pot;
@@ -33,7 +35,7 @@ std::optional<TurningPot::Drawn> TurningPot::draw(const ClayView& clay,
     return std::nullopt;
   }
   souvenir::Turning& turning = drawn_.turning;
-  frame_.pot->clay_angle = 2.0 * portable::kPi * turning.frames / kPictures;
+  frame_.pot->clay_angle = step_ * turning.frames;
   const view::Image picture = renderer.draw_offscreen(frame_);
   turning.rgba.insert(turning.rgba.end(), picture.rgba.begin(), picture.rgba.end());
   if (++turning.frames < kPictures) return std::nullopt;

@@ -8,6 +8,7 @@
 #include "kiosk/files/clock_leap.h"
 #include "kiosk/souvenir/keepsake.h"
 #include "kiosk/souvenir/visit_folder.h"
+#include "tests/kiosk/exhibit/no_renderer.h"
 #include "tests/kiosk/files/disk.h"
 
 namespace onggi::exhibit {
@@ -17,40 +18,14 @@ namespace fs = std::filesystem;
 using files::test::ScratchFolder;
 
 /// Keeps pictures, draws nothing.
-class PictureKeeper final : public render::Renderer {
+class PictureKeeper final : public test::NoRenderer {
  public:
-  int width() const override { return 1280; }
-  int height() const override { return 720; }
-  std::vector<view::InputEvent> poll() override { return {}; }
-  int fingers() const override { return 0; }
-  void sleep(bool) override {}
-  std::vector<std::string> remarks() override { return {}; }
-  void show_clay(const ClayView&) override {}
-  void update_clay(const ClayView&) override {}
-  void show_vessel(const TriangleMesh&, std::array<float, 3>, const content::Coloring&,
-                   double) override {}
-  void draw(const view::Frame&) override {}
-  void present() override {}
-  view::Image read_pixels() override { return {}; }
-  view::Image draw_offscreen(const view::Frame&) override { return {}; }
-  std::vector<view::SkinPoint> read_skin(const ClayMesh&,
-                                         const std::optional<view::Glazing>&) override {
-    return {};
-  }
-  view::PictureId make_picture(const TriangleMesh&, std::array<float, 3>, const content::Coloring&,
-                               int, int) override {
-    return 0;
-  }
   view::PictureId make_picture(const view::Image& image) override {
     last = image;
     held.insert(++made);
     return made;
   }
   void drop_picture(view::PictureId id) override { EXPECT_EQ(held.erase(id), 1u); }
-  const view::TextMeasure& measure() const override { throw std::logic_error("not asked"); }
-  render::RenderStatus status() const override { return {}; }
-  void set_full_quality(bool) override {}
-  void count_shading(bool) override {}
 
   std::set<view::PictureId> held;
   view::PictureId made = 0;
