@@ -81,14 +81,17 @@ ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name, doub
       out.faintest = text->text;
     }
   }
-  for (const auto& [id, rect] : kiosk.visit().controls()) {
+  for (const screens::Control& control : kiosk.visit().reading().controls) {
     ++out.controls;
+    const view::Rect& rect = control.rect;
     const double side = static_cast<double>(std::min(rect.w, rect.h)) / px_per_mm;
     if (side < target) {
       target = side;
-      out.smallest = id;
+      out.smallest = control.id;
     }
-    least_control = std::min(least_control, drawn_contrast(whole, bare, rect));
+    // What is for keys alone is the pot itself, and has a ring while they are on it.
+    if (!control.by_keys)
+      least_control = std::min(least_control, drawn_contrast(whole, bare, rect));
   }
   out.least_text_contrast = out.texts > 0 ? least_text : 0;
   out.least_capital_mm = out.texts > 0 ? capital : 0;

@@ -138,11 +138,11 @@ void Page::switch_halves(const Button& button, const Rect& rect) {
 }
 
 void Page::control(const Control& control) {
-  const auto& [id, rect, words, on, note] = control;
   controls_.push_back(control);
-  if (sheet_.attention.pressed == id)
-    draw(view::Box{rect, type().body * 0.14f, view::with_alpha(view::kCobalt, 0.08f), 0, {}});
-  if (sheet_.attention.focused == id) focus_ring(rect);
+  if (sheet_.attention.pressed == control.id)
+    draw(view::Box{
+        control.rect, type().body * 0.14f, view::with_alpha(view::kCobalt, 0.08f), 0, {}});
+  if (focused(control.id)) focus_ring(control.rect);
 }
 
 std::vector<std::string> Page::told() const {

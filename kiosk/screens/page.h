@@ -19,6 +19,7 @@ struct Control {
   std::string words = {};       ///< Its name.
   std::optional<bool> on = {};  ///< Of a switch or a choice: whether it is on.
   std::string note = {};        ///< What else is so of it just now.
+  bool by_keys = false;         ///< For keys and the switch: a finger does there what it does.
 };
 
 /// Which control the keyboard is on and which one a finger holds down; both may be empty.
@@ -84,6 +85,8 @@ class Page {
   void button(const Button& button, const view::Rect& rect);
   /// A control whose words are drawn elsewhere (a card); draws its focus and touch.
   void control(const Control& control);
+  /// The keyboard is on it.
+  bool focused(const std::string& id) const { return sheet_.attention.focused == id; }
   /// Words that are read, beside those of controls; `y`: where they stand.
   void tell(float y, const std::string& words) { told_.emplace_back(y, words); }
   /// They, from the top of the page down.

@@ -3,6 +3,7 @@
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
 #include "kiosk/screens/side_by_side.h"
+#include "kiosk/screens/turntable.h"
 
 namespace onggi::screens {
 
@@ -12,9 +13,10 @@ namespace {
 
 constexpr std::size_t kMostRemarks = 2;  // Of each kind: more is not read.
 constexpr double kAlone = 0.5;           // rad/s that a pot turns before the eye
+constexpr const char* kTurn = "result.turn";
 
 /// Stars and words: what is alike, what to try; and the vessel beside the pot. Of a description,
-/// what the pot measures, and the pot alone.
+/// what the pot measures, and the pot alone. What stands there is turned by whoever looks at it.
 class Result final : public Screen {
  public:
   explicit Result(Desk& d) : Screen(d) {
@@ -25,21 +27,32 @@ class Result final : public Screen {
 
   void update(double dt) override {
     picture_.update(desk, dt, nullptr, false, false);
-    if (both_) both_->update(desk, dt);
-    if (!both_) picture_.show_round(desk, dt, desk.screen().left_handed ? -kAlone : kAlone);
+    if (both_) both_->update(desk, table_, dt);
+    if (!both_) picture_.show_round(desk, dt, table_.stands(desk.now) ? 0.0 : own_speed());
   }
   std::optional<view::PotView> pot(const Page& page) override {
-    if (both_) return both_->view(picture_.view(desk, page), desk);
+    if (both_) return both_->view(picture_.view(desk, page), desk, table_);
     view::PotView pot = picture_.view(desk, page);
     pot.hands = {};
+    pot.clay_angle += table_.angle();
+    pot.wheel_angle += table_.angle();
     return pot;
   }
-  void pointer(const view::InputEvent& e, const Page&) override {
-    if (both_) both_->pointer(e);
+  void pointer(const view::InputEvent& e, const Page& page) override {
+    table_.pointer(e, both_ ? both_->half_turn() : 0.5f * page.where().pot.w);
+  }
+  std::string step(const std::string& from, Direction to) override {
+    if (from != kTurn || to == Direction::up || to == Direction::down) return {};
+    table_.by_arrow(to == Direction::right);
+    return from;
   }
 
   void lay_out(Page& page) override {
     if (both_) both_->lay_out(page, desk);
+    const view::Rect& room = both_ ? both_->room() : page.where().pot;
+    const std::string arrows = desk.screen().one_switch ? "" : desk.say("result.turn_how");
+    page.control({kTurn, room, desk.say("result.turn"), {}, arrows, true});
+    table_.keyed(page.focused(kTurn));
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
@@ -73,11 +86,14 @@ class Result final : public Screen {
       desk.go(ScreenId::throwing);
     } else if (control == "result.other") {
       desk.go(ScreenId::choose);
+    } else if (control == kTurn) {
+      table_.press(own_speed(), desk.now);
     }
   }
   void back() override { desk.go(ScreenId::throwing); }
 
  private:
+  double own_speed() const { return desk.screen().left_handed ? -kAlone : kAlone; }
   void remarks(Column& column, const TypeScale& t, const std::string& heading,
                const std::vector<score::Remark>& all, std::size_t most = kMostRemarks) const {
     if (all.empty()) return;
@@ -87,6 +103,7 @@ class Result final : public Screen {
   }
 
   PotPicture picture_;
+  Turntable table_;
   std::optional<SideBySide> both_;  ///< None where no vessel was to be met.
 };
 

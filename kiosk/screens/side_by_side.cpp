@@ -57,21 +57,10 @@ SideBySide::SideBySide(const Desk& desk) {
   }
 }
 
-void SideBySide::update(const Desk& desk, double dt) {
-  if (dragged_ || desk.still()) return;
+void SideBySide::update(const Desk& desk, const Turntable& table, double dt) {
+  if (table.stands(desk.now) || desk.still()) return;
   const double speed = desk.screen().left_handed ? -kTurning : kTurning;
   angle_ = std::remainder(angle_ + speed * dt, kWholeTurn);
-}
-
-void SideBySide::pointer(const view::InputEvent& event) {
-  using Kind = view::InputEvent::Kind;
-  if (event.kind == Kind::pointer_down) dragged_ = event.x;
-  if (!dragged_) return;
-  // Screens' angles grow from the right to the eye: a finger to the right turns them back.
-  angle_ = std::remainder(
-      angle_ - 0.5 * kWholeTurn * static_cast<double>((event.x - *dragged_) / turn_), kWholeTurn);
-  dragged_ = event.x;
-  if (event.kind == Kind::pointer_up) dragged_.reset();
 }
 
 float SideBySide::names_height(const Page& page, const Desk& desk, float width) const {
@@ -134,7 +123,9 @@ void SideBySide::name(Page& page, const Rect& over, float top, const std::string
 void SideBySide::lay_out(Page& page, const Desk& desk) {
   const ShelfCard* card = desk.shelf_card(desk.card);
   const Places at = places(page, desk);
-  turn_ = at.vessel.w;
+  half_turn_ = at.vessel.w;
+  const float left = std::min(at.vessel.x, at.pot.x);
+  room_ = {left, at.pot.y, std::max(at.vessel.x, at.pot.x) + at.pot.w - left, at.pot.h};
   pot_at_ = view::frame_pot(page.width(), page.height(), at.pot, height_, radius_);
   vessel_at_ = pot_at_;
   vessel_at_.centre_x += at.vessel.x - at.pot.x;
@@ -143,14 +134,15 @@ void SideBySide::lay_out(Page& page, const Desk& desk) {
   draw_section(page, at.section, card != nullptr ? card->target : Profile{}, desk.made, at.scale);
 }
 
-view::PotView SideBySide::view(view::PotView pot, const Desk& desk) const {
+view::PotView SideBySide::view(view::PotView pot, const Desk& desk, const Turntable& table) const {
   pot.camera = pot_at_;
   pot.wheel = false;
   pot.hands = {};
   pot.cut_away = 0;
-  pot.clay_angle += angle_;
+  const double turned = angle_ + table.angle();
+  pot.clay_angle += turned;
   const ShelfCard* card = desk.shelf_card(desk.card);
-  if (card != nullptr) pot.beside = view::VesselView{vessel_at_, angle_};
+  if (card != nullptr) pot.beside = view::VesselView{vessel_at_, turned};
   const auto& kiln = desk.wheel().kiln;
   if (kiln && desk.glaze >= 0) {
     pot.finish = view::Finish::fired;

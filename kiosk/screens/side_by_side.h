@@ -1,28 +1,27 @@
 #pragma once
 
-#include <optional>
-
 #include "kiosk/screens/desk.h"
 #include "kiosk/screens/page.h"
-#include "kiosk/view/input.h"
+#include "kiosk/screens/turntable.h"
 
 namespace onggi::screens {
 
 /// The vessel and the pot that answers it on one ground, at one scale and in one light, turning
-/// together: by themselves, unless motion is reduced, and by a finger. With them the section
-/// drawing of both. Their names stand under them, each with its kind of line.
+/// together: by themselves, unless motion is reduced, and as `table` was turned. With them the
+/// section drawing of both. Their names stand under them, each with its kind of line.
 class SideBySide {
  public:
   /// `desk`'s card and pot, which stay as they are.
   explicit SideBySide(const Desk& desk);
 
-  void update(const Desk& desk, double dt);
-  /// A finger or a mouse that is on no control turns both.
-  void pointer(const view::InputEvent& event);
+  void update(const Desk& desk, const Turntable& table, double dt);
   /// Lays out names and drawing beside or above the words, and finds the cameras.
   void lay_out(Page& page, const Desk& desk);
   /// `pot` as it stands there, with the vessel beside it.
-  view::PotView view(view::PotView pot, const Desk& desk) const;
+  view::PotView view(view::PotView pot, const Desk& desk, const Turntable& table) const;
+  /// Where both stand, and how far a finger goes there for half a turn, pixels.
+  const view::Rect& room() const { return room_; }
+  float half_turn() const { return half_turn_; }
 
  private:
   /// Room for both pictures and the drawing, and how many pixels a metre is there.
@@ -37,9 +36,9 @@ class SideBySide {
             bool pots) const;
 
   double height_ = 0.2, radius_ = 0.1;  ///< Of the larger of both, handles and all, m.
-  double angle_ = 0;                    ///< By which both are turned, rad.
-  std::optional<float> dragged_;        ///< Where the finger was, pixels.
-  float turn_ = 400;                    ///< Pixels that a finger goes for a radian, times pi.
+  double angle_ = 0;                    ///< By which both have turned by themselves, rad.
+  view::Rect room_;
+  float half_turn_ = 400;
   view::Camera vessel_at_, pot_at_;
 };
 

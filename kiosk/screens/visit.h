@@ -189,7 +189,8 @@ class Visit {
   ///             stroke to take back), "throw.done", "throw.tool.N" (0 the hands, then the
   ///             scene's; the wire ends the throwing), "throw.show", "throw.skip" (while the lesson
   ///             lasts); with a device that pushes "throw.softer", "throw.stronger"
-  ///   result    "result.keep", "result.again", "result.other"
+  ///   result    "result.keep", "result.again", "result.other", "result.turn" (what stands there,
+  ///             for keys and the switch)
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
   ///   keepsake  "keepsake.done", "keepsake.gallery"        fault  "fault.on"
   ///   the gallery in both  "gallery.next", "gallery.previous"

@@ -110,7 +110,7 @@ void Visit::State::open_comfort() {
 std::string Visit::State::control_at(float x, float y) const {
   if (page)
     for (auto c = page->controls().rbegin(); c != page->controls().rend(); ++c)
-      if (c->rect.contains(x, y)) return c->id;
+      if (!c->by_keys && c->rect.contains(x, y)) return c->id;
   return {};
 }
 
@@ -198,8 +198,7 @@ void Visit::State::key(const InputEvent& e) {
     const std::string known = over == Over::nothing ? screen->step(focused, to) : std::string();
     if (known.empty()) {
       focused = step_focus(page->controls(), focused, to);
-    } else {
-      focused = known;
+    } else if (std::exchange(focused, known) != known) {
       page.reset();  // It may not be on this one.
     }
   };
