@@ -192,11 +192,12 @@ bool aided(const VisitArguments& arguments) {
 }
 
 /// Without eyes or with one switch; what was said goes to OUT/said.txt.
-Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int card, int glaze,
-                  ScreenAlbum& album) {
+Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int card, int mission,
+                  int glaze, ScreenAlbum& album) {
   measure::AidedWalk how;
   how.blind = arguments.script == kBlind;
   how.card = card;
+  how.mission = mission;
   how.glaze = glaze;
   how.realtime = arguments.realtime;
   const auto said = walk_aided(kiosk, how, [&album](const std::string& name) { album.take(name); });
@@ -213,9 +214,6 @@ Result<void> check(const VisitArguments& arguments) {
   if (arguments.vessel.empty() == arguments.mission.empty())
     return problem("--vessel", "A visitor throws a vessel, or does a mission.",
                    "Name a vessel of the shelf or a file, or a mission.");
-  if (aided(arguments) && !arguments.mission.empty())
-    return problem("--script " + arguments.script, "That visitor does no missions yet.",
-                   "Leave --mission out, or take another script.");
   if (arguments.out.empty())
     return problem("--out", "It is empty.", "Name a folder for the keepsake and the pictures.");
   std::error_code error;
@@ -302,7 +300,7 @@ Result<int> visit(const VisitArguments& arguments) {
   ScreenAlbum film(kiosk, arguments.film);
   const auto walked =
       aided(arguments)
-          ? walk(kiosk, arguments, *card, *glaze, album)
+          ? walk(kiosk, arguments, *card, *mission, *glaze, album)
           : walk(kiosk, visitor, naive || plan.two ? kStrokeTicks : kScriptTicks,
                  arguments.realtime, arguments.film.empty() ? nullptr : &film, first_tick);
   // The pictures are wanted most of all when something went wrong.

@@ -1,6 +1,7 @@
 #include "kiosk/measure/aided_visitor.h"
 
 #include <algorithm>
+#include <array>
 
 #include "kiosk/measure/told_difference.h"
 
@@ -16,6 +17,8 @@ namespace {
 constexpr int kOpenings = 2;              // strokes with which any pot begins
 constexpr double kStrokePatience = 30.0;  // s for a stroke to end by itself
 constexpr int kMostTabs = 60;
+// What is said where there is nothing more to be done by strokes.
+constexpr std::array<const char*, 3> kNear{"stroke.all_near", "mission.close", "mission.lower"};
 
 bool begins_with(const std::string& text, const std::string& name) {
   return text.starts_with(name) &&
@@ -32,17 +35,16 @@ InputEvent event(InputEvent::Kind kind, Key key) {
 
 }  // namespace
 
-VisitPlan::VisitPlan(const content::Language& language, std::string vessel, std::string glaze,
-                     int strokes)
-    : language_(&language), vessel_(std::move(vessel)), glaze_(std::move(glaze)), most_(strokes) {}
+VisitPlan::VisitPlan(const content::Language& language, Of of, int strokes)
+    : language_(&language), of_(std::move(of)), most_(strokes) {}
 
 std::vector<std::string> VisitPlan::wanted() const {
   const content::Language& l = *language_;
   switch (step_) {
     case Step::card:
-      return {vessel_};
+      return {of_.mission.empty() ? of_.vessel : l.say("mission.card") + ", " + of_.mission};
     case Step::take:
-      return {l.say("choose.throw")};
+      return {l.say(of_.mission.empty() ? "choose.throw" : "mission.begin")};
     case Step::pot:
       if (!difference_) return {};
       return {part_set_ ? name_of_ask(difference_->ask, l) : name_of_part(difference_->part, l)};
@@ -51,7 +53,7 @@ std::vector<std::string> VisitPlan::wanted() const {
     case Step::result:
       return {l.say("result.fire"), l.say("result.keep")};
     case Step::glaze:
-      return {glaze_};
+      return {of_.glaze};
     case Step::keep:
       return {l.say("kiln.keep")};
     case Step::leave:
@@ -82,10 +84,15 @@ void VisitPlan::chosen(const std::string& name) {
 bool VisitPlan::told(const std::string& text) {
   if (step_ != Step::pot || difference_) return false;
   const auto off = understand(text, *language_);
-  const bool close = text.find(language_->say("stroke.all_near")) != std::string::npos;
-  if (!off && !close) return false;
+  const auto advised = stroke_advised(text, *language_);
+  const bool close = std::any_of(kNear.begin(), kNear.end(), [&](const char* key) {
+    return text.find(language_->say(key)) != std::string::npos;
+  });
+  if (!off && !advised && !close) return false;
   if (strokes_ < kOpenings) {
     difference_ = Wish{WallPart::all, Ask::open};
+  } else if (advised && strokes_ < most_) {
+    difference_ = Wish{advised->part, advised->ask};
   } else if (off && strokes_ < most_) {
     const Ask ask = off->wide ? Ask::narrow : Ask::widen;
     difference_ = Wish{off->all_so ? WallPart::all : off->part, ask};

@@ -12,13 +12,17 @@
 
 namespace onggi::measure {
 
-/// What a visitor wants who makes a whole visit by names: a vessel, strokes where the pot is told
-/// to be off, a glaze, the keepsake. How they come to a name is BlindVisitor's and SwitchVisitor's.
+/// What a visitor wants who makes a whole visit by names: a vessel or a mission, strokes where the
+/// pot is told to be off or to want one, a glaze, the keepsake. How they come to a name is
+/// BlindVisitor's and SwitchVisitor's.
 class VisitPlan {
  public:
-  /// `vessel` and `glaze` by the names that the screens have for them. The pot is called done when
-  /// it is close everywhere, or after `strokes`.
-  VisitPlan(const content::Language& language, std::string vessel, std::string glaze, int strokes);
+  /// `vessel`, or `mission`, and `glaze` by the names that the screens have for them. The pot is
+  /// called done when it is close everywhere, or after `strokes`.
+  struct Of {
+    std::string vessel, mission, glaze;
+  };
+  VisitPlan(const content::Language& language, Of of, int strokes);
 
   /// Names of controls, any of which is the next; none: there is something to be waited for.
   std::vector<std::string> wanted() const;
@@ -36,7 +40,7 @@ class VisitPlan {
  private:
   enum class Step { card, take, pot, finish, result, glaze, keep, leave, over };
   const content::Language* language_;
-  std::string vessel_, glaze_;
+  Of of_;
   int most_, strokes_ = 0;
   Step step_ = Step::card;
   struct Wish {

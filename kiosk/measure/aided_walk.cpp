@@ -30,11 +30,15 @@ Result<std::vector<access::Utterance>> walk_aided(
   kiosk.advance(kAidedTicks);
   if (!kiosk.frame(0, how.realtime)) return said;
   const content::Language language = *kiosk.visit().reading().language;
-  const auto& card = kiosk.shelf().cards()[static_cast<std::size_t>(how.card)];
-  std::string glaze;
+  const screens::MissionCard* mission =
+      how.mission < 0 ? nullptr : &kiosk.missions().cards()[static_cast<std::size_t>(how.mission)];
+  const screens::ShelfCard& card = *kiosk.card(mission != nullptr ? mission->card : how.card);
+  VisitPlan::Of of;
+  of.vessel = card.vessel->label(language.code()).title;
+  if (mission != nullptr) of.mission = mission->mission->title_in(language.code());
   if (card.wheel.kiln)
-    glaze = kiosk.glazes()[static_cast<std::size_t>(how.glaze)].name_in(language.code());
-  const VisitPlan plan(language, card.vessel->label(language.code()).title, glaze, how.strokes);
+    of.glaze = kiosk.glazes()[static_cast<std::size_t>(how.glaze)].name_in(language.code());
+  const VisitPlan plan(language, of, how.strokes);
   const double hold = kiosk.exhibit().access.hold_to_speak;
   if (hold <= 0)
     return problem("[access] hold_to_speak", "It is 0, so this visitor cannot begin.",

@@ -14,6 +14,7 @@ namespace onggi::measure {
 struct AidedWalk {
   bool blind = true;
   int card = 0;           ///< Of the shelf.
+  int mission = -1;       ///< Instead, of those that are on.
   int glaze = 0;          ///< Of the exhibit's, where the scene has a kiln.
   int strokes = 24;       ///< After which the pot is called done, if it is not close before.
   bool realtime = false;  ///< At a visitor's speed.

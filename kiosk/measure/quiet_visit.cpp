@@ -29,6 +29,7 @@ constexpr double kGrace = 60.0;      // s that a last look waits for a fallen po
 constexpr double kTooLong = 3600.0;  // s of a visit without eyes or with one switch
 constexpr double kPxPerMm = 2.4;     // of a screen of 600 mm
 constexpr double kLongest = 900.0;   // s of a script
+constexpr std::time_t kMissionDay = 1777896000;  // 2026-05-04, noon: a day as any
 
 /// Letters of 0.4 em: only the room that buttons and tray take is asked of it.
 struct RoughMeasure final : view::TextMeasure {
@@ -54,8 +55,8 @@ class Walk {
  public:
   Walk(const settings::Exhibit& exhibit, const exhibit::Scenes& scenes,
        const std::vector<screens::ShelfCard>& cards,
-       const std::vector<content::Language>& languages)
-      : exhibit_(exhibit), scenes_(scenes), cards_(cards), visit_([&] {
+       const std::vector<content::Language>& languages, const exhibit::Missions* missions = nullptr)
+      : exhibit_(exhibit), scenes_(scenes), missions_(missions), cards_(cards), visit_([&] {
           screens::VisitWorld world;
           world.exhibit = &exhibit;
           world.languages = &languages;
@@ -63,6 +64,7 @@ class Walk {
           world.measure = &words_;
           world.wheel = &potter.view();
           world.potter = &potter;
+          if (missions != nullptr) world.missions = &missions->cards();
           return world;
         }()) {}
 
@@ -73,7 +75,8 @@ class Walk {
     while (auto request = visit_.take_request()) {
       if (const auto* start = std::get_if<screens::StartPot>(&*request)) begin(start->card);
       if (const auto* keep = std::get_if<screens::MakeKeepsake>(&*request)) {
-        points = keep->score.points;
+        score = keep->score;
+        of = card(keep->card)->vessel->id;
         kept = true;
         visit_.keepsake_kept("kept");
       }
@@ -116,11 +119,16 @@ class Walk {
   double now = 0;
   view::Frame shown;
   bool kept = false;
-  double points = 0;  ///< Of what was kept.
+  score::Score score;  ///< Of what was kept,
+  std::string of;      ///< and the id of what it answers.
 
  private:
-  void begin(int card) {
-    const screens::ShelfCard& which = cards_[static_cast<std::size_t>(card)];
+  const screens::ShelfCard* card(int index) const {
+    return missions_ != nullptr ? missions_->card(index, cards_)
+                                : &cards_[static_cast<std::size_t>(index)];
+  }
+  void begin(int index) {
+    const screens::ShelfCard& which = *card(index);
     SceneDef def = scenes_.of(which.vessel->id);
     def.clay = lump_for(which.target, def);
     if (auto scene = Scene::create(def)) potter.start(std::make_unique<Scene>(std::move(*scene)));
@@ -128,6 +136,7 @@ class Walk {
 
   const settings::Exhibit& exhibit_;
   const exhibit::Scenes& scenes_;
+  const exhibit::Missions* missions_;
   const std::vector<screens::ShelfCard> cards_;
   RoughMeasure words_;
   screens::Visit visit_;
@@ -231,10 +240,10 @@ Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed, NaiveHands
 }
 
 template <class Act>
-Result<AidedOutcome> QuietVisits::aided(int card, double pace, Act&& act) const {
+Result<AidedOutcome> QuietVisits::aided(const Aim& aim, double pace, Act&& act) const {
   settings::Exhibit exhibit = exhibit_;
   exhibit.screen.scan_seconds = pace;
-  Walk walk(exhibit, *scenes_, cards(), languages_);
+  Walk walk(exhibit, *scenes_, cards(), languages_, aim.missions);
   access::Assistant assistant(exhibit.access.hold_to_speak);
   walk.frames(50);
   const double begun = walk.now;
@@ -251,29 +260,44 @@ Result<AidedOutcome> QuietVisits::aided(int card, double pace, Act&& act) const 
       assistant.input(event, walk.visit(), kPxPerMm, walk.now);
     if (said) out.said.push_back(std::move(*said));
     if (walk.now - begun > kTooLong)
-      return problem("the visit on " + cards()[static_cast<std::size_t>(card)].vessel->id,
-                     "It is not over after an hour.", "Report it.", 1);
+      return problem("the visit to " + aim.card->vessel->id, "It is not over after an hour.",
+                     "Report it.", 1);
   }
   assistant.look(walk.visit(), walk.shown, walk.now);
   if (auto said = assistant.take()) out.said.push_back(std::move(*said));
-  out.points = walk.points;
+  out.points = walk.score.points;
+  out.asked = walk.score.asked;
+  out.of = walk.of;
   out.kept = walk.kept;
   out.seconds = walk.now - begun;
   return out;
 }
 
-VisitPlan QuietVisits::plan(int card, int strokes) const {
-  const screens::ShelfCard& which = cards()[static_cast<std::size_t>(card)];
+VisitPlan QuietVisits::plan(const Aim& aim, int strokes) const {
   const content::Language& language = languages_.front();
-  std::string glaze;
-  if (which.wheel.kiln) glaze = which.wheel.kiln->glazes->front().name_in(language.code());
-  return {language, which.vessel->label(language.code()).title, glaze, strokes};
+  VisitPlan::Of of;
+  of.vessel = aim.card->vessel->label(language.code()).title;
+  if (aim.mission != nullptr) of.mission = aim.mission->title_in(language.code());
+  if (aim.card->wheel.kiln)
+    of.glaze = aim.card->wheel.kiln->glazes->front().name_in(language.code());
+  return {language, of, strokes};
 }
 
-Result<AidedOutcome> QuietVisits::blind(int card, int strokes) const {
-  BlindVisitor visitor(languages_.front(), plan(card, strokes), exhibit_.access.hold_to_speak);
+template <class Make>
+Result<AidedOutcome> QuietVisits::with_mission(const std::string& id, Make&& make) const {
+  exhibit::Missions missions(
+      exhibit_, *scenes_, [] { return kMissionDay; }, id);
+  missions.look(cards(), true, true);
+  for (const screens::MissionCard& one : missions.cards())
+    if (one.mission->id == id)
+      return make(Aim{missions.card(one.card, cards()), &missions, one.mission});
+  return problem("the mission " + id, "It is none that can be played.", "Run onggi check.");
+}
+
+Result<AidedOutcome> QuietVisits::blind(const Aim& aim, int strokes) const {
+  BlindVisitor visitor(languages_.front(), plan(aim, strokes), exhibit_.access.hold_to_speak);
   std::string lost;
-  auto outcome = aided(card, exhibit_.screen.scan_seconds,
+  auto outcome = aided(aim, exhibit_.screen.scan_seconds,
                        [&](screens::Visit&, access::Assistant& assistant,
                            const access::Utterance* said, double now, AidedOutcome& out) {
                          if (said != nullptr) {
@@ -290,15 +314,32 @@ Result<AidedOutcome> QuietVisits::blind(int card, int strokes) const {
   return outcome;
 }
 
-Result<AidedOutcome> QuietVisits::one_switch(int card, int strokes, double pace) const {
-  SwitchVisitor visitor(plan(card, strokes), exhibit_.access.hold_to_speak);
-  return aided(card, pace,
+Result<AidedOutcome> QuietVisits::one_switch(const Aim& aim, int strokes, double pace) const {
+  SwitchVisitor visitor(plan(aim, strokes), exhibit_.access.hold_to_speak);
+  return aided(aim, pace,
                [&](screens::Visit& visit, access::Assistant& assistant, const access::Utterance*,
                    double now, AidedOutcome& out) {
                  out.presses = visitor.presses();
                  out.strokes = visitor.plan().strokes();
                  return visitor.step(visit.reading(), assistant.scan().shown(), now);
                });
+}
+
+Result<AidedOutcome> QuietVisits::blind(int card, int strokes) const {
+  return blind(Aim{&cards()[static_cast<std::size_t>(card)]}, strokes);
+}
+
+Result<AidedOutcome> QuietVisits::one_switch(int card, int strokes, double pace) const {
+  return one_switch(Aim{&cards()[static_cast<std::size_t>(card)]}, strokes, pace);
+}
+
+Result<AidedOutcome> QuietVisits::blind(const std::string& mission, int strokes) const {
+  return with_mission(mission, [&](const Aim& aim) { return blind(aim, strokes); });
+}
+
+Result<AidedOutcome> QuietVisits::one_switch(const std::string& mission, int strokes,
+                                             double pace) const {
+  return with_mission(mission, [&](const Aim& aim) { return one_switch(aim, strokes, pace); });
 }
 
 Result<QuietOutcome> QuietVisits::careful(int card, std::uint64_t seed) const {

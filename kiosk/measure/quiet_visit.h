@@ -7,6 +7,7 @@
 
 #include "engine/base/result.h"
 #include "kiosk/access/utterance.h"
+#include "kiosk/exhibit/missions.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
 #include "kiosk/measure/aided_visitor.h"
@@ -38,11 +39,13 @@ struct QuietOutcome {
 
 /// What came of a visit without eyes, or with one switch.
 struct AidedOutcome {
-  double points = 0;   ///< As the result screen would say, 0 to 100.
-  int strokes = 0;     ///< That were asked for.
-  int presses = 0;     ///< Of keys, or of the switch.
-  double seconds = 0;  ///< From the first touch to attract again.
-  bool kept = false;   ///< A keepsake was asked for and made.
+  double points = 0;                 ///< As the result screen would say, 0 to 100.
+  int strokes = 0;                   ///< That were asked for.
+  int presses = 0;                   ///< Of keys, or of the switch.
+  double seconds = 0;                ///< From the first touch to attract again.
+  bool kept = false;                 ///< A keepsake was asked for and made.
+  std::string of;                    ///< The id of the vessel or the description that it answers.
+  std::vector<score::Remark> asked;  ///< Of a description: Score::asked.
   std::vector<access::Utterance> said;
 };
 
@@ -72,14 +75,28 @@ class QuietVisits {
   Result<AidedOutcome> blind(int card, int strokes) const;
   /// With one switch and `pace` s from one item to the next, 0.5 to 5.
   Result<AidedOutcome> one_switch(int card, int strokes, double pace) const;
+  /// Both again, with the mission of this id instead of a vessel, on or off, on 4 May 2026 (UTC).
+  /// Problem, too, where it cannot be played.
+  Result<AidedOutcome> blind(const std::string& mission, int strokes) const;
+  Result<AidedOutcome> one_switch(const std::string& mission, int strokes, double pace) const;
   /// The script `follow`, a potter who knows the vessel, to its end: one look, 0 mishaps.
   Result<QuietOutcome> careful(int card, std::uint64_t seed) const;
 
  private:
   QuietVisits() = default;
-  VisitPlan plan(int card, int strokes) const;
+  /// What somebody makes a visit for: a card of the shelf, or a mission.
+  struct Aim {
+    const screens::ShelfCard* card = nullptr;
+    const exhibit::Missions* missions = nullptr;
+    const settings::Mission* mission = nullptr;
+  };
+  template <class Make>
+  Result<AidedOutcome> with_mission(const std::string& id, Make&& make) const;
+  VisitPlan plan(const Aim& aim, int strokes) const;
   template <class Act>
-  Result<AidedOutcome> aided(int card, double pace, Act&& act) const;
+  Result<AidedOutcome> aided(const Aim& aim, double pace, Act&& act) const;
+  Result<AidedOutcome> blind(const Aim& aim, int strokes) const;
+  Result<AidedOutcome> one_switch(const Aim& aim, int strokes, double pace) const;
 
   settings::Exhibit exhibit_;
   std::unique_ptr<exhibit::Scenes> scenes_;

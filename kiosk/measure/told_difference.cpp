@@ -43,6 +43,19 @@ std::string name_of_ask(device::Ask ask, const content::Language& language) {
   return language.say(std::string("stroke.") + kAsks[static_cast<std::size_t>(ask)]);
 }
 
+std::optional<AdvisedStroke> stroke_advised(const std::string& text,
+                                            const content::Language& language) {
+  for (int part = 0; part < device::kWallParts; ++part)
+    for (int ask = 0; ask < device::kAsks; ++ask) {
+      const AdvisedStroke one{static_cast<device::WallPart>(part), static_cast<device::Ask>(ask)};
+      const std::string words = language.say(
+          "stroke.try",
+          {{"what", name_of_ask(one.ask, language)}, {"where", name_of_part(one.part, language)}});
+      if (text.find(words) != std::string::npos) return one;
+    }
+  return std::nullopt;
+}
+
 std::optional<ToldDifference> understand(const std::string& text,
                                          const content::Language& language) {
   std::vector<std::pair<std::size_t, ToldDifference>> all;

@@ -18,6 +18,13 @@ struct ToldDifference {
 /// Of the first "Middle: 8 mm too narrow." in `text`. Nothing where none is said.
 std::optional<ToldDifference> understand(const std::string& text,
                                          const content::Language& language);
+/// What is advised of a pot that is to answer a description: "To try: Widen, Rim."
+struct AdvisedStroke {
+  device::WallPart part = device::WallPart::middle;
+  device::Ask ask = device::Ask::even;
+};
+std::optional<AdvisedStroke> stroke_advised(const std::string& text,
+                                            const content::Language& language);
 /// What the screens call a part or a stroke.
 std::string name_of_part(device::WallPart part, const content::Language& language);
 std::string name_of_ask(device::Ask ask, const content::Language& language);

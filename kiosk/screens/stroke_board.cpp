@@ -86,10 +86,29 @@ std::optional<Ask> StrokeBoard::press(const std::string& control) {
   return std::nullopt;
 }
 
+std::string StrokeBoard::advice(const Desk& desk) {
+  struct Stroke {
+    const char* hint;
+    Ask ask;
+    WallPart part;
+  };
+  static constexpr std::array<Stroke, 5> kNearer{{{"mission.more", Ask::widen, WallPart::all},
+                                                  {"mission.less", Ask::narrow, WallPart::all},
+                                                  {"mission.wider", Ask::widen, WallPart::rim},
+                                                  {"mission.closer", Ask::narrow, WallPart::rim},
+                                                  {"mission.taller", Ask::pull, WallPart::all}}};
+  const std::string hint = MeasuredPot::hint(desk);
+  for (const Stroke& one : kNearer)
+    if (hint == one.hint)
+      return desk.say("stroke.try",
+                      {{"what", ask_name(desk, one.ask)}, {"where", part_name(desk, one.part)}});
+  return hint.empty() ? hint : desk.say(hint);  // Near, or too high: no stroke makes a pot lower.
+}
+
 std::vector<std::string> StrokeBoard::told(const Desk& desk, const std::vector<PartOff>& parts,
                                            std::size_t most) {
   if (std::vector<std::string> figures = MeasuredPot::sentences(desk); !figures.empty()) {
-    figures.push_back(desk.say(MeasuredPot::hint(desk)));
+    figures.push_back(advice(desk));
     return figures;
   }
   std::vector<PartOff> worst;
@@ -144,6 +163,7 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const Button& way,
       sentence += (sentence.empty() ? "" : " ") + one;
   }
   column.page().tell(column.rest().y - 1, desk.heading());
+  if (desk.two_hands()) column.text(desk.say("mission.by_buttons"), t.body);
   if (const auto figures = MeasuredPot::sentences(desk); !figures.empty() && !telling_)
     column.text(figures.front(), t.body);
   column.text(sentence, t.body);

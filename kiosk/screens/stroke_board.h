@@ -41,8 +41,11 @@ class StrokeBoard {
   /// done, or how the pot differs where that was asked, or else `hint`. `way`: to the drawer.
   void lay_out(Column& column, const Desk& desk, const Button& way,
                const std::vector<PartOff>& parts, bool working, const std::string& hint) const;
+  /// Of a pot that is to answer a description, what would bring it nearer: the stroke and its part
+  /// by the names of their buttons. "" where nothing is described or known.
+  static std::string advice(const Desk& desk);
   /// The whole pot in words, worst part first: at most `most` sentences. One that is to answer a
-  /// description: what it measures, and what would bring it nearer.
+  /// description: what it measures, and advice().
   static std::vector<std::string> told(const Desk& desk, const std::vector<PartOff>& parts,
                                        std::size_t most = 2);
 

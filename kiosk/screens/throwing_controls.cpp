@@ -170,9 +170,13 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.check();
 }
 
-/// News go before the hint. The lesson is of hands that draw.
-std::string sentence_of(const Desk& desk, const Hint& hint) {
-  return desk.note().empty() ? words_of(hint, desk) : desk.say(desk.note());
+/// Beside strokes by buttons. News go before the hint. The lesson is of hands that draw, and so are
+/// hints of where to press: here the part is named that differs most, or what is advised.
+std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
+  if (!desk.note().empty()) return desk.say(desk.note());
+  if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
+  if (desk.described() != nullptr) return StrokeBoard::advice(desk);
+  return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();
 }
 
 /// What the words' part of the page needs at least, `width` pixels wide, whatever happens.
@@ -280,7 +284,7 @@ void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now,
   most_used(column, desk, now);
   if (now.board)
     return now.board->lay_out(column, desk, way_of(desk, now), now.parts, now.working,
-                              sentence_of(desk, hint));
+                              sentence_of(desk, now, hint));
   heading(column, desk, now);
   if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);
   lay_out_telling(column, desk, show, hint);

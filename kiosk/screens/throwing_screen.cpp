@@ -80,8 +80,10 @@ class Throwing final : public Screen {
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
     measured_.update(desk, picture_.made());
-    hint_.update(desk.now, {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
-                            dry_ > 20.0, desk.wheel().tool_radius, MeasuredPot::hint(desk)});
+    // Of the pot that stood there before nothing is to be said.
+    if (desk.pot_ready())
+      hint_.update(desk.now, {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
+                              dry_ > 20.0, desk.wheel().tool_radius, MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {

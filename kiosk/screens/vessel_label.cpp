@@ -8,6 +8,7 @@
 #include "kiosk/score/likeness.h"
 #include "kiosk/screens/label.h"
 #include "kiosk/screens/overlays.h"
+#include "kiosk/screens/stroke_board.h"
 
 namespace onggi::screens {
 
@@ -95,6 +96,8 @@ void VesselLabel::lay_out(Page& page) {
   std::string line = label_line(label, desk_.words());
   std::vector<std::string> paragraphs{label.text, label.made};
   if (mission != nullptr) {
+    if (mission->kind == settings::Mission::Kind::two_hands && StrokeBoard::wanted(desk_))
+      paragraphs.insert(paragraphs.begin(), desk_.say("mission.by_buttons"));
     paragraphs.insert(paragraphs.begin(), mission->about_in(code));
     if (mission_of_own(card_) < 0)
       line = line.empty() ? label.title

@@ -42,8 +42,9 @@ view::Frame in_the_kiln(const content::GlazeLook& look) {
 /// Looked at from so high that all of the lip is seen.
 view::Frame into_the_mouth(const content::GlazeLook& look) {
   view::Frame frame = in_the_kiln(look);
+  frame.width = frame.height = frame.pot->camera.width = frame.pot->camera.height = 800;
   frame.pot->camera.target = {0, kPotHeight, 0};
-  frame.pot->camera.centre_x = frame.pot->camera.centre_y = 550;
+  frame.pot->camera.centre_x = frame.pot->camera.centre_y = 400;
   frame.pot->camera.distance = 0.4;
   frame.pot->camera.elevation = 1.15;
   return frame;
@@ -66,17 +67,22 @@ class SkinReading : public StudioTest {
   };
   /// By ring of the mesh, and by arc.
   using Arcs = std::map<std::pair<int, int>, Arc>;
+  /// From where the pot is seen, and the light there.
+  struct Sight {
+    view::Frame (*of)(const content::GlazeLook&);
+    view::Image white = renderer().draw_offscreen(of(clear_over(kWhite)));
+    view::Image black = renderer().draw_offscreen(of(clear_over(0.0f)));
+  };
   /// `look` is matt.
   static Arcs arcs_of(const content::GlazeLook& look, const ClayMesh& mesh, ClayFace face,
-                      view::Frame (*seen)(const content::GlazeLook&)) {
+                      const Sight& sight) {
     Renderer& r = renderer();
-    const view::Image glazed = r.draw_offscreen(seen(look));
-    const view::Image white = r.draw_offscreen(seen(clear_over(kWhite)));
-    const view::Image black = r.draw_offscreen(seen(clear_over(0.0f)));
+    const view::Image glazed = r.draw_offscreen(sight.of(look));
+    const auto wide = static_cast<std::size_t>(glazed.width);
     const view::Glazing glazing{look, 1.0};
     const auto skin = r.read_skin(mesh, glazing);
     EXPECT_EQ(skin.size(), mesh.mesh.positions.size());
-    const view::Camera camera = seen(look).pot->camera;
+    const view::Camera camera = sight.of(look).pot->camera;
     const Vec3 eye = camera.eye();
     const auto first = std::find(mesh.faces.begin(), mesh.faces.end(), face) - mesh.faces.begin();
     const auto last = std::find(mesh.faces.rbegin(), mesh.faces.rend(), face);
@@ -93,12 +99,12 @@ class SkinReading : public StudioTest {
           face == ClayFace::rim ? ring < 2 || ring > rings - 3 : at.y < 0.008 || at.y > 0.172;
       if (edge || dot(out, eye - at) < 0.7 * length(eye - at)) continue;
       const auto [x, y] = *camera.project(at);
-      const std::size_t pixel = static_cast<std::size_t>(y) * 1100u + static_cast<std::size_t>(x);
+      const std::size_t pixel = static_cast<std::size_t>(y) * wide + static_cast<std::size_t>(x);
       Arc& arc = arcs[{ring, static_cast<int>(i % 180) / 10}];
       ++arc.count;
       for (std::size_t k = 0; k < 3; ++k) {
-        const double dark = light(black.rgba[4 * pixel + k]);
-        const double lit = light(white.rgba[4 * pixel + k]) - dark;
+        const double dark = light(sight.black.rgba[4 * pixel + k]);
+        const double lit = light(sight.white.rgba[4 * pixel + k]) - dark;
         arc.shown[k] += kUnderGlass * static_cast<double>(kWhite) *
                         (light(glazed.rgba[4 * pixel + k]) - dark) / std::max(lit, 1e-3);
         arc.read[k] += static_cast<double>(skin[i].color[k]);
@@ -144,10 +150,11 @@ TEST_F(SkinReading, EveryGlazeIsReadOffAsTheKilnShowsItPlaceForPlace) {
   const ClayMesh mesh = faced_mesh_of(clay);
   const auto glazes = content::read_glazes("content/glazes.toml").glazes;
   ASSERT_FALSE(glazes.empty());
+  const Sight sight{in_the_kiln};
   for (const content::Glaze& glaze : glazes) {
     content::GlazeLook look = glaze.look;
     look.gloss = 0;
-    const Arcs arcs = arcs_of(look, mesh, ClayFace::outer, in_the_kiln);
+    const Arcs arcs = arcs_of(look, mesh, ClayFace::outer, sight);
     ASSERT_GT(arcs.size(), 500u) << glaze.id;
     for (std::size_t k = 0; k < 3; ++k) {
       const Alike is = alike(arcs, k);
@@ -163,23 +170,29 @@ TEST_F(SkinReading, SoIsTheLipOnWhichItBreaks) {
   const ClayView clay = grooved_pot();
   renderer().show_clay(clay);
   const ClayMesh mesh = faced_mesh_of(clay);
+  const Sight sight{into_the_mouth};
   for (const content::Glaze& glaze : content::read_glazes("content/glazes.toml").glazes) {
+    if (glaze.id != "celadon" && glaze.id != "tenmoku") continue;  // Those that change most there.
     content::GlazeLook look = glaze.look;
     look.gloss = 0;
-    const Arcs arcs = arcs_of(look, mesh, ClayFace::rim, into_the_mouth);
+    const Arcs arcs = arcs_of(look, mesh, ClayFace::rim, sight);
     ASSERT_GT(arcs.size(), 100u) << glaze.id;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (const std::size_t k : {1u, 2u}) {
       const Alike is = alike(arcs, k);
       RecordProperty(glaze.id + std::to_string(k), std::to_string(is.apart / is.shown) + ' ' +
                                                        std::to_string(is.together) + ' ' +
                                                        std::to_string(is.change));
-      EXPECT_LT(is.apart, 0.05 * is.shown + 0.002) << glaze.id << ' ' << k;
+      EXPECT_LT(is.apart, 0.08 * is.shown) << glaze.id << ' ' << k;
+      EXPECT_GT(is.together, 0.9) << glaze.id << ' ' << k;
+      EXPECT_NEAR(is.change, 1.0, 0.25) << glaze.id << ' ' << k;
     }
   }
 }
 
 TEST_F(SkinReading, TheGlassIsThinOnTheLipsCrownAndNowhereElse) {
-  const ClayView clay = grooved_pot();
+  // Upright, so that the lip is as wide as its wall.
+  const ClayView clay = thrown_clay(
+      kPotGrid, [](double) { return 0.05; }, 0.006, 0.0);
   renderer().show_clay(clay);
   const ClayMesh mesh = faced_mesh_of(clay);
   content::GlazeLook look;
@@ -204,11 +217,12 @@ TEST_F(SkinReading, TheGlassIsThinOnTheLipsCrownAndNowhereElse) {
   const double wall = thick(ClayFace::outer, 100);
   EXPECT_NEAR(thick(ClayFace::inner, 100), wall, 0.05 * wall);
   EXPECT_NEAR(thick(ClayFace::floor, 0), wall, 0.1 * wall);
-  const int crown = 6;  // of 13 rings
+  const int crown = 6, last = 12;  // rings of the lip, which run from face to face
   EXPECT_LT(thick(ClayFace::rim, crown), 0.3 * wall) << "it breaks pale";
-  for (int ring = 0; ring < crown; ++ring) {
-    EXPECT_GT(thick(ClayFace::rim, ring), thick(ClayFace::rim, ring + 1)) << ring;
-    EXPECT_GT(thick(ClayFace::rim, 12 - ring), thick(ClayFace::rim, 11 - ring)) << ring;
+  for (const int shoulder : {0, last}) {
+    const double half_way = thick(ClayFace::rim, (shoulder + crown) / 2);
+    EXPECT_GT(thick(ClayFace::rim, shoulder), half_way + 0.15 * wall);
+    EXPECT_GT(half_way, thick(ClayFace::rim, crown) + 0.15 * wall);
   }
 }
 

@@ -115,6 +115,19 @@ TEST(Description, SaysWhatThePotHoldsWhileItIsThrownAndWhatWouldBringItNearer) {
   }
 }
 
+TEST(Description, SpeaksOfNoLineNorOfThePotThatStoodThereBefore) {
+  Visitor v;
+  v.put_on(Visitor::described(1));
+  to_the_shelf(v);
+  v.touch("choose.mission.0");
+  v.touch("choose.throw");
+  for (int n = 0; n < 90; ++n) {
+    EXPECT_THAT(words_in(v.frame), Not(HasSubstr("to the line")));
+    EXPECT_THAT(words_in(v.frame), Not(HasSubstr("Press")));
+    v.show();
+  }
+}
+
 TEST(Description, ChangesItsFiguresNoMoreThanTwiceASecond) {
   Visitor v;
   v.put_on(Visitor::described(1));
@@ -173,8 +186,50 @@ TEST(Description, IsToldToWhoDoesNotSeeTheScreen) {
   v.frames(1);
   const Reading reading = v.visit->reading();
   EXPECT_THAT(reading.differences, Contains(HasSubstr("l of 1 l.")));
-  EXPECT_THAT(reading.differences, Contains(HasSubstr("From inside, draw")));
+  EXPECT_THAT(reading.differences, Contains("To try: Widen, All of it."));
+  EXPECT_THAT(words_in(v.frame), Not(HasSubstr("From inside, draw"))) << "it does not draw";
   for (const Control& c : reading.controls) EXPECT_THAT(c.note, Not(HasSubstr("mm")));
+}
+
+TEST(Description, AdvisesTheStrokeThatBringsItNearerByTheNamesOfItsButtons) {
+  struct Case {
+    double radius;
+    settings::Mission::Described wanted;
+    const char* advice;
+  };
+  using Bounds = settings::Mission::Described::Bounds;
+  const double h = 0.2;  // of the lump, from which nobody's stroke takes anything
+  const auto wants = [&](double litres, Bounds height, Bounds mouth) {
+    settings::Mission::Described wanted;
+    wanted.volume = 1e-3 * litres;
+    wanted.height = height;
+    wanted.mouth = mouth;
+    return wanted;
+  };
+  const Bounds any{0.04, 0.2}, any_mouth{0.04, 0.22};
+  for (const Case& one :
+       {Case{0.03, wants(3, any, any_mouth), "To try: Widen, All of it."},
+        Case{0.06, wants(0.1, any, any_mouth), "To try: Narrow, All of it."},
+        Case{0.03, wants(0.5, any, {0.14, 0.2}), "To try: Widen, Rim."},
+        Case{0.06, wants(1.9, any, {0.04, 0.06}), "To try: Narrow, Rim."},
+        Case{0.04, wants(0.9, {0.04, 0.6 * h}, any_mouth), "It is to be lower."}}) {
+    SCOPED_TRACE(one.advice);
+    Visitor v;
+    v.exhibit.screen.one_switch = true;
+    settings::Mission mission = Visitor::described(1);
+    mission.wanted = one.wanted;
+    v.put_on(mission);
+    v.visit->activate("attract.begin", v.now);
+    v.frames(0.5);
+    v.visit->activate("choose.mission.0", v.now);
+    v.frames(0.5);
+    v.visit->activate("choose.throw", v.now);
+    v.frames(1);
+    hollow(v, one.radius);
+    v.frames(3);
+    EXPECT_THAT(v.visit->reading().differences, Contains(one.advice));
+    EXPECT_THAT(words_in(v.frame), HasSubstr(one.advice)) << "and it stands on the screen";
+  }
 }
 
 TEST(Mission, IsCountedByItsIdAndTheNextVisitorBeginsWithNone) {

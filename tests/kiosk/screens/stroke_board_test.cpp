@@ -106,6 +106,15 @@ TEST(StrokeBoard, AskedWhereThePotDiffersItSaysItOnTheScreenInMillimetresOfTheVe
   EXPECT_EQ(words_in(v.frame).find(reading.differences.front()), std::string::npos);
 }
 
+TEST(StrokeBoard, UnaskedItNamesThePartThatDiffersMostAndNeverHowToDraw) {
+  Visitor v = at_the_wheel();
+  v.frames(3);
+  const std::string words = words_in(v.frame), worst = v.visit->reading().differences.front();
+  EXPECT_NE(words.find(worst), std::string::npos);
+  for (const char* drawn : {"Touch the clay", "drag", "Press", "to the line"})
+    EXPECT_EQ(words.find(drawn), std::string::npos) << drawn;
+}
+
 TEST(StrokeBoard, APartSaysHowMuchItIsOffAndWhetherItIsTheOneThatIsWorked) {
   Visitor v = at_the_wheel();
   v.touch("throw.part.1");

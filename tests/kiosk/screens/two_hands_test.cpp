@@ -141,6 +141,27 @@ TEST(TwoHands, SaysWhoseHalfIsWhoseAndTheResultIsBoths) {
   EXPECT_THAT(words_in(v.frame), HasSubstr("A mission: Panathenaic amphora"));
 }
 
+TEST(TwoHands, WhoHasStrokesByButtonsIsToldThatBothHandsMakeThem) {
+  for (const bool one_switch : {false, true}) {
+    Visitor v;
+    v.put_on(mission(kTwo), 0);
+    v.exhibit.screen.one_switch = one_switch;
+    v.show();
+    const auto press = [&](const char* control) {
+      v.visit->activate(control, v.now);
+      v.frames(0.5);
+    };
+    press("attract.begin");
+    press("choose.mission.0");
+    constexpr const char* kBoth = "With strokes by buttons both hands work together";
+    EXPECT_EQ(words_in(v.frame).find(kBoth) != std::string::npos, one_switch);
+    press("choose.throw");
+    v.frames(1);
+    EXPECT_EQ(words_in(v.frame).find(kBoth) != std::string::npos, one_switch);
+    EXPECT_EQ(words_in(v.frame).find("Left half") == std::string::npos, one_switch);
+  }
+}
+
 TEST(EyesClosed, ThePotAndItsLineAreNotShownAndTheScreenIsDark) {
   AtWheel v(kDarkOne);
   EXPECT_FALSE(v.frame.pot);
