@@ -14,6 +14,7 @@
 #include "kiosk/exhibit/words.h"
 #include "kiosk/files/local_time.h"
 #include "kiosk/loop/loop_thread.h"
+#include "kiosk/loop/memory.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/render/display_loss.h"
 #include "kiosk/souvenir/pass.h"
@@ -283,6 +284,8 @@ bool Kiosk::frame(double now, bool draw) {
     renderer_->draw(last_frame_);
     renderer_->present();
   }
+  const bool nobody = nobody_is_here() && shelf_->complete();
+  if (!std::exchange(nobody_was_here_, nobody) && nobody) loop::give_back_memory();
   return open;
 }
 

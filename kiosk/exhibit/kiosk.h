@@ -155,7 +155,7 @@ class Kiosk {
   std::unique_ptr<Attendant> attendant_;
   std::optional<Night> night_;  ///< None where it is always open.
   std::function<std::time_t()> wall_;
-  bool hands_taken_ = false, two_fingers_ = false;
+  bool hands_taken_ = false, two_fingers_ = false, nobody_was_here_ = false;
   double fingers_asked_ = -1e9;  ///< When the glass was asked how many it tells apart.
   double now_ = 0.0;             ///< Of the last frame.
   std::uint64_t seed_ = 1;

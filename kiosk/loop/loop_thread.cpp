@@ -2,8 +2,6 @@
 
 #include <pthread.h>
 #include <sched.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
 #include <time.h>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -12,6 +10,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+
+#include "kiosk/loop/memory.h"
 
 namespace onggi::loop {
 
@@ -37,15 +37,6 @@ void flush_denormals() noexcept {
   // only keeps a stray denormal from costing a hundred cycles.
   _mm_setcsr(_mm_getcsr() | 0x8040u);
 #endif
-}
-
-/// Keeps in memory what was once in memory, of now and later. Pages that nobody touched are not
-/// fetched for it: a driver's reserves would fill a small machine.
-int lock_memory() noexcept {
-  rlimit limit{};
-  // Below an unlimited limit a later allocation anywhere would fail: then it is not for us.
-  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return EPERM;
-  return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0 ? 0 : errno;
 }
 
 }  // namespace

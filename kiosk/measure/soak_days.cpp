@@ -26,6 +26,7 @@ namespace onggi::measure {
 namespace {
 
 constexpr double kFaster = 6.0;        // the screens' clock, within a visit
+constexpr double kStall = 0.1;         // s: a frame that takes longer makes nobody faster
 constexpr double kThrows = 12.0;       // s of the screens' clock at the wheel
 constexpr double kLinger = 1.6;        // s of it on each screen
 constexpr double kSkip = 20.0;         // s that pass at once between two visits
@@ -108,7 +109,8 @@ Result<void> SoakDays::open() {
 
 Result<void> SoakDays::frame() {
   const double real = monotonic_seconds();
-  now_ += faster_ * (real - real_);
+  const double passed = real - real_;
+  now_ += passed + (faster_ - 1) * std::min(passed, kStall);
   real_ = real;
   files::set_wall_ahead(static_cast<std::int64_t>((now_ - begun_) - (real_ - real_begun_)));
   if (!kiosk_->frame(now_))
@@ -132,7 +134,9 @@ Result<void> SoakDays::open_anew() {
 
 void SoakDays::dead_end(const std::string& how) {
   ++report_.dead_ends;
-  report_.ends.push_back("visit " + std::to_string(report_.visits) + ": " + how);
+  const std::string over = kiosk_->visit().reading().over;
+  report_.ends.push_back("visit " + std::to_string(report_.visits) + ": " + how +
+                         (over.empty() ? "" : " Over the screen: " + over + "."));
 }
 
 void SoakDays::look_at_keepsake() {
