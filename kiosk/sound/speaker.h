@@ -28,6 +28,9 @@ class Speaker {
   /// s after which a card that is gone is looked for again.
   static constexpr double kLookAgain = 30.0;
 
+  /// SCHED_FIFO of SDL's thread, where the system permits it (LimitRTPRIO); else it is as others.
+  static constexpr int kPriority = 70;
+
   /// `listen` is called from SDL's thread for every block; it neither blocks nor throws. Its volume
   /// and fire are those of volume() and fire(). A machine without a card is no error: see remark().
   explicit Speaker(std::function<Heard()> listen);

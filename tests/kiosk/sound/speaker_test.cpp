@@ -1,6 +1,8 @@
 #include "kiosk/sound/speaker.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <atomic>
 #include <chrono>
@@ -40,6 +42,31 @@ class Card : public testing::Test {
   }
   files::test::ScratchFolder scratch_;
 };
+
+TEST_F(Card, IsAskedForByAThreadThatNoDrawingKeepsFromItsTurnWhereTheSystemPermits) {
+  std::thread trial([] {
+    sched_param parameter{};
+    parameter.sched_priority = Speaker::kPriority;
+    if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) != 0)
+      GTEST_SKIP() << "this user's threads may not run before others";
+  });
+  trial.join();
+  if (IsSkipped()) return;
+  driver("dummy");
+  std::atomic<int> policy{-1}, priority{-1};
+  Speaker speaker([&] {
+    sched_param parameter{};
+    int own = -1;
+    pthread_getschedparam(pthread_self(), &own, &parameter);
+    policy = own;
+    priority = parameter.sched_priority;
+    return Heard{};
+  });
+  ASSERT_TRUE(speaker.playing()) << speaker.remark();
+  wait_for_blocks(speaker, 3);
+  EXPECT_EQ(policy, SCHED_FIFO);
+  EXPECT_EQ(priority, Speaker::kPriority);
+}
 
 TEST_F(Card, PlaysWhatIsHeardAtTheVolumeThatIsSet) {
   driver("disk");
