@@ -79,6 +79,11 @@ class Desk {
   bool eyes_closed() const { return does(settings::Mission::Kind::eyes_closed); }
   /// Two visitors throw it, a hand each.
   bool two_hands() const { return does(settings::Mission::Kind::two_hands); }
+  /// Whose hand is which of the two visitors', as a key of the languages.
+  std::string halves() const {
+    const bool keys = two_hands() && on()->second == settings::Mission::Second::keys;
+    return keys ? "mission.halves_keys" : "mission.halves";
+  }
   /// What stands over the pot: the vessel's name, or the mission's.
   std::string heading() const;
   /// And over what it came to: "Your answer to: Moon jar".

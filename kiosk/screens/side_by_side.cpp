@@ -125,7 +125,9 @@ void SideBySide::lay_out(Page& page, const Desk& desk) {
   const Places at = places(page, desk);
   half_turn_ = at.vessel.w;
   const float left = std::min(at.vessel.x, at.pot.x);
-  room_ = {left, at.pot.y, std::max(at.vessel.x, at.pot.x) + at.pot.w - left, at.pot.h};
+  // A frame round both stays off the lines under them.
+  room_ = {left, at.pot.y, std::max(at.vessel.x, at.pot.x) + at.pot.w - left,
+           at.pot.h - 0.5f * page.type().gap};
   pot_at_ = view::frame_pot(page.width(), page.height(), at.pot, height_, radius_);
   vessel_at_ = pot_at_;
   vessel_at_.centre_x += at.vessel.x - at.pot.x;

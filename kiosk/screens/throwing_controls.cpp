@@ -106,7 +106,8 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
   // What else was asked is said by the hint, where it is off.
   if (const auto figures = MeasuredPot::sentences(desk); !figures.empty())
     column.text(figures.front(), t.body);
-  if (desk.two_hands()) column.text(desk.say("mission.halves"), t.body);
+  if (desk.two_hands()) column.text(desk.say(desk.halves()), t.body);
+  if (desk.eyes_closed()) column.text(desk.say("mission.unseen"), t.body);
   if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
     column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
   column.space(t.gap * 0.5f);

@@ -221,8 +221,9 @@ class Throwing final : public Screen {
         break;
     }
     if (by_buttons()) return false;
-    // The hand works on the column's far side, where the pot is clear of the words.
-    const double left = key_sign(), notch = WheelHands::kNotch;
+    // The hand works on the column's far side, where the pot is clear of the words; of two visitors
+    // the one inside works on the left.
+    const double left = hands_.two() ? -1.0 : key_sign(), notch = WheelHands::kNotch;
     if (key == Key::enter) return menu_ = true;
     if (key == Key::up || key == Key::down)
       return move_by_keys(0, key == Key::up ? notch : -notch), true;

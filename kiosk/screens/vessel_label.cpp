@@ -96,8 +96,12 @@ void VesselLabel::lay_out(Page& page) {
   std::string line = label_line(label, desk_.words());
   std::vector<std::string> paragraphs{label.text, label.made};
   if (mission != nullptr) {
-    if (mission->kind == settings::Mission::Kind::two_hands && StrokeBoard::wanted(desk_))
+    const bool two = mission->kind == settings::Mission::Kind::two_hands;
+    const bool by_keys = two && mission->second == settings::Mission::Second::keys;
+    if (two && StrokeBoard::wanted(desk_))
       paragraphs.insert(paragraphs.begin(), desk_.say("mission.by_buttons"));
+    else if (by_keys)
+      paragraphs.insert(paragraphs.begin(), desk_.say("mission.halves_keys"));
     paragraphs.insert(paragraphs.begin(), mission->about_in(code));
     if (mission_of_own(card_) < 0)
       line = line.empty() ? label.title

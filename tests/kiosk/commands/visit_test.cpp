@@ -139,6 +139,24 @@ TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEac
   }
 }
 
+TEST(Visit, AMissionIsDoneByWhoHasOneSwitchOrHearsAndSeesNothingAndWhatWasSaidIsWritten) {
+  const TemporaryFolder folder;
+  const std::string config = with_missions(folder);
+  for (const char* script : {"switch", "blind"}) {
+    const fs::path out = folder / script;
+    const Outcome run = onggi("visit --mission litre_jar --pace 0.5 --script " +
+                              std::string(script) + " --window 640x480 --language ko --config " +
+                              config + " --json - --out " + out.string());
+    ASSERT_EQ(run.exit_code, 0) << script << ": " << run.err;
+    const Json visit = Json::parse(run.out);
+    EXPECT_EQ(visit["mission"], "litre_jar");
+    EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 10) << script;
+    const std::string said = text_of(out / "said.txt");
+    EXPECT_EQ(said.find("1리터가 담기는 항아리") != std::string::npos,
+              std::string(script) == "blind");
+  }
+}
+
 TEST(Visit, AnUnknownMissionIsRefusedWithTheNearestRightNameAndSoAreAVesselAndAMissionAtOnce) {
   const TemporaryFolder folder;
   const std::string out = " --out " + (folder / "out").string();

@@ -226,6 +226,29 @@ TEST_F(SkinReading, TheGlassIsThinOnTheLipsCrownAndNowhereElse) {
   }
 }
 
+TEST_F(SkinReading, InsideItRunsToTheFloorMoreThanOutsideAndTheFloorIsInside) {
+  const ClayView clay = thrown_clay(
+      kPotGrid, [](double) { return 0.05; }, 0.006, 0.0);
+  renderer().show_clay(clay);
+  const ClayMesh mesh = faced_mesh_of(clay);
+  content::GlazeLook look;
+  look.body = {1, 1, 1};
+  look.glass = {0.2f, 0.4f, 0.8f};
+  look.slip_cover = 0;
+  look.pooling = 0.75f;
+  const auto skin = renderer().read_skin(mesh, view::Glazing{look, 1.0});
+  std::map<ClayFace, std::pair<double, int>> low;  // thickness, as above
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    if (mesh.mesh.positions[i][1] < 0.011f || mesh.mesh.positions[i][1] > 0.03f) continue;
+    auto& [sum, count] = low[mesh.faces[i]];
+    sum += std::log(static_cast<double>(skin[i].color[2] / skin[i].color[0]));
+    ++count;
+  }
+  const auto thick = [&](ClayFace face) { return low.at(face).first / low.at(face).second; };
+  EXPECT_GT(thick(ClayFace::inner), 1.15 * thick(ClayFace::outer));
+  EXPECT_GT(thick(ClayFace::floor), 1.15 * thick(ClayFace::outer));
+}
+
 TEST_F(SkinReading, TheFootIsBareClayAndAGlossierGlazeIsSmoother) {
   const ClayView clay = grooved_pot();
   renderer().show_clay(clay);

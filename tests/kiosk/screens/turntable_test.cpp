@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kiosk/view/palette.h"
@@ -90,6 +91,33 @@ TEST(Turntable, ArrowsTurnBothPotsTheWayThatAFingerDoesInEveryLayout) {
     EXPECT_EQ(v.visit->screen(), ScreenId::result) << "a finger there presses nothing";
     EXPECT_FALSE(v.ringed()) << "a finger needs no ring";
   }
+}
+
+TEST(Turntable, TheFrameRoundThePotsCrossesNeitherWordNorLine) {
+  for (const Laid laid : kLaid)
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1024, 600}, {1080, 1920}}) {
+      AtResult v(laid);
+      v.width = width, v.height = height;
+      v.frames(1);
+      ASSERT_TRUE(v.go_to_pots());
+      const view::Rect at = *v.visit->control(kPots);
+      const auto ring =
+          std::find_if(v.frame.items.begin(), v.frame.items.end(), [&](const auto& i) {
+            const auto* box = std::get_if<view::Box>(&i);
+            return box != nullptr && box->border > 2 && box->rect.w > at.w && box->rect.y < at.y;
+          });
+      ASSERT_NE(ring, v.frame.items.end());
+      const view::Rect frame = std::get<view::Box>(*ring).rect;
+      for (const view::Item& item : v.frame.items) {
+        if (const auto* text = std::get_if<view::Text>(&item)) {
+          EXPECT_FALSE(frame.contains(text->box.x + text->box.w / 2, text->box.y)) << text->text;
+        }
+        if (const auto* line = std::get_if<view::Line>(&item)) {
+          for (const auto& [x, y] : line->points)
+            EXPECT_FALSE(frame.contains(x, y)) << width << "x" << height;
+        }
+      }
+    }
 }
 
 TEST(Turntable, AnArrowThatIsHeldTurnsAsOftenAsItRepeatsHoweverSeldomThereIsAFrame) {

@@ -124,6 +124,45 @@ TEST(TwoHands, AMouseAndArrowsAreTwoHandsToo) {
   EXPECT_NEAR(hands[0].position.y, 0.1, 0.02);
 }
 
+TEST(TwoHands, AnArrowMovesTheHandInsideToTheSideThatItPointsTo) {
+  for (const bool left_handed : {false, true}) {
+    AtWheel v(kTwo);
+    v.exhibit.screen.left_handed = left_handed;
+    v.frames(1);
+    Vec3 right, up, back;
+    v.visit->sight()->camera.basis(right, up, back);
+    const auto x = [&] { return dot(right, v.told()[1].position); };
+    v.key(Key::up);
+    v.frames(0.5);
+    double before = x();
+    EXPECT_LT(before, 0) << "it is on the left half";
+    for (int n = 0; n < 6; ++n) v.key(Key::left);
+    v.frames(0.5);
+    EXPECT_LT(x(), before - 0.002);
+    before = x();
+    for (int n = 0; n < 6; ++n) v.key(Key::right);
+    v.frames(0.5);
+    EXPECT_GT(x(), before + 0.002);
+  }
+}
+
+TEST(TwoHands, WithAKeyboardItIsSaidWhoseHandTheArrowsAre) {
+  for (const bool keys : {false, true}) {
+    Visitor v;
+    settings::Mission two = mission(kTwo);
+    if (keys) two.second = settings::Mission::Second::keys;
+    v.put_on(two, 0);
+    v.touch("attract.begin");
+    v.touch("choose.mission.0");
+    v.frames(1);
+    EXPECT_EQ(words_in(v.frame).find("Arrow keys: the hand inside.") != std::string::npos, keys);
+    v.touch("choose.throw");
+    v.frames(1);
+    EXPECT_EQ(words_in(v.frame).find("Arrow keys: the hand inside.") != std::string::npos, keys);
+    EXPECT_EQ(words_in(v.frame).find("Left half") != std::string::npos, !keys);
+  }
+}
+
 TEST(TwoHands, WithoutTheMissionTwoFingersAreBothHandsOfOneVisitor) {
   Visitor v;
   v.throw_a_pot();
@@ -175,6 +214,7 @@ TEST(EyesClosed, ThePotAndItsLineAreNotShownAndTheScreenIsDark) {
       EXPECT_LT(x, 0.4f * static_cast<float>(v.width)) << "nothing of any outline";
   }
   EXPECT_THAT(words_in(v.frame), HasSubstr("Press outwards there")) << "words say how it goes";
+  EXPECT_THAT(words_in(v.frame), HasSubstr("empty part of the screen")) << "and where";
   EXPECT_TRUE(v.visit->control("back"));
   EXPECT_TRUE(v.visit->control("throw.done"));
   EXPECT_FALSE(v.visit->control("throw.show"));
