@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "kiosk/measure/quiet_visit.h"
 #include "kiosk/screens/label.h"
 #include "kiosk/settings/mission_file.h"
+#include "tests/kiosk/files/disk.h"
 
 namespace onggi::measure {
 namespace {
@@ -157,6 +160,28 @@ TEST_P(HeardMissions, AtAWheelOfTwoItIsSaidThatBothHandsAreWhoseTheButtonsAre) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, HeardMissions, ::testing::Values("en", "ko"));
+
+TEST(AidedMissions, WhatIsAdvisedStrokeByStrokeComesToTheMouthThatWasAsked) {
+  const files::test::ScratchFolder folder;
+  const std::string here = std::filesystem::current_path().string();
+  std::ofstream(folder.path() / "missions.toml")
+      << "[[mission]]\nid = \"flask\"\nkind = \"describe\"\nlitres = 1.4\nheight_mm = [120, 170]\n"
+         "mouth_mm = [55, 70]\ntitle = { en = \"A flask\" }\nabout = { en = \"Narrow.\" }\n";
+  std::ofstream(folder.path() / "exhibit.toml")
+      << "languages = [\"en\"]\nshelf = \"" << here << "/content/vessels\"\nglazes = \"" << here
+      << "/content/glazes.toml\"\nscene = \"" << here
+      << "/config/scenes/first_touch.toml\"\nmissions = \"missions.toml\"\n";
+  const auto all = QuietVisits::open((folder.path() / "exhibit.toml").string());
+  ASSERT_TRUE(all) << all.error().what;
+  const auto visit = (*all)->blind("flask", kStrokes);
+  ASSERT_TRUE(visit) << visit.error().what;
+  note(*visit, "flask");
+  EXPECT_TRUE(says(*visit, "To try: Narrow, Rim."));
+  EXPECT_TRUE(says(*visit, "Very near now."));
+  EXPECT_GT(visit->points, kBound);
+  ASSERT_EQ(visit->asked.size(), 3u);
+  EXPECT_LE(std::stoi(visit->asked.back().places.at("mm")), 72);
+}
 
 TEST(AidedMissions, EachIsDoneWithOneSwitch) {
   for (const auto& [id, language] :
