@@ -81,6 +81,7 @@ std::optional<Ask> StrokeBoard::press(const std::string& control) {
   for (int n = 0; n < device::kAsks; ++n) {
     if (control != kAskControl + std::to_string(n)) continue;
     telling_ = false;
+    begun_ = true;
     return last_ = static_cast<Ask>(n);
   }
   return std::nullopt;
@@ -163,7 +164,6 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const Button& way,
       sentence += (sentence.empty() ? "" : " ") + one;
   }
   column.page().tell(column.rest().y - 1, desk.heading());
-  if (desk.two_hands()) column.text(desk.say("mission.by_buttons"), t.body);
   if (const auto figures = MeasuredPot::sentences(desk); !figures.empty() && !telling_)
     column.text(figures.front(), t.body);
   column.text(sentence, t.body);

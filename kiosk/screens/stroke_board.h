@@ -34,6 +34,8 @@ class StrokeBoard {
   /// Takes one of its controls; gives the stroke that is to be made, once one was asked for.
   std::optional<device::Ask> press(const std::string& control);
   device::WallPart part() const { return part_; }
+  /// A stroke was asked for.
+  bool begun() const { return begun_; }
   /// How often it was asked where the pot differs.
   int asked() const { return asked_; }
 
@@ -53,7 +55,7 @@ class StrokeBoard {
   device::WallPart part_ = device::WallPart::middle;
   device::Ask last_ = device::Ask::even;
   int asked_ = 0;
-  bool telling_ = false;
+  bool telling_ = false, begun_ = false;
 };
 
 }  // namespace onggi::screens

@@ -177,6 +177,7 @@ std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hin
   if (!desk.note().empty()) return desk.say(desk.note());
   if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
   if (desk.described() != nullptr) return StrokeBoard::advice(desk);
+  if (desk.two_hands() && !now.board->begun()) return desk.say("mission.by_buttons");
   return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();
 }
 
@@ -205,7 +206,7 @@ float height_needed(const Page& page, const Desk& desk, const ThrowingControls& 
   };
   const auto by_strokes = [&](Column& column, const ThrowingControls& then) {
     most_used(column, desk, then);
-    std::string longest;
+    std::string longest = desk.two_hands() ? desk.say("mission.by_buttons") : "";
     for (std::string& hint : all_hints(desk))
       if (hint.size() > longest.size()) longest = std::move(hint);
     then.board->lay_out(column, desk, way_of(desk, then), then.parts, false, longest);

@@ -198,6 +198,10 @@ TEST(TwoHands, WhoHasStrokesByButtonsIsToldThatBothHandsMakeThem) {
     v.frames(1);
     EXPECT_EQ(words_in(v.frame).find(kBoth) != std::string::npos, one_switch);
     EXPECT_EQ(words_in(v.frame).find("Left half") == std::string::npos, one_switch);
+    if (!one_switch) continue;
+    press("throw.ask.4");
+    v.frames(30);
+    EXPECT_EQ(words_in(v.frame).find(kBoth), std::string::npos) << "who has begun knows it";
   }
 }
 
