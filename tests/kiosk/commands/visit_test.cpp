@@ -139,22 +139,19 @@ TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEac
   }
 }
 
-TEST(Visit, AMissionIsDoneByWhoHasOneSwitchOrHearsAndSeesNothingAndWhatWasSaidIsWritten) {
+TEST(Visit, AMissionIsDoneByWhoHasOneSwitchAndWhatWasSaidOfItIsWritten) {
   const TemporaryFolder folder;
-  const std::string config = with_missions(folder);
-  for (const char* script : {"switch", "blind"}) {
-    const fs::path out = folder / script;
-    const Outcome run = onggi("visit --mission litre_jar --pace 0.5 --script " +
-                              std::string(script) + " --window 640x480 --language ko --config " +
-                              config + " --json - --out " + out.string());
-    ASSERT_EQ(run.exit_code, 0) << script << ": " << run.err;
-    const Json visit = Json::parse(run.out);
-    EXPECT_EQ(visit["mission"], "litre_jar");
-    EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 10) << script;
-    const std::string said = text_of(out / "said.txt");
-    EXPECT_EQ(said.find("1리터가 담기는 항아리") != std::string::npos,
-              std::string(script) == "blind");
-  }
+  const fs::path out = folder / "out";
+  const Outcome run = onggi(
+      "visit --mission litre_jar --pace 0.5 --script switch --window 640x480 --language ko "
+      "--config " +
+      with_missions(folder) + " --json - --out " + out.string());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json visit = Json::parse(run.out);
+  EXPECT_EQ(visit["mission"], "litre_jar");
+  EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 10);
+  // A switch is asked for by holding on after speech was: both are there.
+  EXPECT_NE(text_of(out / "said.txt").find("1리터가 담기는 항아리"), std::string::npos);
 }
 
 TEST(Visit, AnUnknownMissionIsRefusedWithTheNearestRightNameAndSoAreAVesselAndAMissionAtOnce) {
