@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kiosk/view/palette.h"
+#include "kiosk/view/recolor.h"
 
 namespace onggi::view {
 
@@ -17,23 +18,10 @@ constexpr std::pair<Color, Color> kPaler[] = {
 
 }  // namespace
 
-Color in_the_dark(Color color) {
-  for (const auto& [from, to] : kPaler)
-    if (color.r == from.r && color.g == from.g && color.b == from.b) return with_alpha(to, color.a);
-  return color;
-}
+Color in_the_dark(Color color) { return recolored(color, kPaler); }
 
 void to_dark(std::vector<Item>& items, int width, int height) {
-  for (Item& item : items) {
-    if (auto* text = std::get_if<Text>(&item)) {
-      text->color = in_the_dark(text->color);
-    } else if (auto* box = std::get_if<Box>(&item)) {
-      box->fill = in_the_dark(box->fill);
-      box->border_color = in_the_dark(box->border_color);
-    } else if (auto* line = std::get_if<Line>(&item)) {
-      for (Color& color : line->colors) color = in_the_dark(color);
-    }
-  }
+  recolor(items, kPaler);
   const Rect all{0, 0, static_cast<float>(width), static_cast<float>(height)};
   items.insert(items.begin(), Box{all, 0, kDark, 0, {}});
 }

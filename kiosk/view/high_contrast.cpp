@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kiosk/view/palette.h"
+#include "kiosk/view/recolor.h"
 
 namespace onggi::view {
 
@@ -16,33 +17,22 @@ constexpr std::pair<Color, Color> kDarker[] = {
     {kPlaster, rgb(0xFFFFFF)},
 };
 
-bool same_hue(Color a, Color b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
-
 }  // namespace
 
-Color in_high_contrast(Color color) {
-  for (const auto& [from, to] : kDarker)
-    if (same_hue(color, from)) return with_alpha(to, color.a);
-  return color;
-}
+Color in_high_contrast(Color color) { return recolored(color, kDarker); }
 
 void to_high_contrast(std::vector<Item>& items) {
   for (Item& item : items) {
-    if (auto* text = std::get_if<Text>(&item)) {
-      text->color = in_high_contrast(text->color);
-    } else if (auto* box = std::get_if<Box>(&item)) {
-      box->fill = in_high_contrast(box->fill);
-      box->border_color = in_high_contrast(box->border_color);
+    if (auto* box = std::get_if<Box>(&item)) {
       box->border *= kHeavier;
     } else if (auto* line = std::get_if<Line>(&item)) {
       line->width *= kHeavier;
-      for (Color& color : line->colors) {
-        // A halo parts a line from clay of its own darkness, and half a halo only half.
+      // A halo parts a line from clay of its own darkness, and half a halo only half.
+      for (Color& color : line->colors)
         if (same_hue(color, kPlaster)) color.a = 1;
-        color = in_high_contrast(color);
-      }
     }
   }
+  recolor(items, kDarker);
 }
 
 }  // namespace onggi::view

@@ -13,6 +13,9 @@ constexpr Color rgb(unsigned hex, float alpha = 1.0f) {
           alpha};
 }
 
+/// But for how opaque they are.
+constexpr bool same_hue(Color a, Color b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
+
 constexpr Color with_alpha(Color c, float alpha) { return {c.r, c.g, c.b, alpha}; }
 
 /// The exhibit's colours. Text on plaster: at least 4.5:1; lines that mean something: 3:1

@@ -15,8 +15,8 @@ TypeScale TypeScale::for_screen(int width, int height, double diagonal_mm, doubl
   const double pixels_per_mm = std::hypot(width, height) / std::max(diagonal_mm, 1.0);
   const double capital = distance_mm * std::tan(kCapitalAngle) * pixels_per_mm;
   const double most = std::min(width, height) / 18.0;
-  return TypeScale(static_cast<float>(
-      std::clamp(std::round(capital / kCapitalHeight), 10.0, std::max(most, 10.0))));
+  return TypeScale(
+      static_cast<float>(std::clamp(capital / kCapitalHeight, 10.0, std::max(most, 10.0))));
 }
 
 float TypeScale::px(int step) const {
