@@ -88,7 +88,8 @@ void keep_korean_words(const std::string& text, PangoAttrList* attributes) {
 }
 
 // Chinese and Japanese may break between any two letters, and in running text they do. A line of a
-// label ("Japan, Edo period") is a list: it breaks after its commas and at its spaces.
+// label ("Japan, Edo period") is a list: it breaks after its commas, at its spaces, and before what
+// stands in brackets.
 void keep_parts_of_a_list(const std::string& text, PangoAttrList* attributes) {
   constexpr std::size_t kLongestList = 90;  // bytes: thirty letters
   if (text.size() > kLongestList) return;
@@ -98,8 +99,9 @@ void keep_parts_of_a_list(const std::string& text, PangoAttrList* attributes) {
     const bool wide = std::any_of(kListStops.begin(), kListStops.end(), [&](const char* stop) {
       return text.compare(i, std::strlen(stop), stop) == 0;
     });
-    if (!space && !wide) continue;
-    const std::size_t end = space ? i : i + 3;
+    const bool bracket = text.compare(i, 3, "\uFF08") == 0;
+    if (!space && !wide && !bracket) continue;
+    const std::size_t end = space || bracket ? i : i + 3;
     keep_together(start, end, attributes);
     start = space ? i + 1 : end;
     if (wide) i += 2;

@@ -57,6 +57,18 @@ TEST(Typesetter, AListInChineseOrJapaneseBreaksAfterItsCommas) {
   }
 }
 
+TEST(Typesetter, AndBeforeWhatStandsInBrackets) {
+  const Typesetter type;
+  for (const char* language : {"ja", "zh"}) {
+    const view::TextStyle style{.px = 30, .language = language};
+    const std::string first = "朝鮮時代", second = "（日本で使用）";
+    const auto alone = type.measure(second, style, 0);
+    const auto both = type.measure(first + second, style, alone.width * 1.3f);
+    EXPECT_FLOAT_EQ(both.height, 2 * alone.height);
+    EXPECT_NEAR(both.width, alone.width, 12.0f) << language;
+  }
+}
+
 TEST(Typesetter, RunningTextInChineseOrJapaneseFillsItsLines) {
   const Typesetter type;
   const view::TextStyle style{.px = 30, .language = "ja"};
