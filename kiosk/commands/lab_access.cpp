@@ -1,10 +1,13 @@
 #include <cstdio>
 #include <memory>
+#include <span>
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
 #include "kiosk/exhibit/paths.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/files/read_file.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/access_report.h"
 #include "kiosk/measure/no_keepsakes.h"
@@ -15,8 +18,21 @@ namespace {
 
 struct AccessArguments {
   files::Output json{files::Output::Kind::json};
-  std::string config, window = "1920x1080", language;
+  std::string config, window = "1920x1080", language, page;
+  bool displays = false;
 };
+
+constexpr std::size_t kMostPage = 1 << 20;
+
+Result<void> write_table(const std::string& page, const std::string& table) {
+  const auto read = files::read_file(page, kMostPage);
+  if (!read)
+    return problem("--page " + page, "It cannot be read.",
+                   "Name the page that has a place for the table: kiosk/docs/access.md.");
+  const auto written = measure::with_table({read->begin(), read->end()}, table);
+  if (!written) return problem("--page " + page, written.error().what, written.error().remedy);
+  return files::write_durably(page, std::as_bytes(std::span(*written)));
+}
 
 Result<int> access(const AccessArguments& arguments) {
   const auto config = exhibit::exhibit_file(arguments.config);
@@ -35,12 +51,24 @@ Result<int> access(const AccessArguments& arguments) {
   if (!display) return tl::unexpected(display.error());
   auto opened = exhibit::Kiosk::open(options);
   if (!opened) return tl::unexpected(opened.error());
-  const auto report = measure::measure_access(**opened);
-  if (!report) return tl::unexpected(report.error());
-  const auto put = put_report(measure::json_of(*report), arguments.json);
+  const bool all = arguments.displays || !arguments.page.empty();
+  const auto reports = measure::measure_access(
+      **opened, all ? measure::likely_displays() : std::vector<measure::AccessDisplay>{});
+  if (!reports) return tl::unexpected(reports.error());
+  files::Json json = measure::json_of(reports->front());
+  if (all) {
+    json["displays"] = files::Json::list();
+    for (const auto& report : *reports) json["displays"].push_back(measure::json_of(report));
+  }
+  const auto put = put_report(json, arguments.json);
   if (!put) return tl::unexpected(put.error());
-  if (*put) std::fputs(measure::text_of(*report).c_str(), stdout);
-  return 0;
+  const std::string table = measure::table_of(*reports);
+  if (*put) {
+    std::fputs(measure::text_of(reports->front()).c_str(), stdout);
+    if (all) std::fputs(("\n" + table).c_str(), stdout);
+  }
+  if (arguments.page.empty()) return 0;
+  return write_table(arguments.page, table).map([] { return 0; });
 }
 
 }  // namespace
@@ -49,9 +77,14 @@ Command lab_access_command() {
   const auto a = std::make_shared<AccessArguments>();
   return {.name = "access",
           .help = "EN 301 549's figures of the exhibit, measured on its drawn screens",
-          .examples = "Example: onggi lab access --window 1080x1920 --json access.json",
+          .examples =
+              "Example: onggi lab access --window 1080x1920 --json access.json\n"
+              "         onggi lab access --displays --page kiosk/docs/access.md",
           .options = {{"--window", &a->window, "WIDTHxHEIGHT of the screens [1920x1080]"},
                       {"--language", &a->language, "A language of the exhibit [its first]"},
+                      {"--displays", &a->displays,
+                       "Also on displays that a kiosk is likely to have, a line each"},
+                      {"--page", &a->page, "Write those lines into this page, where it says so"},
                       {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
                       {"--json", &a->json, "Write the figures as JSON (- for standard output)"}},
           .run = [a] { return access(*a); }};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "kiosk/measure/drawn_figures.h"
@@ -58,12 +59,15 @@ view::Frame without_items(view::Frame frame) {
   return frame;
 }
 
-ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name, double px_per_mm,
-                            int flashes) {
+double px_per_mm(const AccessDisplay& display) {
+  return std::hypot(display.width, display.height) / display.diagonal_mm;
+}
+
+/// `frame` is the one that was laid out last.
+ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name,
+                            const AccessDisplay& display, view::Frame frame) {
   ScreenAccess out;
   out.name = name;
-  out.flashes = flashes;
-  view::Frame frame = kiosk.shown();
   frame.fade = 0;
   const view::Image whole = kiosk.renderer().draw_offscreen(frame);
   const view::Image wordless = kiosk.renderer().draw_offscreen(without_words(frame));
@@ -75,7 +79,8 @@ ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name, doub
     const double is = drawn_contrast(whole, wordless, text->box);
     if (is == 0) continue;  // It lies beyond the screen's edge.
     ++out.texts;
-    capital = std::min(capital, kCapital * static_cast<double>(text->style.px) / px_per_mm);
+    capital =
+        std::min(capital, kCapital * static_cast<double>(text->style.px) / px_per_mm(display));
     if (is < least_text) {
       least_text = is;
       out.faintest = text->text;
@@ -84,7 +89,7 @@ ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name, doub
   for (const screens::Control& control : kiosk.visit().reading().controls) {
     ++out.controls;
     const view::Rect& rect = control.rect;
-    const double side = static_cast<double>(std::min(rect.w, rect.h)) / px_per_mm;
+    const double side = static_cast<double>(std::min(rect.w, rect.h)) / px_per_mm(display);
     if (side < target) {
       target = side;
       out.smallest = control.id;
@@ -100,29 +105,64 @@ ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name, doub
   return out;
 }
 
-}  // namespace
-
-Result<AccessReport> measure_access(exhibit::Kiosk& kiosk) {
-  const auto& exhibit = kiosk.exhibit();
+AccessReport report_on(const settings::Exhibit& exhibit, const AccessDisplay& display) {
   AccessReport report;
-  report.width = kiosk.renderer().width();
-  report.height = kiosk.renderer().height();
-  report.diagonal_mm = exhibit.screen.diagonal_mm;
-  report.distance_mm = exhibit.screen.viewing_distance_mm;
+  report.display = display;
   report.high_contrast = exhibit.screen.high_contrast;
   report.warn_after = exhibit.idle.warn_after;
   report.countdown = exhibit.idle.countdown;
-  const double px_per_mm = std::hypot(report.width, report.height) / report.diagonal_mm;
+  return report;
+}
+
+}  // namespace
+
+const std::vector<AccessDisplay>& likely_displays() {
+  static const std::vector<AccessDisplay> all{
+      {1280, 800, 396, 400},    // 15.6 inches, at arm's length
+      {1280, 720, 600, 600},    // 24 inches
+      {1080, 1920, 600, 600},   // the same upright
+      {1920, 1080, 813, 800},   // 32 inches
+      {1080, 1920, 1092, 800},  // 43 inches, upright
+      {3840, 2160, 1092, 1000},
+  };
+  return all;
+}
+
+double capital_asked(double distance_mm) {
+  return distance_mm * std::tan(0.7 * 3.14159265358979 / 180);
+}
+
+Result<std::vector<AccessReport>> measure_access(exhibit::Kiosk& kiosk,
+                                                 const std::vector<AccessDisplay>& also) {
+  const auto& exhibit = kiosk.exhibit();
+  const settings::Exhibit::Screen usual = exhibit.screen;
+  const AccessDisplay own{kiosk.renderer().width(), kiosk.renderer().height(), usual.diagonal_mm,
+                          usual.viewing_distance_mm};
+  std::vector<AccessReport> reports{report_on(exhibit, own)};
+  for (const AccessDisplay& display : also) reports.push_back(report_on(exhibit, display));
   // 10 degrees of view, a quarter of it.
-  const double across = 2 * report.distance_mm * std::tan(5.0 * 3.14159265358979 / 180);
-  const int cell = std::max(16, static_cast<int>(0.5 * across * px_per_mm));
+  const double across = 2 * own.distance_mm * std::tan(5.0 * 3.14159265358979 / 180);
+  const int cell = std::max(16, static_cast<int>(0.5 * across * px_per_mm(own)));
 
   AccessWalk walk(kiosk);
   walk.frames(1);
   const auto see = [&](const std::string& name) {
     FlashCount flashes(cell);
     walk.frames(kWatched, &flashes);
-    report.screens.push_back(look_at_screen(kiosk, name, px_per_mm, flashes.most_in_a_second()));
+    reports.front().screens.push_back(look_at_screen(kiosk, name, own, kiosk.shown()));
+    reports.front().screens.back().flashes = flashes.most_in_a_second();
+    const std::string language = kiosk.visit().language();
+    for (std::size_t n = 1; n < reports.size(); ++n) {
+      const AccessDisplay& display = reports[n].display;
+      settings::Exhibit::Screen screen = usual;
+      screen.diagonal_mm = display.diagonal_mm;
+      screen.viewing_distance_mm = display.distance_mm;
+      kiosk.show_as(screen, language);
+      reports[n].screens.push_back(
+          look_at_screen(kiosk, name, display, kiosk.visit().frame(display.width, display.height)));
+    }
+    kiosk.show_as(usual, language);
+    walk.frames(0.1);  // What was laid out last was another size.
   };
   // A control to press, and what is seen then; empty: it is only passed.
   const std::vector<std::pair<std::string, std::string>> way{
@@ -134,7 +174,9 @@ Result<AccessReport> measure_access(exhibit::Kiosk& kiosk) {
       {"comfort.close", ""},
       {"choose.card.0", "label"},
       {"choose.throw", "throw"},
-      {"throw.more", "throw drawer"},
+      {"throw.tools", "throw tools"},
+      {"throw.less", ""},
+      {"throw.wheel", "throw wheel"},
       {"throw.less", ""},
       {"comfort", ""},
       {"comfort.spoken", ""},
@@ -162,13 +204,13 @@ Result<AccessReport> measure_access(exhibit::Kiosk& kiosk) {
     return problem("the visit", "No warning came before its time was over.",
                    "This is a fault of the program: please report it.", 1);
   see("idle");
-  return report;
+  return reports;
 }
 
 files::Json json_of(const AccessReport& report) {
   files::Json screens = files::Json::list();
-  for (const ScreenAccess& s : report.screens)
-    screens.push_back(files::Json::object({{"name", s.name},
+  for (const ScreenAccess& s : report.screens) {
+    files::Json one = files::Json::object({{"name", s.name},
                                            {"texts", s.texts},
                                            {"controls", s.controls},
                                            {"least_capital_mm", s.least_capital_mm},
@@ -176,12 +218,14 @@ files::Json json_of(const AccessReport& report) {
                                            {"faintest", s.faintest},
                                            {"least_control_contrast", s.least_control_contrast},
                                            {"least_target_mm", s.least_target_mm},
-                                           {"smallest", s.smallest},
-                                           {"flashes_in_a_second", s.flashes}}));
-  return files::Json::object({{"width", report.width},
-                              {"height", report.height},
-                              {"diagonal_mm", report.diagonal_mm},
-                              {"viewing_distance_mm", report.distance_mm},
+                                           {"smallest", s.smallest}});
+    if (s.flashes) one["flashes_in_a_second"] = *s.flashes;
+    screens.push_back(std::move(one));
+  }
+  return files::Json::object({{"width", report.display.width},
+                              {"height", report.display.height},
+                              {"diagonal_mm", report.display.diagonal_mm},
+                              {"viewing_distance_mm", report.display.distance_mm},
                               {"high_contrast", report.high_contrast},
                               {"warn_after_s", report.warn_after},
                               {"countdown_s", report.countdown},
@@ -189,21 +233,78 @@ files::Json json_of(const AccessReport& report) {
 }
 
 std::string text_of(const AccessReport& report) {
+  const AccessDisplay& display = report.display;
   char line[256];
   std::snprintf(line, sizeof line,
                 "%dx%d, %.0f mm from corner to corner, seen from %.0f mm: capitals of 0.7 degrees "
                 "are %.1f mm\n",
-                report.width, report.height, report.diagonal_mm, report.distance_mm,
-                2 * report.distance_mm * std::tan(0.35 * 3.14159265358979 / 180));
+                display.width, display.height, display.diagonal_mm, display.distance_mm,
+                capital_asked(display.distance_mm));
   std::string out = line;
   out += "screen             capitals mm  text n:1  control n:1  target mm  flashes/s\n";
   for (const ScreenAccess& s : report.screens) {
-    std::snprintf(line, sizeof line, "%-18s %11.1f %9.1f %12.1f %10.1f %10d\n", s.name.c_str(),
+    std::snprintf(line, sizeof line, "%-18s %11.1f %9.1f %12.1f %10.1f %10s\n", s.name.c_str(),
                   s.least_capital_mm, s.least_text_contrast, s.least_control_contrast,
-                  s.least_target_mm, s.flashes);
+                  s.least_target_mm, s.flashes ? std::to_string(*s.flashes).c_str() : "-");
     out += line;
   }
   return out;
+}
+
+std::string table_of(const std::vector<AccessReport>& reports) {
+  std::string out =
+      "| display | diagonal, seen from | capitals: asked | least | words, least | controls, least "
+      "| "
+      "targets, least |\n|---|---|---|---|---|---|---|\n";
+  const auto cell = [](double is, double asked, const char* format, const std::string& where) {
+    char figure[32];
+    std::snprintf(figure, sizeof figure, format, is);
+    // As exact as it is written.
+    const bool is_short = std::round(10 * is) < std::round(10 * asked);
+    return " " + (is_short ? "**" + std::string(figure) + "**" : std::string(figure)) +
+           (where.empty() ? "" : ", " + where) + " |";
+  };
+  for (const AccessReport& report : reports) {
+    const AccessDisplay& display = report.display;
+    const double asked = capital_asked(display.distance_mm);
+    const auto least = [&](double ScreenAccess::*of) {
+      const ScreenAccess* found = nullptr;
+      for (const ScreenAccess& s : report.screens)
+        if (s.*of > 0 && (found == nullptr || s.*of < found->*of)) found = &s;
+      return found;
+    };
+    char line[96];
+    std::snprintf(line, sizeof line, "| %dx%d | %.0f mm, %.0f mm | %.1f mm |", display.width,
+                  display.height, display.diagonal_mm, display.distance_mm, asked);
+    out += line;
+    if (const auto* s = least(&ScreenAccess::least_capital_mm)) {
+      const bool all_alike = s->least_capital_mm >= asked;
+      out += cell(s->least_capital_mm, asked, "%.1f mm", all_alike ? "" : s->name);
+    }
+    if (const auto* s = least(&ScreenAccess::least_text_contrast))
+      out += cell(s->least_text_contrast, 4.5, "%.1f:1", s->name);
+    if (const auto* s = least(&ScreenAccess::least_control_contrast))
+      out += cell(s->least_control_contrast, 3.0, "%.1f:1", s->name);
+    if (const auto* s = least(&ScreenAccess::least_target_mm))
+      out += cell(s->least_target_mm, 15.0, "%.1f mm", "");
+    out += "\n";
+  }
+  return out;
+}
+
+Result<std::string> with_table(const std::string& page, const std::string& table) {
+  constexpr std::string_view kTableHead =
+                                 "<!-- The table is written by onggi lab access --page. -->\n",
+                             kTableEnd = "<!-- end of the table -->\n";
+  const std::size_t head = page.find(kTableHead), begin = head + kTableHead.size();
+  const std::size_t end = head == std::string::npos ? head : page.find(kTableEnd, begin);
+  if (end == std::string::npos)
+    return problem(
+        "the page",
+        "It has no place for the table: a line \"<!-- The table is written by onggi lab access "
+        "--page. -->\", and after it \"<!-- end of the table -->\".",
+        "Put both where the table is to stand.");
+  return page.substr(0, begin) + table + page.substr(end);
 }
 
 }  // namespace onggi::measure
