@@ -17,8 +17,10 @@ namespace {
 
 struct ScreensArguments {
   std::string config, out, vessel = "moon_jar";
-  bool full = false;
+  bool full = false, missions = false;
 };
+
+void say_state(const std::string& state) { std::fprintf(stderr, "%s\n", state.c_str()); }
 
 /// All that lie beside the exhibit's own, the exhibit's first.
 std::vector<std::string> all_languages(const std::vector<std::string>& own, const fs::path& words) {
@@ -32,6 +34,27 @@ std::vector<std::string> all_languages(const std::vector<std::string>& own, cons
   std::vector<std::string> all = own;
   all.insert(all.end(), rest.begin(), rest.end());
   return all;
+}
+
+Result<void> look_at_vessel(exhibit::Kiosk& kiosk, const ScreensArguments& arguments,
+                            const std::vector<measure::SheetPlan>& plans) {
+  int card = 0;
+  const auto& cards = kiosk.shelf().cards();
+  for (std::size_t i = 0; i < cards.size(); ++i)
+    if (cards[i].vessel->id == arguments.vessel) card = static_cast<int>(i);
+  if (cards.empty() || cards[static_cast<std::size_t>(card)].vessel->id != arguments.vessel)
+    return problem("--vessel " + arguments.vessel, "No such vessel is on the shelf.",
+                   "Name one of " + kiosk.exhibit().shelf.string() + ".");
+  return measure::draw_contact_sheets(
+      kiosk, [&](const auto& see) { return measure::look_at_every_screen(kiosk, card, see); },
+      plans, arguments.out, arguments.full, say_state);
+}
+
+Result<void> look_at_missions(exhibit::Kiosk& kiosk, const ScreensArguments& arguments,
+                              const std::vector<measure::SheetPlan>& plans) {
+  return measure::draw_contact_sheets(
+      kiosk, [&](const auto& see) { return measure::look_at_every_mission(kiosk, see); }, plans,
+      fs::path(arguments.out) / "missions", arguments.full, say_state);
 }
 
 Result<int> look(const ScreensArguments& arguments) {
@@ -51,20 +74,17 @@ Result<int> look(const ScreensArguments& arguments) {
                                     exhibit::language_folder(*config));
   auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
   if (!display) return tl::unexpected(display.error());
-  auto opened = exhibit::Kiosk::open(options);
-  if (!opened) return tl::unexpected(opened.error());
-  exhibit::Kiosk& kiosk = **opened;
-  int card = 0;
-  const auto& cards = kiosk.shelf().cards();
-  for (std::size_t i = 0; i < cards.size(); ++i)
-    if (cards[i].vessel->id == arguments.vessel) card = static_cast<int>(i);
-  if (cards.empty() || cards[static_cast<std::size_t>(card)].vessel->id != arguments.vessel)
-    return problem("--vessel " + arguments.vessel, "No such vessel is on the shelf.",
-                   "Name one of " + kiosk.exhibit().shelf.string() + ".");
-  const auto drawn = measure::draw_contact_sheets(
-      kiosk, card, measure::plans(options.languages), arguments.out, arguments.full,
-      [](const std::string& state) { std::fprintf(stderr, "%s\n", state.c_str()); });
-  if (!drawn) return tl::unexpected(drawn.error());
+  const auto plans = measure::plans(options.languages);
+  // As it comes, then with all that a curator may switch on.
+  for (const bool missions : {false, true}) {
+    if (!missions && arguments.missions) continue;
+    options.every_mission = missions;
+    auto opened = exhibit::Kiosk::open(options);
+    if (!opened) return tl::unexpected(opened.error());
+    const auto drawn = missions ? look_at_missions(**opened, arguments, plans)
+                                : look_at_vessel(**opened, arguments, plans);
+    if (!drawn) return tl::unexpected(drawn.error());
+  }
   return 0;
 }
 
@@ -83,6 +103,7 @@ Command lab_screens_command() {
                        .help = "Folder for the contact sheets",
                        .required = true},
                       {"--full", &a->full, "Each picture too, as OUT/SIGHT/NN_STATE.jpg"},
+                      {"--missions", &a->missions, "The missions alone"},
                       {"--vessel", &a->vessel, "Of the shelf, to be thrown [moon_jar]"},
                       {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
           .run = [a] { return look(*a); }};

@@ -47,6 +47,7 @@ struct KioskOptions {
   std::vector<std::string> languages{};  ///< Instead of the exhibit's; empty keeps them.
   std::optional<double> scan_seconds{};  ///< Instead of the exhibit's, s.
   std::string mission{};                 ///< One that is on, whatever its file says; empty: none.
+  bool every_mission = false;            ///< All are.
 };
 
 /// The one place that knows everyone: settings and content into screens, screens' wishes to the

@@ -130,7 +130,7 @@ void Missions::read(const std::vector<screens::ShelfCard>& shelf) {
   log_problems(read.problems);
   missions_ = std::move(read.missions);
   for (const Mission& mission : missions_) {
-    if (!mission.on && mission.id != switched_on_) continue;
+    if (!mission.on && mission.id != switched_on_ && switched_on_ != kEvery) continue;
     if (const std::string missing = missing_from(ids, mission); missing.empty())
       add(mission, shelf);
     else

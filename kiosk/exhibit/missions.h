@@ -38,8 +38,9 @@ std::string why_not(const settings::Mission& mission, const Able& able);
 /// answers each description. Main thread; stays where it is, since screens look at it.
 class Missions {
  public:
-  /// `switched_on`: the id of one that is on whatever its file says; empty: none. `wall`: the clock
-  /// on the wall. All outlive it.
+  static constexpr const char* kEvery = "*";
+  /// `switched_on`: the id of one that is on whatever its file says, or kEvery of them; empty:
+  /// none. `wall`: the clock on the wall. All outlive it.
   Missions(const settings::Exhibit& exhibit, const Scenes& scenes,
            std::function<std::time_t()> wall, std::string switched_on = {});
 

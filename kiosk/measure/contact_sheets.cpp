@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "kiosk/files/durable_file.h"
-#include "kiosk/measure/every_screen.h"
 #include "kiosk/screens/comfort.h"
 #include "kiosk/souvenir/encode.h"
 #include "kiosk/view/palette.h"
@@ -210,11 +209,11 @@ std::vector<SheetPlan> plans(const std::vector<std::string>& languages) {
           {"small", in_all(kSmall), false}};
 }
 
-Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, int card,
+Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, const ScreenWalk& walk,
                                  const std::vector<SheetPlan>& plans, const fs::path& folder,
                                  bool full, const std::function<void(const std::string&)>& told) {
   Album album(kiosk, plans, folder, full);
-  const auto walked = look_at_every_screen(kiosk, card, [&](const std::string& state) {
+  const auto walked = walk([&](const std::string& state) {
     told(state);
     return album.look(state);
   });

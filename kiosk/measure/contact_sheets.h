@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kiosk/exhibit/kiosk.h"
+#include "kiosk/measure/every_screen.h"
 
 namespace onggi::measure {
 
@@ -30,13 +31,16 @@ struct SheetPlan {
 /// both, and two further sizes; with the rest of the sizes in every language, which has no sheet.
 std::vector<SheetPlan> plans(const std::vector<std::string>& languages);
 
-/// Draws every screen (look_at_every_screen()) in every sight of `plans`, and a sheet of each plan
+/// A walk through screens that looks at each: look_at_every_screen(), or another.
+using ScreenWalk = std::function<Result<void>(const LookAtScreen&)>;
+
+/// Draws every screen of `walk` in every sight of `plans`, and a sheet of each plan
 /// as `folder`/NAME.jpg, a row a state. With `full` also each at full size as
 /// `folder`/SIGHT/NN_STATE.jpg; without it only what stands on a sheet is drawn. Files are written
 /// durably. `told` hears the states as they come. The kiosk is stepped, and shows all the languages
 /// of `plans`. Problem: a control that is missing, words that do not fit their box, a disk that is
 /// full.
-Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, int card,
+Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, const ScreenWalk& walk,
                                  const std::vector<SheetPlan>& plans,
                                  const std::filesystem::path& folder, bool full,
                                  const std::function<void(const std::string&)>& told);

@@ -5,6 +5,7 @@
 
 #include "engine/script/script.h"
 #include "kiosk/measure/tap.h"
+#include "kiosk/settings/mission_file.h"
 
 namespace onggi::measure {
 
@@ -38,7 +39,7 @@ class Looker {
   }
   void touch(const std::string& control) {
     frames(2 * kFrame);
-    if (const auto way = way_to(kiosk_.visit(), control)) {
+    while (const auto way = way_to(kiosk_.visit(), control)) {
       tap(kiosk_.visit(), way->x + way->w / 2, way->y + way->h / 2, now_);
       frames(kSettled);
     }
@@ -88,20 +89,90 @@ class Looker {
   double now_ = 0;
 };
 
-void throw_pot(exhibit::Kiosk& kiosk, Looker& looker, int card) {
-  looker.look("throw begin");
-  const auto& target = kiosk.shelf().cards()[static_cast<std::size_t>(card)].target;
+/// The hands of a script throw at `target` until the pot is half there.
+void throw_half(exhibit::Kiosk& kiosk, Looker& looker, const Profile& target) {
   auto script = make_script("follow", {kiosk.pot_def(), &target, 1, 1.0});
   if (!script) return;
   kiosk.potter().play(std::move(*script));
   looker.until("half a pot", [&] { return kiosk.potter().status().script_progress > 0.45; });
+}
+
+void look_into_drawers(Looker& looker, const std::string& name) {
+  for (const char* drawer : {"tools", "wheel"}) {
+    looker.touch(std::string("throw.") + drawer);
+    looker.look(name + " " + drawer);
+    looker.touch("throw.less");
+  }
+}
+
+void throw_pot(exhibit::Kiosk& kiosk, Looker& looker, int card) {
+  looker.look("throw begin");
+  throw_half(kiosk, looker, kiosk.shelf().cards()[static_cast<std::size_t>(card)].target);
   looker.look_now("throw");
-  looker.touch("throw.more");
-  looker.look("throw drawer");
-  looker.touch("throw.less");
+  look_into_drawers(looker, "throw");
   looker.over("help", "throw help");
   looker.until("the end of the script", [&] { return kiosk.potter().status().script_done; });
   looker.touch("throw.done");
+}
+
+/// From the result to the gallery of what was kept.
+void keep_pot(exhibit::Kiosk& kiosk, Looker& looker, const std::string& name) {
+  looker.touch("result.keep");
+  if (kiosk.visit().screen() == screens::ScreenId::kiln) {
+    looker.touch("kiln.glaze.0");
+    looker.frames(12);
+    looker.look_now(name + " kiln");
+    looker.touch("kiln.keep");
+  }
+  looker.until("the keepsake", [&] { return kiosk.kept() && kiosk.kept()->saved; });
+  looker.look(name + " keepsake");
+  if (!looker.has("keepsake.gallery")) return;
+  looker.touch("keepsake.gallery");
+  looker.look(name + " gallery");
+  looker.touch("back");
+  looker.frames(kSettled);
+}
+
+using MissionKind = settings::Mission::Kind;
+
+std::string name_of_kind(MissionKind kind) {
+  switch (kind) {
+    case MissionKind::today:
+      return "today";
+    case MissionKind::describe:
+      return "described";
+    case MissionKind::eyes_closed:
+      return "eyes closed";
+    case MissionKind::two_hands:
+      return "two hands";
+  }
+  return {};
+}
+
+void look_at_mission(exhibit::Kiosk& kiosk, Looker& looker, std::size_t n) {
+  const MissionKind kind = kiosk.missions().cards()[n].mission->kind;
+  const std::string name = name_of_kind(kind), card = "choose.mission." + std::to_string(n);
+  while (looker.good() && !looker.has(card) && looker.has("choose.next")) {
+    looker.touch("choose.next");
+    looker.frames(kSettled);
+  }
+  looker.touch(card);
+  looker.look(name + " label");
+  looker.touch("choose.throw");
+  looker.look(name + " begin");
+  if (!looker.good()) return;
+  throw_half(kiosk, looker, kiosk.card(kiosk.pot_card())->target);
+  if (kind != MissionKind::today) {
+    looker.look_now(name);
+    look_into_drawers(looker, name);
+  }
+  if (kind == MissionKind::eyes_closed) {
+    looker.over("help", name + " help");
+    looker.over("comfort", name + " comfort");
+  }
+  // Half a pot: so there is something to be told.
+  looker.touch("throw.done");
+  looker.look(name + " result");
 }
 
 }  // namespace
@@ -167,6 +238,28 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
   looker.look("attract again");
   if (looker.good()) kiosk.visit().fail({"every screen", "It is looked at.", "", 1});
   looker.look("fault");
+  return looker.result();
+}
+
+Result<void> look_at_every_mission(exhibit::Kiosk& kiosk, const LookAtScreen& look) {
+  Looker looker(kiosk, look);
+  looker.frames(5);
+  const std::size_t missions = kiosk.missions().cards().size();
+  if (missions == 0)
+    return problem("missions", "None is on.", "This is a fault of the program: please report it.",
+                   1);
+  looker.touch("attract.begin");
+  looker.look("missions");
+  // What is kept is looked at last: the gallery is of all pots of the day.
+  for (const bool described : {false, true})
+    for (std::size_t n = 0; n < missions; ++n) {
+      const MissionKind kind = kiosk.missions().cards()[n].mission->kind;
+      if ((kind == MissionKind::describe) != described) continue;
+      look_at_mission(kiosk, looker, n);
+      if (described) keep_pot(kiosk, looker, name_of_kind(kind));
+      looker.touch(described ? "keepsake.again" : "result.other");
+      looker.frames(kSettled);
+    }
   return looker.result();
 }
 

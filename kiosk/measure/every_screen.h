@@ -18,4 +18,10 @@ using LookAtScreen = std::function<Result<void>(const std::string& state)>;
 /// is missing.
 Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtScreen& look);
 
+/// Likewise through what only missions have, of a kiosk on which they are on: the shelf with all of
+/// them, and of each the offer, the wheel with a pot half thrown by script, where it differs its
+/// drawers, and the result; with eyes closed also what lies over the dark; of a description the
+/// keepsake and the gallery. Problem where none is on.
+Result<void> look_at_every_mission(exhibit::Kiosk& kiosk, const LookAtScreen& look);
+
 }  // namespace onggi::measure
