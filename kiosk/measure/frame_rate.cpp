@@ -111,7 +111,7 @@ Result<FrameDelays> Watched::delays() {
   FrameDelays delays{kiosk_.renderer().width(), kiosk_.renderer().height(), 0, {}, {}};
   screens::Visit& visit = kiosk_.visit();
   // The wheel is stopped by its own button.
-  if (const auto way = way_to(visit, "throw.slower")) {
+  while (const auto way = way_to(visit, "throw.slower")) {
     tap(visit, way->x + 2, way->y + 2, monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());
   }

@@ -88,7 +88,7 @@ class Walk {
     for (int n = 0; n < count; ++n) frame();
   }
   Result<void> touch(const std::string& id) {
-    if (const auto way = way_to(visit_, id)) {
+    while (const auto way = way_to(visit_, id)) {
       tap(visit_, way->x + way->w / 2, way->y + way->h / 2, now);
       frame();
     }

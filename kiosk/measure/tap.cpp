@@ -1,5 +1,7 @@
 #include "kiosk/measure/tap.h"
 
+#include "kiosk/screens/throwing_controls.h"
+
 namespace onggi::measure {
 
 void tap(screens::Visit& visit, float x, float y, double now) {
@@ -15,7 +17,7 @@ void tap(screens::Visit& visit, float x, float y, double now) {
 
 std::optional<view::Rect> way_to(const screens::Visit& visit, const std::string& control) {
   if (visit.control(control) || visit.screen() != screens::ScreenId::throwing) return std::nullopt;
-  const auto open = visit.control("throw.more");
+  const auto open = visit.control(screens::way_into_drawer(control));
   return open ? open : visit.control("throw.less");
 }
 

@@ -11,8 +11,9 @@ namespace onggi::measure {
 /// clock). Main thread.
 void tap(screens::Visit& visit, float x, float y, double now);
 
-/// Where to tap so that `control` comes onto the screen: the throwing screen's drawer, to be opened
-/// or closed. Nothing where it is there, or no way is known.
+/// Where to tap next so that `control` comes onto the screen: one of the throwing screen's drawers,
+/// to be opened, after another that is open has been closed (so at most two taps). Nothing where it
+/// is there, or no way is known.
 std::optional<view::Rect> way_to(const screens::Visit& visit, const std::string& control);
 
 }  // namespace onggi::measure

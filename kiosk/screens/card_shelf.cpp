@@ -23,7 +23,8 @@ void CardWords::add(const std::string& words, Face face, float px, view::Color c
   auto style = page_.style(face, px, view::Align::centre);
   style.line_height = 1.25f;
   const auto size = page_.size(words, style, at_.w);
-  if (size.width > at_.w + 2) page_.overflowed();
+  widest_ = std::max({widest_, size.width, page_.longest_word(words, style)});
+  if (widest_ > at_.w + 2) page_.overflowed();
   if (opacity_ > 0)
     page_.words({at_.x, y_, at_.w, size.height}, words, style, view::with_alpha(color, opacity_));
   y_ += size.height;
@@ -134,6 +135,16 @@ void CardShelf::lay_out(Page& page, Column& column) {
   int columns = std::clamp(static_cast<int>((whole.w + gap) / (narrowest + gap)), 1,
                            std::max(1, cards_.count()));
   float width = (whole.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  // No word of a card is broken: rather fewer stand beside one another.
+  const auto too_wide = [&](float cards) {
+    Page trial = page;
+    words_of_all(trial, cards);
+    return trial.overflow() && !page.overflow();
+  };
+  while (columns > 1 && too_wide(width)) {
+    --columns;
+    width = (whole.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  }
   float text_height = words_of_all(page, width);
   const auto rows_in = [&](float height) {
     return std::max(1, static_cast<int>((height + gap) / (t.body * 6.5f + text_height + gap)));
@@ -144,8 +155,12 @@ void CardShelf::lay_out(Page& page, Column& column) {
     // It goes on beyond the screen's edge, where the next column peeks in.
     const float least = kNarrowest * t.body;
     columns = std::max(1, static_cast<int>((whole.w + margin - kPeek * least) / (least + gap)));
-    const auto n = static_cast<float>(columns);
-    width = (whole.w + margin - gap * n) / (n + kPeek);
+    const auto peeking = [&](int abreast) {
+      const auto n = static_cast<float>(abreast);
+      return (whole.w + margin - gap * n) / (n + kPeek);
+    };
+    while (columns > 1 && too_wide(peeking(columns))) --columns;
+    width = peeking(columns);
     text_height = words_of_all(page, width);
     foot = foot_room(page, column);
     rows_ = rows_in(column.rest().h);
@@ -210,9 +225,11 @@ std::string CardShelf::count_of(int from, int to) const {
                                    {"last", std::to_string(to)},
                                    {"total", std::to_string(cards_.count())}});
 }
-std::array<Button, 2> CardShelf::ways() const {
-  return {Button{name_ + ".previous", desk_.say(name_ + ".previous"), Look::outline},
-          Button{name_ + ".next", desk_.say(name_ + ".next"), Look::outline}};
+std::array<Button, 2> CardShelf::ways(bool tight) const {
+  std::array<Button, 2> both{Button{name_ + ".previous", desk_.say(name_ + ".previous")},
+                             Button{name_ + ".next", desk_.say(name_ + ".next")}};
+  for (Button& way : both) way.tight = tight;
+  return both;
 }
 
 CardShelf::Foot CardShelf::foot_room(Page& page, Column& column) const {
@@ -220,16 +237,26 @@ CardShelf::Foot CardShelf::foot_room(Page& page, Column& column) const {
   const Rect whole = page.where().page;
   const std::string longest = count_of(cards_.count(), cards_.count());
   Foot foot;
-  foot.wanted = page.size(longest, page.style(Face::sans, t.body), -1).width + 4;
   foot.height = t.target;
   float used = 0;
   for (const Control& c : page.controls())
     used = std::max(
         used, page.right_to_left() ? whole.x + whole.w - c.rect.x : c.rect.x + c.rect.w - whole.x);
-  for (const Button& b : ways()) {
-    const auto size = page.size(b, whole.w);
-    foot.wanted += size.width + t.gap;
-    foot.height = std::max(foot.height, size.height);
+  const auto words = page.size(longest, page.style(Face::sans, t.body), -1);
+  for (const bool tight : {false, true}) {
+    foot.tight = tight;
+    foot.wanted = words.width + 4;
+    for (const Button& b : ways(tight)) {
+      const auto size = page.size(b, whole.w);
+      foot.wanted += size.width + t.gap;
+      foot.height = std::max(foot.height, size.height);
+    }
+    if (foot.wanted <= whole.w) break;
+  }
+  if (foot.wanted > whole.w) {
+    foot.wanted -= words.width + 4 + t.gap;
+    foot.count = words.height + t.gap * 0.5f;
+    foot.height += foot.count;
   }
   foot.y = whole.y + whole.h - foot.height;
   if (used + foot.wanted + t.gap * 3 > whole.w) {
@@ -252,24 +279,24 @@ void CardShelf::draw_foot(Page& page, const Foot& foot) const {
       count_of(first + 1, std::min(cards_.count(), first + scroll_.shown() * rows_));
   const auto style = page.style(Face::sans, t.body);
   const auto size = page.size(count, style, -1);
-  const auto buttons = ways();
-  float widest = foot.wanted;
-  for (const Button& b : buttons) widest -= page.size(b, whole.w).width + t.gap;
+  const auto buttons = ways(foot.tight);
+  const float widest = page.size(count_of(cards_.count(), cards_.count()), style, -1).width + 4;
   float x = whole.x + whole.w - foot.wanted;
   const bool own_row = foot.y + foot.height < whole.y + whole.h - 1;
   const auto turned = [&](float at, float width) {
     return page.right_to_left() ? 2 * whole.x + whole.w - at - width : at;
   };
-  page.words({turned(own_row ? whole.x : x, widest), foot.y + (foot.height - size.height) / 2,
-              widest, size.height},
+  const bool over = foot.count > 0;
+  page.words({turned(own_row || over ? whole.x : x, widest),
+              over ? foot.y : foot.y + (foot.height - size.height) / 2, widest, size.height},
              count, style, view::kFaintInk);
   page.tell(foot.y, count);
-  x += widest + t.gap;
+  if (!over) x += widest + t.gap;
   for (const bool onward : {false, true}) {
     const Button& b = buttons[onward ? 1 : 0];
     const float width = page.size(b, whole.w).width;
     if (onward ? !scroll_.at_the_end() : scroll_.first() > 0)
-      page.button(b, {turned(x, width), foot.y, width, foot.height});
+      page.button(b, {turned(x, width), foot.y + foot.count, width, foot.height - foot.count});
     x += width + t.gap;
   }
   const float thick = std::max(3.0f, t.hairline * 3);

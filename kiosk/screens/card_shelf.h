@@ -26,7 +26,7 @@ class CardWords {
  private:
   Page& page_;
   view::Rect at_;
-  float opacity_, y_;
+  float opacity_, y_, widest_ = 0;
 };
 
 /// Cards with a picture and words each, in rows and columns: a page of them, or a shelf that goes
@@ -85,13 +85,15 @@ class CardShelf {
   /// else above.
   struct Foot {
     float wanted = 0, y = 0, height = 0, line = 0;
+    bool tight = false;  ///< Less air in the buttons;
+    float count = 0;     ///< where that does not do, the words stand over them, so high.
   };
 
   void watch_finger();
   float words_of_all(Page& page, float width) const;
   void lay_out_card(Page& page, int i, const view::Rect& card, float picture, float text_height);
   std::string count_of(int from, int to) const;
-  std::array<Button, 2> ways() const;
+  std::array<Button, 2> ways(bool tight) const;
   Foot foot_room(Page& page, Column& column) const;
   void draw_foot(Page& page, const Foot& foot) const;
 

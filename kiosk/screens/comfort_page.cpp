@@ -14,6 +14,7 @@ using view::Rect;
 
 namespace {
 
+constexpr float kExplaining = 1.25f;  // of a line
 constexpr float kTwoAbreast = 36.0f;  // em: from here on a page holds two columns of choices
 
 std::string control_of(const Comfort::Choice& choice) {
@@ -104,8 +105,9 @@ class ChoiceRow {
         name_(desk.say(id_)),
         does_(explained ? desk.say(id_ + "_is") : std::string()),
         name_style_(page.style(Face::sans, page.type().body)),
-        does_style_(page.style(Face::sans, page.type().body * 0.9f)),
+        does_style_(page.style(Face::sans, page.type().body)),
         right_to_left_(desk.words().right_to_left()) {
+    does_style_.line_height = kExplaining;
     if (on) {
       switch_.words = desk.say("comfort.off");
       switch_.other = desk.say("comfort.on");
@@ -118,13 +120,15 @@ class ChoiceRow {
     text_width_ = width - far_size_.width - 2 * page.type().gap;
     const auto name = page.size(name_, name_style_, text_width_);
     const auto does = explained ? page.size(does_, does_style_, text_width_) : Size{};
-    if (std::max(name.width, does.width) > text_width_ + 2) page.overflowed();
+    too_wide_ = std::max(name.width, does.width) > text_width_ + 1;
     name_height_ = name.height;
     does_height_ = does.height;
     height_ = std::max(name.height + does.height, far_size_.height);
   }
 
   float height() const { return height_; }
+  /// A word of it is longer than its line.
+  bool too_wide() const { return too_wide_; }
 
   void draw(const Rect& at) const {
     const float gap = page_.type().gap;
@@ -149,7 +153,7 @@ class ChoiceRow {
   Page& page_;
   std::string id_, name_, does_;
   view::TextStyle name_style_, does_style_;
-  bool right_to_left_;
+  bool right_to_left_, too_wide_ = false;
   Button switch_;
   std::optional<VolumeSteps> volume_;
   Size far_size_;
@@ -193,8 +197,12 @@ void lay_out_comfort(Page& page, const Desk& desk) {
     for (const Comfort::Choice& choice : choices)
       rows.emplace_back(page, desk, control_of(choice), desk.screen().*choice.of, width, explained);
     if (sound) rows.emplace_back(page, desk, "comfort.volume", std::nullopt, width, explained);
-    for (const ChoiceRow& row : rows) height = std::max(height, row.height());
-    if (static_cast<float>(lines) * (height + between) - between <= rest.h) break;
+    bool fits = true;
+    for (const ChoiceRow& row : rows) {
+      height = std::max(height, row.height());
+      fits = fits && !row.too_wide();
+    }
+    if (fits && static_cast<float>(lines) * (height + between) - between <= rest.h) break;
     if (!explained) page.overflowed();
   }
   // From the foot up: whoever reaches no higher needs them most.

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kReachLow = 380.0, kReachHigh = 1220.0;  // mm above the floor, from a wheelchair
 constexpr float kLarger = 1.3f, kLeadOfLarger = 1.1f;
+constexpr float kTitlesGive = 0.6f, kGapsGive = 0.4f;  // at most, of what they are more than text
+constexpr float kBodyStep = 0.94f;
 constexpr float kUpright = 0.8f;  // of the width: from here on the pot stands over the words
 
 double pixels_per_mm(const settings::Exhibit::Screen& screen, int width, int height) {
@@ -32,53 +34,67 @@ view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int heig
   return foot - top < 1 ? view::Rect{0, 0, w, h} : view::Rect{0, top, w, foot - top};
 }
 
-TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int height, float shrink) {
+GiveWay give_way(int step) {
+  // Half of what titles have to give costs less than a part of the pot's room.
+  constexpr GiveWay kSteps[kBodyGives] = {
+      {0, false}, {0.5f, false}, {1, false}, {0.5f, true}, {1, true}};
+  if (step < kBodyGives) return kSteps[std::max(step, 0)];
+  return {1, true, std::pow(kBodyStep, static_cast<float>(step - kBodyGives + 1))};
+}
+
+TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int height,
+                     const GiveWay& gives) {
   const view::Rect all = in_reach(screen, width, height);
   const auto short_side = static_cast<double>(std::min(all.w, all.h));
   const double px_per_mm = pixels_per_mm(screen, width, height);
   const float body =
       view::TypeScale::for_screen(width, height, screen.diagonal_mm, screen.viewing_distance_mm)
           .body();
-  const view::TypeScale steps(std::min(body, static_cast<float>(short_side / 28.0)) * shrink);
+  const view::TypeScale steps(std::min(body, static_cast<float>(std::min(width, height) / 28.0)) *
+                              gives.body);
 
   TypeScale t;
   t.body = steps.body();
-  t.lead = steps.px(1);
-  t.title = steps.px(2);
-  t.display = steps.px(3);
+  const auto step = [&](int n) {
+    return steps.px(n) - gives.titles * kTitlesGive * (steps.px(n) - steps.body());
+  };
+  t.lead = step(1);
+  t.title = step(2);
+  t.display = step(3);
   if (screen.larger_text) {
     // What is small is what cannot be read: titles are large as they are, and give it their room.
     t.body *= kLarger;
     t.lead = std::max(t.lead, t.body * kLeadOfLarger);
   }
   t.target = static_cast<float>(std::clamp(15.0 * px_per_mm, 28.0, short_side / 10.0));
-  t.gap = t.body * 0.5f;
+  t.gap = t.body * 0.5f * (1 - gives.titles * kGapsGive);
   t.margin = static_cast<float>(std::round(short_side * 0.06));
   t.hairline = static_cast<float>(std::max(1.0, std::round(short_side / 720.0)));
   return t;
 }
 
-Regions regions(const view::Rect& all, float margin, bool mirrored, bool larger) {
+Regions regions(const view::Rect& all, float margin, bool mirrored, bool roomy) {
   const float w = all.w, h = all.h;
   Regions r;
   r.all = all;
   r.page = {margin, margin, w - 2 * margin, h - 2 * margin};
   r.portrait = h > w * kUpright;
   r.mirrored = mirrored;
+  r.roomy = roomy;
   const auto lower = [&] {
     for (view::Rect* part : {&r.page, &r.words, &r.pot}) part->x += all.x, part->y += all.y;
     return r;
   };
   if (r.portrait) {
     r.pot = {margin * 2, margin * 1.5f, w - 4 * margin,
-             std::round(h * (larger ? 0.4f : 0.52f)) - margin * 1.5f};
+             std::round(h * (roomy ? 0.4f : 0.52f)) - margin * 1.5f};
     const float top = r.pot.y + r.pot.h + margin * 1.5f;
     r.words = {margin, top, w - 2 * margin, h - margin - top};
     return lower();
   }
-  r.words = {margin, margin, std::round(w * (larger ? 0.5f : 0.365f)), h - 2 * margin};
+  r.words = {margin, margin, std::round(w * (roomy ? 0.5f : 0.365f)), h - 2 * margin};
   // The axis on the vertical third: the pot's half width is what is left beside it on both sides.
-  const float axis = w * (larger ? 0.77f : 2.0f / 3.0f);
+  const float axis = w * (roomy ? 0.77f : 2.0f / 3.0f);
   const float half = std::min(axis - (r.words.x + r.words.w + margin), w - axis);
   // Air above the rim; below the foot, the wheel.
   r.pot = {axis - half, margin * 1.2f, 2 * half, h - margin * 3.4f};

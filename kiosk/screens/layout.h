@@ -22,24 +22,35 @@ struct TypeScale {
 /// screen is stated to be large and to hang.
 view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int height);
 
+/// What gives way on a page whose words would not fit as they should stand.
+struct GiveWay {
+  float titles = 0;    ///< 0..1: titles come nearer to body text, and things to each other.
+  bool roomy = false;  ///< Words take of the pot's room.
+  float body = 1;      ///< And only then what is read is set smaller: of its size.
+};
+/// Step by step, 0 nothing. From step kBodyGives on body text does.
+inline constexpr int kBodyGives = 5, kLastGiveWay = 20;
+GiveWay give_way(int step);
+
 /// The steps of view::TypeScale (capitals of 0.7 degrees at the exhibit's viewing distance), but
-/// body text is never larger than 1/28 of the short side of what is in reach, so that a far or
-/// small screen still holds a sentence; larger text is body text by 1.3. `shrink` (0..1] is for a
-/// page whose words would not fit otherwise; margins and touch targets (15 mm, never under 28 px)
-/// keep their size.
+/// body text is never larger than 1/28 of the short side of the screen, so that a far or small
+/// screen still holds a sentence; larger text is body text by 1.3. Whatever gives way,
+/// margins and touch targets (15 mm, never under 28 px) keep their size.
 TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int height,
-                     float shrink = 1.0f);
+                     const GiveWay& gives = {});
 
 /// Where words and pot go. Landscape: words in one column, the pot's axis on the far third.
 /// Portrait (whatever is higher than 0.8 of its width): the pot above on the centre line, words
-/// below. Mirrored: the column on the right. Larger text takes of the pot's room.
+/// below. Mirrored: the column on the right. Roomy: words take of the pot's room, as larger text
+/// does.
 struct Regions {
   view::Rect words, pot;
   view::Rect page;  ///< All inside the margins.
   view::Rect all;   ///< And with them.
   bool portrait = false;
   bool mirrored = false;
+  bool roomy = false;
 };
-Regions regions(const view::Rect& all, float margin, bool mirrored, bool larger = false);
+Regions regions(const view::Rect& all, float margin, bool mirrored, bool roomy = false);
 
 }  // namespace onggi::screens

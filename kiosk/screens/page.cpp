@@ -32,6 +32,17 @@ view::TextMeasure::Size Page::size(const std::string& words, const view::TextSty
   return measuring_(words, style, at_most);
 }
 
+float Page::longest_word(const std::string& words, const view::TextStyle& style) const {
+  float longest = 0;
+  if (style.language.starts_with("ja") || style.language.starts_with("zh")) return longest;
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    longest = std::max(longest, size(words.substr(begin, end - begin), style, -1).width);
+    begin = end + 1;
+  }
+  return longest;
+}
+
 void Page::words(const Rect& box, const std::string& words, const view::TextStyle& style,
                  Color color) {
   items_.push_back(view::Text{box, words, style, color});
@@ -169,7 +180,7 @@ void Column::text(const std::string& words, float px, Face face, Color color, Al
   // 55 characters of about half an em.
   const float width = std::min(box_.w, px * 0.52f * 55.0f);
   const auto size = page_.size(words, style, width);
-  if (size.width > width + kSlack) page_.overflowed();
+  if (size.width > width + 1) page_.overflowed();
   page_.words({turned(box_.x, width), top_, width, size.height}, words, style, color);
   page_.tell(top_, words);
   top_ += size.height;

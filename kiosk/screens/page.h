@@ -76,6 +76,10 @@ class Page {
   view::TextMeasure::Size size(const std::string& words, const view::TextStyle& style,
                                float at_most) const;
 
+  /// Width of the longest word of `words`; 0 in a language that is written without spaces, where
+  /// the typesetter alone knows.
+  float longest_word(const std::string& words, const view::TextStyle& style) const;
+
   /// Words at a place that was measured for them.
   void words(const view::Rect& box, const std::string& words, const view::TextStyle& style,
              view::Color color);

@@ -126,7 +126,7 @@ std::vector<std::string> StrokeBoard::told(const Desk& desk, const std::vector<P
   return out;
 }
 
-void StrokeBoard::lay_out(Column& column, const Desk& desk, const Button& way,
+void StrokeBoard::lay_out(Column& column, const Desk& desk, const std::vector<Button>& ways,
                           const std::vector<PartOff>& parts, bool working,
                           const std::string& hint) const {
   const TypeScale& t = column.page().type();
@@ -136,7 +136,9 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const Button& way,
     column.foot_grid(cells, t.target, mirrored);
     column.foot_space(t.gap * 1.2f);
   };
-  grid({way, {"throw.tell", desk.say("stroke.tell"), telling_ ? Look::solid : Look::outline}});
+  std::vector<Button> beside = ways;
+  beside.push_back({"throw.tell", desk.say("stroke.tell"), telling_ ? Look::solid : Look::outline});
+  grid(beside);
   std::vector<Button> what, where;
   for (int n = 0; n < device::kAsks; ++n) {
     const Ask ask = static_cast<Ask>(n);

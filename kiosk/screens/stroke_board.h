@@ -41,7 +41,7 @@ class StrokeBoard {
 
   /// From the foot of `column` up; before everything else of the page the sentence: what is being
   /// done, or how the pot differs where that was asked, or else `hint`. `way`: to the drawer.
-  void lay_out(Column& column, const Desk& desk, const Button& way,
+  void lay_out(Column& column, const Desk& desk, const std::vector<Button>& ways,
                const std::vector<PartOff>& parts, bool working, const std::string& hint) const;
   /// Of a pot that is to answer a description, what would bring it nearer: the stroke and its part
   /// by the names of their buttons. "" where nothing is described or known.

@@ -49,6 +49,12 @@ float telling_drawing(const Page& page) {
   return page.where().portrait ? kDrawingLines * page.type().lead + page.type().gap : 0.0f;
 }
 
+float telling_below(const Page& page) {
+  const view::Rect& pot = page.where().pot;
+  return page.where().portrait ? 0.0f
+                               : kSmallest * kDrawing * std::min(pot.w, pot.h) + page.type().gap;
+}
+
 float longest_telling(const Page& page, const Desk& desk, float width) {
   const auto style = page.style(Face::sans, page.type().lead);
   float longest = 0;

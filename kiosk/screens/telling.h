@@ -13,5 +13,7 @@ void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const
 float longest_telling(const Page& page, const Desk& desk, float width);
 /// What of the words' width the drawing takes: upright it stands beside the sentence.
 float telling_drawing(const Page& page);
+/// And of the room under the sentence, at the least, across.
+float telling_below(const Page& page);
 
 }  // namespace onggi::screens

@@ -21,16 +21,30 @@ namespace {
 constexpr float kMostUsed = 4.0f / 3.0f;                // of the least touch target: 20 mm
 constexpr float kColumn = 0.3f, kLargerColumn = 0.42f;  // of the width
 
-Button drawer_button(const Desk& desk, const ThrowingControls& now) {
-  const std::string closed = desk.say("throw.more");
+constexpr const char *kToolsWay = "throw.tools", *kWheelWay = "throw.wheel",
+                     *kCloseWay = "throw.less";
+
+Button tools_button(const Desk& desk, const ThrowingControls& now) {
+  const std::string closed = desk.say(desk.wheel().tools.empty() ? "throw.hand" : kToolsWay);
   std::string longest = closed;
   for (std::size_t n = 1; n <= desk.wheel().tools.size(); ++n)
     if (const std::string name = ToolTray::name_of(desk, n); name.size() > longest.size())
       longest = name;
   // What is in the hand is seen where another is taken up.
   const bool tool = now.held > 0;
-  return {"throw.more", tool ? ToolTray::name_of(desk, now.held) : closed,
+  return {kToolsWay, tool ? ToolTray::name_of(desk, now.held) : closed,
           tool ? Look::solid : Look::outline, longest};
+}
+
+/// The ways to all else, or back from it.
+std::vector<Button> ways(const Desk& desk, const ThrowingControls& now) {
+  if (now.drawer != Drawer::closed) return {{kCloseWay, desk.say(kCloseWay), Look::solid}};
+  std::vector<Button> both{{kWheelWay, desk.say(kWheelWay), Look::outline}};
+  // Of two visitors with bare hands neither has anything to choose.
+  if (!desk.wheel().tools.empty() || !desk.two_hands())
+    both.insert(both.begin(), tools_button(desk, now));
+  for (Button& way : both) way.tight = true;
+  return both;
 }
 
 void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
@@ -58,26 +72,22 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.foot_space(page.type().gap);
 }
 
-Button way_of(const Desk& desk, const ThrowingControls& now) {
-  return now.drawer ? Button{"throw.less", desk.say("throw.less"), Look::solid}
-                    : drawer_button(desk, now);
-}
-
 /// What stands at the foot of the page: the way to all else, or back from it, and what any screen
 /// has.
 void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
-  const Button way = way_of(desk, now);
+  const std::vector<Button> on = ways(desk, now);
   std::vector<Button> row = standing_buttons(desk, true);
-  if (now.board && !now.drawer) {  // There it stands among the strokes.
+  if (now.board && now.drawer == Drawer::closed) {  // There they stand among the strokes.
     column.foot_buttons(row);
     column.foot_space(column.page().type().gap);
     return;
   }
-  if (column.page().where().portrait) row.insert(row.begin(), way);  // There one row holds it all.
+  // There one row holds it all.
+  if (column.page().where().portrait) row.insert(row.begin(), on.begin(), on.end());
   column.foot_buttons(row);
   column.foot_space(column.page().type().gap);
   if (column.page().where().portrait) return;
-  column.foot_buttons({way});
+  column.foot_buttons(on);
   column.foot_space(column.page().type().gap);
 }
 
@@ -122,7 +132,7 @@ void tell_mishap(Column& column, const Desk& desk, Mishap what) {
   column.text(desk.say(what == Mishap::tore_thin ? "throw.torn_thin" : "throw.torn_wide"), t.body);
 }
 
-/// A row of the drawer, with what it is of before it or, in a narrow column, over it.
+/// A row of a drawer, with what it is of before it or, in a narrow column, over it.
 void drawer_row(Column& column, const std::string& caption, const std::vector<Button>& row,
                 float captions) {
   const TypeScale& t = column.page().type();
@@ -135,39 +145,56 @@ void drawer_row(Column& column, const std::string& caption, const std::vector<Bu
   column.space(t.gap * 0.7f);
 }
 
-void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
-  const Page& page = column.page();
-  const TypeScale& t = page.type();
-  ToolTray::lay_out(column, desk, now.held);
-  column.space(t.gap);
-  const auto grip = [&](const char* id, Grip which) {
-    Button one{id, desk.say(id), now.grip == which ? Look::solid : Look::outline};
-    one.on = now.grip == which;
-    return one;
-  };
+struct DrawerRow {
+  std::string caption;
+  std::vector<Button> buttons;
+};
+
+DrawerRow hand_row(const Desk& desk, const ThrowingControls& now) {
+  DrawerRow row{desk.say("throw.hand"), {}};
+  for (const auto& [id, which] : {std::pair("throw.both", Grip::both),
+                                  {"throw.outside", Grip::outside},
+                                  {"throw.inside", Grip::inside}}) {
+    row.buttons.push_back({id, desk.say(id), now.grip == which ? Look::solid : Look::outline});
+    row.buttons.back().on = now.grip == which;
+  }
+  return row;
+}
+
+std::vector<DrawerRow> wheel_rows(const Desk& desk, const ThrowingControls& now) {
   const auto rpm = [&](double speed) {
     const auto turns = static_cast<int>(std::lround(speed * 60.0 / (2 * 3.14159265358979)));
     return desk.say("throw.rpm", {{"rpm", std::to_string(turns)}});
   };
-  const std::vector<Button> hand{grip("throw.both", Grip::both),
-                                 grip("throw.outside", Grip::outside),
-                                 grip("throw.inside", Grip::inside)};
-  const std::vector<Button> wheel{{"throw.slower", desk.say("throw.slower"), Look::outline},
-                                  {"", rpm(now.speed), Look::plain, rpm(desk.wheel().max_speed)},
-                                  {"throw.faster", desk.say("throw.faster"), Look::outline}};
   Button cut{"throw.cut", desk.say("throw.cut"), now.cut ? Look::solid : Look::outline};
   cut.on = now.cut;
-  const std::vector<Button> clay{cut, {"throw.renew", desk.say("throw.renew"), Look::outline}};
-  const std::vector<Button> feels = desk.force.buttons(desk);
-  const std::string of_hand = desk.say("throw.hand"), of_wheel = desk.say("throw.wheel"),
-                    of_clay = desk.say("throw.clay"), of_force = desk.say("throw.force");
+  std::vector<DrawerRow> rows{
+      {desk.say(kWheelWay),
+       {{"throw.slower", desk.say("throw.slower"), Look::outline},
+        {"", rpm(now.speed), Look::plain, rpm(desk.wheel().max_speed)},
+        {"throw.faster", desk.say("throw.faster"), Look::outline}}},
+      {desk.say("throw.clay"), {cut, {"throw.renew", desk.say("throw.renew"), Look::outline}}}};
+  if (std::vector<Button> feels = desk.force.buttons(desk); !feels.empty())
+    rows.push_back({desk.say("throw.force"), std::move(feels)});
+  return rows;
+}
+
+void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
+  const Page& page = column.page();
+  const TypeScale& t = page.type();
+  std::vector<DrawerRow> rows;
+  if (now.drawer == Drawer::wheel) {
+    rows = wheel_rows(desk, now);
+  } else {
+    ToolTray::lay_out(column, desk, now.held);
+    column.space(t.gap);
+    if (!desk.two_hands()) rows.push_back(hand_row(desk, now));
+  }
   float captions = 0;
-  for (const std::string& words : {of_hand, of_wheel, of_clay, feels.empty() ? of_clay : of_force})
-    captions = std::max(captions, page.size(words, page.style(Face::sans, t.body), -1).width + 4);
-  if (!desk.two_hands()) drawer_row(column, of_hand, hand, captions);
-  drawer_row(column, of_wheel, wheel, captions);
-  drawer_row(column, of_clay, clay, captions);
-  if (!feels.empty()) drawer_row(column, of_force, feels, captions);
+  for (const DrawerRow& row : rows)
+    captions =
+        std::max(captions, page.size(row.caption, page.style(Face::sans, t.body), -1).width + 4);
+  for (const DrawerRow& row : rows) drawer_row(column, row.caption, row.buttons, captions);
   column.check();
 }
 
@@ -184,7 +211,7 @@ std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hin
 /// What the words' part of the page needs at least, `width` pixels wide, whatever happens.
 float height_needed(const Page& page, const Desk& desk, const ThrowingControls& now, float width) {
   constexpr float kEndless = 1e5f;
-  const auto height_of = [&](bool open, Mishap mishap, const auto& lay_out) {
+  const auto height_of = [&](Drawer open, Mishap mishap, const auto& lay_out) {
     ThrowingControls then = now;
     then.drawer = open;
     then.mishap = mishap;
@@ -195,13 +222,14 @@ float height_needed(const Page& page, const Desk& desk, const ThrowingControls& 
     return kEndless - column.rest().h;
   };
   const auto closed = [&](Mishap mishap) {
-    return height_of(false, mishap, [&](Column& column, const ThrowingControls& then) {
+    return height_of(Drawer::closed, mishap, [&](Column& column, const ThrowingControls& then) {
       most_used(column, desk, then);
       heading(column, desk, then);
       if (mishap != Mishap::none)
         tell_mishap(column, desk, mishap);
       else
-        column.space(longest_telling(page, desk, width - telling_drawing(page)));
+        column.space(longest_telling(page, desk, width - telling_drawing(page)) +
+                     telling_below(page));
     });
   };
   const auto by_strokes = [&](Column& column, const ThrowingControls& then) {
@@ -209,23 +237,32 @@ float height_needed(const Page& page, const Desk& desk, const ThrowingControls& 
     std::string longest = desk.two_hands() ? desk.say("mission.by_buttons") : "";
     for (std::string& hint : all_hints(desk))
       if (hint.size() > longest.size()) longest = std::move(hint);
-    then.board->lay_out(column, desk, way_of(desk, then), then.parts, false, longest);
+    then.board->lay_out(column, desk, ways(desk, then), then.parts, false, longest);
   };
-  if (now.board)
-    return std::max(height_of(true, Mishap::none,
-                              [&](Column& column, const ThrowingControls& then) {
-                                drawer(column, desk, then);
-                              }),
-                    height_of(false, Mishap::none, by_strokes));
-  float most = height_of(true, Mishap::none, [&](Column& column, const ThrowingControls& then) {
-    drawer(column, desk, then);
-  });
+  float most = 0;
+  for (const Drawer open : {Drawer::tools, Drawer::wheel})
+    most = std::max(
+        most, height_of(open, Mishap::none, [&](Column& column, const ThrowingControls& then) {
+          drawer(column, desk, then);
+        }));
+  if (now.board) return std::max(most, height_of(Drawer::closed, Mishap::none, by_strokes));
   for (const Mishap what : {Mishap::none, Mishap::fell, Mishap::tore_thin, Mishap::tore_wide})
     most = std::max(most, closed(what));
   return most;
 }
 
 }  // namespace
+
+std::string way_into_drawer(const std::string& control) {
+  constexpr const char *kOfTools[] = {"throw.both", "throw.outside", "throw.inside"},
+                       *kOfWheel[] = {"throw.slower", "throw.faster", "throw.cut",
+                                      "throw.renew",  "throw.softer", "throw.stronger"};
+  const auto in = [&](const auto& all) {
+    return std::find(std::begin(all), std::end(all), control) != std::end(all);
+  };
+  if (in(kOfTools) || ToolTray::of_control(control)) return kToolsWay;
+  return in(kOfWheel) ? kWheelWay : "";
+}
 
 KeyedControl control_of(view::Key key) {
   using view::Key;
@@ -263,7 +300,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     page.divide(r);
     return;
   }
-  const bool wide = desk.screen().larger_text || StrokeBoard::wanted(desk);
+  const bool wide = r.roomy || StrokeBoard::wanted(desk);
   r.words.w = std::round(all.w * (wide ? kLargerColumn : kColumn));
   r.words.x = all.x + margin;
   const float left = r.words.x + r.words.w + margin;
@@ -276,16 +313,18 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     r.pot.x = 2 * all.x + all.w - r.pot.x - r.pot.w;
   }
   page.divide(r);
+  // Whatever is to be said, and whichever drawer is open, the pot stays where it is.
+  if (height_needed(page, desk, now, r.words.w) > r.words.h + 1) page.overflowed();
 }
 
 void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now, const ShowMe& show,
                       const Hint& hint) {
   Column column(page, page.where().words);
   standing(column, desk, now);
-  if (now.drawer) return drawer(column, desk, now);
+  if (now.drawer != Drawer::closed) return drawer(column, desk, now);
   most_used(column, desk, now);
   if (now.board)
-    return now.board->lay_out(column, desk, way_of(desk, now), now.parts, now.working,
+    return now.board->lay_out(column, desk, ways(desk, now), now.parts, now.working,
                               sentence_of(desk, now, hint));
   heading(column, desk, now);
   if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);

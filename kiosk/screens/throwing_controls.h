@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "kiosk/device/wall_hold.h"
@@ -12,8 +13,14 @@
 
 namespace onggi::screens {
 
+/// What is one touch away at the wheel: what a hand works with, or wheel, clay and force.
+enum class Drawer { closed, tools, wheel };
+
+/// Which control opens the drawer that `control` is in; "": it is in none.
+std::string way_into_drawer(const std::string& control);
+
 /// How the throwing screen's words and controls stand. What is used most is always there: water,
-/// stepping back, being shown, done. All else is in the drawer, one touch away.
+/// stepping back, being shown, done. All else is in two drawers.
 struct ThrowingControls {
   double speed = 0;  ///< Asked of the wheel, rad/s.
   device::Grip grip = device::Grip::both;
@@ -21,7 +28,7 @@ struct ThrowingControls {
   bool restore = false;  ///< There is a stroke to take back.
   Button show = {};      ///< "Show me".
   bool skip = false;     ///< There is a lesson to be skipped.
-  bool drawer = false;   ///< Open.
+  Drawer drawer = Drawer::closed;
   std::size_t held = 0;  ///< Of the tray: 0 the hands.
   Mishap mishap = Mishap::none;
   const StrokeBoard* board = nullptr;  ///< Strokes by buttons, and what they are told of.
@@ -37,8 +44,8 @@ struct KeyedControl {
 };
 KeyedControl control_of(view::Key key);
 
-/// Divides the page so that the pot has all that words and controls do not need, whether the drawer
-/// is open or not: upright they lie below it, across they are a narrow column beside it.
+/// Divides the page so that the pot has all that words and controls do not need, whichever drawer
+/// is open: upright they lie below it, across they are a narrow column beside it.
 void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls& now);
 
 /// What stands in the part of the page that is the words', from its head and from its foot.

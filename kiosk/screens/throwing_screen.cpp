@@ -40,7 +40,7 @@ class Throwing final : public Screen {
   std::string first_focus() const override {
     if (!by_buttons()) return "";
     const char* usual = menu_ ? "throw.done" : StrokeBoard::kFirst;
-    return drawer_ ? "throw.less" : mishap_ ? "throw.restore" : usual;
+    return drawer_ != Drawer::closed ? "throw.less" : mishap_ ? "throw.restore" : usual;
   }
 
   void update(double dt) override {
@@ -148,8 +148,10 @@ class Throwing final : public Screen {
       if (held_ > 0) take_up(0);
       if (const Profile* target = aim()) show_.press(desk, *target, key_sign(), hands_.lead());
       send_hand();
-    } else if (control == "throw.more" || control == "throw.less") {
-      open_drawer(control == "throw.more");
+    } else if (control == "throw.tools" || control == "throw.wheel" || control == "throw.less") {
+      open_drawer(control == "throw.tools"   ? Drawer::tools
+                  : control == "throw.wheel" ? Drawer::wheel
+                                             : Drawer::closed);
     } else if (control == "throw.skip") {
       LessonLine::skip(desk);
     } else if (control == "throw.done") {
@@ -175,8 +177,8 @@ class Throwing final : public Screen {
   }
 
   void back() override {
-    if (drawer_) {
-      open_drawer(false);
+    if (drawer_ != Drawer::closed) {
+      open_drawer(Drawer::closed);
     } else if (menu_) {
       menu_ = false;
     } else if (hands_.active() && !hands_.grabbed()) {
@@ -192,7 +194,7 @@ class Throwing final : public Screen {
     const bool down = e.kind == InputEvent::Kind::pointer_down;
     if (down && (e.finger == 0 || hands_.two())) {
       if (page.where().words.contains(e.x, e.y)) return;
-      open_drawer(false);
+      open_drawer(Drawer::closed);
       mishap_.stay();
       // Hands that still finish a stroke would go to the next through the pot; of two visitors the
       // other one's go on.
@@ -291,7 +293,7 @@ class Throwing final : public Screen {
       desk.world.potter->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
-      open_drawer(false);
+      open_drawer(Drawer::closed);
       return;
     }
     held_ = which;
@@ -316,7 +318,7 @@ class Throwing final : public Screen {
   void move_by_keys(double outward, double up) {
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     menu_ = false;
-    open_drawer(false);
+    open_drawer(Drawer::closed);
     mishap_.stay();
     show_.stop(hands_.lead());
     hands_.move_by_keys(desk.world.wheel->clay, grip(), key_sign(), outward, up);
@@ -337,10 +339,10 @@ class Throwing final : public Screen {
     desk.go(ScreenId::result);
   }
 
-  /// All that is not used most lies in it; a hand on the pot closes it.
-  void open_drawer(bool open) {
-    if (drawer_ != open) desk.turned = true;
-    drawer_ = open;
+  /// All that is not used most lies in two; a hand on the pot closes them.
+  void open_drawer(Drawer which) {
+    if (drawer_ != which) desk.turned = true;
+    drawer_ = which;
   }
 
   /// A pot that has just fallen or torn is let go of, and the way back is where the eyes and keys
@@ -349,7 +351,7 @@ class Throwing final : public Screen {
     if (!mishap_.update(desk)) return;
     desk.turned = true;
     if (!mishap_) return;
-    drawer_ = false;
+    drawer_ = Drawer::closed;
     let_go();
     set_water(false);
   }
@@ -362,14 +364,15 @@ class Throwing final : public Screen {
   std::optional<WireCut> cut_off_;
   ShowMe show_;
   StrokeBoard board_;
+  Drawer drawer_ = Drawer::closed;
   WaterButton water_;
   LessonLine lesson_;
   view::Camera camera_;
   WheelSpeed speed_;
   MeasuredPot measured_;
   Grip grip_ = Grip::both;
-  bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, drawer_ = false,
-       done_ = false, worked_ = false;
+  bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, done_ = false,
+       worked_ = false;
   int strokes_ = 0;  ///< That are over.
   double dry_ = 0, inside_until_ = -1;
   std::uint32_t serial_ = 0;

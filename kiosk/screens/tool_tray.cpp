@@ -14,9 +14,8 @@ using view::Rect;
 namespace {
 
 constexpr std::string_view kControl = "throw.tool.";
-// Of body text: names are as legible as any words, but on an upright screen, where they would take
-// a row more from the pot.
-constexpr float kUprightName = 0.78f;
+constexpr float kDrawn = 1.5f;    // em: of a drawing's side
+constexpr float kLeading = 1.2f;  // of a name that is broken
 
 /// A stroke of a drawing, in a square of 24 with y down.
 using PenStroke = std::vector<std::pair<float, float>>;
@@ -80,48 +79,56 @@ std::vector<PenStroke> drawing_of(std::string_view tool) {
           {{19.5f, 15}, {23, 15}}};
 }
 
-/// How the tray is set: rows of cells, in each a drawing with its name under it.
+/// How the tray is set: cells beside one another, in each a drawing and after it its name, and rows
+/// as high as their highest.
 struct TrayGrid {
-  std::size_t per_row = 1, rows = 1;
-  float cell = 0, side = 0, name = 0;  ///< Width; of a drawing; height of the highest name.
+  std::size_t columns = 1;
+  float cell = 0, drawing = 0, name = 0;  ///< Widths.
+  std::vector<float> rows;
+  float height = 0;
   bool fits = false;
 };
 
-/// Of the words in `name`, set on their own.
-float longest_word(const Page& page, const std::string& name, const view::TextStyle& style) {
-  float longest = 0;
-  for (std::size_t begin = 0; begin < name.size();) {
-    const std::size_t end = std::min(name.find(' ', begin), name.size());
-    longest = std::max(longest, page.size(name.substr(begin, end - begin), style, -1).width);
-    begin = end + 1;
-  }
-  return longest;
+view::TextStyle name_style(const Page& page) {
+  auto style = page.style(view::Face::sans, page.type().body);
+  style.line_height = kLeading;
+  return style;
 }
 
-float name_px(const Page& page) {
-  return page.type().body * (page.where().portrait ? kUprightName : 1.0f);
-}
+float between(const Page& page) { return page.type().gap * 0.5f; }
 
-/// The fewest rows in `width` pixels in which no word of a name is broken.
-TrayGrid tray_grid(const Page& page, const Desk& desk, float width) {
+TrayGrid tray_of(const Page& page, const Desk& desk, float width, std::size_t columns) {
   const TypeScale& t = page.type();
   const std::size_t count = desk.wheel().tools.size() + 1;
-  const auto style = page.style(view::Face::sans, name_px(page), view::Align::centre);
+  const auto style = name_style(page);
   TrayGrid grid;
-  for (grid.rows = 1; grid.rows <= count; ++grid.rows) {
-    grid.per_row = (count + grid.rows - 1) / grid.rows;
-    grid.cell = std::min(width / static_cast<float>(grid.per_row), t.body * 5.5f);
-    grid.side = std::max(t.target, t.body * 1.5f);
-    grid.name = 0;
-    grid.fits = grid.side <= grid.cell - 4;
-    for (std::size_t n = 0; n < count; ++n) {
-      const std::string name = ToolTray::name_of(desk, n);
-      grid.fits = grid.fits && longest_word(page, name, style) <= grid.cell - 5;
-      grid.name = std::max(grid.name, page.size(name, style, grid.cell - 4).height);
-    }
-    if (grid.fits) break;
+  grid.columns = columns;
+  grid.cell = width / static_cast<float>(columns);
+  grid.drawing = std::max(t.target, kDrawn * t.body) - between(page);
+  // Air before the drawing, after it, and after the name.
+  grid.name = grid.cell - grid.drawing - 3 * between(page);
+  grid.rows.assign((count + columns - 1) / columns, grid.drawing + between(page));
+  grid.fits = grid.name > 0;
+  for (std::size_t n = 0; n < count && grid.fits; ++n) {
+    const std::string name = ToolTray::name_of(desk, n);
+    const auto size = page.size(name, style, grid.name);
+    grid.fits = std::max(page.longest_word(name, style), size.width) <= grid.name;
+    float& row = grid.rows[n / columns];
+    row = std::max(row, size.height + between(page));
   }
+  grid.height = between(page) * static_cast<float>(grid.rows.size() - 1);
+  for (const float row : grid.rows) grid.height += row;
   return grid;
+}
+
+/// The lowest in which no word of a name is broken.
+TrayGrid lowest_tray(const Page& page, const Desk& desk, float width) {
+  TrayGrid best = tray_of(page, desk, width, 1);
+  for (std::size_t columns = 2; columns <= desk.wheel().tools.size() + 1; ++columns)
+    if (TrayGrid grid = tray_of(page, desk, width, columns);
+        grid.fits && grid.height < best.height - 1)
+      best = std::move(grid);
+  return best;
 }
 
 }  // namespace
@@ -137,32 +144,38 @@ void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
   Page& page = column.page();
   const TypeScale& t = page.type();
   const Rect strip = column.rest();
-  const TrayGrid grid = tray_grid(page, desk, strip.w);
+  const TrayGrid grid = lowest_tray(page, desk, strip.w);
   if (!grid.fits) page.overflowed();
-  const float height = grid.side + grid.name + t.gap;
-  const auto style = page.style(view::Face::sans, name_px(page), view::Align::centre);
+  const auto style = name_style(page);
+  const float air = between(page);
+  const bool from_right = desk.words().right_to_left();
+  float y = strip.y;
   for (std::size_t n = 0; n <= wheel.tools.size(); ++n) {
-    const auto row = static_cast<float>(n / grid.per_row);
-    auto place = static_cast<float>(n % grid.per_row);
-    if (desk.words().right_to_left()) place = static_cast<float>(grid.per_row) - 1 - place;
-    const Rect cell{strip.x + grid.cell * place, strip.y + row * (height + t.gap * 0.5f), grid.cell,
-                    height};
-    const Rect button{cell.x + 2, cell.y, cell.w - 4, cell.h};
-    const bool on = n == held;
-    page.control({std::string(kControl) + std::to_string(n), button, name_of(desk, n), on});
-    page.draw(view::Box{button, t.body * 0.2f, view::with_alpha(view::kCobalt, on ? 0.10f : 0.0f),
-                        on ? t.hairline * 2 : 0, view::kCobalt});
-    const float x = cell.x + (cell.w - grid.side) / 2, y = cell.y + t.gap * 0.4f;
-    for (PenStroke stroke : drawing_of(n == 0 ? "hands" : wheel.tools[n - 1].name)) {
-      for (auto& [px, py] : stroke) px = x + px * grid.side / 24, py = y + py * grid.side / 24;
-      page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, grid.side / 22)});
-    }
+    const std::size_t place = n % grid.columns;
+    if (n > 0 && place == 0) y += grid.rows[n / grid.columns - 1] + air;
+    const float high = grid.rows[n / grid.columns];
+    const auto turned = [&](float x, float w) {
+      return from_right ? 2 * strip.x + strip.w - x - w : x;
+    };
+    const float left = strip.x + grid.cell * static_cast<float>(place), wide = grid.cell - air;
+    const Rect button{turned(left, wide), y, wide, high};
     const std::string words = name_of(desk, n);
-    const float lines = page.size(words, style, button.w).height;
-    page.words({button.x, y + grid.side + t.gap * 0.2f, button.w, lines}, words, style, view::kInk);
+    const bool on = n == held;
+    page.control({std::string(kControl) + std::to_string(n), button, words, on});
+    page.draw(view::Box{button, t.body * 0.14f, view::with_alpha(view::kCobalt, on ? 0.10f : 0.0f),
+                        on ? t.hairline * 1.5f : 0, view::kCobalt});
+    const float side = grid.drawing;
+    const float x = turned(left + air * 0.5f, side), top = y + (high - side) / 2;
+    for (PenStroke stroke : drawing_of(n == 0 ? "hands" : wheel.tools[n - 1].name)) {
+      for (auto& [px, py] : stroke) px = x + px * side / 24, py = top + py * side / 24;
+      page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, side / 22)});
+    }
+    const float lines = page.size(words, style, grid.name).height;
+    page.words(
+        {turned(left + air * 1.5f + side, grid.name), y + (high - lines) / 2, grid.name, lines},
+        words, style, view::kInk);
   }
-  const auto rows = static_cast<float>(grid.rows);
-  column.space(rows * height + (rows - 1) * t.gap * 0.5f);
+  column.space(grid.height);
   column.check();
 }
 

@@ -9,11 +9,11 @@
 namespace onggi::screens {
 
 /// What lies to hand beside the wheel: the bare hands, and the scene's tools, each as a small
-/// drawing with its name under it. Controls "throw.tool.0" (the hands) and on.
+/// drawing with its name beside it. Controls "throw.tool.0" (the hands) and on.
 class ToolTray {
  public:
-  /// In as few rows from the top of `column` as the longest word of a name allows; nothing where
-  /// the scene has no tool. `held`: 0 the hands, n the n-th of Wheel::tools.
+  /// As low from the top of `column` as can be with no word of a name broken; nothing where the
+  /// scene has no tool. `held`: 0 the hands, n the n-th of Wheel::tools.
   static void lay_out(Column& column, const Desk& desk, std::size_t held);
   /// What `which` is called, for people.
   static std::string name_of(const Desk& desk, std::size_t which);

@@ -245,11 +245,11 @@ void Visit::State::keep_focus() {
                                          : page->controls().front().id;
 }
 
-Page Visit::State::lay_out(int width, int height, float size) {
+Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
   const settings::Exhibit::Screen own = desk.screen();
-  const TypeScale type = type_scale(own, width, height, size);
-  const Regions home =
-      regions(in_reach(own, width, height), type.margin, desk.mirrored(), own.larger_text);
+  const TypeScale type = type_scale(own, width, height, gives);
+  const Regions home = regions(in_reach(own, width, height), type.margin, desk.mirrored(),
+                               own.larger_text || gives.roomy);
   Page made(measuring, {width,
                         height,
                         type,
@@ -274,20 +274,19 @@ Page Visit::State::lay_out(int width, int height, float size) {
   return made;
 }
 
-/// Words that do not fit are set smaller, a step at a time, and then stay so while this picture
-/// lasts: sizes that come and go with the words would flicker.
+/// Where words do not fit, something gives way, a step at a time, and then stays so while this
+/// picture lasts: sizes that come and go with the words would flicker.
 void Visit::State::lay_out_fitting(int width, int height) {
   const std::string now_for = std::to_string(serial) + ' ' + std::to_string(width) + 'x' +
                               std::to_string(height) + desk.words().code();
-  if (shrunk_for != now_for) shrink = 1.0f;
-  shrunk_for = now_for;
-  constexpr float kStep = 0.94f, kLeast = 0.4f;
+  if (tight_for != now_for) tight = 0;
+  tight_for = now_for;
   int again = 3;
   for (;;) {
-    page = std::make_unique<Page>(lay_out(width, height, shrink));
+    page = std::make_unique<Page>(lay_out(width, height, give_way(tight)));
     if (page->restarted() && again-- > 0) continue;
-    if (!page->overflow() || shrink < kLeast) return;
-    shrink *= kStep;
+    if (!page->overflow() || tight >= kLastGiveWay) return;
+    ++tight;
   }
 }
 

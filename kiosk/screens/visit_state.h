@@ -29,8 +29,8 @@ struct Visit::State {
   std::string focused, pressed;
   std::uint64_t serial = 1;
   double changed_at = -10, updated_at = -1;
-  float shrink = 1;
-  std::string shrunk_for;
+  int tight = 0;  ///< Step of give_way().
+  std::string tight_for;
   std::array<Vec3, kMaxHands> device_at{};
   bool hands_taken = false;  ///< LoopStatus::hands_taken, as last looked at.
 
@@ -46,7 +46,7 @@ struct Visit::State {
   std::string first_control() const;
   void keep_focus();
   std::string control_at(float x, float y) const;
-  Page lay_out(int width, int height, float size);
+  Page lay_out(int width, int height, const GiveWay& gives);
   void lay_out_fitting(int width, int height);
 };
 

@@ -29,6 +29,7 @@ void check_all(int width, int height, bool larger = false) {
   for (const content::Language& language : all_languages()) {
     Visitor v(0, &fonts, true);
     v.languages = {language, v.languages.front()};
+    v.put_tools_to_hand();
     v.vessels = shelf.vessels;
     for (content::Vessel& vessel : v.vessels) {
       const double scale = 0.2 / vessel.extracted.profile.height();

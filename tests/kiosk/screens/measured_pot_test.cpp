@@ -281,7 +281,7 @@ TEST(Mission, LosesNoWordOnAnyScreenInAnySizeLanguageOrComfort) {
         look("label");
         v.touch("choose.throw");
         look("throw");
-        v.touch("throw.more");
+        v.touch("throw.wheel");
         look("drawer");
         v.touch("throw.less");
         hollow(v, 0.03);

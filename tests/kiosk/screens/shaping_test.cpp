@@ -7,6 +7,7 @@
 #include "engine/scene/replay.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/score/score.h"
+#include "kiosk/screens/throwing_controls.h"
 #include "tests/kiosk/screens/visitor.h"
 
 namespace onggi::screens {
@@ -62,7 +63,7 @@ class Studio {
   }
 
   void press(const std::string& control) {
-    for (const char* way : {"throw.more", "throw.less"})
+    for (const std::string& way : {std::string("throw.less"), way_into_drawer(control)})
       if (control != way && !visit->control(control) && visit->control(way)) press(way);
     const auto r = visit->control(control);
     ASSERT_TRUE(r) << control;

@@ -39,7 +39,7 @@ struct AtTheTray : Visitor {
 TEST(ToolTray, EveryToolLiesThereWithItsNameOnEveryScreenClearOfTheWheel) {
   for (const auto& [w, h] : {std::pair{1280, 720}, {1920, 1080}, {1080, 1920}, {720, 1280}}) {
     AtTheTray v(w, h);
-    v.touch("throw.more");
+    v.touch("throw.tools");
     v.frames(1);
     const double round = v.frame.pot->wheel_radius;
     const double front = v.frame.pot->camera.project({0, -0.024, round})->second;

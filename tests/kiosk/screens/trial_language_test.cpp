@@ -1,88 +1,19 @@
-#include <gtest/gtest.h>
-#include <unistd.h>
+#include "tests/kiosk/screens/trial_language.h"
 
-#include <filesystem>
-#include <fstream>
+#include <gtest/gtest.h>
 
 #include "kiosk/screens/comfort.h"
 #include "tests/kiosk/screens/layout_check.h"
 
-// Languages that nobody speaks, made of the English one by a program: what a translation may do to
-// a page is seen before there is one.
-
 namespace onggi::screens {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Each word of English, but for the {places}, by `spoken`.
-content::Language made(const std::string& code, bool right_to_left,
-                       const std::function<std::string(const std::string&)>& spoken) {
-  const auto english = content::Language::read("content/languages/en.toml");
-  EXPECT_TRUE(english);
-  const fs::path folder = fs::temp_directory_path() / ("onggi_trial_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  const fs::path file = folder / (code + ".toml");
-  std::ofstream out(file);
-  out << "code = \"" << code << "\"\nname = \"" << spoken("Trial")
-      << "\"\nright_to_left = " << (right_to_left ? "true" : "false") << "\n[text]\n";
-  for (const std::string& key : english->keys()) {
-    std::string words, word;
-    bool place = false;
-    for (const char c : english->say(key) + " ") {
-      if (c == '{') place = true;
-      if (c != ' ' || place) word += c;
-      if (c == '}') place = false;
-      if (c != ' ' || place) continue;
-      words +=
-          (words.empty() ? "" : " ") + (word.find('{') == std::string::npos ? spoken(word) : word);
-      word.clear();
-    }
-    std::string quoted;
-    for (const char c : words)
-      quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    out << '"' << key << "\" = \"" << quoted << "\"\n";
-  }
-  out.close();
-  auto read = content::Language::read(file);
-  EXPECT_TRUE(read) << (read ? "" : to_text(read.error()));
-  fs::remove_all(folder);
-  return read ? *read : content::Language{};
-}
-
-/// Longer by two fifths, as German and Finnish are than English, and each word too.
-content::Language long_words() {
-  return made("xl", false, [](const std::string& word) {
-    std::string longer;
-    std::size_t letters = 0;
-    for (const char c : word) {
-      longer += c;
-      if (std::isalpha(static_cast<unsigned char>(c)) != 0 && ++letters % 5 % 2 == 1) longer += c;
-    }
-    return longer;
-  });
-}
-
-/// In Hebrew letters, which a line sets from the right.
-content::Language from_the_right() {
-  return made("xr", true, [](const std::string& word) {
-    std::string other;
-    for (const char c : word) {
-      const int letter = std::tolower(static_cast<unsigned char>(c)) - 'a';
-      if (letter < 0 || letter > 25)
-        other += c;
-      else
-        other += std::string("\xD7") + static_cast<char>(0x90 + letter);
-    }
-    return other;
-  });
-}
 
 void walk_in(const content::Language& language, std::pair<int, int> size, bool larger) {
   Visitor v(9, nullptr, true);
   std::tie(v.width, v.height) = size;
   v.languages = {language, v.languages.front()};
   v.exhibit.screen.larger_text = larger;
+  v.put_tools_to_hand();
   v.keep_today(20);
   v.show();
   walk(v, [&](const std::string& name) { check_layout(v, v.plain, name); });

@@ -284,7 +284,7 @@ TEST(MissionsOfHandsAndEyes, LoseNoWordInAnySizeOrLanguageAndAreLegibleInTheDark
           v.touch("choose.throw");
           v.frames(1);
           check_layout(v, fonts, "throw");
-          v.touch("throw.more");
+          v.touch("throw.wheel");
           v.frames(1);
           check_layout(v, fonts, "drawer");
         }

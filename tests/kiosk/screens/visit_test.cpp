@@ -197,7 +197,7 @@ TEST(Visit, TheWheelTurnsByItselfAndCanBeMadeSlowerUntilItStands) {
 TEST(Visit, AVisitorSetsHowMuchForceIsFeltDownToOffAndTheNextBeginsWithAll) {
   Visitor v;
   v.throw_a_pot();
-  v.touch("throw.more");
+  v.touch("throw.wheel");
   EXPECT_FALSE(v.visit->control("throw.softer")) << "nothing pushes";
   v.touch("throw.less");
   v.news.use(device::DeviceKind::onggi_hid, true);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "kiosk/screens/throwing_controls.h"
 
 namespace onggi::screens {
 
@@ -148,8 +149,16 @@ void Visitor::up(float x, float y) {
 }
 
 void Visitor::reach(const std::string& control) {
-  for (const char* way : {"throw.more", "throw.less"})
+  for (const std::string& way : {std::string("throw.less"), way_into_drawer(control)})
     if (!visit->control(control) && visit->control(way)) touch(way);
+}
+
+void Visitor::put_tools_to_hand() {
+  const char* names[] = {"palm",       "fingertip",    "sponge", "flat_rib",
+                         "curved_rib", "loop_trimmer", "needle", "wire"};
+  wheel.tools.clear();
+  for (std::uint8_t n = 0; n < 8; ++n) wheel.tools.push_back({n, names[n], 0.001, 0.01});
+  for (ShelfCard& card : shelf) card.wheel.tools = wheel.tools;
 }
 
 void Visitor::keep_today(int pots) {
@@ -202,7 +211,7 @@ void Visitor::key(view::Key key) {
 }
 
 bool Visitor::key_to(const std::string& control) {
-  for (const char* way : {"throw.more", "throw.less"})
+  for (const std::string& way : {std::string("throw.less"), way_into_drawer(control)})
     if (control.starts_with("throw.") && !visit->control(control) && visit->control(way))
       key_to(way);
   const auto wanted = visit->control(control);
@@ -300,10 +309,12 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.touch("choose.throw");
   v.frames(3);
   with_help("throw");
-  v.touch("throw.more");
-  settled("throw drawer");
+  v.touch("throw.tools");
+  settled("throw tools");
   v.touch("throw.inside");
   v.frames(3);
+  v.touch("throw.wheel");
+  settled("throw wheel");
   v.touch("throw.renew");
   v.touch("throw.less");
   v.status.can_restore = true;
@@ -334,7 +345,7 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   }
   settled("keepsake waiting");
   v.visit->show_postcard(9);
-  v.visit->keepsake_kept("2026-05-04_141503_panathenaic_amphora");
+  v.visit->keepsake_kept("2026-05-04_141503");
   with_help("keepsake");
   if (v.visit->control("keepsake.gallery")) {
     v.touch("keepsake.gallery");

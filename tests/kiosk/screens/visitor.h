@@ -57,6 +57,8 @@ class Visitor {
   void down(float x, float y);
   void move(float x, float y);
   void up(float x, float y);
+  /// The tools of the exhibit's first scene lie to hand, at every vessel that is there.
+  void put_tools_to_hand();
   /// So many pots were kept today, of the shelf's vessels one after the other.
   void keep_today(int pots);
   /// A mission that is on, the next of those that stand before the shelf; a description has a
