@@ -31,11 +31,13 @@ constexpr double kPxPerMm = 2.4;     // of a screen of 600 mm
 constexpr double kLongest = 900.0;   // s of a script
 constexpr std::time_t kMissionDay = 1777896000;  // 2026-05-04, noon: a day as any
 
-/// Letters of 0.4 em: only the room that buttons and tray take is asked of it.
+/// Letters of 0.4 em, and lines that are full: only the room that words take is asked of it.
 struct RoughMeasure final : view::TextMeasure {
-  Size measure(const std::string& text, const view::TextStyle& style, float) const override {
+  Size measure(const std::string& text, const view::TextStyle& style, float width) const override {
     const auto letters = static_cast<float>(std::min<std::size_t>(text.size(), 40));
-    return {style.px * 0.4f * letters, style.px * style.line_height};
+    const float line = style.px * 0.4f * letters, high = style.px * style.line_height;
+    if (width <= 0 || line <= width) return {line, high};
+    return {width, high * std::ceil(line / width)};
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -189,29 +190,32 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   const auto lines = (choices.size() + (sound ? 1 : 0) + static_cast<std::size_t>(abreast) - 1) /
                      static_cast<std::size_t>(abreast);
   std::vector<ChoiceRow> rows;
-  float height = 0;
+  std::vector<float> heights;  // of the lines
+  float all = 0;
   // Where names and what they do have no room, names say enough, and can be read.
   for (const bool explained : {true, false}) {
     rows.clear();
-    height = t.target;
     for (const Comfort::Choice& choice : choices)
       rows.emplace_back(page, desk, control_of(choice), desk.screen().*choice.of, width, explained);
     if (sound) rows.emplace_back(page, desk, "comfort.volume", std::nullopt, width, explained);
+    heights.assign(lines, t.target);
     bool fits = true;
-    for (const ChoiceRow& row : rows) {
-      height = std::max(height, row.height());
-      fits = fits && !row.too_wide();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      heights[i % lines] = std::max(heights[i % lines], rows[i].height());
+      fits = fits && !rows[i].too_wide();
     }
-    if (fits && static_cast<float>(lines) * (height + between) - between <= rest.h) break;
+    all = std::accumulate(heights.begin(), heights.end(), between * static_cast<float>(lines - 1));
+    if (fits && all <= rest.h) break;
     if (!explained) page.overflowed();
   }
   // From the foot up: whoever reaches no higher needs them most.
-  const float top = rest.y + rest.h - static_cast<float>(lines) * (height + between) + between;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool second = i >= lines;
-    const bool far = second != (abreast == 2 && desk.words().right_to_left());
-    rows[i].draw({rest.x + (far ? width + aside : 0),
-                  top + static_cast<float>(i % lines) * (height + between), width, height});
+  float y = rest.y + rest.h - all;
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (std::size_t i = line; i < rows.size(); i += lines) {
+      const bool far = (i >= lines) != (abreast == 2 && desk.words().right_to_left());
+      rows[i].draw({rest.x + (far ? width + aside : 0), y, width, heights[line]});
+    }
+    y += heights[line] + between;
   }
 }
 

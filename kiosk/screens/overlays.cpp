@@ -7,6 +7,11 @@ namespace onggi::screens {
 
 using view::Face;
 
+namespace {
+constexpr float kHelpLine = 0.52f * 55,
+                kHelpKeys = 12;  // em: of a line, and at the least beside it
+}  // namespace
+
 std::vector<Button> language_buttons(const Desk& desk) {
   std::vector<Button> row;
   const auto& all = *desk.world.languages;
@@ -41,7 +46,8 @@ std::vector<Button> reading_buttons(const Desk& desk) {
   return row;
 }
 
-void lay_out_help(Page& page, const Desk& desk, const std::string& help_key) {
+void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& paragraphs,
+                  const std::string& keys) {
   const TypeScale& t = page.type();
   Column column(page, page.where().page);
   column.foot_buttons(reading_buttons(desk));
@@ -50,9 +56,25 @@ void lay_out_help(Page& page, const Desk& desk, const std::string& help_key) {
   column.foot_space(t.gap);
   column.text(desk.say("help.title"), t.title, Face::serif);
   column.space(t.gap);
-  column.text(desk.say(help_key), t.body);
-  column.space(t.gap);
-  column.text(desk.say(help_key + "_keys"), t.body, Face::sans, view::kFaintInk);
+  // Keys stand beside what there is to do where both have no room below each other.
+  const view::Rect room = column.rest();
+  const float width = std::min(room.w, kHelpLine * t.body), aside = 2 * t.body;
+  const auto height = [&](const std::string& words) {
+    return page.size(words, page.style(Face::sans, t.body), width).height + t.gap;
+  };
+  float all = height(keys) - t.gap;
+  for (const std::string& words : paragraphs) all += height(words);
+  const float beside = room.w - width - aside;
+  const bool two = all > room.h && beside >= kHelpKeys * t.body;
+  const bool from_right = page.right_to_left();
+  Column first(page, {from_right ? room.x + room.w - width : room.x, room.y, width, room.h});
+  for (const std::string& words : paragraphs) {
+    first.text(words, t.body);
+    first.space(t.gap);
+  }
+  if (!two) return first.text(keys, t.body, Face::sans, view::kFaintInk);
+  Column second(page, {from_right ? room.x : room.x + room.w - beside, room.y, beside, room.h});
+  second.text(keys, t.body, Face::sans, view::kFaintInk);
 }
 
 void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown) {

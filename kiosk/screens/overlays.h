@@ -19,7 +19,8 @@ std::vector<Button> language_buttons(const Desk& desk);
 std::optional<std::size_t> language_of(const Desk& desk, const std::string& control);
 
 /// What lies over a screen instead of its words.
-void lay_out_help(Page& page, const Desk& desk, const std::string& help_key);
+void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& paragraphs,
+                  const std::string& keys);
 void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown);
 
 }  // namespace onggi::screens

@@ -60,6 +60,8 @@ class Screen {
   virtual std::optional<PotTold> told() const { return std::nullopt; }
   /// Of "help.NAME" in the languages.
   std::string help_key() const { return "help." + std::string(name_of(id())); }
+  /// What Help says of it, but for its keys: a paragraph each.
+  virtual std::vector<std::string> help() const { return {desk.say(help_key())}; }
 
  protected:
   Desk& desk;

@@ -18,8 +18,8 @@ using view::Face;
 
 namespace {
 
-constexpr float kMostUsed = 4.0f / 3.0f;                // of the least touch target: 20 mm
-constexpr float kColumn = 0.3f, kLargerColumn = 0.42f;  // of the width
+constexpr float kMostUsed = 4.0f / 3.0f;  // of the least touch target: 20 mm
+constexpr float kColumn = 0.3f, kLargerColumn = 0.42f, kWidestColumn = 0.5f;  // of the width
 
 constexpr const char *kToolsWay = "throw.tools", *kWheelWay = "throw.wheel",
                      *kCloseWay = "throw.less";
@@ -63,7 +63,9 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
         desk.status.can_restore);
   } else {
     add("throw.water", "throw.water", now.water ? Look::solid : Look::outline, true, now.water);
-    add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
+    // Its place is kept, but where nobody is ever shown anything.
+    if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
+      add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
   }
   add("throw.done", "throw.done", happened ? Look::outline : Look::solid, true);
   // What comes and goes stands last, and its place is kept.
@@ -301,7 +303,8 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     return;
   }
   const bool wide = r.roomy || StrokeBoard::wanted(desk);
-  r.words.w = std::round(all.w * (wide ? kLargerColumn : kColumn));
+  const bool wider = r.roomy && StrokeBoard::wanted(desk);
+  r.words.w = std::round(all.w * (wider ? kWidestColumn : wide ? kLargerColumn : kColumn));
   r.words.x = all.x + margin;
   const float left = r.words.x + r.words.w + margin;
   // The axis on the vertical third, or in the middle of what is left where that lies farther out.

@@ -92,6 +92,18 @@ class Throwing final : public Screen {
   }
   bool dark() const override { return desk.eyes_closed(); }
 
+  /// A mission says itself what is to be done. Of a line nothing, where none is seen; of two hands
+  /// nothing, where each is somebody's.
+  std::vector<std::string> help() const override {
+    const settings::Mission* mission = desk.on();
+    std::vector<std::string> all;
+    if (mission != nullptr && mission->kind != settings::Mission::Kind::today)
+      all.push_back(mission->about_in(desk.words().code()));
+    if (!desk.two_hands()) all.push_back(desk.say("help.throw"));
+    if (!dark() && desk.described() == nullptr) all.push_back(desk.say("help.throw_line"));
+    return all;
+  }
+
   std::optional<Sight> sight() const override {
     const ShelfCard* card = desk.shelf_card(desk.card);
     if (card == nullptr || !desk.pot_ready() || mishap_) return std::nullopt;

@@ -105,8 +105,8 @@ TrayGrid tray_of(const Page& page, const Desk& desk, float width, std::size_t co
   grid.columns = columns;
   grid.cell = width / static_cast<float>(columns);
   grid.drawing = std::max(t.target, kDrawn * t.body) - between(page);
-  // Air before the drawing, after it, and after the name.
-  grid.name = grid.cell - grid.drawing - 3 * between(page);
+  // Air before the drawing, after it, after the name, and before the next cell.
+  grid.name = grid.cell - grid.drawing - 4 * between(page);
   grid.rows.assign((count + columns - 1) / columns, grid.drawing + between(page));
   grid.fits = grid.name > 0;
   for (std::size_t n = 0; n < count && grid.fits; ++n) {
@@ -165,15 +165,14 @@ void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
     page.draw(view::Box{button, t.body * 0.14f, view::with_alpha(view::kCobalt, on ? 0.10f : 0.0f),
                         on ? t.hairline * 1.5f : 0, view::kCobalt});
     const float side = grid.drawing;
-    const float x = turned(left + air * 0.5f, side), top = y + (high - side) / 2;
+    const float x = turned(left + air, side), top = y + (high - side) / 2;
     for (PenStroke stroke : drawing_of(n == 0 ? "hands" : wheel.tools[n - 1].name)) {
       for (auto& [px, py] : stroke) px = x + px * side / 24, py = top + py * side / 24;
       page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, side / 22)});
     }
     const float lines = page.size(words, style, grid.name).height;
-    page.words(
-        {turned(left + air * 1.5f + side, grid.name), y + (high - lines) / 2, grid.name, lines},
-        words, style, view::kInk);
+    page.words({turned(left + 2 * air + side, grid.name), y + (high - lines) / 2, grid.name, lines},
+               words, style, view::kInk);
   }
   column.space(grid.height);
   column.check();

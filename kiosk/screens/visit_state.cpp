@@ -262,7 +262,7 @@ Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
       screen->lay_out(made);
       break;
     case Over::help:
-      lay_out_help(made, desk, screen->help_key());
+      lay_out_help(made, desk, screen->help(), desk.say(screen->help_key() + "_keys"));
       break;
     case Over::comfort:
       lay_out_comfort(made, desk);

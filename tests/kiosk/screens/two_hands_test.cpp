@@ -224,6 +224,38 @@ TEST(EyesClosed, ThePotAndItsLineAreNotShownAndTheScreenIsDark) {
   EXPECT_FALSE(v.visit->control("throw.show"));
 }
 
+TEST(EyesClosed, WhatIsNeverThereLeavesNoHoleAmongTheButtons) {
+  for (const auto kind : {kDarkOne, kTwo}) {
+    AtWheel v(kind);
+    v.status.can_restore = true;
+    v.show();
+    // Water, done and step back: in one row, or the first two in one and the last below the first.
+    const auto water = *v.visit->control("throw.water"), done = *v.visit->control("throw.done"),
+               restore = *v.visit->control("throw.restore");
+    EXPECT_EQ(water.y, done.y);
+    EXPECT_TRUE(restore.y == water.y || restore.x == water.x);
+  }
+}
+
+TEST(MissionHelp, SpeaksOfTheMissionAndOfNoLineWhereNoneIsSeen) {
+  for (const auto& [kind, about, two, line] :
+       {std::tuple(kDarkOne, true, true, false), {kTwo, true, false, true}}) {
+    AtWheel v(kind);
+    v.touch("help");
+    v.show();
+    const std::string words = words_in(v.frame);
+    EXPECT_EQ(words.find("What there is to do.") != std::string::npos, about) << words;
+    EXPECT_EQ(words.find("Two hands, one inside") != std::string::npos, two) << words;
+    EXPECT_EQ(words.find("thin line") != std::string::npos, line) << words;
+  }
+  Visitor usual;
+  usual.throw_a_pot();
+  usual.touch("help");
+  const std::string words = words_in(usual.frame);
+  EXPECT_NE(words.find("Two hands, one inside"), std::string::npos) << words;
+  EXPECT_NE(words.find("thin line"), std::string::npos) << words;
+}
+
 TEST(EyesClosed, AFingerWorksOnThePotThatIsNotSeen) {
   AtWheel v(kDarkOne);
   v.finger(0, Kind::pointer_down, 0.06, 0.1);
