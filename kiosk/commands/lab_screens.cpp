@@ -78,7 +78,7 @@ Result<int> look(const ScreensArguments& arguments) {
   // As it comes, then with all that a curator may switch on.
   for (const bool missions : {false, true}) {
     if (!missions && arguments.missions) continue;
-    options.every_mission = missions;
+    options.mission = missions ? exhibit::Missions::kEvery : "";
     auto opened = exhibit::Kiosk::open(options);
     if (!opened) return tl::unexpected(opened.error());
     const auto drawn = missions ? look_at_missions(**opened, arguments, plans)

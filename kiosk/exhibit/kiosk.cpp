@@ -37,8 +37,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
                                           *kiosk->scenes_, kiosk->exhibit_.reader);
   kiosk->missions_ =
-      std::make_unique<Missions>(kiosk->exhibit_, *kiosk->scenes_, options.wall,
-                                 options.every_mission ? Missions::kEvery : options.mission);
+      std::make_unique<Missions>(kiosk->exhibit_, *kiosk->scenes_, options.wall, options.mission);
   const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
   // A stepped visit is the same wherever it is made: its grids are the scenes' own.
   if (!options.stepped) kiosk->scenes_->tune(kept_in);

@@ -46,8 +46,8 @@ struct KioskOptions {
   std::string language;                  ///< Instead of the exhibit's first; empty keeps it.
   std::vector<std::string> languages{};  ///< Instead of the exhibit's; empty keeps them.
   std::optional<double> scan_seconds{};  ///< Instead of the exhibit's, s.
-  std::string mission{};                 ///< One that is on, whatever its file says; empty: none.
-  bool every_mission = false;            ///< All are.
+  std::string
+      mission{};  ///< One that is on, whatever its file says, or Missions::kEvery; empty: none.
 };
 
 /// The one place that knows everyone: settings and content into screens, screens' wishes to the
