@@ -251,6 +251,11 @@ std::string text_of(const AccessReport& report) {
   return out;
 }
 
+namespace {
+/// As exact as it is written.
+bool is_short(double is, double asked) { return std::round(10 * is) < std::round(10 * asked); }
+}  // namespace
+
 std::string table_of(const std::vector<AccessReport>& reports) {
   std::string out =
       "| display | diagonal, seen from | capitals: asked | least | words, least | controls, least "
@@ -259,9 +264,7 @@ std::string table_of(const std::vector<AccessReport>& reports) {
   const auto cell = [](double is, double asked, const char* format, const std::string& where) {
     char figure[32];
     std::snprintf(figure, sizeof figure, format, is);
-    // As exact as it is written.
-    const bool is_short = std::round(10 * is) < std::round(10 * asked);
-    return " " + (is_short ? "**" + std::string(figure) + "**" : std::string(figure)) +
+    return " " + (is_short(is, asked) ? "**" + std::string(figure) + "**" : std::string(figure)) +
            (where.empty() ? "" : ", " + where) + " |";
   };
   for (const AccessReport& report : reports) {
@@ -278,7 +281,7 @@ std::string table_of(const std::vector<AccessReport>& reports) {
                   display.height, display.diagonal_mm, display.distance_mm, asked);
     out += line;
     if (const auto* s = least(&ScreenAccess::least_capital_mm)) {
-      const bool all_alike = s->least_capital_mm >= asked;
+      const bool all_alike = !is_short(s->least_capital_mm, asked);
       out += cell(s->least_capital_mm, asked, "%.1f mm", all_alike ? "" : s->name);
     }
     if (const auto* s = least(&ScreenAccess::least_text_contrast))

@@ -18,7 +18,9 @@ namespace onggi::measure {
 namespace {
 
 constexpr int kSmallLong = 150;  // pixels of a small picture's longer side
-constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13, kNarrow = 120;
+constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13, kNarrow = 120,
+                kStateName = 400;
+constexpr int kPiece = 2048;  // pixels high
 
 /// `image` in `width` x `height` pixels, each the mean of what it covers.
 view::Image smaller(const view::Image& image, int width, int height) {
@@ -123,7 +125,7 @@ class Album {
 
   /// A column a sight, a row a state.
   view::Image sheet(const SheetPlan& plan) {
-    view::Frame frame;
+    std::vector<view::Item> items;
     std::vector<view::PictureId> held;
     const auto words = [&](float x, float y, float w, const std::string& text, float lines = 1) {
       view::Text line;
@@ -131,7 +133,7 @@ class Album {
       line.text = text;
       line.style.px = kWords;
       line.color = view::kInk;
-      frame.items.emplace_back(line);
+      items.emplace_back(line);
     };
     float x = kMargin, bottom = 0;
     for (const Sight& sight : plan.sights) {
@@ -146,20 +148,43 @@ class Album {
       y += lines * kSheetHead;
       for (std::size_t i = 0; i < column.size(); ++i) {
         const auto high = static_cast<float>(column[i].height);
-        if (&sight == &plan.sights.front()) words(x, y, wide, states_[i]);
+        // Beside it, over the other columns, stands nothing.
+        if (&sight == &plan.sights.front()) words(x, y, kStateName, states_[i]);
         y += kSheetHead;
         held.push_back(kiosk_.renderer().make_picture(column[i]));
-        frame.items.emplace_back(view::Picture{{x, y, wide, high}, held.back(), 1});
+        items.emplace_back(view::Picture{{x, y, wide, high}, held.back(), 1});
         y += high;
       }
       x += wide + kGap;
       bottom = std::max(bottom, y);
     }
-    frame.width = static_cast<int>(x - kGap + kMargin);
-    frame.height = static_cast<int>(bottom + kMargin);
-    view::Image image = kiosk_.renderer().draw_offscreen(frame);
+    const view::Image image = drawn_in_pieces(items, static_cast<int>(x - kGap + kMargin),
+                                              static_cast<int>(bottom + kMargin));
     for (const view::PictureId id : held) kiosk_.renderer().drop_picture(id);
     return image;
+  }
+
+  /// A sheet is higher than any picture that is drawn at once.
+  view::Image drawn_in_pieces(const std::vector<view::Item>& items, int width, int height) {
+    view::Image whole{width, 0, {}};
+    for (; whole.height < height; whole.height += kPiece) {
+      view::Frame piece;
+      piece.width = width;
+      piece.height = std::min(kPiece, height - whole.height);
+      const auto w = static_cast<float>(width), h = static_cast<float>(piece.height);
+      piece.items.emplace_back(view::Box{{0, 0, w, h}, 0, view::kPlaster, 0, {}});
+      for (view::Item item : items) {
+        view::Rect& box = std::holds_alternative<view::Text>(item)
+                              ? std::get<view::Text>(item).box
+                              : std::get<view::Picture>(item).box;
+        box.y -= static_cast<float>(whole.height);
+        if (box.y < h && box.y + box.h > 0) piece.items.push_back(std::move(item));
+      }
+      const view::Image drawn = kiosk_.renderer().draw_offscreen(piece);
+      whole.rgba.insert(whole.rgba.end(), drawn.rgba.begin(), drawn.rgba.end());
+    }
+    whole.height = height;
+    return whole;
   }
 
   exhibit::Kiosk& kiosk_;
