@@ -1,5 +1,6 @@
 #include "kiosk/measure/monotonic.h"
 
+#include <malloc.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -43,6 +44,15 @@ long resident_bytes() {
   long total = 0, resident = 0;
   file >> total >> resident;
   return file ? resident * sysconf(_SC_PAGESIZE) : 0;
+}
+
+std::size_t bytes_in_use() {
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+  const struct mallinfo2 told = mallinfo2();
+  return told.uordblks + told.hblkhd;
+#else
+  return 0;
+#endif
 }
 
 }  // namespace onggi::measure

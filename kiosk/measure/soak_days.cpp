@@ -267,6 +267,7 @@ void SoakDays::sample() {
   at.minutes = (real_ - real_begun_) / 60;
   at.visits = report_.visits;
   at.memory = static_cast<double>(resident_bytes()) / 1048576.0;
+  at.in_use = static_cast<double>(bytes_in_use()) / 1048576.0;
   at.descriptors = count_in("/proc/self/fd");
   at.threads = count_in("/proc/self/task");
   at.keepsakes = megabytes_in(keepsakes_);
@@ -279,12 +280,13 @@ void SoakDays::sample() {
   report_.samples.push_back(at);
   if (at.hours < next_word_) return;
   next_word_ = at.hours + 1;
-  std::fprintf(
-      stderr,
-      "%5.1f h  %.1f min  %d visits  %.1f MiB  %d descriptors  %d threads  woken late %.0f "
-      "us, a tick %.0f us at p99.9  %d kept, %d lost, %d not kept, %d dead ends\n",
-      at.hours, at.minutes, at.visits, at.memory, at.descriptors, at.threads, at.wake_us,
-      at.tick_us, report_.kept, report_.lost, report_.not_kept, report_.dead_ends);
+  std::fprintf(stderr,
+               "%5.1f h  %.1f min  %d visits  %.1f MiB, %.1f in use  %d descriptors  %d threads  "
+               "woken late %.0f "
+               "us, a tick %.0f us at p99.9  %d kept, %d lost, %d not kept, %d dead ends\n",
+               at.hours, at.minutes, at.visits, at.memory, at.in_use, at.descriptors, at.threads,
+               at.wake_us, at.tick_us, report_.kept, report_.lost, report_.not_kept,
+               report_.dead_ends);
 }
 
 Result<SoakReport> SoakDays::run() {

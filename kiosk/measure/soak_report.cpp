@@ -45,6 +45,20 @@ double ratio(const SoakReport& report, const Of& of) {
   return first > 0 ? median_of(between(report, 0.75, 1), of) / first : 1.0;
 }
 
+/// A day, after a sixth of the time.
+template <class Of>
+double slope(const SoakReport& report, const Of& of) {
+  const auto warm = between(report, 1.0 / 6, 1);
+  std::vector<double> slopes;
+  for (std::size_t n = 0; n < warm.size(); ++n)
+    for (std::size_t m = n + 1; m < warm.size(); ++m)
+      if (warm[m].hours > warm[n].hours)
+        slopes.push_back((of(warm[m]) - of(warm[n])) / (warm[m].hours - warm[n].hours) * 24.0);
+  return median(std::move(slopes));
+}
+
+double memory(const SoakSample& at) { return at.memory; }
+double in_use(const SoakSample& at) { return at.in_use; }
 double wake(const SoakSample& at) { return at.wake_us; }
 double tick(const SoakSample& at) { return at.tick_us; }
 int descriptors(const SoakSample& at) { return at.descriptors; }
@@ -61,16 +75,8 @@ std::string words(const char* format, ...) {
 
 }  // namespace
 
-double SoakReport::memory_slope() const {
-  const auto warm = between(*this, 1.0 / 6, 1);
-  std::vector<double> slopes;
-  for (std::size_t n = 0; n < warm.size(); ++n)
-    for (std::size_t m = n + 1; m < warm.size(); ++m)
-      if (warm[m].hours > warm[n].hours)
-        slopes.push_back((warm[m].memory - warm[n].memory) / (warm[m].hours - warm[n].hours) *
-                         24.0);
-  return median(std::move(slopes));
-}
+double SoakReport::memory_slope() const { return slope(*this, memory); }
+double SoakReport::in_use_slope() const { return slope(*this, in_use); }
 
 int SoakReport::more_descriptors() const {
   return most_of(between(*this, 2.0 / 3, 1), descriptors) -
@@ -97,6 +103,7 @@ files::Json json_of(const SoakReport& report) {
                                            {"minutes", at.minutes},
                                            {"visits", at.visits},
                                            {"memory_mib", at.memory},
+                                           {"in_use_mib", at.in_use},
                                            {"descriptors", at.descriptors},
                                            {"threads", at.threads},
                                            {"wake_p999_us", at.wake_us},
@@ -113,6 +120,7 @@ files::Json json_of(const SoakReport& report) {
                               {"not_kept_unexplained", report.unexplained},
                               {"dead_ends", report.dead_ends},
                               {"memory_slope_mib_a_day", report.memory_slope()},
+                              {"in_use_slope_mib_a_day", report.in_use_slope()},
                               {"more_descriptors", report.more_descriptors()},
                               {"more_threads", report.more_threads()},
                               {"wake_ratio", report.wake_ratio()},
@@ -134,9 +142,11 @@ std::string text_of(const SoakReport& report) {
       "cause\nvisits that ended in a dead screen: %d\n",
       report.kept, report.lost, report.not_kept, report.unexplained, report.dead_ends);
   for (const std::string& end : report.ends) text += "  " + end + "\n";
-  text += words("memory: %+.2f MiB a day (at most %.0f); descriptors %+d, threads %+d\n",
-                report.memory_slope(), SoakReport::kMostGrowth, report.more_descriptors(),
-                report.more_threads());
+  text += words(
+      "memory: %+.2f MiB a day (at most %.0f), and what of it is in use %+.2f; descriptors %+d, "
+      "threads %+d\n",
+      report.memory_slope(), SoakReport::kMostGrowth, report.in_use_slope(),
+      report.more_descriptors(), report.more_threads());
   text += words(
       "1 kHz loop, p99.9 of the last quarter over the first: woken late %.2f, a tick %.2f; %llu of "
       "%llu ticks lost\n",
@@ -166,8 +176,8 @@ drawing::Plot plot_of(const SoakReport& report) {
     }
     plot.series.push_back(std::move(line));
   };
-  series(
-      "memory", [](const SoakSample& at) { return at.memory; }, " MiB");
+  series("memory", memory, " MiB");
+  series("in use", in_use, " MiB");
   series(
       "descriptors", [](const SoakSample& at) { return double(at.descriptors); }, "");
   series(

@@ -14,7 +14,8 @@ struct SoakSample {
   double hours = 0;    ///< Of the museum's clock, since it began.
   double minutes = 0;  ///< Of ours.
   int visits = 0;
-  double memory = 0;     ///< MiB resident.
+  double memory = 0;     ///< MiB resident,
+  double in_use = 0;     ///< and of it what was asked for and not freed; 0: not known here.
   int descriptors = 0;   ///< Open.
   int threads = 0;       ///< Of the program.
   double wake_us = 0;    ///< How late the 1 kHz loop woke at p99.9, since the sample before,
@@ -39,6 +40,7 @@ struct SoakReport {
   /// MiB a day of the museum's clock: the median of all slopes between two samples (Theil 1950, Sen
   /// 1968) after a sixth of the time, when fonts, texts and drivers have filled their caches.
   double memory_slope() const;
+  double in_use_slope() const;  ///< Likewise: what grows in memory but not here is holes and files.
   /// The most of the last third less the most of the third before.
   int more_descriptors() const;
   int more_threads() const;

@@ -22,6 +22,7 @@ SoakReport soaked(const std::function<void(SoakSample&)>& shape = [](SoakSample&
     at.hours = hours;
     // Caches fill in the first hours; then it goes up and down by some MiB.
     at.memory = 300 - 60 * std::exp(-hours / 3) + 3 * std::sin(40 * hours);
+    at.in_use = 200 - 40 * std::exp(-hours / 3);
     at.descriptors = 14;
     at.threads = 10;
     at.wake_us = 200;
@@ -43,6 +44,8 @@ TEST(SoakReport, MemoryThatGrowsIsTheSlopeItGrowsBy) {
   const SoakReport report = soaked([](SoakSample& at) { at.memory += 1.5 * at.hours / 24; });
   EXPECT_NEAR(report.memory_slope(), 1.5, 0.2);
   EXPECT_FALSE(report.good());
+  EXPECT_NEAR(report.in_use_slope(), 0.0, 0.2) << "holes, and nothing that is kept";
+  EXPECT_THAT(text_of(report), HasSubstr("MiB a day (at most 1), and what of it is in use +0.0"));
   // One postcard in the making is no slope.
   const SoakReport once = soaked([](SoakSample& at) { at.memory += at.hours == 70 ? 80 : 0; });
   EXPECT_TRUE(once.good());
