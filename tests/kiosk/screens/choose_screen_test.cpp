@@ -159,7 +159,9 @@ TEST(AVesselsLabel, LeadsToTheVesselMostLikeItAndToNoneWhereNothingIs) {
 
 /// Somebody before a shelf of many vessels.
 struct AtTheShelf : Visitor {
-  AtTheShelf(int w, int h) : Visitor(30) {
+  AtTheShelf(int w, int h, const std::string& name = "") : Visitor(30) {
+    for (content::Vessel& vessel : vessels)
+      if (!name.empty()) vessel.labels["en"].title = name;
     width = w;
     height = h;
     show();
@@ -281,6 +283,22 @@ TEST(TheShelf, TheNextColumnPeeksInAndATouchOnItBringsIt) {
   v.frames(2);
   EXPECT_GT(v.seen().first, before);
   EXPECT_FALSE(v.visit->control("choose.throw"));
+}
+
+TEST(TheShelf, ALongWordInANameTakesAWiderColumnAndNoSmallerWords) {
+  for (const auto& [width, height] : kScreens) {
+    std::set<float> sizes, widths;
+    for (int letters = 4; letters <= 24; letters += 2) {
+      AtTheShelf v(width, height, std::string(static_cast<std::size_t>(letters), 'm'));
+      check_layout(v, v.plain, std::to_string(letters) + " letters");
+      for (const view::Item& item : v.frame.items)
+        if (const auto* text = std::get_if<view::Text>(&item); text && text->text[0] == 'm')
+          sizes.insert(text->style.px);
+      widths.insert(v.first_card().w);
+    }
+    EXPECT_EQ(sizes.size(), 1u) << width << "x" << height;
+    EXPECT_GT(widths.size(), 1u) << "a word of 24 letters asks for no more than one of four";
+  }
 }
 
 TEST(TheShelf, AMouseWheelTurnsItByAColumnANotch) {
