@@ -91,6 +91,9 @@ class Result final : public Screen {
     }
   }
   void back() override { desk.go(ScreenId::throwing); }
+  std::vector<std::string> help() const override {
+    return {desk.say(both_ ? help_key() : "help.result_measured")};
+  }
 
  private:
   double own_speed() const { return desk.screen().left_handed ? -kAlone : kAlone; }

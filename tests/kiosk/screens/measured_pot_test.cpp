@@ -292,5 +292,22 @@ TEST(Mission, LosesNoWordOnAnyScreenInAnySizeLanguageOrComfort) {
       }
 }
 
+TEST(MissionHelp, AtTheResultSpeaksOfAVesselBesideThePotOnlyWhereOneStands) {
+  for (const bool described : {false, true}) {
+    Visitor v;
+    v.put_on(described ? Visitor::described(1) : todays(), 2);
+    begin(v);
+    hollow(v, 0.05);
+    v.touch("throw.done");
+    v.frames(1);
+    ASSERT_EQ(v.visit->screen(), ScreenId::result);
+    v.touch("help");
+    v.frames(1);
+    const std::string words = words_in(v.frame);
+    EXPECT_EQ(words.find("stands beside yours") != std::string::npos, !described) << words;
+    EXPECT_EQ(words.find("What your pot measures") != std::string::npos, described) << words;
+  }
+}
+
 }  // namespace
 }  // namespace onggi::screens
