@@ -45,7 +45,7 @@ void give_back_memory() noexcept {
   const bool locked = memory_locked.load();
   if (locked) munlockall();
   malloc_trim(0);
-  if (locked) lock_all();
+  if (locked) memory_locked.store(lock_all() == 0);
 #endif
 }
 
