@@ -45,11 +45,13 @@ Result<std::unique_ptr<Backdrop>> Backdrop::create() {
 void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Studio& studio,
                     float wheel_radius, float size, double apart_by) {
   Cast& own = casts_[place(of)];
-  if (own.of && own.wheel == wheel_radius && own.size == size && apart(*own.of, levels) <= apart_by)
+  if (own.of && own.wheel == wheel_radius && own.size == size &&
+      own.window_right == studio.window_right() && apart(*own.of, levels) <= apart_by)
     return;
   own.of = levels;
   own.wheel = wheel_radius;
   own.size = size;
+  own.window_right = studio.window_right();
   ++own.serial;
   GLint viewport[4], back_to = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &back_to);
@@ -76,8 +78,8 @@ void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Stu
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 
-Backdrop::Extent Backdrop::darkened(double height, double radius, bool wheel, float foot) {
-  const glm::vec3 light = window_direction();
+Backdrop::Extent Backdrop::darkened(double height, double radius, bool wheel, float foot,
+                                    glm::vec3 light) {
   const float along = (static_cast<float>(height) - (wheel ? kTable : 0.0f)) / light.y;
   // The rim's shadow and its soft edge (shadow.glsl), and the dark round the foot.
   const float around = static_cast<float>(radius) + 0.5f * (0.0025f + 0.24f * along);
@@ -90,12 +92,13 @@ Backdrop::Extent Backdrop::darkened(double height, double radius, bool wheel, fl
           even(std::max(near, x + around), 1), even(std::max(near, z + around), 1)};
 }
 
-void Backdrop::draw_plaster(int width, int height) const {
+void Backdrop::draw_plaster(int width, int height, bool window_right) const {
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   plaster_program_.use();
   plaster_program_.set("size", glm::vec2(width, height));
+  plaster_program_.set("side", window_right ? -1.0f : 1.0f);
   quad_.draw();
 }
 

@@ -40,11 +40,11 @@ class Backdrop {
     float left = 0, back = 0, right = 0, front = 0;
     friend bool operator==(const Extent&, const Extent&) = default;
   };
-  /// Outside of it no vessel as tall and as wide darkens the ground.
-  static Extent darkened(double height, double radius, bool wheel, float foot);
+  /// Outside of it no vessel as tall and as wide darkens the ground. `window`: towards it, unit.
+  static Extent darkened(double height, double radius, bool wheel, float foot, glm::vec3 window);
 
-  /// The plaster, over the whole bound target of this size.
-  void draw_plaster(int width, int height) const;
+  /// The plaster, over the whole bound target of this size, lit from there.
+  void draw_plaster(int width, int height, bool window_right) const;
   /// The ground within `extent`, where it lies on the bound target, which has the size of
   /// `plaster`. `foot`: radius of what stands on it, m.
   void draw_ground(const glm::mat4& clip, const Texture& plaster, const Extent& extent, bool wheel,
@@ -73,6 +73,7 @@ class Backdrop {
     Target shadow;
     std::optional<Levels> of;
     float wheel = 0, size = 1;
+    bool window_right = false;
     std::uint64_t serial = 0;
   };
   std::array<Cast, 2> casts_;

@@ -14,7 +14,7 @@ view::Rect reach_of(const view::PotView& pot, double height, double radius, int 
   struct Ring {
     double x, y, z, r;
   };
-  const glm::vec3 light = window_direction();
+  const glm::vec3 light = window_direction(pot.window_right);
   const double table = pot.wheel ? -0.024 : 0.0;
   const double along = (height - table) / light.y, foot = pot.wheel ? pot.wheel_radius : radius;
   const Ring rings[] = {{0, table, 0, foot},
@@ -105,9 +105,11 @@ void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
   const float foot = stage.foot(pot);
   Ground now{pot.camera,
              pot.wheel,
+             pot.window_right,
              pot.opacity,
              foot,
-             Backdrop::darkened(stage.clay().height(), stage.clay().max_radius(), pot.wheel, foot),
+             Backdrop::darkened(stage.clay().height(), stage.clay().max_radius(), pot.wheel, foot,
+                                window_direction(pot.window_right)),
              stage.backdrop().cast_serial(),
              {},
              0};
@@ -118,7 +120,8 @@ void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
   if (of_ground_ == now) return;
   // Where no shadow falls stays as it is, unless it lay elsewhere.
   if (!of_ground_ || of_ground_->camera != now.camera || of_ground_->wheel != now.wheel ||
-      of_ground_->extent != now.extent || of_ground_->beside || now.beside) {
+      of_ground_->window_right != now.window_right || of_ground_->extent != now.extent ||
+      of_ground_->beside || now.beside) {
     kept(ground_);
     calls::bind_framebuffer(GL_READ_FRAMEBUFFER, plaster_.framebuffer());
     calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, ground_.framebuffer());
@@ -143,11 +146,13 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
                    double scale, Onto onto, Space space) {
   Stage& stage = with.stage;
   turn_to(frame, with);
-  // The plaster never changes: once per size.
-  if (plaster_.width() == 0) {
-    plaster_ = Target(frame.width, frame.height, false, 0);
+  // The plaster changes with its size, and where the light comes from.
+  const bool window_right = frame.pot && frame.pot->window_right;
+  if (plaster_.width() == 0 || plaster_right_ != window_right) {
+    if (plaster_.width() == 0) plaster_ = Target(frame.width, frame.height, false, 0);
+    plaster_right_ = window_right;
     plaster_.bind();
-    stage.backdrop().draw_plaster(frame.width, frame.height);
+    stage.backdrop().draw_plaster(frame.width, frame.height, window_right);
   }
   frame_ = frame;
   painted_ = true;

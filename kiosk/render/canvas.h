@@ -51,7 +51,7 @@ class Canvas {
   /// What the ground's picture was drawn from.
   struct Ground {
     view::Camera camera;
-    bool wheel = true;
+    bool wheel = true, window_right = false;
     double opacity = 1;
     float foot = 0;
     Backdrop::Extent extent;
@@ -65,7 +65,7 @@ class Canvas {
   int samples_ = -1;
   view::Frame frame_;  ///< As painted last,
   view::Rect solid_;   ///< and the part of it that is the picture in space.
-  bool painted_ = false, has_before_ = false;
+  bool painted_ = false, has_before_ = false, plaster_right_ = false;
 };
 
 /// The part of a width x height frame that the pot, its wheel and what hands hold can reach, with

@@ -133,6 +133,7 @@ void Stage::set_light(const Program& program, const view::Camera& camera, const 
 }
 
 void Stage::prepare(const view::PotView& pot, const Quality& quality) {
+  studio_.put_window(pot.window_right);
   clay_.refresh(clay_levels_);
   backdrop_->cast(Backdrop::Of::clay, clay_.levels(), clay_levels_, studio_,
                   pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f, size_of(pot),
@@ -351,9 +352,10 @@ void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
 void Stage::draw_vessel_ground(const view::PotView& pot, int width, int height) {
   if (!pot.beside || vessel_.coats.empty()) return;
   const glm::vec2 size(width, height);
+  // It goes on over the edge: the outermost pixel's middle is half a pixel from there.
   backdrop_->draw_ground_layer(clip_of(pot.beside->camera), vessel_.levels.outer[0],
                                static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0)), size,
-                               glm::vec2(1.0f));
+                               glm::vec2(0.5f));
 }
 
 void Stage::draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
@@ -375,6 +377,8 @@ void Stage::draw_portrait(const Portrait& portrait) {
   const Levels& levels = portrait.model.levels;
   const view::Camera& camera = portrait.camera;
   upload(levels, mesh_levels_);
+  // A picture of its own, that stands on many screens.
+  studio_.put_window(false);
   backdrop_->cast(Backdrop::Of::mesh, levels, mesh_levels_, studio_, 0.0f, 1.0f, 0.0);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -39,7 +39,6 @@ view::Color display(const content::LinearColor& c) {
 class KilnScreen final : public Screen {
  public:
   explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.wheel().kiln), shown_(desk.glaze) {
-    picture_.keep_shadow_off_words();
     if (desk.glaze >= 0) finish();
   }
   ScreenId id() const override { return ScreenId::kiln; }

@@ -3,25 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/view/studio_window.h"
-
 namespace onggi::screens {
 
 namespace {
-/// How far to the right the shadow of `pot` reaches on the screen, pixels.
-float shadow_ends(const view::Camera& camera, const Profile& pot) {
-  float right = -1e9f;
-  const std::size_t step = std::max<std::size_t>(1, pot.points.size() / 48);
-  for (std::size_t i = 0; i < pot.points.size(); i += step)
-    for (int k = 0; k < 24; ++k) {
-      const double a = 2 * 3.14159265358979 * k / 24, r = pot.points[i].outer;
-      const Vec3 at{r * std::cos(a), pot.points[i].height, r * std::sin(a)};
-      if (const auto on_screen = camera.project(view::shadow_of(at)))
-        right = std::max(right, on_screen->first);
-    }
-  return right;
-}
-
 /// One step of an exponential approach with time constant `tau`, which arrives where nobody sees
 /// the rest.
 double eased(double from, double to, double dt, double tau) {
@@ -86,9 +70,6 @@ view::Camera PotPicture::frame(const Page& page) const {
   const double height = std::max(height_, 0.02), radius = std::max(radius_, 0.01);
   const Regions& where = page.where();
   view::Rect box = where.pot;
-  // A shadow takes more room than the pot: it may stand as far to the left as the page goes.
-  const bool shadow = shadow_off_words_ && where.mirrored && !where.portrait;
-  if (shadow) box = {where.page.x, box.y, box.x + box.w - where.page.x, box.h};
   const float foot = where.portrait ? where.words.y : where.all.y + where.all.h;
   for (int i = 0;; ++i) {
     const view::Camera camera = view::frame_pot(page.width(), page.height(), box, height, radius);
@@ -102,18 +83,16 @@ view::Camera PotPicture::frame(const Page& page) const {
       left = std::min(left, at->first);
       right = std::max(right, at->first);
     }
-    if (!front || i == (shadow ? 60 : 24)) return camera;
+    if (!front || i == 24) return camera;
     // All of the head is on the screen, and none of it under the words.
     bool clear = left >= where.all.x && right <= where.all.x + where.all.w;
     if (!where.portrait)
       clear = clear &&
               (where.mirrored ? right <= where.words.x : left >= where.words.x + where.words.w);
-    if (shadow) clear = clear && shadow_ends(camera, made_) + page.type().gap <= where.words.x;
     if (clear && front->second <= foot) return camera;
     // Smaller: in portrait from below, so that the rim stays where it was.
     const float w = box.w * 0.97f, h = box.h * 0.97f;
-    box = {shadow ? box.x : box.x + (box.w - w) / 2,
-           where.portrait ? box.y : box.y + (box.h - h) / 2, w, h};
+    box = {box.x + (box.w - w) / 2, where.portrait ? box.y : box.y + (box.h - h) / 2, w, h};
   }
 }
 
@@ -132,6 +111,7 @@ view::PotView PotPicture::view(const Desk& desk, const Page& page) const {
   pot.wheel_angle = desk.status.feedback.wheel_angle + turned_;
   pot.clay_angle = clay.angle + turned_;
   pot.wheel_radius = wheel_radius_;
+  pot.window_right = page.where().mirrored && !page.where().portrait;
   pot.wetness = desk.status.feedback.wetness;
   pot.wet_rows = clay.wet;
   pot.cut_away = cut_ < 0.004 ? 0.0 : cut_;

@@ -17,12 +17,10 @@ class PotPicture {
   /// A pot that rests is shown from all sides: wheel and pot turn before the eye, from the speed
   /// that the wheel had to `speed` (rad/s, positive to the visitor's right hand).
   void show_round(const Desk& desk, double dt, double speed);
+  /// Shadows fall away from the words.
   view::PotView view(const Desk& desk, const Page& page) const;
   /// The pot as large as its place allows, with the wheel head clear of the words.
   view::Camera camera(const Page& page) const;
-  /// Where words stand to the right of the pot, its shadow on the ground ends before them: for a
-  /// pot without its wheel.
-  void keep_shadow_off_words() { shadow_off_words_ = true; }
   /// The clay as it is now, at most some 8 times a second. Empty before the first pot.
   const Profile& made() const { return made_; }
 
@@ -34,7 +32,6 @@ class PotPicture {
   std::uint32_t serial_ = 0;
   double height_ = 0, radius_ = 0, wheel_radius_ = 0;
   double cut_ = 0, shown_ = 0;
-  bool shadow_off_words_ = false;
   /// The camera as last found, and of what: the search takes a third of a frame's work.
   struct Framed {
     std::array<double, 14> of{};

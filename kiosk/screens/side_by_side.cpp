@@ -15,7 +15,6 @@ constexpr double kTurning = 0.5;  // rad/s: once round in a dozen seconds
 // Of a picture's height, beside the pot's own: its mouth is an ellipse.
 constexpr double kEllipse = 0.5;
 constexpr float kPicturesShare = 0.6f;  // of the height, where the drawing stands below
-constexpr float kShadows = 0.1f;        // of the page
 constexpr double kWholeTurn = 6.283185307179586;
 
 /// As large as its room holds it, pixels a metre.
@@ -30,9 +29,7 @@ Rect room_of(const Regions& where, float gap) {
   if (where.portrait) {
     room.h = where.words.y - 2 * gap - room.y;
   } else {
-    // Shadows fall to the right: words that stand there are kept out of them.
-    const float shadows = where.mirrored ? kShadows * where.page.w : 0;
-    const float clear = where.words.w + 4 * gap + shadows;
+    const float clear = where.words.w + 4 * gap;
     room.w -= clear;
     if (!where.mirrored) room.x += clear;
   }
@@ -74,6 +71,7 @@ float SideBySide::names_height(const Page& page, const Desk& desk, float width) 
 
 SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const {
   const float gap = page.type().gap;
+  const bool shadows_fall_left = page.where().mirrored && !page.where().portrait;
   const Rect room = room_of(page.where(), gap);
   const auto of_scale = [&](double scale, float most) {
     return std::min(most, static_cast<float>(scale * (height_ + kEllipse * radius_)));
@@ -99,12 +97,14 @@ SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const 
   const auto column = [&](int n) {
     return Rect{room.x + static_cast<float>(n) * (width + 2 * gap), top, width, tall};
   };
-  // The drawing stands at the left of both, where no shadow falls.
-  const int first = abreast ? 1 : 0, second = first + 1;
+  // The drawing stands beside the words, where no shadow falls.
+  const bool drawing_first = abreast && !shadows_fall_left;
+  const int first = drawing_first ? 1 : 0, second = first + 1;
   at.vessel = column(page.right_to_left() ? second : first);
   at.pot = column(page.right_to_left() ? first : second);
   at.names = top + tall;
-  at.section = abreast ? column(0) : Rect{room.x, at.names + names + gap, room.w, below};
+  at.section =
+      abreast ? column(drawing_first ? 0 : 2) : Rect{room.x, at.names + names + gap, room.w, below};
   return at;
 }
 

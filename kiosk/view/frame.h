@@ -126,6 +126,7 @@ struct PotView {
       0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
   bool wheel = true;                 ///< Draw the wheel head.
   double wheel_radius = 0.175;       ///< Of its head, metres, 0.05..0.3.
+  bool window_right = false;         ///< The studio's window is there (view::window_at).
   std::array<HandView, 2> hands{};   ///< Those present are drawn, with what they hold.
   double opacity = 1;                ///< 0..1, against the plaster, for fades.
   std::optional<VesselView> beside;  ///< The vessel that it answers.

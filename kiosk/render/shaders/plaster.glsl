@@ -1,6 +1,7 @@
 // The studio's plaster: one seamless white that falls off a little away from the window.
 
 uniform vec2 size;
+uniform float side;  // of the window: 1 at the left, -1 at the right
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;
@@ -11,7 +12,7 @@ void main() { gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0); }
 out vec4 color;
 void main() {
   vec2 p = (gl_FragCoord.xy - 0.5 * size) / min(size.x, size.y);
-  vec2 from = p - vec2(-0.25, 0.18);
+  vec2 from = p - vec2(-0.25 * side, 0.18);
   float fall = dot(from, from * vec2(0.8, 1.0));
   float light = 1.0 - 0.052 * smoothstep(0.12, 1.5, fall);
   // The fall-off is warm: the far wall gives back less blue.

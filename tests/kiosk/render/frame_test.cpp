@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "kiosk/view/palette.h"
@@ -272,6 +273,48 @@ TEST_F(AFrame, OffscreenLeavesTheWindowsPictureAlone) {
   EXPECT_EQ(image.height, 420);
   EXPECT_LT(pixel_at(image, 150, 200).r, 50);
   EXPECT_EQ(r.read_pixels().rgba, before.rgba);
+}
+
+/// Mean of each channel over a tile.
+std::array<double, 3> mean_of(const view::Image& image, int x0, int y0, int size) {
+  std::array<double, 3> sum{};
+  for (int y = y0; y < y0 + size; ++y)
+    for (int x = x0; x < x0 + size; ++x) {
+      const Pixel p = pixel_at(image, x, y);
+      sum[0] += p.r, sum[1] += p.g, sum[2] += p.b;
+    }
+  for (double& s : sum) s /= size * size;
+  return sum;
+}
+
+// Of the clay's and the wood's own grain, and of dither, a tile's mean has little left.
+TEST_F(AFrame, LitFromTheRightIsTheMirrorImageOfTheOneLitFromTheLeft) {
+  constexpr int kTile = 32;
+  // So tall that its shadow is longer than the dark round the foot is wide.
+  renderer().show_clay(thrown_clay(grid_of(200, 180, 0.30, 0.010), cylinder, 0.006, 0));
+  view::Frame frame = frame_with_pot(640, 384, 0.30, 0.05);
+  for (const bool wheel : {true, false}) {
+    frame.pot->wheel = wheel;
+    frame.pot->wetness = 0.5;
+    frame.pot->wheel_angle = 1.5707963267948966;  // its dab of slip in front
+    frame.pot->window_right = false;
+    const view::Image left = drawn(renderer(), frame);
+    frame.pot->window_right = true;
+    const view::Image right = drawn(renderer(), frame);
+    keep_for_looking(left, wheel ? "window_left_wheel" : "window_left");
+    keep_for_looking(right, wheel ? "window_right_wheel" : "window_right");
+    double asymmetric = 0;
+    for (int y = 0; y + kTile <= 384; y += kTile)
+      for (int x = 0; x + kTile <= 640; x += kTile) {
+        const auto a = mean_of(left, x, y, kTile), b = mean_of(right, 640 - kTile - x, y, kTile),
+                   c = mean_of(right, x, y, kTile);
+        for (std::size_t k = 0; k < 3; ++k) {
+          EXPECT_NEAR(a[k], b[k], 4.0) << x << "," << y << " " << wheel;
+          asymmetric = std::max(asymmetric, std::abs(a[k] - c[k]));
+        }
+      }
+    EXPECT_GT(asymmetric, 25.0) << "light and shadow fall to one side";
+  }
 }
 
 }  // namespace

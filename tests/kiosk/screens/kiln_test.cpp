@@ -36,34 +36,6 @@ TEST(KilnScreen, APotDriesWhileItsGlazeIsBeingChosenAndIsNotFiredWithoutOne) {
   EXPECT_FALSE(v.pot().wheel) << "it was cut off and stands by itself";
 }
 
-// Light comes from the left: where words and buttons stand to the right of the pot, its shadow ends
-// before them.
-TEST(KilnScreen, NothingIsSetInThePotsShadowWhicheverHandsItIsLaidOutFor) {
-  for (const auto& [width, height] :
-       {std::pair(1280, 720), std::pair(1920, 1080), std::pair(1024, 600), std::pair(1080, 1920)})
-    for (const bool left_handed : {false, true}) {
-      KilnVisitor v;
-      v.width = width, v.height = height;
-      v.exhibit.screen.left_handed = left_handed;
-      v.make_result();
-      v.touch("result.keep");
-      v.frames(8);
-      const Profile pot = v.clay.profile();
-      for (const auto& [control, rect] : v.visit->controls())
-        for (const ProfilePoint& point : pot.points)
-          for (int k = 0; k < 32; ++k) {
-            const double a = 0.19634954 * k, x = point.outer * std::cos(a),
-                         z = point.outer * std::sin(a);
-            const double y = point.height;
-            // The window is at (-0.86, 0.60, 0.36).
-            const auto at = v.pot().camera.project({x + y * 0.86 / 0.60, 0.0, z - y * 0.36 / 0.60});
-            ASSERT_TRUE(at);
-            ASSERT_FALSE(rect.contains(at->first, at->second))
-                << control << ' ' << width << ' ' << left_handed;
-          }
-    }
-}
-
 TEST(KilnScreen, ThereAreAtLeastThreeGlazesAndEachOneFiresThePot) {
   ASSERT_GE(KilnVisitor().glazes.size(), 3u);
   for (std::size_t i = 0; i < KilnVisitor().glazes.size(); ++i) {

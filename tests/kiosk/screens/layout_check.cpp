@@ -92,6 +92,39 @@ void check_wheel(const Visitor& v, const std::string& where) {
     }
 }
 
+/// Where a pot's shadow falls on the table, to the end of its soft edge, pixels. The window is at
+/// (-0.86, 0.60, 0.36), or on the other side (kiosk/render/shaders/shadow.glsl).
+void add_shadow(std::vector<std::pair<float, float>>& all, const view::PotView& pot,
+                const view::Camera& camera, const Profile& shape, double size) {
+  const double side = pot.window_right ? 1 : -1, table = pot.wheel ? -0.024 : 0.0;
+  const std::size_t step = std::max<std::size_t>(1, shape.points.size() / 16);
+  for (std::size_t i = 0; i < shape.points.size(); i += step) {
+    const double high = size * shape.points[i].height - table, along = high / 0.60;
+    const double soft = 0.45 * (0.0025 + 0.24 * high / 0.54);  // 0.54: of the unit vector
+    for (int k = 0; k < 24; ++k) {
+      const double a = k * 0.2617993877991494, r = size * shape.points[i].outer + soft;
+      const auto at = camera.project(
+          {r * std::cos(a) - side * 0.86 * along, table, r * std::sin(a) - 0.36 * along});
+      if (at) all.push_back(*at);
+    }
+  }
+}
+
+/// Nothing that is touched stands in the shadow of what stands on the page.
+void check_shadow(const Visitor& v, const std::string& where) {
+  const auto& pot = v.frame.pot;
+  if (!pot || pot->opacity < 0.5) return;
+  std::vector<std::pair<float, float>> shadow;
+  add_shadow(shadow, *pot, pot->camera, v.clay.profile(), pot->size);
+  if (pot->beside) add_shadow(shadow, *pot, pot->beside->camera, v.shelf.front().target, 1);
+  for (const Control& c : v.visit->reading().controls)
+    for (const auto& [x, y] : shadow)
+      if (!c.by_keys && c.rect.contains(x, y)) {
+        ADD_FAILURE() << where << ": " << c.id << " stands in the shadow";
+        break;
+      }
+}
+
 /// Millimetres above the floor, of a row of pixels.
 double above_floor(const Visitor& v, float y) {
   const settings::Exhibit::Screen screen = v.visit->shown_on();
@@ -114,6 +147,7 @@ void check_layout(const Visitor& v, const view::TextMeasure& measure, const std:
 
   check_contrast(v, where);
   check_wheel(v, where);
+  check_shadow(v, where);
   if (v.visit->shown_on().low_reach)
     for (const auto& [id, rect] : v.visit->controls()) {
       EXPECT_LE(above_floor(v, rect.y), 1220.5) << where << ": " << id;

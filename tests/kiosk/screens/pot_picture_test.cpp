@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/kiosk/screens/visitor.h"
 
 namespace onggi::screens {
@@ -56,6 +58,44 @@ TEST(PotPicture, APotInTheKilnRestsAndTurnsBeforeTheEyeFromTheSpeedItHad) {
   v.touch("back");
   v.touch("back");
   EXPECT_FALSE(v.potter.pauses.back());
+}
+
+// That no control stands in the shadow is asked of every screen by check_layout().
+TEST(PotPicture, IsTheSameInAMirrorWhereWordsStandAtTheRightItsLightToo) {
+  for (const auto& [width, height] : {std::pair(1280, 720), {1920, 1080}, {1024, 600}}) {
+    Visitor right(9, nullptr, true), left(9, nullptr, true);
+    left.exhibit.screen.left_handed = true;
+    for (Visitor* v : {&right, &left}) std::tie(v->width, v->height) = std::pair(width, height);
+    const auto same = [&](const char* screen) {
+      SCOPED_TRACE(screen + std::to_string(width));
+      for (Visitor* v : {&right, &left}) v->frames(1);
+      const view::PotView &a = *right.frame.pot, &b = *left.frame.pot;
+      EXPECT_FALSE(a.window_right);
+      EXPECT_TRUE(b.window_right);
+      EXPECT_NEAR(a.camera.distance, b.camera.distance, 1e-6) << "it is as large";
+      EXPECT_NEAR(a.camera.centre_x, static_cast<float>(width) - b.camera.centre_x, 0.5f);
+    };
+    same("attract");
+    for (Visitor* v : {&right, &left}) v->throw_a_pot();
+    same("wheel");
+    for (Visitor* v : {&right, &left}) v->touch("throw.done");
+    right.frames(1), left.frames(1);
+    EXPECT_FALSE(right.frame.pot->window_right);
+    EXPECT_TRUE(left.frame.pot->window_right);
+    for (Visitor* v : {&right, &left}) v->touch("result.keep");
+    same("kiln");
+  }
+}
+
+TEST(PotPicture, UprightLightComesFromTheLeftWhicheverHand) {
+  for (const bool left_handed : {false, true}) {
+    Visitor v;
+    v.exhibit.screen.left_handed = left_handed;
+    std::tie(v.width, v.height) = std::pair(1080, 1920);
+    v.show();
+    ASSERT_TRUE(v.frame.pot);
+    EXPECT_FALSE(v.frame.pot->window_right);
+  }
 }
 
 TEST(PotPicture, NothingTurnsWhereMotionIsReduced) {
