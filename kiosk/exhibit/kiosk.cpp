@@ -31,6 +31,9 @@ constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
 }  // namespace
 
 Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
+  // Of a driver's slabs (Mesa: 32 KiB each) half is never touched: it is resident, too, where they
+  // come to lie in pages of the exhibit before.
+  loop::give_back_memory();
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
   kiosk->seed_ = options.seed;
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
@@ -270,11 +273,9 @@ bool Kiosk::frame(double now, bool draw) {
   visit_->update(now);
   while (auto request = visit_->take_request())
     std::visit([this](const auto& wish) { carry_out(wish); }, *request);
-  if (stepped_ != nullptr)
-    while (shelf_->draw_next_picture(*renderer_) || missions_->draw_next_picture(*renderer_)) {
-    }
-  else if (!shelf_->draw_next_picture(*renderer_))
-    missions_->draw_next_picture(*renderer_);
+  while ((shelf_->draw_next_picture(*renderer_) || missions_->draw_next_picture(*renderer_)) &&
+         stepped_ != nullptr) {
+  }
   last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
   draw_turning();
   attendant_->frame(*visit_, last_frame_, now);
@@ -383,10 +384,9 @@ void Kiosk::note_saved() {
   else
     log_problem(saved->outcome.error());
   if (todays_) todays_->hurry();
-  const bool present = saved->ticket == saving_ticket_;
   if (counter_) counter_->saved(*saved);
   // A save that outlasted its visitor is none of the next one's business.
-  if (!present) return;
+  if (saved->ticket != saving_ticket_) return;
   if (kept_) kept_->saved = saved->outcome;
   // Date and time are enough to ask for at the desk, and short enough to remember.
   if (saved->outcome)

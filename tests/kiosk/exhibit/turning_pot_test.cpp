@@ -47,6 +47,7 @@ TEST(TurningPot, GoesOnceRoundTheWayThatItsVisitorsWheelDidAndEndsWhereItBegan) 
     EXPECT_EQ(drawn->ticket, 7);
     EXPECT_EQ(drawn->turning.frames, TurningPot::kPictures);
     EXPECT_EQ(drawn->turning.rgba.size(), 16u * TurningPot::kPictures);
+    EXPECT_EQ(drawn->turning.rgba.capacity(), drawn->turning.rgba.size()) << "no room for nothing";
     EXPECT_EQ(keeper.finish, view::Finish::fired);
     ASSERT_EQ(keeper.angles.size(), 40u);
     // A wheel for the right hand turns to greater angles: PotterCommands::wheel, WheelSpeed::send.

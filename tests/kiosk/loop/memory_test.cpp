@@ -5,42 +5,18 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdint>
-#include <fstream>
-#include <memory>
 #include <vector>
 
+#include "tests/support/holes.h"
 #include "tests/support/sanitized.h"
 
 namespace onggi::loop {
 namespace {
 
-double resident_mib() {
-  long all = 0, resident = 0;
-  std::ifstream("/proc/self/statm") >> all >> resident;
-  return static_cast<double>(resident * sysconf(_SC_PAGESIZE)) / 1048576.0;
-}
-
-/// 128 MiB in blocks of 64 KiB, of which every 16th stays: the others leave holes.
-class Holes {
- public:
-  Holes() {
-    for (int i = 0; i < 2048; ++i) {
-      blocks_.push_back(std::make_unique<Block>());
-      blocks_.back()->fill(static_cast<char>(i));
-    }
-    for (std::size_t i = 0; i < blocks_.size(); ++i)
-      if (i % 16 != 0) blocks_[i].reset();
-  }
-
- private:
-  using Block = std::array<char, 65536>;
-  std::vector<std::unique_ptr<Block>> blocks_;
-};
-
-constexpr double kHoles = 120.0;
+using test::Holes;
+using test::resident_mib;
 
 TEST(Memory, HolesInTheHeapGoBackToTheSystemBetweenTwoVisitors) {
   if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";
@@ -48,7 +24,7 @@ TEST(Memory, HolesInTheHeapGoBackToTheSystemBetweenTwoVisitors) {
   const Holes holes;
   const double before = resident_mib();
   give_back_memory();
-  EXPECT_LT(resident_mib(), before - 0.9 * kHoles);
+  EXPECT_LT(resident_mib(), before - 0.9 * Holes::kMib);
 }
 
 TEST(Memory, HolesInAHeapThatIsLockedGoBackTooAndItStaysLocked) {
@@ -67,7 +43,7 @@ TEST(Memory, HolesInAHeapThatIsLockedGoBackTooAndItStaysLocked) {
                      ~static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE) - 1);
   EXPECT_NE(madvise(reinterpret_cast<void*>(whole), 1, MADV_DONTNEED), 0);
   munlockall();
-  EXPECT_LT(after, before - 0.9 * kHoles);
+  EXPECT_LT(after, before - 0.9 * Holes::kMib);
 }
 
 TEST(Memory, BelowAnInfiniteLimitNothingIsLocked) {
