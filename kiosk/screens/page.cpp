@@ -258,28 +258,32 @@ void Column::foot_buttons(const std::vector<Button>& row, const std::string& cap
   place(placed, foot_, caption, caption_width);
 }
 
+std::size_t Column::abreast(const std::vector<Button>& cells) const {
+  // Wide enough for the words in one line; the last resort breaks them.
+  float widest = 0;
+  for (const Button& cell : cells) widest = std::max(widest, page_.size(cell, box_.w).width);
+  const float gap = page_.type().gap;
+  std::size_t abreast = std::max<std::size_t>(1, cells.size());
+  const auto width = [&] {
+    const auto n = static_cast<float>(abreast);
+    return (box_.w - (n - 1) * gap) / n;
+  };
+  while (abreast > 1 && widest > width() + 1) abreast = (abreast + 1) / 2;
+  return abreast;
+}
+
 void Column::foot_grid(const std::vector<Button>& cells, float height, bool mirrored) {
   const float gap = page_.type().gap;
-  const std::size_t count = std::max<std::size_t>(1, cells.size());
-  std::size_t abreast = count;
-  float width = 0, tall = height;
-  for (;; abreast = (abreast + 1) / 2) {
-    const auto n = static_cast<float>(abreast);
-    width = (box_.w - (n - 1) * gap) / n;
-    bool fits = true;
-    tall = height;
-    for (const Button& cell : cells) {
-      // Wide enough for the words in one line; the last resort breaks them.
-      const auto size = page_.size(cell, abreast > 1 ? box_.w : width);
-      fits = fits && size.width <= width + 1;
-      tall = std::max(tall, size.height);
-    }
-    if (fits || abreast == 1) {
-      if (!fits) page_.overflowed();
-      break;
-    }
+  const std::size_t abreast = this->abreast(cells);
+  const auto n = static_cast<float>(abreast);
+  const float width = (box_.w - (n - 1) * gap) / n;
+  float tall = height;
+  for (const Button& cell : cells) {
+    const auto size = page_.size(cell, abreast > 1 ? box_.w : width);
+    if (size.width > width + 1) page_.overflowed();
+    tall = std::max(tall, size.height);
   }
-  const std::size_t rows = (count + abreast - 1) / abreast;
+  const std::size_t rows = (std::max<std::size_t>(1, cells.size()) + abreast - 1) / abreast;
   foot_ -= static_cast<float>(rows) * (tall + gap) - gap;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i].id.empty()) continue;

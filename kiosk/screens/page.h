@@ -140,6 +140,8 @@ class Column {
   /// all, half of them, or one. One without an id keeps its place and is not drawn. `mirrored`:
   /// from the far side.
   void foot_grid(const std::vector<Button>& cells, float height, bool mirrored);
+  /// How many of them that is.
+  std::size_t abreast(const std::vector<Button>& cells) const;
   /// `count` circles, the first `full` of them filled, and the same in words after them.
   void circles(int full, int count, const std::string& words);
   /// What is left between top and foot.

@@ -45,6 +45,8 @@ class Screen {
   virtual std::string step(const std::string& /*from*/, Direction) { return {}; }
   /// Before focus and buttons get it; true when used up.
   virtual bool key(view::Key, bool /*repeat*/) { return false; }
+  /// The keys are another visitor's than the pointer, which takes nothing from them.
+  virtual bool keys_are_anothers() const { return false; }
   /// The screen is left, or something lies over it: hands off the clay.
   virtual void let_go() {}
   /// The visitor has chosen otherwise on the Comfort page: what was told to the wheel is told anew.

@@ -131,15 +131,11 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const std::vector<Bu
                           const std::string& hint) const {
   const TypeScale& t = column.page().type();
   const bool mirrored = column.page().where().mirrored;
-  const auto grid = [&](std::vector<Button> cells) {
-    for (Button& cell : cells) cell.tight = true;
+  const auto grid = [&](const std::vector<Button>& cells) {
     column.foot_grid(cells, t.target, mirrored);
     column.foot_space(t.gap * 1.2f);
   };
-  std::vector<Button> beside = ways;
-  beside.push_back({"throw.tell", desk.say("stroke.tell"), telling_ ? Look::solid : Look::outline});
-  grid(beside);
-  std::vector<Button> what, where;
+  std::vector<Button> beside = ways, what, where;
   for (int n = 0; n < device::kAsks; ++n) {
     const Ask ask = static_cast<Ask>(n);
     const bool made = working && ask == last_;
@@ -154,6 +150,17 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const std::vector<Bu
     if (static_cast<std::size_t>(n) < parts.size() && desk.described() == nullptr)
       where.back().note = off_in_words(desk, parts[static_cast<std::size_t>(n)]);
   }
+  const Button tell{"throw.tell", desk.say("stroke.tell"), telling_ ? Look::solid : Look::outline};
+  beside.push_back(tell);
+  for (auto* cells : {&beside, &what, &where})
+    for (Button& cell : *cells) cell.tight = true;
+  // Where a row does not hold all of its own, strokes and what they are asked by are six, which
+  // two or three rows divide.
+  if (column.abreast(beside) < beside.size() || column.abreast(what) < what.size()) {
+    what.push_back(beside.back());
+    beside.pop_back();
+  }
+  grid(beside);
   grid(what);
   grid(where);
   std::string sentence = hint;

@@ -201,12 +201,13 @@ class Throwing final : public Screen {
   }
 
   void pointer(const InputEvent& e, const Page& page) override {
-    menu_ = false;
+    // Of two visitors the one who is among the buttons stays there.
+    if (!hands_.two()) menu_ = false;
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     const bool down = e.kind == InputEvent::Kind::pointer_down;
     if (down && (e.finger == 0 || hands_.two())) {
       if (page.where().words.contains(e.x, e.y)) return;
-      open_drawer(Drawer::closed);
+      if (!menu_) open_drawer(Drawer::closed);
       mishap_.stay();
       // Hands that still finish a stroke would go to the next through the pot; of two visitors the
       // other one's go on.
@@ -245,6 +246,8 @@ class Throwing final : public Screen {
       return move_by_keys(key == Key::left ? -notch * left : notch * left, 0), true;
     return false;
   }
+
+  bool keys_are_anothers() const override { return hands_.two(); }
 
   void let_go() override {
     show_.stop(hands_.lead());

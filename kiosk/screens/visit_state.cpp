@@ -122,8 +122,10 @@ void Visit::State::pointer(const InputEvent& e) {
       screen->pointer(e, *page);
     return;
   }
-  by_keys = false;
-  focused.clear();
+  if (!screen->keys_are_anothers()) {
+    by_keys = false;
+    focused.clear();
+  }
   const std::string on = e.kind == Kind::pointer_down || e.kind == Kind::pointer_up
                              ? control_at(e.x, e.y)
                              : std::string();

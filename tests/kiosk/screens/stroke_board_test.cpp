@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <set>
 
+#include "kiosk/render/text.h"
 #include "tests/kiosk/screens/layout_check.h"
+#include "tests/kiosk/screens/trial_language.h"
 #include "tests/kiosk/screens/visitor.h"
 
 namespace onggi::screens {
@@ -229,6 +233,52 @@ TEST(Idle, WhoHasOneSwitchHasTheTimeToComeRoundToEverything) {
     v.frames(10 * 5.0);
     EXPECT_EQ(v.visit->screen(), ScreenId::attract);
   }
+}
+
+TEST(StrokeBoard, ItsButtonsFillTheirRowsAndNoneStandsAloneInAnyLanguage) {
+  const render::Typesetter fonts;
+  std::vector<content::Language> all{long_words(), from_the_right()};
+  for (const auto& file : std::filesystem::directory_iterator("content/languages"))
+    all.push_back(*content::Language::read(file.path()));
+  int in_two_rows = 0;
+  for (const content::Language& language : all)
+    for (const auto& [width, height] :
+         {std::pair(1280, 720), {1920, 1080}, {1080, 1920}, {1024, 600}})
+      for (const bool larger : {false, true}) {
+        Visitor v(3, &fonts);
+        v.width = width, v.height = height;
+        v.languages = {language, v.languages.front()};
+        v.exhibit.screen.spoken = true;
+        v.exhibit.screen.larger_text = larger;
+        v.put_tools_to_hand();
+        v.throw_a_pot();
+        v.frames(1);
+        std::map<float, std::map<std::string, int>> rows;  // by height: how many of each kind
+        float left = 1e9f, right = 0;
+        for (const auto& [id, rect] : v.visit->controls()) {
+          const bool stroke = id.starts_with("throw.ask.") || id == "throw.tell";
+          const bool way = id == "throw.tools" || id == "throw.wheel";
+          if (!stroke && !way && !id.starts_with("throw.part.")) continue;
+          ++rows[rect.y][stroke || way ? "strokes and ways" : "parts"];
+          left = std::min(left, rect.x), right = std::max(right, rect.x + rect.w);
+        }
+        for (const auto& [id, rect] : v.visit->controls()) {
+          if (id != "throw.tell") continue;
+          const int beside = rows[rect.y]["strokes and ways"];
+          EXPECT_GT(beside, 1) << language.code() << ' ' << width << (larger ? " larger" : "");
+          in_two_rows += rows.size() > 3 ? 1 : 0;
+        }
+        // Every row reaches from one side to the other.
+        for (const auto& [y, kinds] : rows) {
+          float from = 1e9f, to = 0;
+          for (const auto& [id, rect] : v.visit->controls())
+            if (rect.y == y) from = std::min(from, rect.x), to = std::max(to, rect.x + rect.w);
+          EXPECT_NEAR(from, left, 1)
+              << language.code() << ' ' << width << (larger ? " larger" : "");
+          EXPECT_NEAR(to, right, 1) << language.code() << ' ' << width << (larger ? " larger" : "");
+        }
+      }
+  EXPECT_GT(in_two_rows, 10) << "where they do not fit in one each";
 }
 
 }  // namespace

@@ -124,6 +124,70 @@ TEST(TwoHands, AMouseAndArrowsAreTwoHandsToo) {
   EXPECT_NEAR(hands[0].position.y, 0.1, 0.02);
 }
 
+TEST(TwoHands, TheMouseTakesNothingFromTheKeyboardAmongTheButtons) {
+  AtWheel v(kTwo);
+  v.key(Key::up);
+  v.frames(0.5);
+  v.key(Key::enter);
+  EXPECT_EQ(v.visit->focus(), "throw.done");
+  const auto [x, y] = v.at(0.06, 0.1);
+  const auto mouse_works = [&](float by) {
+    v.down(x, y);
+    v.show();
+    v.move(x + by, y);
+    v.frames(0.2);
+  };
+  mouse_works(-4);
+  EXPECT_EQ(v.visit->focus(), "throw.done") << "whoever is there stays";
+  EXPECT_TRUE(v.told()[0].active && v.told()[1].active) << "and both hands work on";
+  ASSERT_TRUE(v.key_to("throw.water"));
+  EXPECT_TRUE(v.potter.waters.back());
+  ASSERT_TRUE(v.key_to("throw.wheel"));
+  ASSERT_TRUE(v.visit->control("throw.faster"));
+  v.up(x - 4, y);
+  mouse_works(-8);
+  ASSERT_TRUE(v.visit->control("throw.faster")) << "nor is their drawer closed";
+  const double before = v.potter.wheels.back();
+  ASSERT_TRUE(v.key_to("throw.faster"));
+  EXPECT_GT(v.potter.wheels.back(), before);
+  v.key(Key::back);
+  v.key(Key::back);
+  EXPECT_EQ(v.visit->focus(), "") << "the arrows move the hand again";
+  const double high = v.told()[1].position.y;
+  for (int n = 0; n < 6; ++n) v.key(Key::up);
+  v.frames(1);
+  EXPECT_GT(v.told()[1].position.y, high + 0.005);
+}
+
+TEST(TwoHands, ADrawerThatTheMouseOpenedIsClosedByItsTouchOfThePot) {
+  AtWheel v(kTwo);
+  v.touch("throw.wheel");
+  ASSERT_TRUE(v.visit->control("throw.faster"));
+  const auto [x, y] = v.at(0.06, 0.1);
+  v.down(x, y);
+  v.show();
+  EXPECT_FALSE(v.visit->control("throw.faster"));
+}
+
+TEST(TwoHands, OfOneVisitorThePointerTakesTheKeyboardOutOfTheButtons) {
+  Visitor v;
+  v.throw_a_pot();
+  v.frames(1);
+  v.key(Key::enter);
+  EXPECT_EQ(v.visit->focus(), "throw.done");
+  v.move(900, 300);
+  v.show();
+  EXPECT_EQ(v.visit->focus(), "");
+  v.key(Key::up);
+  EXPECT_EQ(v.visit->focus(), "") << "the arrows move the hand";
+  v.exhibit.screen.spoken = true;  // and where keys move among buttons only
+  v.key(Key::up);
+  EXPECT_NE(v.visit->focus(), "");
+  v.move(900, 310);
+  v.show();
+  EXPECT_EQ(v.visit->focus(), "");
+}
+
 TEST(TwoHands, AnArrowMovesTheHandInsideToTheSideThatItPointsTo) {
   for (const bool left_handed : {false, true}) {
     AtWheel v(kTwo);
