@@ -20,7 +20,7 @@ namespace {
 constexpr int kSmallLong = 150;  // pixels of a small picture's longer side
 constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13, kNarrow = 120,
                 kStateName = 400;
-constexpr int kPiece = 2048;  // pixels high
+constexpr int kPiece = 2048;  // pixels wide and high
 
 /// `image` in `width` x `height` pixels, each the mean of what it covers.
 view::Image smaller(const view::Image& image, int width, int height) {
@@ -164,26 +164,35 @@ class Album {
     return image;
   }
 
-  /// A sheet is higher than any picture that is drawn at once.
+  /// A sheet is larger than any picture that is drawn at once.
   view::Image drawn_in_pieces(const std::vector<view::Item>& items, int width, int height) {
-    view::Image whole{width, 0, {}};
-    for (; whole.height < height; whole.height += kPiece) {
-      view::Frame piece;
-      piece.width = width;
-      piece.height = std::min(kPiece, height - whole.height);
-      const auto w = static_cast<float>(width), h = static_cast<float>(piece.height);
-      piece.items.emplace_back(view::Box{{0, 0, w, h}, 0, view::kPlaster, 0, {}});
-      for (view::Item item : items) {
-        view::Rect& box = std::holds_alternative<view::Text>(item)
-                              ? std::get<view::Text>(item).box
-                              : std::get<view::Picture>(item).box;
-        box.y -= static_cast<float>(whole.height);
-        if (box.y < h && box.y + box.h > 0) piece.items.push_back(std::move(item));
+    view::Image whole{width, height, {}};
+    whole.rgba.resize(static_cast<std::size_t>(4 * width) * static_cast<std::size_t>(height));
+    for (int top = 0; top < height; top += kPiece)
+      for (int left = 0; left < width; left += kPiece) {
+        view::Frame piece;
+        piece.width = std::min(kPiece, width - left);
+        piece.height = std::min(kPiece, height - top);
+        const view::Rect here{0, 0, static_cast<float>(piece.width),
+                              static_cast<float>(piece.height)};
+        piece.items.emplace_back(view::Box{here, 0, view::kPlaster, 0, {}});
+        for (view::Item item : items) {
+          view::Rect& box = std::holds_alternative<view::Text>(item)
+                                ? std::get<view::Text>(item).box
+                                : std::get<view::Picture>(item).box;
+          box.x -= static_cast<float>(left);
+          box.y -= static_cast<float>(top);
+          if (box.x < here.w && box.x + box.w > 0 && box.y < here.h && box.y + box.h > 0)
+            piece.items.push_back(std::move(item));
+        }
+        const view::Image drawn = kiosk_.renderer().draw_offscreen(piece);
+        const auto row = static_cast<std::size_t>(4 * piece.width);
+        for (int y = 0; y < piece.height; ++y)
+          std::copy_n(
+              &drawn.rgba[static_cast<std::size_t>(y) * row], row,
+              &whole.rgba[4 * (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(left))]);
       }
-      const view::Image drawn = kiosk_.renderer().draw_offscreen(piece);
-      whole.rgba.insert(whole.rgba.end(), drawn.rgba.begin(), drawn.rgba.end());
-    }
-    whole.height = height;
     return whole;
   }
 
