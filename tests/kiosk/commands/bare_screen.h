@@ -67,16 +67,20 @@ class BareScreen {
     }
     return true;
   }
+  /// One of several fingers on the glass, in shares of it from the top left.
+  void put(std::uint32_t finger, double x, double y) { say_touch(finger, 18, x, y); }
+  void move(std::uint32_t finger, double x, double y) { say_touch(finger, 19, x, y); }
+  void lift(std::uint32_t finger, double x, double y) { say_touch(finger, 20, x, y); }
   /// A finger touches the glass, in shares of it from the top left, and lifts. Gives where X saw
   /// it, pixels of the whole screen.
   std::pair<int, int> touch(double x, double y) {
     ++finger_;
-    say_touch(18, x, y);
-    say_touch(19, x, y + 0.001);  // the pointer follows a touch that moves
+    say_touch(finger_, 18, x, y);
+    say_touch(finger_, 19, x, y + 0.001);  // the pointer follows a touch that moves
     say(1, "");
     listen();
     const std::string where = text("xdotool getmouselocation");
-    say_touch(20, x, y);
+    say_touch(finger_, 20, x, y);
     say(1, "");
     listen();
     std::pair<int, int> at{-1, -1};
@@ -166,13 +170,13 @@ Section "InputDevice"
     if (write(glass_, all.data(), all.size()) != static_cast<ssize_t>(all.size()))
       std::perror("inputtest");
   }
-  void say_touch(std::uint32_t kind, double x, double y) const {
+  void say_touch(std::uint32_t finger, std::uint32_t kind, double x, double y) const {
     struct {
       std::uint32_t finger, kind, unaccelerated;
       std::array<std::uint8_t, 8> mask{3};
       std::uint32_t gap = 0;
       std::array<double, 128> values{};
-    } body{finger_, kind, 0};
+    } body{finger, kind, 0};
     body.values[0] = 65535 * x;
     body.values[1] = 65535 * y;
     say(6, {reinterpret_cast<const char*>(&body), sizeof body});
@@ -187,7 +191,7 @@ Section "InputDevice"
   std::unique_ptr<files::ChildProcess> server_;
   std::string display_;
   int glass_ = -1;
-  std::uint32_t finger_ = 0;
+  std::uint32_t finger_ = 100;  // beyond those of put()
 };
 
 /// `onggi run ARGUMENTS` on it, in a run of its own.

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
 
+#include "kiosk/render/window.h"
 #include "tests/kiosk/commands/bare_screen.h"
 
 namespace onggi::commands {
@@ -46,6 +50,58 @@ TEST(ScreenChanges, APictureFillsTheMonitorThatIsThereAndAFingerFallsWhereItTouc
   EXPECT_EQ(screen->window(), "640x480+0+0");
   kiosk->end(SIGTERM);
   EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+}
+
+/// What reaches the screens of fingers on the glass.
+class Glass {
+ public:
+  explicit Glass(render::Window& window) : window_(window) {}
+  /// The last that is heard of a finger comes to be this, soon.
+  bool hears(view::InputEvent::Kind kind, std::uint8_t finger, float x, float y) {
+    for (int n = 0; n < 500; ++n) {
+      for (const view::InputEvent& event : window_.poll())
+        if (event.glass) last_.at(event.finger) = event;
+      const view::InputEvent& last = last_.at(finger);
+      if (last.glass && last.kind == kind && std::hypot(last.x - x, last.y - y) < 1.5f) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+ private:
+  render::Window& window_;
+  std::array<view::InputEvent, 10> last_;
+};
+
+TEST(ScreenChanges, TwoFingersOnTheGlassAreTwoHandsAndTheOneThatStaysIsNotLetGo) {
+  using Kind = view::InputEvent::Kind;
+  const auto screen = BareScreen::start();
+  if (!screen) GTEST_SKIP() << "no Xorg with a dummy screen could be started";
+  setenv("DISPLAY", screen->display().c_str(), 1);
+  auto window = render::Window::create({.width = 640, .height = 480});
+  ASSERT_TRUE(window);
+  EXPECT_EQ((*window)->fingers(), 10);
+  Glass glass(**window);
+  screen->put(1, 0.25, 0.5);
+  EXPECT_TRUE(glass.hears(Kind::pointer_down, 0, 160, 240));
+  screen->put(2, 0.75, 0.5);
+  EXPECT_TRUE(glass.hears(Kind::pointer_down, 1, 480, 240));
+  for (int n = 1; n <= 20; ++n) {
+    screen->move(1, 0.25 + 0.005 * n, 0.5 - 0.01 * n);
+    screen->move(2, 0.75 - 0.005 * n, 0.5 - 0.01 * n);
+  }
+  EXPECT_TRUE(glass.hears(Kind::pointer_move, 0, 224, 144));
+  EXPECT_TRUE(glass.hears(Kind::pointer_move, 1, 416, 144));
+  screen->lift(1, 0.35, 0.3);
+  EXPECT_TRUE(glass.hears(Kind::pointer_up, 0, 224, 144));
+  screen->move(2, 0.5, 0.5);
+  EXPECT_TRUE(glass.hears(Kind::pointer_move, 1, 320, 240));
+  screen->put(3, 0.1, 0.1);
+  EXPECT_TRUE(glass.hears(Kind::pointer_down, 0, 64, 48)) << "whoever comes takes the free place";
+  screen->lift(2, 0.5, 0.5);
+  EXPECT_TRUE(glass.hears(Kind::pointer_up, 1, 320, 240));
+  screen->lift(3, 0.1, 0.1);
+  EXPECT_TRUE(glass.hears(Kind::pointer_up, 0, 64, 48));
 }
 
 /// The largest byte of what the screen shows, alpha aside.
