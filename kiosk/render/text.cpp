@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -26,6 +27,9 @@ std::string key_of(const std::string& text, const view::TextStyle& s, float widt
                 static_cast<double>(std::max(width, 0.0f)));
   return head + s.language + '\n' + text;
 }
+
+// What a figure is of: it stands in the figure's line.
+constexpr std::array<const char*, 9> kUnits{"mm", "cm", "m", "l", "s", "%", "مم", "سم", "ل"};
 
 // The families of one voice, nearest script first; fontconfig finds any other script itself.
 std::string families(const view::TextStyle& s) {
@@ -75,6 +79,20 @@ void keep_together(std::size_t start, std::size_t end, PangoAttrList* attributes
   keep->start_index = static_cast<guint>(start);
   keep->end_index = static_cast<guint>(end);
   pango_attr_list_insert(attributes, keep);
+}
+
+void keep_units(const std::string& text, PangoAttrList* attributes) {
+  const auto letter = [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0;
+  };
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] != ' ' || std::isdigit(static_cast<unsigned char>(text[i - 1])) == 0) continue;
+    for (const char* unit : kUnits) {
+      const std::size_t end = i + 1 + std::strlen(unit);
+      const bool same = text.compare(i + 1, end - i - 1, unit) == 0;
+      if (same && (end >= text.size() || !letter(text[end]))) keep_together(i - 1, end, attributes);
+    }
+  }
 }
 
 // Korean may break inside a word, but reads better when it does not (as museum labels are set).
@@ -143,6 +161,7 @@ struct Typesetter::Pango {
     // An absolute line height keeps lines even where a fallback font is taller.
     pango_attr_list_insert(attributes, pango_attr_line_height_new_absolute(static_cast<int>(
                                            std::round(s.px * s.line_height) * PANGO_SCALE)));
+    keep_units(text, attributes);
     const std::string two = s.language.substr(0, 2);
     if (two == "ko") keep_korean_words(text, attributes);
     if (two == "ja" || two == "zh") keep_parts_of_a_list(text, attributes);

@@ -33,6 +33,27 @@ TEST(Typesetter, NumbersAreTabular) {
   EXPECT_EQ(type.measure("1111", {.px = 40}, 0).width, type.measure("8888", {.px = 40}, 0).width);
 }
 
+TEST(Typesetter, AFigureAndItsUnitStandInOneLine) {
+  const Typesetter type;
+  const view::TextStyle style{.px = 30};
+  const auto set = [&](const std::string& before, const std::string& rest) {
+    // Room for what stands before and for the figure, and not for its unit.
+    const float room = type.measure(before + " 30.5", style, 0).width + 4;
+    return type.measure(before + " " + rest, style, room);
+  };
+  const float line = type.measure("x", style, 0).height;
+  for (const char* unit : {"cm", "mm", "l", "%", "سم"}) {
+    const std::string figure = std::string("30.5 ") + unit;
+    EXPECT_NEAR(set("Moon jar, 18th century,", figure).height, 2 * line, 0.1f * line) << unit;
+    EXPECT_LT(set("Moon jar, 18th century,", figure).width,
+              type.measure("Moon jar, 18th century, 30.5", style, 0).width - 20)
+        << unit;
+  }
+  // A word that only begins like one is a word.
+  EXPECT_GT(set("Moon jar, 18th century,", "30.5 slow").width,
+            type.measure("Moon jar, 18th century,", style, 0).width + 20);
+}
+
 TEST(Typesetter, KoreanWordsAreNotBroken) {
   const Typesetter type;
   const view::TextStyle style{.px = 30, .language = "ko"};
