@@ -126,6 +126,7 @@ void CardShelf::watch_finger() {
 
 void CardShelf::lay_out(Page& page, Column& column) {
   if (cards_.count() == 0) return;
+  column.into_reach();
   const TypeScale& t = page.type();
   // How many cards stand beside one another follows from the type; how many rows, from what is
   // left.

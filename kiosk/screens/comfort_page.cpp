@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "kiosk/screens/overlays.h"
@@ -180,11 +181,12 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   column.text(desk.say("comfort.lead"), t.body, Face::sans, view::kFaintInk);
   column.space(t.gap * 1.5f);
 
+  column.into_reach();
   const Rect rest = column.rest();
   const float aside = t.body * 2.5f;
   const int abreast = rest.w > t.body * kTwoAbreast ? 2 : 1;
   const float width = abreast == 2 ? (rest.w - aside) / 2 : rest.w;
-  const float between = t.gap * 1.6f;
+  float between = t.gap * 1.6f;
   const std::vector<Comfort::Choice> choices = offered(page, desk);
   const bool sound = desk.world.exhibit->sound.volume > 0;
   const auto lines = (choices.size() + (sound ? 1 : 0) + static_cast<std::size_t>(abreast) - 1) /
@@ -193,7 +195,8 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   std::vector<float> heights;  // of the lines
   float all = 0;
   // Where names and what they do have no room, names say enough, and can be read.
-  for (const bool explained : {true, false}) {
+  for (const auto& [explained, air] : {std::pair(true, 1.6f), {false, 1.6f}, {false, 0.5f}}) {
+    between = air * t.gap;
     rows.clear();
     for (const Comfort::Choice& choice : choices)
       rows.emplace_back(page, desk, control_of(choice), desk.screen().*choice.of, width, explained);
@@ -206,7 +209,7 @@ void lay_out_comfort(Page& page, const Desk& desk) {
     }
     all = std::accumulate(heights.begin(), heights.end(), between * static_cast<float>(lines - 1));
     if (fits && all <= rest.h) break;
-    if (!explained) page.overflowed();
+    if (air < 1) page.overflowed();
   }
   // From the foot up: whoever reaches no higher needs them most.
   float y = rest.y + rest.h - all;

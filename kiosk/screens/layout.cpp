@@ -1,6 +1,7 @@
 #include "kiosk/screens/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kiosk/view/type_scale.h"
@@ -13,7 +14,9 @@ constexpr double kReachLow = 380.0, kReachHigh = 1220.0;  // mm above the floor,
 constexpr float kLarger = 1.3f, kLeadOfLarger = 1.1f;
 constexpr float kTitlesGive = 0.6f, kGapsGive = 0.4f;  // at most, of what they are more than text
 constexpr float kBodyStep = 0.94f;
-constexpr float kUpright = 0.8f;  // of the width: from here on the pot stands over the words
+constexpr float kPotInReach = 0.28f;  // of its height, in portrait
+constexpr float kReadAbove = 0.6f;    // of what is in reach: farther up is far from the buttons
+constexpr float kUpright = 0.8f;      // of the width: from here on the pot stands over the words
 
 double pixels_per_mm(const settings::Exhibit::Screen& screen, int width, int height) {
   return std::hypot(width, height) / std::max(screen.diagonal_mm, 100.0);
@@ -34,12 +37,38 @@ view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int heig
   return foot - top < 1 ? view::Rect{0, 0, w, h} : view::Rect{0, top, w, foot - top};
 }
 
-GiveWay give_way(int step) {
+GiveWay give_way(int step, bool low) {
   // Half of what titles have to give costs less than a part of the pot's room.
-  constexpr GiveWay kSteps[kBodyGives] = {
-      {0, false}, {0.5f, false}, {1, false}, {0.5f, true}, {1, true}};
-  if (step < kBodyGives) return kSteps[std::max(step, 0)];
-  return {1, true, std::pow(kBodyStep, static_cast<float>(step - kBodyGives + 1))};
+  constexpr std::array<GiveWay, 5> kAll{{{0}, {0.5f}, {1}, {0.5f, true}, {1, true}}};
+  // What lies higher is seen from farther below: half of that first.
+  constexpr std::array<GiveWay, 7> kLow{
+      {{0}, {0.5f}, {1}, {1, false, 0.5f}, {1, false, 1}, {0.5f, true, 1}, {1, true, 1}}};
+  const auto of = [&](const auto& steps) {
+    const int gives = static_cast<int>(steps.size());
+    GiveWay way = steps[static_cast<std::size_t>(std::clamp(step, 0, gives - 1))];
+    if (step >= gives) way.body = std::pow(kBodyStep, static_cast<float>(step - gives + 1));
+    return way;
+  };
+  return low ? of(kLow) : of(kAll);
+}
+
+void read_above(Regions& r, float margin, float share) {
+  if (share <= 0 || r.all.y <= 0) return;
+  r.reach = r.all.y;
+  const float up = share * std::clamp(r.page.y - margin, 0.0f, kReadAbove * r.all.h);
+  r.page.y -= up;
+  r.page.h += up;
+  if (r.portrait) {
+    const float most = std::max(0.0f, r.words.y - r.reach - kPotInReach * r.all.h);
+    const float higher = std::min(up, share * most);
+    r.words.y -= higher;
+    r.words.h += higher;
+    r.pot.h += up - higher;
+    r.pot.y -= up;
+    return;
+  }
+  r.words.y -= up;
+  r.words.h += up;
 }
 
 TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int height,

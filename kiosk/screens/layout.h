@@ -26,11 +26,12 @@ view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int heig
 struct GiveWay {
   float titles = 0;    ///< 0..1: titles come nearer to body text, and things to each other.
   bool roomy = false;  ///< Words take of the pot's room.
+  float above = 0;     ///< 0..1: what is only read stands in what is free above a visitor's reach.
   float body = 1;      ///< And only then what is read is set smaller: of its size.
 };
-/// Step by step, 0 nothing. From step kBodyGives on body text does.
-inline constexpr int kBodyGives = 5, kLastGiveWay = 20;
-GiveWay give_way(int step);
+/// Step by step, 0 nothing. `low`: the visitor reaches a part of the screen only.
+inline constexpr int kLastGiveWay = 20;
+GiveWay give_way(int step, bool low);
 
 /// The steps of view::TypeScale (capitals of 0.7 degrees at the exhibit's viewing distance), but
 /// body text is never larger than 1/28 of the short side of the screen, so that a far or small
@@ -47,10 +48,15 @@ struct Regions {
   view::Rect words, pot;
   view::Rect page;  ///< All inside the margins.
   view::Rect all;   ///< And with them.
+  float reach = 0;  ///< Nothing that is touched stands above this row.
   bool portrait = false;
   bool mirrored = false;
   bool roomy = false;
 };
 Regions regions(const view::Rect& all, float margin, bool mirrored, bool roomy = false);
+
+/// What is only read goes up by `share` of what is free above `r.all`. In portrait the pot does,
+/// and leaves words its room; its lower part stays in reach, for who turns it.
+void read_above(Regions& r, float margin, float share);
 
 }  // namespace onggi::screens

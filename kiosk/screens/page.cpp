@@ -82,8 +82,7 @@ view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
 }
 
 void Page::button(const Button& button, const Rect& rect) {
-  if (!button.id.empty())
-    controls_.push_back({button.id, rect, button.words, button.on, button.note});
+  if (!button.id.empty()) touched({button.id, rect, button.words, button.on, button.note});
   if (!button.other.empty()) {
     switch_halves(button, rect);
   } else {
@@ -148,8 +147,13 @@ void Page::switch_halves(const Button& button, const Rect& rect) {
   }
 }
 
-void Page::control(const Control& control) {
+void Page::touched(const Control& control) {
+  if (!control.by_keys && control.rect.y < where().reach - 0.5f) overflow_ = out_of_reach_ = true;
   controls_.push_back(control);
+}
+
+void Page::control(const Control& control) {
+  touched(control);
   if (sheet_.attention.pressed == control.id)
     draw(view::Box{
         control.rect, type().body * 0.14f, view::with_alpha(view::kCobalt, 0.08f), 0, {}});
@@ -247,6 +251,7 @@ void Column::buttons(const std::vector<Button>& row, const std::string& caption,
                      float caption_width) {
   std::vector<Placed> placed;
   const float height = flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
+  into_reach();
   top_ += height;
   place(placed, top_ - height, caption, caption_width);
 }
@@ -304,9 +309,13 @@ void Column::circles(int full, int count, const std::string& words) {
     const Color fill = i < full ? view::kIron : Color{0, 0, 0, 0};
     page_.draw(view::Box{r, diameter / 2, fill, std::max(1.5f, diameter * 0.07f), view::kIron});
   }
-  const float x = box_.x + static_cast<float>(count) * pitch + page_.type().gap * 0.5f;
+  float x = box_.x + static_cast<float>(count) * pitch + page_.type().gap * 0.5f;
   const float room = size.width + kSlack;
-  if (x + room > box_.x + box_.w) page_.overflowed();
+  if (x + room > box_.x + box_.w) {  // under them
+    x = box_.x;
+    top_ += size.height;
+    if (room > box_.w) page_.overflowed();
+  }
   page_.words({turned(x, room), top_, room, size.height}, words, style, view::kFaintInk);
   page_.tell(top_, words);
   top_ += size.height;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -101,11 +102,14 @@ class Page {
 
   bool restarted() const { return restart_; }
   bool overflow() const { return overflow_; }
+  /// Nothing stands above Regions::reach that is touched.
+  bool in_reach() const { return !out_of_reach_; }
   const std::vector<Control>& controls() const { return controls_; }
   std::vector<view::Item>& items() { return items_; }
 
  private:
   void focus_ring(const view::Rect& rect);
+  void touched(const Control& control);
   void switch_halves(const Button& button, const view::Rect& rect);
 
   Measuring& measuring_;
@@ -113,7 +117,7 @@ class Page {
   std::vector<view::Item> items_;
   std::vector<Control> controls_;
   std::vector<std::pair<float, std::string>> told_;
-  bool overflow_ = false, restart_ = false;
+  bool overflow_ = false, restart_ = false, out_of_reach_ = false;
 };
 
 /// Fills a rectangle from its top and from its foot until both meet.
@@ -125,6 +129,8 @@ class Column {
   Page& page() const { return page_; }
   void space(float px) { top_ += px; }
   void foot_space(float px) { foot_ -= px; }
+  /// What comes next from the top is touched.
+  void into_reach() { top_ = std::max(top_, page_.where().reach); }
   /// A paragraph, at most 55 characters wide.
   void text(const std::string& words, float px, view::Face face = view::Face::sans,
             view::Color color = view::kInk, view::Align align = view::Align::start);
@@ -142,7 +148,8 @@ class Column {
   void foot_grid(const std::vector<Button>& cells, float height, bool mirrored);
   /// How many of them that is.
   std::size_t abreast(const std::vector<Button>& cells) const;
-  /// `count` circles, the first `full` of them filled, and the same in words after them.
+  /// `count` circles, the first `full` of them filled, and the same in words after them or, where
+  /// that has no room, below.
   void circles(int full, int count, const std::string& words);
   /// What is left between top and foot.
   view::Rect rest() const { return {box_.x, top_, box_.w, foot_ - top_}; }

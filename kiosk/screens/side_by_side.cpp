@@ -26,6 +26,12 @@ double scale_in(float width, float height, double tall, double radius) {
 /// All that is beside the words, or above them.
 Rect room_of(const Regions& where, float gap) {
   Rect room = where.page;
+  // A finger turns what stands there: in portrait by its lower part.
+  if (where.reach > 0 && !where.portrait) {
+    const float low = std::max(where.reach + gap - room.y, 0.0f);
+    room.y += low;
+    room.h -= low;
+  }
   if (where.portrait) {
     room.h = where.words.y - 2 * gap - room.y;
   } else {
@@ -93,7 +99,10 @@ SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const 
       abreast ? 0.0f
               : std::min(room.h - tall - names - gap, static_cast<float>(at.scale * height_));
   const float all = tall + names + (abreast ? 0.0f : below + gap);
-  const float top = room.y + (room.h - all) / 2;
+  // Where an upright page goes on above what is in reach, the drawing stands up there: pots are
+  // turned by a finger.
+  const bool low = page.where().portrait && page.where().reach > 0, drawing_over = low && !abreast;
+  const float top = low ? room.y + room.h - tall - names : room.y + (room.h - all) / 2;
   const auto column = [&](int n) {
     return Rect{room.x + static_cast<float>(n) * (width + 2 * gap), top, width, tall};
   };
@@ -103,6 +112,10 @@ SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const 
   at.vessel = column(page.right_to_left() ? second : first);
   at.pot = column(page.right_to_left() ? first : second);
   at.names = top + tall;
+  if (drawing_over) {
+    at.section = {room.x, top - gap - below, room.w, below};
+    return at;
+  }
   at.section =
       abreast ? column(drawing_first ? 0 : 2) : Rect{room.x, at.names + names + gap, room.w, below};
   return at;

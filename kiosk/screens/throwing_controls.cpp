@@ -18,6 +18,7 @@ using view::Face;
 
 namespace {
 
+constexpr float kPotAbove = 0.4f;         // of the shorter side of what is in reach
 constexpr float kMostUsed = 4.0f / 3.0f;  // of the least touch target: 20 mm
 constexpr float kColumn = 0.3f, kLargerColumn = 0.42f, kWidestColumn = 0.5f;  // of the width
 
@@ -99,7 +100,16 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
   const TypeScale& t = page.type();
   const view::Rect at = column.rest();
   const Button skip{"throw.skip", desk.say("throw.skip"), Look::quiet};
-  const auto skip_size = page.size(skip, at.w);
+  const bool skip_below = at.y < page.where().reach;
+  auto skip_size = page.size(skip, at.w);
+  if (skip_below) {
+    if (now.skip)
+      column.foot_buttons({skip});
+    else
+      column.foot_space(skip_size.height);
+    column.foot_space(t.gap);
+    skip_size = {};
+  }
   const auto style = page.style(Face::serif, t.body);
   const float width = at.w - skip_size.width - t.gap;
   const std::string title = desk.heading();
@@ -111,7 +121,7 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
               size.height},
              title, style, view::kFaintInk);
   page.tell(at.y, title);
-  if (now.skip)
+  if (now.skip && !skip_below)
     page.button(skip,
                 {from_right ? at.x : at.x + at.w - skip_size.width, at.y, skip_size.width, height});
   column.space(height);
@@ -184,6 +194,7 @@ std::vector<DrawerRow> wheel_rows(const Desk& desk, const ThrowingControls& now)
 void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   const Page& page = column.page();
   const TypeScale& t = page.type();
+  column.into_reach();
   std::vector<DrawerRow> rows;
   if (now.drawer == Drawer::wheel) {
     rows = wheel_rows(desk, now);
@@ -210,27 +221,30 @@ std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hin
   return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();
 }
 
-/// What the words' part of the page needs at least, `width` pixels wide, whatever happens.
-float height_needed(const Page& page, const Desk& desk, const ThrowingControls& now, float width) {
-  constexpr float kEndless = 1e5f;
-  const auto height_of = [&](Drawer open, Mishap mishap, const auto& lay_out) {
+/// What is left at the least between head and foot of `box`, whatever happens: below 0 it is too
+/// low. Nothing where something stands out of reach.
+std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk& desk,
+                             const ThrowingControls& now) {
+  bool reached = true;
+  const auto left_of = [&](Drawer open, Mishap mishap, const auto& lay_out) {
     ThrowingControls then = now;
     then.drawer = open;
     then.mishap = mishap;
     Page trial = page;
-    Column column(trial, {0, 0, width, kEndless});
+    Column column(trial, box);
     standing(column, desk, then);
     lay_out(column, then);
-    return kEndless - column.rest().h;
+    reached = reached && trial.in_reach();
+    return column.rest().h;
   };
   const auto closed = [&](Mishap mishap) {
-    return height_of(Drawer::closed, mishap, [&](Column& column, const ThrowingControls& then) {
+    return left_of(Drawer::closed, mishap, [&](Column& column, const ThrowingControls& then) {
       most_used(column, desk, then);
       heading(column, desk, then);
       if (mishap != Mishap::none)
         tell_mishap(column, desk, mishap);
       else
-        column.space(longest_telling(page, desk, width - telling_drawing(page)) +
+        column.space(longest_telling(page, desk, box.w - telling_drawing(page)) +
                      telling_below(page));
     });
   };
@@ -241,16 +255,19 @@ float height_needed(const Page& page, const Desk& desk, const ThrowingControls& 
       if (hint.size() > longest.size()) longest = std::move(hint);
     then.board->lay_out(column, desk, ways(desk, then), then.parts, false, longest);
   };
-  float most = 0;
+  float least = box.h;
   for (const Drawer open : {Drawer::tools, Drawer::wheel})
-    most = std::max(
-        most, height_of(open, Mishap::none, [&](Column& column, const ThrowingControls& then) {
-          drawer(column, desk, then);
-        }));
-  if (now.board) return std::max(most, height_of(Drawer::closed, Mishap::none, by_strokes));
-  for (const Mishap what : {Mishap::none, Mishap::fell, Mishap::tore_thin, Mishap::tore_wide})
-    most = std::max(most, closed(what));
-  return most;
+    least = std::min(least,
+                     left_of(open, Mishap::none, [&](Column& column, const ThrowingControls& then) {
+                       drawer(column, desk, then);
+                     }));
+  if (now.board) {
+    least = std::min(least, left_of(Drawer::closed, Mishap::none, by_strokes));
+  } else {
+    for (const Mishap what : {Mishap::none, Mishap::fell, Mishap::tore_thin, Mishap::tore_wide})
+      least = std::min(least, closed(what));
+  }
+  return reached ? std::optional(least) : std::nullopt;
 }
 
 }  // namespace
@@ -292,18 +309,28 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
   Regions r = page.where();
   const view::Rect& all = r.all;
   const float margin = page.type().margin;
+  // Strokes by buttons touch no pot: it stands above what is in reach, where that has room.
+  const bool above = r.reach > 0 && StrokeBoard::wanted(desk) &&
+                     all.y - margin > kPotAbove * std::min(all.w, all.h);
+  if (above) {
+    r.portrait = true;
+    page.divide(r);
+  }
   if (r.portrait) {
-    const float high = height_needed(page, desk, now, r.page.w);
+    constexpr float kEndless = 1e5f;
+    const view::Rect endless{0, page.where().reach, r.page.w, kEndless};
+    const float high = kEndless - left_in(endless, page, desk, now).value_or(0);
     r.words = {r.page.x, r.page.y + r.page.h - high, r.page.w, high};
     // Less than this and it is no pot to work on: the words are set smaller instead.
-    if (r.words.y < all.y + 0.45f * all.h) page.overflowed();
-    const float top = all.y + margin;
+    if (!above && r.words.y < all.y + 0.45f * all.h) page.overflowed();
+    if (above && r.words.y < r.reach) page.overflowed();
+    const float top = above ? std::max(margin, r.words.y - r.page.w) : all.y + margin;
     r.pot = {r.page.x, top, r.page.w, std::max(r.words.y - margin * 1.5f - top, margin)};
     page.divide(r);
     return;
   }
   const bool wide = r.roomy || StrokeBoard::wanted(desk);
-  const bool wider = r.roomy && StrokeBoard::wanted(desk);
+  const bool wider = r.roomy && (StrokeBoard::wanted(desk) || r.reach > 0);
   r.words.w = std::round(all.w * (wider ? kWidestColumn : wide ? kLargerColumn : kColumn));
   r.words.x = all.x + margin;
   const float left = r.words.x + r.words.w + margin;
@@ -317,7 +344,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
   }
   page.divide(r);
   // Whatever is to be said, and whichever drawer is open, the pot stays where it is.
-  if (height_needed(page, desk, now, r.words.w) > r.words.h + 1) page.overflowed();
+  if (left_in(r.words, page, desk, now).value_or(-2) < -1) page.overflowed();
 }
 
 void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now, const ShowMe& show,

@@ -250,8 +250,9 @@ void Visit::State::keep_focus() {
 Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
   const settings::Exhibit::Screen own = desk.screen();
   const TypeScale type = type_scale(own, width, height, gives);
-  const Regions home = regions(in_reach(own, width, height), type.margin, desk.mirrored(),
-                               own.larger_text || gives.roomy);
+  Regions home = regions(in_reach(own, width, height), type.margin, desk.mirrored(),
+                         own.larger_text || gives.roomy);
+  read_above(home, type.margin, gives.above);
   Page made(measuring, {width,
                         height,
                         type,
@@ -285,7 +286,7 @@ void Visit::State::lay_out_fitting(int width, int height) {
   tight_for = now_for;
   int again = 3;
   for (;;) {
-    page = std::make_unique<Page>(lay_out(width, height, give_way(tight)));
+    page = std::make_unique<Page>(lay_out(width, height, give_way(tight, desk.screen().low_reach)));
     if (page->restarted() && again-- > 0) continue;
     if (!page->overflow() || tight >= kLastGiveWay) return;
     ++tight;
