@@ -214,6 +214,29 @@ TEST(Comfort, LowReachIsReckonedFromHowLargeTheScreenIsAndHowHighItHangs) {
   EXPECT_EQ(in_reach(screen, 600, 800), (view::Rect{0, 0, 600, 800}));
 }
 
+TEST(Comfort, InLowReachAPotIsWhereAHandReachesItAndWhereNoHandNeedsToItIsLargeAboveTheButtons) {
+  double sizes[2] = {};
+  for (const bool by_buttons : {false, true}) {
+    Visitor v;
+    std::tie(v.width, v.height) = kPortrait;
+    v.exhibit.screen.lower_edge_mm = 1000;
+    v.exhibit.screen.low_reach = true;
+    v.exhibit.screen.one_switch = by_buttons;
+    v.show();
+    v.throw_a_pot();
+    v.frames(1);
+    const float line = in_reach(v.visit->shown_on(), v.width, v.height).y;
+    ASSERT_GT(line, 0);
+    const view::Camera& camera = v.frame.pot->camera;
+    const float rim = camera.project({0, v.clay.rim_height(), 0})->second,
+                foot = camera.project({0, 0, 0})->second;
+    sizes[by_buttons ? 1 : 0] = foot - rim;
+    EXPECT_TRUE(by_buttons || rim >= line) << rim;
+    for (const auto& [id, rect] : v.visit->controls()) EXPECT_GE(rect.y, line - 0.5f) << id;
+  }
+  EXPECT_GT(sizes[1], 1.5 * sizes[0]);
+}
+
 TEST(Comfort, TheVolumeIsNoChoiceWhereTheExhibitHasNoSound) {
   Visitor v;
   v.touch("comfort");
