@@ -31,8 +31,8 @@ constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
 }  // namespace
 
 Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
-  // Of a driver's slabs (Mesa: 32 KiB each) half is never touched: it is resident, too, where they
-  // come to lie in pages of the exhibit before.
+  // A driver's slabs (Mesa: 32 KiB each) are seldom full. What nobody touched of one is resident
+  // all the same where it lies in pages of the exhibit before.
   loop::give_back_memory();
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
   kiosk->seed_ = options.seed;

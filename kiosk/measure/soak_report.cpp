@@ -164,7 +164,7 @@ drawing::Plot plot_of(const SoakReport& report) {
       report.visits, report.minutes, report.memory_slope(), report.kept, report.lost);
   plot.x.label = "the museum's clock, hours";
   plot.y.label = "share of what it was after a sixth of the time";
-  plot.y.low = 0.0;
+  plot.y.log = true;
   const auto begun = between(report, 1.0 / 6, 1.0 / 3);
   const auto series = [&](const char* name, const auto& of, const char* unit) {
     const double first = median_of(begun, of);
@@ -176,14 +176,15 @@ drawing::Plot plot_of(const SoakReport& report) {
     }
     plot.series.push_back(std::move(line));
   };
-  series("memory", memory, " MiB");
-  series("in use", in_use, " MiB");
+  // What is to stay as it was comes last, and so lies over what goes up and down.
+  series("woken late, p99.9", wake, " us");
+  series("a tick, p99.9", tick, " us");
   series(
       "descriptors", [](const SoakSample& at) { return double(at.descriptors); }, "");
   series(
       "threads", [](const SoakSample& at) { return double(at.threads); }, "");
-  series("a tick, p99.9", tick, " us");
-  series("woken late, p99.9", wake, " us");
+  series("in use", in_use, " MiB");
+  series("memory", memory, " MiB");
   return plot;
 }
 
