@@ -90,7 +90,11 @@ void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.foot_buttons(row);
   column.foot_space(column.page().type().gap);
   if (column.page().where().portrait) return;
-  column.foot_buttons(on);
+  // As wide as those over them, where both have room.
+  if (column.abreast(on) == 2)
+    column.foot_grid(on, column.page().type().target, column.page().where().mirrored);
+  else
+    column.foot_buttons(on);
   column.foot_space(column.page().type().gap);
 }
 
