@@ -115,12 +115,25 @@ ClayMesh faced_mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
   foot.ring(0, clay.outer(0));
   finish(foot, ClayFace::foot);
 
-  // The lip is round: the faces end at its shoulders.
+  // The lip is round, and stands on its shoulders: there the walls' faces end. A torus, though the
+  // walls may lean: above the shoulder it goes straight up.
   const double below_lip = top - kLipRadius;
   const auto lip = [&](double across) {
     return [&clay, last, top, across](std::size_t i) {
-      const double out = double{clay.outer(last)[i]};
-      const double in = double{clay.inner(last)[i]};
+      const double wall = double{clay.outer(last)[i]} - double{clay.inner(last)[i]};
+      const bool open = clay.inner(last)[i] > 0.0f;
+      const double shoulder = top - std::min(open ? 0.5 * wall : wall, kLipRadius);
+      int j = last;
+      while (j > 0 && clay.row_height(j) > shoulder) --j;
+      const int next = std::min(j + 1, last);
+      const double apart = clay.row_height(next) - clay.row_height(j);
+      const double share =
+          apart > 0 ? std::clamp((shoulder - clay.row_height(j)) / apart, 0.0, 1.0) : 0.0;
+      const auto radius = [&](std::span<const float> here, std::span<const float> above) {
+        return double{here[i]} + share * (double{above[i]} - double{here[i]});
+      };
+      const double out = radius(clay.outer(j), clay.outer(next));
+      const double in = open ? std::min(radius(clay.inner(j), clay.inner(next)), out) : 0.0;
       const double rho = out + across * (in - out);
       return Vec2{rho, top - lip_drop(in, out, rho)};
     };

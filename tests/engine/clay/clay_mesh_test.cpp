@@ -57,6 +57,35 @@ TEST(ClayMesh, IsClosedRoundLippedAndAsTallAsThePot) {
   }
 }
 
+TEST(ClayMesh, TheLipOfAWallThatLeansStandsOnTheWallItself) {
+  ClayDef def;
+  def.rows = 200;
+  def.sectors = 48;
+  def.inner_radius = 0.03;
+  for (const double slope : {-0.6, 0.6}) {
+    Clay clay = lump(def);
+    const double top = clay.rim_height();
+    const auto outer = [&](double y) { return 0.06 + slope * (y - top); };
+    for (int j = clay.rows() / 2; j < clay.rows(); ++j) {
+      const auto radius = static_cast<float>(outer(clay.row_height(j)));
+      std::ranges::fill(clay.outer_mut(j), radius);
+      std::ranges::fill(clay.inner_mut(j), radius - 0.012f);
+      clay.mark_dirty(j);
+    }
+    const ClayMesh mesh = faced_mesh_of(seen(clay));
+    EXPECT_EQ(shapes::open_edges(joined(mesh.mesh)), 0);
+    double farthest = 0.0;
+    for (std::size_t n = 0; n < mesh.faces.size(); ++n) {
+      if (mesh.faces[n] != ClayFace::outer && mesh.faces[n] != ClayFace::inner) continue;
+      const auto& p = mesh.mesh.positions[n];
+      if (double{p[1]} < top - 0.01) continue;
+      const double wall = outer(double{p[1]}) - (mesh.faces[n] == ClayFace::inner ? 0.012 : 0.0);
+      farthest = std::max(farthest, std::abs(std::hypot(double{p[0]}, double{p[2]}) - wall));
+    }
+    EXPECT_LT(farthest, 1e-5);
+  }
+}
+
 TEST(ClayMesh, ALumpThatNobodyOpenedIsClosedAndFlatInItsMiddle) {
   ClayDef def;
   def.rows = 60;
