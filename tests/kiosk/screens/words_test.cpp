@@ -7,6 +7,7 @@
 #include <set>
 
 #include "kiosk/content/language.h"
+#include "kiosk/content/lesson.h"
 #include "kiosk/score/score.h"
 #include "kiosk/screens/measured_pot.h"
 #include "tests/kiosk/screens/visitor.h"
@@ -48,6 +49,19 @@ TEST(Words, EveryLanguageThatComesSaysTheSameThingsWithTheSamePlaces) {
     EXPECT_EQ(en.keys(), language.keys());
     for (const std::string& key : en.keys())
       EXPECT_EQ(places(en.say(key)), places(language.say(key))) << key;
+  }
+}
+
+TEST(Words, TheLessonLeadsToTheWireByTheNamesOfItsButtons) {
+  std::vector<std::string> codes;
+  for (const auto& language : all_languages()) codes.push_back(language.code());
+  const auto steps = content::read_lesson("content/lessons/first_minute.toml", codes).steps;
+  ASSERT_FALSE(steps.empty());
+  for (const std::string& code : codes) {
+    const content::Language language = read(code);
+    const std::string words = steps.back().words.at(code);
+    EXPECT_NE(words.find(language.say("throw.tools")), std::string::npos) << words;
+    EXPECT_NE(words.find(language.say("tool.wire")), std::string::npos) << words;
   }
 }
 
