@@ -280,6 +280,17 @@ Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
 /// Where words do not fit, something gives way, a step at a time, and then stays so while this
 /// picture lasts: sizes that come and go with the words would flicker.
 void Visit::State::lay_out_fitting(int width, int height) {
+  const std::string stands_for =
+      std::to_string(width) + 'x' + std::to_string(height) + (desk.mirrored() ? " mirrored" : "");
+  // What lies over a screen covers its words alone: after another size its pots stand where it has
+  // them then.
+  if (over != Over::nothing && stands_for != laid_out_for) {
+    const Over covers = std::exchange(over, Over::nothing);
+    lay_out_fitting(width, height);
+    over = covers;
+    tight_for.clear();
+  }
+  laid_out_for = stands_for;
   const std::string now_for = std::to_string(serial) + ' ' + std::to_string(width) + 'x' +
                               std::to_string(height) + desk.words().code();
   if (tight_for != now_for) tight = 0;

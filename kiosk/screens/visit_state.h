@@ -31,6 +31,7 @@ struct Visit::State {
   double changed_at = -10, updated_at = -1;
   int tight = 0;  ///< Step of give_way().
   std::string tight_for;
+  std::string laid_out_for;  ///< Size and side that the screen under all else was laid out for.
   std::array<Vec3, kMaxHands> device_at{};
   bool hands_taken = false;  ///< LoopStatus::hands_taken, as last looked at.
 

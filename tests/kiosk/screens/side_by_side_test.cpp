@@ -166,5 +166,29 @@ TEST(SideBySide, ComingBackFromTheKilnThePotWearsItsGlaze) {
   EXPECT_EQ(v.frame.pot->size, 1.0) << "shapes are compared as they were thrown";
 }
 
+TEST(SideBySide, UnderHelpThePotsStandWhereAScreenOfAnotherSizeHasThem) {
+  for (const bool mirrors : {false, true}) {
+    Visitor v;
+    see_result(v, jar(0.09));
+    v.touch("help");
+    v.show();
+    if (mirrors)
+      v.exhibit.screen.left_handed = true;
+    else
+      v.width = 1080, v.height = 1920;
+    v.show();
+    ASSERT_TRUE(v.frame.pot && v.frame.pot->beside);
+    const view::PotView under = *v.frame.pot;
+    v.touch("help.close");
+    v.frames(1);
+    const view::PotView open = *v.frame.pot;
+    EXPECT_EQ(under.camera.width, open.camera.width);
+    EXPECT_NEAR(under.camera.centre_x, open.camera.centre_x, 1);
+    EXPECT_NEAR(under.camera.centre_y, open.camera.centre_y, 1);
+    EXPECT_NEAR(under.camera.distance, open.camera.distance, 1e-3);
+    EXPECT_NEAR(under.beside->camera.centre_x, open.beside->camera.centre_x, 1);
+  }
+}
+
 }  // namespace
 }  // namespace onggi::screens
