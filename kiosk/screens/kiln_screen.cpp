@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/screens/label.h"
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
 #include "kiosk/screens/target_line.h"
@@ -178,9 +179,7 @@ class KilnScreen final : public Screen {
     const double before = 1000 * desk.made.height(), left = kiln_.fired_size;
     const auto whole = [](double x) { return std::to_string(std::lround(x)); };
     // To a tenth, and no tenth where there is none: 12.5, 10.
-    const long tenths = std::lround(1000 * (1 - left));
-    std::string percent = std::to_string(tenths / 10);
-    if (tenths % 10 != 0) percent += "." + std::to_string(tenths % 10);
+    const std::string percent = hundredths(10 * std::lround(1000 * (1 - left)), desk.words());
     return desk.say(
         "kiln.shrank",
         {{"percent", percent}, {"before", whole(before)}, {"after", whole(before * left)}});

@@ -89,6 +89,14 @@ TEST(KilnScreen, TheWordsSayHowMuchItShrankInBothLanguages) {
   EXPECT_NE(words_in(v.frame).find("백자"), std::string::npos);
 }
 
+TEST(KilnScreen, WhereALanguageWritesACommaItShrankByThat) {
+  KilnVisitor v;
+  v.languages = {*content::Language::read("content/languages/de.toml")};
+  v.make_result();
+  v.glaze_and_fire();
+  EXPECT_NE(words_in(v.frame).find(" 12,5"), std::string::npos) << words_in(v.frame);
+}
+
 TEST(KilnScreen, AnotherGlazeDissolvesOverTheFirstAndTheLastChoiceIsKept) {
   KilnVisitor v;
   v.make_result();
