@@ -8,9 +8,8 @@
 #include <span>
 #include <thread>
 
-#include "kiosk/files/virtual_display.h"
 #include "kiosk/loop/memory.h"
-#include "tests/kiosk/commands/temporary_exhibit.h"
+#include "tests/kiosk/exhibit/one_jar.h"
 #include "tests/kiosk/souvenir/shown_gif.h"
 #include "tests/support/holes.h"
 #include "tests/support/sanitized.h"
@@ -20,37 +19,16 @@
 namespace onggi::exhibit {
 namespace {
 
-using commands::TemporaryFolder;
 using screens::ScreenId;
 
 /// A stepped kiosk with the moon jar on its shelf, where pots are kept as they are thrown.
-class WholeKiosk : public ::testing::Test {
+class WholeKiosk : public OneJar {
  protected:
   void SetUp() override {
-    auto made = files::VirtualDisplay::ensure(640, 360);
-    if (!made) GTEST_SKIP() << "no display, and Xvfb is not installed";
-    display_ = std::move(*made);
-    std::filesystem::create_directories(folder_ / "shelf");
-    std::filesystem::copy("content/vessels/moon_jar", folder_ / "shelf/moon_jar",
-                          std::filesystem::copy_options::recursive);
     KioskOptions options;
-    options.config =
-        commands::write_exhibit(folder_, "paper",
-                                "[keepsake]\nfolder = \"" + (folder_ / "kept").string() + "\"\n" +
-                                    keepsake_ + "[store]\ncount = false\n");
-    options.shelf = folder_ / "shelf";
     options.window = {.width = 640, .height = 360, .visible = false, .title = "Onggi tests"};
-    options.devices = false;
     options.stepped = true;
-    auto kiosk = Kiosk::open(options);
-    ASSERT_TRUE(kiosk) << to_text(kiosk.error());
-    kiosk_ = std::move(*kiosk);
-    until([&] { return kiosk_->open_to_visitors() && kiosk_->shelf().complete(); });
-    ASSERT_TRUE(kiosk_->open_to_visitors());
-  }
-  void TearDown() override {
-    kiosk_.reset();
-    display_.reset();
+    open("paper", keepsake_, options);
   }
   void frame() {
     kiosk_->advance(2);  // Nobody throws.
@@ -86,11 +64,7 @@ class WholeKiosk : public ::testing::Test {
     until([&] { return kiosk_->kept() && kiosk_->kept()->saved; });
   }
 
-  TemporaryFolder folder_;
   std::string keepsake_;  ///< More of its table.
-  std::unique_ptr<files::VirtualDisplay> display_;
-  double now_ = 0;
-  std::unique_ptr<Kiosk> kiosk_;
 };
 
 /// Without pictures that turn, which take some seconds.

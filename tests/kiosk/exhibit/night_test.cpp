@@ -4,14 +4,10 @@
 
 #include <algorithm>
 
-#include "kiosk/exhibit/kiosk.h"
-#include "kiosk/files/virtual_display.h"
-#include "tests/kiosk/commands/temporary_exhibit.h"
+#include "tests/kiosk/exhibit/one_jar.h"
 
 namespace onggi::exhibit {
 namespace {
-
-using commands::TemporaryFolder;
 
 settings::Hours daily() {
   settings::Hours hours;
@@ -46,33 +42,13 @@ TEST(Night, ATouchWakesItForAWhileWhateverTheClockOnTheWallDoes) {
 }
 
 // Shown by the real kiosk: the wall's clock is the test's.
-class DarkKiosk : public ::testing::Test {
+class DarkKiosk : public OneJar {
  protected:
   void SetUp() override {
-    auto made = files::VirtualDisplay::ensure(960, 540);
-    if (!made) GTEST_SKIP() << "no display, and Xvfb is not installed";
-    display_ = std::move(*made);
-    std::filesystem::create_directories(folder_ / "shelf");
-    std::filesystem::copy("content/vessels/moon_jar", folder_ / "shelf/moon_jar",
-                          std::filesystem::copy_options::recursive);
     KioskOptions options;
-    options.config =
-        commands::write_exhibit(folder_, "first_touch",
-                                "[hours]\nevery_day = \"10:00-18:00\"\n[keepsake]\nfolder = \"" +
-                                    (folder_ / "kept").string() + "\"\n[store]\ncount = false\n");
-    options.shelf = folder_ / "shelf";
     options.window = {.width = 960, .height = 540, .visible = false, .title = "Onggi tests"};
-    options.devices = false;
     options.wall = [this] { return wall_; };
-    auto kiosk = Kiosk::open(options);
-    ASSERT_TRUE(kiosk) << to_text(kiosk.error());
-    kiosk_ = std::move(*kiosk);
-    for (int n = 0; n < 2000 && !kiosk_->open_to_visitors(); ++n) frame(0.01);
-    ASSERT_TRUE(kiosk_->open_to_visitors());
-  }
-  void TearDown() override {
-    kiosk_.reset();
-    display_.reset();
+    open("first_touch", "", options, "[hours]\nevery_day = \"10:00-18:00\"\n");
   }
   void frame(double seconds) { kiosk_->frame(now_ += seconds); }
   /// The moment of an hour of 2026-05-04 here.
@@ -83,11 +59,7 @@ class DarkKiosk : public ::testing::Test {
     return std::mktime(&local);
   }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<files::VirtualDisplay> display_;
   std::time_t wall_ = at(12);
-  double now_ = 0;
-  std::unique_ptr<Kiosk> kiosk_;
 };
 
 int brightest(const view::Image& image) {
