@@ -57,8 +57,7 @@ class BlindVisitor {
  public:
   static constexpr double kPace = 0.5;  ///< s between two keys.
   /// `hold`: s that the exhibit asks a key to be held.
-  BlindVisitor(const content::Language& language, VisitPlan plan, double hold)
-      : language_(&language), plan_(std::move(plan)), hold_(hold) {}
+  BlindVisitor(VisitPlan plan, double hold) : plan_(std::move(plan)), hold_(hold) {}
   void hear(const access::Utterance& said, double now);
   /// What is pressed now.
   std::vector<view::InputEvent> step(double now);
@@ -70,7 +69,6 @@ class BlindVisitor {
  private:
   std::vector<view::InputEvent> press(view::Key key);
 
-  const content::Language* language_;
   VisitPlan plan_;
   double hold_;
   double began_at_ = -1, pressed_at_ = 0, waits_since_ = -1;

@@ -43,7 +43,7 @@ Result<std::vector<access::Utterance>> walk_aided(
   if (hold <= 0)
     return problem("[access] hold_to_speak", "It is 0, so this visitor cannot begin.",
                    "Write 3, or leave it out.");
-  BlindVisitor blind(language, plan, hold);
+  BlindVisitor blind(plan, hold);
   SwitchVisitor one_switch(plan, hold);
 
   std::set<std::string> seen;

@@ -58,7 +58,7 @@ class Walk {
   Walk(const settings::Exhibit& exhibit, const exhibit::Scenes& scenes,
        const std::vector<screens::ShelfCard>& cards,
        const std::vector<content::Language>& languages, const exhibit::Missions* missions = nullptr)
-      : exhibit_(exhibit), scenes_(scenes), missions_(missions), cards_(cards), visit_([&] {
+      : scenes_(scenes), missions_(missions), cards_(cards), visit_([&] {
           screens::VisitWorld world;
           world.exhibit = &exhibit;
           world.languages = &languages;
@@ -136,7 +136,6 @@ class Walk {
     if (auto scene = Scene::create(def)) potter.start(std::make_unique<Scene>(std::move(*scene)));
   }
 
-  const settings::Exhibit& exhibit_;
   const exhibit::Scenes& scenes_;
   const exhibit::Missions* missions_;
   const std::vector<screens::ShelfCard> cards_;
@@ -297,7 +296,7 @@ Result<AidedOutcome> QuietVisits::with_mission(const std::string& id, Make&& mak
 }
 
 Result<AidedOutcome> QuietVisits::blind(const Aim& aim, int strokes) const {
-  BlindVisitor visitor(languages_.front(), plan(aim, strokes), exhibit_.access.hold_to_speak);
+  BlindVisitor visitor(plan(aim, strokes), exhibit_.access.hold_to_speak);
   std::string lost;
   auto outcome = aided(aim, exhibit_.screen.scan_seconds,
                        [&](screens::Visit&, access::Assistant& assistant,

@@ -90,7 +90,6 @@ class SoakDays {
   SoakReport report_;
   double real_ = 0, now_ = 0, begun_ = 0, real_begun_ = 0, faster_ = 1;
   double next_sample_ = 0, next_word_ = 1;
-  std::uint64_t languages_ = 0;
 };
 
 Result<void> SoakDays::open() {
