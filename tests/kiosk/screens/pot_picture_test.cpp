@@ -66,7 +66,7 @@ TEST(PotPicture, IsTheSameInAMirrorWhereWordsStandAtTheRightItsLightToo) {
     Visitor right(9, nullptr, true), left(9, nullptr, true);
     left.exhibit.screen.left_handed = true;
     for (Visitor* v : {&right, &left}) std::tie(v->width, v->height) = std::pair(width, height);
-    const auto same = [&](const char* screen) {
+    const auto same = [&, width = width](const char* screen) {
       SCOPED_TRACE(screen + std::to_string(width));
       for (Visitor* v : {&right, &left}) v->frames(1);
       const view::PotView &a = *right.frame.pot, &b = *left.frame.pot;

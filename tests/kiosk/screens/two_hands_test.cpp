@@ -131,7 +131,7 @@ TEST(TwoHands, TheMouseTakesNothingFromTheKeyboardAmongTheButtons) {
   v.key(Key::enter);
   EXPECT_EQ(v.visit->focus(), "throw.done");
   const auto [x, y] = v.at(0.06, 0.1);
-  const auto mouse_works = [&](float by) {
+  const auto mouse_works = [&, x = x, y = y](float by) {
     v.down(x, y);
     v.show();
     v.move(x + by, y);
