@@ -170,8 +170,10 @@ void keep(json& doc, const char* key, std::initializer_list<const char*> wanted)
   }
 }
 
-/// The document cut down to what is used. Every buffer becomes a "file" of one byte: the accessor
-/// reader looks into our own copies, and tinygltf need not hold a second one.
+/// The document cut down to what is used. Every buffer becomes one byte within the file: the
+/// accessor reader looks into our own copies, and tinygltf need not hold a second one. So nothing
+/// is left that names a file, and tinygltf, whose ways to files differ from version to version,
+/// opens none.
 json cut_down(const json& doc, std::size_t buffers) {
   json out = json::object();
   for (const char* key :
@@ -199,7 +201,8 @@ json cut_down(const json& doc, std::size_t buffers) {
     }
   out["buffers"] = json::array();
   for (std::size_t i = 0; i < buffers; ++i)
-    out["buffers"].push_back({{"byteLength", 1}, {"uri", std::to_string(i)}});
+    out["buffers"].push_back(
+        {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}});
   return out;
 }
 
@@ -250,35 +253,6 @@ std::string first_line(const std::string& text) {
   return line.size() > 160 ? line.substr(0, 160) + "..." : line;
 }
 
-bool serves(const std::string& path, std::size_t buffers) {
-  std::size_t index = 0;
-  if (path.empty() || path.size() > 6) return false;
-  for (const char c : path) {
-    if (c < '0' || c > '9') return false;
-    index = 10 * index + static_cast<std::size_t>(c - '0');
-  }
-  return index < buffers;
-}
-
-/// tinygltf's way to files: there are none but the stand-ins of `buffers` buffers.
-tinygltf::FsCallbacks memory_files(std::size_t* buffers) {
-  tinygltf::FsCallbacks fs{};
-  fs.FileExists = [](const std::string& path, void* user) {
-    return serves(path, *static_cast<const std::size_t*>(user));
-  };
-  fs.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  fs.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& path,
-                        void* user) {
-    if (!serves(path, *static_cast<const std::size_t*>(user))) return false;
-    out->assign(1, 0);
-    return true;
-  };
-  fs.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
-                         void*) { return false; };
-  fs.user_data = buffers;
-  return fs;
-}
-
 }  // namespace
 
 Result<GltfDocument> open_gltf(const std::filesystem::path& file,
@@ -308,15 +282,13 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   if (auto good = load_buffers(file.parent_path(), doc, *container, most, out); !good)
     return tl::unexpected<Problem>(good.error());
   read_materials(doc, file.parent_path(), *container, limits, out);
-  std::size_t buffers = out.buffers.size();
 
   std::string error, warning;
   out.model = std::make_shared<tinygltf::Model>();
   try {
     const std::string text =
-        cut_down(doc, buffers).dump(-1, ' ', false, json::error_handler_t::replace);
+        cut_down(doc, out.buffers.size()).dump(-1, ' ', false, json::error_handler_t::replace);
     tinygltf::TinyGLTF loader;
-    loader.SetFsCallbacks(memory_files(&buffers));
     loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
                              const unsigned char*, int, void*) { return true; },
                           nullptr);

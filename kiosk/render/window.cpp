@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -83,13 +84,34 @@ Key key_of(int key, bool shift) {
   }
 }
 
+/// Why there is no window, and what to do.
+tl::unexpected<Problem> no_display(const std::string& reason) {
+  const auto given = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  if (given("DISPLAY"))
+    return problem("display", "No window can be opened: " + reason + ".",
+                   "Start Onggi on a machine with an X display, or under xvfb-run.", 1);
+  if (given("WAYLAND_DISPLAY"))
+    return problem(
+        "display",
+        "This desktop is Wayland without Xwayland (DISPLAY is empty), and Onggi needs X.",
+        "Install xwayland and log in again, or start Onggi from an X session.", 1);
+  return problem("display", "No window can be opened: there is no X display (DISPLAY is empty).",
+                 "Start Onggi from a desktop, or under xvfb-run.", 1);
+}
+
 // Graphics drivers keep tables and threads for the life of the process, and their exit handlers run
 // after GLFW would have unloaded them (leak checkers lose their way too): hold what is loaded now.
+// Mesa up to 24.1 has them in a file a driver, *_dri.so, and from 24.2 in one, libgallium-*.so.
 void keep_drivers_loaded() {
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
     const auto path = line.find('/');
-    if (path == std::string::npos || line.find("_dri.so", path) == std::string::npos) continue;
+    if (path == std::string::npos || (line.find("_dri.so", path) == std::string::npos &&
+                                      line.find("/libgallium-", path) == std::string::npos))
+      continue;
     dlopen(line.c_str() + path, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
   }
 }
@@ -99,10 +121,12 @@ Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUser
 }  // namespace
 
 Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
-  if (glfwInit() != GLFW_TRUE) {
-    return problem("display", "No window can be opened: " + last_error() + ".",
-                   "Start Onggi on a machine with an X display, or under xvfb-run.", 1);
-  }
+#ifdef GLFW_PLATFORM
+  // From 3.4 GLFW takes Wayland where a desktop offers it. Fingers, outputs and dark nights are
+  // read from X (touch.h, displays.h), which such a desktop offers too, by Xwayland.
+  glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+  if (glfwInit() != GLFW_TRUE) return no_display(last_error());
   const bool full = options.width == 0 && options.height == 0;
   GLFWmonitor* monitor = full ? glfwGetPrimaryMonitor() : nullptr;
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;

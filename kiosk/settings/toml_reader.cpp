@@ -38,10 +38,6 @@ TomlReader TomlReader::of_text(const std::string& text, const std::string& name)
 }
 
 void TomlReader::parse(const std::string& text) {
-  if (const Result<void> depth = check_depth(text, impl_->name); !depth) {
-    impl_->problems.push_back(depth.error());
-    return;
-  }
   Result<TomlNode::Table> parsed = parse_toml(text, impl_->name);
   if (!parsed) {
     impl_->problems.push_back(parsed.error());

@@ -19,11 +19,11 @@ import sys
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
 GOLDEN = os.path.join(ROOT, "tests/golden")
-COMPILERS = ["g++", "clang++-14"]
+COMPILERS = ["g++", "clang++"]
 # The last lets the compiler use whatever this processor has, FMA too.
 LEVELS = ["-O0", "-O2", "-O3", "-O3 -march=native"]
 # What tells most for its time: each compiler, nothing optimised, as museums run it, and with FMA.
-TELLING = [("g++", "-O3"), ("g++", "-O3 -march=native"), ("clang++-14", "-O0"), ("clang++-14", "-O3")]
+TELLING = [("g++", "-O3"), ("g++", "-O3 -march=native"), ("clang++", "-O0"), ("clang++", "-O3")]
 # Kinds of vectors that each build must have where the processor does, and the processor's flag.
 WANTED = [("plain", None), ("sse2", "sse2"), ("avx2", "avx2")]
 HIDE_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA4"}

@@ -33,7 +33,7 @@ void say(const std::string& line) {
 
 // By the clock on the wall, as a kiosk names them: it may be ten years off.
 std::string name_of(int n) {
-  char number[16];
+  char number[24];
   std::snprintf(number, sizeof number, "_jar_%06d", n);
   return files::local_time(std::time(nullptr), files::kStamp) + number;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "kiosk/measure/quiet_visit.h"
 #include "kiosk/screens/label.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr double kBound = 80;
 constexpr int kStrokes = 20;
 
-const QuietVisits& visits(const std::string& language) {
+const QuietVisits& visits(std::string_view language) {
   static const auto kEnglish = QuietVisits::open("config/exhibit.toml", "", "en");
   static const auto kKorean = QuietVisits::open("config/exhibit.toml", "", "ko");
   return **(language == "ko" ? kKorean : kEnglish);

@@ -313,6 +313,42 @@ TEST_F(TomlReaderTest, letters_beyond_ascii_are_welcome_in_texts_and_a_problem_o
   }
 }
 
+TEST_F(TomlReaderTest, a_letter_outside_quotes_is_told_with_its_place_and_line) {
+  TomlReader reader(write("\xEF\xBB\xBF# größe\na = \"ö\" # é\nb = [\"é\", ö]\n"));
+  ASSERT_THAT(reader.problems(), SizeIs(1));
+  EXPECT_THAT(reader.problems()[0].where, HasSubstr("pot.toml:3:11"));
+  EXPECT_THAT(reader.problems()[0].what, HasSubstr("b = [\"é\", ö]"));
+  EXPECT_THAT(reader.problems()[0].remedy, HasSubstr("quotes"));
+}
+
+TEST_F(TomlReaderTest, every_letter_may_follow_a_line_end_that_is_escaped) {
+  // One letter of each 64 of the plane, and of those that toml++ looks up in its table of spaces
+  // each.
+  for (std::uint32_t point = 0xA0; point < 0x10FFFF; point += point < 0x4A0 ? 1 : 61) {
+    if (point >= 0xD800 && point < 0xE000) continue;
+    std::string letter;
+    if (point < 0x800)
+      letter = {static_cast<char>(0xC0 | point >> 6), static_cast<char>(0x80 | (point & 0x3F))};
+    else if (point < 0x10000)
+      letter = {static_cast<char>(0xE0 | point >> 12),
+                static_cast<char>(0x80 | (point >> 6 & 0x3F)),
+                static_cast<char>(0x80 | (point & 0x3F))};
+    else
+      letter = {
+          static_cast<char>(0xF0 | point >> 18), static_cast<char>(0x80 | (point >> 12 & 0x3F)),
+          static_cast<char>(0x80 | (point >> 6 & 0x3F)), static_cast<char>(0x80 | (point & 0x3F))};
+    const std::string quoted =
+        "\"\"\"\\\r\n\n \t" + letter + letter + "\\\\\n" + letter + "\"\"\"\n";
+    const TomlReader reader = TomlReader::of_text("a = " + quoted + "b = 2\nb = 3\n", "pot.toml");
+    ASSERT_THAT(reader.problems(), SizeIs(1));
+    EXPECT_THAT(reader.problems()[0].where, HasSubstr("pot.toml:6:")) << point;
+    TomlReader good = TomlReader::of_text("a = " + quoted, "pot.toml");
+    std::string text;
+    EXPECT_TRUE(good.root().text("a", text));
+    EXPECT_EQ(text, letter + letter + "\\\n" + letter) << point;
+  }
+}
+
 TEST_F(TomlReaderTest, points_in_prose_and_numbers_are_no_nesting) {
   std::string dots(400, '.');
   TomlReader reader(write("a = \"" + dots + "\"\nb = '''" + dots + "\n" + dots + "'''\n# " + dots +
