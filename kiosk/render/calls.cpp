@@ -9,10 +9,10 @@ constexpr GLenum kCounted[] = {GL_VERTEX_SHADER_INVOCATIONS_ARB,
                                GL_FRAGMENT_SHADER_INVOCATIONS_ARB};
 
 std::size_t texel_bytes(GLenum format, GLenum type) {
-  const std::size_t channels = format == GL_RED   ? 1
-                               : format == GL_RG  ? 2
-                               : format == GL_RGB ? 3
-                                                  : 4;
+  const std::size_t channels = format == GL_RED || format == GL_RED_INTEGER ? 1
+                               : format == GL_RG                            ? 2
+                               : format == GL_RGB                           ? 3
+                                                                            : 4;
   return channels * (type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : 4);
 }
 
@@ -95,8 +95,12 @@ void texture_part(int x, int y, int width, int height, GLenum format, GLenum typ
 }
 
 void texture_samples(int samples, GLint internal, int width, int height) {
-  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, static_cast<GLenum>(internal), width,
-                          height, GL_TRUE);
+  if (epoxy_is_desktop_gl())
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, static_cast<GLenum>(internal),
+                            width, height, GL_TRUE);
+  else
+    glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, static_cast<GLenum>(internal),
+                              width, height, GL_TRUE);
 }
 
 void copy(int x, int y, int width, int height) {

@@ -29,8 +29,10 @@ void ClaySurface::make_room(const ClayView& clay) {
   for (Radii* radii : {&outer_, &inner_}) {
     radii->steps.assign(row_.size() * static_cast<std::size_t>(all_drawn_), 0);
     radii->from = radii->to = 0;
-    radii->texture = Texture::create(GL_R16, sectors_, all_drawn_, GL_RED, GL_UNSIGNED_SHORT,
-                                     radii->steps.data());
+    radii->texture = embedded() ? Texture::create(GL_R16UI, sectors_, all_drawn_, GL_RED_INTEGER,
+                                                  GL_UNSIGNED_SHORT, radii->steps.data())
+                                : Texture::create(GL_R16, sectors_, all_drawn_, GL_RED,
+                                                  GL_UNSIGNED_SHORT, radii->steps.data());
     // Radii wrap round the axis and end at foot and rim.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   }
@@ -119,7 +121,7 @@ void ClaySurface::send(Radii& radii) {
   if (radii.from < radii.to) {
     calls::bind_texture(radii.texture.name.get());
     calls::texture_part(radii.left, radii.from, radii.right - radii.left, radii.to - radii.from,
-                        GL_RED, GL_UNSIGNED_SHORT,
+                        embedded() ? GL_RED_INTEGER : GL_RED, GL_UNSIGNED_SHORT,
                         &radii.steps[row_.size() * static_cast<std::size_t>(radii.from) +
                                      static_cast<std::size_t>(radii.left)],
                         sectors_);

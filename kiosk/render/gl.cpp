@@ -37,7 +37,12 @@ Result<GLuint> compile(GLenum stage, const std::string& name, const std::string&
 Result<Program> Program::create(const std::string& name, std::initializer_list<const char*> parts) {
   std::string body;
   for (const char* part : parts) body += part;
-  const std::string head = "#version 330 core\n#define ";
+  // Vertices and fragments must agree about uniforms, and pixels are counted in thousands.
+  static const std::string kEmbedded =
+      "#version 310 es\n"
+      "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+      "precision highp usampler2D;\nprecision highp sampler2DMS;\n#define ";
+  const std::string head = embedded() ? kEmbedded : "#version 330 core\n#define ";
   const auto vertex = compile(GL_VERTEX_SHADER, name, head + "VERTEX\n" + body);
   if (!vertex) return tl::unexpected(vertex.error());
   const auto fragment = compile(GL_FRAGMENT_SHADER, name, head + "FRAGMENT\n" + body);
@@ -73,8 +78,11 @@ Texture Texture::create(GLint internal, int width, int height, GLenum format, GL
   Texture t{TextureName(new_texture()), width, height};
   calls::bind_texture(t.name.get());
   calls::texture_image(0, internal, width, height, format, type, pixels);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  const bool by_hand =
+      embedded() && (type == GL_FLOAT || format == GL_RED_INTEGER) && internal != GL_RGB16F;
+  const GLint filter = by_hand ? GL_NEAREST : GL_LINEAR;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);

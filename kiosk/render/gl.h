@@ -16,6 +16,11 @@
 
 namespace onggi::render {
 
+/// Drawn by OpenGL ES 3.1, where the driver has no OpenGL 3.3 (window.cpp). There is less in it:
+/// 32 bit floats and 16 bit shares are not filtered, so shaders do it by hand (common.glsl); sRGB
+/// without alpha has no levels; targets of floats and GL_SAMPLE_ALPHA_TO_ONE come by extensions.
+inline bool embedded() { return !epoxy_is_desktop_gl(); }
+
 /// As GL has it.
 inline glm::vec3 vec(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};

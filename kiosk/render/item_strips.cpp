@@ -24,7 +24,10 @@ void ItemStrips::clear() {
 
 void ItemStrips::join(std::size_t from) {
   const auto first = static_cast<std::uint32_t>(from);
-  if (!indices.empty()) indices.insert(indices.end(), {indices.back(), first});
+  if (!indices.empty()) {
+    indices.push_back(indices.back());
+    indices.push_back(first);
+  }
   for (std::size_t i = from; i < vertices.size(); ++i)
     indices.push_back(static_cast<std::uint32_t>(i));
 }

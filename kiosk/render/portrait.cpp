@@ -59,8 +59,13 @@ GLint wrap_of(content::Coloring::Wrap wrap) {
 /// Rows from the top and v from the top: the first row is the one at v = 0, as glTF means it.
 Texture texture_of(const content::Coloring::Picture& picture) {
   const auto& pixels = *picture.pixels;
-  Texture out = Texture::create(GL_SRGB8, pixels.width, pixels.height, GL_RGB, GL_UNSIGNED_BYTE,
-                                pixels.rgb.data());
+  // With alpha, as OpenGL ES makes no levels of sRGB without.
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(pixels.rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i + 2 < pixels.rgb.size(); i += 3)
+    rgba.insert(rgba.end(), {pixels.rgb[i], pixels.rgb[i + 1], pixels.rgb[i + 2], 255});
+  Texture out = Texture::create(GL_SRGB8_ALPHA8, pixels.width, pixels.height, GL_RGBA,
+                                GL_UNSIGNED_BYTE, rgba.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -70,8 +75,8 @@ Texture texture_of(const content::Coloring::Picture& picture) {
 }
 
 Texture plain_white() {
-  constexpr std::array<std::uint8_t, 3> kWhite{255, 255, 255};
-  return Texture::create(GL_SRGB8, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, kWhite.data());
+  constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
+  return Texture::create(GL_SRGB8_ALPHA8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, kWhite.data());
 }
 
 /// The triangles' corners, those of each coat together, in their own order.

@@ -239,8 +239,13 @@ void GlRenderer::present() {
 Result<std::unique_ptr<Renderer>> Renderer::create(const WindowOptions& options) {
   auto window = Window::create(options);
   if (!window) return tl::unexpected(window.error());
-  if (epoxy_gl_version() < 33) {
-    return problem("display", "The graphics driver offers no OpenGL 3.3.",
+  const bool enough =
+      embedded() ? epoxy_gl_version() >= 31 && epoxy_has_gl_extension("GL_EXT_color_buffer_float")
+                 : epoxy_gl_version() >= 33;
+  if (!enough) {
+    return problem("display",
+                   "The graphics driver offers neither OpenGL 3.3 nor OpenGL ES 3.1 with targets "
+                   "of floats.",
                    "Install a newer driver (Debian: libgl1-mesa-dri), or run with "
                    "LIBGL_ALWAYS_SOFTWARE=1.",
                    1);

@@ -14,6 +14,7 @@ extern const char* const k_space_glsl;
 extern const char* const k_wheel_glsl;
 extern const char* const k_shadow_glsl;
 extern const char* const k_ground_glsl;
+extern const char* const k_opaque_glsl;
 extern const char* const k_plaster_glsl;
 extern const char* const k_item_glsl;
 

@@ -101,6 +101,9 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   auto tools = ToolPainter::create();
   if (!tools) return tl::unexpected(tools.error());
   stage->tools_ = std::move(*tools);
+  auto soft_edges = SoftEdges::create();
+  if (!soft_edges) return tl::unexpected(soft_edges.error());
+  stage->soft_edges_ = std::move(*soft_edges);
   auto reader = SkinReader::create();
   if (!reader) return tl::unexpected(reader.error());
   stage->skin_reader_ = std::move(*reader);
@@ -173,11 +176,9 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   if (shown) {
     // The edges of a tear are in the middle of triangles, where only alpha can smooth them.
     const bool soft = clay_.tears().any() && quality.samples > 0;
-    for (const GLenum smooth : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
-      if (soft) glEnable(smooth);
+    if (soft) soft_edges_.begin();
     draw_clay(pot, clip, pixel, soft);
-    for (const GLenum smooth : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
-      if (soft) glDisable(smooth);
+    if (soft) soft_edges_.end();
   }
   // 2. The wheel head where the clay leaves it to be seen, and the pot mirrored in it.
   if (pot.wheel) {

@@ -11,6 +11,7 @@
 #include "kiosk/render/gl.h"
 #include "kiosk/render/portrait.h"
 #include "kiosk/render/skin_reader.h"
+#include "kiosk/render/soft_edges.h"
 #include "kiosk/render/studio.h"
 #include "kiosk/render/tool_painter.h"
 #include "kiosk/view/frame.h"
@@ -77,6 +78,7 @@ class Stage {
   std::unique_ptr<ToolPainter> tools_;
   std::unique_ptr<SkinReader> skin_reader_;
   std::unique_ptr<Backdrop> backdrop_;
+  SoftEdges soft_edges_;
   Program wheel_program_, solid_program_;
   std::array<Mesh, 4> walls_, facing_;
   std::array<Mesh, 3> lips_;

@@ -102,6 +102,23 @@ tl::unexpected<Problem> no_display(const std::string& reason) {
                  "Start Onggi from a desktop, or under xvfb-run.", 1);
 }
 
+void ask_for_opengl() {
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+}
+
+// What the drivers of small boards have: the Raspberry Pi's has OpenGL 3.1 and OpenGL ES 3.1.
+void ask_for_opengl_es() {
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_FALSE);
+}
+
 // Graphics drivers keep tables and threads for the life of the process, and their exit handlers run
 // after GLFW would have unloaded them (leak checkers lose their way too): hold what is loaded now.
 // Mesa up to 24.1 has them in a file a driver, *_dri.so, and from 24.2 in one, libgallium-*.so.
@@ -133,24 +150,29 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   const int width = mode != nullptr ? mode->width : (full ? 1280 : options.width);
   const int height = mode != nullptr ? mode->height : (full ? 720 : options.height);
 
-  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  ask_for_opengl();
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
   glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   // A hidden window cannot be full screen: that would map it.
   GLFWmonitor* on = options.visible ? monitor : nullptr;
-  GLFWwindow* made = glfwCreateWindow(width, height, options.title.c_str(), on, nullptr);
+  const auto open = [&] {
+    return glfwCreateWindow(width, height, options.title.c_str(), on, nullptr);
+  };
+  GLFWwindow* made = open();
+  const std::string why_not = made == nullptr ? last_error() : "";
   if (made == nullptr) {
-    auto why =
-        problem("display", "A window with OpenGL 3.3 core cannot be opened: " + last_error() + ".",
-                "Install the graphics driver (Debian: libgl1-mesa-dri), or run with "
-                "LIBGL_ALWAYS_SOFTWARE=1.",
-                1);
+    ask_for_opengl_es();
+    made = open();
+  }
+  if (made == nullptr) {
+    auto why = problem("display",
+                       "A window with OpenGL 3.3 core cannot be opened (" + why_not +
+                           "), nor one with OpenGL ES 3.1 (" + last_error() + ").",
+                       "Install the graphics driver (Debian: libgl1-mesa-dri), or run with "
+                       "LIBGL_ALWAYS_SOFTWARE=1.",
+                       1);
     glfwTerminate();
     return why;
   }

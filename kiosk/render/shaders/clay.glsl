@@ -6,7 +6,7 @@
 // what the surface is at given places is written down, and nothing is lit (skin_reader.cpp).
 
 uniform mat4 clip_from_studio;
-uniform sampler2D outer_radius, inner_radius;  // shares of the widest
+uniform RADII outer_radius, inner_radius;  // shares of the widest
 uniform float widest;
 uniform sampler2D grain;
 uniform sampler2D row_at;  // over the share of the height: share of the rows, and its slope
@@ -19,7 +19,7 @@ uniform float wetness, opened;
 uniform vec3 dry_color, wet_color;
 #if SKIN == 1
 uniform sampler2D wet_rows;  // over the share of the height
-float wet_at(float t) { return textureLod(wet_rows, vec2(t, 0.5), 0.0).r; }
+float wet_at(float t) { return between(wet_rows, t, 0.5).r; }
 #else
 float wet_at(float t) { return 0.0; }
 #endif
@@ -39,10 +39,10 @@ uniform float from_clay, fired, glow;
 float turn_of(float angle) { return (angle - clay_angle) / (2.0 * kPi); }
 vec2 rows_at(float t) {
   float n = float(textureSize(row_at, 0).x);
-  return textureLod(row_at, vec2((t * (n - 1.0) + 0.5) / n, 0.5), 0.0).rg;
+  return between(row_at, (t * (n - 1.0) + 0.5) / n, 0.5).rg;
 }
-float radius_at(sampler2D radius, float u, float row) {
-  return widest * textureLod(radius, vec2(u, row), 0.0).r;
+float radius_at(RADII radius, float u, float row) {
+  return widest * radius_between(radius, vec2(u, row));
 }
 float outer_at(float u, float t) { return radius_at(outer_radius, u, rows_at(t).x); }
 float inner_at(float u, float t) {
@@ -131,7 +131,7 @@ out vec4 color;
 
 // Radius gradient by central differences, at the texture's own scale or a pixel's if that is more;
 // `bend` is the second derivative along the wall (positive in a groove), 1/m.
-vec3 normal_of(sampler2D radius, float u, float t, float low, float side, out float bend) {
+vec3 normal_of(RADII radius, float u, float t, float low, float side, out float bend) {
   vec2 row = rows_at(t);
   float v = max(row.x, low), metres = height / row.y;  // metres: that one whole share of rows is
   float r = radius_at(radius, u, v);

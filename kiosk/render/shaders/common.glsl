@@ -1,6 +1,36 @@
-// Colour and noise, in front of every program.
+// Colour, noise and tables, in front of every program.
 
 const float kPi = 3.14159265;
+
+// Between the texels of a table, at x of its width: a row of floats at v of its height, and clay's radii,
+// which wrap round across it. OpenGL ES filters neither floats of 32 bits nor whole numbers, so that
+// there it is done by hand.
+#ifdef GL_ES
+#define RADII usampler2D
+vec4 between(sampler2D table, float x, float v) {
+  ivec2 size = textureSize(table, 0);
+  float at = clamp(x * float(size.x) - 0.5, 0.0, float(size.x - 1));
+  int low = int(at), row = int(v * float(size.y));
+  return mix(texelFetch(table, ivec2(low, row), 0),
+             texelFetch(table, ivec2(min(low + 1, size.x - 1), row), 0), at - float(low));
+}
+float radius_between(usampler2D table, vec2 p) {
+  ivec2 size = textureSize(table, 0);
+  vec2 at = vec2(fract(p.x), p.y) * vec2(size) - 0.5;
+  at.y = clamp(at.y, 0.0, float(size.y - 1));
+  vec2 low = floor(at), part = at - low;
+  int left = (int(low.x) + size.x) % size.x, right = (int(low.x) + 1) % size.x;
+  int down = int(low.y), up = min(down + 1, size.y - 1);
+  vec2 a = vec2(texelFetch(table, ivec2(left, down), 0).r, texelFetch(table, ivec2(right, down), 0).r);
+  vec2 b = vec2(texelFetch(table, ivec2(left, up), 0).r, texelFetch(table, ivec2(right, up), 0).r);
+  vec2 across = mix(a, b, part.y);
+  return mix(across.x, across.y, part.x) / 65535.0;
+}
+#else
+#define RADII sampler2D
+#define between(table, x, v) textureLod(table, vec2(x, v), 0.0)
+#define radius_between(table, p) textureLod(table, p, 0.0).r
+#endif
 
 vec3 to_display(vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);

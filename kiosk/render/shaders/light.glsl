@@ -63,7 +63,7 @@ struct Seen {
 
 // A point of the outer wall at `t` of the height. Shoulders shade what lies under them.
 Seen seen_outside(vec3 p, vec3 n, float t) {
-  vec4 level = texture(levels, vec2(t, 0.25));
+  vec4 level = between(levels, t, 0.25);
   vec2 out_dir = normalize(p.xz + vec2(1e-6, 0.0));
   // Angle of the light from the vertical, in the meridian plane; the wall above ends at level.y.
   float lean = atan(dot(window_dir.xz, out_dir), window_dir.y);
@@ -78,7 +78,7 @@ Seen seen_outside(vec3 p, vec3 n, float t) {
 // above it. Share of a disc of radius a at height d: facing up a^2/(a^2+d^2); facing the axis the
 // exact view factor of a tube's wall to its mouth. What stays inside is handed on by the clay.
 Seen seen_inside(vec3 p, vec3 n, float t, vec3 albedo, float opened) {
-  vec4 level = texture(levels, vec2(t, 0.75));
+  vec4 level = between(levels, t, 0.75);
   float a = max(level.y, 1e-4), d = max(level.z - p.y, 0.0);
   float facing_up = a * a / (a * a + d * d);
   float z = d / (a + max(level.x, 1e-4));

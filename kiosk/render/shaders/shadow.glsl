@@ -40,7 +40,7 @@ void main() {
   vec2 top = vec2(1.0), table = left_by(ground, wheel_radius, -table_y);
   for (int i = 0; i < 32; ++i) {
     float t = (float(i) + 0.5) / 32.0;
-    float r = texture(levels, vec2(t, 0.25)).x, h = t * height;
+    float r = between(levels, t, 0.25).x, h = t * height;
     top = min(top, left_by(ground, r, h));
     table = min(table, left_by(ground, r, h - table_y));
   }

@@ -36,9 +36,9 @@ void main() {
   // Scans have holes and turned-in faces: light both sides.
   if (dot(n, v) < 0.0 && !gl_FrontFacing) n = -n;
   float rho = length(position.xz), t = clamp(position.y / height, 0.0, 1.0);
-  vec4 wall = texture(levels, vec2(t, 0.75));
+  vec4 wall = between(levels, t, 0.75);
   bool inside = dot(n.xz, position.xz) < -0.15 * rho * (1.0 - n.y) &&
-                rho < 0.5 * (wall.x + texture(levels, vec2(t, 0.25)).x);
+                rho < 0.5 * (wall.x + between(levels, t, 0.25).x);
   bool floor_ = n.y > 0.6 && rho < wall.x * 0.98 && position.y < 0.9 * height;
   if (inside || floor_) {
     s = seen_inside(position, n, t, base_color, 0.0);

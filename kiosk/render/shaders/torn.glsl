@@ -13,7 +13,7 @@ float gap_at(float u, float y) {
   float at = y + 0.0014 * sin(3.0 * a + 1.0) + 0.0009 * sin(7.0 * a + 2.6);
   float n = float(textureSize(torn_at, 0).x);
   float t = clamp(at / height, 0.0, 1.0);
-  float ring = textureLod(torn_at, vec2((t * (n - 1.0) + 0.5) / n, 0.5), 0.0).r;
+  float ring = between(torn_at, (t * (n - 1.0) + 0.5) / n, 0.5).r;
   // gapes here and closes there,
   float gape = 0.5 * sin(2.0 * a + 0.6 + 31.0 * y) + 0.5 * sin(3.0 * a + 2.1 - 47.0 * y) +
                0.6 * sin(5.0 * a + 4.0 + 23.0 * y) + 0.4 * sin(8.0 * a + 1.0);

@@ -56,7 +56,10 @@ decltype(epoxy_glBindFramebuffer) bind_framebuffer;
 
 std::uint64_t size_of(GLsizei w, GLsizei h, GLenum format, GLenum type, const void* pixels) {
   if (pixels == nullptr) return 0;
-  const int channels = format == GL_RED ? 1 : format == GL_RG ? 2 : format == GL_RGB ? 3 : 4;
+  const int channels = format == GL_RED || format == GL_RED_INTEGER ? 1
+                       : format == GL_RG                            ? 2
+                       : format == GL_RGB                           ? 3
+                                                                    : 4;
   const int each = type == GL_FLOAT ? 4 : type == GL_UNSIGNED_SHORT ? 2 : 1;
   EXPECT_TRUE(type == GL_FLOAT || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_BYTE) << type;
   return static_cast<std::uint64_t>(w) * static_cast<std::uint64_t>(h * channels * each);

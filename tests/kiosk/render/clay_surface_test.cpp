@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/kiosk/render/studio_fixture.h"
+#include "tests/kiosk/render/texels.h"
 
 namespace onggi::render::testing {
 namespace {
@@ -21,9 +22,7 @@ ClayView clay_of(double (*outer)(double)) {
 }
 
 std::vector<float> radii(const Texture& texture, float widest) {
-  std::vector<float> out(static_cast<std::size_t>(texture.width * texture.height));
-  calls::bind_texture(texture.name.get());
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_FLOAT, out.data());
+  std::vector<float> out = testing::shares_of(texture, true);
   for (float& r : out) r *= widest;
   return out;
 }

@@ -1,9 +1,11 @@
 #include "kiosk/render/mask_atlas.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "tests/kiosk/render/studio_fixture.h"
+#include "tests/kiosk/render/texels.h"
 
 namespace onggi::render::testing {
 namespace {
@@ -22,11 +24,9 @@ class AMask : public StudioTest {
   }
   std::vector<std::uint8_t> texels(std::uint32_t page) {
     const Texture& texture = atlas_.use(page);
-    std::vector<std::uint8_t> out(static_cast<std::size_t>(texture.width) *
-                                  static_cast<std::size_t>(texture.height));
-    calls::bind_texture(texture.name.get());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_UNSIGNED_BYTE, out.data());
+    std::vector<std::uint8_t> out;
+    for (const float share : testing::shares_of(texture))
+      out.push_back(static_cast<std::uint8_t>(std::lround(255 * share)));
     return out;
   }
   MaskAtlas atlas_;
