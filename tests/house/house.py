@@ -26,7 +26,7 @@ TOP = set("""CMakeLists.txt kiosk engine content config tests README.md CHANGELO
 CMakePresets.json .clang-format .clang-tidy .editorconfig .gitignore .ci""".split())
 HALF_FILES = {
     "engine": {"CMakeLists.txt"},
-    "kiosk": {"CMakeLists.txt", "start", "install-packages", "packages.txt"},
+    "kiosk": {"CMakeLists.txt", "libraries.cmake", "start", "install-packages", "packages.txt"},
 }
 GLOBAL_FLAGS = re.compile(r"CMAKE_CXX_FLAGS\w*|\badd_(?:compile|link)_options\b|-ffast-math|-Ofast")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>]+)>|"([^"]+)")')

@@ -322,21 +322,13 @@ TEST_F(TomlReaderTest, a_letter_outside_quotes_is_told_with_its_place_and_line) 
 }
 
 TEST_F(TomlReaderTest, every_letter_may_follow_a_line_end_that_is_escaped) {
-  // One letter of each 64 of the plane, and of those that toml++ looks up in its table of spaces
-  // each.
+  // Each that toml++ looks up in its table of spaces, and one of 61 of all others.
   for (std::uint32_t point = 0xA0; point < 0x10FFFF; point += point < 0x4A0 ? 1 : 61) {
     if (point >= 0xD800 && point < 0xE000) continue;
-    std::string letter;
-    if (point < 0x800)
-      letter = {static_cast<char>(0xC0 | point >> 6), static_cast<char>(0x80 | (point & 0x3F))};
-    else if (point < 0x10000)
-      letter = {static_cast<char>(0xE0 | point >> 12),
-                static_cast<char>(0x80 | (point >> 6 & 0x3F)),
-                static_cast<char>(0x80 | (point & 0x3F))};
-    else
-      letter = {
-          static_cast<char>(0xF0 | point >> 18), static_cast<char>(0x80 | (point >> 12 & 0x3F)),
-          static_cast<char>(0x80 | (point >> 6 & 0x3F)), static_cast<char>(0x80 | (point & 0x3F))};
+    const int more = point < 0x800 ? 1 : point < 0x10000 ? 2 : 3;  // bytes after the first
+    std::string letter(1, static_cast<char>(0xFF << (7 - more) | point >> 6 * more));
+    for (int at = more - 1; at >= 0; --at)
+      letter += static_cast<char>(0x80 | (point >> 6 * at & 0x3F));
     const std::string quoted =
         "\"\"\"\\\r\n\n \t" + letter + letter + "\\\\\n" + letter + "\"\"\"\n";
     const TomlReader reader = TomlReader::of_text("a = " + quoted + "b = 2\nb = 3\n", "pot.toml");

@@ -1,0 +1,32 @@
+#!/usr/bin/env python3
+"""Which tests ran in one of two ctest reports (--output-junit) and not in the other. Exit 1 where the second lacks one of the first.
+
+usage: differences.py FIRST.xml SECOND.xml
+"""
+
+import os
+import sys
+import xml.etree.ElementTree
+
+
+def ran(path):
+    """Names of the tests that ran, without what a parameter is printed as."""
+    cases = xml.etree.ElementTree.parse(path).getroot().iter("testcase")
+    return {case.get("name").split("  # ")[0] for case in cases if case.get("status") in ("run", "fail")}
+
+
+def main():
+    if len(sys.argv) != 3:
+        print(__doc__, file=sys.stderr)
+        return 2
+    names = [os.path.splitext(os.path.basename(path))[0] for path in sys.argv[1:]]
+    first, second = (ran(path) for path in sys.argv[1:])
+    for here, there, only in ((*names, first - second), (*reversed(names), second - first)):
+        print(f"{len(only)} tests ran on {here} and not on {there}{':' if only else '.'}")
+        for name in sorted(only):
+            print(f"  {name}")
+    return 1 if first - second else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
