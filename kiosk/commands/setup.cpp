@@ -52,7 +52,8 @@ Command setup_command() {
   const auto a = std::make_shared<SetupArguments>();
   return {
       .name = "setup",
-      .help = "Make a kiosk of this machine (Debian 12, from the package), and say what changed",
+      .help =
+          "Make a kiosk of this machine (Debian 13 or 12, from the package), and say what changed",
       .examples =
           "Example: sudo onggi setup\n"
           "         onggi setup --dry-run\n"

@@ -1,5 +1,6 @@
 #include "kiosk/content/glb_packer.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>

@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 

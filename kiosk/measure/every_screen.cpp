@@ -1,5 +1,6 @@
 #include "kiosk/measure/every_screen.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 

@@ -126,6 +126,7 @@ class GlRenderer final : public Renderer {
             .software = software_,
             .full_quality = drawn_full_,
             .device = device_,
+            .embedded = embedded(),
             .frames = frames_,
             .text_overflows = items_->text_overflows(),
             .last_overflow = items_->last_overflow(),

@@ -33,6 +33,7 @@ struct RenderStatus {
   bool software = false;      ///< No GPU: llvmpipe or the like.
   bool full_quality = false;  ///< The last frame was drawn as finely as a GPU would.
   std::string device;         ///< GL_RENDERER.
+  bool embedded = false;      ///< OpenGL ES, where the driver has no OpenGL 3.3.
   std::uint64_t frames = 0;
   std::uint64_t text_overflows = 0;  ///< Texts drawn that were larger than their box: 0 is right.
   std::string last_overflow;         ///< The latest of them.

@@ -1,5 +1,7 @@
 #include "kiosk/screens/result_screen.h"
 
+#include <algorithm>
+
 #include "kiosk/screens/overlays.h"
 #include "kiosk/screens/pot_picture.h"
 #include "kiosk/screens/side_by_side.h"

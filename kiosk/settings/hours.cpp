@@ -1,5 +1,6 @@
 #include "kiosk/settings/hours.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 

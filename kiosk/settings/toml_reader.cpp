@@ -1,5 +1,7 @@
 #include "kiosk/settings/toml_reader.h"
 
+#include <algorithm>
+
 #include "engine/base/nearest_name.h"
 #include "kiosk/settings/toml_reader_impl.h"
 

@@ -28,7 +28,7 @@ struct SetupReport {
   std::vector<std::string> stayed;   ///< and one for what was so already or was left.
 };
 
-/// The steps from a bare Debian 12 with the package to a kiosk: the museum's own exhibit, the
+/// The steps from a bare Debian with the package to a kiosk: the museum's own exhibit, the
 /// screen, the log's bound, the place in node_exporter, the units. Problem (exit 1) where a desktop
 /// would hold the screen and may not be replaced.
 Result<std::vector<Step>> kiosk_steps(const SetupOptions& options);

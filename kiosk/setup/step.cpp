@@ -170,7 +170,7 @@ Result<int> systemctl(const System& system, std::vector<std::string> arguments) 
   auto child = files::ChildProcess::start("systemctl", arguments, {});
   if (!child)
     return problem("systemctl", "It cannot be started.",
-                   "Onggi is set up on systems with systemd, such as Debian 12.", 1);
+                   "Onggi is set up on systems with systemd, such as Debian 13.", 1);
   if (!child->wait_until(files::ChildProcess::Clock::now() + kPatience)) {
     child->end(SIGKILL);
     return problem("systemctl", "It did not end within a minute.",

@@ -175,7 +175,10 @@ std::vector<std::byte> encode(const Order& order, std::string& fault) {
 }
 
 int describe(const char* file) {
-  const auto input = OIIO::ImageInput::open(file);
+  // As the file has it: OpenImageIO otherwise multiplies colour by alpha, each version in its way.
+  OIIO::ImageSpec as_it_is;
+  as_it_is.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(file, &as_it_is);
   if (!input) {
     std::cerr << "onggi-encode: " << OIIO::geterror() << "\n";
     return 1;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/profile/extraction.h"
 #include "tests/engine/profile/mean_shapes.h"
 

@@ -4,6 +4,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 #include "engine/profile/capacity.h"
 #include "engine/scene/lump.h"
 

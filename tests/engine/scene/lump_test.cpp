@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/profile/measures.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/wall_ring.h"

@@ -1,5 +1,7 @@
 #include "tests/engine/stability/cases.h"
 
+#include <algorithm>
+
 // What random scenes found, each as small as it got. engine/docs/stability.md says how each was
 // mended.
 namespace onggi::stability {

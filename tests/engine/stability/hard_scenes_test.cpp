@@ -1,5 +1,6 @@
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "tests/engine/stability/cases.h"

@@ -1,5 +1,7 @@
 #include "tests/engine/stability/cases.h"
 
+#include <algorithm>
+
 // Times, speeds and numbers that are none. The printed model stands beside ours where it fails.
 namespace onggi::stability {
 namespace {

@@ -1,5 +1,6 @@
 #include "kiosk/commands/command_line.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -101,8 +102,10 @@ TEST_F(CommandLine, what_is_wrong_is_the_inputs_fault_and_nothing_runs) {
 TEST_F(CommandLine, help_tells_options_defaults_and_examples_and_hides_what_is_hidden) {
   EXPECT_EQ(run({"turn", "--help"}), 0);
   EXPECT_EQ(ran_, "");
-  for (const char* words : {"Turns it.", "A pot", "--speed", "=60", "Example: wheel turn jar"})
+  for (const char* words : {"Turns it.", "A pot", "--speed", "Example: wheel turn jar"})
     EXPECT_NE(said_.find(words), std::string::npos) << said_;
+  // CLI11 2.3 and 2.4.
+  EXPECT_THAT(said_, ::testing::AnyOf(::testing::HasSubstr("=60"), ::testing::HasSubstr("[60]")));
   EXPECT_EQ(said_.find("--secret"), std::string::npos) << said_;
   EXPECT_EQ(run({"--version"}), 0);
   EXPECT_EQ(said_, "wheel 1.2\n");

@@ -1,5 +1,7 @@
 #include "kiosk/content/drawing.h"
 
+#include <algorithm>
+
 #include "engine/profile/mesh.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/content/temporary.h"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
+
 #include "kiosk/content/gltf.h"
 #include "kiosk/content/pack_writer.h"
 #include "kiosk/content/vessel.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/kiosk/textures/made_pictures.h"
 
 namespace onggi::content {

@@ -1,5 +1,6 @@
 #include "kiosk/content/vessel.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "engine/profile/measures.h"

@@ -1,5 +1,6 @@
 #include "kiosk/render/clay_surface.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/kiosk/render/studio_fixture.h"

@@ -1,5 +1,6 @@
 #include "kiosk/render/portrait.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

@@ -28,7 +28,9 @@ ClayView thrown_clay(const ClayDef& grid, double (*outer)(double), double wall, 
 /// Rows from..to - 1 tear, or heal.
 void tear(ClayView& clay, int from, int to, bool torn = true);
 
-/// Writes `image` as NAME.ppm into $ONGGI_GALLERY where that is set, for people to look at.
+/// Writes `image` as NAME.ppm into $ONGGI_GALLERY where that is set, for people to look at. Where
+/// $ONGGI_ALIKE names such a folder of another driver's or another OpenGL's, the picture there must
+/// look the same.
 void keep_for_looking(const view::Image& image, const std::string& name);
 
 /// A pot in the middle of a frame of this size, dry, closed.

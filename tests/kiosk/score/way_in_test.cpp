@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "kiosk/score/score.h"
 #include "tests/kiosk/score/every_vessel.h"
 

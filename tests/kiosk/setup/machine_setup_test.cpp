@@ -37,13 +37,14 @@ class Image {
     put("usr/share/onggi/content/missions.toml", "missions");
     put("usr/share/onggi/system/90-onggi.conf", "screen");
     put("usr/share/onggi/system/journald.conf", "log");
+    link("lib", "usr/lib");
     for (const char* unit : {"onggi", "onggi-display", "gdm3"})
-      put("lib/systemd/system/" + std::string(unit) + ".service",
+      put("usr/lib/systemd/system/" + std::string(unit) + ".service",
           "[Service]\nExecStart=/bin/true\n[Install]\nWantedBy=multi-user.target\n");
-    put("lib/systemd/system/getty@.service",
+    put("usr/lib/systemd/system/getty@.service",
         "[Service]\nExecStart=/bin/true\n[Install]\nWantedBy=getty.target\nDefaultInstance=tty1\n");
     link("etc/systemd/system/getty.target.wants/getty@tty1.service",
-         "/lib/systemd/system/getty@.service");
+         "/usr/lib/systemd/system/getty@.service");
   }
   System system() const { return {root()}; }
   SetupOptions options() const { return {.system = system()}; }
@@ -59,12 +60,14 @@ class Image {
   bool starts(const std::string& unit, const std::string& target = "multi-user") const {
     return fs::is_symlink(root() / ("etc/systemd/system/" + target + ".target.wants/" + unit));
   }
-  /// Every file and link with what it holds.
+  /// Every file and link with what it holds. Debian 12's systemctl says /lib for /usr/lib.
   std::map<std::string, std::string> all() const {
     std::map<std::string, std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(root()))
       if (entry.is_symlink())
-        found[entry.path().string()] = fs::read_symlink(entry.path()).string();
+        found[entry.path().string()] =
+            (fs::read_symlink(entry.path()).string().starts_with("/lib/") ? "/usr" : "") +
+            fs::read_symlink(entry.path()).string();
       else if (entry.is_regular_file())
         found[entry.path().string()] = content(entry.path());
     return found;
