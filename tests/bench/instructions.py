@@ -123,7 +123,7 @@ def main():
         return 77
     key = (arguments.compiler.replace(" ", "-"), platform.machine(), arguments.config)
     golden, reasons = read(arguments.golden)
-    renew = (f'python3 -B tests/bench/instructions.py --count {os.path.relpath(arguments.count)} '
+    renew = (f'python3 -B tests/bench/instructions.py --count {os.path.relpath(arguments.count, ROOT)} '
              f'--compiler "{arguments.compiler}" --config {arguments.config} --renew "REASON"')
     if arguments.renew is None and not any(words[:3] == key for words in golden):
         print(f"Not compared: the golden has no counts of {' '.join(key)}. To add them:\n{renew}")

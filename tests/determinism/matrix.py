@@ -4,8 +4,9 @@ vectors that the machine has and with FMA hidden from libm, against tests/golden
 whole tick), tools_trace.txt (every tool, every effect), hard_trace.txt (random hands in random scenes) and
 handle_trace.txt (what a force device is given).
 
-  tests/determinism/matrix.py [--all] [--build build/determinism] [--seconds 6]
+  tests/determinism/matrix.py [--all | --arm64] [--build build/determinism] [--seconds 6]
   --all: both compilers at all levels, not only the telling ones
+  --arm64: cross-compiled and emulated (tests/arm64/run installs what that needs)
   exit 0: all the same, 1: not, or not all could be built
 """
 
@@ -24,16 +25,21 @@ COMPILERS = ["g++", "clang++"]
 LEVELS = ["-O0", "-O2", "-O3", "-O3 -march=native"]
 # What tells most for its time: each compiler, nothing optimised, as museums run it, and with FMA.
 TELLING = [("g++", "-O3"), ("g++", "-O3 -march=native"), ("clang++", "-O0"), ("clang++", "-O3")]
+# For ARM, where FMA is always there: nothing optimised, as museums run it, and for the processor of a Raspberry Pi 5.
+ARM64 = [("aarch64-linux-gnu-g++", "-O0"), ("aarch64-linux-gnu-g++", "-O3"),
+         ("aarch64-linux-gnu-g++", "-O3 -mcpu=cortex-a76"), ("clang++", "-O3 --target=aarch64-linux-gnu")]
+ARM64_TOOLCHAIN = os.path.join(ROOT, "tests/arm64/toolchain.cmake")
+EMULATOR = "qemu-aarch64"
 # Kinds of vectors that each build must have where the processor does, and the processor's flag.
 WANTED = [("plain", None), ("sse2", "sse2"), ("avx2", "avx2")]
 HIDE_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA4"}
 
 
-def build(compiler, level, folder, target="engine_trace"):
-    """Path of the program; empty, with what was said, where it cannot be built."""
+def build(compiler, level, folder, *more, target="engine_trace"):
+    """Path of the program; empty, with what was said, where it cannot be built. `more`: options of cmake's."""
     quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "cwd": ROOT}
     for words in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
-                   "-DCMAKE_BUILD_TYPE=", f"-DCMAKE_CXX_FLAGS={level}", "-DONGGI_KIOSK=OFF"],
+                   "-DCMAKE_BUILD_TYPE=", f"-DCMAKE_CXX_FLAGS={level}", "-DONGGI_KIOSK=OFF", *more],
                   ["cmake", "--build", folder, "--target", target]):
         run = subprocess.run(words, **quiet)
         if run.returncode:
@@ -43,15 +49,17 @@ def build(compiler, level, folder, target="engine_trace"):
 
 
 def run(program, *words, environment=None):
-    out = subprocess.run([program, *words], env={**os.environ, **(environment or {})},
+    out = subprocess.run([*program, *words], env={**os.environ, **(environment or {})},
                          capture_output=True, text=True)
     if out.returncode:
         print(out.stderr)
     return out.stdout.splitlines()
 
 
-def missing(kinds):
+def missing(kinds, arm64):
     """Names of the vectors that a build should have had."""
+    if arm64:
+        return {"plain", "neon"}.difference(kinds)
     if platform.machine() != "x86_64":
         return [] if kinds else ["any"]
     with open("/proc/cpuinfo", encoding="utf-8") as file:
@@ -75,7 +83,9 @@ def verdict(lines, golden):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--all", action="store_true")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--all", action="store_true")
+    which.add_argument("--arm64", action="store_true")
     parser.add_argument("--build", default=os.path.join(ROOT, "build/determinism"))
     parser.add_argument("--seconds", type=int, default=6)
     arguments = parser.parse_args()
@@ -103,20 +113,27 @@ def main():
     # A run has one thread. Those of a build go side by side, beside the next build too, and are told in order.
     runners = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
     told = []
-    for compiler, level in [(c, v) for c in COMPILERS for v in LEVELS] if arguments.all else TELLING:
+    combinations = TELLING
+    if arguments.all:
+        combinations = [(c, v) for c in COMPILERS for v in LEVELS]
+    elif arguments.arm64:
+        combinations = ARM64
+    cross = [f"-DCMAKE_TOOLCHAIN_FILE={ARM64_TOOLCHAIN}"] if arguments.arm64 else []
+    for compiler, level in combinations:
         if not shutil.which(compiler):
             print(f"{compiler} is not here: tests/packages.txt names it.")
             wrong += 1
             continue
         print(f"Compiling: {compiler} {level}", flush=True)
         name = f"{compiler}{level}".replace("+", "x").replace(" ", "").replace("=", "-")
-        program = build(compiler, level, os.path.join(arguments.build, name))
+        program = build(compiler, level, os.path.join(arguments.build, name), *cross)
         rows = []
         told.append((f"{compiler} {level}", program, rows))
         if not program:
             continue
+        program = [EMULATOR, program] if arguments.arm64 else [program]
         kinds = run(program, "--kinds")
-        rows += [(kind, lambda: "MISSING from this build") for kind in missing(kinds)]
+        rows += [(kind, lambda: "MISSING from this build") for kind in missing(kinds, arguments.arm64)]
         rows += [(kind, runners.submit(all_of, program, "--vectors", kind).result) for kind in kinds]
         # Hidden only where libm's own answers change by it: else the row would test nothing.
         if run(program, "--libm") == run(program, "--libm", environment=HIDE_FMA):

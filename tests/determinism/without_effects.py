@@ -22,9 +22,9 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default=os.path.join(ROOT, "build/determinism"))
     arguments = parser.parse_args()
-    whole = build("g++", "-O3", os.path.join(arguments.build, "gxx-O3"), "tick_count")
+    whole = build("g++", "-O3", os.path.join(arguments.build, "gxx-O3"), target="tick_count")
     without = build("g++", "-O3 -DONGGI_WITHOUT_EFFECTS",
-                    os.path.join(arguments.build, "without_effects"), "tick_count")
+                    os.path.join(arguments.build, "without_effects"), target="tick_count")
     if not whole or not without:
         return 1
 
