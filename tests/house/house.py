@@ -334,7 +334,7 @@ def check_format(root, _table):
     tool = next((t for t in ("clang-format-14", "clang-format") if shutil.which(t)), None)
     version = subprocess.run([tool, "--version"], capture_output=True, text=True).stdout if tool else ""
     if "version 14" not in version:
-        print("format: not checked, clang-format 14 is not here. Install clang-format-14.")
+        print("format: not checked, clang-format 14 is not here: Debian 12 has it.")
         sys.exit(77)
     names = [n for n in files_of(root)
              if n.endswith(CPP) and n.split("/")[0] in ("engine", "kiosk", "tests")]
