@@ -6,14 +6,14 @@
 #include <optional>
 
 #include "kiosk/content/drawn_outline.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::content {
 
 namespace {
 
-using settings::OutlinePoint;
-using Table = settings::TomlReader::Table;
+using toml::OutlinePoint;
+using Table = toml::TomlReader::Table;
 
 constexpr double kThinnest = 1.0;    ///< mm: thinner was never thrown, and no clay grid carries it.
 constexpr double kLargest = 2000.0;  ///< mm
@@ -200,7 +200,7 @@ Section section_of(const Drawn& d, const std::vector<Vec2>& under, const Outline
 
 DrawingRead check_drawing(const std::filesystem::path& toml) {
   DrawingRead read;
-  settings::TomlReader reader(toml);
+  toml::TomlReader reader(toml);
   Table root = reader.root();
   Table foot = root.child("foot");
   Table rim = root.child("rim");

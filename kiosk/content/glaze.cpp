@@ -5,13 +5,13 @@
 #include <set>
 
 #include "kiosk/settings/spoken.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::content {
 
 namespace {
 
-using Table = settings::TomlReader::Table;
+using Table = toml::TomlReader::Table;
 
 bool is_id(const std::string& text) {
   return !text.empty() && text.size() <= 40 && std::all_of(text.begin(), text.end(), [](char c) {
@@ -113,7 +113,7 @@ const std::string& Glaze::about_in(const std::string& language) const {
 GlazesRead read_glazes(const std::filesystem::path& file,
                        const std::vector<std::string>& languages) {
   GlazesRead read;
-  settings::TomlReader reader(file);
+  toml::TomlReader reader(file);
   auto root = reader.root();
   std::set<std::string> ids;
   for (Table& table : root.children("glaze")) {

@@ -1,7 +1,7 @@
 #include "kiosk/content/language.h"
 
 #include "kiosk/content/language_words.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::content {
 
@@ -20,7 +20,7 @@ std::string brace_fault(const std::string& text) {
 }
 
 /// Reads every text of `table` and of the tables in it: a.b = "x" and "a.b" = "x" are the same.
-void read_texts(settings::TomlReader::Table table, const std::string& prefix,
+void read_texts(toml::TomlReader::Table table, const std::string& prefix,
                 std::vector<WrittenText>& out) {
   for (const std::string& key : table.keys()) {
     if (table.has_table(key)) {
@@ -44,7 +44,7 @@ void read_texts(settings::TomlReader::Table table, const std::string& prefix,
 
 LanguageRead check_language(const std::filesystem::path& file) {
   LanguageRead read;
-  settings::TomlReader reader(file);
+  toml::TomlReader reader(file);
   auto root = reader.root();
   auto text = root.child("text");
   root.require("code", "Write the language's code: code = \"ko\".");

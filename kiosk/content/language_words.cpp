@@ -11,7 +11,7 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;
 
-void gather(settings::TomlReader::Table table, const std::string& prefix, Texts& out) {
+void gather(toml::TomlReader::Table table, const std::string& prefix, Texts& out) {
   for (const std::string& key : table.keys())
     if (table.has_table(key))
       gather(table.child(key), prefix + key + ".", out);
@@ -22,7 +22,7 @@ void gather(settings::TomlReader::Table table, const std::string& prefix, Texts&
 const Texts& english() {
   static const Texts all = [] {
     Texts out;
-    auto reader = settings::TomlReader::of_text(kEnglishToml, "the program's English");
+    auto reader = toml::TomlReader::of_text(kEnglishToml, "the program's English");
     gather(reader.root().child("text"), "", out);
     return out;
   }();
@@ -75,7 +75,7 @@ std::vector<std::string> places_in(const std::string& words) {
   return out;
 }
 
-void compare_with_english(settings::TomlReader::Table text, std::vector<WrittenText>& written) {
+void compare_with_english(toml::TomlReader::Table text, std::vector<WrittenText>& written) {
   std::vector<std::string> missing;
   for (const auto& wanted : english())
     if (std::none_of(written.begin(), written.end(),

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::content {
 
@@ -15,7 +15,7 @@ extern const char* const kEnglishToml;
 struct WrittenText {
   std::string key;  ///< Whole: "attract.begin".
   std::string words;
-  settings::TomlReader::Table table;  ///< That it stands in,
+  toml::TomlReader::Table table;  ///< That it stands in,
   std::string name;                   ///< under this name.
 };
 
@@ -25,6 +25,6 @@ std::vector<std::string> places_in(const std::string& words);
 /// Notes with the reader of `text`, the table [text], each way in which `written` is not what the
 /// program says: a key that is missing, with the English to translate; one that it never says, with
 /// the right one where that is near or stands elsewhere; a place that is missing or never filled.
-void compare_with_english(settings::TomlReader::Table text, std::vector<WrittenText>& written);
+void compare_with_english(toml::TomlReader::Table text, std::vector<WrittenText>& written);
 
 }  // namespace onggi::content

@@ -6,13 +6,13 @@
 
 #include "engine/base/nearest_name.h"
 #include "kiosk/settings/spoken.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::content {
 
 namespace {
 
-using LessonTable = settings::TomlReader::Table;
+using LessonTable = toml::TomlReader::Table;
 
 bool is_step_id(const std::string& text) {
   return !text.empty() && text.size() <= 40 && std::ranges::all_of(text, [](char c) {
@@ -97,7 +97,7 @@ const std::string& LessonStep::words_in(const std::string& language) const {
 LessonRead read_lesson(const std::filesystem::path& file,
                        const std::vector<std::string>& languages) {
   LessonRead read;
-  settings::TomlReader reader(file);
+  toml::TomlReader reader(file);
   auto root = reader.root();
   std::set<std::string> ids;
   for (LessonTable& table : root.children("step")) {

@@ -4,7 +4,7 @@
 
 #include "kiosk/content/address.h"
 #include "kiosk/content/pack_advice.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::content {
 
@@ -14,7 +14,7 @@ float linear(double srgb) {
   return static_cast<float>(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
 }
 
-void read_color(settings::TomlReader::Table& root, Pack& pack) {
+void read_color(toml::TomlReader::Table& root, Pack& pack) {
   std::vector<double> values;
   if (!root.numbers("color", values)) return;
   bool good = values.size() == 3;
@@ -27,7 +27,7 @@ void read_color(settings::TomlReader::Table& root, Pack& pack) {
   pack.color = {linear(values[0]), linear(values[1]), linear(values[2])};
 }
 
-void read_mesh_terms(settings::TomlReader::Table& root, Pack& pack) {
+void read_mesh_terms(toml::TomlReader::Table& root, Pack& pack) {
   root.text("node", pack.node);
   std::string unit;
   if (root.text("units", unit)) {
@@ -47,7 +47,7 @@ void read_mesh_terms(settings::TomlReader::Table& root, Pack& pack) {
                   "Write the mesh's axis that the rim lies towards: \"y\", \"z\", \"-z\" ...");
 }
 
-void read_labels(settings::TomlReader::Table& root, PackRead& read) {
+void read_labels(toml::TomlReader::Table& root, PackRead& read) {
   auto labels = root.child("label");
   for (const std::string& language : labels.keys()) {
     auto table = labels.child(language);
@@ -69,8 +69,8 @@ void read_labels(settings::TomlReader::Table& root, PackRead& read) {
 }
 
 /// A page that no phone opens is left off the label, and the vessel stays on the shelf.
-void keep_good_addresses(settings::TomlReader::Table& root, Pack& pack) {
-  const auto keep = [](settings::TomlReader::Table& table, std::string& address) {
+void keep_good_addresses(toml::TomlReader::Table& root, Pack& pack) {
+  const auto keep = [](toml::TomlReader::Table& table, std::string& address) {
     const std::string fault = fault_of_address(address);
     if (!table.has("address") || fault.empty()) return;
     table.complain("address", fault,
@@ -114,7 +114,7 @@ std::string Pack::credit_line() const {
 PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::string>& languages) {
   PackRead read;
   Pack& pack = read.pack;
-  settings::TomlReader reader(toml);
+  toml::TomlReader reader(toml);
   auto root = reader.root();
   root.require("licence", "Say under which licence the shape is shown: licence = \"CC0-1.0\".");
   root.require("credit", "Say whom to thank: credit = \"Museum, drawn by ...\".");

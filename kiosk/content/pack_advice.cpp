@@ -6,7 +6,7 @@
 namespace onggi::content {
 namespace {
 
-using Table = settings::TomlReader::Table;
+using Table = toml::TomlReader::Table;
 
 /// What is written where nobody knows, and no visitor should read.
 bool is_no_answer(std::string text) {

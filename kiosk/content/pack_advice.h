@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kiosk/content/pack.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::content {
 
@@ -20,7 +20,7 @@ bool is_blank(const std::string& text);
 /// Notes with the reader of `root`, a vessel.toml, what is still to be written until its label is
 /// whole: true size, museum, source, licence, and a label with every part in each of `languages`
 /// (none given: in one of any). Also what stands there and should not: "not known", a long text.
-void ask_for_the_rest(settings::TomlReader::Table root, const Pack& pack,
+void ask_for_the_rest(toml::TomlReader::Table root, const Pack& pack,
                       const std::vector<std::string>& languages);
 
 }  // namespace onggi::content

@@ -16,7 +16,7 @@
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/settings/scene_file.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace fs = std::filesystem;
 
@@ -146,7 +146,7 @@ bool is_scene_table(const std::string& key) {
 // Tells by what only one kind of file has; an exhibit where nothing tells.
 void check_toml(CheckReport& report, const fs::path& file,
                 const std::vector<std::string>& languages) {
-  settings::TomlReader reader(file);
+  toml::TomlReader reader(file);
   auto keys = reader.ok() ? reader.root().keys() : std::vector<std::string>{};
   const auto has = [&keys](const char* key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();

@@ -7,7 +7,7 @@
 #include "engine/script/script.h"
 #include "kiosk/exhibit/log.h"
 #include "kiosk/settings/scene_file.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 #include "kiosk/tuning/grid_memory.h"
 #include "kiosk/tuning/machine.h"
 
@@ -144,7 +144,7 @@ screens::Wheel Scenes::wheel_of(const std::string& id) const {
 
 settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
                                     const std::vector<std::string>& ids) {
-  settings::TomlReader reader(exhibit.file);
+  toml::TomlReader reader(exhibit.file);
   auto root = reader.root();
   auto scenes = root.child("vessel_scenes");
   for (const auto& [id, scene] : exhibit.vessel_scenes) {

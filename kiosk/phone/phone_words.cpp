@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "kiosk/phone/page_files.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace fs = std::filesystem;
 
@@ -15,7 +15,7 @@ namespace onggi::phone {
 
 namespace {
 
-std::map<std::string, std::string> phone_texts(settings::TomlReader& reader) {
+std::map<std::string, std::string> phone_texts(toml::TomlReader& reader) {
   std::map<std::string, std::string> texts;
   auto table = reader.root().child("text").child("phone");
   for (const std::string& key : table.keys())
@@ -23,7 +23,7 @@ std::map<std::string, std::string> phone_texts(settings::TomlReader& reader) {
   return texts;
 }
 
-PhoneWords words_of(settings::TomlReader& reader) {
+PhoneWords words_of(toml::TomlReader& reader) {
   PhoneWords words;
   auto root = reader.root();
   root.text("code", words.code);
@@ -35,7 +35,7 @@ PhoneWords words_of(settings::TomlReader& reader) {
 
 /// The language of `file`; a Problem where it cannot be spoken.
 Result<PhoneWords> read_words(const fs::path& file, const PhoneWords& english) {
-  settings::TomlReader reader(file);
+  toml::TomlReader reader(file);
   PhoneWords words = words_of(reader);
   if (!reader.problems().empty()) return tl::unexpected<Problem>(reader.problems().front());
   if (words.code != file.stem().string() || words.name.empty())
@@ -58,7 +58,7 @@ std::string lower(std::string text) {
 }  // namespace
 
 PhoneLanguages::PhoneLanguages() {
-  auto reader = settings::TomlReader::of_text(k_en_toml, "the program's English");
+  auto reader = toml::TomlReader::of_text(k_en_toml, "the program's English");
   all_.push_back(words_of(reader));
 }
 

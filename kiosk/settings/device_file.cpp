@@ -3,13 +3,13 @@
 #include <optional>
 #include <string>
 
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::settings {
 
 namespace {
 
-using Table = TomlReader::Table;
+using Table = toml::TomlReader::Table;
 
 // Colgate's b > K (T / 2 + delay T), with what onggi lab loop keeps in hand (engine/lab).
 constexpr double kTick = 0.001, kMargin = 1.5, kRounding = 1.01;
@@ -114,7 +114,7 @@ void read_arm(Table table, device::ArmDef& arm) {
 DeviceRead read_device(const std::filesystem::path& file, const device::DeviceDef& usual) {
   DeviceRead read;
   read.def = usual;
-  TomlReader reader(file);
+  toml::TomlReader reader(file);
   auto root = reader.root();
   read_axes(root, read.def);
   read_place(root, "middle_mm", read.def.middle, 500.0);

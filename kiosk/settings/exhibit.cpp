@@ -4,13 +4,13 @@
 
 #include "kiosk/settings/hours_table.h"
 #include "kiosk/settings/spoken.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::settings {
 namespace {
 
 namespace fs = std::filesystem;
-using Table = TomlReader::Table;
+using Table = toml::TomlReader::Table;
 
 constexpr std::size_t kMostLetters = 120;  // fits the postcard's credit line and a screen's title
 constexpr std::size_t kMostLanguages = 12;
@@ -352,7 +352,7 @@ void read_reader(Table table, ReaderLimits& limits) {
 
 ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) {
   ExhibitRead read;
-  TomlReader reader(file);
+  toml::TomlReader reader(file);
   Exhibit& exhibit = read.exhibit;
   exhibit.file = file;
   const fs::path folder = file.parent_path();

@@ -7,7 +7,7 @@ namespace onggi::settings {
 
 namespace {
 
-using Table = TomlReader::Table;
+using Table = toml::TomlReader::Table;
 
 constexpr std::array<const char*, 7> kWeek = {"monday", "tuesday",  "wednesday", "thursday",
                                               "friday", "saturday", "sunday"};

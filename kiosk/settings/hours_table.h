@@ -1,12 +1,12 @@
 #pragma once
 
 #include "kiosk/settings/hours.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::settings {
 
 /// [hours] of exhibit.toml: "10:00-18:00" or "closed" by day of the week, every_day, and exceptions
 /// by date. Complains of what is missing or cannot be read, which keeps nobody out. Allocates.
-void read_hours(TomlReader::Table table, Hours& hours);
+void read_hours(toml::TomlReader::Table table, Hours& hours);
 
 }  // namespace onggi::settings

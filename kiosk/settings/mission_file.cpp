@@ -7,13 +7,13 @@
 
 #include "engine/base/nearest_name.h"
 #include "kiosk/settings/spoken.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::settings {
 
 namespace {
 
-using MissionTable = TomlReader::Table;
+using MissionTable = toml::TomlReader::Table;
 
 bool is_mission_id(const std::string& text) {
   return !text.empty() && text.size() <= 40 && std::ranges::all_of(text, [](char c) {
@@ -196,7 +196,7 @@ MissionsRead read_missions(const std::filesystem::path& file,
                            const std::vector<std::string>& languages,
                            const std::vector<std::string>& shelf) {
   MissionsRead read;
-  TomlReader reader(file);
+  toml::TomlReader reader(file);
   auto root = reader.root();
   std::set<std::string> ids;
   for (MissionTable& table : root.children("mission")) {

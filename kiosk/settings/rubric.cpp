@@ -1,12 +1,12 @@
 #include "kiosk/settings/rubric.h"
 
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::settings {
 
 namespace {
 
-void read_part(TomlReader::Table table, Rubric::Part& part, double most, const char* unit) {
+void read_part(toml::TomlReader::Table table, Rubric::Part& part, double most, const char* unit) {
   table.number("share", part.share, 0.0, 1.0);
   table.number("half", part.half, 0.001 * most, most, unit);
   table.finish();
@@ -17,7 +17,7 @@ void read_part(TomlReader::Table table, Rubric::Part& part, double most, const c
 RubricRead read_rubric(const std::filesystem::path& file) {
   RubricRead read;
   Rubric& r = read.rubric;
-  TomlReader reader(file);
+  toml::TomlReader reader(file);
   auto root = reader.root();
   root.boolean("size_counts", r.size_counts);
   std::vector<double> stars;

@@ -9,19 +9,19 @@
 #include <vector>
 
 #include "engine/base/nearest_name.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 namespace onggi::settings {
 namespace {
 
-using Table = TomlReader::Table;
+using Table = toml::TomlReader::Table;
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
 /// Reads fields without a range: ranges are the engine's, and validate() alone knows them.
 class SceneReader {
  public:
-  SceneReader(TomlReader& reader, SceneDef& def) : root_(reader.root()), def_(def) {}
+  SceneReader(toml::TomlReader& reader, SceneDef& def) : root_(reader.root()), def_(def) {}
 
   void read() {
     read_quality();
@@ -231,7 +231,7 @@ class SceneReader {
 
 SceneRead read_scene(const std::filesystem::path& file) {
   SceneRead read;
-  TomlReader reader(file);
+  toml::TomlReader reader(file);
   if (reader.ok()) {
     SceneReader scene(reader, read.def);
     scene.read();

@@ -7,7 +7,7 @@
 #include "engine/math/hash.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/read_file.h"
-#include "kiosk/settings/toml_text.h"
+#include "kiosk/toml/toml_text.h"
 
 namespace onggi::tuning {
 namespace {
@@ -26,7 +26,7 @@ void add(StateHash& hash, const std::string& text) {
 Result<std::filesystem::path> memory_of(const std::filesystem::path& folder,
                                         const std::filesystem::path& scene_file,
                                         const std::string& machine) {
-  const auto text = settings::read_toml_text(scene_file);
+  const auto text = toml::read_toml_text(scene_file);
   if (!text) return tl::unexpected(text.error());
   StateHash hash;
   add(hash, machine);

@@ -7,7 +7,7 @@
 
 #include "kiosk/files/durable_file.h"
 #include "kiosk/settings/scene_file.h"
-#include "kiosk/settings/toml_text.h"
+#include "kiosk/toml/toml_text.h"
 
 namespace onggi::tuning {
 namespace {
@@ -70,7 +70,7 @@ Result<void> write_grid(const std::filesystem::path& file, int rows, int sectors
                         const std::string& note) {
   const settings::SceneRead before = settings::read_scene(file);
   if (!before.problems.empty()) return tl::unexpected(before.problems.front());
-  const auto text = settings::read_toml_text(file);
+  const auto text = toml::read_toml_text(file);
   if (!text) return tl::unexpected(text.error());
   const auto write = [&](const std::string& what) {
     return files::write_durably(file, std::as_bytes(std::span(what)));

@@ -12,7 +12,7 @@
 #include "kiosk/content/lesson.h"
 #include "kiosk/content/pack.h"
 #include "kiosk/content/vessel.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 // What the packs of content/vessels say, read without the catalogue.
 
@@ -32,7 +32,7 @@ const std::map<std::string, Pack>& packs() {
     std::map<std::string, Pack> out;
     for (const auto& folder : fs::directory_iterator("content/vessels")) {
       if (!folder.is_directory()) continue;
-      settings::TomlReader reader(folder.path() / "vessel.toml");
+      toml::TomlReader reader(folder.path() / "vessel.toml");
       auto root = reader.root();
       Pack& pack = out[folder.path().filename().string()];
       root.text("source", pack.source);

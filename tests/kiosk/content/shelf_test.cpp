@@ -7,7 +7,7 @@
 
 #include "engine/profile/measures.h"
 #include "kiosk/content/catalogue.h"
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 // The shelf that Onggi comes with, as the kiosk opens it. What its packs say is in
 // shelf_packs_test.cpp, and that each GLB is what its drawing makes in model_test.cpp.
@@ -25,7 +25,7 @@ const Catalogue& shelf() {
 }
 
 double published(const std::string& id, const char* key) {
-  settings::TomlReader reader(kShelf / id / "vessel.toml");
+  toml::TomlReader reader(kShelf / id / "vessel.toml");
   double value = 0.0;
   reader.root().number(key, value, 1.0, 2000.0);
   return value / 1000.0;

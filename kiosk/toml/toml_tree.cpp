@@ -1,4 +1,4 @@
-#include "kiosk/settings/toml_tree.h"
+#include "kiosk/toml/toml_tree.h"
 
 #include <cstdint>  // the next headers use its names unasked
 
@@ -20,19 +20,19 @@
 
 #include <algorithm>
 
-#include "kiosk/settings/toml_text.h"
+#include "kiosk/toml/toml_text.h"
 
-namespace onggi::settings {
+namespace onggi::toml {
 
 namespace {
 
-Place place_of(const toml::source_region& source) {
+Place place_of(const ::toml::source_region& source) {
   return {std::max(1u, source.begin.line), std::max(1u, source.begin.column)};
 }
 
-TomlNode::Table table_of(const toml::table& table);
+TomlNode::Table table_of(const ::toml::table& table);
 
-TomlNode node_of(const toml::node& node) {
+TomlNode node_of(const ::toml::node& node) {
   TomlNode out;
   out.place = place_of(node.source());
   if (const auto* text = node.as_string()) out.value = text->get();
@@ -42,13 +42,13 @@ TomlNode node_of(const toml::node& node) {
   if (const auto* table = node.as_table()) out.value = table_of(*table);
   if (const auto* array = node.as_array()) {
     TomlNode::List list;
-    for (const toml::node& element : *array) list.push_back(node_of(element));
+    for (const ::toml::node& element : *array) list.push_back(node_of(element));
     out.value = std::move(list);
   }
   return out;
 }
 
-TomlNode::Table table_of(const toml::table& table) {
+TomlNode::Table table_of(const ::toml::table& table) {
   TomlNode::Table out;
   for (const auto& [key, value] : table)
     out.push_back({std::string(key.str()), place_of(key.source()), node_of(value)});
@@ -71,10 +71,10 @@ const TomlNode* find(const TomlNode::Table& table, std::string_view key) {
 Result<TomlNode::Table> parse_toml(const std::string& text, const std::string& name) {
   if (const Result<void> sound = check_outside_quotes(text, name); !sound)
     return tl::unexpected(sound.error());
-  const toml::parse_result parsed =
-      toml::parse(escaped_after_line_ends(text), std::string_view(name));
+  const ::toml::parse_result parsed =
+      ::toml::parse(escaped_after_line_ends(text), std::string_view(name));
   if (parsed) return table_of(parsed.table());
-  const toml::parse_error& error = parsed.error();
+  const ::toml::parse_error& error = parsed.error();
   const Place at = place_of(error.source());
   const std::string line = line_of(text, at.line);
   return problem(name + ":" + std::to_string(at.line) + ":" + std::to_string(at.column),
@@ -84,4 +84,4 @@ Result<TomlNode::Table> parse_toml(const std::string& text, const std::string& n
                  "every bracket and quote closed, each key once in its [table].");
 }
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml

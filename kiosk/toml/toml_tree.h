@@ -8,7 +8,7 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::settings {
+namespace onggi::toml {
 
 /// A place in the file; lines and columns from 1.
 struct Place {
@@ -46,4 +46,4 @@ const TomlNode* find(const TomlNode::Table& table, std::string_view key);
 /// The table that `text`, the file `name`, holds. Problem with line and column where it is no TOML.
 Result<TomlNode::Table> parse_toml(const std::string& text, const std::string& name);
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml

@@ -1,9 +1,9 @@
-#include "kiosk/settings/toml_reader_impl.h"
+#include "kiosk/toml/toml_reader_impl.h"
 
 #include <charconv>
 #include <cmath>
 
-namespace onggi::settings {
+namespace onggi::toml {
 namespace {
 
 /// The shortest digits that read back as the same number.
@@ -225,4 +225,4 @@ bool TomlReader::Table::points(std::string_view key, std::vector<OutlinePoint>& 
   return good;
 }
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml

@@ -1,4 +1,4 @@
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <regex>
 
-namespace onggi::settings {
+namespace onggi::toml {
 namespace {
 
 namespace fs = std::filesystem;
@@ -392,4 +392,4 @@ TEST_F(TomlReaderTest, no_bytes_at_all_can_end_the_program) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::toml

@@ -10,7 +10,7 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::settings {
+namespace onggi::toml {
 
 /// A point of a drawn outline, in the drawing's own unit: `[radius, height]`, or
 /// `[radius, height, "corner"]` where the line turns sharply.
@@ -97,4 +97,4 @@ class TomlReader {
   std::shared_ptr<Impl> impl_;
 };
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "kiosk/settings/toml_reader.h"
-#include "kiosk/settings/toml_text.h"
-#include "kiosk/settings/toml_tree.h"
+#include "kiosk/toml/toml_reader.h"
+#include "kiosk/toml/toml_text.h"
+#include "kiosk/toml/toml_tree.h"
 
-namespace onggi::settings {
+namespace onggi::toml {
 
 struct TomlReader::Impl {
   std::string name;  // as it was given, for every Problem
@@ -74,4 +74,4 @@ struct TomlReader::Table::Impl {
   }
 };
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml

@@ -7,7 +7,7 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::settings {
+namespace onggi::toml {
 
 /// Largest TOML file that is read, bytes.
 inline constexpr std::size_t kLargestToml = 4u << 20;
@@ -38,4 +38,4 @@ std::string line_of(const std::string& text, std::size_t line, std::size_t most 
 /// `text` cut to `most` bytes at a whole character ("..." added then), control characters as '?'.
 std::string shown(std::string_view text, std::size_t most);
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml

@@ -1,11 +1,11 @@
-#include "kiosk/settings/toml_reader.h"
+#include "kiosk/toml/toml_reader.h"
 
 #include <algorithm>
 
 #include "engine/base/nearest_name.h"
-#include "kiosk/settings/toml_reader_impl.h"
+#include "kiosk/toml/toml_reader_impl.h"
 
-namespace onggi::settings {
+namespace onggi::toml {
 
 TomlReader::Table TomlReader::Impl::table(const std::string& path, const TomlNode::Table* node,
                                           Place at) {
@@ -167,4 +167,4 @@ std::string TomlReader::Table::Impl::right_name(const std::string& wrong) const 
   return "Remove it, or write one of: " + known + ".";
 }
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml

@@ -1,4 +1,4 @@
-#include "kiosk/settings/toml_text.h"
+#include "kiosk/toml/toml_text.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "kiosk/files/read_file.h"
 
-namespace onggi::settings {
+namespace onggi::toml {
 namespace {
 
 constexpr int kLongestChain = 16;
@@ -212,4 +212,4 @@ std::string line_of(const std::string& text, std::size_t line, std::size_t most)
   return shown(whole.substr(first), most);
 }
 
-}  // namespace onggi::settings
+}  // namespace onggi::toml
