@@ -4,7 +4,7 @@
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 find_package(Threads REQUIRED)
 
-onggi_library(tomlplusplus  AT_LEAST 3.3  DEBIAN libtomlplusplus-dev)     # settings
+onggi_library(tomlplusplus  AT_LEAST 3.3  DEBIAN libtomlplusplus-dev)     # toml
 onggi_library(TinyGLTF      AT_LEAST 2.7  DEBIAN libtinygltf-dev)         # content
 onggi_library(meshoptimizer AT_LEAST 0.18 DEBIAN libmeshoptimizer-dev)    # content
 onggi_library(draco         OPTIONAL)  # content: without it Draco meshes are refused by name

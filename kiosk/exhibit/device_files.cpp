@@ -13,17 +13,17 @@ fs::path device_file(const settings::Exhibit& exhibit, device::DeviceKind kind) 
   return exhibit.file.parent_path() / "devices" / (std::string(device::info_of(kind).id) + ".toml");
 }
 
-settings::DeviceRead device_of(const settings::Exhibit& exhibit, device::DeviceKind kind) {
+device::DeviceRead device_of(const settings::Exhibit& exhibit, device::DeviceKind kind) {
   const fs::path file = device_file(exhibit, kind);
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {device::default_def(kind), {}, 0};
-  return settings::read_device(file, device::default_def(kind));
+  return device::read_device(file, device::default_def(kind));
 }
 
 device::DeviceWatch::Define defined_devices(const settings::Exhibit& exhibit) {
   std::map<device::DeviceKind, device::DeviceDef> all;
   for (const device::KindInfo& info : device::device_kinds()) {
-    const settings::DeviceRead read = device_of(exhibit, info.kind);
+    const device::DeviceRead read = device_of(exhibit, info.kind);
     log_problems(read.problems);
     all[info.kind] = read.def;
   }

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "kiosk/device/device_watch.h"
-#include "kiosk/settings/device_file.h"
+#include "kiosk/device/device_file.h"
 #include "kiosk/settings/exhibit.h"
 
 namespace onggi::exhibit {
@@ -12,7 +12,7 @@ namespace onggi::exhibit {
 std::filesystem::path device_file(const settings::Exhibit& exhibit, device::DeviceKind kind);
 
 /// What that file says, or the kind's usual where there is none.
-settings::DeviceRead device_of(const settings::Exhibit& exhibit, device::DeviceKind kind);
+device::DeviceRead device_of(const settings::Exhibit& exhibit, device::DeviceKind kind);
 
 /// Reads all of them now, logs what is wrong, and answers from then on, on any thread.
 device::DeviceWatch::Define defined_devices(const settings::Exhibit& exhibit);

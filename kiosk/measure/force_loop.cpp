@@ -10,7 +10,7 @@
 #include "kiosk/files/read_file.h"
 #include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/price_list.h"
-#include "kiosk/settings/device_file.h"
+#include "kiosk/device/device_file.h"
 
 namespace onggi::measure {
 
@@ -294,7 +294,7 @@ Result<lab::StiffnessLimit> write_stiffness_limit(const std::filesystem::path& f
   if (!bytes)
     return problem(file.string(), "It cannot be read. " + bytes.error().reason,
                    "Name a file of config/devices.");
-  const settings::DeviceRead read = settings::read_device(file, device::default_def(kind->kind));
+  const device::DeviceRead read = device::read_device(file, device::default_def(kind->kind));
   // A limit that is wrong by now is what this command is for.
   for (const Problem& one : read.problems)
     if (one.what.find(kKey) == std::string::npos) return tl::unexpected(one);

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "kiosk/settings/device_file.h"
+#include "kiosk/device/device_file.h"
 
 namespace onggi::measure {
 namespace {
@@ -49,7 +49,7 @@ TEST(ForceLoop, WritesTheLimitIntoForceAndLeavesEveryOtherByteAsItWas) {
   std::string rest = after;
   rest.erase(at, after.find('\n', at) + 1 - at);
   EXPECT_EQ(rest, before + kBody);
-  const auto read = settings::read_device(file.path, {});
+  const auto read = device::read_device(file.path, {});
   EXPECT_TRUE(read.problems.empty());
   EXPECT_NEAR(read.def.coupling(), limit->allowed, 0.1);
 }
@@ -66,7 +66,7 @@ TEST(ForceLoop, RenewsALimitThatTheBodyDoesNotBearAnyMore) {
 TEST(ForceLoop, AFileWithoutForceGetsOne) {
   const File file("onggi_hid.toml", "scale = 1");
   ASSERT_TRUE(write_stiffness_limit(file.path));
-  EXPECT_NEAR(settings::read_device(file.path, {}).def.coupling(), 19.0, 0.1);
+  EXPECT_NEAR(device::read_device(file.path, {}).def.coupling(), 19.0, 0.1);
 }
 
 TEST(ForceLoop, WhatDoesNotPushOrBearsNothingIsRefusedWithARemedy) {

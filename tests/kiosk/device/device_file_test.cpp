@@ -1,4 +1,4 @@
-#include "kiosk/settings/device_file.h"
+#include "kiosk/device/device_file.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace onggi::settings {
+namespace onggi::device {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ TEST(DeviceFile, WhatIsNoGoodIsNamedByItsLineAndTheUsualStands) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::device

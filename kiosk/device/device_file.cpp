@@ -1,18 +1,18 @@
-#include "kiosk/settings/device_file.h"
+#include "kiosk/device/device_file.h"
 
 #include <optional>
 #include <string>
 
 #include "kiosk/toml/toml_reader.h"
 
-namespace onggi::settings {
+namespace onggi::device {
 
 namespace {
 
 using Table = toml::TomlReader::Table;
 
 // Colgate's b > K (T / 2 + delay T), with what onggi lab loop keeps in hand (engine/lab).
-constexpr double kTick = 0.001, kMargin = 1.5, kRounding = 1.01;
+constexpr double kTick = 0.001, kMarginInFile = 1.5, kRounding = 1.01;
 
 /// "x", "+y" or "-z".
 std::optional<device::DeviceAxis> axis_of(const std::string& text) {
@@ -58,7 +58,7 @@ void read_place(Table& root, const char* key, Vec3& out, double most) {
 void check_limit(Table table, device::DeviceDef& def) {
   if (!def.stiffness_limit) return;
   const double bears = def.own_damping() / ((0.5 + def.body.delay) * kTick);
-  if (*def.stiffness_limit <= bears / kMargin * kRounding) return;
+  if (*def.stiffness_limit <= bears / kMarginInFile * kRounding) return;
   def.stiffness_limit.reset();
   table.complain("stiffness_limit",
                  "stiffness_limit is more than a device with this [body] bears, so it is left out.",
@@ -135,4 +135,4 @@ DeviceRead read_device(const std::filesystem::path& file, const device::DeviceDe
   return read;
 }
 
-}  // namespace onggi::settings
+}  // namespace onggi::device

@@ -6,7 +6,7 @@
 #include "engine/base/result.h"
 #include "kiosk/device/device_def.h"
 
-namespace onggi::settings {
+namespace onggi::device {
 
 struct DeviceRead {
   device::DeviceDef def;
@@ -18,4 +18,4 @@ struct DeviceRead {
 /// value that was good, and those of `usual` elsewhere. config/README.md tells the keys.
 DeviceRead read_device(const std::filesystem::path& file, const device::DeviceDef& usual);
 
-}  // namespace onggi::settings
+}  // namespace onggi::device
