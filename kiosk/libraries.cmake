@@ -13,7 +13,7 @@ onggi_library(PNG           DEBIAN libpng-dev)                            # text
 onggi_library(JPEG          DEBIAN libjpeg-dev)                           # textures
 onggi_library(WEBP          MODULES libwebp DEBIAN libwebp-dev)           # textures
 onggi_library(ZSTD          MODULES libzstd DEBIAN libzstd-dev)           # textures
-onggi_library(nlohmann_json AT_LEAST 3.11 DEBIAN nlohmann-json3-dev)      # files, content, souvenir's helper
+onggi_library(nlohmann_json AT_LEAST 3.11 DEBIAN nlohmann-json3-dev)      # files, content, encoding's helper
 onggi_library(HIDAPI        MODULES hidapi-hidraw AT_LEAST 0.13 DEBIAN libhidapi-dev)  # device
 onggi_library(QRCODEGEN     MODULES qrcodegencpp DEBIAN libqrcodegencpp-dev)  # view
 onggi_library(glfw3         AT_LEAST 3.3  DEBIAN libglfw3-dev)            # render
@@ -21,7 +21,7 @@ onggi_library(glm           DEBIAN libglm-dev)                            # rend
 onggi_library(EPOXY         MODULES epoxy AT_LEAST 1.5 DEBIAN libepoxy-dev)  # render
 onggi_library(XINPUT        MODULES x11 xi xrandr xext DEBIAN "libxi-dev libxrandr-dev libxext-dev")  # render: touch, monitors
 onggi_library(PANGOCAIRO    MODULES pangocairo AT_LEAST 1.50 DEBIAN libpango1.0-dev)  # render, drawing
-onggi_library(OPENIMAGEIO   MODULES OpenImageIO AT_LEAST 2.4 DEBIAN libopenimageio-dev)  # souvenir's helper
+onggi_library(OPENIMAGEIO   MODULES OpenImageIO AT_LEAST 2.4 DEBIAN libopenimageio-dev)  # encoding's helper
 onggi_library(Boost         AT_LEAST 1.74 DEBIAN libboost-dev)            # phone: Beast
 onggi_library(SQLite3       AT_LEAST 3.40 DEBIAN libsqlite3-dev)          # store
 onggi_library(SPEECHD       MODULES speech-dispatcher AT_LEAST 0.11 DEBIAN libspeechd-dev)  # access's helper

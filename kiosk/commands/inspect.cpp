@@ -10,7 +10,7 @@
 #include "kiosk/commands/up_option.h"
 #include "kiosk/content/vessel.h"
 #include "kiosk/drawing/sheet_painter.h"
-#include "kiosk/souvenir/encode.h"
+#include "kiosk/encoding/encode.h"
 
 namespace onggi::commands {
 
@@ -116,11 +116,11 @@ void print_summary(const content::Vessel& vessel) {
 
 Result<void> plot(const content::Vessel& vessel, const files::Output& output) {
   const drawing::VesselSheet sheet = drawing::sheet_of(vessel);
-  souvenir::Caption caption;
+  encoding::Caption caption;
   caption.title = sheet.title;
   caption.copyright = sheet.credit;
   caption.description = "Section and view, drawn by Onggi from " + vessel.file.filename().string();
-  const auto png = souvenir::encode(drawing::draw_sheet(sheet), souvenir::Format::png, caption);
+  const auto png = encoding::encode(drawing::draw_sheet(sheet), encoding::Format::png, caption);
   if (!png) return tl::unexpected(png.error());
   return output.write(*png);
 }

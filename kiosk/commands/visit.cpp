@@ -14,6 +14,7 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
+#include "kiosk/encoding/encode.h"
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/exhibit/paths.h"
 #include "kiosk/files/durable_file.h"
@@ -22,7 +23,6 @@
 #include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/visit_report.h"
-#include "kiosk/souvenir/encode.h"
 
 namespace fs = std::filesystem;
 
@@ -134,7 +134,7 @@ class ScreenAlbum {
     for (std::size_t i = 0; i < pages_.size(); ++i) {
       const std::string number = (i < 9 ? "0" : "") + std::to_string(i + 1);
       const fs::path file = folder_ / (number + "_" + pages_[i].name + ".png");
-      auto bytes = souvenir::encode(pages_[i].image, souvenir::Format::png,
+      auto bytes = encoding::encode(pages_[i].image, encoding::Format::png,
                                     {"Onggi: " + pages_[i].name, kiosk_.exhibit().credit, ""});
       if (!bytes) return tl::unexpected(bytes.error());
       if (auto good = files::write_durably(file, *bytes); !good)

@@ -59,7 +59,7 @@ int Keepsakes::save(souvenir::Keepsake keepsake) {
   return ticket;
 }
 
-void Keepsakes::add(int ticket, souvenir::Turning turning, souvenir::Caption caption) {
+void Keepsakes::add(int ticket, encoding::Turning turning, encoding::Caption caption) {
   if (ticket != last_save_.first) return;
   adding_.push_back(std::async(
       std::launch::async, [this, ticket, save = std::exchange(last_save_, {}).second,

@@ -42,7 +42,7 @@ class Keepsakes {
   bool busy() const { return !saving_.empty(); }
   /// Adds `turning` to the keepsake that `ticket`'s save made, once it is made; to none, where it
   /// failed.
-  void add(int ticket, souvenir::Turning turning, souvenir::Caption caption);
+  void add(int ticket, encoding::Turning turning, encoding::Caption caption);
   struct Added {
     int ticket = 0;
     Result<std::filesystem::path> outcome;  ///< The file.

@@ -341,7 +341,7 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
   if (postcard_ != 0) renderer_->drop_picture(postcard_);
   postcard_ = renderer_->make_picture(taken->keepsake.postcard);
   visit_->show_postcard(postcard_);
-  const souvenir::Caption caption = taken->keepsake.caption;
+  const encoding::Caption caption = taken->keepsake.caption;
   kept_ticket_ = saving_ticket_ = keepsakes_->save(std::move(taken->keepsake));
   if (exhibit_.keepsake.turning)
     turning_.begin(saving_ticket_, caption, request.made, taken->glazing, potter_->view().clay,

@@ -6,7 +6,7 @@
 
 namespace onggi::exhibit {
 
-void TurningPot::begin(int ticket, const souvenir::Caption& caption, const Profile& made,
+void TurningPot::begin(int ticket, const encoding::Caption& caption, const Profile& made,
                        const std::optional<view::Glazing>& glazing, const ClayView& clay,
                        bool left_handed) {
   constexpr float kMargin = 0.09f * kSide;
@@ -34,7 +34,7 @@ std::optional<TurningPot::Drawn> TurningPot::draw(const ClayView& clay,
     stop();
     return std::nullopt;
   }
-  souvenir::Turning& turning = drawn_.turning;
+  encoding::Turning& turning = drawn_.turning;
   frame_.pot->clay_angle = step_ * turning.frames;
   const view::Image picture = renderer.draw_offscreen(frame_);
   // 26 MB: growing by doubling takes 41, and copies them while frames are due.

@@ -22,13 +22,13 @@ class TurningPot {
 
   /// Begins anew, with the pot of `made` as `clay` has it; `ticket` is its save's. `left_handed`:
   /// so is its visitor, whose wheel turned the other way.
-  void begin(int ticket, const souvenir::Caption& caption, const Profile& made,
+  void begin(int ticket, const encoding::Caption& caption, const Profile& made,
              const std::optional<view::Glazing>& glazing, const ClayView& clay, bool left_handed);
   /// One more picture of it; after the last one all of them, once.
   struct Drawn {
     int ticket = 0;
-    souvenir::Caption caption;
-    souvenir::Turning turning;
+    encoding::Caption caption;
+    encoding::Turning turning;
   };
   std::optional<Drawn> draw(const ClayView& clay, render::Renderer& renderer);
   bool drawing() const { return drawn_.ticket != 0; }

@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "kiosk/encoding/encode.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/screens/comfort.h"
-#include "kiosk/souvenir/encode.h"
 #include "kiosk/view/palette.h"
 
 namespace fs = std::filesystem;
@@ -45,7 +45,7 @@ view::Image smaller(const view::Image& image, int width, int height) {
 }
 
 Result<void> keep(const view::Image& image, const fs::path& file, const std::string& title) {
-  auto bytes = souvenir::encode(image, souvenir::Format::jpeg, {title, "", ""});
+  auto bytes = encoding::encode(image, encoding::Format::jpeg, {title, "", ""});
   if (!bytes) return tl::unexpected(bytes.error());
   if (auto made = files::make_folder(file.parent_path()); !made) return made;
   return files::write_durably(file, *bytes);

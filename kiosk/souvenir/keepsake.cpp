@@ -68,14 +68,14 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
                    "This is a fault of the program: report it with the log.", 1);
   }
   // Encode first: what fails here has not touched the disk.
-  auto png = encode(keepsake.phone ? keepsake.phone->card : keepsake.postcard, Format::png,
-                    keepsake.caption);
+  auto png = encoding::encode(keepsake.phone ? keepsake.phone->card : keepsake.postcard,
+                              encoding::Format::png, keepsake.caption);
   if (!png) return tl::unexpected(png.error());
-  auto jpeg = encode(keepsake.postcard, Format::jpeg, keepsake.caption);
+  auto jpeg = encoding::encode(keepsake.postcard, encoding::Format::jpeg, keepsake.caption);
   if (!jpeg) return tl::unexpected(jpeg.error());
   std::vector<std::byte> small;
   if (keepsake.small) {
-    auto picture = encode(keepsake.small->picture, Format::jpeg, {});
+    auto picture = encoding::encode(keepsake.small->picture, encoding::Format::jpeg, {});
     if (!picture) return tl::unexpected(picture.error());
     small = std::move(*picture);
   }
@@ -92,7 +92,8 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
   GivenPass given(folder);
   if (keepsake.phone) {
     files.token = given.give(*name, *keepsake.phone);
-    if (files.token.empty()) png = encode(keepsake.postcard, Format::png, keepsake.caption);
+    if (files.token.empty())
+      png = encoding::encode(keepsake.postcard, encoding::Format::png, keepsake.caption);
     if (!png) return tl::unexpected(png.error());
   }
   const auto write = [&](fs::path& path, const char* file,

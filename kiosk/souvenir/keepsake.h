@@ -9,8 +9,8 @@
 
 #include "engine/base/result.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/encoding/encode.h"
 #include "kiosk/files/wall_clock.h"
-#include "kiosk/souvenir/encode.h"
 #include "kiosk/souvenir/small_pot.h"
 #include "kiosk/view/image.h"
 
@@ -30,7 +30,7 @@ struct Keepsake {
   /// becomes '_'; a name that is taken gets "_2", "_3"...
   std::string name;
   view::Image postcard;  ///< 1500 x 2100; without a code of the visitor's own page.
-  Caption caption;
+  encoding::Caption caption;
   std::vector<std::byte> glb;     ///< Made by content::write_glb.
   TriangleMesh pot;               ///< For the STL, metres (written in millimetres).
   std::vector<std::byte> replay;  ///< May be empty.

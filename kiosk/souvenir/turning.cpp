@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 constexpr int kFewest = 4;  // every so manieth picture, where all are too many
 
 /// Every `nth` of its pictures, in the same time.
-Turning sparser(const Turning& all, int nth) {
-  Turning some{all.width, all.height, (all.frames + nth - 1) / nth, all.seconds, {}};
+encoding::Turning sparser(const encoding::Turning& all, int nth) {
+  encoding::Turning some{all.width, all.height, (all.frames + nth - 1) / nth, all.seconds, {}};
   const std::size_t size = all.rgba.size() / static_cast<std::size_t>(std::max(all.frames, 1));
   for (int n = 0; n < all.frames; n += nth) {
     const auto from = all.rgba.begin() + static_cast<std::ptrdiff_t>(size) * n;
@@ -28,11 +28,11 @@ Turning sparser(const Turning& all, int nth) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> turning_picture(const Turning& turning, const Caption& caption,
-                                               std::size_t most) {
-  auto gif = encode(turning, caption);
+Result<std::vector<std::byte>> turning_picture(const encoding::Turning& turning,
+                                               const encoding::Caption& caption, std::size_t most) {
+  auto gif = encoding::encode(turning, caption);
   for (int nth = 2; gif && gif->size() > most && nth <= kFewest; nth *= 2)
-    gif = encode(sparser(turning, nth), caption);
+    gif = encoding::encode(sparser(turning, nth), caption);
   if (gif && gif->size() > most)
     return problem("the turning picture",
                    "It has " + std::to_string(gif->size()) + " bytes, and " + std::to_string(most) +

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kiosk/souvenir/encode.h"
+#include "kiosk/encoding/encode.h"
 #include "kiosk/souvenir/keepsake.h"
 
 namespace onggi::souvenir {
@@ -16,7 +16,8 @@ inline constexpr std::size_t kMostOfATurning = 4'000'000;
 /// `turning` as a GIF of no more than `most` bytes: a pot that is too busy for that turns as long
 /// in every second of its pictures, or every fourth. Problem (exit 1) as encode(); and where that
 /// is too much too. Blocks.
-Result<std::vector<std::byte>> turning_picture(const Turning& turning, const Caption& caption,
+Result<std::vector<std::byte>> turning_picture(const encoding::Turning& turning,
+                                               const encoding::Caption& caption,
                                                std::size_t most = kMostOfATurning);
 
 /// Adds `gif` to the visit that was kept in folder `visit`, then tidies around it. It is there

@@ -55,8 +55,8 @@ souvenir::Keepsake keepsake_of(int n) {
   return all;
 }
 
-souvenir::Turning turning() {
-  souvenir::Turning all{12, 12, 3, 1.0, {}};
+encoding::Turning turning() {
+  encoding::Turning all{12, 12, 3, 1.0, {}};
   for (int k = 0; k < 3 * 12 * 12 * 4; ++k)
     all.rgba.push_back(static_cast<std::uint8_t>(k % 4 == 3 ? 255 : k * 5 / 3));
   return all;

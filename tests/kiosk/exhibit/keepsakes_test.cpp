@@ -83,7 +83,7 @@ TEST(Keepsakes, APassIsGivenWhilePhonesAreAnsweredAndOnlyThen) {
   EXPECT_EQ(Keepsakes(scratch.path(), {100, 0}).token(), "") << "the museum wants no phones";
 }
 
-souvenir::Turning a_turning(std::uint8_t shade) {
+encoding::Turning a_turning(std::uint8_t shade) {
   return {8, 8, 4, 1.0, std::vector<std::uint8_t>(4 * 8 * 8 * 4, shade)};
 }
 
@@ -134,7 +134,7 @@ TEST(Keepsakes, NoSaveWaitsForAPictureThatIsEncoded) {
   const ScratchFolder scratch;
   Keepsakes keepsakes(scratch.path(), {100, 0});
   const int ticket = keepsakes.save(a_keepsake("2026-05-04_141503_jar"));
-  souvenir::Turning large{500, 500, 40, 4.0, {}};
+  encoding::Turning large{500, 500, 40, 4.0, {}};
   for (std::size_t k = 0; k < 500u * 500u * 40u * 4u; ++k)
     large.rgba.push_back(static_cast<std::uint8_t>(k * k >> 7));
   keepsakes.add(ticket, std::move(large), {});

@@ -40,7 +40,7 @@ class Museum {
     static const auto kJpeg = [] {
       view::Image grey{40, 50, std::vector<std::uint8_t>(4 * 40 * 50, 120)};
       for (std::size_t i = 3; i < grey.rgba.size(); i += 4) grey.rgba[i] = 255;
-      return souvenir::encode(grey, souvenir::Format::jpeg, {});
+      return encoding::encode(grey, encoding::Format::jpeg, {});
     }();
     ASSERT_TRUE(kJpeg) << (kJpeg ? "" : to_text(kJpeg.error()));
     fs::create_directories(folder() / name);

@@ -27,8 +27,8 @@ fs::path put_visit(const fs::path& folder, const std::string& name, std::size_t 
 }
 
 /// Noise, which no GIF makes smaller.
-Turning busy(int frames) {
-  Turning all{64, 64, frames, 4.0, {}};
+encoding::Turning busy(int frames) {
+  encoding::Turning all{64, 64, frames, 4.0, {}};
   std::uint32_t state = 1;
   for (int k = 0; k < 4 * 64 * 64 * frames; ++k) {
     state = state * 1664525u + 1013904223u;
@@ -110,7 +110,7 @@ TEST(TurningPicture, APotTooBusyForTheMostTurnsAsLongInFewerPictures) {
   const auto half = turning_picture(busy(8), {}, whole->size() - 1);
   ASSERT_TRUE(half) << to_text(half.error());
   EXPECT_LT(half->size(), 0.6 * static_cast<double>(whole->size()));
-  Turning every_second = busy(8);
+  encoding::Turning every_second = busy(8);
   const std::size_t size = 4u * 64u * 64u;
   every_second.frames = 4;
   std::vector<std::uint8_t> kept;
@@ -118,7 +118,7 @@ TEST(TurningPicture, APotTooBusyForTheMostTurnsAsLongInFewerPictures) {
     kept.insert(kept.end(), every_second.rgba.begin() + static_cast<std::ptrdiff_t>(n * size),
                 every_second.rgba.begin() + static_cast<std::ptrdiff_t>((n + 1) * size));
   every_second.rgba = kept;
-  EXPECT_EQ(*half, *encode(every_second, {}));
+  EXPECT_EQ(*half, *encoding::encode(every_second, {}));
   const auto none = turning_picture(busy(8), {}, 1000);
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().what, HasSubstr("1000 are allowed"));

@@ -1,4 +1,4 @@
-#include "kiosk/souvenir/picture_bytes.h"
+#include "kiosk/encoding/picture_bytes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 namespace {
 
 using namespace std::string_view_literals;
@@ -107,4 +107,4 @@ std::vector<std::byte> with_comments(std::span<const std::byte> gif, const Capti
   return out;
 }
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/souvenir/encode.h"
+#include "kiosk/encoding/encode.h"
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 
 /// Is this the whole of a PNG, JPEG or GIF: its first bytes and its closing mark?
 bool is_whole(std::span<const std::byte> bytes, Format format);
@@ -23,4 +23,4 @@ std::vector<std::byte> with_texts(std::span<const std::byte> png, const Caption&
 std::vector<std::byte> with_comments(std::span<const std::byte> gif, const Caption& caption,
                                      const std::string& software);
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

@@ -1,4 +1,4 @@
-#include "kiosk/souvenir/encode.h"
+#include "kiosk/encoding/encode.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -14,11 +14,11 @@
 #include <optional>
 #include <tuple>
 
+#include "kiosk/encoding/picture_bytes.h"
 #include "kiosk/files/durable_file.h"
-#include "kiosk/souvenir/picture_bytes.h"
 #include "tests/kiosk/files/disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 namespace {
 
 using namespace files::test;
@@ -346,4 +346,4 @@ TEST(encode_helper, an_order_that_makes_no_sense_ends_with_a_reason) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

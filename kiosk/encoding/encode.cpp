@@ -1,17 +1,17 @@
-#include "kiosk/souvenir/encode.h"
+#include "kiosk/encoding/encode.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/encoding/picture_bytes.h"
 #include "kiosk/files/helper_process.h"
 #include "kiosk/files/json.h"
-#include "kiosk/souvenir/picture_bytes.h"
 
 #ifndef ONGGI_VERSION
 #error "The build gives ONGGI_VERSION."
 #endif
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ Result<std::vector<std::byte>> encode_with(const fs::path& helper, const Turning
   return run(helper, head, turning.rgba, Format::gif, timeout_s);
 }
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

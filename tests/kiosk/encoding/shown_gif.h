@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 
 using Pictures = std::vector<std::vector<std::uint8_t>>;  ///< rgb each
 
@@ -96,4 +96,4 @@ inline Pictures shown_gif(std::span<const std::byte> gif) {
   return out;
 }
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

@@ -19,15 +19,15 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/souvenir/gif.h"
-#include "kiosk/souvenir/picture_bytes.h"
+#include "kiosk/encoding/gif.h"
+#include "kiosk/encoding/picture_bytes.h"
 
 namespace {
 
-using onggi::souvenir::Caption;
-using onggi::souvenir::Format;
-using onggi::souvenir::kLargestSide;
-using onggi::souvenir::kMostFrames;
+using onggi::encoding::Caption;
+using onggi::encoding::Format;
+using onggi::encoding::kLargestSide;
+using onggi::encoding::kMostFrames;
 
 constexpr int kJpegQuality = 92;
 constexpr std::size_t kLongestText = 1000;  // bytes; a JPEG's metadata must fit into 64 KiB
@@ -136,8 +136,8 @@ void describe_picture(const Order& order, OIIO::ImageSpec& spec) {
 /// written, and a palette for each picture, by which what stands still shimmers.
 std::vector<std::byte> encode_turning(const Order& order) {
   const std::vector<std::byte> gif =
-      onggi::souvenir::write_gif(order.width, order.height, order.hundredths, on_white(order.rgba));
-  return onggi::souvenir::with_comments(gif, order.caption, order.software);
+      onggi::encoding::write_gif(order.width, order.height, order.hundredths, on_white(order.rgba));
+  return onggi::encoding::with_comments(gif, order.caption, order.software);
 }
 
 /// The picture's bytes; `fault` says why there are none.
@@ -164,12 +164,12 @@ std::vector<std::byte> encode(const Order& order, std::string& fault) {
     return {};
   }
   const auto bytes = std::as_bytes(std::span(memory));
-  if (!onggi::souvenir::is_whole(bytes, order.format)) {
+  if (!onggi::encoding::is_whole(bytes, order.format)) {
     fault = "OpenImageIO gave less than a whole picture";
     return {};
   }
   if (order.format == Format::png) {
-    return onggi::souvenir::with_texts(bytes, order.caption, order.software);
+    return onggi::encoding::with_texts(bytes, order.caption, order.software);
   }
   return {bytes.begin(), bytes.end()};
 }

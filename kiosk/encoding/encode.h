@@ -8,7 +8,7 @@
 #include "engine/base/result.h"
 #include "kiosk/view/image.h"
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 
 enum class Format { png, jpeg, gif };
 
@@ -50,4 +50,4 @@ Result<std::vector<std::byte>> encode_with(const std::filesystem::path& helper,
                                            const Turning& turning, const Caption& caption,
                                            double timeout_s);
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

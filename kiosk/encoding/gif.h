@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 
 /// An animated GIF without end (GIF89a): `rgb` has picture after picture, three bytes a pixel, of
 /// `width` x `height` (1..65535 each); each stands for `hundredths` of a second. All have one
@@ -14,4 +14,4 @@ namespace onggi::souvenir {
 std::vector<std::byte> write_gif(int width, int height, int hundredths,
                                  std::span<const std::uint8_t> rgb);
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

@@ -1,4 +1,4 @@
-#include "kiosk/souvenir/gif.h"
+#include "kiosk/encoding/gif.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/souvenir/shown_gif.h"
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 namespace {
 
 std::vector<std::uint8_t> joined(const Pictures& pictures) {
@@ -124,4 +124,4 @@ TEST(Gif, TheSamePicturesGiveTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding

@@ -1,4 +1,4 @@
-#include "kiosk/souvenir/gif.h"
+#include "kiosk/encoding/gif.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "kiosk/files/byte_writer.h"
 
-namespace onggi::souvenir {
+namespace onggi::encoding {
 namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
@@ -287,4 +287,4 @@ std::vector<std::byte> write_gif(int width, int height, int hundredths,
   return out.take();
 }
 
-}  // namespace onggi::souvenir
+}  // namespace onggi::encoding
