@@ -57,8 +57,8 @@ std::vector<fs::path> folders_of(const fs::path& file) {
 Reload::Reload(fs::path exhibit, Shown shown)
     : exhibit_(std::move(exhibit)), stands_in_(shown == Shown::another) {
   const auto folders = folders_of(exhibit_);
-  files_ = std::make_unique<watch::FileWatch>(folders);
-  open_ = watch::stamps_in(folders);
+  files_ = std::make_unique<files::FileWatch>(folders);
+  open_ = files::stamps_in(folders);
 }
 
 // The check is waited for: for a vessel at most, and not for the whole shelf.
@@ -69,9 +69,9 @@ void Reload::begin_check() {
   check_ = std::async(std::launch::async, [file = exhibit_.string(), stop = stop_.get_token()] {
     setpriority(PRIO_PROCESS, 0, 19);  // this thread alone: a visitor's picture comes first
     auto folders = folders_of(file);
-    auto before = watch::stamps_in(folders);
+    auto before = files::stamps_in(folders);
     auto report = check_path("", file, stop);
-    auto after = watch::stamps_in(folders);
+    auto after = files::stamps_in(folders);
     return Checked{std::move(report), std::move(folders), std::move(before), std::move(after)};
   });
 }
@@ -106,15 +106,15 @@ void Reload::take(const Checked& checked, double now) {
   }
   trouble_.clear();
   // The folders may be others now; but a change that the old watch saw begin is its to tell.
-  if (!files_->pending()) files_ = std::make_unique<watch::FileWatch>(checked.folders);
+  if (!files_->pending()) files_ = std::make_unique<files::FileWatch>(checked.folders);
   // What else lies in the folders is nobody's.
   const auto& files = checked.report->files;
-  seen_ = watch::of_files(checked.before, files);
-  if (seen_ != watch::of_files(checked.after, files)) {
+  seen_ = files::of_files(checked.before, files);
+  if (seen_ != files::of_files(checked.after, files)) {
     look_again_at_ = now + kLookAgain;  // they changed while they were read: at rest, then
     return;
   }
-  if (!checked_) open_ = watch::of_files(open_, files);
+  if (!checked_) open_ = files::of_files(open_, files);
   judge(*checked.report, now);
 }
 

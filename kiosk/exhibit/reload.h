@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "kiosk/exhibit/check_exhibit.h"
-#include "kiosk/watch/file_watch.h"
-#include "kiosk/watch/stamp.h"
+#include "kiosk/files/file_watch.h"
+#include "kiosk/files/stamp.h"
 
 namespace onggi::exhibit {
 
@@ -41,7 +41,7 @@ class Reload {
   struct Checked {
     Result<CheckReport> report;
     std::vector<std::filesystem::path> folders;
-    watch::Stamps before, after;  ///< What stood in them as the check began, and as it ended.
+    files::Stamps before, after;  ///< What stood in them as the check began, and as it ended.
   };
 
   void begin_check();
@@ -52,11 +52,11 @@ class Reload {
 
   std::filesystem::path exhibit_;
   bool stands_in_;  ///< Another than `exhibit_` is open.
-  std::unique_ptr<watch::FileWatch> files_;
+  std::unique_ptr<files::FileWatch> files_;
   std::stop_source stop_;
   std::future<Checked> check_;
-  watch::Stamps open_;  ///< Of what is open; before the first check, of all that lay there,
-  watch::Stamps seen_;  ///< and of what was checked last.
+  files::Stamps open_;  ///< Of what is open; before the first check, of all that lay there,
+  files::Stamps seen_;  ///< and of what was checked last.
   std::set<std::string> known_;    ///< Problems of what is open,
   std::set<std::string> found_;    ///< of what was checked last,
   std::set<std::string> refused_;  ///< and of the change last refused.

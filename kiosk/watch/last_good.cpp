@@ -11,7 +11,7 @@
 #include "kiosk/files/descriptor.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/read_file.h"
-#include "kiosk/watch/stamp.h"
+#include "kiosk/files/stamp.h"
 
 namespace fs = std::filesystem;
 
@@ -37,7 +37,7 @@ Result<std::vector<Listed>> list(const fs::path& site) {
     const auto follow = fs::directory_options::follow_directory_symlink;
     for (fs::recursive_directory_iterator it(site / half, follow, error), end; !error && it != end;
          it.increment(error))
-      if (const auto stamp = stamp_of(it->path())) {
+      if (const auto stamp = files::stamp_of(it->path())) {
         const fs::path file = it->path().lexically_relative(site);
         files.push_back({file, file.string() + ' ' + *stamp + '\n'});
       }

@@ -5,7 +5,7 @@
 
 #include "kiosk/files/descriptor.h"
 
-namespace onggi::watch {
+namespace onggi::files {
 
 /// Tells that files of some folders have changed, once they have come to rest: editors and copies
 /// take several steps to one change. Linux's inotify; nothing is read. One thread.
@@ -31,4 +31,4 @@ class FileWatch {
   double last_ = -1.0;  ///< When the last step of a change came; below 0: none is going on.
 };
 
-}  // namespace onggi::watch
+}  // namespace onggi::files

@@ -1,10 +1,10 @@
-#include "kiosk/watch/stamp.h"
+#include "kiosk/files/stamp.h"
 
 #include <utility>
 
 namespace fs = std::filesystem;
 
-namespace onggi::watch {
+namespace onggi::files {
 
 namespace {
 fs::path plain(const fs::path& file) {
@@ -40,4 +40,4 @@ Stamps of_files(const Stamps& stamps, const std::vector<fs::path>& files) {
   return found;
 }
 
-}  // namespace onggi::watch
+}  // namespace onggi::files

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::watch {
+namespace onggi::files {
 
 /// "SIZE TIME" of a regular file, links followed: another where it was written again. None where
 /// there is no such file.
@@ -21,4 +21,4 @@ Stamps stamps_in(const std::vector<std::filesystem::path>& folders);
 /// Those of `stamps` that are of `files`, one that is not among them left out.
 Stamps of_files(const Stamps& stamps, const std::vector<std::filesystem::path>& files);
 
-}  // namespace onggi::watch
+}  // namespace onggi::files

@@ -1,4 +1,4 @@
-#include "kiosk/watch/file_watch.h"
+#include "kiosk/files/file_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/files/disk.h"
 
-namespace onggi::watch {
+namespace onggi::files {
 namespace {
 
 using files::test::ScratchFolder;
@@ -67,4 +67,4 @@ TEST(file_watch, a_folder_that_is_not_there_is_passed_over) {
 }
 
 }  // namespace
-}  // namespace onggi::watch
+}  // namespace onggi::files

@@ -1,11 +1,11 @@
-#include "kiosk/watch/file_watch.h"
+#include "kiosk/files/file_watch.h"
 
 #include <sys/inotify.h>
 #include <unistd.h>
 
 #include <array>
 
-namespace onggi::watch {
+namespace onggi::files {
 
 namespace {
 constexpr std::uint32_t kChanges = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
@@ -26,4 +26,4 @@ bool FileWatch::changed(double now) {
   return true;
 }
 
-}  // namespace onggi::watch
+}  // namespace onggi::files
