@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "kiosk/exhibit/log.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/monotonic.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/watch/last_good.h"
@@ -26,7 +26,7 @@ std::optional<fs::path> folder_given(const char* name) {
 }
 
 settings::Problems problems_of(const fs::path& exhibit) {
-  return settings::read_exhibit(exhibit, exhibit::language_folder(exhibit)).problems;
+  return settings::read_exhibit(exhibit, files::language_folder(exhibit)).problems;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptio
   if (good && ledger_.crashes() < 2 * watch::RunLedger::kMostCrashes) {
     options.config = good->exhibit;
     options.keepsakes = good->keepsakes;
-  } else if (const auto root = exhibit::program_root()) {
+  } else if (const auto root = files::program_root()) {
     options.config = *root / "config" / "exhibit.toml";
     options.keepsakes = watch::remembered_keepsakes(state_).value_or(state_ / "keepsakes");
   }
@@ -69,7 +69,7 @@ std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptio
 void Attendance::opens(const fs::path& config, bool stands_in) {
   shown_ = {};
   shown_.safe = stands_in;
-  const fs::path site = exhibit::site_exhibit(config);
+  const fs::path site = files::site_exhibit(config);
   if (stands_in || site != fs::absolute(config).lexically_normal()) return;
   shown_.site = site.parent_path().parent_path();
   if (auto files = watch::files_of(shown_.site))

@@ -6,7 +6,7 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/replay_file.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/loop_timing.h"
 #include "kiosk/measure/price_list.h"
 #include "kiosk/measure/scene_bill.h"
@@ -164,7 +164,7 @@ struct TimingArguments {
 };
 
 Result<int> timing(const TimingArguments& arguments) {
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   const auto report = measure::measure_loop(*config, arguments.seconds);
   if (!report) return tl::unexpected(report.error());

@@ -5,8 +5,8 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/durable_file.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/files/read_file.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/access_report.h"
@@ -35,7 +35,7 @@ Result<void> write_table(const std::string& page, const std::string& table) {
 }
 
 Result<int> access(const AccessArguments& arguments) {
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   exhibit::KioskOptions options;
   options.config = *config;

@@ -5,7 +5,7 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/frame_rate.h"
 
 namespace onggi::commands {
@@ -19,7 +19,7 @@ struct FramesArguments {
 };
 
 Result<int> frames(FramesArguments& arguments) {
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   arguments.plan.config = *config;
   if (!arguments.size.empty()) {

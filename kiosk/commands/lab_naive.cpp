@@ -6,7 +6,7 @@
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/naive_table.h"
 
 namespace onggi::commands {
@@ -51,7 +51,7 @@ Result<int> naive(NaiveArguments& arguments) {
     return problem("--pointer " + arguments.pointer,
                    "Naive hands hold a mouse or touch with a finger.",
                    "Say --pointer mouse or --pointer finger.");
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   measure::NaivePlan plan = arguments.plan;
   plan.exhibit_file = config->string();

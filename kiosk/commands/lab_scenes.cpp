@@ -5,8 +5,8 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/durable_file.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/scene_page.h"
 
 namespace onggi::commands {
@@ -28,7 +28,7 @@ std::string today() {
 }
 
 Result<int> scenes(const ScenesArguments& arguments) {
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   measure::NaivePlan plan;
   plan.exhibit_file = config->string();

@@ -4,7 +4,7 @@
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/exhibit/kiosk.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/contact_sheets.h"
 #include "kiosk/settings/exhibit.h"
@@ -62,7 +62,7 @@ Result<int> look(const ScreensArguments& arguments) {
   if (arguments.out.empty() || (fs::create_directories(arguments.out, error), error))
     return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
                    "Name a folder that may be written.");
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   exhibit::KioskOptions options;
   options.config = *config;
@@ -71,7 +71,7 @@ Result<int> look(const ScreensArguments& arguments) {
   options.keepsakes = fs::path(arguments.out) / "keepsakes";
   options.window = {.width = 1280, .height = 720, .visible = false};
   options.languages = all_languages(settings::read_exhibit(*config).exhibit.languages,
-                                    exhibit::language_folder(*config));
+                                    files::language_folder(*config));
   auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
   if (!display) return tl::unexpected(display.error());
   const auto plans = measure::plans(options.languages);

@@ -6,8 +6,8 @@
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/support_bundle.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/output.h"
+#include "kiosk/files/paths.h"
 
 namespace onggi::commands {
 
@@ -19,7 +19,7 @@ struct ReportArguments {
 };
 
 Result<int> report(const ReportArguments& arguments) {
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   BundleSources sources;
   sources.config = *config;

@@ -10,8 +10,8 @@
 #include "kiosk/commands/window_size.h"
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/exhibit/log.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/reload.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/monotonic.h"
 
 namespace onggi::commands {
@@ -68,7 +68,7 @@ Result<int> open_exhibit(const exhibit::KioskOptions& museums, Attendance* atten
 }
 
 Result<int> run(const RunArguments& arguments) {
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   exhibit::KioskOptions options;
   options.config = *config;

@@ -8,7 +8,7 @@
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/score_files.h"
 #include "kiosk/content/language.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/visit_report.h"
 #include "kiosk/score/likeness.h"
 #include "kiosk/score/score.h"
@@ -32,7 +32,7 @@ struct ScoreArguments {
 Result<settings::Rubric> rubric_for(const std::string& named) {
   fs::path file = named;
   if (named.empty()) {
-    const auto root = exhibit::program_root();
+    const auto root = files::program_root();
     std::error_code ignored;
     if (root) file = *root / "config" / "rubric.toml";
     if (!root || !fs::is_regular_file(file, ignored)) return settings::Rubric{};
@@ -43,7 +43,7 @@ Result<settings::Rubric> rubric_for(const std::string& named) {
 }
 
 Result<content::Language> words_for(const std::string& code) {
-  const auto root = exhibit::program_root();
+  const auto root = files::program_root();
   if (!root) return tl::unexpected(root.error());
   const fs::path file = *root / "content" / "languages" / (code + ".toml");
   std::error_code ignored;

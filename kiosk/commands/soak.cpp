@@ -5,7 +5,7 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/measure/soak_days.h"
 
 namespace onggi::commands {
@@ -36,7 +36,7 @@ Result<int> soak_days(SoakArguments& arguments) {
 }
 
 Result<int> soak(SoakArguments& arguments) {
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   arguments.plan.config = *config;
   arguments.plan.keepsakes = arguments.out;

@@ -5,7 +5,7 @@
 
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/put_report.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/store/figures_report.h"
 #include "kiosk/store/statistics.h"
@@ -66,9 +66,9 @@ drawing::Plot plot_of(const store::PublishedStatistics& s) {
 
 Result<std::string> store_of(const StatsArguments& arguments) {
   if (!arguments.store.empty()) return arguments.store;
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
-  return exhibit::store_file(settings::read_exhibit(*config).exhibit.keepsake.folder).string();
+  return files::store_file(settings::read_exhibit(*config).exhibit.keepsake.folder).string();
 }
 
 Result<int> stats(const StatsArguments& arguments) {

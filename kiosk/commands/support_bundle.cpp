@@ -11,10 +11,10 @@
 #include <thread>
 
 #include "kiosk/exhibit/check_exhibit.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/helper_process.h"
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/files/read_file.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/store/figures_report.h"
@@ -116,7 +116,7 @@ std::string disk_text(const fs::path& keepsakes) {
 }
 
 std::string counts_text(const fs::path& keepsakes) {
-  const auto counted = store::read_statistics(exhibit::store_file(keepsakes).string(), "", "");
+  const auto counted = store::read_statistics(files::store_file(keepsakes).string(), "", "");
   if (!counted) return to_text(counted.error()) + "\n";
   return store::words_of(store::publish(*counted));
 }

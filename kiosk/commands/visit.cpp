@@ -16,8 +16,8 @@
 #include "kiosk/commands/window_size.h"
 #include "kiosk/encoding/encode.h"
 #include "kiosk/exhibit/kiosk.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/durable_file.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/aided_walk.h"
 #include "kiosk/measure/monotonic.h"
@@ -244,7 +244,7 @@ Result<void> check(const VisitArguments& arguments) {
 
 Result<int> visit(const VisitArguments& arguments) {
   if (auto good = check(arguments); !good) return tl::unexpected(good.error());
-  const auto config = exhibit::exhibit_file(arguments.config);
+  const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   exhibit::KioskOptions options;
   options.config = *config;

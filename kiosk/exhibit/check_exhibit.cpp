@@ -12,8 +12,8 @@
 #include "kiosk/content/lesson.h"
 #include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/missions.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/scenes.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/settings/scene_file.h"
 #include "kiosk/toml/toml_reader.h"
@@ -102,7 +102,7 @@ std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path
 
 void check_whole_exhibit(CheckReport& report, const fs::path& file,
                          const std::stop_token& stop = {}) {
-  const fs::path languages = language_folder(file);
+  const fs::path languages = files::language_folder(file);
   auto read = settings::read_exhibit(file, languages);
   const settings::Exhibit exhibit = read.exhibit;
   add(report, file, read.keys_checked, std::move(read.problems));
@@ -177,9 +177,9 @@ void check_toml(CheckReport& report, const fs::path& file,
 /// Those of the exhibit `config`, else of the site that `path` lies in; none where there is none.
 std::vector<std::string> languages_for(const fs::path& path, const std::string& config) {
   std::error_code ignored;
-  fs::path file = site_exhibit(path);
+  fs::path file = files::site_exhibit(path);
   if (!config.empty())
-    if (const auto named = exhibit_file(config)) file = *named;
+    if (const auto named = files::exhibit_file(config)) file = *named;
   if (!fs::is_regular_file(file, ignored)) return {};
   return settings::read_exhibit(file).exhibit.languages;
 }
@@ -204,7 +204,7 @@ Result<CheckReport> check_path(const std::string& path, const std::string& confi
   CheckReport report;
   std::error_code ignored;
   if (path.empty()) {
-    const auto exhibit = exhibit_file(config);
+    const auto exhibit = files::exhibit_file(config);
     if (!exhibit) return tl::unexpected(exhibit.error());
     if (!fs::exists(*exhibit, ignored))
       return problem(exhibit->string(), "There is no such exhibit.",

@@ -9,10 +9,10 @@
 #include "kiosk/device/hidapi_bus.h"
 #include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/log.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/vessel_model.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/memory.h"
 #include "kiosk/loop/stepped_potter.h"
@@ -51,7 +51,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
                                   phone.address.empty() ? 0.0 : phone.hours);
   if (keep.gallery) kiosk->todays_ = std::make_unique<TodaysPots>(kept_in, options.wall);
   if (kiosk->exhibit_.store.count)
-    kiosk->counter_ = std::make_unique<VisitCounter>(store_file(kept_in), kiosk->exhibit_,
+    kiosk->counter_ = std::make_unique<VisitCounter>(files::store_file(kept_in), kiosk->exhibit_,
                                                      souvenir::Passes(kept_in).fetched());
   auto renderer = render::Renderer::create(options.window);
   if (!renderer) return tl::unexpected(renderer.error());

@@ -9,7 +9,7 @@
 
 #include "kiosk/exhibit/device_files.h"
 #include "kiosk/exhibit/log.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/settings/exhibit.h"
 
 namespace fs = std::filesystem;
@@ -30,13 +30,13 @@ std::string name_of(const Problem& problem) {
 std::vector<fs::path> folders_of(const fs::path& file) {
   const settings::Exhibit exhibit = settings::read_exhibit(file).exhibit;
   // The site's own too: its config/ may be a link that is laid anew, or get another in its place.
-  std::set<fs::path> folders = {site_exhibit(file).parent_path().parent_path(),
+  std::set<fs::path> folders = {files::site_exhibit(file).parent_path().parent_path(),
                                 file.parent_path(),
                                 exhibit.rubric_file.parent_path(),
                                 exhibit.scene.parent_path(),
                                 exhibit.glazes.parent_path(),
                                 device_file(exhibit, device::DeviceKind::space_mouse).parent_path(),
-                                language_folder(file),
+                                files::language_folder(file),
                                 exhibit.shelf};
   for (const auto& [vessel, scene] : exhibit.vessel_scenes) folders.insert(scene.parent_path());
   if (exhibit.lesson) folders.insert(exhibit.lesson->parent_path());

@@ -4,8 +4,8 @@
 #include <ctime>
 
 #include "kiosk/exhibit/log.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/files/wall_clock.h"
 #include "kiosk/view/palette.h"
 
@@ -13,7 +13,7 @@ namespace onggi::exhibit {
 
 Result<std::vector<content::Language>> read_languages(const settings::Exhibit& exhibit,
                                                       const std::string& first) {
-  const auto folder = language_folder(exhibit.file);
+  const auto folder = files::language_folder(exhibit.file);
   std::vector<content::Language> languages;
   for (const std::string& code : exhibit.languages) {
     auto read = content::check_language(folder / (code + ".toml"));

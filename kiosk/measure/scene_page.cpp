@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "engine/lab/scene_fields.h"
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/files/read_file.h"
 #include "kiosk/measure/middle.h"
 #include "kiosk/measure/scene_presets.h"
@@ -66,7 +66,7 @@ std::string words_of_scene(const std::string& toml) {
 }
 
 Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE* progress) {
-  const auto root = exhibit::program_root();
+  const auto root = files::program_root();
   if (!root) return tl::unexpected(root.error());
   const auto presets = read_presets();
   if (!presets) return tl::unexpected(presets.error());

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/settings/scene_file.h"
 
 namespace onggi::measure {
 
 Result<std::vector<ScenePreset>> read_presets() {
-  const auto root = exhibit::program_root();
+  const auto root = files::program_root();
   if (!root) return tl::unexpected(root.error());
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(*root / "config/scenes"))

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "kiosk/exhibit/kiosk.h"
-#include "kiosk/exhibit/paths.h"
 #include "kiosk/exhibit/reload.h"
+#include "kiosk/files/paths.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/files/wall_clock.h"
 #include "kiosk/loop/loop_thread.h"
@@ -290,7 +290,7 @@ void SoakDays::sample() {
 
 Result<SoakReport> SoakDays::run() {
   // The museum's own site is left alone: a copy of it is changed and broken.
-  const fs::path own = exhibit::site_exhibit(plan_.config);
+  const fs::path own = files::site_exhibit(plan_.config);
   if (own.empty())
     return problem(plan_.config.string(), "It lies in no site: config and content side by side.",
                    "Give --config the exhibit.toml of a site.");

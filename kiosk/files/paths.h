@@ -5,7 +5,7 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::exhibit {
+namespace onggi::files {
 
 /// The folder that holds config/ and content/: the nearest one at or above the running program's,
 /// then at or above the current folder.
@@ -25,4 +25,4 @@ std::filesystem::path language_folder(const std::filesystem::path& file);
 /// Where visits are counted: beside the keepsakes that lie in `folder`.
 std::filesystem::path store_file(const std::filesystem::path& folder);
 
-}  // namespace onggi::exhibit
+}  // namespace onggi::files

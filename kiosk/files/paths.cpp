@@ -1,8 +1,8 @@
-#include "kiosk/exhibit/paths.h"
+#include "kiosk/files/paths.h"
 
 namespace fs = std::filesystem;
 
-namespace onggi::exhibit {
+namespace onggi::files {
 
 namespace {
 
@@ -60,4 +60,4 @@ fs::path language_folder(const fs::path& file) {
 
 fs::path store_file(const fs::path& folder) { return folder / "onggi.sqlite"; }
 
-}  // namespace onggi::exhibit
+}  // namespace onggi::files
