@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/monotonic.h"
 #include "kiosk/settings/exhibit.h"
@@ -34,7 +34,7 @@ settings::Problems problems_of(const fs::path& exhibit) {
 std::optional<fs::path> Attendance::state_folder() { return folder_given("STATE_DIRECTORY"); }
 
 Attendance::Attendance(fs::path state) : state_(std::move(state)), ledger_(state_) {
-  if (auto begun = ledger_.begin(); !begun) exhibit::log_problem(begun.error());
+  if (auto begun = ledger_.begin(); !begun) files::log_problem(begun.error());
 }
 
 std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptions& museums) {
@@ -44,15 +44,15 @@ std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptio
     const settings::Problems wrong = problems_of(museums.config);
     // Where the last good one has problems too, the kiosk has shown that it can live with them.
     if (wrong.empty() || !good || !problems_of(good->exhibit).empty()) return {};
-    exhibit::log_problems(wrong);
-    exhibit::log_line("The last exhibit that was good is shown until this is mended.");
+    files::log_problems(wrong);
+    files::log_line("The last exhibit that was good is shown until this is mended.");
     options.config = good->exhibit;
     options.keepsakes = good->keepsakes;
     return options;
   }
-  exhibit::log_line("Safe mode: the last " + std::to_string(ledger_.crashes()) +
-                    " runs crashed. Mouse and touch only. Look at the log above, and run onggi "
-                    "check.");
+  files::log_line("Safe mode: the last " + std::to_string(ledger_.crashes()) +
+                  " runs crashed. Mouse and touch only. Look at the log above, and run onggi "
+                  "check.");
   options.devices = false;
   options.shelf.reset();
   if (good && ledger_.crashes() < 2 * watch::RunLedger::kMostCrashes) {
@@ -62,7 +62,7 @@ std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptio
     options.config = *root / "config" / "exhibit.toml";
     options.keepsakes = watch::remembered_keepsakes(state_).value_or(state_ / "keepsakes");
   }
-  exhibit::log_line("The exhibit is " + options.config.string());
+  files::log_line("The exhibit is " + options.config.string());
   return options;
 }
 
@@ -75,7 +75,7 @@ void Attendance::opens(const fs::path& config, bool stands_in) {
   if (auto files = watch::files_of(shown_.site))
     shown_.files = std::move(*files);
   else
-    exhibit::log_problem(files.error());
+    files::log_problem(files.error());
 }
 
 void Attendance::shows(const exhibit::Kiosk& kiosk) {
@@ -107,13 +107,13 @@ void Attendance::look(exhibit::Kiosk& kiosk) {
   const watch::Health all = watch::together(before_, health_);
   keeper_->look({all.frames, all.wakes, kiosk.device_moves().value_or(all.frames)}, all,
                 measure::monotonic_seconds());
-  for (const std::string& line : keeper_->remarks()) exhibit::log_line(line);
+  for (const std::string& line : keeper_->remarks()) files::log_line(line);
 }
 
 void Attendance::end() {
   watch::Service::ends();
   keeper_.reset();
-  if (auto ended = ledger_.ended(); !ended) exhibit::log_problem(ended.error());
+  if (auto ended = ledger_.ended(); !ended) files::log_problem(ended.error());
 }
 
 }  // namespace onggi::commands

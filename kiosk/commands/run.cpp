@@ -9,8 +9,8 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/commands/window_size.h"
 #include "kiosk/exhibit/kiosk.h"
-#include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/reload.h"
+#include "kiosk/files/log.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/monotonic.h"
 
@@ -39,9 +39,9 @@ Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in
     if (attendance != nullptr) attendance->look(**kiosk);
     if (!(*kiosk)->open_to_visitors()) continue;
     if (std::exchange(first, false))
-      exhibit::log_line("First picture " +
-                        std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
-                        " ms after the start of the program.");
+      files::log_line("First picture " +
+                      std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
+                      " ms after the start of the program.");
     // Not before: the shelf is read once already.
     if (!(*kiosk)->shelf().complete()) continue;
     reload.look(measure::monotonic_seconds());

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 
 namespace onggi::exhibit {
 
@@ -31,7 +31,7 @@ void Attendant::frame(screens::Visit& visit, view::Frame& frame, double now) {
   if (said) voice_->say(*said, now);
   voice_->look(now);
   for (const std::uint64_t id : voice_->ended()) assistant_.ended(id);
-  for (const std::string& line : voice_->remarks()) log_line(line);
+  for (const std::string& line : voice_->remarks()) files::log_line(line);
 }
 
 }  // namespace onggi::exhibit

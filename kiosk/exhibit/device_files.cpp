@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 
 namespace fs = std::filesystem;
 
@@ -24,7 +24,7 @@ device::DeviceWatch::Define defined_devices(const settings::Exhibit& exhibit) {
   std::map<device::DeviceKind, device::DeviceDef> all;
   for (const device::KindInfo& info : device::device_kinds()) {
     const device::DeviceRead read = device_of(exhibit, info.kind);
-    log_problems(read.problems);
+    files::log_problems(read.problems);
     all[info.kind] = read.def;
   }
   return [all](device::DeviceKind kind) { return all.at(kind); };

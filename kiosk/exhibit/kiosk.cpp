@@ -8,10 +8,10 @@
 #include "engine/script/script.h"
 #include "kiosk/device/hidapi_bus.h"
 #include "kiosk/exhibit/device_files.h"
-#include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/vessel_model.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/log.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/loop/loop_thread.h"
 #include "kiosk/loop/memory.h"
@@ -57,12 +57,13 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   if (!renderer) return tl::unexpected(renderer.error());
   kiosk->renderer_ = std::move(*renderer);
   render::when_display_is_lost([lost = kiosk.get()] {
-    log_line("The screen's X server is gone. What is under way is kept, and onggi ends.");
+    files::log_line("The screen's X server is gone. What is under way is kept, and onggi ends.");
     lost->postcard_ = 0;  // a picture of that screen
     lost->settle();
   });
   const render::RenderStatus drawn_by = kiosk->renderer_->status();
-  log_line("Drawing with " + drawn_by.device + (drawn_by.software ? ", without a GPU." : "."));
+  files::log_line("Drawing with " + drawn_by.device +
+                  (drawn_by.software ? ", without a GPU." : "."));
 
   if (options.stepped) {
     auto stepped = std::make_unique<loop::SteppedPotter>();
@@ -74,7 +75,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     kiosk->missions_->look(kiosk->shelf_->cards(), true, true);
   } else {
     auto loop = std::make_unique<loop::LoopThread>();
-    for (const std::string& remark : loop->remarks()) log_line(remark);
+    for (const std::string& remark : loop->remarks()) files::log_line(remark);
     kiosk->potter_ = std::move(loop);
     if (kiosk->exhibit_.sound.volume > 0.0)
       kiosk->sound_ = std::make_unique<StudioSound>(*kiosk->potter_, kiosk->exhibit_.sound.volume);
@@ -104,7 +105,7 @@ void Kiosk::settle() {
   while (keepsakes_->busy() || keepsakes_->adding()) note_saved();
   if (!counter_) return;
   counter_->finish();
-  log_problems(counter_->remarks());
+  files::log_problems(counter_->remarks());
 }
 
 Result<void> Kiosk::read_settings(const KioskOptions& options) {
@@ -113,7 +114,7 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
     return problem(options.config.string(), "There is no such exhibit file.",
                    "Name one: onggi run --config config/exhibit.toml.");
   auto exhibit = settings::read_exhibit(options.config);
-  log_problems(exhibit.problems);
+  files::log_problems(exhibit.problems);
   exhibit_ = std::move(exhibit.exhibit);
   if (!options.languages.empty()) exhibit_.languages = options.languages;
   if (options.scan_seconds) exhibit_.screen.scan_seconds = *options.scan_seconds;
@@ -124,7 +125,7 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   languages_ = std::move(*languages);
   if (exhibit_.lesson) {
     auto lesson = content::read_lesson(*exhibit_.lesson, exhibit_.languages);
-    log_problems(lesson.problems);
+    files::log_problems(lesson.problems);
     lesson_ = std::move(lesson.steps);
   }
   return {};
@@ -178,7 +179,7 @@ Able Kiosk::able() {
 void Kiosk::note_shelf() {
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
-  log_problems(names_of_nothing(exhibit_, ids));
+  files::log_problems(names_of_nothing(exhibit_, ids));
 }
 
 void Kiosk::show_as(const settings::Exhibit::Screen& screen, const std::string& language) {
@@ -193,8 +194,8 @@ void Kiosk::advance(int ticks) {
 std::vector<view::InputEvent> Kiosk::look_after_devices(double now) {
   if (!devices_) return {};
   auto events = devices_->frame(now);
-  for (const std::string& line : devices_->remarks()) log_line(line);
-  log_problems(devices_->problems());
+  for (const std::string& line : devices_->remarks()) files::log_line(line);
+  files::log_problems(devices_->problems());
   if (visit_) devices_->share(dark() ? 0.0 : visit_->force_share());
   return events;
 }
@@ -208,8 +209,8 @@ bool Kiosk::is_night(double now, const std::vector<view::InputEvent>& events) {
               event.kind == view::InputEvent::Kind::key_down;
   const bool dark = night_->look(now, files::local_moment(wall_()), nobody_is_here(), touched);
   if (dark != was) {
-    log_line(dark ? "The museum is closed: the screen is dark and the wheel rests."
-                  : "The screen is on again.");
+    files::log_line(dark ? "The museum is closed: the screen is dark and the wheel rests."
+                         : "The screen is on again.");
     potter_->wheel(0.0);
     potter_->pause(dark);
   }
@@ -235,9 +236,9 @@ bool Kiosk::frame(double now, bool draw) {
   bool open = true;
   now_ = now;
   keepsakes_->look(now);
-  if (const auto untidy = keepsakes_->untidy()) log_problem(*untidy);
+  if (const auto untidy = keepsakes_->untidy()) files::log_problem(*untidy);
   auto events = renderer_->poll();
-  for (const std::string& line : renderer_->remarks()) log_line(line);
+  for (const std::string& line : renderer_->remarks()) files::log_line(line);
   if (look_at_shelf(now) && !visit_) begin_visit(now);
   if (sound_) sound_->frame(now, visit_.get(), dark());
   const auto pressed = look_after_devices(now);
@@ -267,8 +268,8 @@ bool Kiosk::frame(double now, bool draw) {
   potter_->collect();
   renderer_->update_clay(potter_->view().clay);
   note_saved();
-  if (counter_) log_problems(counter_->remarks());
-  for (const std::string& line : fault_log_.news(potter_->view().status)) log_line(line);
+  if (counter_) files::log_problems(counter_->remarks());
+  for (const std::string& line : fault_log_.news(potter_->view().status)) files::log_line(line);
   if (todays_) todays_->look(now, *renderer_, stepped_ != nullptr);
   visit_->update(now);
   while (auto request = visit_->take_request())
@@ -309,7 +310,7 @@ void Kiosk::carry_out(const screens::StartPot& request) {
   def.clay = lump_for(card.target, def);
   auto scene = Scene::create(def);
   if (!scene) {
-    log_problem(scene.error());
+    files::log_problem(scene.error());
     visit_->fail(scene.error());
     return;
   }
@@ -329,7 +330,7 @@ void Kiosk::carry_out(const screens::StartPot& request) {
   if (script)
     potter_->play(std::move(*script));
   else
-    log_problem(script.error());
+    files::log_problem(script.error());
 }
 
 void Kiosk::carry_out(const screens::MakeKeepsake& request) {
@@ -370,9 +371,9 @@ void Kiosk::draw_turning() {
 void Kiosk::note_saved() {
   if (const auto added = keepsakes_->added()) {
     if (added->outcome)
-      log_line("Kept " + added->outcome->string());
+      files::log_line("Kept " + added->outcome->string());
     else
-      log_problem(added->outcome.error());
+      files::log_problem(added->outcome.error());
     // The pot of kept() is the last that was saved, and its picture has the same ticket.
     if (kept_ && added->ticket == kept_ticket_) kept_->turning = added->outcome;
   }
@@ -380,9 +381,9 @@ void Kiosk::note_saved() {
   if (!saved) return;
   ++(saved->outcome ? saved_.kept : saved_.refused);
   if (saved->outcome)
-    log_line("Kept " + saved->outcome->folder.string());
+    files::log_line("Kept " + saved->outcome->folder.string());
   else
-    log_problem(saved->outcome.error());
+    files::log_problem(saved->outcome.error());
   if (todays_) todays_->hurry();
   if (counter_) counter_->saved(*saved);
   // A save that outlasted its visitor is none of the next one's business.

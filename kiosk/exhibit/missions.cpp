@@ -6,8 +6,8 @@
 
 #include "engine/profile/mesh.h"
 #include "engine/scene/jar.h"
-#include "kiosk/exhibit/log.h"
 #include "kiosk/exhibit/shelf.h"
+#include "kiosk/files/log.h"
 
 namespace onggi::exhibit {
 
@@ -103,7 +103,7 @@ void Missions::offer(const std::vector<screens::ShelfCard>& shelf, const Able& a
   cards_.clear();
   for (const screens::MissionCard& one : every_) {
     if (const std::string why = why_not(*one.mission, able); !why.empty()) {
-      log_line("The mission " + one.mission->id + " is not offered: " + why);
+      files::log_line("The mission " + one.mission->id + " is not offered: " + why);
       continue;
     }
     cards_.push_back(one);
@@ -127,16 +127,16 @@ void Missions::read(const std::vector<screens::ShelfCard>& shelf) {
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf) ids.push_back(card.vessel->id);
   auto read = settings::read_missions(*exhibit_.missions, exhibit_.languages, ids);
-  log_problems(read.problems);
+  files::log_problems(read.problems);
   missions_ = std::move(read.missions);
   for (const Mission& mission : missions_) {
     if (!mission.on && mission.id != switched_on_ && switched_on_ != kEvery) continue;
     if (const std::string missing = missing_from(ids, mission); missing.empty())
       add(mission, shelf);
     else
-      log_problem({exhibit_.missions->string() + ", mission " + mission.id,
-                   "There is no vessel \"" + missing + "\" on the shelf.",
-                   "Write the name of its folder on the shelf, or take it out."});
+      files::log_problem({exhibit_.missions->string() + ", mission " + mission.id,
+                          "There is no vessel \"" + missing + "\" on the shelf.",
+                          "Write the name of its folder on the shelf, or take it out."});
   }
 }
 
@@ -153,8 +153,8 @@ void Missions::add(const Mission& mission, const std::vector<screens::ShelfCard>
     case Mission::Kind::describe: {
       auto jar = jar_for(mission, scenes_.of(mission.id));
       if (!jar)
-        return log_problem({exhibit_.missions->string() + ", mission " + mission.id,
-                            jar.error().what, jar.error().remedy});
+        return files::log_problem({exhibit_.missions->string() + ", mission " + mission.id,
+                                   jar.error().what, jar.error().remedy});
       jars_.push_back(jar_vessel(mission, std::move(*jar)));
       card.own.vessel = &jars_.back();
       card.own.target = jars_.back().extracted.profile;

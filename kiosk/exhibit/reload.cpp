@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kiosk/exhibit/device_files.h"
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/settings/exhibit.h"
 
@@ -100,7 +100,7 @@ void Reload::take(const Checked& checked, double now) {
   if (!checked.report) {
     // The exhibit is away: the old watch knows where it was.
     const std::string trouble = to_text(checked.report.error());
-    if (std::exchange(trouble_, trouble) != trouble) log_problem(checked.report.error());
+    if (std::exchange(trouble_, trouble) != trouble) files::log_problem(checked.report.error());
     look_again_at_ = now + kLookAgain;
     return;
   }
@@ -122,8 +122,8 @@ void Reload::judge(const CheckReport& report, double now) {
   found_.clear();
   for (const Problem& problem : report.problems) found_.insert(name_of(problem));
   if (!std::exchange(checked_, true)) {
-    log_line("Changes of the exhibit are looked for in " + std::to_string(files_->watched()) +
-             " folders.");
+    files::log_line("Changes of the exhibit are looked for in " +
+                    std::to_string(files_->watched()) + " folders.");
     if (seen_ == open_ && !stands_in_) known_ = found_;
   }
   if (seen_ == open_) {
@@ -135,7 +135,7 @@ void Reload::judge(const CheckReport& report, double now) {
     return refuse(report, now);
   wanted_ = true;
   refused_.clear();
-  log_line("The exhibit has changed, and is opened anew once no visitor is here.");
+  files::log_line("The exhibit has changed, and is opened anew once no visitor is here.");
 }
 
 bool Reload::new_to_visitors(const Problem& problem) const {
@@ -148,9 +148,10 @@ bool Reload::new_to_visitors(const Problem& problem) const {
 
 void Reload::refuse(const CheckReport& report, double now) {
   if (found_ == refused_) return;
-  log_line("A change of the exhibit is not taken up. It goes on as it was, until this is mended:");
+  files::log_line(
+      "A change of the exhibit is not taken up. It goes on as it was, until this is mended:");
   for (const Problem& problem : report.problems)
-    if (new_to_visitors(problem)) log_problem(problem);
+    if (new_to_visitors(problem)) files::log_problem(problem);
   refused_ = found_;
   // A copy may have come to its end between the check and the watch: what is still as wrong then
   // is.

@@ -5,7 +5,7 @@
 #include "engine/base/nearest_name.h"
 #include "engine/effects/kiln.h"
 #include "engine/script/script.h"
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 #include "kiosk/settings/scene_file.h"
 #include "kiosk/toml/toml_reader.h"
 #include "kiosk/tuning/grid_memory.h"
@@ -38,7 +38,7 @@ Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attr
   }
   if (!fires) return;
   auto glazes = content::read_glazes(exhibit.glazes, exhibit.languages);
-  log_problems(glazes.problems);
+  files::log_problems(glazes.problems);
   glazes_ = std::move(glazes.glazes);
 }
 
@@ -47,7 +47,7 @@ Scenes::~Scenes() = default;
 void Scenes::take(const settings::Exhibit& exhibit, SceneDef& def,
                   const std::filesystem::path& file) {
   settings::SceneRead scene = settings::read_scene(file);
-  log_problems(scene.problems);
+  files::log_problems(scene.problems);
   def = std::move(scene.def);
   def.guard.max_force *= exhibit.screen.force;
   if (scene.auto_quality) to_tune_.push_back({&def, file, {}});
@@ -59,13 +59,14 @@ void Scenes::tune(const std::filesystem::path& folder, const tuning::TunePlan& p
   machine_ = tuning::machine_name();
   std::erase_if(to_tune_, [&](ToTune& scene) {
     const auto memory = tuning::memory_of(folder, scene.file, machine_);
-    if (!memory) return log_problem(memory.error()), true;
+    if (!memory) return files::log_problem(memory.error()), true;
     scene.memory = *memory;
     const auto grid = tuning::remembered(*memory);
     if (!grid) return false;
     scene.def->clay.rows = grid->rows;
     scene.def->clay.sectors = grid->sectors;
-    log_line(scene.file.filename().string() + ", as found here before: " + tuning::words_of(*grid));
+    files::log_line(scene.file.filename().string() +
+                    ", as found here before: " + tuning::words_of(*grid));
     return true;
   });
   tune_next();
@@ -74,8 +75,8 @@ void Scenes::tune(const std::filesystem::path& folder, const tuning::TunePlan& p
 void Scenes::tune_next() {
   tuner_.reset();
   if (to_tune_.empty()) return;
-  log_line("Looking for the grid of " + to_tune_.front().file.filename().string() +
-           " on this machine, in the background.");
+  files::log_line("Looking for the grid of " + to_tune_.front().file.filename().string() +
+                  " on this machine, in the background.");
   tuner_ = std::make_unique<tuning::BackgroundTuner>(to_tune_.front().file.stem().string(),
                                                      *to_tune_.front().def, plan_);
 }
@@ -89,12 +90,12 @@ void Scenes::take_up_tuned() {
   if (*found) {
     scene.def->clay.rows = (*found)->rows;
     scene.def->clay.sectors = (*found)->sectors;
-    log_line(scene.file.filename().string() +
-             ", from the next pot on: " + tuning::words_of(**found));
+    files::log_line(scene.file.filename().string() +
+                    ", from the next pot on: " + tuning::words_of(**found));
     if (const auto kept = tuning::remember(scene.memory, **found, machine_); !kept)
-      log_problem(kept.error());
+      files::log_problem(kept.error());
   } else {
-    log_problem(found->error());
+    files::log_problem(found->error());
   }
   tune_next();
 }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/scene/lump.h"
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 
 namespace fs = std::filesystem;
 
@@ -51,7 +51,7 @@ void Shelf::take(double now) {
   for (Arrivals::Read& read : arrivals_.take(now)) {
     if (!read) {
       problems_.push_back(read.error());
-      log_problem(read.error());
+      files::log_problem(read.error());
       continue;
     }
     for (content::Vessel& vessel : *read) {
@@ -67,8 +67,8 @@ void Shelf::take(double now) {
   }
   complete_ = arrivals_.over();
   if (complete_)
-    log_line("The shelf holds " + std::to_string(cards_.size()) + " vessels; " +
-             std::to_string(problems_.size()) + " could not be used.");
+    files::log_line("The shelf holds " + std::to_string(cards_.size()) + " vessels; " +
+                    std::to_string(problems_.size()) + " could not be used.");
 }
 
 view::PictureId Shelf::draw_picture(render::Renderer& renderer, const content::Vessel& vessel) {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 #include "kiosk/sound/ear.h"
 
 namespace onggi::exhibit {
@@ -12,7 +12,7 @@ StudioSound::StudioSound(const loop::PotterHost& potter, double volume)
 
 void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
   speaker_.look(now);
-  if (const std::string line = speaker_.remark(); !line.empty()) log_line(line);
+  if (const std::string line = speaker_.remark(); !line.empty()) files::log_line(line);
   const bool heard = visit != nullptr && !dark && visit->volume_share() > 0.0 &&
                      visit->screen() != screens::ScreenId::attract;
   speaker_.volume(heard ? volume_ * visit->volume_share() : 0.0);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <ctime>
 
-#include "kiosk/exhibit/log.h"
 #include "kiosk/files/local_time.h"
+#include "kiosk/files/log.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/wall_clock.h"
 #include "kiosk/view/palette.h"
@@ -17,8 +17,8 @@ Result<std::vector<content::Language>> read_languages(const settings::Exhibit& e
   std::vector<content::Language> languages;
   for (const std::string& code : exhibit.languages) {
     auto read = content::check_language(folder / (code + ".toml"));
-    log_problems(read.problems);
-    log_problems(read.advice);
+    files::log_problems(read.problems);
+    files::log_problems(read.advice);
     if (read.problems.empty()) languages.push_back(std::move(read.language));
   }
   if (languages.empty())

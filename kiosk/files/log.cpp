@@ -1,11 +1,11 @@
-#include "kiosk/exhibit/log.h"
+#include "kiosk/files/log.h"
 
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include "engine/base/plain_text.h"
 
-namespace onggi::exhibit {
+namespace onggi::files {
 
 namespace {
 spdlog::logger& logger() {
@@ -25,4 +25,4 @@ void log_problems(const std::vector<Problem>& problems) {
   for (const Problem& p : problems) log_problem(p);
 }
 
-}  // namespace onggi::exhibit
+}  // namespace onggi::files

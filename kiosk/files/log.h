@@ -5,11 +5,11 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::exhibit {
+namespace onggi::files {
 
 /// Main thread and workers only; never the 1 kHz loop. Lines go to standard error with the time.
 void log_line(const std::string& line);
 void log_problem(const Problem& p);
 void log_problems(const std::vector<Problem>& problems);
 
-}  // namespace onggi::exhibit
+}  // namespace onggi::files
