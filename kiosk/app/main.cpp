@@ -3,10 +3,10 @@
 #include "kiosk/commands/command_line.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/device/last_word.h"
-#include "kiosk/loop/memory.h"
+#include "kiosk/files/memory.h"
 
 int main(int argc, char** argv) {
-  onggi::loop::keep_heap_small();
+  onggi::files::keep_heap_small();
   onggi::device::end_forces_on_terminate();
   // A helper that dies while we write to it, or a file that may not grow, is an error to report and
   // not a reason to end.

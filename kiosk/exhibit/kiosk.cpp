@@ -12,9 +12,9 @@
 #include "kiosk/exhibit/words.h"
 #include "kiosk/files/local_time.h"
 #include "kiosk/files/log.h"
+#include "kiosk/files/memory.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/loop/loop_thread.h"
-#include "kiosk/loop/memory.h"
 #include "kiosk/loop/stepped_potter.h"
 #include "kiosk/render/display_loss.h"
 #include "kiosk/souvenir/pass.h"
@@ -33,7 +33,7 @@ constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
 Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   // A driver's slabs (Mesa: 32 KiB each) are seldom full. What nobody touched of one is resident
   // all the same where it lies in pages of the exhibit before.
-  loop::give_back_memory();
+  files::give_back_memory();
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
   kiosk->seed_ = options.seed;
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
@@ -287,7 +287,7 @@ bool Kiosk::frame(double now, bool draw) {
     renderer_->present();
   }
   const bool nobody = nobody_is_here() && shelf_->complete();
-  if (!std::exchange(nobody_was_here_, nobody) && nobody) loop::give_back_memory();
+  if (!std::exchange(nobody_was_here_, nobody) && nobody) files::give_back_memory();
   return open;
 }
 

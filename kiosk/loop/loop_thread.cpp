@@ -11,7 +11,7 @@
 #include <chrono>
 #include <cstring>
 
-#include "kiosk/loop/memory.h"
+#include "kiosk/files/memory.h"
 
 namespace onggi::loop {
 
@@ -71,7 +71,7 @@ LoopTiming LoopThread::timing() const {
 
 void LoopThread::run() {
   flush_denormals();
-  lock_error_.store(lock_memory());
+  lock_error_.store(files::lock_memory());
   sched_param parameter{};
   parameter.sched_priority = kPriority;
   priority_error_.store(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter));

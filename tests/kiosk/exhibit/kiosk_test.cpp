@@ -8,7 +8,7 @@
 #include <span>
 #include <thread>
 
-#include "kiosk/loop/memory.h"
+#include "kiosk/files/memory.h"
 #include "tests/kiosk/exhibit/one_jar.h"
 #include "tests/kiosk/souvenir/shown_gif.h"
 #include "tests/support/holes.h"
@@ -113,7 +113,7 @@ TEST_F(WholeKiosk, APictureThatTurnsGoesTheWayOfTheHandThatItsVisitorChose) {
 
 TEST_F(StillKiosk, HolesInTheHeapGoBackWhenItsVisitorHasGoneAndNotBefore) {
   if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";
-  loop::keep_heap_small();
+  files::keep_heap_small();
   keep_a_pot(false);
   const test::Holes holes;
   const double before = test::resident_mib();
@@ -128,7 +128,7 @@ TEST_F(StillKiosk, HolesInTheHeapGoBackWhenItsVisitorHasGoneAndNotBefore) {
 
 TEST(Kiosk, AnExhibitIsOpenedInPagesAnewAndNotInThoseOfTheOneBefore) {
   if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";
-  loop::keep_heap_small();
+  files::keep_heap_small();
   const test::Holes holes;
   const double before = test::resident_mib();
   KioskOptions options;

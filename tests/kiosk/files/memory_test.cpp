@@ -1,4 +1,4 @@
-#include "kiosk/loop/memory.h"
+#include "kiosk/files/memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -12,7 +12,7 @@
 #include "tests/support/holes.h"
 #include "tests/support/sanitized.h"
 
-namespace onggi::loop {
+namespace onggi::files {
 namespace {
 
 using test::Holes;
@@ -57,4 +57,4 @@ TEST(Memory, BelowAnInfiniteLimitNothingIsLocked) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::files

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace onggi::loop {
+namespace onggi::files {
 
 /// Keeps freed memory from staying with the process for months: blocks of 256 KiB and more
 /// (pictures, postcards, clay) are mapped one by one and go back to the system when freed, and at
@@ -28,4 +28,4 @@ int lock_memory() noexcept;
 /// those that allocate. glibc only; elsewhere it does nothing.
 void give_back_memory() noexcept;
 
-}  // namespace onggi::loop
+}  // namespace onggi::files

@@ -1,4 +1,4 @@
-#include "kiosk/loop/memory.h"
+#include "kiosk/files/memory.h"
 
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -9,7 +9,7 @@
 #include <malloc.h>
 #endif
 
-namespace onggi::loop {
+namespace onggi::files {
 
 namespace {
 
@@ -49,4 +49,4 @@ void give_back_memory() noexcept {
 #endif
 }
 
-}  // namespace onggi::loop
+}  // namespace onggi::files
