@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "kiosk/files/log.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/paths.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/watch/last_good.h"
 #include "kiosk/watch/service.h"
@@ -106,7 +106,7 @@ void Attendance::look(exhibit::Kiosk& kiosk) {
   health_.not_kept = kiosk.saved().refused;
   const watch::Health all = watch::together(before_, health_);
   keeper_->look({all.frames, all.wakes, kiosk.device_moves().value_or(all.frames)}, all,
-                measure::monotonic_seconds());
+                files::monotonic_seconds());
   for (const std::string& line : keeper_->remarks()) files::log_line(line);
 }
 

@@ -11,8 +11,8 @@
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/exhibit/reload.h"
 #include "kiosk/files/log.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/paths.h"
-#include "kiosk/measure/monotonic.h"
 
 namespace onggi::commands {
 
@@ -35,16 +35,16 @@ Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in
   if (!kiosk) return tl::unexpected(kiosk.error());
   if (attendance != nullptr) attendance->shows(**kiosk);
   bool first = true;
-  while (asked_to_stop == 0 && (*kiosk)->frame(measure::monotonic_seconds())) {
+  while (asked_to_stop == 0 && (*kiosk)->frame(files::monotonic_seconds())) {
     if (attendance != nullptr) attendance->look(**kiosk);
     if (!(*kiosk)->open_to_visitors()) continue;
     if (std::exchange(first, false))
       files::log_line("First picture " +
-                      std::to_string(static_cast<int>(measure::since_exec_seconds() * 1000)) +
+                      std::to_string(static_cast<int>(files::since_exec_seconds() * 1000)) +
                       " ms after the start of the program.");
     // Not before: the shelf is read once already.
     if (!(*kiosk)->shelf().complete()) continue;
-    reload.look(measure::monotonic_seconds());
+    reload.look(files::monotonic_seconds());
     if (reload.wanted() && (*kiosk)->nobody_is_here()) return Ending::reload;
   }
   return Ending::asked_to;
@@ -72,7 +72,7 @@ Result<int> run(const RunArguments& arguments) {
   if (!config) return tl::unexpected(config.error());
   exhibit::KioskOptions options;
   options.config = *config;
-  options.seed = static_cast<std::uint64_t>(measure::monotonic_seconds() * 1e6);
+  options.seed = static_cast<std::uint64_t>(files::monotonic_seconds() * 1e6);
   if (!arguments.shelf.empty()) options.shelf = arguments.shelf;
   if (auto good = read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());

@@ -17,10 +17,10 @@
 #include "kiosk/encoding/encode.h"
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/files/durable_file.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/aided_walk.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/visit_report.h"
 
@@ -157,7 +157,7 @@ class ScreenAlbum {
 /// Frames until the visitor is done; prints how far the throwing is.
 Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, int ticks,
                   bool realtime, ScreenAlbum* film, int& first_tick) {
-  const double begun = measure::monotonic_seconds();
+  const double begun = files::monotonic_seconds();
   const double step = ticks * kTick;
   int printed = -1;
   double filmed = -kFilmSeconds;
@@ -182,7 +182,7 @@ Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, int 
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (realtime)
       std::this_thread::sleep_for(std::chrono::duration<double>(
-          std::max(0.0, begun + now + step - measure::monotonic_seconds())));
+          std::max(0.0, begun + now + step - files::monotonic_seconds())));
   }
   return {};
 }

@@ -7,8 +7,8 @@
 
 #include "engine/lab/trial_run.h"
 #include "engine/math/portable.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/measure/accuracy_orders.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scene_presets.h"
 #include "kiosk/tuning/machine.h"
 #include "kiosk/tuning/scene_bench.h"
@@ -25,7 +25,7 @@ class Teller {
   Teller(std::FILE* told, double all) : told_(told), all_(all) {}
   void done(double work, const std::string& what) {
     work_ += work;
-    const double now = monotonic_seconds();
+    const double now = files::monotonic_seconds();
     if (now - last_ < 2.0) return;
     last_ = now;
     const double spent = now - start_;
@@ -33,11 +33,11 @@ class Teller {
                  spent * (all_ - work_) / std::max(work_, 1e-9), what.c_str());
     std::fflush(told_);
   }
-  double seconds() const { return monotonic_seconds() - start_; }
+  double seconds() const { return files::monotonic_seconds() - start_; }
 
  private:
   std::FILE* told_;
-  double all_, work_ = 0.0, start_ = monotonic_seconds(), last_ = start_;
+  double all_, work_ = 0.0, start_ = files::monotonic_seconds(), last_ = start_;
 };
 
 // Of each script, and how far it is from one half as fine.

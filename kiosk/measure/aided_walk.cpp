@@ -5,8 +5,8 @@
 #include <set>
 #include <thread>
 
+#include "kiosk/files/monotonic.h"
 #include "kiosk/measure/aided_visitor.h"
-#include "kiosk/measure/monotonic.h"
 
 namespace onggi::measure {
 
@@ -50,7 +50,7 @@ Result<std::vector<access::Utterance>> walk_aided(
   ScreenId screen = ScreenId::attract;
   bool begun = false;
   double entered = 0;
-  const double started = monotonic_seconds();
+  const double started = files::monotonic_seconds();
   for (int n = 1;; ++n) {
     const double now = n * kAidedTicks * 1e-3;
     fresh.clear();
@@ -86,7 +86,7 @@ Result<std::vector<access::Utterance>> walk_aided(
     if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (how.realtime)
       std::this_thread::sleep_for(
-          std::chrono::duration<double>(std::max(0.0, started + now - monotonic_seconds())));
+          std::chrono::duration<double>(std::max(0.0, started + now - files::monotonic_seconds())));
   }
   kiosk.attendant().listen({});
   if (!kiosk.kept())

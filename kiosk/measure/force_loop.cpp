@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
-#include "kiosk/files/durable_file.h"
-#include "kiosk/files/read_file.h"
-#include "kiosk/measure/monotonic.h"
-#include "kiosk/measure/price_list.h"
 #include "kiosk/device/device_file.h"
+#include "kiosk/files/durable_file.h"
+#include "kiosk/files/monotonic.h"
+#include "kiosk/files/read_file.h"
+#include "kiosk/measure/price_list.h"
 
 namespace onggi::measure {
 
@@ -109,13 +109,13 @@ Result<ForceLoopReport> measure_force_loop(std::FILE* progress) {
   const auto scenes = scenes_with_presets(96, 96);
   if (!scenes) return tl::unexpected(scenes.error());
   const std::vector<lab::DeviceModel> list = lab::device_list();
-  const double begun = monotonic_seconds();
+  const double begun = files::monotonic_seconds();
   const std::size_t steps = list.size() + scenes->size();
   std::size_t done = 0;
   const auto tell = [&] {
     ++done;
     if (progress == nullptr) return;
-    const double took = monotonic_seconds() - begun;
+    const double took = files::monotonic_seconds() - begun;
     std::fprintf(progress, "\r%zu of %zu, %.0f s to go ", done, steps,
                  took / static_cast<double>(done) * static_cast<double>(steps - done));
     std::fflush(progress);
@@ -133,7 +133,7 @@ Result<ForceLoopReport> measure_force_loop(std::FILE* progress) {
                                lab::try_scene(scene.def, device.device, device.limit.allowed)});
     tell();
   }
-  report.seconds = monotonic_seconds() - begun;
+  report.seconds = files::monotonic_seconds() - begun;
   if (progress != nullptr) std::fprintf(progress, "\n");
   return report;
 }

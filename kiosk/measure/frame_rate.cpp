@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "kiosk/exhibit/kiosk.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/virtual_display.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/no_keepsakes.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/similarity.h"
@@ -27,7 +27,7 @@ class Watched {
  public:
   explicit Watched(exhibit::Kiosk& kiosk) : kiosk_(kiosk) {}
 
-  bool frame() { return open_ = kiosk_.frame(monotonic_seconds()) && open_; }
+  bool frame() { return open_ = kiosk_.frame(files::monotonic_seconds()) && open_; }
   bool open() const { return open_; }
 
   /// Frames for `seconds`, with `visitor` at work between them where there is one.
@@ -61,24 +61,24 @@ Result<FrameRateRow> Watched::observe(const char* screen, double seconds,
                                       ScriptedVisitor* visitor) {
   FrameRateRow row{kiosk_.renderer().width(), kiosk_.renderer().height(), screen};
   std::vector<double> took, similar;
-  double scales = 0, busy = 0, watched = 0, compared_at = monotonic_seconds();
+  double scales = 0, busy = 0, watched = 0, compared_at = files::monotonic_seconds();
   for (double left = seconds; left > 0;) {
-    const double from = monotonic_seconds(), busy_from = thread_seconds();
+    const double from = files::monotonic_seconds(), busy_from = files::thread_seconds();
     if (!frame()) return tl::unexpected(closed());
     if (visitor != nullptr)
-      if (auto good = visitor->step(monotonic_seconds()); !good)
+      if (auto good = visitor->step(files::monotonic_seconds()); !good)
         return tl::unexpected(good.error());
-    const double now = monotonic_seconds();
+    const double now = files::monotonic_seconds();
     took.push_back(now - from);
     watched += now - from;
-    busy += thread_seconds() - busy_from;
+    busy += files::thread_seconds() - busy_from;
     scales += kiosk_.renderer().status().render_scale;
     left -= now - from;
     if (now - compared_at < kCompared) continue;
     compare(similar);
     // What the comparison upset is none of a visitor's.
     if (!frame()) return tl::unexpected(closed());
-    compared_at = monotonic_seconds();
+    compared_at = files::monotonic_seconds();
   }
   row.frames = static_cast<int>(took.size());
   std::sort(took.begin(), took.end());
@@ -99,10 +99,10 @@ Result<FrameRateRow> Watched::observe(const char* screen, double seconds,
 
 template <typename Until>
 Result<bool> Watched::frames_until(Until&& until) {
-  const double from = monotonic_seconds();
+  const double from = files::monotonic_seconds();
   while (!until()) {
     if (!frame()) return tl::unexpected(closed());
-    if (monotonic_seconds() - from > kComesAbout) return false;
+    if (files::monotonic_seconds() - from > kComesAbout) return false;
   }
   return true;
 }
@@ -112,7 +112,7 @@ Result<FrameDelays> Watched::delays() {
   screens::Visit& visit = kiosk_.visit();
   // The wheel is stopped by its own button.
   while (const auto way = way_to(visit, "throw.slower")) {
-    tap(visit, way->x + 2, way->y + 2, monotonic_seconds());
+    tap(visit, way->x + 2, way->y + 2, files::monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());
   }
   while (kiosk_.potter().view().status.feedback.wheel_speed != 0) {
@@ -120,30 +120,31 @@ Result<FrameDelays> Watched::delays() {
     if (!slower) break;
     for (const auto kind :
          {view::InputEvent::Kind::pointer_down, view::InputEvent::Kind::pointer_up})
-      visit.input({.kind = kind, .x = slower->x + 2, .y = slower->y + 2}, monotonic_seconds());
+      visit.input({.kind = kind, .x = slower->x + 2, .y = slower->y + 2},
+                  files::monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());
   }
   const ClayView& clay = kiosk_.potter().view().clay;
   std::optional<view::PotView> before = kiosk_.shown().pot;
   std::uint64_t change = clay.change();
-  double moved_at = monotonic_seconds();
+  double moved_at = files::monotonic_seconds();
   const auto still = frames_until([&] {
     const auto& now = kiosk_.shown().pot;
     if (now && before && change == clay.change() && view::looks_same(*before, *now))
-      return kiosk_.renderer().status().full_quality && monotonic_seconds() > moved_at;
-    moved_at = monotonic_seconds();
+      return kiosk_.renderer().status().full_quality && files::monotonic_seconds() > moved_at;
+    moved_at = files::monotonic_seconds();
     before = now;
     change = clay.change();
     return false;
   });
   if (!still) return tl::unexpected(still.error());
-  if (*still) delays.still_ms = (monotonic_seconds() - moved_at) * 1000;
+  if (*still) delays.still_ms = (files::monotonic_seconds() - moved_at) * 1000;
 
   const auto pot = kiosk_.shown().pot;
   if (!pot) return delays;
   const auto drag = [&](view::InputEvent::Kind kind, double y) {
     if (const auto at = pot->camera.project({0.19, y, 0}))
-      visit.input({.kind = kind, .x = at->first, .y = at->second}, monotonic_seconds());
+      visit.input({.kind = kind, .x = at->first, .y = at->second}, files::monotonic_seconds());
   };
   drag(view::InputEvent::Kind::pointer_down, 0.10);
   for (int i = 0; i < 40; ++i)
@@ -175,15 +176,15 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
   options.keepsakes = nowhere->path();
   options.window.width = size.first;
   options.window.height = size.second;
-  const double opening = monotonic_seconds();
+  const double opening = files::monotonic_seconds();
   auto kiosk = exhibit::Kiosk::open(options);
   if (!kiosk) return tl::unexpected(kiosk.error());
   report.device = (*kiosk)->renderer().status().device;
   report.software = (*kiosk)->renderer().status().software;
   Watched watched(**kiosk);
-  while (!(*kiosk)->open_to_visitors() && monotonic_seconds() - opening < kOpening)
+  while (!(*kiosk)->open_to_visitors() && files::monotonic_seconds() - opening < kOpening)
     if (!watched.frame()) return tl::unexpected(closed());
-  const double first = monotonic_seconds() - opening;
+  const double first = files::monotonic_seconds() - opening;
 
   say("attract");
   if (auto warm = watched.observe("", kWarmUp, nullptr); !warm) return tl::unexpected(warm.error());
@@ -195,11 +196,12 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
   visit.naive = ScriptedVisitor::Naive{600, NaiveHands::Pointer::mouse};
   visit.linger = 0.5;
   ScriptedVisitor visitor(**kiosk, visit, {});
-  const double asked = monotonic_seconds();
+  const double asked = files::monotonic_seconds();
   while (!visitor.throwing()) {
     if (!watched.frame()) return tl::unexpected(closed());
-    if (auto good = visitor.step(monotonic_seconds()); !good) return tl::unexpected(good.error());
-    if (monotonic_seconds() - asked > kReachedBy)
+    if (auto good = visitor.step(files::monotonic_seconds()); !good)
+      return tl::unexpected(good.error());
+    if (files::monotonic_seconds() - asked > kReachedBy)
       return problem("the exhibit", "Its wheel was not reached within a minute.",
                      "Look into its log.", 1);
   }
@@ -211,7 +213,7 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
   report.rows.push_back(*throwing);
 
   say("standing still");
-  (*kiosk)->visit().input({.kind = view::InputEvent::Kind::pointer_up}, monotonic_seconds());
+  (*kiosk)->visit().input({.kind = view::InputEvent::Kind::pointer_up}, files::monotonic_seconds());
   auto delays = watched.delays();
   if (!delays) return tl::unexpected(delays.error());
   delays->first_picture_ms = first * 1000;

@@ -10,9 +10,9 @@
 
 #include "engine/script/script.h"
 #include "kiosk/exhibit/kiosk.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/loop/loop_thread.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/no_keepsakes.h"
 
 namespace onggi::measure {
@@ -49,7 +49,7 @@ TimingPhase phase_of(const char* name, const loop::LoopThread& loop, const loop:
 void settle() { std::this_thread::sleep_for(std::chrono::milliseconds(300)); }
 
 double age_us(const loop::LoopStatus& status) {
-  return monotonic_seconds() * 1e6 - static_cast<double>(status.at_ns) * 1e-3;
+  return files::monotonic_seconds() * 1e6 - static_cast<double>(status.at_ns) * 1e-3;
 }
 
 Result<TimingPhase> idle(double seconds) {
@@ -63,8 +63,8 @@ Result<TimingPhase> idle(double seconds) {
   const std::uint64_t missed = loop.status().deadlines.overruns;
   Histogram shown;
   bool playing = false;
-  const double begun = monotonic_seconds();
-  while (monotonic_seconds() - begun < seconds) {
+  const double begun = files::monotonic_seconds();
+  while (files::monotonic_seconds() - begun < seconds) {
     if (!playing || loop.status().script_done) {
       auto script = make_script("groove", {def, nullptr, 1, 1.0});
       if (!script) return tl::unexpected(script.error());
@@ -75,32 +75,33 @@ Result<TimingPhase> idle(double seconds) {
     loop.collect();
     shown.add(age_us(loop.view().status));
   }
-  return phase_of("idle", loop, from, missed, monotonic_seconds() - begun, shown);
+  return phase_of("idle", loop, from, missed, files::monotonic_seconds() - begun, shown);
 }
 
 Result<TimingPhase> drawing_beside(exhibit::Kiosk& kiosk, double seconds) {
   const auto* loop = dynamic_cast<const loop::LoopThread*>(&kiosk.potter());
   if (loop == nullptr)
     return problem("the loop", "The exhibit does not run it.", "Please report this.", 1);
-  double begun = monotonic_seconds();
-  while (!kiosk.open_to_visitors() && monotonic_seconds() - begun < 120.0)
-    if (!kiosk.frame(monotonic_seconds())) break;
+  double begun = files::monotonic_seconds();
+  while (!kiosk.open_to_visitors() && files::monotonic_seconds() - begun < 120.0)
+    if (!kiosk.frame(files::monotonic_seconds())) break;
   const loop::LoopTiming from = loop->timing();
   const std::uint64_t missed = loop->status().deadlines.overruns;
   Histogram shown, frames;
   std::uint64_t older = 0;
-  begun = monotonic_seconds();
-  while (monotonic_seconds() - begun < seconds) {
-    const double from_here = monotonic_seconds();
+  begun = files::monotonic_seconds();
+  while (files::monotonic_seconds() - begun < seconds) {
+    const double from_here = files::monotonic_seconds();
     if (!kiosk.frame(from_here))
       return problem("the window", "It was closed.", "Leave it open.", 1);
     const double age = age_us(kiosk.potter().view().status);
-    const double took = (monotonic_seconds() - from_here) * 1e6;
+    const double took = (files::monotonic_seconds() - from_here) * 1e6;
     shown.add(age);
     frames.add(took);
     older += age > took + kTickUs ? 1 : 0;
   }
-  TimingPhase phase = phase_of("drawing", *loop, from, missed, monotonic_seconds() - begun, shown);
+  TimingPhase phase =
+      phase_of("drawing", *loop, from, missed, files::monotonic_seconds() - begun, shown);
   phase.frame_us = frames;
   phase.older = older;
   return phase;

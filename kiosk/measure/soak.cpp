@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "kiosk/exhibit/kiosk.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/virtual_display.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scripted_visitor.h"
 
 namespace onggi::measure {
@@ -21,16 +21,16 @@ constexpr double kGrowthAllowed = 16.0;  // MiB
 void report(double elapsed, int visits, exhibit::Kiosk& kiosk) {
   const loop::LoopStatus status = kiosk.potter().status();
   const render::RenderStatus drawn = kiosk.renderer().status();
-  std::fprintf(stderr,
-               "%6.0f s  %d visits  %.1f MiB  frame %.1f ms at scale %.2f  wakes %llu  late %llu  "
-               "overruns %llu  "
-               "lost ticks %llu  worst tick %.0f us\n",
-               elapsed, visits, static_cast<double>(resident_bytes()) / 1048576.0, drawn.frame_ms,
-               drawn.render_scale, static_cast<unsigned long long>(status.deadlines.wakes),
-               static_cast<unsigned long long>(status.deadlines.late),
-               static_cast<unsigned long long>(status.deadlines.overruns),
-               static_cast<unsigned long long>(status.deadlines.lost_ticks),
-               status.deadlines.worst_tick_us);
+  std::fprintf(
+      stderr,
+      "%6.0f s  %d visits  %.1f MiB  frame %.1f ms at scale %.2f  wakes %llu  late %llu  "
+      "overruns %llu  "
+      "lost ticks %llu  worst tick %.0f us\n",
+      elapsed, visits, static_cast<double>(files::resident_bytes()) / 1048576.0, drawn.frame_ms,
+      drawn.render_scale, static_cast<unsigned long long>(status.deadlines.wakes),
+      static_cast<unsigned long long>(status.deadlines.late),
+      static_cast<unsigned long long>(status.deadlines.overruns),
+      static_cast<unsigned long long>(status.deadlines.lost_ticks), status.deadlines.worst_tick_us);
 }
 
 }  // namespace
@@ -47,12 +47,12 @@ Result<int> soak(const SoakPlan& plan) {
   if (!opened) return tl::unexpected(opened.error());
   exhibit::Kiosk& kiosk = **opened;
 
-  const double begun = monotonic_seconds(), length = plan.minutes * 60;
+  const double begun = files::monotonic_seconds(), length = plan.minutes * 60;
   double next_report = kReportEvery;
   long third_quarter = 0, last_quarter = 0;  // Least resident bytes; 0: not yet looked.
   int visits = 0;
   std::unique_ptr<ScriptedVisitor> visitor;
-  for (double now = begun; now - begun < length; now = monotonic_seconds()) {
+  for (double now = begun; now - begun < length; now = files::monotonic_seconds()) {
     if (!kiosk.frame(now))
       return problem("the window", "It was closed during the soak.", "Leave it open.", 1);
     if (!kiosk.open_to_visitors()) continue;
@@ -73,7 +73,7 @@ Result<int> soak(const SoakPlan& plan) {
     const double elapsed = now - begun;
     if (elapsed > 0.5 * length) {
       long& least = elapsed > 0.75 * length ? last_quarter : third_quarter;
-      const long now_bytes = resident_bytes();
+      const long now_bytes = files::resident_bytes();
       least = least == 0 ? now_bytes : std::min(least, now_bytes);
     }
     if (elapsed >= next_report) {

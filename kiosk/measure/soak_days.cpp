@@ -10,11 +10,11 @@
 
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/exhibit/reload.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/files/wall_clock.h"
 #include "kiosk/loop/loop_thread.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/soak_troubles.h"
 #include "kiosk/measure/tap.h"
@@ -97,9 +97,9 @@ Result<void> SoakDays::open() {
   if (!kiosk) return tl::unexpected(kiosk.error());
   kiosk_ = std::move(*kiosk);
   timing_ = {};
-  const double begun = monotonic_seconds();
+  const double begun = files::monotonic_seconds();
   while (!kiosk_->open_to_visitors() || !kiosk_->shelf().complete()) {
-    if (monotonic_seconds() - begun > kPatience)
+    if (files::monotonic_seconds() - begun > kPatience)
       return problem("the exhibit", "It does not open.", "Run onggi check.", 1);
     if (auto good = frame(); !good) return good;
   }
@@ -107,7 +107,7 @@ Result<void> SoakDays::open() {
 }
 
 Result<void> SoakDays::frame() {
-  const double real = monotonic_seconds();
+  const double real = files::monotonic_seconds();
   const double passed = real - real_;
   now_ += passed + (faster_ - 1) * std::min(passed, kStall);
   real_ = real;
@@ -265,8 +265,8 @@ void SoakDays::sample() {
   at.hours = hours();
   at.minutes = (real_ - real_begun_) / 60;
   at.visits = report_.visits;
-  at.memory = static_cast<double>(resident_bytes()) / 1048576.0;
-  at.in_use = static_cast<double>(bytes_in_use()) / 1048576.0;
+  at.memory = static_cast<double>(files::resident_bytes()) / 1048576.0;
+  at.in_use = static_cast<double>(files::bytes_in_use()) / 1048576.0;
   at.descriptors = count_in("/proc/self/fd");
   at.threads = count_in("/proc/self/task");
   at.keepsakes = megabytes_in(keepsakes_);
@@ -312,7 +312,7 @@ Result<SoakReport> SoakDays::run() {
   if (!display) return tl::unexpected(display.error());
   reload_ = std::make_unique<exhibit::Reload>(exhibit_, exhibit::Reload::Shown::this_one);
   troubles_ = std::make_unique<SoakTroubles>(exhibit_, keepsakes_);
-  real_ = real_begun_ = now_ = begun_ = monotonic_seconds();
+  real_ = real_begun_ = now_ = begun_ = files::monotonic_seconds();
   if (auto good = open(); !good) return tl::unexpected(good.error());
   while (hours() < plan_.hours) {
     if (auto good = visit(); !good) return tl::unexpected(good.error());

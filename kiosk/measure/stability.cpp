@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "kiosk/files/durable_file.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/files/read_file.h"
-#include "kiosk/measure/monotonic.h"
 
 namespace onggi::measure {
 
@@ -220,7 +220,7 @@ Result<StabilityTally> measure_stability(const StabilityPlan& plan, std::FILE* t
   const StopOnSignal signals;
   Night night(plan, tally);
   const std::uint64_t before = tally.ticks;
-  const double begun = monotonic_seconds();
+  const double begun = files::monotonic_seconds();
   std::vector<std::thread> threads;
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::atomic<int> working = plan.threads > 0 ? plan.threads : cores;
@@ -233,7 +233,7 @@ Result<StabilityTally> measure_stability(const StabilityPlan& plan, std::FILE* t
   double next = begun + kKeepEvery;
   while (working > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    if (const double now = monotonic_seconds(); now >= next && good) {
+    if (const double now = files::monotonic_seconds(); now >= next && good) {
       const StabilityTally so_far = night.tally();
       const auto ticks = night.ticks();
       tell(told, plan, ticks, so_far.finds.size(),

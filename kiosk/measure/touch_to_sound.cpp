@@ -9,8 +9,8 @@
 
 #include "engine/math/random.h"
 #include "engine/scene/scene.h"
+#include "kiosk/files/monotonic.h"
 #include "kiosk/loop/loop_thread.h"
-#include "kiosk/measure/monotonic.h"
 #include "kiosk/sound/ear.h"
 #include "kiosk/sound/speaker.h"
 #include "kiosk/tuning/machine.h"
@@ -93,10 +93,10 @@ Result<TouchToSound> touch_to_sound(const TouchToSoundPlan& plan, std::FILE* pro
   loop.wheel(18.0);
   Random chance(plan.seed);
   Touches touches;
-  const double begun = monotonic_seconds();
+  const double begun = files::monotonic_seconds();
   double change = begun + 1.0, collect = begun, said = begun;
   bool on = false;
-  for (double now = begun; now - begun < plan.seconds; now = monotonic_seconds()) {
+  for (double now = begun; now - begun < plan.seconds; now = files::monotonic_seconds()) {
     if (now >= change) {
       on = !on;
       change = now + chance.uniform(0.05, 0.15);
@@ -117,7 +117,7 @@ Result<TouchToSound> touch_to_sound(const TouchToSoundPlan& plan, std::FILE* pro
   }
   if (said > begun) std::fprintf(progress, "\r%40s\r", "");
   touches.tell(out);
-  out.seconds = monotonic_seconds() - begun;
+  out.seconds = files::monotonic_seconds() - begun;
   const auto status = speaker.status();
   out.blocks = status.blocks;
   out.dry = status.late;

@@ -1,4 +1,4 @@
-#include "kiosk/measure/monotonic.h"
+#include "kiosk/files/monotonic.h"
 
 #include <malloc.h>
 #include <time.h>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace onggi::measure {
+namespace onggi::files {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::size_t bytes_in_use() {
 #endif
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::files

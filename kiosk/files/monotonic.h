@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace onggi::measure {
+namespace onggi::files {
 
 /// Seconds on CLOCK_MONOTONIC: never goes back, whatever happens to the wall clock.
 double monotonic_seconds();
@@ -21,4 +21,4 @@ long resident_bytes();
 /// and files. 0 where malloc does not tell (glibc's does). Waits for who allocates.
 std::size_t bytes_in_use();
 
-}  // namespace onggi::measure
+}  // namespace onggi::files
