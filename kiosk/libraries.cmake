@@ -29,6 +29,6 @@ onggi_library(SDL2          MODULES sdl2 AT_LEAST 2.26 DEBIAN libsdl2-dev)  # so
 onggi_library(ALSA          MODULES alsa DEBIAN libasound2-dev)           # sound
 onggi_library(SYSTEMD       MODULES libsystemd AT_LEAST 252 DEBIAN libsystemd-dev)  # watch
 onggi_library(spdlog        AT_LEAST 1.10 DEBIAN libspdlog-dev)           # files
-onggi_library(CLI11         AT_LEAST 2.1  DEBIAN libcli11-dev)            # commands
+onggi_library(CLI11         AT_LEAST 2.1  DEBIAN libcli11-dev)            # cli
 onggi_header(ONGGI_READERWRITERQUEUE readerwriterqueue/readerwriterqueue.h DEBIAN libreaderwriterqueue-dev)  # loop
 onggi_libraries_found("bash kiosk/install-packages kiosk/packages.txt")

@@ -1,6 +1,6 @@
 #include <csignal>
 
-#include "kiosk/commands/command_line.h"
+#include "kiosk/cli/command_line.h"
 #include "kiosk/commands/commands.h"
 #include "kiosk/device/last_word.h"
 #include "kiosk/files/memory.h"
@@ -12,6 +12,5 @@ int main(int argc, char** argv) {
   // not a reason to end.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  return onggi::commands::run_command_line(onggi::commands::onggi_command(), ONGGI_VERSION, argc,
-                                           argv);
+  return onggi::cli::run_command_line(onggi::commands::onggi_command(), ONGGI_VERSION, argc, argv);
 }

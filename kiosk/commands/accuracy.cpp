@@ -35,7 +35,7 @@ Result<int> accuracy(const AccuracyArguments& arguments) {
 
 }  // namespace
 
-Command accuracy_command() {
+cli::Command accuracy_command() {
   const auto a = std::make_shared<AccuracyArguments>();
   return {.name = "accuracy",
           .help = "What accuracy costs in time here, and which setting to choose",

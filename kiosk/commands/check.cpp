@@ -26,7 +26,7 @@ Result<int> check(const CheckArguments& arguments) {
 
 }  // namespace
 
-Command check_command() {
+cli::Command check_command() {
   const auto a = std::make_shared<CheckArguments>();
   return {.name = "check",
           .help = "Find every problem of an exhibit, a shelf, a vessel or a drawing",

@@ -1,41 +1,41 @@
 #pragma once
 
-#include "kiosk/commands/command.h"
+#include "kiosk/cli/command.h"
 
 namespace onggi::commands {
 
 /// The program: it opens the exhibit, and has all the others.
-Command onggi_command();
+cli::Command onggi_command();
 
-Command run_command();
-Command visit_command();
-Command replay_command();
-Command check_command();
-Command vessel_command();
-Command score_command();
-Command soak_command();
-Command stats_command();
-Command report_command();
-Command lab_command();
-Command devices_command();
-Command setup_command();
+cli::Command run_command();
+cli::Command visit_command();
+cli::Command replay_command();
+cli::Command check_command();
+cli::Command vessel_command();
+cli::Command score_command();
+cli::Command soak_command();
+cli::Command stats_command();
+cli::Command report_command();
+cli::Command lab_command();
+cli::Command devices_command();
+cli::Command setup_command();
 
 /// Of `onggi lab`.
-Command lab_access_command();
-Command lab_loop_command();
-Command lab_frames_command();
-Command lab_sound_command();
-Command lab_screens_command();
-Command lab_naive_command();
-Command lab_scenes_command();
+cli::Command lab_access_command();
+cli::Command lab_loop_command();
+cli::Command lab_frames_command();
+cli::Command lab_sound_command();
+cli::Command lab_screens_command();
+cli::Command lab_naive_command();
+cli::Command lab_scenes_command();
 
 /// Of `onggi vessel`.
-Command make_command();
-Command inspect_command();
-Command import_command();
+cli::Command make_command();
+cli::Command inspect_command();
+cli::Command import_command();
 
 /// Of `onggi lab`.
-Command accuracy_command();
-Command tune_command();
+cli::Command accuracy_command();
+cli::Command tune_command();
 
 }  // namespace onggi::commands

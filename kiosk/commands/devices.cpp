@@ -94,7 +94,7 @@ Result<int> devices(const files::Output& json) {
 
 }  // namespace
 
-Command devices_command() {
+cli::Command devices_command() {
   const auto json = std::make_shared<files::Output>(files::Output::Kind::json);
   return {.name = "devices",
           .help = "List the hand devices that are plugged in, and what keeps one from being used",

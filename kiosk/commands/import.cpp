@@ -106,7 +106,7 @@ Result<int> import_vessel(const ImportArguments& arguments) {
 
 }  // namespace
 
-Command import_command() {
+cli::Command import_command() {
   const auto a = std::make_shared<ImportArguments>();
   return {
       .name = "import",

@@ -141,7 +141,7 @@ Result<int> inspect(const InspectArguments& arguments) {
 
 }  // namespace
 
-Command inspect_command() {
+cli::Command inspect_command() {
   const auto a = std::make_shared<InspectArguments>();
   return {
       .name = "inspect",

@@ -67,7 +67,7 @@ Result<int> effects(const LabArguments& arguments) {
       .map([] { return 0; });
 }
 
-Command effects_command() {
+cli::Command effects_command() {
   const auto a = std::make_shared<LabArguments>();
   return {.name = "effects",
           .help = "The price list: what each effect and each scene costs",
@@ -124,7 +124,7 @@ Result<int> stability(StabilityArguments& arguments) {
   return tally->finds.empty() ? 0 : 1;
 }
 
-Command stability_command() {
+cli::Command stability_command() {
   const auto a = std::make_shared<StabilityArguments>();
   return {.name = "stability",
           .help = "Random hands in random scenes for a night, and what must hold after each tick",
@@ -173,7 +173,7 @@ Result<int> timing(const TimingArguments& arguments) {
       .map([&report] { return report->fit ? 0 : 1; });
 }
 
-Command timing_command() {
+cli::Command timing_command() {
   const auto a = std::make_shared<TimingArguments>();
   return {.name = "timing",
           .help = "How well the 1 kHz loop keeps time here, alone and beside the drawing",
@@ -193,7 +193,7 @@ Command timing_command() {
 
 }  // namespace
 
-Command lab_command() {
+cli::Command lab_command() {
   return {.name = "lab",
           .help = "Measure the engine on this machine",
           .examples =

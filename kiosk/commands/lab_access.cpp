@@ -73,7 +73,7 @@ Result<int> access(const AccessArguments& arguments) {
 
 }  // namespace
 
-Command lab_access_command() {
+cli::Command lab_access_command() {
   const auto a = std::make_shared<AccessArguments>();
   return {.name = "access",
           .help = "EN 301 549's figures of the exhibit, measured on its drawn screens",

@@ -40,7 +40,7 @@ Result<int> frames(FramesArguments& arguments) {
 
 }  // namespace
 
-Command lab_frames_command() {
+cli::Command lab_frames_command() {
   const auto a = std::make_shared<FramesArguments>();
   return {.name = "frames",
           .help = "Frames a second of the open exhibit, and how soon a drag is on the screen",

@@ -39,7 +39,7 @@ Result<int> loop(const LoopArguments& arguments) {
 
 }  // namespace
 
-Command lab_loop_command() {
+cli::Command lab_loop_command() {
   const auto a = std::make_shared<LoopArguments>();
   return {.name = "loop",
           .help = "How stiff a force a device bears: hand, device and clay in a closed loop",

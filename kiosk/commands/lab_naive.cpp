@@ -68,7 +68,7 @@ Result<int> naive(NaiveArguments& arguments) {
 
 }  // namespace
 
-Command lab_naive_command() {
+cli::Command lab_naive_command() {
   const auto a = std::make_shared<NaiveArguments>();
   return {.name = "naive",
           .help = "What people who never threw make of the shelf: points, roughness, when handsome",

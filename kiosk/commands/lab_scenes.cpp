@@ -49,7 +49,7 @@ Result<int> scenes(const ScenesArguments& arguments) {
 
 }  // namespace
 
-Command lab_scenes_command() {
+cli::Command lab_scenes_command() {
   const auto a = std::make_shared<ScenesArguments>();
   return {.name = "scenes",
           .help = "The curators' page: what each scene simulates and why, costs, and gives",

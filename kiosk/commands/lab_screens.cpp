@@ -90,7 +90,7 @@ Result<int> look(const ScreensArguments& arguments) {
 
 }  // namespace
 
-Command lab_screens_command() {
+cli::Command lab_screens_command() {
   const auto a = std::make_shared<ScreensArguments>();
   return {.name = "screens",
           .help = "Every screen in every size, language and comfort, at full size and on sheets",

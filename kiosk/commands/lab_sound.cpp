@@ -40,7 +40,7 @@ Result<int> sound(const SoundArguments& arguments) {
 
 }  // namespace
 
-Command lab_sound_command() {
+cli::Command lab_sound_command() {
   const auto a = std::make_shared<SoundArguments>();
   return {
       .name = "sound",

@@ -28,7 +28,7 @@ Result<int> make(const MakeArguments& arguments) {
 
 }  // namespace
 
-Command make_command() {
+cli::Command make_command() {
   const auto a = std::make_shared<MakeArguments>();
   return {
       .name = "make",

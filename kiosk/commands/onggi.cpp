@@ -2,9 +2,9 @@
 
 namespace onggi::commands {
 
-Command onggi_command() {
+cli::Command onggi_command() {
   // The same options with and without the word "run": a kiosk is started by its bare name.
-  const Command run = run_command();
+  const cli::Command run = run_command();
   return {.name = "onggi",
           .help = "Onggi: throw pots on a virtual wheel, in a museum.",
           .examples =

@@ -46,7 +46,7 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
 
 }  // namespace
 
-Command replay_command() {
+cli::Command replay_command() {
   struct Arguments {
     std::string file;
     files::Output json{files::Output::Kind::json};

@@ -42,7 +42,7 @@ Result<int> report(const ReportArguments& arguments) {
 
 }  // namespace
 
-Command report_command() {
+cli::Command report_command() {
   const auto a = std::make_shared<ReportArguments>();
   return {.name = "report",
           .help = "Pack what somebody far away needs in order to help: nothing of a visitor",

@@ -87,7 +87,7 @@ Result<int> run(const RunArguments& arguments) {
 
 }  // namespace
 
-Command run_command() {
+cli::Command run_command() {
   const auto a = std::make_shared<RunArguments>();
   return {.name = "run",
           .help = "Open the exhibit full screen",

@@ -155,7 +155,7 @@ Result<int> compare_files(const ScoreArguments& arguments) {
 
 }  // namespace
 
-Command score_command() {
+cli::Command score_command() {
   const auto a = std::make_shared<ScoreArguments>();
   return {.name = "score",
           .help = "Say how alike two vessels are, and where not",

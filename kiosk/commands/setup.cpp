@@ -48,7 +48,7 @@ Result<int> set_up(const SetupArguments& arguments) {
 
 }  // namespace
 
-Command setup_command() {
+cli::Command setup_command() {
   const auto a = std::make_shared<SetupArguments>();
   return {
       .name = "setup",

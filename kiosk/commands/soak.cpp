@@ -48,7 +48,7 @@ Result<int> soak(SoakArguments& arguments) {
 
 }  // namespace
 
-Command soak_command() {
+cli::Command soak_command() {
   const auto a = std::make_shared<SoakArguments>();
   return {
       .name = "soak",

@@ -95,7 +95,7 @@ Result<int> stats(const StatsArguments& arguments) {
 
 }  // namespace
 
-Command stats_command() {
+cli::Command stats_command() {
   const auto a = std::make_shared<StatsArguments>();
   return {
       .name = "stats",

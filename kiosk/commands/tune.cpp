@@ -55,7 +55,7 @@ Result<int> tune(const TuneArguments& arguments) {
 
 }  // namespace
 
-Command tune_command() {
+cli::Command tune_command() {
   const auto a = std::make_shared<TuneArguments>();
   return {.name = "tune",
           .help = "Finds the grid that a scene can have on this machine",

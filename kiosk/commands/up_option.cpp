@@ -5,7 +5,7 @@
 
 namespace onggi::commands {
 
-Option up_option(std::string& word) {
+cli::Option up_option(std::string& word) {
   return {
       "--up", &word,
       "The file's axis that the rim lies towards, as `up =` in vessel.toml: x, y, z, or --up=-z "

@@ -2,7 +2,7 @@
 
 namespace onggi::commands {
 
-Command vessel_command() {
+cli::Command vessel_command() {
   return {
       .name = "vessel",
       .help = "Make a vessel from a drawing, look into one, or put a scan on the shelf",

@@ -323,7 +323,7 @@ Result<int> visit(const VisitArguments& arguments) {
 
 }  // namespace
 
-Command visit_command() {
+cli::Command visit_command() {
   const auto a = std::make_shared<VisitArguments>();
   std::string scripts = std::string(kNaive) + ", " + kBlind + ", " + kSwitch;
   for (const std::string_view name : script_names()) scripts += ", " + std::string(name);

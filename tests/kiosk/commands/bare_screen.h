@@ -98,8 +98,8 @@ Section "ServerLayout"
   InputDevice "glass"
 EndSection
 Section "ServerFlags"
-  Option "AutoAddDevices" "false"
-  Option "DontVTSwitch" "true"
+  cli::Option "AutoAddDevices" "false"
+  cli::Option "DontVTSwitch" "true"
 EndSection
 Section "Device"
   Identifier "card"
@@ -125,8 +125,8 @@ EndSection
 Section "InputDevice"
   Identifier "glass"
   Driver "inputtest"
-  Option "DeviceType" "Touch"
-  Option "TouchCount" "10"
+  cli::Option "DeviceType" "Touch"
+  cli::Option "TouchCount" "10"
 )";
 
   bool begin() {

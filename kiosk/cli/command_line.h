@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "kiosk/commands/command.h"
+#include "kiosk/cli/command.h"
 
-namespace onggi::commands {
+namespace onggi::cli {
 
 /// Reads the command line as `program` describes it, runs the command that was named, else the
 /// program's own, and gives the exit code: 0 good, 1 the program's or the machine's fault, 2 the
@@ -12,4 +12,4 @@ namespace onggi::commands {
 int run_command_line(const Command& program, const std::string& version, int argc,
                      const char* const* argv);
 
-}  // namespace onggi::commands
+}  // namespace onggi::cli

@@ -1,4 +1,4 @@
-#include "kiosk/commands/command_line.h"
+#include "kiosk/cli/command_line.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace onggi::commands {
+namespace onggi::cli {
 namespace {
 
 /// A program of two commands, `turn` and `tool sponge`, and what became of its fields.
@@ -128,4 +128,4 @@ TEST_F(CommandLine, what_is_thrown_is_the_programs_fault) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::cli

@@ -10,7 +10,7 @@
 #include "engine/base/result.h"
 #include "kiosk/files/output.h"
 
-namespace onggi::commands {
+namespace onggi::cli {
 
 /// An option ("--json", "-o,--out"), a flag (its field is a bool) or a positional ("file") of a
 /// command, and the field that it fills. Whoever describes it keeps the field alive. An Output is
@@ -40,4 +40,4 @@ struct Command {
   std::function<Result<int>()> run{};
 };
 
-}  // namespace onggi::commands
+}  // namespace onggi::cli

@@ -1,4 +1,4 @@
-#include "kiosk/commands/command_line.h"
+#include "kiosk/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace onggi::commands {
+namespace onggi::cli {
 
 namespace {
 
@@ -120,4 +120,4 @@ int run_command_line(const Command& program, const std::string& version, int arg
   }
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::cli

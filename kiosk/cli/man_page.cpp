@@ -1,10 +1,10 @@
-#include "kiosk/commands/man_page.h"
+#include "kiosk/cli/man_page.h"
 
 #include <algorithm>
 #include <cctype>
 #include <sstream>
 
-namespace onggi::commands {
+namespace onggi::cli {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::string man_page(const Command& program, const std::string& version, const s
   return out.str();
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::cli
