@@ -3,7 +3,7 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/measure/accuracy_picture.h"
 #include "kiosk/measure/accuracy_report.h"
 
@@ -22,7 +22,7 @@ Result<int> accuracy(const AccuracyArguments& arguments) {
   auto report = measure::measure_accuracy(arguments.plan, stderr);
   if (!report) return tl::unexpected(report.error());
   report->command = arguments.plan.quick ? "onggi lab accuracy --quick" : "onggi lab accuracy";
-  const auto put = put_report(measure::json_of(*report), arguments.json);
+  const auto put = drawing::put_report(measure::json_of(*report), arguments.json);
   if (!put) return tl::unexpected(put.error());
   if (*put && !arguments.csv.to_stdout() && !arguments.plot.to_stdout())
     std::fputs(measure::text_of(*report).c_str(), stdout);

@@ -5,10 +5,10 @@
 #include "engine/base/plain_text.h"
 #include "engine/scene/hands.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/device/device_access.h"
 #include "kiosk/device/device_kind.h"
 #include "kiosk/device/hidapi_bus.h"
+#include "kiosk/drawing/put_report.h"
 
 namespace onggi::commands {
 
@@ -76,8 +76,8 @@ Result<int> devices(const files::Output& json) {
   }
   files::Json list = files::Json::list();
   for (const Found& found : all) list.push_back(json_of(found));
-  const auto put =
-      put_report(files::Json::object({{"devices", list}, {"without_driver", others}}), json);
+  const auto put = drawing::put_report(
+      files::Json::object({{"devices", list}, {"without_driver", others}}), json);
   if (!put) return tl::unexpected(put.error());
   bool missing = false;
   for (const Found& found : all) missing = missing || found.problem;

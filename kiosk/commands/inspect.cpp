@@ -6,9 +6,9 @@
 #include "engine/base/plain_text.h"
 #include "engine/profile/measures.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/up_option.h"
 #include "kiosk/content/vessel.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/drawing/sheet_painter.h"
 #include "kiosk/encoding/encode.h"
 
@@ -133,7 +133,7 @@ Result<int> inspect(const InspectArguments& arguments) {
   if (!vessel) return tl::unexpected(vessel.error());
   if (arguments.plot.wanted())
     if (auto good = plot(*vessel, arguments.plot); !good) return tl::unexpected(good.error());
-  const auto free = put_report(json_of(*vessel), arguments.json);
+  const auto free = drawing::put_report(json_of(*vessel), arguments.json);
   if (!free) return tl::unexpected(free.error());
   if (*free && !arguments.plot.to_stdout()) print_summary(*vessel);
   return 0;

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/replay_file.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/loop_timing.h"
 #include "kiosk/measure/price_list.h"
@@ -33,7 +33,7 @@ Result<int> bill(const LabArguments& arguments) {
                                arguments.quick ? 1 : kPasses);
   if (!paid) return tl::unexpected(paid.error());
   paid->command = "onggi lab effects --bill " + arguments.bill;
-  const auto put = put_report(measure::json_of(*paid), arguments.json);
+  const auto put = drawing::put_report(measure::json_of(*paid), arguments.json);
   if (!put) return tl::unexpected(put.error());
   if (*put && !arguments.plot.to_stdout()) std::fputs(measure::text_of(*paid).c_str(), stdout);
   if (!arguments.plot.wanted()) return 0;
@@ -60,7 +60,7 @@ Result<int> effects(const LabArguments& arguments) {
   const auto list = measure::measure_prices(*scenes, rows, sectors, arguments.quick ? 1 : kPasses,
                                             !arguments.quick, taken ? stderr : stdout);
   if (!list) return tl::unexpected(list.error());
-  if (const auto put = put_report(measure::json_of(*list), arguments.json); !put)
+  if (const auto put = drawing::put_report(measure::json_of(*list), arguments.json); !put)
     return tl::unexpected(put.error());
   if (!arguments.plot.wanted()) return 0;
   return arguments.plot.write(drawing::draw_plot(measure::plot_of(*list), arguments.plot.where()))
@@ -109,7 +109,7 @@ Result<int> stability(StabilityArguments& arguments) {
           ? measure::measure_stability(arguments.plan, stderr)
           : measure::measure_trial(arguments.plan, static_cast<std::uint64_t>(arguments.trial));
   if (!tally) return tl::unexpected(tally.error());
-  const auto free = put_report(measure::json_of(*tally), arguments.json);
+  const auto free = drawing::put_report(measure::json_of(*tally), arguments.json);
   if (!free) return tl::unexpected(free.error());
   if (*free) {
     std::printf("stability: seed %llu, %llu trials, %llu ticks, %zu found%s\n",
@@ -168,8 +168,8 @@ Result<int> timing(const TimingArguments& arguments) {
   if (!config) return tl::unexpected(config.error());
   const auto report = measure::measure_loop(*config, arguments.seconds);
   if (!report) return tl::unexpected(report.error());
-  return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
-                    arguments.json, arguments.plot)
+  return drawing::put_report(measure::json_of(*report), measure::text_of(*report),
+                             measure::plot_of(*report), arguments.json, arguments.plot)
       .map([&report] { return report->fit ? 0 : 1; });
 }
 

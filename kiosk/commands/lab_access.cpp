@@ -3,8 +3,8 @@
 #include <span>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/read_file.h"
@@ -60,7 +60,7 @@ Result<int> access(const AccessArguments& arguments) {
     json["displays"] = files::Json::list();
     for (const auto& report : *reports) json["displays"].push_back(measure::json_of(report));
   }
-  const auto put = put_report(json, arguments.json);
+  const auto put = drawing::put_report(json, arguments.json);
   if (!put) return tl::unexpected(put.error());
   const std::string table = measure::table_of(*reports);
   if (*put) {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/frame_rate.h"
 
@@ -33,8 +33,8 @@ Result<int> frames(FramesArguments& arguments) {
                    "Leave one of the two out, or write the counts with --json.");
   const auto report = measure::measure_frames(arguments.plan, stderr);
   if (!report) return tl::unexpected(report.error());
-  return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
-                    arguments.json, arguments.plot)
+  return drawing::put_report(measure::json_of(*report), measure::text_of(*report),
+                             measure::plot_of(*report), arguments.json, arguments.plot)
       .map([] { return 0; });
 }
 

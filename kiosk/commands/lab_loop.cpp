@@ -3,7 +3,7 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/measure/force_loop.h"
 
 namespace onggi::commands {
@@ -32,8 +32,8 @@ Result<int> loop(const LoopArguments& arguments) {
   if (!arguments.write.empty()) return write_limit(arguments.write);
   const auto report = measure::measure_force_loop(stderr);
   if (!report) return tl::unexpected(report.error());
-  return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
-                    arguments.json, arguments.plot)
+  return drawing::put_report(measure::json_of(*report), measure::text_of(*report),
+                             measure::plot_of(*report), arguments.json, arguments.plot)
       .map([&report] { return report->good() ? 0 : 1; });
 }
 

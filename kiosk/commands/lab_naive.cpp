@@ -5,7 +5,7 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/naive_table.h"
 
@@ -60,7 +60,7 @@ Result<int> naive(NaiveArguments& arguments) {
   if (arguments.pointer == "finger") plan.pointer = measure::NaiveHands::Pointer::finger;
   const auto table = measure::measure_naive(plan, stderr);
   if (!table) return tl::unexpected(table.error());
-  const auto free = put_report(measure::json_of(*table), arguments.json);
+  const auto free = drawing::put_report(measure::json_of(*table), arguments.json);
   if (!free) return tl::unexpected(free.error());
   if (*free) std::fputs(measure::text_of(*table).c_str(), stdout);
   return 0;

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/drawing/spectrogram.h"
 #include "kiosk/measure/studio_film.h"
 #include "kiosk/measure/touch_to_sound.h"
@@ -32,7 +32,7 @@ Result<int> sound(const SoundArguments& arguments) {
   }
   const auto heard = measure::touch_to_sound(arguments.plan, stderr);
   if (!heard) return tl::unexpected(heard.error());
-  const auto put = put_report(measure::json_of(*heard), arguments.json);
+  const auto put = drawing::put_report(measure::json_of(*heard), arguments.json);
   if (!put) return tl::unexpected(put.error());
   if (*put) std::fputs(measure::text_of(*heard).c_str(), stdout);
   return 0;

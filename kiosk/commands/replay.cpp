@@ -4,8 +4,8 @@
 
 #include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/replay_file.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/measure/visit_report.h"
 
 namespace onggi::commands {
@@ -20,18 +20,18 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
 
   const bool same =
       outcome->first_difference_tick < 0 && outcome->recorded_hash == outcome->replayed_hash;
-  const auto free =
-      put_report(files::Json::object({{"file", name},
-                                      {"vessel", outcome->vessel_id},
-                                      {"glaze", outcome->glaze},
-                                      {"seed", outcome->seed},
-                                      {"ticks", outcome->ticks},
-                                      {"state_hash", measure::hash_text(outcome->replayed_hash)},
-                                      {"recorded_hash", measure::hash_text(outcome->recorded_hash)},
-                                      {"hashes_checked", outcome->hashes_checked},
-                                      {"first_difference_tick", outcome->first_difference_tick},
-                                      {"same", same}}),
-                 json_file);
+  const auto free = drawing::put_report(
+      files::Json::object({{"file", name},
+                           {"vessel", outcome->vessel_id},
+                           {"glaze", outcome->glaze},
+                           {"seed", outcome->seed},
+                           {"ticks", outcome->ticks},
+                           {"state_hash", measure::hash_text(outcome->replayed_hash)},
+                           {"recorded_hash", measure::hash_text(outcome->recorded_hash)},
+                           {"hashes_checked", outcome->hashes_checked},
+                           {"first_difference_tick", outcome->first_difference_tick},
+                           {"same", same}}),
+      json_file);
   if (!free) return tl::unexpected(free.error());
   if (*free)
     std::cout << terminal::plain(name) << ": " << outcome->ticks << " ticks of "

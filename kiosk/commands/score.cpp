@@ -5,9 +5,9 @@
 
 #include "engine/scene/lump.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/score_files.h"
 #include "kiosk/content/language.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/visit_report.h"
 #include "kiosk/score/likeness.h"
@@ -147,7 +147,7 @@ Result<int> compare_files(const ScoreArguments& arguments) {
       score::judge(scaled(target->profile, scale), pot->profile, !size_counts,
                    target->true_size ? 1.0 / scale : 0.0, *rubric);
   const auto free =
-      put_report(report_of(*target, *pot, score, size_counts, *words), arguments.json);
+      drawing::put_report(report_of(*target, *pot, score, size_counts, *words), arguments.json);
   if (!free) return tl::unexpected(free.error());
   if (*free) print_summary(*target, *pot, score, 1.0 / scale, *words);
   return 0;

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/soak_days.h"
 
@@ -30,8 +30,8 @@ Result<int> soak_days(SoakArguments& arguments) {
     if (auto good = out->check(); !good) return tl::unexpected(good.error());
   const auto report = measure::soak_days(arguments.days);
   if (!report) return tl::unexpected(report.error());
-  return put_report(measure::json_of(*report), measure::text_of(*report), measure::plot_of(*report),
-                    arguments.json, arguments.plot)
+  return drawing::put_report(measure::json_of(*report), measure::text_of(*report),
+                             measure::plot_of(*report), arguments.json, arguments.plot)
       .map([&report] { return report->good() ? 0 : 1; });
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/settings/exhibit.h"
 #include "kiosk/store/figures_report.h"
@@ -87,8 +87,8 @@ Result<int> stats(const StatsArguments& arguments) {
     return tl::unexpected(good.error());
   const std::string words =
       arguments.csv.wanted() && arguments.csv.to_stdout() ? std::string() : store::words_of(told);
-  const auto put =
-      put_report(store::json_of(told), words, plot_of(told), arguments.json, arguments.plot);
+  const auto put = drawing::put_report(store::json_of(told), words, plot_of(told), arguments.json,
+                                       arguments.plot);
   if (!put) return tl::unexpected(put.error());
   return 0;
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/settings/scene_file.h"
 #include "kiosk/tuning/machine.h"
 #include "kiosk/tuning/scene_writer.h"
@@ -47,7 +47,7 @@ Result<int> tune(const TuneArguments& arguments) {
     if (const auto done = tuning::write_grid(file, grid->rows, grid->sectors, note); !done)
       return tl::unexpected(done.error());
   }
-  const auto put = put_report(json_of(*grid), arguments.json);
+  const auto put = drawing::put_report(json_of(*grid), arguments.json);
   if (!put) return tl::unexpected(put.error());
   if (*put) std::printf("%s: %s\n", file.c_str(), tuning::words_of(*grid).c_str());
   return grid->in_time ? 0 : 1;

@@ -12,8 +12,8 @@
 #include "engine/base/nearest_name.h"
 #include "engine/script/script.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/put_report.h"
 #include "kiosk/commands/window_size.h"
+#include "kiosk/drawing/put_report.h"
 #include "kiosk/encoding/encode.h"
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/files/durable_file.h"
@@ -312,10 +312,10 @@ Result<int> visit(const VisitArguments& arguments) {
   files::Json report = measure::visit_report(*kiosk.kept(), *pages, visitor.looks());
   report["first_tick"] = first_tick;
   if (!arguments.mission.empty()) report["mission"] = arguments.mission;
-  const auto kept = put_report(
+  const auto kept = drawing::put_report(
       report, files::Output(files::Output::Kind::json, fs::path(arguments.out) / "visit.json"));
   if (!kept) return tl::unexpected(kept.error());
-  const auto free = put_report(report, arguments.json);
+  const auto free = drawing::put_report(report, arguments.json);
   if (!free) return tl::unexpected(free.error());
   if (*free) std::cout << measure::visit_summary(*kiosk.kept());
   return 0;

@@ -1,8 +1,8 @@
-#include "kiosk/commands/put_report.h"
+#include "kiosk/drawing/put_report.h"
 
 #include <iostream>
 
-namespace onggi::commands {
+namespace onggi::drawing {
 
 Result<bool> put_report(const files::Json& report, const files::Output& output) {
   if (!output.wanted()) return true;
@@ -19,4 +19,4 @@ Result<void> put_report(const files::Json& report, const std::string& words,
   return picture.write(drawing::draw_plot(plot, picture.where()));
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::drawing

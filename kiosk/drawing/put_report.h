@@ -7,7 +7,7 @@
 #include "kiosk/files/json.h"
 #include "kiosk/files/output.h"
 
-namespace onggi::commands {
+namespace onggi::drawing {
 
 /// What --json asks for: `report`, indented and with a newline, to where `output` says. True where
 /// standard output is still free for a person's summary.
@@ -19,4 +19,4 @@ Result<void> put_report(const files::Json& report, const std::string& words,
                         const drawing::Plot& plot, const files::Output& json,
                         const files::Output& picture);
 
-}  // namespace onggi::commands
+}  // namespace onggi::drawing
