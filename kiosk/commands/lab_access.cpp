@@ -3,7 +3,6 @@
 #include <span>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/window_size.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/paths.h"
@@ -11,6 +10,7 @@
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/access_report.h"
 #include "kiosk/measure/no_keepsakes.h"
+#include "kiosk/render/window_size.h"
 
 namespace onggi::commands {
 
@@ -42,7 +42,7 @@ Result<int> access(const AccessArguments& arguments) {
   options.stepped = true;
   options.devices = false;
   options.language = arguments.language;
-  if (auto good = read_window_size(arguments.window, options.window); !good)
+  if (auto good = render::read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());
   const auto nowhere = measure::NoKeepsakes::make();
   if (!nowhere) return tl::unexpected(nowhere.error());

@@ -3,10 +3,10 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/window_size.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/frame_rate.h"
+#include "kiosk/render/window_size.h"
 
 namespace onggi::commands {
 
@@ -24,7 +24,7 @@ Result<int> frames(FramesArguments& arguments) {
   arguments.plan.config = *config;
   if (!arguments.size.empty()) {
     render::WindowOptions window;
-    if (auto good = read_window_size(arguments.size, window); !good)
+    if (auto good = render::read_window_size(arguments.size, window); !good)
       return tl::unexpected(good.error());
     arguments.plan.sizes = {{window.width, window.height}};
   }

@@ -7,12 +7,12 @@
 
 #include "kiosk/commands/attendance.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/window_size.h"
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/exhibit/reload.h"
 #include "kiosk/files/log.h"
 #include "kiosk/files/monotonic.h"
 #include "kiosk/files/paths.h"
+#include "kiosk/render/window_size.h"
 
 namespace onggi::commands {
 
@@ -74,7 +74,7 @@ Result<int> run(const RunArguments& arguments) {
   options.config = *config;
   options.seed = static_cast<std::uint64_t>(files::monotonic_seconds() * 1e6);
   if (!arguments.shelf.empty()) options.shelf = arguments.shelf;
-  if (auto good = read_window_size(arguments.window, options.window); !good)
+  if (auto good = render::read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());
 
   std::signal(SIGINT, [](int) { asked_to_stop = 1; });

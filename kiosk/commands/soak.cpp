@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/window_size.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/measure/soak_days.h"
+#include "kiosk/render/window_size.h"
 
 namespace onggi::commands {
 
@@ -40,7 +40,7 @@ Result<int> soak(SoakArguments& arguments) {
   if (!config) return tl::unexpected(config.error());
   arguments.plan.config = *config;
   arguments.plan.keepsakes = arguments.out;
-  if (auto good = read_window_size(arguments.window, arguments.plan.window); !good)
+  if (auto good = render::read_window_size(arguments.window, arguments.plan.window); !good)
     return tl::unexpected(good.error());
   if (arguments.hours > 0) return soak_days(arguments);
   return measure::soak(arguments.plan);

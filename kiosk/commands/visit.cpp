@@ -12,7 +12,6 @@
 #include "engine/base/nearest_name.h"
 #include "engine/script/script.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/window_size.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/encoding/encode.h"
 #include "kiosk/exhibit/kiosk.h"
@@ -23,6 +22,7 @@
 #include "kiosk/measure/aided_walk.h"
 #include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/visit_report.h"
+#include "kiosk/render/window_size.h"
 
 namespace fs = std::filesystem;
 
@@ -256,7 +256,7 @@ Result<int> visit(const VisitArguments& arguments) {
   options.keepsakes = fs::path(arguments.out);
   options.mission = arguments.mission;
   options.window.visible = arguments.realtime;
-  if (auto good = read_window_size(arguments.window, options.window); !good)
+  if (auto good = render::read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());
   const Choice choice = choose(arguments);
   options.shelf = choice.shelf;

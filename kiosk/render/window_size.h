@@ -5,9 +5,9 @@
 #include "engine/base/result.h"
 #include "kiosk/render/renderer.h"
 
-namespace onggi::commands {
+namespace onggi::render {
 
 /// "1280x720" into `options`; 320x240 to 7680x4320. An empty text leaves full screen.
 Result<void> read_window_size(const std::string& text, render::WindowOptions& options);
 
-}  // namespace onggi::commands
+}  // namespace onggi::render

@@ -1,8 +1,8 @@
-#include "kiosk/commands/window_size.h"
+#include "kiosk/render/window_size.h"
 
 #include <charconv>
 
-namespace onggi::commands {
+namespace onggi::render {
 
 Result<void> read_window_size(const std::string& text, render::WindowOptions& options) {
   if (text.empty()) return {};
@@ -21,4 +21,4 @@ Result<void> read_window_size(const std::string& text, render::WindowOptions& op
   return {};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::render
