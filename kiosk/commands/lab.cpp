@@ -4,9 +4,9 @@
 #include <string>
 
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/replay_file.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
+#include "kiosk/files/replay_file.h"
 #include "kiosk/measure/loop_timing.h"
 #include "kiosk/measure/price_list.h"
 #include "kiosk/measure/scene_bill.h"
@@ -96,7 +96,7 @@ struct StabilityArguments {
 
 Result<int> stability(StabilityArguments& arguments) {
   if (!arguments.check.empty()) {
-    const auto replay = read_replay(arguments.check);
+    const auto replay = files::read_replay(arguments.check);
     if (!replay) return tl::unexpected(replay.error());
     const auto said = measure::check_replay(*replay);
     if (!said) return tl::unexpected(said.error());

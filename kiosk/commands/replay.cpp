@@ -4,8 +4,8 @@
 
 #include "engine/base/plain_text.h"
 #include "kiosk/commands/commands.h"
-#include "kiosk/commands/replay_file.h"
 #include "kiosk/drawing/put_report.h"
+#include "kiosk/files/replay_file.h"
 #include "kiosk/measure/visit_report.h"
 
 namespace onggi::commands {
@@ -13,7 +13,7 @@ namespace onggi::commands {
 namespace {
 
 Result<int> replay(const std::string& name, const files::Output& json_file) {
-  const auto read = read_replay(name);
+  const auto read = files::read_replay(name);
   if (!read) return tl::unexpected(read.error());
   const auto outcome = run_replay(*read);
   if (!outcome) return tl::unexpected(outcome.error());

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "engine/profile/extraction.h"
-#include "kiosk/commands/replay_file.h"
 #include "kiosk/content/drawing.h"
 #include "kiosk/content/model.h"
 #include "kiosk/content/vessel.h"
+#include "kiosk/files/replay_file.h"
 
 namespace fs = std::filesystem;
 
@@ -38,7 +38,7 @@ Result<Shape> read_drawing_shape(const fs::path& path) {
 }
 
 Result<Shape> read_thrown(const fs::path& path) {
-  const auto replay = read_replay(path);
+  const auto replay = files::read_replay(path);
   if (!replay) return tl::unexpected(replay.error());
   std::unique_ptr<Scene> scene;
   const auto outcome = run_replay(*replay, &scene);

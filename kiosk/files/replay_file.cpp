@@ -1,10 +1,10 @@
-#include "kiosk/commands/replay_file.h"
+#include "kiosk/files/replay_file.h"
 
 #include <span>
 
 #include "kiosk/files/read_file.h"
 
-namespace onggi::commands {
+namespace onggi::files {
 
 namespace {
 constexpr std::size_t kLargest = 1u << 30;  // Over ten hours of restless hands.
@@ -26,4 +26,4 @@ Result<Replay> read_replay(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::files

@@ -5,9 +5,9 @@
 #include "engine/base/result.h"
 #include "engine/scene/replay.h"
 
-namespace onggi::commands {
+namespace onggi::files {
 
 /// Reads a visit.onggi. Problem where there is none, it is over 1 GiB or damaged. Allocates.
 Result<Replay> read_replay(const std::filesystem::path& file);
 
-}  // namespace onggi::commands
+}  // namespace onggi::files
