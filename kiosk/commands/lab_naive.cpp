@@ -57,7 +57,7 @@ Result<int> naive(NaiveArguments& arguments) {
   plan.exhibit_file = config->string();
   plan.moments = *moments;
   plan.vessels = split(arguments.vessels);
-  if (arguments.pointer == "finger") plan.pointer = measure::NaiveHands::Pointer::finger;
+  if (arguments.pointer == "finger") plan.pointer = rehearsal::NaiveHands::Pointer::finger;
   const auto table = measure::measure_naive(plan, stderr);
   if (!table) return tl::unexpected(table.error());
   const auto free = drawing::put_report(measure::json_of(*table), arguments.json);

@@ -6,7 +6,7 @@
 #include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/replay_file.h"
-#include "kiosk/measure/visit_report.h"
+#include "kiosk/rehearsal/visit_report.h"
 
 namespace onggi::commands {
 
@@ -26,8 +26,8 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
                            {"glaze", outcome->glaze},
                            {"seed", outcome->seed},
                            {"ticks", outcome->ticks},
-                           {"state_hash", measure::hash_text(outcome->replayed_hash)},
-                           {"recorded_hash", measure::hash_text(outcome->recorded_hash)},
+                           {"state_hash", rehearsal::hash_text(outcome->replayed_hash)},
+                           {"recorded_hash", rehearsal::hash_text(outcome->recorded_hash)},
                            {"hashes_checked", outcome->hashes_checked},
                            {"first_difference_tick", outcome->first_difference_tick},
                            {"same", same}}),
@@ -38,7 +38,7 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
               << terminal::plain(outcome->vessel_id) << ", "
               << (outcome->glaze.empty() ? "" : "glaze " + terminal::plain(outcome->glaze) + ", ")
               << (same ? "the same pot, bit for bit (" : "another pot than was recorded (")
-              << measure::hash_text(outcome->replayed_hash) << ")\n";
+              << rehearsal::hash_text(outcome->replayed_hash) << ")\n";
   if (!same && outcome->first_difference_tick >= 0)
     std::cerr << name << ": first different at tick " << outcome->first_difference_tick << "\n";
   return same ? 0 : 1;

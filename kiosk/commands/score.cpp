@@ -9,7 +9,7 @@
 #include "kiosk/content/language.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
-#include "kiosk/measure/visit_report.h"
+#include "kiosk/rehearsal/visit_report.h"
 #include "kiosk/score/likeness.h"
 #include "kiosk/score/score.h"
 #include "kiosk/settings/rubric.h"
@@ -87,7 +87,7 @@ Json report_of(const Shape& target, const Shape& pot, const score::Score& score,
        {"size_counts", size_counts},
        {"words", score.largest ? words.say(score.largest->key, score.largest->places) : ""},
        {"largest", score.largest ? json_of(*score.largest, words) : Json()},
-       {"measures", measure::json_of(score.measures)},
+       {"measures", rehearsal::json_of(score.measures)},
        {"alike", list(score.alike)},
        {"try_next", list(score.try_next)}});
 }

@@ -19,9 +19,9 @@
 #include "kiosk/files/monotonic.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/virtual_display.h"
-#include "kiosk/measure/aided_walk.h"
-#include "kiosk/measure/scripted_visitor.h"
-#include "kiosk/measure/visit_report.h"
+#include "kiosk/rehearsal/aided_walk.h"
+#include "kiosk/rehearsal/scripted_visitor.h"
+#include "kiosk/rehearsal/visit_report.h"
 #include "kiosk/render/window_size.h"
 
 namespace fs = std::filesystem;
@@ -155,7 +155,7 @@ class ScreenAlbum {
 };
 
 /// Frames until the visitor is done; prints how far the throwing is.
-Result<void> walk(exhibit::Kiosk& kiosk, measure::ScriptedVisitor& visitor, int ticks,
+Result<void> walk(exhibit::Kiosk& kiosk, rehearsal::ScriptedVisitor& visitor, int ticks,
                   bool realtime, ScreenAlbum* film, int& first_tick) {
   const double begun = files::monotonic_seconds();
   const double step = ticks * kTick;
@@ -194,7 +194,7 @@ bool aided(const VisitArguments& arguments) {
 /// Without eyes or with one switch; what was said goes to OUT/said.txt.
 Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int card, int mission,
                   int glaze, ScreenAlbum& album) {
-  measure::AidedWalk how;
+  rehearsal::AidedWalk how;
   how.blind = arguments.script == kBlind;
   how.card = card;
   how.mission = mission;
@@ -273,7 +273,7 @@ Result<int> visit(const VisitArguments& arguments) {
   if (!mission) return tl::unexpected(mission.error());
 
   ScreenAlbum album(kiosk, fs::path(arguments.out) / "screens");
-  measure::ScriptedVisitor::Plan plan;
+  rehearsal::ScriptedVisitor::Plan plan;
   plan.script = arguments.script;
   plan.card = *card;
   plan.mission = *mission;
@@ -282,7 +282,7 @@ Result<int> visit(const VisitArguments& arguments) {
              kiosk.missions().cards()[static_cast<std::size_t>(*mission)].mission->kind ==
                  settings::Mission::Kind::two_hands;
   plan.seed = arguments.seed;
-  using Hand = measure::ScriptedVisitor::Plan::Hand;
+  using Hand = rehearsal::ScriptedVisitor::Plan::Hand;
   plan.hand = arguments.hand == "mouse"    ? Hand::pointer
               : arguments.hand == "device" ? Hand::device
                                            : Hand::script;
@@ -292,10 +292,10 @@ Result<int> visit(const VisitArguments& arguments) {
   const bool naive = arguments.script == kNaive;
   if (naive)
     plan.naive = {arguments.seconds, arguments.pointer == "finger"
-                                         ? measure::NaiveHands::Pointer::finger
-                                         : measure::NaiveHands::Pointer::mouse};
-  measure::ScriptedVisitor visitor(kiosk, plan,
-                                   [&album](const std::string& name) { album.take(name); });
+                                         ? rehearsal::NaiveHands::Pointer::finger
+                                         : rehearsal::NaiveHands::Pointer::mouse};
+  rehearsal::ScriptedVisitor visitor(kiosk, plan,
+                                     [&album](const std::string& name) { album.take(name); });
   int first_tick = 0;
   ScreenAlbum film(kiosk, arguments.film);
   const auto walked =
@@ -309,7 +309,7 @@ Result<int> visit(const VisitArguments& arguments) {
   if (!pages) return tl::unexpected(pages.error());
   if (const auto frames = film.write(); !frames) return tl::unexpected(frames.error());
 
-  files::Json report = measure::visit_report(*kiosk.kept(), *pages, visitor.looks());
+  files::Json report = rehearsal::visit_report(*kiosk.kept(), *pages, visitor.looks());
   report["first_tick"] = first_tick;
   if (!arguments.mission.empty()) report["mission"] = arguments.mission;
   const auto kept = drawing::put_report(
@@ -317,7 +317,7 @@ Result<int> visit(const VisitArguments& arguments) {
   if (!kept) return tl::unexpected(kept.error());
   const auto free = drawing::put_report(report, arguments.json);
   if (!free) return tl::unexpected(free.error());
-  if (*free) std::cout << measure::visit_summary(*kiosk.kept());
+  if (*free) std::cout << rehearsal::visit_summary(*kiosk.kept());
   return 0;
 }
 

@@ -2,7 +2,7 @@
 
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/measure/no_keepsakes.h"
-#include "kiosk/measure/scripted_visitor.h"
+#include "kiosk/rehearsal/scripted_visitor.h"
 
 namespace onggi::measure {
 namespace {
@@ -17,20 +17,21 @@ class Counted {
  public:
   explicit Counted(exhibit::Kiosk& kiosk) : kiosk_(kiosk) {}
 
-  Result<void> frame(bool draw, ScriptedVisitor* visitor, int ticks = kTicks) {
+  Result<void> frame(bool draw, rehearsal::ScriptedVisitor* visitor, int ticks = kTicks) {
     kiosk_.advance(ticks);
     if (!kiosk_.frame(now_, draw)) return tl::unexpected(shut());
     now_ += kTicks * 1e-3;
     if (visitor == nullptr) return {};
     return visitor->step(now_);
   }
-  Result<void> frames(double seconds, ScriptedVisitor* visitor) {
+  Result<void> frames(double seconds, rehearsal::ScriptedVisitor* visitor) {
     for (const double end = now_ + seconds; now_ < end;)
       if (auto good = frame(false, visitor); !good) return good;
     return {};
   }
   /// `count` frames that are drawn, after a few to come to rest.
-  Result<FrameLoad> count(const char* screen, bool moving, int count, ScriptedVisitor* visitor) {
+  Result<FrameLoad> count(const char* screen, bool moving, int count,
+                          rehearsal::ScriptedVisitor* visitor) {
     render::Renderer& renderer = kiosk_.renderer();
     const int ticks = moving ? kTicks : 0;
     for (int n = 0; n < 4; ++n)
@@ -68,7 +69,7 @@ Result<std::vector<FrameLoad>> measure_load(const FrameLoadPlan& plan) {
   if (!kiosk) return tl::unexpected(kiosk.error());
   Counted counted(**kiosk);
   std::vector<FrameLoad> loads;
-  const auto count = [&](const char* screen, ScriptedVisitor* visitor) -> Result<void> {
+  const auto count = [&](const char* screen, rehearsal::ScriptedVisitor* visitor) -> Result<void> {
     for (const bool moving : {true, false}) {
       auto load = counted.count(screen, moving, plan.frames, moving ? visitor : nullptr);
       if (!load) return tl::unexpected(load.error());
@@ -79,10 +80,10 @@ Result<std::vector<FrameLoad>> measure_load(const FrameLoadPlan& plan) {
   if (auto good = counted.frames(plan.attract, nullptr); !good) return tl::unexpected(good.error());
   if (auto good = count("attract", nullptr); !good) return tl::unexpected(good.error());
 
-  ScriptedVisitor::Plan visit;
-  visit.naive = ScriptedVisitor::Naive{600, NaiveHands::Pointer::mouse};
+  rehearsal::ScriptedVisitor::Plan visit;
+  visit.naive = rehearsal::ScriptedVisitor::Naive{600, rehearsal::NaiveHands::Pointer::mouse};
   visit.linger = 0.5;
-  ScriptedVisitor visitor(**kiosk, visit, {});
+  rehearsal::ScriptedVisitor visitor(**kiosk, visit, {});
   const double asked = counted.now();
   while (!visitor.throwing()) {
     if (auto good = counted.frame(false, &visitor); !good) return tl::unexpected(good.error());

@@ -8,9 +8,9 @@
 #include "kiosk/files/monotonic.h"
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/measure/no_keepsakes.h"
-#include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/similarity.h"
-#include "kiosk/measure/tap.h"
+#include "kiosk/rehearsal/scripted_visitor.h"
+#include "kiosk/rehearsal/tap.h"
 #include "kiosk/render/canvas.h"
 #include "kiosk/view/looks_same.h"
 
@@ -31,7 +31,8 @@ class Watched {
   bool open() const { return open_; }
 
   /// Frames for `seconds`, with `visitor` at work between them where there is one.
-  Result<FrameRateRow> observe(const char* screen, double seconds, ScriptedVisitor* visitor);
+  Result<FrameRateRow> observe(const char* screen, double seconds,
+                               rehearsal::ScriptedVisitor* visitor);
   Result<FrameDelays> delays();
 
  private:
@@ -58,7 +59,7 @@ void Watched::compare(std::vector<double>& similar) {
 }
 
 Result<FrameRateRow> Watched::observe(const char* screen, double seconds,
-                                      ScriptedVisitor* visitor) {
+                                      rehearsal::ScriptedVisitor* visitor) {
   FrameRateRow row{kiosk_.renderer().width(), kiosk_.renderer().height(), screen};
   std::vector<double> took, similar;
   double scales = 0, busy = 0, watched = 0, compared_at = files::monotonic_seconds();
@@ -111,8 +112,8 @@ Result<FrameDelays> Watched::delays() {
   FrameDelays delays{kiosk_.renderer().width(), kiosk_.renderer().height(), 0, {}, {}};
   screens::Visit& visit = kiosk_.visit();
   // The wheel is stopped by its own button.
-  while (const auto way = way_to(visit, "throw.slower")) {
-    tap(visit, way->x + 2, way->y + 2, files::monotonic_seconds());
+  while (const auto way = rehearsal::way_to(visit, "throw.slower")) {
+    rehearsal::tap(visit, way->x + 2, way->y + 2, files::monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());
   }
   while (kiosk_.potter().view().status.feedback.wheel_speed != 0) {
@@ -192,10 +193,10 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
   if (!attract) return tl::unexpected(attract.error());
   report.rows.push_back(*attract);
 
-  ScriptedVisitor::Plan visit;
-  visit.naive = ScriptedVisitor::Naive{600, NaiveHands::Pointer::mouse};
+  rehearsal::ScriptedVisitor::Plan visit;
+  visit.naive = rehearsal::ScriptedVisitor::Naive{600, rehearsal::NaiveHands::Pointer::mouse};
   visit.linger = 0.5;
-  ScriptedVisitor visitor(**kiosk, visit, {});
+  rehearsal::ScriptedVisitor visitor(**kiosk, visit, {});
   const double asked = files::monotonic_seconds();
   while (!visitor.throwing()) {
     if (!watched.frame()) return tl::unexpected(closed());

@@ -141,7 +141,8 @@ files::Json json_of(const NaiveTable& table) {
   return files::Json::object(
       {{"scene", table.scene},
        {"machine", table.machine},
-       {"pointer", table.plan.pointer == NaiveHands::Pointer::finger ? "finger" : "mouse"},
+       {"pointer",
+        table.plan.pointer == rehearsal::NaiveHands::Pointer::finger ? "finger" : "mouse"},
        {"naive", naive},
        {"careful", careful}});
 }
@@ -149,7 +150,7 @@ files::Json json_of(const NaiveTable& table) {
 std::string text_of(const NaiveTable& table) {
   char line[200];
   std::snprintf(line, sizeof line, "naive hands, %s, %s, seeds %llu to %llu\n", table.scene.c_str(),
-                table.plan.pointer == NaiveHands::Pointer::finger ? "finger" : "mouse",
+                table.plan.pointer == rehearsal::NaiveHands::Pointer::finger ? "finger" : "mouse",
                 static_cast<unsigned long long>(table.plan.first),
                 static_cast<unsigned long long>(table.plan.first) + table.plan.seeds - 1);
   std::string text = line;

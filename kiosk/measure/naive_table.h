@@ -20,7 +20,7 @@ struct NaivePlan {
   int seeds = 20;                                   ///< Visits a vessel, >= 1.
   std::uint64_t first = 1;                          ///< Seed of the first.
   std::vector<double> moments = {30, 60, 90, 120};  ///< s, rising, 5 to 600: when pots are judged.
-  NaiveHands::Pointer pointer = NaiveHands::Pointer::mouse;
+  rehearsal::NaiveHands::Pointer pointer = rehearsal::NaiveHands::Pointer::mouse;
   bool careful = false;  ///< And the script's hand, once a vessel.
   int threads = 1;
 };

@@ -10,8 +10,8 @@
 #include "kiosk/access/assistant.h"
 #include "kiosk/exhibit/words.h"
 #include "kiosk/loop/stepped_potter.h"
-#include "kiosk/measure/aided_visitor.h"
-#include "kiosk/measure/tap.h"
+#include "kiosk/rehearsal/aided_visitor.h"
+#include "kiosk/rehearsal/tap.h"
 #include "kiosk/score/score.h"
 #include "kiosk/screens/visit.h"
 #include "kiosk/settings/scene_file.h"
@@ -90,19 +90,19 @@ class Walk {
     for (int n = 0; n < count; ++n) frame();
   }
   Result<void> touch(const std::string& id) {
-    while (const auto way = way_to(visit_, id)) {
-      tap(visit_, way->x + way->w / 2, way->y + way->h / 2, now);
+    while (const auto way = rehearsal::way_to(visit_, id)) {
+      rehearsal::tap(visit_, way->x + way->w / 2, way->y + way->h / 2, now);
       frame();
     }
     const auto at = visit_.control(id);
     if (!at) return problem("the visit", "No control " + id + " is on its screen.", "Report it.");
-    tap(visit_, at->x + at->w / 2, at->y + at->h / 2, now);
+    rehearsal::tap(visit_, at->x + at->w / 2, at->y + at->h / 2, now);
     return {};
   }
   /// From attract to the wheel, as a visitor goes.
   Result<void> go_to_wheel(int card) {
     frames(50);
-    tap(visit_, 0.5f * kWidth, 0.5f * kHeight, now);
+    rehearsal::tap(visit_, 0.5f * kWidth, 0.5f * kHeight, now);
     frames(60);
     const std::string wanted = "choose.card." + std::to_string(card);
     for (std::size_t page = 0; page < cards_.size() && !visit_.control(wanted); ++page) {
@@ -150,7 +150,7 @@ PotLook look_at(const screens::ShelfCard& card, const Profile& made, const ClayV
   return {seconds,
           score.points,
           score.stars,
-          smoothness(made),
+          rehearsal::smoothness(made),
           out_of_round(clay),
           1.0 - score.measures.opening_lacking,
           score.measures.made.wall_mean};
@@ -195,13 +195,14 @@ Result<int> QuietVisits::card_of(const std::string& vessel) const {
                  nearest.empty() ? "Run onggi check for what it has." : "Write " + nearest + ".");
 }
 
-Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed, NaiveHands::Pointer pointer,
+Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed,
+                                        rehearsal::NaiveHands::Pointer pointer,
                                         const std::vector<double>& moments) const {
   const screens::ShelfCard& which = cards()[static_cast<std::size_t>(card)];
   Walk walk(exhibit_, *scenes_, cards(), languages_);
   if (auto good = walk.go_to_wheel(card); !good) return tl::unexpected(good.error());
   QuietOutcome out{which.vessel->id, seed, {}, std::nullopt, 0};
-  NaiveHands hands(seed, moments.back(), pointer);
+  rehearsal::NaiveHands hands(seed, moments.back(), pointer);
   const double begun = walk.now;
   double looked = -kOften, trouble = -1;
   Profile lump, made;
@@ -226,12 +227,13 @@ Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed, NaiveHands
     if (lump.points.empty()) lump = made;
     if (since - looked >= kOften) {
       looked = since;
-      if (!out.handsome_at && handsome(smoothness(made)) && apart(made, lump) > kOffLump)
+      if (!out.handsome_at && rehearsal::handsome(rehearsal::smoothness(made)) &&
+          rehearsal::apart(made, lump) > kOffLump)
         out.handsome_at = since;
     }
     while (out.looks.size() < moments.size() && since >= moments[out.looks.size()])
       note(moments[out.looks.size()]);
-    const NaiveHands::Move move = hands.step(since, *sight, kWidth);
+    const rehearsal::NaiveHands::Move move = hands.step(since, *sight, kWidth);
     for (const view::InputEvent& event : move.events) walk.visit().input(event, walk.now);
     if (!move.control.empty())
       if (auto good = walk.touch(move.control); !good) return tl::unexpected(good.error());
@@ -274,9 +276,9 @@ Result<AidedOutcome> QuietVisits::aided(const Aim& aim, double pace, Act&& act) 
   return out;
 }
 
-VisitPlan QuietVisits::plan(const Aim& aim, int strokes) const {
+rehearsal::VisitPlan QuietVisits::plan(const Aim& aim, int strokes) const {
   const content::Language& language = languages_.front();
-  VisitPlan::Of of;
+  rehearsal::VisitPlan::Of of;
   of.vessel = aim.card->vessel->label(language.code()).title;
   if (aim.mission != nullptr) of.mission = aim.mission->title_in(language.code());
   if (aim.card->wheel.kiln)
@@ -296,7 +298,7 @@ Result<AidedOutcome> QuietVisits::with_mission(const std::string& id, Make&& mak
 }
 
 Result<AidedOutcome> QuietVisits::blind(const Aim& aim, int strokes) const {
-  BlindVisitor visitor(plan(aim, strokes), exhibit_.access.hold_to_speak);
+  rehearsal::BlindVisitor visitor(plan(aim, strokes), exhibit_.access.hold_to_speak);
   std::string lost;
   auto outcome = aided(aim, exhibit_.screen.scan_seconds,
                        [&](screens::Visit&, access::Assistant& assistant,
@@ -316,7 +318,7 @@ Result<AidedOutcome> QuietVisits::blind(const Aim& aim, int strokes) const {
 }
 
 Result<AidedOutcome> QuietVisits::one_switch(const Aim& aim, int strokes, double pace) const {
-  SwitchVisitor visitor(plan(aim, strokes), exhibit_.access.hold_to_speak);
+  rehearsal::SwitchVisitor visitor(plan(aim, strokes), exhibit_.access.hold_to_speak);
   return aided(aim, pace,
                [&](screens::Visit& visit, access::Assistant& assistant, const access::Utterance*,
                    double now, AidedOutcome& out) {

@@ -10,9 +10,9 @@
 #include "kiosk/exhibit/missions.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/exhibit/shelf.h"
-#include "kiosk/measure/aided_visitor.h"
-#include "kiosk/measure/handsome.h"
-#include "kiosk/measure/naive_hands.h"
+#include "kiosk/rehearsal/aided_visitor.h"
+#include "kiosk/rehearsal/handsome.h"
+#include "kiosk/rehearsal/naive_hands.h"
 #include "kiosk/settings/exhibit.h"
 
 namespace onggi::measure {
@@ -22,10 +22,10 @@ struct PotLook {
   double seconds = 0;  ///< Since the first look at the wheel.
   double points = 0;   ///< As the result screen would say, 0 to 100.
   int stars = 0;
-  Smoothness smooth;        ///< Of the outline.
-  double out_of_round = 0;  ///< RMS of the outer face about its rows' own means, m.
-  double way_in = 1;        ///< The opening at its narrowest / the vessel's own, 0 (shut) to 1.
-  double wall = 0;          ///< Mean thickness, of the vessel as it is on the wheel, m.
+  rehearsal::Smoothness smooth;  ///< Of the outline.
+  double out_of_round = 0;       ///< RMS of the outer face about its rows' own means, m.
+  double way_in = 1;  ///< The opening at its narrowest / the vessel's own, 0 (shut) to 1.
+  double wall = 0;    ///< Mean thickness, of the vessel as it is on the wheel, m.
 };
 
 /// What came of a visit.
@@ -67,7 +67,7 @@ class QuietVisits {
   Result<int> card_of(const std::string& vessel) const;
   /// Naive hands at the wheel; `moments`: s, rising, at which the pot is looked at; they throw on
   /// until the last. Problem where the screens lack a control that visitors need.
-  Result<QuietOutcome> naive(int card, std::uint64_t seed, NaiveHands::Pointer pointer,
+  Result<QuietOutcome> naive(int card, std::uint64_t seed, rehearsal::NaiveHands::Pointer pointer,
                              const std::vector<double>& moments) const;
   /// A whole visit, from attract to attract, in the language that the visits were opened in.
   /// Without eyes: speech is heard and keys are pressed, until `strokes` were made or the pot is
@@ -92,7 +92,7 @@ class QuietVisits {
   };
   template <class Make>
   Result<AidedOutcome> with_mission(const std::string& id, Make&& make) const;
-  VisitPlan plan(const Aim& aim, int strokes) const;
+  rehearsal::VisitPlan plan(const Aim& aim, int strokes) const;
   template <class Act>
   Result<AidedOutcome> aided(const Aim& aim, double pace, Act&& act) const;
   Result<AidedOutcome> blind(const Aim& aim, int strokes) const;

@@ -7,7 +7,7 @@
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/files/monotonic.h"
 #include "kiosk/files/virtual_display.h"
-#include "kiosk/measure/scripted_visitor.h"
+#include "kiosk/rehearsal/scripted_visitor.h"
 
 namespace onggi::measure {
 
@@ -51,7 +51,7 @@ Result<int> soak(const SoakPlan& plan) {
   double next_report = kReportEvery;
   long third_quarter = 0, last_quarter = 0;  // Least resident bytes; 0: not yet looked.
   int visits = 0;
-  std::unique_ptr<ScriptedVisitor> visitor;
+  std::unique_ptr<rehearsal::ScriptedVisitor> visitor;
   for (double now = begun; now - begun < length; now = files::monotonic_seconds()) {
     if (!kiosk.frame(now))
       return problem("the window", "It was closed during the soak.", "Leave it open.", 1);
@@ -61,13 +61,13 @@ Result<int> soak(const SoakPlan& plan) {
       ++visits;
     }
     if (!visitor) {
-      ScriptedVisitor::Plan next;
+      rehearsal::ScriptedVisitor::Plan next;
       next.script = plan.script;
       next.card = visits % std::max(1, static_cast<int>(kiosk.shelf().cards().size()));
       next.seed = static_cast<std::uint64_t>(visits) + 1;
       next.pace = plan.pace;
-      if (plan.by_device) next.hand = ScriptedVisitor::Plan::Hand::device_alone;
-      visitor = std::make_unique<ScriptedVisitor>(kiosk, next, nullptr);
+      if (plan.by_device) next.hand = rehearsal::ScriptedVisitor::Plan::Hand::device_alone;
+      visitor = std::make_unique<rehearsal::ScriptedVisitor>(kiosk, next, nullptr);
     }
     if (auto good = visitor->step(now); !good) return tl::unexpected(good.error());
     const double elapsed = now - begun;

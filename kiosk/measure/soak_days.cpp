@@ -15,9 +15,9 @@
 #include "kiosk/files/virtual_display.h"
 #include "kiosk/files/wall_clock.h"
 #include "kiosk/loop/loop_thread.h"
-#include "kiosk/measure/scripted_visitor.h"
 #include "kiosk/measure/soak_troubles.h"
-#include "kiosk/measure/tap.h"
+#include "kiosk/rehearsal/scripted_visitor.h"
+#include "kiosk/rehearsal/tap.h"
 
 namespace fs = std::filesystem;
 
@@ -84,7 +84,7 @@ class SoakDays {
   std::unique_ptr<exhibit::Kiosk> kiosk_;
   std::unique_ptr<exhibit::Reload> reload_;
   std::unique_ptr<SoakTroubles> troubles_;
-  std::unique_ptr<ScriptedVisitor> visitor_;
+  std::unique_ptr<rehearsal::ScriptedVisitor> visitor_;
   std::vector<souvenir::KeepsakeFiles> kept_;  ///< Since the folder was removed last.
   loop::LoopTiming timing_;                    ///< At the last sample.
   SoakReport report_;
@@ -189,13 +189,14 @@ Result<void> SoakDays::visit() {
   // What is in the folder is looked at before the folder goes.
   if (n % SoakTroubles::kEvery == 13) look_at_all_keepsakes();
   troubles_->before(n);
-  ScriptedVisitor::Plan plan;
-  plan.naive = {kThrows, n % 2 == 0 ? NaiveHands::Pointer::mouse : NaiveHands::Pointer::finger};
+  rehearsal::ScriptedVisitor::Plan plan;
+  plan.naive = {kThrows, n % 2 == 0 ? rehearsal::NaiveHands::Pointer::mouse
+                                    : rehearsal::NaiveHands::Pointer::finger};
   plan.card = n % std::max(1, static_cast<int>(kiosk_->shelf().cards().size()));
   plan.glaze = n % std::max(1, static_cast<int>(kiosk_->glazes().size()));
   plan.seed = plan_.seed + static_cast<std::uint64_t>(n);
   plan.linger = kLinger;
-  visitor_ = std::make_unique<ScriptedVisitor>(*kiosk_, plan, nullptr);
+  visitor_ = std::make_unique<rehearsal::ScriptedVisitor>(*kiosk_, plan, nullptr);
   ++report_.visits;
   const double begun = real_;
   bool changed_language = false;
@@ -210,7 +211,7 @@ Result<void> SoakDays::visit() {
       changed_language = true;
       if (n % 2 == 1) {
         const auto rect = *kiosk_->visit().control("language");
-        tap(kiosk_->visit(), rect.x + rect.w / 2, rect.y + rect.h / 2, now_);
+        rehearsal::tap(kiosk_->visit(), rect.x + rect.w / 2, rect.y + rect.h / 2, now_);
         continue;
       }
     }

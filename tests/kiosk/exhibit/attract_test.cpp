@@ -9,7 +9,7 @@
 #include "kiosk/content/catalogue.h"
 #include "kiosk/exhibit/scenes.h"
 #include "kiosk/loop/stepped_potter.h"
-#include "kiosk/measure/handsome.h"
+#include "kiosk/rehearsal/handsome.h"
 #include "kiosk/score/score.h"
 #include "kiosk/screens/demonstration.h"
 
@@ -32,7 +32,7 @@ double roughest(const ClayView& clay) {
   double worst = 0;
   for (int n = 0; n < 4; ++n)
     worst =
-        std::max(worst, measure::smoothness(silhouette(clay, n * clay.sectors() / 4)).roughness);
+        std::max(worst, rehearsal::smoothness(silhouette(clay, n * clay.sectors() / 4)).roughness);
   return worst;
 }
 
@@ -114,7 +114,7 @@ TEST(Attract, APotterThrowsEveryVesselOfTheShelfAndNoMomentOfItShowsAScrewThread
     potter.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
     screens::Demonstration show(scenes.wheel_of(vessel.id), false);
     // A vessel has turns of its own, and on the way to it the pot has no more.
-    const double most = std::max(kSmooth, measure::smoothness(pot.target).roughness);
+    const double most = std::max(kSmooth, rehearsal::smoothness(pot.target).roughness);
     double worst = 0, worst_at = 0, seconds = 0;
     for (int frame = 0; !show.done() && seconds < 240; ++frame, seconds += 0.025) {
       potter.advance(25);

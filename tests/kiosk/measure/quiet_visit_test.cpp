@@ -13,7 +13,7 @@ const QuietVisits& visits() {
 TEST(QuietVisits, TheSameSeedThrowsTheSamePotAndAnotherAnother) {
   const int card = *visits().card_of("moon_jar");
   const auto throw_one = [&](std::uint64_t seed) {
-    return visits().naive(card, seed, NaiveHands::Pointer::mouse, {5, 8}).value();
+    return visits().naive(card, seed, rehearsal::NaiveHands::Pointer::mouse, {5, 8}).value();
   };
   const QuietOutcome one = throw_one(1), again = throw_one(1), other = throw_one(2);
   ASSERT_EQ(one.looks.size(), 2u);
@@ -29,8 +29,10 @@ TEST(QuietVisits, TheSameSeedThrowsTheSamePotAndAnotherAnother) {
 // A pot is looked at on its way: what comes later changes nothing of that.
 TEST(QuietVisits, WhatIsSeenOnTheWayDoesNotDependOnHowLongTheVisitIs) {
   const int card = *visits().card_of("tea_bowl");
-  const auto brief = visits().naive(card, 3, NaiveHands::Pointer::finger, {5, 6}).value();
-  const auto longer = visits().naive(card, 3, NaiveHands::Pointer::finger, {5, 6, 9}).value();
+  const auto brief =
+      visits().naive(card, 3, rehearsal::NaiveHands::Pointer::finger, {5, 6}).value();
+  const auto longer =
+      visits().naive(card, 3, rehearsal::NaiveHands::Pointer::finger, {5, 6, 9}).value();
   for (std::size_t n = 0; n < 2; ++n) {
     EXPECT_EQ(brief.looks[n].points, longer.looks[n].points);
     EXPECT_EQ(brief.looks[n].out_of_round, longer.looks[n].out_of_round)

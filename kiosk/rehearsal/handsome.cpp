@@ -1,10 +1,10 @@
-#include "kiosk/measure/handsome.h"
+#include "kiosk/rehearsal/handsome.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 namespace {
 constexpr double kStep = 0.0005, kWindow = 0.010, kLedgeStep = 0.001;
@@ -51,4 +51,4 @@ double apart(const Profile& a, const Profile& b) {
   return std::max(std::sqrt(squares / (n + 1)), std::fabs(a.height() - b.height()));
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

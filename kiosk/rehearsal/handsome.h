@@ -2,7 +2,7 @@
 
 #include "engine/profile/profile.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// How a pot's outline looks to a hand that passes over it. Metres.
 struct Smoothness {
@@ -22,4 +22,4 @@ bool handsome(const Smoothness& s);
 /// every half millimetre, metres; and the difference of their heights where that is more.
 double apart(const Profile& a, const Profile& b);
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -7,7 +7,7 @@
 #include "kiosk/access/utterance.h"
 #include "kiosk/exhibit/kiosk.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// A whole visit in the real program by somebody who hears and has keys (blind), or sees and has
 /// one switch: see aided_visitor.h.
@@ -26,4 +26,4 @@ Result<std::vector<access::Utterance>> walk_aided(
     exhibit::Kiosk& kiosk, const AidedWalk& how,
     const std::function<void(const std::string&)>& passed);
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

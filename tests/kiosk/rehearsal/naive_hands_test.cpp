@@ -1,4 +1,4 @@
-#include "kiosk/measure/naive_hands.h"
+#include "kiosk/rehearsal/naive_hands.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 namespace {
 
 using view::InputEvent;
@@ -144,4 +144,4 @@ TEST(NaiveHands, TheirTremorIsOfPixelsNotOfCentimetres) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

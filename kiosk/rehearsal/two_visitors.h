@@ -5,7 +5,7 @@
 #include "kiosk/screens/visit.h"
 #include "kiosk/view/input.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// Two visitors at one wheel, a finger each on the glass: the one on the left draws where the
 /// wall's inside shall be, the one on the right where its outside shall be, both from the foot to
@@ -25,4 +25,4 @@ class TwoVisitors {
   bool down_ = false;
 };
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -1,4 +1,4 @@
-#include "kiosk/measure/aided_visitor.h"
+#include "kiosk/rehearsal/aided_visitor.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "kiosk/settings/mission_file.h"
 #include "tests/kiosk/files/disk.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 namespace {
 
 /// A pot of a whole visit without eyes, or with one switch, is worth this at the least.
@@ -199,4 +199,4 @@ TEST(AidedMissions, EachIsDoneWithOneSwitch) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

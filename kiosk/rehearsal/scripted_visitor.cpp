@@ -1,12 +1,12 @@
-#include "kiosk/measure/scripted_visitor.h"
+#include "kiosk/rehearsal/scripted_visitor.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "engine/script/script.h"
-#include "kiosk/measure/tap.h"
+#include "kiosk/rehearsal/tap.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 using screens::ScreenId;
 
@@ -257,4 +257,4 @@ Result<void> ScriptedVisitor::on_keepsake() {
   return touch("keepsake.done");
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -1,8 +1,8 @@
-#include "kiosk/measure/visit_report.h"
+#include "kiosk/rehearsal/visit_report.h"
 
 #include <cstdio>
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::string visit_summary(const exhibit::KeptVisit& kept) {
   return text;
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

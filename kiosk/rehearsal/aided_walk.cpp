@@ -1,4 +1,4 @@
-#include "kiosk/measure/aided_walk.h"
+#include "kiosk/rehearsal/aided_walk.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "kiosk/files/monotonic.h"
-#include "kiosk/measure/aided_visitor.h"
+#include "kiosk/rehearsal/aided_visitor.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 using screens::ScreenId;
 
@@ -95,4 +95,4 @@ Result<std::vector<access::Utterance>> walk_aided(
   return said;
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -1,10 +1,10 @@
-#include "kiosk/measure/handsome.h"
+#include "kiosk/rehearsal/handsome.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 namespace {
 
 // A pot 0.2 m high whose outer radius at height h is `radius(h)`.
@@ -49,4 +49,4 @@ TEST(Smoothness, ALumpIsAsFarFromItselfAsNothingAndFromATallerOneAsThatIsTaller)
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

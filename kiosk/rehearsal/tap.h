@@ -5,7 +5,7 @@
 
 #include "kiosk/screens/visit.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// A short touch of `visit`'s screen at (x, y) px, down and up again, at `now` (s, the visit's own
 /// clock). Main thread.
@@ -16,4 +16,4 @@ void tap(screens::Visit& visit, float x, float y, double now);
 /// is there, or no way is known.
 std::optional<view::Rect> way_to(const screens::Visit& visit, const std::string& control);
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -7,9 +7,9 @@
 
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/files/json.h"
-#include "kiosk/measure/scripted_visitor.h"
+#include "kiosk/rehearsal/scripted_visitor.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// JSON of a kept visit: {vessel, score, stars, measures, state_hash, ticks, screens[], files[]}.
 /// Lengths in metres; state_hash as 16 hexadecimal digits.
@@ -29,4 +29,4 @@ files::Json json_of(const Measures& m);
 /// 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -1,6 +1,6 @@
-#include "kiosk/measure/visitors_hand.h"
+#include "kiosk/rehearsal/visitors_hand.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 bool VisitorsHand::step(double dt, loop::PotterHost& potter) {
   Hands hands;
@@ -27,4 +27,4 @@ bool VisitorsHand::step(double dt, loop::PotterHost& potter) {
   return true;
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

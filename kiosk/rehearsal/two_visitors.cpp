@@ -1,9 +1,9 @@
-#include "kiosk/measure/two_visitors.h"
+#include "kiosk/rehearsal/two_visitors.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 using view::InputEvent;
 
@@ -47,4 +47,4 @@ std::vector<InputEvent> TwoVisitors::step(double now, const screens::Sight& sigh
   return {finger_at(kind, 0, sight, outside, height), finger_at(kind, 1, sight, -inside, height)};
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -6,7 +6,7 @@
 #include "kiosk/content/language.h"
 #include "kiosk/device/asked_stroke.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// What somebody who knows the language understands of a sentence about the pot.
 struct ToldDifference {
@@ -29,4 +29,4 @@ std::optional<AdvisedStroke> stroke_advised(const std::string& text,
 std::string name_of_part(device::WallPart part, const content::Language& language);
 std::string name_of_ask(device::Ask ask, const content::Language& language);
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

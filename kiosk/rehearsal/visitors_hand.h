@@ -5,7 +5,7 @@
 #include "engine/script/script.h"
 #include "kiosk/loop/potter_host.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// Throws what a script throws the way a person does: from frame to frame, by the pointer, or only
 /// with wheel and water while a device moves the hand. Between strokes it takes its time, as
@@ -29,4 +29,4 @@ class VisitorsHand {
   bool down_ = false;
 };
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -6,12 +6,12 @@
 #include <string>
 
 #include "kiosk/exhibit/kiosk.h"
-#include "kiosk/measure/handsome.h"
-#include "kiosk/measure/naive_hands.h"
-#include "kiosk/measure/two_visitors.h"
-#include "kiosk/measure/visitors_hand.h"
+#include "kiosk/rehearsal/handsome.h"
+#include "kiosk/rehearsal/naive_hands.h"
+#include "kiosk/rehearsal/two_visitors.h"
+#include "kiosk/rehearsal/visitors_hand.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// A visitor who needs no person: touches the screens' own controls, lets a script move the hands,
 /// and keeps the picture. One step a frame, after Kiosk::frame().
@@ -88,4 +88,4 @@ class ScriptedVisitor {
   double looked_at_ = 0, troubled_at_ = -1;
 };
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

@@ -1,11 +1,11 @@
-#include "kiosk/measure/aided_visitor.h"
+#include "kiosk/rehearsal/aided_visitor.h"
 
 #include <algorithm>
 #include <array>
 
-#include "kiosk/measure/told_difference.h"
+#include "kiosk/rehearsal/told_difference.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 using device::Ask;
 using device::WallPart;
@@ -200,4 +200,4 @@ std::vector<InputEvent> SwitchVisitor::step(const screens::Reading& reading,
   return {};
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

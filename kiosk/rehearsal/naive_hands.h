@@ -8,7 +8,7 @@
 #include "kiosk/screens/visit.h"
 #include "kiosk/view/input.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// Somebody's hands who never threw a pot, on a screen: what they see are the pot, the line to meet
 /// and the hint; what they do are strokes in pixels. Nothing of the engine is known here. Written
@@ -59,4 +59,4 @@ class NaiveHands {
   int strokes_ = 0;
 };
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

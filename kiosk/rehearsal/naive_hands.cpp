@@ -1,9 +1,9 @@
-#include "kiosk/measure/naive_hands.h"
+#include "kiosk/rehearsal/naive_hands.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 using view::InputEvent;
 
@@ -235,4 +235,4 @@ NaiveHands::Move NaiveHands::step(double now, const screens::Sight& sight, int w
   return move;
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

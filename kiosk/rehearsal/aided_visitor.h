@@ -10,7 +10,7 @@
 #include "kiosk/screens/reading.h"
 #include "kiosk/view/input.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 /// What a visitor wants who makes a whole visit by names: a vessel or a mission, strokes where the
 /// pot is told to be off or to want one, a glaze, the keepsake. How they come to a name is
@@ -98,4 +98,4 @@ class SwitchVisitor {
   int presses_ = 0;
 };
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

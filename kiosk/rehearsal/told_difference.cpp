@@ -1,4 +1,4 @@
-#include "kiosk/measure/told_difference.h"
+#include "kiosk/rehearsal/told_difference.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::optional<ToldDifference> understand(const std::string& text,
   return worst;
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal

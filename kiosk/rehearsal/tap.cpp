@@ -1,8 +1,8 @@
-#include "kiosk/measure/tap.h"
+#include "kiosk/rehearsal/tap.h"
 
 #include "kiosk/screens/throwing_controls.h"
 
-namespace onggi::measure {
+namespace onggi::rehearsal {
 
 void tap(screens::Visit& visit, float x, float y, double now) {
   for (const auto kind :
@@ -21,4 +21,4 @@ std::optional<view::Rect> way_to(const screens::Visit& visit, const std::string&
   return open ? open : visit.control("throw.less");
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::rehearsal
