@@ -1,11 +1,21 @@
 #include <csignal>
+#include <iostream>
+#include <string>
+#include <vector>
 
 #include "kiosk/cli/command_line.h"
 #include "kiosk/commands/commands.h"
+#include "kiosk/commands/lab_program.h"
 #include "kiosk/device/last_word.h"
 #include "kiosk/files/memory.h"
 
 int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+  if (const auto for_laboratory = onggi::commands::words_for_laboratory(words)) {
+    const onggi::Problem stays = onggi::commands::become_laboratory(*for_laboratory);
+    std::cerr << onggi::to_text(stays) << '\n';
+    return stays.exit_code;
+  }
   onggi::files::keep_heap_small();
   onggi::device::end_forces_on_terminate();
   // A helper that dies while we write to it, or a file that may not grow, is an error to report and

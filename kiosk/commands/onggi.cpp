@@ -2,6 +2,16 @@
 
 namespace onggi::commands {
 
+namespace {
+/// What a museum needs of the laboratory. Its other commands are in onggi-lab (lab_program.h).
+cli::Command lab_command() {
+  return {.name = "lab",
+          .help = "Measure this machine (all but tune: in the package onggi-lab)",
+          .examples = "Example: onggi lab tune --write config/scenes/first_touch.toml",
+          .commands = {tune_command()}};
+}
+}  // namespace
+
 cli::Command onggi_command() {
   // The same options with and without the word "run": a kiosk is started by its bare name.
   const cli::Command run = run_command();
@@ -13,8 +23,8 @@ cli::Command onggi_command() {
               "Exit: 0 good, 1 the program's or the machine's fault, 2 the input's.",
           .options = run.options,
           .commands = {run, visit_command(), replay_command(), check_command(), vessel_command(),
-                       score_command(), stats_command(), report_command(), soak_command(),
-                       lab_command(), devices_command(), setup_command()},
+                       score_command(), stats_command(), report_command(), lab_command(),
+                       devices_command(), setup_command()},
           .run = run.run};
 }
 

@@ -57,7 +57,7 @@ class Services(unittest.TestCase):
 
 class Manual(unittest.TestCase):
     def setUp(self):
-        self.page = output(ARGUMENTS.manual, "1.2.3", "2026-11-22").stdout
+        self.page = output(ARGUMENTS.manual, "onggi", "1.2.3", "2026-11-22").stdout
 
     def test_it_has_every_command_that_the_program_has(self):
         def commands(words):

@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/soak_days.h"
 #include "kiosk/render/window_size.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -91,4 +91,4 @@ cli::Command soak_command() {
       .run = [a] { return soak(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

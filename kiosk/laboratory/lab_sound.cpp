@@ -1,13 +1,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/drawing/spectrogram.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/studio_film.h"
 #include "kiosk/measure/touch_to_sound.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -62,4 +62,4 @@ cli::Command lab_sound_command() {
       .run = [a] { return sound(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/naive_table.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -102,4 +102,4 @@ cli::Command lab_naive_command() {
           .run = [a] { return naive(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

@@ -2,11 +2,11 @@
 #include <memory>
 #include <string>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/force_loop.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -55,4 +55,4 @@ cli::Command lab_loop_command() {
           .run = [a] { return loop(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

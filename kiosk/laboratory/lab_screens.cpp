@@ -2,16 +2,16 @@
 #include <cstdio>
 #include <memory>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/exhibit/kiosk.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/virtual_display.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/contact_sheets.h"
 #include "kiosk/settings/exhibit.h"
 
 namespace fs = std::filesystem;
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -109,4 +109,4 @@ cli::Command lab_screens_command() {
           .run = [a] { return look(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

@@ -2,17 +2,17 @@
 #include <memory>
 #include <span>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/read_file.h"
 #include "kiosk/files/virtual_display.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/access_report.h"
 #include "kiosk/measure/no_keepsakes.h"
 #include "kiosk/render/window_size.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -90,4 +90,4 @@ cli::Command lab_access_command() {
           .run = [a] { return access(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

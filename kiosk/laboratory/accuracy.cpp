@@ -2,12 +2,12 @@
 #include <memory>
 #include <string>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/accuracy_picture.h"
 #include "kiosk/measure/accuracy_report.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -53,4 +53,4 @@ cli::Command accuracy_command() {
           .run = [a] { return accuracy(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

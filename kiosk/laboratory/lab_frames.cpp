@@ -2,13 +2,13 @@
 #include <memory>
 #include <string>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/frame_rate.h"
 #include "kiosk/render/window_size.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -61,4 +61,4 @@ cli::Command lab_frames_command() {
           .run = [a] { return frames(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

@@ -3,17 +3,17 @@
 #include <memory>
 #include <string>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/drawing/put_report.h"
 #include "kiosk/files/paths.h"
 #include "kiosk/files/replay_file.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/loop_timing.h"
 #include "kiosk/measure/price_list.h"
 #include "kiosk/measure/scene_bill.h"
 #include "kiosk/measure/stability.h"
 #include "kiosk/settings/scene_file.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -194,18 +194,20 @@ cli::Command timing_command() {
 }  // namespace
 
 cli::Command lab_command() {
-  return {.name = "lab",
-          .help = "Measure the engine on this machine",
-          .examples =
-              "Example: onggi lab effects\n         onggi lab stability --ticks 1e7\n"
-              "         onggi lab timing\n         onggi lab loop\n         onggi lab frames\n"
-              "         onggi lab naive\n         onggi lab sound --wav studio.wav\n"
-              "         onggi lab screens --out /tmp/screens\n"
-              "         onggi lab access",
-          .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
-                       tune_command(), lab_loop_command(), lab_frames_command(),
-                       lab_naive_command(), lab_scenes_command(), lab_sound_command(),
-                       lab_screens_command(), lab_access_command()}};
+  return {
+      .name = "onggi-lab",
+      .help = "Onggi's laboratory: what accuracy, effects and hard cases cost on this machine.",
+      .examples =
+          "Example: onggi lab accuracy\n         onggi lab effects\n         onggi lab stability "
+          "--ticks 1e7\n"
+          "         onggi lab timing\n         onggi lab loop\n         onggi lab frames\n"
+          "         onggi lab naive\n         onggi lab sound --wav studio.wav\n"
+          "         onggi lab screens --out /tmp/screens\n"
+          "         onggi lab access\n         onggi lab soak --minutes 10\n"
+          "onggi lab and onggi-lab are the same.".commands = {
+              accuracy_command(), effects_command(), stability_command(), timing_command(),
+              lab_loop_command(), lab_frames_command(), lab_naive_command(), lab_scenes_command(),
+              lab_sound_command(), lab_screens_command(), lab_access_command(), soak_command()}};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

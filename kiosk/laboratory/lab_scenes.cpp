@@ -4,12 +4,12 @@
 #include <span>
 #include <string>
 
-#include "kiosk/commands/commands.h"
 #include "kiosk/files/durable_file.h"
 #include "kiosk/files/paths.h"
+#include "kiosk/laboratory/lab_commands.h"
 #include "kiosk/measure/scene_page.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 
 namespace {
 
@@ -72,4 +72,4 @@ cli::Command lab_scenes_command() {
           .run = [a] { return scenes(*a); }};
 }
 
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory

@@ -6,9 +6,10 @@
 
 #include "tests/kiosk/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::laboratory {
 namespace {
 
+using namespace commands;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -38,4 +39,4 @@ TEST(Soak, HalfAnHourOfTheMuseumsTakesSecondsAndTouchesNothingButItsOwnFolder) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::laboratory
