@@ -25,7 +25,7 @@ struct Dimensions {
 Dimensions dimensions(const Profile& p);
 
 /// How alike two profiles are. Pure figures; what they are worth is the kiosk's policy
-/// (kiosk/score).
+/// (kiosk/collection/score).
 struct Measures {
   double scale = 1.0;  ///< The factor put on `made` before comparing (1 when not scale-free).
   double outline_overlap = 0.0;     ///< Area inside both half outlines / area inside either. 0..1.

@@ -7,7 +7,7 @@
 
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
-#include "kiosk/settings/scene_file.h"
+#include "kiosk/collection/settings/scene_file.h"
 #include "tests/support/effect_scenes.h"
 
 namespace onggi::bench {

@@ -18,9 +18,9 @@
 #include <string>
 #include <thread>
 
-#include "kiosk/exhibit/keepsakes.h"
-#include "kiosk/files/local_time.h"
-#include "kiosk/store/store_thread.h"
+#include "kiosk/exhibit/composition/keepsakes.h"
+#include "kiosk/ground/files/local_time.h"
+#include "kiosk/keepsake/store/store_thread.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 // usage: onggi_figure_convergence OUT.csv   in the project's root
 #include <cstdio>
 
-#include "kiosk/settings/scene_file.h"
+#include "kiosk/collection/settings/scene_file.h"
 #include "tests/support/convergence.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/lab/force_quality.h"
-#include "kiosk/settings/scene_file.h"
+#include "kiosk/collection/settings/scene_file.h"
 
 namespace {
 

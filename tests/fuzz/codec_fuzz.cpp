@@ -8,14 +8,14 @@
 #include <span>
 #include <vector>
 
-#include "kiosk/device/arm_kinematics.h"
-#include "kiosk/device/codecs/crc32.h"
-#include "kiosk/device/codecs/dual_sense.h"
-#include "kiosk/device/codecs/onggi_hid.h"
-#include "kiosk/device/codecs/polhem.h"
-#include "kiosk/device/codecs/space_mouse.h"
-#include "kiosk/device/codecs/surface_dial.h"
-#include "kiosk/device/reference/onggi_hid_device.h"
+#include "kiosk/wheel/device/arm_kinematics.h"
+#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/wheel/device/codecs/dual_sense.h"
+#include "kiosk/wheel/device/codecs/onggi_hid.h"
+#include "kiosk/wheel/device/codecs/polhem.h"
+#include "kiosk/wheel/device/codecs/space_mouse.h"
+#include "kiosk/wheel/device/codecs/surface_dial.h"
+#include "kiosk/wheel/device/reference/onggi_hid_device.h"
 
 namespace onggi::device {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "kiosk/content/address.h"
-#include "kiosk/content/scan_document.h"
+#include "kiosk/collection/content/address.h"
+#include "kiosk/collection/content/scan_document.h"
 
 // Any bytes are a museum's manifest or document beside a scan.
 

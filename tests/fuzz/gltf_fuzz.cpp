@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/profile/extraction.h"
-#include "kiosk/content/gltf_parts.h"
+#include "kiosk/collection/content/gltf_parts.h"
 
 // libFuzzer feeds any bytes to the reader as a file of its own folder, and a model that comes out
 // to the extraction. tests/fuzz/run builds and runs it; what it finds is kept in tests/fuzz/found.

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "kiosk/content/mesh_parts.h"
+#include "kiosk/collection/content/mesh_parts.h"
 
 // Any bytes are what onggi-mesh answers: it runs Assimp on files of nobody's making in particular,
 // so the kiosk believes none of it.

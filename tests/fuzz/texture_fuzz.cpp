@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "kiosk/textures/texture_decoder.h"
+#include "kiosk/collection/textures/texture_decoder.h"
 
 // Any bytes are a picture that a scan names. What onggi-texture decodes in a process of its own is
 // decoded here in this one.

@@ -77,13 +77,12 @@ class Table:
 
 
 def room_of(path):
-    """engine/clay/clay.h -> engine/clay; tests/... -> tests; docs, anything else -> None."""
+    """engine/clay/clay.h -> engine/clay; kiosk/wheel/loop/pacer.h -> kiosk/wheel/loop; tests/... -> tests; else None."""
     parts = path.split("/")
     if parts[0] == "tests":
         return "tests"
-    if parts[0] in ("engine", "kiosk") and len(parts) >= 3 and parts[1] != "docs":
-        return "/".join(parts[:2])
-    return None
+    depth = {"engine": 2, "kiosk": 3}.get(parts[0], len(parts))
+    return "/".join(parts[:depth]) if len(parts) > depth and parts[1] != "docs" else None
 
 
 def files_of(root):
@@ -295,10 +294,10 @@ def check_layout(root, table):
             if len(parts) == 2 and parts[1] not in HALF_FILES[parts[0]]:
                 broken.append(f"{name}: belongs in a room of {parts[0]}/, or in {parts[0]}/docs.")
             elif len(parts) > 2 and parts[1] != "docs" and room_of(name) not in table.rooms:
-                broken.append(f"{name}: {parts[0]}/{parts[1]} is no room of tests/house/rooms.txt.")
+                broken.append(f"{name}: {room_of(name) or os.path.dirname(name)} is no room of tests/house/rooms.txt.")
         if name.endswith("_test.cpp") and parts[0] == "tests":
             mirrored = room_of("/".join(parts[1:]))
-            own = "/".join(parts[:3]) + "/CMakeLists.txt"  # of many rooms: says which itself
+            own = "/".join(parts[:3 if parts[1] == "engine" else 4]) + "/CMakeLists.txt"  # of many rooms: says which itself
             if mirrored not in table.rooms and own not in names:
                 broken.append(f"{name}: no program runs it. Tests lie where their room lies: "
                               "tests/engine/clay/clay_test.cpp.")

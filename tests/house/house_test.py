@@ -91,18 +91,18 @@ class House(unittest.TestCase):
         self.assert_broken("includes", "engine/force/guard.cpp:1", "engine/effects")
 
     def test_the_engine_never_includes_the_kiosk(self):
-        self.write("engine/scene/scene.cpp", '#include "kiosk/settings/exhibit.h"\n')
-        self.assert_broken("includes", "kiosk/settings/exhibit.h")
+        self.write("engine/scene/scene.cpp", '#include "kiosk/collection/settings/exhibit.h"\n')
+        self.assert_broken("includes", "kiosk/collection/settings/exhibit.h")
 
     def test_a_border_header_is_granted_and_its_neighbour_is_not(self):
-        self.write("kiosk/device/device.h", '#include "engine/scene/hands.h"\n')
+        self.write("kiosk/wheel/device/device.h", '#include "engine/scene/hands.h"\n')
         self.assertEqual(self.check("includes"), [])
-        self.write("kiosk/device/device.h", '#include "engine/scene/scene.h"\n')
+        self.write("kiosk/wheel/device/device.h", '#include "engine/scene/scene.h"\n')
         self.assert_broken("includes", "engine/scene/scene.h")
 
     def test_a_subfolder_belongs_to_its_room(self):
-        self.write("kiosk/render/shaders/clay.h", '#include "kiosk/loop/status.h"\n')
-        self.assert_broken("includes", "kiosk/render may not include kiosk/loop/status.h")
+        self.write("kiosk/picture/render/shaders/clay.h", '#include "kiosk/wheel/loop/status.h"\n')
+        self.assert_broken("includes", "kiosk/picture/render may not include kiosk/wheel/loop/status.h")
 
     def test_docs_are_no_room_so_an_example_may_link_what_was_installed(self):
         self.write("engine/docs/example/CMakeLists.txt", "target_link_libraries(a onggi::engine)\n")
@@ -111,8 +111,8 @@ class House(unittest.TestCase):
             self.assertEqual(self.check(name), [], name)
 
     def test_the_app_knows_everyone(self):
-        self.write("kiosk/app/run.cpp",
-                   '#include "kiosk/loop/potter.h"\n#include "kiosk/commands/commands.h"\n')
+        self.write("kiosk/program/app/run.cpp",
+                   '#include "kiosk/wheel/loop/potter.h"\n#include "kiosk/program/commands/commands.h"\n')
         self.assertEqual(self.check("includes"), [])
 
     def test_include_lines_start_at_the_root(self):
@@ -124,11 +124,11 @@ class House(unittest.TestCase):
         self.assert_broken("includes", "in quotes")
 
     def test_one_library_one_room(self):
-        self.write("kiosk/screens/visit.cpp", "#include <GLFW/glfw3.h>\n")
-        self.assert_broken("includes", "It belongs to kiosk/render")
+        self.write("kiosk/visit/screens/visit.cpp", "#include <GLFW/glfw3.h>\n")
+        self.assert_broken("includes", "It belongs to kiosk/picture/render")
 
     def test_an_unknown_library_is_refused(self):
-        self.write("kiosk/screens/visit.cpp", "#include <allegro5/allegro.h>\n")
+        self.write("kiosk/visit/screens/visit.cpp", "#include <allegro5/allegro.h>\n")
         self.assert_broken("includes", "Give it one room")
 
     def test_the_engine_takes_no_clock_and_no_system_header(self):
@@ -138,8 +138,8 @@ class House(unittest.TestCase):
         self.assert_broken("includes", "unistd.h")
 
     def test_an_unlisted_room_is_named(self):
-        self.write("kiosk/garage/car.cpp", "")
-        self.assert_broken("includes", "kiosk/garage is not in")
+        self.write("kiosk/garage/old/car.cpp", "")
+        self.assert_broken("includes", "kiosk/garage/old is not in")
         self.assertTrue(self.check("layout"))
 
     def test_test_headers_stay_in_tests(self):
@@ -155,17 +155,17 @@ class House(unittest.TestCase):
         self.assert_broken("links", "engine/clay may not link engine/scene")
 
     def test_linking_a_library_of_another_room_fails(self):
-        self.write("kiosk/score/CMakeLists.txt", "onggi_room(kiosk/score PUBLIC_LIBS glfw)\n")
-        self.assert_broken("links", "may not link glfw", "kiosk/render")
+        self.write("kiosk/collection/score/CMakeLists.txt", "onggi_room(kiosk/collection/score PUBLIC_LIBS glfw)\n")
+        self.assert_broken("links", "may not link glfw", "kiosk/picture/render")
 
     def test_linking_around_the_table_fails(self):
-        self.write("kiosk/score/CMakeLists.txt",
-                   "onggi_room(kiosk/score)\ntarget_link_libraries(onggi_kiosk_score PUBLIC glfw)\n")
+        self.write("kiosk/collection/score/CMakeLists.txt",
+                   "onggi_room(kiosk/collection/score)\ntarget_link_libraries(onggi_kiosk_collection_score PUBLIC glfw)\n")
         self.assert_broken("links", "link through onggi_room")
 
     def test_a_room_names_itself(self):
-        self.write("kiosk/score/CMakeLists.txt", "onggi_room(kiosk/view)\n")
-        self.assert_broken("links", "should name kiosk/score")
+        self.write("kiosk/collection/score/CMakeLists.txt", "onggi_room(kiosk/picture/view)\n")
+        self.assert_broken("links", "should name kiosk/collection/score")
 
     def test_global_flags_fail(self):
         self.write("CMakeLists.txt", "add_compile_options(-O3)\n")
@@ -219,7 +219,7 @@ class House(unittest.TestCase):
         self.assertEqual(self.check("headers"), [])
 
     def test_a_table_that_is_not_that_of_the_law_fails_until_it_is_written_again(self):
-        self.write("kiosk/score/score.h", "")
+        self.write("kiosk/collection/score/score.h", "")
         self.assert_broken("docs", "engine/docs/house.md", "house.py table")
         self.write_table()
         self.assertEqual(self.check("docs"), [])

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/device/hid_port.h"
+#include "kiosk/wheel/device/hid_port.h"
 
 namespace onggi::stand_in {
 

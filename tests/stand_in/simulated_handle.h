@@ -2,15 +2,15 @@
 
 #include <array>
 
-#include "kiosk/device/device_def.h"
-#include "kiosk/device/reference/onggi_hid_device.h"
+#include "kiosk/wheel/device/device_def.h"
+#include "kiosk/wheel/device/reference/onggi_hid_device.h"
 #include "tests/stand_in/simulated_device.h"
 #include "tests/stand_in/track.h"
 
 namespace onggi::stand_in {
 
-/// The reference device of kiosk/device/reference, as built: a handle with a mass, pushed by the
-/// device's force on one side and by a visitor's hand on the other, which holds to a track as
+/// The reference device of kiosk/wheel/device/reference, as built: a handle with a mass, pushed by
+/// the device's force on one side and by a visitor's hand on the other, which holds to a track as
 /// muscles do: a spring and a damper to where it wants to be.
 class SimulatedHandle final : public SimulatedDevice {
  public:

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "kiosk/device/codecs/crc32.h"
-#include "kiosk/device/device_def.h"
+#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/wheel/device/device_def.h"
 
 namespace onggi::stand_in {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "kiosk/device/arm_kinematics.h"
+#include "kiosk/wheel/device/arm_kinematics.h"
 #include "tests/stand_in/simulated_device.h"
 #include "tests/stand_in/track.h"
 

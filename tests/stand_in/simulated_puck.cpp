@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/device/codecs/space_mouse.h"
+#include "kiosk/wheel/device/codecs/space_mouse.h"
 
 namespace onggi::stand_in {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kiosk/device/device_def.h"
+#include "kiosk/wheel/device/device_def.h"
 #include "tests/stand_in/simulated_device.h"
 #include "tests/stand_in/track.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/device/hid_port.h"
+#include "kiosk/wheel/device/hid_port.h"
 #include "tests/stand_in/simulated_device.h"
 
 namespace onggi::stand_in {

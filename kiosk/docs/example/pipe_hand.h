@@ -3,9 +3,9 @@
 #include <atomic>
 #include <thread>
 
-#include "kiosk/device/force_gate.h"
-#include "kiosk/device/hand_device.h"
-#include "kiosk/device/mailbox.h"
+#include "kiosk/wheel/device/force_gate.h"
+#include "kiosk/wheel/device/hand_device.h"
+#include "kiosk/wheel/device/mailbox.h"
 
 namespace onggi::example {
 

@@ -1,0 +1,249 @@
+#include "kiosk/collection/content/catalogue.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "engine/profile/measures.h"
+#include "kiosk/collection/content/drawing.h"
+#include "kiosk/collection/content/mesh_file.h"
+#include "kiosk/collection/content/pack.h"
+#include "kiosk/collection/content/scan_document.h"
+
+namespace onggi::content {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A pack or a loose file, and what it is called on the shelf.
+struct Entry {
+  std::string id;
+  fs::path path;
+};
+
+bool is_mesh(const fs::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  std::error_code ignored;
+  return is_mesh_ending(ending) && fs::is_regular_file(file, ignored);
+}
+
+/// A folder's vessels without a vessel.toml: documents, and scans that no document of theirs names.
+std::vector<fs::path> loose_of(const std::vector<fs::path>& files) {
+  std::vector<fs::path> out, named;
+  for (const fs::path& file : files) {
+    if (!is_scan_document(file)) continue;
+    out.push_back(file);
+    if (const auto document = read_scan_document(file, {})) named.push_back(document->model);
+  }
+  for (const fs::path& file : files)
+    if (is_mesh(file) && std::find(named.begin(), named.end(), file) == named.end())
+      out.push_back(file);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::vector<fs::path> listed(const fs::path& folder, std::error_code& error) {
+  std::vector<fs::path> out;
+  for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator();
+       at.increment(error))
+    if (at->path().filename().string()[0] != '.') out.push_back(at->path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// A folder with a vessel.toml is a pack; a mesh beside it belongs to it.
+std::vector<Entry> entries_of(const fs::path& shelf, std::error_code& error) {
+  std::vector<Entry> out;
+  const std::vector<fs::path> all = listed(shelf, error);
+  for (const fs::path& path : loose_of(all)) out.push_back({path.stem().string(), path});
+  for (const fs::path& path : all) {
+    std::error_code ignored;
+    if (!fs::is_directory(path, ignored)) continue;
+    if (fs::exists(path / "vessel.toml", ignored)) {
+      out.push_back({path.filename().string(), path});
+      continue;
+    }
+    std::vector<Entry> loose;
+    for (const fs::path& file : loose_of(listed(path, ignored)))
+      loose.push_back({path.filename().string() + "_" + file.stem().string(), file});
+    if (loose.size() == 1) loose[0].id = path.filename().string();
+    out.insert(out.end(), loose.begin(), loose.end());
+  }
+  // a.glb beside a.gltf or a folder a: each keeps a name of its own.
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Entry& a, const Entry& b) { return a.id < b.id; });
+  for (std::size_t i = 1; i < out.size(); ++i)
+    if (out[i].id == out[i - 1].id) out[i].id += "_" + std::to_string(i);
+  return out;
+}
+
+/// Folders of a shelf that brought it nothing.
+std::vector<fs::path> empty_folders(const fs::path& shelf, const std::vector<Entry>& entries) {
+  std::vector<fs::path> out;
+  std::error_code ignored;
+  if (fs::exists(shelf / "vessel.toml", ignored)) return out;
+  for (const fs::path& path : listed(shelf, ignored))
+    if (fs::is_directory(path, ignored) &&
+        std::none_of(entries.begin(), entries.end(), [&path](const Entry& entry) {
+          return entry.path == path || entry.path.parent_path() == path;
+        }))
+      out.push_back(path);
+  return out;
+}
+
+Problem no_shelf(const fs::path& folder, const std::error_code& error) {
+  return {folder.string(), "the shelf cannot be opened: " + error.message() + ".",
+          "Name a folder of vessels that the kiosk may read."};
+}
+
+std::string mm(double metres) { return std::to_string(std::lround(1000.0 * metres)) + " mm"; }
+
+/// What the drawing and the published sizes say of each other and of the mesh.
+void check_sizes(const fs::path& toml, const Pack& pack, const Vessel& vessel, ShelfCheck& check) {
+  const Dimensions d = dimensions(vessel.extracted.profile);
+  if (pack.true_height > 0.0 && pack.true_diameter > 0.0 &&
+      std::abs(d.belly - pack.true_diameter) > 0.03 * pack.true_diameter)
+    check.problems.push_back(
+        {toml.string(),
+         "at " + mm(pack.true_height) + " tall the mesh is " + mm(d.belly) +
+             " wide, and true_diameter_mm says " + mm(pack.true_diameter) + ".",
+         "Correct the figure, or the mesh; a diameter measured over handles is left out."});
+}
+
+void check_pack(const fs::path& folder, const LoadOptions& options,
+                const std::vector<std::string>& languages, ShelfCheck& check) {
+  const fs::path toml = folder / "vessel.toml";
+  const PackRead read = read_pack(toml, languages);
+  check.files.push_back(toml);
+  check.keys_checked += read.keys_checked;
+  check.problems.insert(check.problems.end(), read.problems.begin(), read.problems.end());
+  check.problems.insert(check.problems.end(), read.advice.begin(), read.advice.end());
+  if (!read.pack.drawing.empty()) {
+    const DrawingRead drawing = check_drawing(folder / read.pack.drawing);
+    check.files.push_back(folder / read.pack.drawing);
+    check.keys_checked += drawing.keys_checked;
+    check.problems.insert(check.problems.end(), drawing.problems.begin(), drawing.problems.end());
+  }
+  if (!read.problems.empty()) return;  // load_vessel would say the first of them again
+  const auto vessel = load_vessel(folder, options);
+  if (!vessel) {
+    check.problems.push_back(vessel.error());
+    return;
+  }
+  check.files.push_back(vessel->file);
+  check_sizes(toml, read.pack, *vessel, check);
+}
+
+}  // namespace
+
+const Vessel* Catalogue::find(const std::string& id) const {
+  for (const Vessel& vessel : vessels)
+    if (vessel.id == id) return &vessel;
+  return nullptr;
+}
+
+Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
+                        const settings::ReaderLimits& limits) {
+  LoadOptions options;
+  options.limits = limits;
+  std::error_code error;
+  const std::vector<Entry> entries = entries_of(folder, error);
+  if (error) return tl::unexpected<Problem>(no_shelf(folder, error));
+  std::atomic<std::size_t> next{0};
+  std::mutex one_at_a_time;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < entries.size(); i = next++) {
+      {
+        const std::lock_guard lock(one_at_a_time);
+        watcher.begins(i, entries.size(), entries[i].id);
+      }
+      LoadOptions own = options;
+      own.id = entries[i].id;
+      auto read = load_vessels(entries[i].path, own);
+      const std::lock_guard lock(one_at_a_time);
+      watcher.has_read(i, std::move(read));
+    }
+  };
+  const std::size_t helpers =
+      std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), entries.size());
+  std::vector<std::thread> threads;
+  for (std::size_t i = 1; i < helpers; ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  return {};
+}
+
+Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const std::string&, void*),
+                     void* user, const settings::ReaderLimits& limits) {
+  struct Collector : ShelfWatcher {
+    void begins(std::size_t at, std::size_t total, const std::string& id) override {
+      if (tell != nullptr) tell(static_cast<int>(at), static_cast<int>(total), id, told);
+      loaded.resize(total);
+    }
+    void has_read(std::size_t at, Result<std::vector<Vessel>> read) override {
+      loaded[at] = std::move(read);
+    }
+    void (*tell)(int, int, const std::string&, void*) = nullptr;
+    void* told = nullptr;
+    std::vector<std::optional<Result<std::vector<Vessel>>>> loaded;
+  } collector;
+  collector.tell = progress;
+  collector.told = user;
+  Catalogue out;
+  if (auto good = read_shelf(folder, collector, limits); !good)
+    out.problems.push_back(good.error());
+  for (auto& loaded : collector.loaded) {
+    if (!*loaded) {
+      out.problems.push_back(loaded->error());
+      continue;
+    }
+    for (Vessel& vessel : **loaded) out.vessels.push_back(std::move(vessel));
+  }
+  return out;
+}
+
+ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits,
+                       const std::vector<std::string>& languages, std::stop_token stop) {
+  ShelfCheck check;
+  LoadOptions options;
+  options.limits = limits;
+  std::error_code error, ignored;
+  std::vector<Entry> entries;
+  if (fs::exists(path / "vessel.toml", ignored) || fs::is_regular_file(path, ignored))
+    entries.push_back({path.filename().string(), path});
+  else
+    entries = entries_of(path, error);
+  if (error) check.problems.push_back(no_shelf(path, error));
+  for (const fs::path& folder : empty_folders(path, entries))
+    check.problems.push_back(
+        {folder.string(), "This folder of the shelf holds no vessel.",
+         "Put its vessel.glb and vessel.toml there, or take the folder away."});
+  for (const Entry& entry : entries) {
+    if (stop.stop_requested()) break;
+    if (fs::is_directory(entry.path, ignored)) {
+      check.ids.push_back(entry.id);
+      check_pack(entry.path, options, languages, check);
+      continue;
+    }
+    check.files.push_back(entry.path);
+    LoadOptions own = options;
+    own.id = entry.id;
+    const auto vessels = load_vessels(entry.path, own);
+    if (!vessels) {
+      check.ids.push_back(entry.id);
+      check.problems.push_back(vessels.error());
+      continue;
+    }
+    // A document was looked at for the scan that it names.
+    if (vessels->front().file != entry.path) check.files.push_back(vessels->front().file);
+    for (const Vessel& vessel : *vessels) check.ids.push_back(vessel.id);
+  }
+  return check;
+}
+
+}  // namespace onggi::content

@@ -1,0 +1,151 @@
+#include "kiosk/collection/content/glaze.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace onggi::content {
+
+namespace {
+
+using Table = toml::TomlReader::Table;
+
+bool is_id(const std::string& text) {
+  return !text.empty() && text.size() <= 40 && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+/// "#9DB5A0" as linear light.
+bool parse_color(const std::string& text, LinearColor& out) {
+  if (text.size() != 7 || text[0] != '#') return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    unsigned value = 0;
+    for (const char c : text.substr(1 + 2 * k, 2)) {
+      const bool digit = c >= '0' && c <= '9';
+      const char lower = static_cast<char>(c | 0x20);
+      if (!digit && (lower < 'a' || lower > 'f')) return false;
+      value = value * 16 + static_cast<unsigned>(digit ? c - '0' : lower - 'a' + 10);
+    }
+    const double s = value / 255.0;
+    out[k] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+  }
+  return true;
+}
+
+bool read_color(Table& table, const std::string& key, LinearColor& out) {
+  std::string text;
+  if (!table.text(key, text)) return false;
+  if (parse_color(text, out)) return true;
+  table.complain(key, "\"" + text + "\" is no colour.",
+                 "Write # and six digits or letters a to f, as in \"#9DB5A0\".");
+  return false;
+}
+
+void read_share(Table& table, const std::string& key, double most, float& out) {
+  double value = static_cast<double>(out);
+  if (table.number(key, value, 0.0, most)) out = static_cast<float>(value);
+}
+
+/// Words by language; those of `languages` are asked for where `needed`.
+bool read_words(Table& glaze, const std::string& key, const std::vector<std::string>& languages,
+                bool needed, std::map<std::string, std::string>& out) {
+  Table words = glaze.child(key);
+  for (const std::string& code : words.keys()) {
+    std::string text;
+    if (!words.text(code, text)) continue;
+    if (text.find_first_not_of(' ') == std::string::npos)
+      words.complain(code, key + "." + code + " is empty.", "Write its words, or leave it out.");
+    else
+      out[code] = text;
+  }
+  for (const std::string& code : languages)
+    if (needed && !out.contains(code))
+      glaze.complain(words.present() ? key : "",
+                     "The glaze has no " + key + " in the language \"" + code + "\".",
+                     "Write " + key + " = { " + code + " = \"...\" }, a part for each language.");
+  words.finish();
+  return !out.empty();
+}
+
+/// False where the glaze cannot be shown.
+bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& glaze) {
+  table.require("id", "Write a short name of letters, digits and _: id = \"celadon\".");
+  bool good = table.text("id", glaze.id);
+  if (good && !is_id(glaze.id)) {
+    table.complain("id", "\"" + glaze.id + "\" is no id.",
+                   "Write 1 to 40 lower-case letters, digits and _: id = \"white_porcelain\".");
+    good = false;
+  }
+  if (languages.empty()) table.require("name", "Write name = { en = \"Celadon\" }.");
+  good = read_words(table, "name", languages, true, glaze.name) && good;
+  read_words(table, "about", languages, false, glaze.about);
+  GlazeLook& look = glaze.look;
+  for (const char* key : {"body", "glass"})
+    table.require(key, std::string("Write a colour: ") + key + " = \"#9DB5A0\".");
+  good = read_color(table, "body", look.body) && good;
+  good = read_color(table, "glass", look.glass) && good;
+  // Slip and band are there where their colour is.
+  if (!read_color(table, "slip", look.slip)) look.slip_cover = 0.0f;
+  read_share(table, "slip_cover", 1.0, look.slip_cover);
+  read_share(table, "brushed", 1.0, look.brushed);
+  read_share(table, "pooling", 1.0, look.pooling);
+  read_share(table, "gloss", 1.0, look.gloss);
+  if (read_color(table, "band", look.band)) look.band_height = 0.8f, look.band_width = 0.02f;
+  read_share(table, "band_height", 1.0, look.band_height);
+  read_share(table, "band_width", 0.2, look.band_width);
+  table.finish();
+  return good;
+}
+
+}  // namespace
+
+const std::string& Glaze::name_in(const std::string& language) const {
+  return settings::spoken(name, language);
+}
+const std::string& Glaze::about_in(const std::string& language) const {
+  return settings::spoken(about, language);
+}
+
+GlazesRead read_glazes(const std::filesystem::path& file,
+                       const std::vector<std::string>& languages) {
+  GlazesRead read;
+  toml::TomlReader reader(file);
+  auto root = reader.root();
+  std::set<std::string> ids;
+  for (Table& table : root.children("glaze")) {
+    Glaze glaze;
+    if (!read_glaze(table, languages, glaze)) continue;
+    if (!ids.insert(glaze.id).second) {
+      table.complain("id", "There are two glazes \"" + glaze.id + "\".",
+                     "Give the second another id.");
+    } else if (read.glazes.size() == kMostGlazes) {
+      table.complain("", "There are more than " + std::to_string(kMostGlazes) + " glazes.",
+                     "Take some out: a screen has no room for more.");
+    } else {
+      read.glazes.push_back(std::move(glaze));
+    }
+  }
+  root.finish();
+  read.problems = reader.problems();
+  if (reader.ok() && read.problems.empty() && read.glazes.empty())
+    read.problems.push_back({file.string(), "There is no glaze in it.",
+                             "Write a [[glaze]] with id, name, body and glass."});
+  read.keys_checked = reader.keys_checked();
+  return read;
+}
+
+LinearColor swatch(const GlazeLook& look) {
+  LinearColor out{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float cover = look.slip_cover * (1.0f - 0.3f * look.brushed);
+    const float under = look.body[k] + (look.slip[k] - look.body[k]) * cover;
+    out[k] = 0.95f * under * std::pow(std::max(look.glass[k], 1e-4f), 0.6f);
+  }
+  return out;
+}
+
+}  // namespace onggi::content

@@ -1,0 +1,162 @@
+#include "kiosk/collection/content/glb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kiosk/ground/files/byte_writer.h"
+#include "kiosk/ground/files/json.h"
+
+namespace onggi::content {
+
+namespace {
+
+// glTF 2.0 specification, 4.4 (GLB) and 5.1 (component types).
+constexpr int kUnsignedShort = 5123, kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962,
+              kElementBuffer = 34963;
+
+using files::Json;
+
+Json json_of(const GlbMaterial& material) {
+  // Four digits are more than an eye tells apart, and the same on every machine.
+  const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
+  return Json::object(
+      {{"name", material.name},
+       {"pbrMetallicRoughness",
+        Json::object(
+            {{"baseColorFactor", Json::list({digits(material.color[0]), digits(material.color[1]),
+                                             digits(material.color[2]), 1.0})},
+             {"metallicFactor", 0.0},
+             {"roughnessFactor", digits(material.roughness)}})}});
+}
+
+}  // namespace
+
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
+                                 const std::string& copyright, const GlbMaterial& material,
+                                 const std::vector<std::array<float, 3>>& colors) {
+  return write_glb(mesh, title, copyright, std::vector<GlbPart>{{0, material}}, colors);
+}
+
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
+                                 const std::string& copyright, const std::vector<GlbPart>& parts,
+                                 const std::vector<std::array<float, 3>>& colors) {
+  const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
+
+  files::ByteWriter bin;
+  Json views = Json::list();
+  const auto view = [&](std::size_t from, int target) {
+    views.push_back(Json::object({{"buffer", 0},
+                                  {"byteOffset", from},
+                                  {"byteLength", bin.size() - from},
+                                  {"target", target}}));
+  };
+  std::array<float, 3> low, high;
+  low.fill(std::numeric_limits<float>::max());
+  high.fill(std::numeric_limits<float>::lowest());
+  for (const auto& p : mesh.positions)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+      bin.f32(p[k]);
+    }
+  view(0, kArrayBuffer);
+  std::size_t from = bin.size();
+  if (normals) {
+    for (const auto& n : mesh.normals) bin.f32s(n);
+    view(from, kArrayBuffer);
+    from = bin.size();
+  }
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t i : t) bin.u32(i);
+  view(from, kElementBuffer);
+  if (!colors.empty()) {
+    from = bin.size();
+    for (const auto& c : colors) {
+      for (const float v : c)
+        bin.u16(static_cast<std::uint16_t>(std::lround(65535.0f * std::clamp(v, 0.0f, 1.0f))));
+      bin.u16(65535);  // opaque; elements begin at whole multiples of four bytes
+    }
+    view(from, kArrayBuffer);
+  }
+
+  Json accessors = Json::list({Json::object({{"bufferView", 0},
+                                             {"componentType", kFloat},
+                                             {"count", mesh.positions.size()},
+                                             {"type", "VEC3"},
+                                             {"min", Json::list_of(low)},
+                                             {"max", Json::list_of(high)}})});
+  Json attributes = Json::object({{"POSITION", 0}});
+  if (normals) {
+    accessors.push_back(Json::object({{"bufferView", 1},
+                                      {"componentType", kFloat},
+                                      {"count", mesh.normals.size()},
+                                      {"type", "VEC3"}}));
+    attributes["NORMAL"] = 1;
+  }
+  const auto count = [&](std::size_t part) {
+    const bool last = part + 1 == parts.size();
+    return (last ? mesh.triangles.size() : parts[part + 1].first) - parts[part].first;
+  };
+  // The first part's indices come before the colours, the other parts' after.
+  const auto indices = [&](std::size_t part) {
+    Json accessor = Json::object({{"bufferView", normals ? 2 : 1},
+                                  {"componentType", kUnsignedInt},
+                                  {"count", 3 * count(part)},
+                                  {"type", "SCALAR"}});
+    if (part > 0) accessor["byteOffset"] = 12 * parts[part].first;
+    accessors.push_back(accessor);
+  };
+  indices(0);
+  if (!colors.empty()) {
+    accessors.push_back(Json::object({{"bufferView", normals ? 3 : 2},
+                                      {"componentType", kUnsignedShort},
+                                      {"normalized", true},
+                                      {"count", colors.size()},
+                                      {"type", "VEC4"}}));
+    attributes["COLOR_0"] = normals ? 3 : 2;
+  }
+
+  Json asset = Json::object({{"version", "2.0"}, {"generator", "Onggi"}});
+  if (!copyright.empty()) asset["copyright"] = copyright;
+  Json materials = Json::list(), primitives = Json::list();
+  const std::size_t later = (normals ? 2u : 1u) + (colors.empty() ? 0u : 1u);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    if (part > 0) indices(part);
+    const std::size_t first = normals ? 2 : 1;
+    primitives.push_back(Json::object({{"attributes", attributes},
+                                       {"indices", part == 0 ? first : later + part},
+                                       {"material", part}}));
+    materials.push_back(json_of(parts[part].material));
+  }
+  const Json document = Json::object(
+      {{"asset", asset},
+       {"scene", 0},
+       {"scenes", Json::list({Json::object({{"name", title}, {"nodes", Json::list({0})}})})},
+       {"nodes", Json::list({Json::object({{"name", title}, {"mesh", 0}})})},
+       {"meshes", Json::list({Json::object({{"name", title}, {"primitives", primitives}})})},
+       {"materials", materials},
+       {"accessors", accessors},
+       {"bufferViews", views},
+       {"buffers", Json::list({Json::object({{"byteLength", bin.size()}})})}});
+
+  files::ByteWriter json;
+  // Text that is not UTF-8 is mended rather than refused: the pot matters more than its name.
+  json.text(document.text(-1));
+  json.pad(4, ' ');
+  bin.pad(4, '\0');
+
+  files::ByteWriter glb;
+  glb.u32(kGlbMagic);
+  glb.u32(2);
+  glb.u32(static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + bin.size()));
+  glb.u32(static_cast<std::uint32_t>(json.size()));
+  glb.u32(kGlbJson);
+  glb.append(json.bytes());
+  glb.u32(static_cast<std::uint32_t>(bin.size()));
+  glb.u32(kGlbBin);
+  glb.append(bin.bytes());
+  return glb.take();
+}
+
+}  // namespace onggi::content

@@ -1,0 +1,304 @@
+#include "kiosk/collection/content/gltf_document.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "kiosk/collection/content/data_uri.h"
+#include "kiosk/collection/content/gltf_container.h"
+#include "kiosk/collection/content/gltf_credit_reader.h"
+#include "kiosk/collection/content/gltf_materials.h"
+#include "kiosk/collection/content/gltf_slips.h"
+#include "kiosk/collection/content/vessel_file.h"
+
+namespace onggi::content {
+
+namespace {
+
+using nlohmann::json;
+
+bool starts_with(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
+
+/// What can be left aside without changing the shape, and what is understood.
+bool can_do_without_or_knows(const std::string& extension) {
+  static const std::array<const char*, 3> kKnown{"KHR_mesh_quantization", "EXT_meshopt_compression",
+#ifdef ONGGI_HAS_DRACO
+                                                 "KHR_draco_mesh_compression"
+#else
+                                                 "KHR_mesh_quantization"
+#endif
+  };
+  if (std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end()) return true;
+  for (const char* look : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
+                           "EXT_lights_", "MSFT_texture_", "KHR_xmp"})
+    if (starts_with(extension, look)) return true;
+  return false;
+}
+
+Result<void> check_extensions(const std::string& name, const json& doc) {
+  const auto required = doc.find("extensionsRequired");
+  if (required == doc.end() || !required->is_array()) return {};
+  for (const json& entry : *required) {
+    if (!entry.is_string() || can_do_without_or_knows(entry.get<std::string>())) continue;
+    return problem(name,
+                   "it requires the extension " + entry.get<std::string>().substr(0, 80) +
+                       ", which Onggi does not read.",
+                   "Export the vessel again without that extension (compression off).");
+  }
+  return {};
+}
+
+const json* member(const json& object, const char* key) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(key);
+  return found == object.end() ? nullptr : &*found;
+}
+
+std::size_t whole(const json& object, const char* key, std::size_t otherwise) {
+  const json* value = member(object, key);
+  if (value == nullptr || !value->is_number_unsigned()) return otherwise;
+  return value->get<std::size_t>();
+}
+
+std::string words(const json& object, const char* key) {
+  const json* value = member(object, key);
+  return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
+}
+
+/// Three finite numbers.
+std::optional<std::array<double, 3>> triple(const json* list) {
+  std::array<double, 3> out{};
+  if (list == nullptr || !list->is_array() || list->size() != 3) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(*list)[k].is_number()) return std::nullopt;
+    out[k] = (*list)[k].get<double>();
+  }
+  return out;
+}
+
+/// Where the accessors of three numbers say that their elements lie.
+void note_bounds(const json& doc, GltfDocument& out) {
+  const json* accessors = member(doc, "accessors");
+  std::size_t odd = 0, first_odd = 0;
+  for (std::size_t i = 0; accessors != nullptr && accessors->is_array() && i < accessors->size();
+       ++i) {
+    const json *low = member((*accessors)[i], "min"), *high = member((*accessors)[i], "max");
+    if (low == nullptr || high == nullptr || words((*accessors)[i], "type") != "VEC3") continue;
+    const auto a = triple(low), b = triple(high);
+    if (a && b)
+      out.bounds[static_cast<int>(i)] = {*a, *b};
+    else if (odd++ == 0)
+      first_odd = i;
+  }
+  // One line a file: a scan in pieces has hundreds of accessors, all by the same exporter.
+  if (odd > 0)
+    out.warnings.push_back("The bounds declared for accessor " + std::to_string(first_odd) +
+                           (odd > 1 ? " and " + std::to_string(odd - 1) + " more" : "") +
+                           " are not three numbers each; the data is used as it is.");
+}
+
+/// Notes what the extensions say, which tinygltf does not act upon.
+void note_compression(const json& doc, GltfDocument& out) {
+  constexpr auto kAbsent = static_cast<std::size_t>(-1);
+  constexpr int kMostSets = 8;
+  if (const json* views = member(doc, "bufferViews"); views != nullptr && views->is_array())
+    for (std::size_t i = 0; i < views->size(); ++i) {
+      const json* all = member((*views)[i], "extensions");
+      const json* ext = all == nullptr ? nullptr : member(*all, "EXT_meshopt_compression");
+      if (ext == nullptr) continue;
+      out.meshopt[static_cast<int>(i)] = {whole(*ext, "buffer", kAbsent),
+                                          whole(*ext, "byteOffset", 0),
+                                          whole(*ext, "byteLength", kAbsent),
+                                          whole(*ext, "byteStride", kAbsent),
+                                          whole(*ext, "count", kAbsent),
+                                          words(*ext, "mode"),
+                                          words(*ext, "filter")};
+    }
+  const json* meshes = member(doc, "meshes");
+  for (std::size_t m = 0; meshes != nullptr && meshes->is_array() && m < meshes->size(); ++m) {
+    const json* primitives = member((*meshes)[m], "primitives");
+    for (std::size_t p = 0;
+         primitives != nullptr && primitives->is_array() && p < primitives->size(); ++p) {
+      const json* all = member((*primitives)[p], "extensions");
+      const json* ext = all == nullptr ? nullptr : member(*all, "KHR_draco_mesh_compression");
+      if (ext == nullptr) continue;
+      const auto as_index = [](const json* object, const char* key) {
+        const std::size_t value = object == nullptr ? kAbsent : whole(*object, key, kAbsent);
+        return value < 1u << 30 ? static_cast<int>(value) : -1;
+      };
+      const json* ids = member(*ext, "attributes");
+      const auto draco_places = [&](const json* object) {
+        std::map<int, int> sets;
+        for (int n = 0; n < kMostSets; ++n)
+          if (const int id = as_index(object, ("TEXCOORD_" + std::to_string(n)).c_str()); id >= 0)
+            sets[n] = id;
+        return sets;
+      };
+      const json* declared = member((*primitives)[p], "attributes");
+      const json* accessors = member(doc, "accessors");
+      std::set<int> normalized;
+      for (int n = 0; n < kMostSets; ++n) {
+        const int at = as_index(declared, ("TEXCOORD_" + std::to_string(n)).c_str());
+        const auto index = static_cast<std::size_t>(at);
+        if (at < 0 || accessors == nullptr || !accessors->is_array() || index >= accessors->size())
+          continue;
+        const json* says = member((*accessors)[index], "normalized");
+        if (says != nullptr && says->is_boolean() && says->get<bool>()) normalized.insert(n);
+      }
+      out.draco[{static_cast<int>(m), static_cast<int>(p)}] = {
+          as_index(ext, "bufferView"),   as_index(ids, "POSITION"), as_index(ids, "NORMAL"),
+          as_index(ids, "COLOR_0"),      draco_places(ids),         normalized,
+          as_index(declared, "POSITION")};
+    }
+  }
+}
+
+/// Keeps of each object in the list `key` only the named members.
+void keep(json& doc, const char* key, std::initializer_list<const char*> wanted) {
+  const auto list = doc.find(key);
+  if (list == doc.end() || !list->is_array()) return;
+  for (json& object : *list) {
+    if (!object.is_object()) continue;
+    json kept = json::object();
+    for (const char* name : wanted)
+      if (const json* value = member(object, name)) kept[name] = *value;
+    object = std::move(kept);
+  }
+}
+
+/// The document cut down to what is used. Every buffer becomes one byte within the file: the
+/// accessor reader looks into our own copies, and tinygltf need not hold a second one. So nothing
+/// is left that names a file, and tinygltf, whose ways to files differ from version to version,
+/// opens none.
+json cut_down(const json& doc, std::size_t buffers) {
+  json out = json::object();
+  for (const char* key :
+       {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews"})
+    if (const json* value = member(doc, key)) out[key] = *value;
+  keep(out, "scenes", {"nodes"});
+  keep(out, "nodes", {"name", "mesh", "children", "matrix", "translation", "rotation", "scale"});
+  keep(out, "meshes", {"name", "primitives"});
+  keep(out, "bufferViews", {"buffer", "byteOffset", "byteLength", "byteStride", "target"});
+  keep(out, "accessors",
+       {"bufferView", "byteOffset", "componentType", "normalized", "count", "type", "sparse"});
+  if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extras");
+  if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extensions");
+  if (out.contains("meshes") && out["meshes"].is_array())
+    for (json& mesh : out["meshes"]) {
+      if (!mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
+      // The accessors of a Draco primitive have no bytes of their own, and tinygltf asks for them.
+      for (json& primitive : mesh["primitives"])
+        if (const json* all = member(primitive, "extensions");
+            all != nullptr && member(*all, "KHR_draco_mesh_compression") != nullptr) {
+          primitive["attributes"] = json::object();
+          primitive.erase("indices");
+        }
+      keep(mesh, "primitives", {"attributes", "indices", "material", "mode"});
+    }
+  out["buffers"] = json::array();
+  for (std::size_t i = 0; i < buffers; ++i)
+    out["buffers"].push_back(
+        {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}});
+  return out;
+}
+
+Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
+                          GltfContainer& container, std::size_t most, GltfDocument& out) {
+  const json* list = member(doc, "buffers");
+  if (list == nullptr || !list->is_array()) return {};
+  std::size_t left = most;
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const json& buffer = (*list)[i];
+    const std::string uri = words(buffer, "uri");
+    const std::string here = out.name + ", buffer " + std::to_string(i);
+    const std::size_t wanted = whole(buffer, "byteLength", 0);
+    const auto too_few = [&](std::size_t there) {
+      return broken_gltf(here, "it should have " + std::to_string(wanted) + " bytes, and has " +
+                                   std::to_string(there) + ".");
+    };
+    std::span<const unsigned char> bytes;
+    if (const auto data = data_behind(uri, container)) {
+      const auto text = std::exchange(container.data[*data], {}).in(out.file);
+      if (wanted > left) return broken_gltf(here, "the buffers together are too large.");
+      if (most_bytes_in(text) < wanted) return too_few(most_bytes_in(text));
+      const auto decoded = decode_data_uri(text, wanted);
+      if (!decoded) return broken_gltf(here, "its data within the file cannot be decoded.");
+      bytes = *decoded;
+    } else if (starts_with(uri, "data:")) {
+      return broken_gltf(here, "its data within the file cannot be decoded.");
+    } else if (!uri.empty()) {
+      auto read = read_vessel_file_beneath(folder, uri, left, here);
+      if (!read) return tl::unexpected<Problem>(read.error());
+      bytes = out.beside.emplace_back(std::move(*read));
+    } else if (i == 0 && container.bin) {
+      bytes = container.bin->in(out.file);
+    }
+    // Without uri or chunk it is the fallback of compressed views, which is never read.
+    if (bytes.size() < wanted && !(uri.empty() && !(i == 0 && container.bin)))
+      return too_few(bytes.size());
+    bytes = bytes.first(std::min(bytes.size(), wanted));
+    if (bytes.size() > left) return broken_gltf(here, "the buffers together are too large.");
+    left -= bytes.size();
+    out.buffers.push_back(bytes);
+  }
+  return {};
+}
+
+std::string first_line(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.size() > 160 ? line.substr(0, 160) + "..." : line;
+}
+
+}  // namespace
+
+Result<GltfDocument> open_gltf(const std::filesystem::path& file,
+                               const settings::ReaderLimits& limits) {
+  GltfDocument out;
+  out.name = file.string();
+  const auto most = static_cast<std::size_t>(limits.file_mb) << 20;
+  auto bytes = read_vessel_file(file, most);
+  if (!bytes) return tl::unexpected<Problem>(bytes.error());
+  out.file = std::move(*bytes);
+  auto container = split_gltf(out.name, out.file, limits);
+  if (!container) return tl::unexpected<Problem>(container.error());
+
+  const json doc = json::parse(container->json, nullptr, false);
+  if (doc.is_discarded() || !doc.is_object())
+    return broken_gltf(out.name, "it is not a glTF file: its JSON cannot be parsed.");
+  const json* asset = member(doc, "asset");
+  if (asset == nullptr || !starts_with(words(*asset, "version"), "2."))
+    return broken_gltf(out.name, "it does not say that it is glTF of version 2.");
+  if (auto good = check_extensions(out.name, doc); !good)
+    return tl::unexpected<Problem>(good.error());
+  if (auto good = check_slips(out.name, doc, out.warnings); !good)
+    return tl::unexpected<Problem>(good.error());
+  note_compression(doc, out);
+  note_bounds(doc, out);
+  out.credit = read_credit(doc);
+  if (auto good = load_buffers(file.parent_path(), doc, *container, most, out); !good)
+    return tl::unexpected<Problem>(good.error());
+  read_materials(doc, file.parent_path(), *container, limits, out);
+
+  std::string error, warning;
+  out.model = std::make_shared<tinygltf::Model>();
+  try {
+    const std::string text =
+        cut_down(doc, out.buffers.size()).dump(-1, ' ', false, json::error_handler_t::replace);
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                             const unsigned char*, int, void*) { return true; },
+                          nullptr);
+    if (!loader.LoadASCIIFromString(out.model.get(), &error, &warning, text.c_str(),
+                                    static_cast<unsigned int>(text.size()), ""))
+      return broken_gltf(out.name, "it is not sound glTF: " + first_line(error));
+  } catch (const std::exception& e) {
+    return broken_gltf(out.name, std::string("it is not sound glTF: ") + first_line(e.what()));
+  }
+  return out;
+}
+
+}  // namespace onggi::content

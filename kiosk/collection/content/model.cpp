@@ -1,0 +1,60 @@
+#include "kiosk/collection/content/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kiosk/collection/content/glb.h"
+
+namespace onggi::content {
+
+namespace {
+
+constexpr int kSectors = 96;           // A chord error of 0.05 % of the radius.
+constexpr double kTolerance = 0.0004;  // Of the vessel's size.
+// cos(18 degrees). Well under the 40 degrees at which a mesh shows an edge, so that thinning a
+// round rim leaves it round.
+constexpr double kMostTurn = 0.95105651629515357;
+
+Vec2 unit(Vec2 v) { return v * (1.0 / length(v)); }
+
+bool lies_near(const std::vector<Vec2>& chain, std::size_t first, std::size_t last, double limit) {
+  const Vec2 along = unit(chain[last] - chain[first]);
+  const Vec2 start = unit(chain[first + 1] - chain[first]);
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const Vec2 to = chain[i] - chain[first];
+    if (std::abs(along.x * to.y - along.y * to.x) > limit) return false;
+    if (dot(start, unit(chain[i + 1] - chain[i])) < kMostTurn) return false;
+  }
+  return true;
+}
+
+/// The chain without the points that a straight link between their neighbours replaces.
+Section thinned(const Section& section) {
+  std::vector<Vec2> chain;
+  double size = 0.0;
+  for (const Vec2& p : section.outline) {
+    if (chain.empty() || !(p == chain.back())) chain.push_back(p);
+    size = std::max({size, p.x, p.y});
+  }
+  if (chain.size() < 3) return {chain};
+  Section out;
+  out.outline.push_back(chain.front());
+  for (std::size_t first = 0; first + 1 < chain.size();) {
+    std::size_t last = first + 1;
+    while (last + 1 < chain.size() && lies_near(chain, first, last + 1, kTolerance * size)) ++last;
+    out.outline.push_back(chain[last]);
+    first = last;
+  }
+  return out;
+}
+
+}  // namespace
+
+TriangleMesh turned(const Drawing& drawing) { return revolve(thinned(drawing.section), kSectors); }
+
+std::vector<std::byte> make_glb(const Drawing& drawing) {
+  // Credits the drawing's figures, not the vessel's owner, who had no part in the model.
+  return write_glb(turned(drawing), drawing.title, "Drawn from: " + drawing.source);
+}
+
+}  // namespace onggi::content

@@ -1,0 +1,153 @@
+#include "kiosk/collection/content/pack.h"
+
+#include <cmath>
+
+#include "kiosk/collection/content/address.h"
+#include "kiosk/collection/content/pack_advice.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace onggi::content {
+
+namespace {
+
+float linear(double srgb) {
+  return static_cast<float>(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
+}
+
+void read_color(toml::TomlReader::Table& root, Pack& pack) {
+  std::vector<double> values;
+  if (!root.numbers("color", values)) return;
+  bool good = values.size() == 3;
+  for (const double v : values) good = good && v >= 0.0 && v <= 1.0;
+  if (!good) {
+    root.complain("color", "color is not three numbers from 0 to 1.",
+                  "Write red, green and blue as on screen: color = [0.62, 0.44, 0.31].");
+    return;
+  }
+  pack.color = {linear(values[0]), linear(values[1]), linear(values[2])};
+}
+
+void read_mesh_terms(toml::TomlReader::Table& root, Pack& pack) {
+  root.text("node", pack.node);
+  std::string unit;
+  if (root.text("units", unit)) {
+    if (unit == "m") pack.unit = 1.0;
+    if (unit == "cm") pack.unit = 0.01;
+    if (unit == "mm") pack.unit = 0.001;
+    if (unit == "in") pack.unit = 0.0254;
+    if (pack.unit == 0.0)
+      root.complain("units", "units is \"" + unit + "\", which is no unit of length known here.",
+                    "Write what one unit of the mesh is: \"mm\", \"cm\", \"m\" or \"in\".");
+  }
+  std::string up;
+  if (!root.text("up", up)) return;
+  pack.up = axis_called(up);
+  if (!pack.up)
+    root.complain("up", "up is \"" + up + "\", which is no axis.",
+                  "Write the mesh's axis that the rim lies towards: \"y\", \"z\", \"-z\" ...");
+}
+
+void read_labels(toml::TomlReader::Table& root, PackRead& read) {
+  auto labels = root.child("label");
+  for (const std::string& language : labels.keys()) {
+    auto table = labels.child(language);
+    Label label;
+    table.require("title", "Give the vessel's name in this language.");
+    table.text("title", label.title);
+    if (table.has("title") && is_blank(label.title))
+      table.complain("title", "the title is empty.", "Give the vessel's name in this language.");
+    table.text("culture", label.culture);
+    table.text("date", label.date);
+    table.text("made", label.made);
+    table.text("text", label.text);
+    table.text("credit", label.credit);
+    table.text("address", label.address);
+    table.finish();
+    read.pack.labels[language] = std::move(label);
+  }
+  labels.finish();
+}
+
+/// A page that no phone opens is left off the label, and the vessel stays on the shelf.
+void keep_good_addresses(toml::TomlReader::Table& root, Pack& pack) {
+  const auto keep = [](toml::TomlReader::Table& table, std::string& address) {
+    const std::string fault = fault_of_address(address);
+    if (!table.has("address") || fault.empty()) return;
+    table.complain("address", fault,
+                   "Write the museum's page on this vessel as a browser shows it, best a short "
+                   "one: address = \"https://museum.org/12.3\". Or leave it out.");
+    address.clear();
+  };
+  keep(root, pack.address);
+  auto labels = root.child("label");
+  for (auto& [language, label] : pack.labels) {
+    auto table = labels.child(language);
+    keep(table, label.address);
+  }
+}
+
+}  // namespace
+
+std::optional<Vec3> axis_called(const std::string& name) {
+  const bool back = name.size() == 2 && name[0] == '-';
+  if (name.size() != 1 && !back) return std::nullopt;
+  const double to = back ? -1 : 1;
+  switch (name.back()) {
+    case 'x':
+      return Vec3{to, 0, 0};
+    case 'y':
+      return Vec3{0, to, 0};
+    case 'z':
+      return Vec3{0, 0, to};
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string Pack::credit_line() const {
+  std::string out = institution;
+  if (!accession.empty()) out += (out.empty() ? "" : ", ") + accession;
+  if (!credit.empty()) out += (out.empty() ? "" : ". ") + credit;
+  return out;
+}
+
+PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::string>& languages) {
+  PackRead read;
+  Pack& pack = read.pack;
+  toml::TomlReader reader(toml);
+  auto root = reader.root();
+  root.require("licence", "Say under which licence the shape is shown: licence = \"CC0-1.0\".");
+  root.require("credit", "Say whom to thank: credit = \"Museum, drawn by ...\".");
+  root.text("drawing", pack.drawing);
+  double mm = 0.0;
+  if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;
+  if (root.number("true_diameter_mm", mm, 5.0, 5000.0, "mm")) pack.true_diameter = 0.001 * mm;
+  read_mesh_terms(root, pack);
+  root.text("institution", pack.institution);
+  root.text("accession", pack.accession);
+  root.text("source", pack.source);
+  root.text("credit", pack.credit);
+  root.text("licence", pack.licence);
+  root.text("address", pack.address);
+  // A key without words is no answer; require() has named one that is not there at all.
+  for (const auto& [key, text] : {std::pair{"licence", &pack.licence}, {"credit", &pack.credit}})
+    if (root.has(key) && is_blank(*text))
+      root.complain(key, std::string(key) + " is empty.",
+                    key == std::string("licence")
+                        ? "Say under which licence the shape is shown: licence = \"CC0-1.0\"."
+                        : "Say whom to thank: credit = \"Museum, drawn by ...\".");
+  read_color(root, pack);
+  read_labels(root, read);
+  root.finish();
+  if (!pack.drawing.empty() && pack.drawing != std::filesystem::path(pack.drawing).filename())
+    root.complain("drawing", "drawing names a file outside the vessel's folder.",
+                  "Put the drawing beside vessel.toml and give its name alone.");
+  read.problems = reader.problems();
+  keep_good_addresses(root, pack);
+  ask_for_the_rest(root, pack, languages);
+  read.advice = reader.problems_since(read.problems);
+  read.keys_checked = reader.keys_checked();
+  return read;
+}
+
+}  // namespace onggi::content

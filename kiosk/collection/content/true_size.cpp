@@ -1,0 +1,114 @@
+#include "kiosk/collection/content/true_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace onggi::content {
+
+namespace {
+
+/// What a wheel has held: from a toy dish to a storage jar, metres.
+constexpr double kLeastHeight = 0.004, kMostHeight = 2.0;
+constexpr double kLeastWidest = 0.010, kMostWidest = 1.5;
+/// From a flat dish to a stem.
+constexpr double kFlattest = 40.0, kSlimmest = 25.0;
+/// The larger of height and width that a guess may give, the likeliest, and what is shown where
+/// there is no guess.
+constexpr double kLeastUsual = 0.04, kMostUsual = 0.8, kLikely = 0.2, kShown = 0.3;
+
+std::string figures(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+bool held(const FileSize& s, double unit) {
+  const double h = s.height * unit, w = s.widest * unit;
+  return h >= kLeastHeight && h <= kMostHeight && w >= kLeastWidest && w <= kMostWidest;
+}
+
+std::string in_words(const FileSize& s, double unit) {
+  return figures(1000.0 * s.height * unit) + " mm tall and " + figures(1000.0 * s.widest * unit) +
+         " mm wide";
+}
+
+TrueSize guessed(const FileSize& size, const ToldSize& told) {
+  struct Unit {
+    double metres;
+    const char* name;
+  };
+  const double most = std::max(size.height, size.widest);
+  const Unit* best = nullptr;
+  static constexpr Unit kUnits[] = {{1.0, "metres"}, {0.01, "centimetres"}, {0.001, "millimetres"}};
+  for (const Unit& unit : kUnits) {
+    const double large = most * unit.metres;
+    if (large < kLeastUsual || large > kMostUsual || !held(size, unit.metres)) continue;
+    if (best == nullptr ||
+        std::abs(std::log(large / kLikely)) < std::abs(std::log(most * best->metres / kLikely)))
+      best = &unit;
+  }
+  const std::string own =
+      figures(size.height) + " units tall and " + figures(size.widest) + " wide";
+  const std::string ask =
+      " Write true_height_mm, true_diameter_mm or units in vessel.toml, and it is known.";
+  TrueSize out;
+  out.from = best != nullptr ? SizeFrom::guess : SizeFrom::unknown;
+  out.unit = best != nullptr ? best->metres : kShown / most;
+  if (best != nullptr)
+    out.doubt = "Its true size is a guess: it is " + own +
+                (told.format_unit == 1.0 ? ", so they are not metres, but in " : ", and in ") +
+                best->name + " a vessel of " + in_words(size, out.unit) + "." + ask;
+  else
+    out.doubt = "Its true size is not known: it is " + own +
+                ", which is no vessel in metres, centimetres or millimetres; shown " +
+                in_words(size, out.unit) + "." + ask;
+  return out;
+}
+
+}  // namespace
+
+const char* name_of(SizeFrom from) {
+  switch (from) {
+    case SizeFrom::height:
+      return "height";
+    case SizeFrom::diameter:
+      return "diameter";
+    case SizeFrom::units:
+      return "units";
+    case SizeFrom::file:
+      return "file";
+    case SizeFrom::guess:
+      return "guess";
+    case SizeFrom::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+Result<TrueSize> true_size(const FileSize& size, const ToldSize& told, const std::string& name) {
+  if (size.widest > kFlattest * size.height || size.height > kSlimmest * size.widest)
+    return problem(name,
+                   "no wheel ever held it: it is " + figures(size.height) + " units tall and " +
+                       figures(size.widest) + " wide.",
+                   "Export the vessel alone, with its scale applied alike to all three axes.");
+  TrueSize out;
+  if (told.height > 0.0)
+    out = {told.height / size.height, SizeFrom::height, ""};
+  else if (told.diameter > 0.0)
+    out = {told.diameter / size.widest, SizeFrom::diameter, ""};
+  else if (told.unit > 0.0)
+    out = {told.unit, SizeFrom::units, ""};
+  else if (told.format_unit > 0.0 && held(size, told.format_unit))
+    out = {told.format_unit, SizeFrom::file, ""};
+  else
+    return guessed(size, told);
+  if (!held(size, out.unit))
+    return problem(
+        name,
+        "no wheel ever held it: by what vessel.toml says it is " + in_words(size, out.unit) + ".",
+        "Correct true_height_mm, true_diameter_mm or units in vessel.toml.");
+  return out;
+}
+
+}  // namespace onggi::content

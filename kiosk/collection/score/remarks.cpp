@@ -1,0 +1,219 @@
+#include "kiosk/collection/score/remarks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kiosk/collection/score/parts.h"
+
+namespace onggi::score {
+
+namespace {
+
+/// Below this share of the vessel's size a visitor does not see a difference side by side.
+constexpr double kAlike = 0.025;
+constexpr double kOutlineAlike = 0.95;
+constexpr double kWallAlike = 0.85;
+constexpr double kWallUneven = 0.75;
+constexpr std::size_t kMost = 3;
+/// A named part is the largest difference where it is as much as this share of the worst place's.
+constexpr double kAsMuch = 0.9;
+/// And where that place lies at the part, within this much of the height, this share is enough.
+constexpr double kAtPart = 0.08, kAsMuchThere = 0.6;
+/// A neck is a neck where it is this much narrower than the lip over it.
+constexpr double kNeck = 0.97;
+/// A way in that lacks this share of the vessel's own is as good as shut.
+constexpr double kShut = 0.75;
+/// A belly this near to the rim is the mouth.
+constexpr double kMouthHeight = 0.93;
+
+/// One thing that callipers measure: its name, and made minus wanted in metres.
+struct Feature {
+  const char* name;
+  double difference;
+  const char* more;  ///< Ending of the remark's key where `difference` is above 0...
+  const char* less;  ///< ...and below.
+  double weight;
+  double place;  ///< Height of it on the target, metres.
+};
+
+std::vector<Feature> features(const Measures& m) {
+  std::vector<Feature> out;
+  const Dimensions &made = m.made, &target = m.target;
+  const bool bellied = target.belly_height < kMouthHeight * target.height;
+  if (bellied) {
+    out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0, target.belly_height});
+    // Where the belly is hardly one, its height says little.
+    const double pronounced =
+        std::min(1.0, 4.0 * (target.belly - std::max(target.foot, target.mouth)) / target.belly);
+    out.push_back({"belly", made.belly_height - target.belly_height, "high", "low",
+                   std::max(0.0, 0.5 * pronounced), target.belly_height});
+  }
+  if (target.neck < kNeck * target.mouth)
+    out.push_back({"neck", made.neck - target.neck, "wide", "narrow", 1.0, target.neck_height});
+  out.push_back({"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height});
+  out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0});
+  return out;
+}
+
+bool narrow_inside(const Measures& m) { return m.opening_lacking > kOpenEnough; }
+bool shut(const Measures& m) { return m.opening_lacking > kShut; }
+/// How much narrower the way in is, about, as a diameter at the mouth, m.
+double opening_apart(const Measures& m) {
+  return m.opening_lacking * m.target.opening * m.target.mouth;
+}
+
+std::string whole(double value) { return std::to_string(std::lround(value)); }
+
+/// A place on the wall, 1 to 99: at 0 and at 100 percent there is a foot and a rim.
+std::string percent_of_height(double at) {
+  return std::to_string(std::clamp(std::lround(100.0 * at), 1L, 99L));
+}
+
+/// The part that a remark is about: "mouth" of "difference.mouth_wide" and of "alike.mouth".
+std::string part_of(const std::string& key) {
+  const std::string ending = key.substr(key.find('.') + 1);
+  return ending.substr(0, ending.find('_'));
+}
+
+struct Ranked {
+  double rank;
+  Remark remark;
+};
+
+/// The first few by falling rank; equals keep their order.
+std::vector<Remark> best(std::vector<Ranked> all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.rank > b.rank; });
+  std::vector<Remark> out;
+  for (std::size_t i = 0; i < std::min(kMost, all.size()); ++i)
+    out.push_back(std::move(all[i].remark));
+  return out;
+}
+
+}  // namespace
+
+double size_of(const Dimensions& target) {
+  return std::sqrt(target.height * std::max(target.height, target.belly));
+}
+
+std::vector<Remark> alike(const Measures& m, bool scale_free) {
+  const double size = size_of(m.target);
+  std::vector<Ranked> found;
+  if (m.outline_overlap >= kOutlineAlike)
+    found.push_back({1.0, {"alike.outline", {{"percent", whole(100.0 * m.outline_overlap)}}}});
+  for (const Feature& f : features(m)) {
+    const double apart = std::abs(f.difference) / size;
+    // A mouth that nothing goes through is not right, however wide it looks.
+    if (std::string(f.name) == "mouth" && narrow_inside(m)) continue;
+    // The height of the belly is only ever something to try.
+    if (apart <= kAlike && std::string(f.more) == "wide")
+      found.push_back({1.0 - apart, {std::string("alike.") + f.name, {}}});
+  }
+  const double taller = std::abs(m.made.height - m.target.height) / m.target.height;
+  if (!scale_free && taller <= kAlike) found.push_back({1.0 - taller, {"alike.height", {}}});
+  if (m.made.wall_mean > 0.0 && m.made.wall_evenness >= kWallAlike)
+    found.push_back({0.5 + 0.4 * m.made.wall_evenness, {"alike.wall", {}}});
+  if (found.empty()) found.push_back({0.0, {"alike.start", {}}});
+  return best(std::move(found));
+}
+
+std::optional<Remark> largest_difference(const Measures& m, bool scale_free, double true_scale) {
+  const double worst = 2.0 * m.common_firm * m.target.height;  // as a diameter
+  const auto mm = [&](double apart) { return std::lround(1000.0 * true_scale * std::abs(apart)); };
+  const auto told = [&](const std::string& ending, double apart) -> std::optional<Remark> {
+    if (mm(apart) == 0) return std::nullopt;
+    return Remark{"difference." + ending, {{"mm", std::to_string(mm(apart))}}};
+  };
+  if (shut(m)) return Remark{"difference.opening_shut", {}};
+  const double taller = m.made.height - m.target.height;
+  if (narrow_inside(m) && opening_apart(m) > std::max(worst, scale_free ? 0.0 : std::abs(taller)))
+    return Remark{"difference.opening_narrow", {{"percent", whole(100.0 * m.opening_lacking)}}};
+  if (!scale_free && std::abs(taller) > worst) return told(taller > 0.0 ? "tall" : "short", taller);
+
+  const std::vector<Feature> parts = features(m);
+  const Feature* largest = nullptr;
+  for (const Feature& f : parts) {
+    // How high the belly sits counts where there is one to speak of, and it is out by more.
+    const bool height = std::string(f.more) == "high";
+    const bool there =
+        f.difference * m.common_firm_sign > 0.0 &&
+        std::abs(f.place - m.common_firm_at * m.target.height) <= kAtPart * m.target.height;
+    const double share = height ? 1.0 : there ? kAsMuchThere : kAsMuch;
+    if (std::abs(f.difference) < share * worst || f.weight < 0.2) continue;
+    if (largest == nullptr || std::abs(f.difference) > std::abs(largest->difference)) largest = &f;
+  }
+  if (largest != nullptr)
+    return told(std::string(largest->name) + "_" +
+                    (largest->difference > 0.0 ? largest->more : largest->less),
+                largest->difference);
+
+  // A part is only ever said to be out by what callipers find at it. What lies beside a part, a lip
+  // that is rounded otherwise above a mouth of the right width, is a place on the wall.
+  auto remark = told(m.common_firm_sign > 0.0 ? "wide" : "narrow", worst);
+  if (remark) remark->places["percent"] = percent_of_height(m.common_firm_at);
+  return remark;
+}
+
+std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_scale) {
+  const double size = size_of(m.target);
+  const auto mm = [&](double difference) {
+    return std::lround(1000.0 * true_scale * std::abs(difference));
+  };
+  std::vector<Ranked> found;
+  for (const Feature& f : features(m)) {
+    const double apart = std::abs(f.difference) / size;
+    if (apart <= kAlike || f.weight * apart <= 0.5 * kAlike || mm(f.difference) == 0) continue;
+    const std::string key =
+        std::string("remark.") + f.name + "_" + (f.difference > 0.0 ? f.more : f.less);
+    found.push_back({f.weight * apart, {key, {{"mm", std::to_string(mm(f.difference))}}}});
+  }
+  const double taller = m.made.height - m.target.height;
+  if (!scale_free && std::abs(taller) > kAlike * m.target.height && mm(taller) > 0)
+    found.push_back(
+        {std::abs(taller) / size,
+         {taller > 0.0 ? "remark.tall" : "remark.short", {{"mm", std::to_string(mm(taller))}}}});
+  // A pot that nothing goes into comes before all else.
+  if (shut(m))
+    found.push_back({1.0, {"remark.opening_shut", {}}});
+  else if (narrow_inside(m))
+    found.push_back({opening_apart(m) / size,
+                     {"remark.opening_narrow", {{"percent", whole(100.0 * m.opening_lacking)}}}});
+  if (m.made.wall_mean > 0.0 &&
+      m.made.wall_evenness < std::min(kWallUneven, m.target.wall_evenness))
+    found.push_back(
+        {0.05 * (1.0 - m.made.wall_evenness),
+         {"remark.wall_uneven", {{"percent", whole(100.0 * (1.0 - m.made.wall_evenness))}}}});
+
+  // The place where the outlines are furthest apart, unless a named part already says as much.
+  const double worst = 2.0 * m.common_firm * m.target.height;
+  double named = 0.0;
+  for (const Ranked& r : found) named = std::max(named, r.rank);
+  if (worst / size > 2.0 * named && mm(worst) > 0)
+    found.push_back(
+        {worst / size,
+         {m.common_firm_sign > 0.0 ? "remark.wide" : "remark.narrow",
+          {{"mm", std::to_string(mm(worst))}, {"percent", percent_of_height(m.common_firm_at)}}}});
+  return best(std::move(found));
+}
+
+void take_back(std::vector<Remark>& alike, const Remark& largest) {
+  const std::string part = part_of(largest.key);
+  if (alike.size() > 1)
+    std::erase_if(alike, [&part](const Remark& r) { return part_of(r.key) == part; });
+}
+
+std::vector<std::string> remark_keys() {
+  std::vector<std::string> keys{"alike.outline", "alike.belly", "alike.mouth",
+                                "alike.foot",    "alike.neck",  "alike.height",
+                                "alike.wall",    "alike.start", "remark.wall_uneven"};
+  for (const char* family : {"remark.", "difference."})
+    for (const char* ending :
+         {"belly_wide", "belly_narrow", "belly_high", "belly_low", "neck_wide", "neck_narrow",
+          "mouth_wide", "mouth_narrow", "foot_wide", "foot_narrow", "opening_narrow",
+          "opening_shut", "wide", "narrow", "tall", "short"})
+      keys.push_back(std::string(family) + ending);
+  for (std::string& key : part_keys()) keys.push_back(std::move(key));
+  return keys;
+}
+
+}  // namespace onggi::score

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "kiosk/collection/settings/hours.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace onggi::settings {
+
+/// [hours] of exhibit.toml: "10:00-18:00" or "closed" by day of the week, every_day, and exceptions
+/// by date. Complains of what is missing or cannot be read, which keeps nobody out. Allocates.
+void read_hours(toml::TomlReader::Table table, Hours& hours);
+
+}  // namespace onggi::settings

@@ -1,0 +1,221 @@
+#include "kiosk/collection/settings/mission_file.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string>
+
+#include "engine/base/nearest_name.h"
+#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace onggi::settings {
+
+namespace {
+
+using MissionTable = toml::TomlReader::Table;
+
+bool is_mission_id(const std::string& text) {
+  return !text.empty() && text.size() <= 40 && std::ranges::all_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+/// Letters as they are read, not bytes.
+std::size_t mission_letters(const std::string& utf8) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string joined_names(std::span<const std::string_view> names) {
+  std::string all;
+  for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+  return all;
+}
+
+/// False where nobody could be told of the mission.
+bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
+               const std::vector<std::string>& languages, std::map<std::string, std::string>& out) {
+  MissionTable words = mission.child(key);
+  for (const std::string& code : words.keys()) {
+    std::string text;
+    if (!words.text(code, text)) continue;
+    if (text.find_first_not_of(' ') == std::string::npos)
+      words.complain(code, key + "." + code + " is empty.", "Write words, or leave it out.");
+    else if (mission_letters(text) > most)
+      words.complain(code,
+                     key + "." + code + " has " + std::to_string(mission_letters(text)) +
+                         " letters, and there is room for " + std::to_string(most) + ".",
+                     "Say it in fewer words.");
+    else
+      out[code] = text;
+  }
+  for (const std::string& code : languages)
+    if (!out.contains(code) && !words.has(code))
+      mission.complain(words.present() ? key : "",
+                       "The mission has no " + key + " in the language \"" + code + "\".",
+                       "Write " + key + " = { " + code +
+                           " = \"...\" }, a part for each language. Until then it is shown in "
+                           "English, or in the first language there is.");
+  words.finish();
+  if (out.empty() && languages.empty())
+    mission.complain(words.present() ? key : "", "The mission has no " + key + ".",
+                     "Write " + key + " = { en = \"...\" }.");
+  return !out.empty();
+}
+
+/// One of `names`; false where it is none, or not there.
+template <class Choice, std::size_t kCount>
+bool read_one_of(MissionTable& mission, const std::string& key, const std::string& what,
+                 const std::array<std::string_view, kCount>& names, Choice& out) {
+  std::string text;
+  if (!mission.text(key, text)) return false;
+  const auto found = std::ranges::find(names, text);
+  if (found != names.end()) {
+    out = static_cast<Choice>(found - names.begin());
+    return true;
+  }
+  const std::string nearest = nearest_name(text, std::span<const std::string_view>(names));
+  mission.complain(key, "There is no " + what + " \"" + text + "\".",
+                   (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "Choose of " +
+                       joined_names(names) + ".");
+  return false;
+}
+
+bool read_kind(MissionTable& mission, Mission::Kind& kind) {
+  mission.require("kind", "Write kind = \"...\", one of " + joined_names(kMissionKinds) + ".");
+  return read_one_of(mission, "kind", "kind of mission", kMissionKinds, kind);
+}
+
+bool is_on_shelf(MissionTable& mission, const std::string& key, std::size_t index, bool of_list,
+                 const std::string& id, const std::vector<std::string>& shelf) {
+  if (shelf.empty() || std::ranges::find(shelf, id) != shelf.end()) return true;
+  const std::string nearest = nearest_name(id, shelf);
+  const std::string what = "There is no vessel \"" + id + "\" on the shelf.";
+  const std::string remedy = nearest.empty()
+                                 ? "Write the name of its folder on the shelf, or take it out."
+                                 : "Did you mean \"" + nearest + "\"?";
+  of_list ? mission.complain_at(key, index, what, remedy) : mission.complain(key, what, remedy);
+  return false;
+}
+
+bool read_today(MissionTable& mission, const std::vector<std::string>& shelf, Mission& out) {
+  if (!mission.has("vessels")) return true;
+  if (!mission.texts("vessels", out.vessels)) return false;
+  if (out.vessels.empty())
+    mission.complain("vessels", "vessels is empty.",
+                     "Name vessels of the shelf, or leave it out for all of them.");
+  bool good = !out.vessels.empty();
+  for (std::size_t n = 0; n < out.vessels.size(); ++n)
+    good = is_on_shelf(mission, "vessels", n, true, out.vessels[n], shelf) && good;
+  return good;
+}
+
+bool read_vessel(MissionTable& mission, const std::vector<std::string>& shelf, std::string& out) {
+  if (!mission.has("vessel")) return true;
+  return mission.text("vessel", out) && is_on_shelf(mission, "vessel", 0, false, out, shelf);
+}
+
+/// [from, to] in mm.
+bool read_bounds(MissionTable& mission, const std::string& key, double low, double high,
+                 std::optional<Mission::Described::Bounds>& out) {
+  if (!mission.has(key)) return true;
+  std::vector<double> mm;
+  if (!mission.numbers(key, mm)) return false;
+  if (mm.size() != 2 || !(mm[0] <= mm[1]) || mm[0] < low || mm[1] > high) {
+    const auto text = [](double x) { return std::to_string(static_cast<int>(x)); };
+    mission.complain(key, key + " is not a least and a most.",
+                     "Write two numbers from " + text(low) + " to " + text(high) +
+                         " mm, the smaller first: " + key + " = [" + text(low) + ", " + text(high) +
+                         "].");
+    return false;
+  }
+  out = Mission::Described::Bounds{1e-3 * mm[0], 1e-3 * mm[1]};
+  return true;
+}
+
+bool read_described(MissionTable& mission, Mission::Described& out) {
+  mission.require("litres", "Write how much it is to hold: litres = 1.0.");
+  double litres = 1.0;
+  bool good = mission.number("litres", litres, kLeastLitres, kMostLitres, "litres");
+  out.volume = 1e-3 * litres;
+  good = read_bounds(mission, "height_mm", 40, 200, out.height) && good;
+  return read_bounds(mission, "mouth_mm", 40, 220, out.mouth) && good;
+}
+
+bool read_mission(MissionTable& table, const std::vector<std::string>& languages,
+                  const std::vector<std::string>& shelf, Mission& mission) {
+  table.require("id", "Write a short name of letters, digits and _: id = \"litre_jar\".");
+  bool good = table.text("id", mission.id);
+  if (good && !is_mission_id(mission.id)) {
+    table.complain("id", "\"" + mission.id + "\" is no id.",
+                   "Write 1 to 40 lower-case letters, digits and _: id = \"litre_jar\".");
+    good = false;
+  }
+  if (good && std::ranges::find(shelf, mission.id) != shelf.end()) {
+    table.complain("id", "A vessel of the shelf is called \"" + mission.id + "\" already.",
+                   "Give the mission another id: keepsakes are named by it.");
+    good = false;
+  }
+  table.boolean("on", mission.on);
+  good = read_said(table, "title", kMostTitleLetters, languages, mission.title) && good;
+  good = read_said(table, "about", kMostAboutLetters, languages, mission.about) && good;
+  if (!read_kind(table, mission.kind)) return false;  // What else it may say hangs on that.
+  // What is off may name vessels that a museum took from its shelf.
+  const std::vector<std::string> there = mission.on ? shelf : std::vector<std::string>();
+  switch (mission.kind) {
+    case Mission::Kind::today:
+      good = read_today(table, there, mission) && good;
+      break;
+    case Mission::Kind::describe:
+      good = read_described(table, mission.wanted) && good;
+      break;
+    case Mission::Kind::eyes_closed:
+      good = read_vessel(table, there, mission.vessel) && good;
+      break;
+    case Mission::Kind::two_hands:
+      good = read_vessel(table, there, mission.vessel) && good;
+      if (table.has("second"))
+        good = read_one_of(table, "second", "second hand", kSecondHands, mission.second) && good;
+      break;
+  }
+  table.finish();
+  return good;
+}
+
+}  // namespace
+
+const std::string& Mission::title_in(const std::string& language) const {
+  return spoken(title, language);
+}
+const std::string& Mission::about_in(const std::string& language) const {
+  return spoken(about, language);
+}
+
+MissionsRead read_missions(const std::filesystem::path& file,
+                           const std::vector<std::string>& languages,
+                           const std::vector<std::string>& shelf) {
+  MissionsRead read;
+  toml::TomlReader reader(file);
+  auto root = reader.root();
+  std::set<std::string> ids;
+  for (MissionTable& table : root.children("mission")) {
+    Mission mission;
+    if (!read_mission(table, languages, shelf, mission)) continue;
+    if (!ids.insert(mission.id).second) {
+      table.complain("id", "There are two missions \"" + mission.id + "\".",
+                     "Give the second another id.");
+    } else if (read.missions.size() == kMostMissions) {
+      table.complain("", "There are more than " + std::to_string(kMostMissions) + " missions.",
+                     "Take some out: the shelf comes after them.");
+    } else {
+      read.missions.push_back(std::move(mission));
+    }
+  }
+  root.finish();
+  read.problems = reader.problems();
+  read.keys_checked = reader.keys_checked();
+  return read;
+}
+
+}  // namespace onggi::settings

@@ -1,0 +1,246 @@
+#include "kiosk/collection/settings/scene_file.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "engine/base/nearest_name.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace onggi::settings {
+namespace {
+
+using Table = toml::TomlReader::Table;
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+/// Reads fields without a range: ranges are the engine's, and validate() alone knows them.
+class SceneReader {
+ public:
+  SceneReader(toml::TomlReader& reader, SceneDef& def) : root_(reader.root()), def_(def) {}
+
+  void read() {
+    read_quality();
+    read_clay(def_.clay);
+    read_table("tool", [&] {
+      number("radius", def_.tool.radius);
+      read_to_hand();
+    });
+    for (ToolToHand& tool : def_.tools) read_tool(tool);
+    read_table("contact", [&] {
+      number("relaxation_time", def_.contact.relaxation_time);
+      number("stiffness", def_.contact.stiffness);
+    });
+    read_table("wheel", [&] {
+      number("max_speed", def_.wheel.max_speed);
+      number("acceleration", def_.wheel.acceleration);
+    });
+    read_table("guard", [&] {
+      number("max_force", def_.guard.max_force);
+      number("max_slew", def_.guard.max_slew);
+      number("engage_time", def_.guard.engage_time);
+    });
+    each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
+      read_effect(Def::kName, effect, [&](Def& written) {
+        if constexpr (std::is_same_v<Def, KilnDef>) read_body(written);
+        for (const EffectField<Def>& field : Def::fields())
+          number(field.key, written.*(field.value));
+      });
+    });
+    read_effect("paper", def_.paper, [&](PaperDef& paper) {
+      number("c_eta", paper.c_eta);
+      number("c_v", paper.c_v);
+      number("c_r", paper.c_r);
+    });
+    if (def_.paper)
+      each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
+        if (!effect) return;
+        root_.child(Def::kName)
+            .complain("", std::string(Def::kName) + " stands beside [paper], whose model has none.",
+                      std::string("Remove [") + Def::kName + "] or [paper].");
+        leave_out(Def::kName, effect);
+      });
+    root_.finish();
+  }
+
+  bool auto_quality() const { return auto_quality_; }
+
+  /// Asks the engine until it has nothing more to say; each field it refuses is told at its line
+  /// and goes back to its default.
+  void check() {
+    for (;;) {
+      const Result<void> good = validate(def_);
+      if (good) return;
+      tell(good.error());
+      if (!put_back(good.error().where)) {
+        def_ = SceneDef{};
+        return;
+      }
+    }
+  }
+
+ private:
+  void read_quality() {
+    std::string word;
+    if (!root_.text("quality", word)) return;
+    auto_quality_ = word == "auto";
+    if (!auto_quality_ && word != "fixed")
+      root_.complain("quality", "\"" + word + "\" is no quality.",
+                     "Write \"auto\", and the grid is found here, or \"fixed\".");
+  }
+  void read_clay(ClayDef& clay) {
+    read_table("clay", [&] {
+      integer("rows", clay.rows);
+      integer("sectors", clay.sectors);
+      number("height", clay.height);
+      number("outer_radius", clay.outer_radius);
+      number("inner_radius", clay.inner_radius);
+      number("floor_thickness", clay.floor_thickness);
+      number("floor_min", clay.floor_min);
+      number("wall_min", clay.wall_min);
+      number("radius_min", clay.radius_min);
+      number("radius_max", clay.radius_max);
+      table_.boolean("keep_undo", clay.keep_undo);
+    });
+  }
+  /// A clay by name; a number that is written beside it has the last word.
+  void read_body(KilnDef& kiln) {
+    std::string name;
+    if (!table_.text("body", name)) return;
+    if (const ClayBody* body = find_clay_body(name)) {
+      kiln.drying_shrinkage = body->drying_shrinkage;
+      kiln.firing_shrinkage = body->firing_shrinkage;
+      return;
+    }
+    std::vector<std::string> all;
+    std::string listed;
+    for (const ClayBody& body : clay_bodies()) {
+      all.emplace_back(body.name);
+      listed += (listed.empty() ? "" : ", ") + all.back();
+    }
+    const std::string nearest = nearest_name(name, all);
+    table_.complain("body", "\"" + name + "\" is no clay body.",
+                    nearest.empty() ? "Write one of " + listed + "."
+                                    : "Write " + nearest + ", if that is meant.");
+  }
+  /// The tools that lie there, by name; all where the scene names none. The order is the engine's.
+  void read_to_hand() {
+    std::vector<std::string> named;
+    if (!table_.texts("to_hand", named)) return;
+    std::vector<std::string> all;
+    for (const ToolToHand& tool : def_.tools) all.push_back(tool.name);
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      if (std::find(all.begin(), all.end(), named[i]) != all.end()) continue;
+      const std::string nearest = nearest_name(named[i], all);
+      std::string listed;
+      for (const std::string& name : all) listed += (listed.empty() ? "" : ", ") + name;
+      table_.complain_at("to_hand", i, "\"" + named[i] + "\" is no tool.",
+                         nearest.empty() ? "Write some of " + listed + "."
+                                         : "Write " + nearest + ", if that is meant.");
+    }
+    std::erase_if(def_.tools, [&](const ToolToHand& tool) {
+      return std::find(named.begin(), named.end(), tool.name) == named.end();
+    });
+  }
+  void read_tool(ToolToHand& tool) {
+    read_table(tool.name, [&] {
+      number("radius", tool.size.radius);
+      number("length", tool.size.length);
+      number("thickness", tool.size.thickness);
+    });
+  }
+  void read_table(const std::string& name, const std::function<void()>& fields) {
+    name_ = name;
+    table_ = root_.child(name);
+    fields();
+    table_.finish();
+  }
+  /// The table's presence is the effect's presence: SceneDef's own default does not count.
+  template <class Def, class Fields>
+  void read_effect(const std::string& name, std::optional<Def>& effect, const Fields& fields) {
+    effect.reset();
+    read_table(name, [&] {
+      if (table_.present()) fields(effect.emplace());
+    });
+  }
+  /// As if the table had not been written.
+  template <class Def>
+  void leave_out(const std::string& name, std::optional<Def>& effect) {
+    std::erase_if(put_back_,
+                  [&](const auto& entry) { return entry.first.starts_with(name + "."); });
+    effect.reset();
+  }
+  void number(const std::string& key, double& field) {
+    const double before = field;
+    if (table_.number(key, field, -kAny, kAny)) {
+      put_back_[name_ + "." + key] = [&field, before] { field = before; };
+    }
+  }
+  void integer(const std::string& key, int& field) {
+    const int before = field;
+    if (table_.integer(key, field, std::numeric_limits<int>::min(),
+                       std::numeric_limits<int>::max())) {
+      put_back_[name_ + "." + key] = [&field, before] { field = before; };
+    }
+  }
+
+  void tell(const Problem& problem) {
+    const std::size_t dot = problem.where.find('.');
+    const std::string key = dot == std::string::npos ? "" : problem.where.substr(dot + 1);
+    root_.child(problem.where.substr(0, dot)).complain(key, problem.what, problem.remedy);
+  }
+
+  /// Puts `field` back to its default; where the file does not write it, every field of its table:
+  /// what contradicts the default is one of those. False where there is nothing to put back.
+  bool put_back(const std::string& field) {
+    // An effect that needs another which is not there: the field is the effect itself.
+    if (field.find('.') == std::string::npos) {
+      bool found = false;
+      each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
+        if (field != Def::kName || !effect) return;
+        leave_out(field, effect);
+        found = true;
+      });
+      return found;
+    }
+    if (const auto found = put_back_.find(field); found != put_back_.end()) {
+      found->second();
+      put_back_.erase(found);
+      return true;
+    }
+    const std::string prefix = field.substr(0, field.find('.') + 1);
+    return std::erase_if(put_back_, [&](const auto& entry) {
+             if (!entry.first.starts_with(prefix)) return false;
+             entry.second();
+             return true;
+           }) > 0;
+  }
+
+  Table root_, table_;
+  SceneDef& def_;
+  bool auto_quality_ = false;
+  std::string name_;
+  std::map<std::string, std::function<void()>> put_back_;  // by "table.key"
+};
+
+}  // namespace
+
+SceneRead read_scene(const std::filesystem::path& file) {
+  SceneRead read;
+  toml::TomlReader reader(file);
+  if (reader.ok()) {
+    SceneReader scene(reader, read.def);
+    scene.read();
+    scene.check();
+    read.auto_quality = scene.auto_quality() && !read.def.paper;
+  }
+  read.problems = reader.problems();
+  read.keys_checked = reader.keys_checked();
+  return read;
+}
+
+}  // namespace onggi::settings

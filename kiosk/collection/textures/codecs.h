@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "kiosk/collection/textures/texture_decoder.h"
+
+namespace onggi::textures {
+
+/// Why a picture of this size is not decoded; nothing where it is.
+std::optional<std::string> fault_of_size(std::uint64_t width, std::uint64_t height, unsigned most);
+
+/// Each looks at the header first, and asks for memory only after fault_of_size() has none.
+Decoded decode_png(std::span<const std::uint8_t> bytes, unsigned most_side);
+Decoded decode_jpeg(std::span<const std::uint8_t> bytes, unsigned most_side);
+Decoded decode_webp(std::span<const std::uint8_t> bytes, unsigned most_side);
+
+}  // namespace onggi::textures

@@ -1,0 +1,235 @@
+#include "kiosk/exhibit/composition/check_exhibit.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "kiosk/collection/content/catalogue.h"
+#include "kiosk/collection/content/drawing.h"
+#include "kiosk/collection/content/glaze.h"
+#include "kiosk/collection/content/language.h"
+#include "kiosk/collection/content/lesson.h"
+#include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/collection/settings/scene_file.h"
+#include "kiosk/exhibit/composition/device_files.h"
+#include "kiosk/exhibit/composition/missions.h"
+#include "kiosk/exhibit/composition/scenes.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::exhibit {
+
+namespace {
+
+void note(CheckReport& report, int keys, std::vector<Problem> problems) {
+  report.keys += keys;
+  // A file that two others lead to is read twice, and told of once.
+  for (Problem& p : problems)
+    if (std::none_of(report.problems.begin(), report.problems.end(), [&p](const Problem& known) {
+          return known.where == p.where && known.what == p.what;
+        }))
+      report.problems.push_back(std::move(p));
+}
+
+void look(CheckReport& report, const fs::path& file) {
+  const fs::path plain = file.lexically_normal();
+  if (std::find(report.files.begin(), report.files.end(), plain) == report.files.end())
+    report.files.push_back(plain);
+}
+
+void add(CheckReport& report, const fs::path& file, int keys, std::vector<Problem> problems) {
+  look(report, file);
+  note(report, keys, std::move(problems));
+}
+
+void check_scene(CheckReport& report, const fs::path& file) {
+  auto scene = settings::read_scene(file);
+  add(report, file, scene.keys_checked, std::move(scene.problems));
+}
+
+void check_language(CheckReport& report, const fs::path& file) {
+  auto language = content::check_language(file);
+  ++report.languages;
+  add(report, file, language.keys_checked, std::move(language.problems));
+  note(report, 0, std::move(language.advice));
+}
+
+void check_glazes(CheckReport& report, const fs::path& file,
+                  const std::vector<std::string>& languages = {}) {
+  auto glazes = content::read_glazes(file, languages);
+  add(report, file, glazes.keys_checked, std::move(glazes.problems));
+}
+
+void check_lesson(CheckReport& report, const fs::path& file,
+                  const std::vector<std::string>& languages = {}) {
+  auto lesson = content::read_lesson(file, languages);
+  add(report, file, lesson.keys_checked, std::move(lesson.problems));
+}
+
+/// `exhibit`: that they are of, null where it is not known; `shelf`: the ids there.
+void check_missions(CheckReport& report, const fs::path& file,
+                    const std::vector<std::string>& languages,
+                    const settings::Exhibit* exhibit = nullptr,
+                    const std::vector<std::string>& shelf = {}) {
+  auto missions = settings::read_missions(file, languages, shelf);
+  if (exhibit != nullptr) {
+    const SceneDef scene = settings::read_scene(exhibit->scene).def;
+    for (const settings::Mission& mission : missions.missions)
+      if (mission.kind == settings::Mission::Kind::describe)
+        if (const auto jar = jar_for(mission, scene); !jar)
+          missions.problems.push_back(
+              {file.string() + ", mission " + mission.id, jar.error().what, jar.error().remedy});
+  }
+  add(report, file, missions.keys_checked, std::move(missions.problems));
+}
+
+std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
+                                       const std::vector<std::string>& languages,
+                                       const settings::ReaderLimits& limits = {},
+                                       const std::stop_token& stop = {}) {
+  auto shelf = content::check_shelf(path, limits, languages, stop);
+  report.vessels += static_cast<int>(shelf.ids.size());
+  for (const fs::path& file : shelf.files) look(report, file);
+  if (shelf.ids.empty() && shelf.problems.empty())
+    shelf.problems.push_back({path.string(), "There is no vessel here.",
+                              "Name a shelf, a vessel, an exhibit or one of their files."});
+  note(report, shelf.keys_checked, std::move(shelf.problems));
+  return std::move(shelf.ids);
+}
+
+void check_whole_exhibit(CheckReport& report, const fs::path& file,
+                         const std::stop_token& stop = {}) {
+  const fs::path languages = files::language_folder(file);
+  auto read = settings::read_exhibit(file, languages);
+  const settings::Exhibit exhibit = read.exhibit;
+  add(report, file, read.keys_checked, std::move(read.problems));
+  std::error_code ignored;
+  if (fs::is_regular_file(exhibit.rubric_file, ignored)) look(report, exhibit.rubric_file);
+  // What is missing has been named by read_exhibit; here goes what is there.
+  std::set<fs::path> scenes{exhibit.scene};
+  for (const auto& [vessel, scene] : exhibit.vessel_scenes) scenes.insert(scene);
+  for (const fs::path& scene : scenes)
+    if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
+  if (fs::is_regular_file(exhibit.glazes, ignored))
+    check_glazes(report, exhibit.glazes, exhibit.languages);
+  if (exhibit.lesson) check_lesson(report, *exhibit.lesson, exhibit.languages);
+  for (const device::KindInfo& kind : device::device_kinds())
+    if (fs::is_regular_file(device_file(exhibit, kind.kind), ignored)) {
+      auto device = device_of(exhibit, kind.kind);
+      add(report, device_file(exhibit, kind.kind), device.keys_checked, std::move(device.problems));
+    }
+  for (const std::string& code : exhibit.languages)
+    if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
+      check_language(report, words);
+  std::vector<std::string> shelf;
+  if (fs::is_directory(exhibit.shelf, ignored)) {
+    shelf = check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader, stop);
+    note(report, 0, names_of_nothing(exhibit, shelf));
+  }
+  if (exhibit.missions)
+    check_missions(report, *exhibit.missions, exhibit.languages, &exhibit, shelf);
+}
+
+bool is_scene_table(const std::string& key) {
+  bool found = key == "clay" || key == "tool" || key == "contact" || key == "wheel" ||
+               key == "guard" || key == "paper";
+  SceneDef every;
+  each_effect(every, [&](auto& effect) {
+    found = found || key == std::remove_reference_t<decltype(*effect)>::kName;
+  });
+  return found;
+}
+
+// Tells by what only one kind of file has; an exhibit where nothing tells.
+void check_toml(CheckReport& report, const fs::path& file,
+                const std::vector<std::string>& languages) {
+  toml::TomlReader reader(file);
+  auto keys = reader.ok() ? reader.root().keys() : std::vector<std::string>{};
+  const auto has = [&keys](const char* key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  if (file.filename() == "vessel.toml" || has("label"))
+    check_vessels(report, file.has_parent_path() ? file.parent_path() : fs::path("."), languages);
+  else if (has("outer") || has("inner")) {
+    auto drawing = content::check_drawing(file);
+    add(report, file, drawing.keys_checked, std::move(drawing.problems));
+  } else if (has("glaze")) {
+    check_glazes(report, file);
+  } else if (has("step")) {
+    check_lesson(report, file, languages);
+  } else if (has("mission")) {
+    check_missions(report, file, languages);
+  } else if (has("text") && has("code")) {
+    check_language(report, file);
+  } else if (has("outline") || has("stars") || has("size_counts")) {
+    auto rubric = settings::read_rubric(file);
+    add(report, file, rubric.keys_checked, std::move(rubric.problems));
+  } else if (std::ranges::any_of(keys, is_scene_table)) {
+    check_scene(report, file);
+  } else {
+    check_whole_exhibit(report, file);
+  }
+}
+
+/// Those of the exhibit `config`, else of the site that `path` lies in; none where there is none.
+std::vector<std::string> languages_for(const fs::path& path, const std::string& config) {
+  std::error_code ignored;
+  fs::path file = files::site_exhibit(path);
+  if (!config.empty())
+    if (const auto named = files::exhibit_file(config)) file = *named;
+  if (!fs::is_regular_file(file, ignored)) return {};
+  return settings::read_exhibit(file).exhibit.languages;
+}
+
+std::string count(int n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string CheckReport::summary() const {
+  std::string counts = count(static_cast<int>(files.size()), "file", "files") + ", " +
+                       count(keys, "key", "keys") + ", " + count(vessels, "vessel", "vessels") +
+                       ", " + count(languages, "language", "languages");
+  if (problems.empty()) return "All good: checked " + counts + ".";
+  return count(static_cast<int>(problems.size()), "problem", "problems") + ": checked " + counts +
+         ".";
+}
+
+Result<CheckReport> check_path(const std::string& path, const std::string& config,
+                               const std::stop_token& stop) {
+  CheckReport report;
+  std::error_code ignored;
+  if (path.empty()) {
+    const auto exhibit = files::exhibit_file(config);
+    if (!exhibit) return tl::unexpected(exhibit.error());
+    if (!fs::exists(*exhibit, ignored))
+      return problem(exhibit->string(), "There is no such exhibit.",
+                     "Name an exhibit.toml, or a folder that holds one.");
+    check_whole_exhibit(report, *exhibit, stop);
+    return report;
+  }
+  if (fs::is_directory(path, ignored)) {
+    for (const fs::path& inside :
+         {fs::path(path) / "exhibit.toml", fs::path(path) / "config" / "exhibit.toml"})
+      if (fs::is_regular_file(inside, ignored)) {
+        check_whole_exhibit(report, inside);
+        return report;
+      }
+    check_vessels(report, path, languages_for(path, config));
+    return report;
+  }
+  if (!fs::exists(path, ignored))
+    return problem(path, "There is nothing of this name.",
+                   "Name an exhibit, a scene, a language, glazes, a drawing, a vessel or a shelf.");
+  if (fs::path(path).extension() == ".toml")
+    check_toml(report, path, languages_for(path, config));
+  else
+    check_vessels(report, path, languages_for(path, config));
+  return report;
+}
+
+}  // namespace onggi::exhibit

@@ -1,0 +1,124 @@
+#include "kiosk/exhibit/composition/keepsakes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <string>
+#include <utility>
+
+#include "kiosk/ground/files/wall_clock.h"
+#include "kiosk/keepsake/souvenir/pass.h"
+
+namespace onggi::exhibit {
+
+namespace {
+
+/// Waits for `other` and lets go of it. A future keeps what its task holds, and so one that is
+/// waited for by the next would keep everything since the program began.
+template <class T>
+void wait_out(std::shared_future<T>& other) {
+  if (other.valid()) other.wait();
+  other = {};
+}
+
+}  // namespace
+
+Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
+                     double phone_hours)
+    : folder_(std::move(folder)), limits_(limits), phone_hours_(phone_hours) {}
+
+Keepsakes::~Keepsakes() {
+  wait();
+  if (tidying_.valid()) tidying_.wait();
+}
+
+void Keepsakes::wait() const {
+  for (const auto& save : saving_) save.wait();
+  for (const auto& picture : adding_) picture.wait();
+}
+
+std::string Keepsakes::token() const {
+  if (phone_hours_ <= 0.0 || !souvenir::Passes(folder_).served(std::time(nullptr))) return {};
+  return souvenir::Passes::new_token().value_or("");
+}
+
+int Keepsakes::save(souvenir::Keepsake keepsake) {
+  // Each save waits for the one before: two at once would each count the quota without the other.
+  std::shared_future<Finished> before;
+  if (!saving_.empty()) before = saving_.back();
+  const int ticket = ++tickets_;
+  saving_.push_back(std::async(std::launch::async, [this, ticket, before, tidying = tidying_,
+                                                    kept = std::move(keepsake)]() mutable {
+                      wait_out(before);
+                      wait_out(tidying);
+                      const souvenir::Keepsake mine = std::move(kept);
+                      const std::lock_guard one_at_a_time(folder_in_use_);
+                      return Finished{ticket, souvenir::save(mine, folder_, limits_)};
+                    }).share());
+  last_save_ = {ticket, saving_.back()};
+  return ticket;
+}
+
+void Keepsakes::add(int ticket, encoding::Turning turning, encoding::Caption caption) {
+  if (ticket != last_save_.first) return;
+  adding_.push_back(std::async(
+      std::launch::async, [this, ticket, save = std::exchange(last_save_, {}).second,
+                           turning = std::move(turning), caption = std::move(caption)]() mutable {
+        const auto gif = souvenir::turning_picture(turning, caption);
+        turning = {};
+        const Result<souvenir::KeepsakeFiles> kept = save.get().outcome;
+        save = {};
+        const auto add = [&]() -> Result<std::filesystem::path> {
+          if (!kept) return tl::unexpected(kept.error());
+          if (!gif) return tl::unexpected(gif.error());
+          const std::lock_guard one_at_a_time(folder_in_use_);
+          return souvenir::add_turning(kept->folder, *gif, limits_);
+        };
+        return Added{ticket, add()};
+      }));
+}
+
+std::optional<Keepsakes::Added> Keepsakes::added() {
+  const auto done = std::find_if(adding_.begin(), adding_.end(), [](const auto& picture) {
+    return picture.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  });
+  if (done == adding_.end()) return std::nullopt;
+  Added added = done->get();
+  adding_.erase(done);
+  return added;
+}
+
+void Keepsakes::look(double now) {
+  if (tidied_at_ && now - *tidied_at_ < kTidy) return;
+  tidied_at_ = now;
+  std::shared_future<Finished> before;
+  if (!saving_.empty()) before = saving_.back();
+  told_ = false;
+  tidying_ = std::async(std::launch::async, [this, before, last = tidying_]() mutable {
+               wait_out(before);
+               wait_out(last);
+               const std::lock_guard one_at_a_time(folder_in_use_);
+               return souvenir::tidy(folder_, limits_);
+             }).share();
+}
+
+std::optional<Problem> Keepsakes::untidy() {
+  if (told_ || !tidying_.valid() ||
+      tidying_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  told_ = true;
+  const Result<void>& good = tidying_.get();
+  if (good) return std::nullopt;
+  return good.error();
+}
+
+std::optional<Keepsakes::Finished> Keepsakes::finished() {
+  if (saving_.empty() ||
+      saving_.front().wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  Finished done = saving_.front().get();
+  saving_.erase(saving_.begin());
+  return done;
+}
+
+}  // namespace onggi::exhibit

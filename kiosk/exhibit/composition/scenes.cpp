@@ -1,0 +1,174 @@
+#include "kiosk/exhibit/composition/scenes.h"
+
+#include <algorithm>
+
+#include "engine/base/nearest_name.h"
+#include "engine/effects/kiln.h"
+#include "engine/script/script.h"
+#include "kiosk/collection/settings/scene_file.h"
+#include "kiosk/exhibit/tuning/grid_memory.h"
+#include "kiosk/exhibit/tuning/machine.h"
+#include "kiosk/ground/files/log.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace onggi::exhibit {
+namespace {
+
+constexpr double kAway = 0.5;          // m from the axis and the wheel: any tool has room there
+constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
+
+/// In the order in which a pot needs them; the wire last, as it ends the throwing.
+std::size_t place_in_tray(std::string_view tool) {
+  constexpr std::string_view kOrder[] = {"palm",       "fingertip",    "sponge", "flat_rib",
+                                         "curved_rib", "loop_trimmer", "needle"};
+  return static_cast<std::size_t>(std::find(std::begin(kOrder), std::end(kOrder), tool) -
+                                  std::begin(kOrder)) +
+         (tool == "wire" ? 1 : 0);
+}
+
+}  // namespace
+
+Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attract_scripts) {
+  take(exhibit, exhibits_, exhibit.scene);
+  bool fires = exhibits_.kiln.has_value();
+  for (const auto& [id, file] : exhibit.vessel_scenes) {
+    SceneDef& own = vessels_[id];
+    take(exhibit, own, file);
+    fires = fires || own.kiln;
+  }
+  if (!fires) return;
+  auto glazes = content::read_glazes(exhibit.glazes, exhibit.languages);
+  files::log_problems(glazes.problems);
+  glazes_ = std::move(glazes.glazes);
+}
+
+Scenes::~Scenes() = default;
+
+void Scenes::take(const settings::Exhibit& exhibit, SceneDef& def,
+                  const std::filesystem::path& file) {
+  settings::SceneRead scene = settings::read_scene(file);
+  files::log_problems(scene.problems);
+  def = std::move(scene.def);
+  def.guard.max_force *= exhibit.screen.force;
+  if (scene.auto_quality) to_tune_.push_back({&def, file, {}});
+}
+
+void Scenes::tune(const std::filesystem::path& folder, const tuning::TunePlan& plan) {
+  if (to_tune_.empty()) return;
+  plan_ = plan;
+  machine_ = tuning::machine_name();
+  std::erase_if(to_tune_, [&](ToTune& scene) {
+    const auto memory = tuning::memory_of(folder, scene.file, machine_);
+    if (!memory) return files::log_problem(memory.error()), true;
+    scene.memory = *memory;
+    const auto grid = tuning::remembered(*memory);
+    if (!grid) return false;
+    scene.def->clay.rows = grid->rows;
+    scene.def->clay.sectors = grid->sectors;
+    files::log_line(scene.file.filename().string() +
+                    ", as found here before: " + tuning::words_of(*grid));
+    return true;
+  });
+  tune_next();
+}
+
+void Scenes::tune_next() {
+  tuner_.reset();
+  if (to_tune_.empty()) return;
+  files::log_line("Looking for the grid of " + to_tune_.front().file.filename().string() +
+                  " on this machine, in the background.");
+  tuner_ = std::make_unique<tuning::BackgroundTuner>(to_tune_.front().file.stem().string(),
+                                                     *to_tune_.front().def, plan_);
+}
+
+void Scenes::take_up_tuned() {
+  if (!tuner_) return;
+  const auto found = tuner_->take();
+  if (!found) return;
+  const ToTune scene = to_tune_.front();
+  to_tune_.erase(to_tune_.begin());
+  if (*found) {
+    scene.def->clay.rows = (*found)->rows;
+    scene.def->clay.sectors = (*found)->sectors;
+    files::log_line(scene.file.filename().string() +
+                    ", from the next pot on: " + tuning::words_of(**found));
+    if (const auto kept = tuning::remember(scene.memory, **found, machine_); !kept)
+      files::log_problem(kept.error());
+  } else {
+    files::log_problem(found->error());
+  }
+  tune_next();
+}
+
+const SceneDef& Scenes::of(const std::string& id) const {
+  const auto own = vessels_.find(id);
+  return own != vessels_.end() ? own->second : exhibits_;
+}
+
+screens::Wheel Scenes::wheel_of(const std::string& id) const {
+  const SceneDef& def = of(id);
+  screens::Wheel wheel;
+  wheel.max_speed = def.wheel.max_speed;
+  wheel.tool_radius = wheel.palm_radius = def.tool.radius;
+  wheel.shown.clear();
+  wheel.keeps_clay = def.volume.has_value();
+  wheel.tear_thickness = def.walls ? def.walls->tear_thickness : 0.0;
+  for (std::size_t n = 0; n < def.tools.size() && !def.paper; ++n) {
+    const auto tool = static_cast<std::uint8_t>(n + 1);
+    const ToolShape& shape = *find_tool_shape(def.tools[n].name);
+    const ToolSize size = sized(shape, def.tools[n].size);
+    if (shape.name == "palm") wheel.palm = tool, wheel.palm_radius = size.radius;
+    if (shape.name == "flat_rib")
+      wheel.rib = screens::Wheel::Rib{tool, size.length, size.thickness};
+    if (shape.name == "loop_trimmer") wheel.trimmer = screens::Wheel::Trimmer{tool, size.radius};
+    if (shape.severs()) wheel.wire = tool;
+    const Vec3 at{kAway, kAway, 0};
+    const ToolPlace held = hold_tool(shape, at, {}, 0.0, false);
+    const body::Ball inmost = shape.support(held, size, {-1, 0, 0});
+    const body::Ball lowest = shape.support(held, size, {0, -1, 0});
+    wheel.tools.push_back({tool, def.tools[n].name, kAway - inmost.middle.x + inmost.radius,
+                           kAway - lowest.middle.y + lowest.radius});
+  }
+  std::stable_sort(wheel.tools.begin(), wheel.tools.end(), [](const auto& a, const auto& b) {
+    return place_in_tray(a.name) < place_in_tray(b.name);
+  });
+  for (const std::string& script : attract_scripts_)
+    if (const ScriptInfo* info = find_script(script);
+        info != nullptr && (info->needs.target || shows_its_effect(*info, def)))
+      wheel.shown.push_back(script);
+  if (wheel.shown.empty()) wheel.shown.push_back("follow");
+  if (def.kiln && !glazes_.empty())
+    wheel.kiln = screens::Kiln{size_after(*def.kiln, {1.0, 0.0}), size_after(*def.kiln, {1.0, 1.0}),
+                               def.kiln->glaze_thickness / kUsualCoat, &glazes_};
+  return wheel;
+}
+
+settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
+                                    const std::vector<std::string>& ids) {
+  toml::TomlReader reader(exhibit.file);
+  auto root = reader.root();
+  auto scenes = root.child("vessel_scenes");
+  for (const auto& [id, scene] : exhibit.vessel_scenes) {
+    if (std::ranges::find(ids, id) != ids.end()) continue;
+    const std::string nearest = nearest_name(id, ids);
+    scenes.complain(id, "There is no vessel \"" + id + "\" on the shelf.",
+                    nearest.empty()
+                        ? "Write the name of its folder on the shelf, or remove the line."
+                        : "Did you mean " + nearest + "?");
+  }
+  std::vector<std::string> shown;  // "follow", and those that show an effect
+  for (const ScriptInfo& script : scripts())
+    if (script.needs.target || !script.shows.empty()) shown.emplace_back(script.name);
+  auto attract = root.child("attract");
+  for (std::size_t n = 0; n < exhibit.attract_scripts.size(); ++n) {
+    const std::string& script = exhibit.attract_scripts[n];
+    if (std::ranges::find(shown, script) != shown.end()) continue;
+    std::string all;
+    for (const std::string& name : shown) all += (all.empty() ? "" : ", ") + name;
+    attract.complain_at("scripts", n, "Attract mode shows no script \"" + script + "\".",
+                        "Choose of " + all + ".");
+  }
+  return reader.problems();
+}
+
+}  // namespace onggi::exhibit

@@ -1,0 +1,260 @@
+#include "kiosk/exhibit/rehearsal/scripted_visitor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/script/script.h"
+#include "kiosk/exhibit/rehearsal/tap.h"
+
+namespace onggi::rehearsal {
+
+using screens::ScreenId;
+
+namespace {
+constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one.
+constexpr double kSurprise = 1.5;                   // s before one touches what is offered.
+constexpr double kWorked = 0.004;     // m off the lump: that is smooth too, and nobody's pot.
+constexpr double kKeepTimeout = 5.0;  // s of visit in which a save has to have begun.
+}  // namespace
+
+ScriptedVisitor::ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan,
+                                 std::function<void(const std::string&)> passed)
+    : kiosk_(kiosk), plan_(std::move(plan)), passed_(std::move(passed)) {}
+
+Result<void> ScriptedVisitor::touch(const std::string& control) {
+  auto rect = way_to(kiosk_.visit(), control);
+  if (rect)
+    then_ = control;  // The next frame has it.
+  else
+    rect = kiosk_.visit().control(control);
+  if (!rect)
+    return problem("screen " + std::string(screens::name_of(screen_)),
+                   "The scripted visitor does not find the control " + control + ".",
+                   "This is a fault of the program: please report it.", 1);
+  tap(kiosk_.visit(), rect->x + rect->w / 2, rect->y + rect->h / 2, now_);
+  return {};
+}
+
+void ScriptedVisitor::enter(ScreenId screen, double now) {
+  screen_ = screen;
+  entered_ = now;
+  touched_ = label_open_ = playing_ = half_shown_ = false;
+}
+
+Result<void> ScriptedVisitor::step(double now) {
+  now_ = now;
+  if (!then_.empty()) return touch(std::exchange(then_, {}));
+  const ScreenId screen = kiosk_.visit().screen();
+  if (entered_ < 0 || screen != screen_) {
+    const bool came_back = entered_ >= 0 && screen == ScreenId::attract;
+    enter(screen, now);
+    if (came_back && !kept_seen_)
+      return problem("the visit", "It went back to the start before the keepsake was made.",
+                     "This is a fault of the program: please report it.", 1);
+  }
+  if (done_ || now - entered_ < plan_.linger) return {};
+
+  switch (screen) {
+    case ScreenId::attract:
+      if (touched_) return {};
+      if (kept_seen_) {
+        pass("attract_again");
+        done_ = true;
+        return {};
+      }
+      touched_ = true;
+      pass("attract");
+      tap(kiosk_.visit(), static_cast<float>(kiosk_.renderer().width()) / 2,
+          static_cast<float>(kiosk_.renderer().height()) / 2, now_);
+      return {};
+    case ScreenId::choose:
+      return on_choose();
+    case ScreenId::throwing:
+      return on_throw(now);
+    case ScreenId::result:
+      if (touched_) return {};
+      touched_ = true;
+      pass("result");
+      return touch("result.keep");
+    case ScreenId::kiln:
+      return on_kiln();
+    case ScreenId::keepsake:
+      return on_keepsake();
+    case ScreenId::fault:
+      pass("fault");
+      return problem("the visit", "The kiosk shows its fault screen.", "Its log says why.", 1);
+  }
+  return {};
+}
+
+Result<void> ScriptedVisitor::on_choose() {
+  const std::string card = plan_.mission >= 0 ? "choose.mission." + std::to_string(plan_.mission)
+                                              : "choose.card." + std::to_string(plan_.card);
+  if (!label_open_) {
+    if (!kiosk_.visit().control(card)) {
+      entered_ = now_;  // The next page fades in.
+      return touch("choose.next");
+    }
+    pass("choose");
+    label_open_ = true;
+    entered_ = now_;  // Linger on the label as on a screen.
+    return touch(card);
+  }
+  if (touched_) return {};
+  touched_ = true;
+  pass("label");
+  return touch("choose.throw");
+}
+
+Result<void> ScriptedVisitor::on_naive(double now) {
+  if (!hands_) {
+    pass("throw_begin");
+    hands_.emplace(plan_.seed, plan_.naive->seconds, plan_.naive->pointer);
+    playing_ = true;
+    entered_ = looked_at_ = now;
+    looks_.emplace();
+    return {};
+  }
+  const auto sight = kiosk_.visit().sight();
+  if (!sight) {
+    // It fell or tore: one is surprised, and takes the way back that is offered.
+    if (troubled_at_ < 0) troubled_at_ = now;
+    if (now - troubled_at_ < kSurprise) return {};
+    troubled_at_ = -1;
+    return touch(kiosk_.visit().control("throw.restore") ? "throw.restore" : "throw.done");
+  }
+  troubled_at_ = -1;
+  if (now - looked_at_ >= 0.5) {
+    looked_at_ = now;
+    looks_->end = smoothness(*sight->made);
+    if (lump_.points.empty()) lump_ = *sight->made;
+    if (!looks_->handsome_at && handsome(looks_->end) && apart(*sight->made, lump_) > kWorked)
+      looks_->handsome_at = now - entered_;
+  }
+  if (!half_shown_ && progress() > 0.5) {
+    half_shown_ = true;
+    pass("throw");
+  }
+  const NaiveHands::Move move = hands_->step(now - entered_, *sight, kiosk_.renderer().width());
+  for (const view::InputEvent& event : move.events) kiosk_.visit().input(event, now);
+  if (hands_->done()) {
+    looks_->end = smoothness(*sight->made);
+    pass("throw_done");
+  }
+  if (!move.control.empty()) return touch(move.control);
+  return {};
+}
+
+Result<void> ScriptedVisitor::on_two(double now) {
+  if (!two_) {
+    pass("throw_begin");
+    two_.emplace();
+    playing_ = true;
+    entered_ = now;
+    return {};
+  }
+  if (touched_) return {};
+  const auto sight = kiosk_.visit().sight();
+  if (!sight) return touch("throw.restore");
+  if (!half_shown_ && progress() > 0.5) {
+    half_shown_ = true;
+    pass("throw");
+  }
+  for (const view::InputEvent& event : two_->step(now - entered_, *sight))
+    kiosk_.visit().input(event, now);
+  if (!two_->done(now - entered_)) return {};
+  touched_ = true;
+  pass("throw_done");
+  return touch("throw.done");
+}
+
+Result<void> ScriptedVisitor::on_throw(double now) {
+  if (plan_.two) return on_two(now);
+  if (plan_.naive) return on_naive(now);
+  if (!playing_) return begin_throwing(now);
+  if (hand_ && !hand_->step(now - std::exchange(moved_at_, now), kiosk_.potter()))
+    return problem("the wheel", "It did not answer the scripted visitor within a second.",
+                   "Look for a stuck 1 kHz loop.", 1);
+  if (!half_shown_ && progress() > 0.5) {
+    half_shown_ = true;
+    pass("throw");
+  }
+  // The hands are real input: a visitor who throws is not idle.
+  view::InputEvent moved;
+  moved.kind = view::InputEvent::Kind::pointer_move;
+  kiosk_.visit().input(moved, now);
+  if (progress() < 1.0 || touched_) return {};
+  touched_ = true;
+  pass("throw_done");
+  return touch("throw.done");
+}
+
+Result<void> ScriptedVisitor::begin_throwing(double now) {
+  const auto& target = kiosk_.card(kiosk_.pot_card())->target;
+  auto script = make_script(plan_.script, {kiosk_.pot_def(), &target, plan_.seed, plan_.pace});
+  if (!script) return tl::unexpected(script.error());
+  pass("throw_begin");
+  if (plan_.hand == Plan::Hand::script)
+    kiosk_.potter().play(std::move(*script));
+  else if (plan_.hand != Plan::Hand::device_alone)
+    hand_ = std::make_unique<VisitorsHand>(std::move(*script), plan_.hand == Plan::Hand::pointer
+                                                                   ? VisitorsHand::By::pointer
+                                                                   : VisitorsHand::By::device);
+  playing_ = true;
+  entered_ = moved_at_ = now;
+  return {};
+}
+
+double ScriptedVisitor::progress() const {
+  if (hands_) return std::min(1.0, (now_ - entered_) / plan_.naive->seconds);
+  if (two_) return std::min(1.0, (now_ - entered_) / TwoVisitors::kSeconds);
+  if (plan_.hand == Plan::Hand::device_alone) return (now_ - entered_) / plan_.watch;
+  if (hand_) return hand_->done() ? 1.0 : hand_->progress();
+  const loop::LoopStatus status = kiosk_.potter().status();
+  return status.script_done ? 1.0 : std::min(0.999, status.script_progress);
+}
+
+/// Chooses, looks on while it is in the fire, and again when it is out.
+Result<void> ScriptedVisitor::on_kiln() {
+  if (touched_) return {};
+  if (!half_shown_) {
+    half_shown_ = true;
+    pass("kiln");
+    entered_ = now_ - plan_.linger + kInTheFire;
+    return touch("kiln.glaze." + std::to_string(plan_.glaze));
+  }
+  if (!label_open_) {
+    label_open_ = true;
+    pass("kiln_fire");
+    entered_ = now_ - plan_.linger + kOutOfIt;
+    return {};
+  }
+  touched_ = true;
+  pass("kiln_fired");
+  return touch("kiln.keep");
+}
+
+Result<void> ScriptedVisitor::on_keepsake() {
+  if (touched_) return {};
+  const auto& kept = kiosk_.kept();
+  if (!kept || !kept->saved) {
+    // A save that is at work ends by itself, well or not, however slow the machine.
+    if (!kiosk_.saving() && now_ - entered_ > kKeepTimeout)
+      return problem("the keepsake", "Nobody is keeping it.",
+                     "This is a fault of the program: please report it.", 1);
+    return {};
+  }
+  // Who takes all home waits for the picture that follows, too.
+  if (kiosk_.turning()) return {};
+  if (!kept_seen_) {
+    kept_seen_ = true;  // One more linger, so that the words about it are on the screen.
+    entered_ = now_;
+    return {};
+  }
+  touched_ = true;
+  pass("keepsake");
+  if (!*kept->saved) return tl::unexpected(kept->saved->error());
+  return touch("keepsake.done");
+}
+
+}  // namespace onggi::rehearsal

@@ -1,0 +1,30 @@
+#include "kiosk/exhibit/rehearsal/visitors_hand.h"
+
+namespace onggi::rehearsal {
+
+bool VisitorsHand::step(double dt, loop::PotterHost& potter) {
+  Hands hands;
+  const auto look = [&](double t) {
+    return potter.with_scene([&](Scene& scene) { hands = script_->at(t, scene.clay()); });
+  };
+  // The script waits in the moment before the tool goes down again.
+  const double next = time_ + dt;
+  if (!look(next)) return false;
+  bool active = false;
+  for (const HandInput& hand : hands.hand) active = active || hand.active;
+  carried_ = active && down_ ? 0.0 : carried_ + dt;
+  const bool waits = active && !down_ && carried_ < kCarry;
+  if (waits) {
+    for (HandInput& hand : hands.hand) hand.active = false;
+  } else {
+    time_ = next;
+    down_ = active;
+  }
+  potter.wheel(hands.wheel_speed);
+  potter.water(hands.water);
+  if (by_ == By::pointer)
+    for (int n = 0; n < kMaxHands; ++n) potter.hand(n, hands.hand[static_cast<std::size_t>(n)]);
+  return true;
+}
+
+}  // namespace onggi::rehearsal

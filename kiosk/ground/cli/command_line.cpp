@@ -1,0 +1,123 @@
+#include "kiosk/ground/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <variant>
+#include <vector>
+
+namespace onggi::cli {
+
+namespace {
+
+CLI::Option* add_field(CLI::App& to, const Option& option, bool* field) {
+  return to.add_flag(option.name, *field, option.help);
+}
+/// Every comparison with "nan" is false, so no range keeps it out.
+std::string not_finite(const std::string& text) {
+  double value = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  return read.ec == std::errc() && !std::isfinite(value) ? text + " is no number to go by" : "";
+}
+
+CLI::Option* add_field(CLI::App& to, const Option& option, double* field) {
+  return to.add_option(option.name, *field, option.help)->check(not_finite);
+}
+CLI::Option* add_field(CLI::App& to, const Option& option, files::Output* field) {
+  return to.add_option(option.name, field->where(), option.help);
+}
+template <class Field>
+CLI::Option* add_field(CLI::App& to, const Option& option, Field* field) {
+  return to.add_option(option.name, *field, option.help);
+}
+
+void add_option(CLI::App& to, const Option& option) {
+  CLI::Option* added =
+      std::visit([&](auto* field) { return add_field(to, option, field); }, option.field);
+  added->required(option.required);
+  if (std::isfinite(option.most))
+    added->check(CLI::Range(option.least, option.most));
+  else if (option.least == 0.0)
+    added->check(CLI::NonNegativeNumber);
+  if (option.shows_default) added->capture_default_str();
+  if (option.hidden) added->group("");
+}
+
+/// Where a command writes to, in its options' order.
+std::vector<files::Output*> outputs_of(const Command& command) {
+  std::vector<files::Output*> outputs;
+  for (const Option& option : command.options)
+    if (files::Output* const* output = std::get_if<files::Output*>(&option.field))
+      outputs.push_back(*output);
+  return outputs;
+}
+
+/// `chosen` becomes the innermost command that was named.
+void describe(CLI::App& app, const Command& command, const Command*& chosen, bool& force) {
+  app.footer(command.examples);
+  for (const Command& below : command.commands)
+    describe(*app.add_subcommand(below.name, below.help), below, chosen, force);
+  for (const Option& option : command.options) add_option(app, option);
+  for (const Option& option : command.options)
+    if (!option.excludes.empty())
+      app.get_option(option.name)->excludes(app.get_option(option.excludes));
+  if (!outputs_of(command).empty())
+    app.add_flag("--force", force, "Write over a file of another kind");
+  if (!command.commands.empty()) app.require_subcommand(command.run ? 0 : 1, 1);
+  app.callback([&app, &command, &chosen] {
+    if (app.get_subcommands().empty()) chosen = &command;
+  });
+}
+
+/// A report that cannot be written is told before the minutes that it takes, not after.
+Result<void> check_outputs(const std::vector<files::Output*>& outputs, bool force) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (force) outputs[i]->force();
+    if (auto good = outputs[i]->check(); !good) return good;
+    for (std::size_t j = 0; j < i; ++j)
+      if (outputs[i]->clashes_with(*outputs[j]))
+        return problem(outputs[i]->where(), "Two outputs would go there, one over the other.",
+                       "Name another place for one of them.");
+  }
+  return {};
+}
+
+int told(const Problem& problem) {
+  std::cerr << to_text(problem) << '\n';
+  return problem.exit_code;
+}
+
+int run(const Command& command, bool force) {
+  if (auto good = check_outputs(outputs_of(command), force); !good) return told(good.error());
+  const Result<int> code = command.run();
+  return code ? *code : told(code.error());
+}
+
+}  // namespace
+
+int run_command_line(const Command& program, const std::string& version, int argc,
+                     const char* const* argv) {
+  CLI::App app{program.help, program.name};
+  app.set_version_flag("--version", program.name + " " + version);
+  const Command* chosen = &program;
+  bool force = false;
+  describe(app, program, chosen, force);
+  try {
+    app.parse(argc, argv);
+    return run(*chosen, force);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << program.name << ": " << error.what() << "\n  See " << program.name
+              << " --help, or " << program.name << " COMMAND --help, for what it takes.\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << program.name << ": " << error.what()
+              << "\n  This is a fault of the program: please report it with the log above.\n";
+    return 1;
+  }
+}
+
+}  // namespace onggi::cli

@@ -1,0 +1,153 @@
+#include "kiosk/ground/files/durable_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "kiosk/ground/files/descriptor.h"
+
+namespace onggi::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+bool sync(int fd) {
+  while (::fsync(fd) != 0) {
+    if (errno == EINVAL || errno == ENOTSUP) return true;  // a disk that knows no fsync here
+    if (errno != EINTR) return false;
+  }
+  return true;
+}
+
+/// A new or renamed name outlasts a power cut only once its folder is synced.
+Result<void> sync_folder(const fs::path& folder) {
+  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!fd.open() || !sync(fd.get())) {
+    return tl::unexpected(disk_problem(folder, "write", errno));
+  }
+  return {};
+}
+
+/// The new file is whose the old one was, and as open to others: root may write for the museum's
+/// user. Who may not give files away keeps the file as their own.
+void keep_rights(int fd, const struct stat& before) {
+  const bool given = ::fchown(fd, before.st_uid, before.st_gid) == 0;
+  ::fchmod(fd, before.st_mode & (given ? 07777 : 0777));
+}
+
+}  // namespace
+
+Problem disk_problem(const fs::path& path, const char* doing, int error) {
+  const std::string where = path.string(), folder = folder_of(path).string();
+  std::error_code ignored;
+  const auto told = [&](const std::string& what, const std::string& remedy) {
+    return Problem{where, what, remedy, 1};
+  };
+  if (error == ENOENT && !fs::exists(folder, ignored))
+    return told("There is no folder " + folder + ".", "Make it, or name another folder.");
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return told("The disk is full.",
+                  "Free some space, lower keepsake.quota_mb, or name a folder on another disk.");
+    case EFBIG:
+      return told("The file is larger than this disk or this user may hold.",
+                  "Raise the limit on file sizes, or name a folder on another disk.");
+    case EROFS:
+      return told("The disk is mounted read-only.",
+                  "Mount it for writing, or name a folder on another disk.");
+    case EACCES:
+    case EPERM:
+      return told(std::string("The kiosk's user may not ") + doing + " here.",
+                  "Give user number " + std::to_string(::geteuid()) + " the folder " + folder +
+                      ", or name another.");
+    case ENOTDIR:
+    case EEXIST:
+    case EISDIR:
+      return told("A file stands where a folder is wanted, or a folder where a file is.",
+                  "Move it away, or name another folder.");
+    case ENAMETOOLONG:
+      return told("The name is too long for this disk.", "Name a folder with a shorter path.");
+    case EIO:
+      return told("The disk reports that it cannot store data.",
+                  "Check the disk: it may be failing. Name a folder on another until then.");
+    default:
+      return told(
+          std::string("The kiosk could not ") + doing + " this: " + std::strerror(error) + ".",
+          "Check the disk, and that the folder " + folder + " can be written.");
+  }
+}
+
+Result<void> make_folder(const fs::path& folder) {
+  struct stat info {};
+  if (::stat(folder.c_str(), &info) == 0) {
+    if (S_ISDIR(info.st_mode)) return {};
+    return tl::unexpected(disk_problem(folder, "make", ENOTDIR));
+  }
+  const fs::path above = folder_of(folder);
+  if (above == folder) return tl::unexpected(disk_problem(folder, "make", ENOENT));
+  if (Result<void> made = make_folder(above); !made) return made;
+  if (::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) {
+    return tl::unexpected(disk_problem(folder, "make", errno));
+  }
+  return sync_folder(above);
+}
+
+Result<void> rename_durably(const fs::path& from, const fs::path& to) {
+  if (::rename(from.c_str(), to.c_str()) != 0) {
+    return tl::unexpected(disk_problem(to, "write", errno));
+  }
+  return sync_folder(folder_of(to));
+}
+
+Result<void> write_durably(const fs::path& file, std::span<const std::byte> bytes) {
+  struct stat before {};
+  const bool there = ::lstat(file.c_str(), &before) == 0;
+  if (there && S_ISLNK(before.st_mode)) {
+    // The link stays, and what it leads to is written: whoever laid it wants it so.
+    std::error_code lost;
+    const fs::path target = fs::canonical(file, lost);
+    if (lost)
+      return problem(file.string(), "It is a link to what is not there.",
+                     "Make what it leads to, or take the link away.", 1);
+    return write_durably(target, bytes);
+  }
+  if (there && S_ISDIR(before.st_mode)) return tl::unexpected(disk_problem(file, "write", EISDIR));
+  if (there && !S_ISREG(before.st_mode))
+    return problem(file.string(), "It is a device, a pipe or a socket, and is not replaced.",
+                   "Name a file.", 1);
+
+  const fs::path folder = folder_of(file);
+  // In the same folder, as a rename is whole only within one disk; with a name of its own, so that
+  // two writers never share it.
+  static std::atomic<unsigned> count{0};
+  const fs::path temporary =
+      folder / ("." + file.filename().string() + "." + std::to_string(::getpid()) + "-" +
+                std::to_string(count.fetch_add(1)) + ".part");
+  Descriptor fd(
+      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (!fd.open()) return tl::unexpected(disk_problem(file, "write", errno));
+  if (there) keep_rights(fd.get(), before);
+  if (!write_all(fd.get(), bytes) || !sync(fd.get()) || !fd.close()) {
+    const int error = errno;
+    ::unlink(temporary.c_str());
+    return tl::unexpected(disk_problem(file, "write", error));
+  }
+  if (Result<void> renamed = rename_durably(temporary, file); !renamed) {
+    ::unlink(temporary.c_str());
+    return renamed;
+  }
+  return {};
+}
+
+}  // namespace onggi::files

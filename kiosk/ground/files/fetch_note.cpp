@@ -1,0 +1,61 @@
+#include "kiosk/ground/files/fetch_note.h"
+
+#include <algorithm>
+#include <span>
+#include <system_error>
+
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/local_time.h"
+#include "kiosk/ground/files/read_file.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::files {
+
+namespace {
+
+constexpr std::size_t kIdLetters = 26, kDayLetters = 10;
+
+bool is_day(const std::string& text) {
+  return text.size() == kDayLetters && begins_like(text + ' ', "9999-99-99");
+}
+
+}  // namespace
+
+bool is_fetch_id(std::string_view id) {
+  return id.size() == kIdLetters && std::all_of(id.begin(), id.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+         });
+}
+
+Result<void> leave_fetch_note(const fs::path& folder, const FetchNote& note) {
+  if (!is_fetch_id(note.id))
+    return problem(note.id, "That is no note's id.", "Report this with the log.");
+  std::error_code error;
+  if (fs::exists(folder / note.id, error)) return {};
+  if (auto made = make_folder(folder); !made) return made;
+  return write_durably(folder / note.id, std::as_bytes(std::span(note.day)));
+}
+
+std::vector<FetchNote> fetch_notes(const fs::path& folder, std::size_t most) {
+  std::vector<FetchNote> notes;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end && notes.size() < most;
+       at.increment(error)) {
+    FetchNote note;
+    note.id = at->path().filename().string();
+    if (!is_fetch_id(note.id)) continue;
+    const auto bytes = read_beneath(folder, note.id, kDayLetters);
+    if (!bytes) continue;
+    note.day.assign(bytes->begin(), bytes->end());
+    if (is_day(note.day)) notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+void remove_fetch_note(const fs::path& folder, const FetchNote& note) {
+  std::error_code error;
+  if (is_fetch_id(note.id)) fs::remove(folder / note.id, error);
+}
+
+}  // namespace onggi::files

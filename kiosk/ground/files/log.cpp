@@ -1,0 +1,28 @@
+#include "kiosk/ground/files/log.h"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "engine/base/plain_text.h"
+
+namespace onggi::files {
+
+namespace {
+spdlog::logger& logger() {
+  static const std::shared_ptr<spdlog::logger> log = [] {
+    auto made = spdlog::stderr_logger_mt("onggi");
+    made->set_pattern("%Y-%m-%d %H:%M:%S.%e %^%l%$ %v");
+    made->flush_on(spdlog::level::info);
+    return made;
+  }();
+  return *log;
+}
+}  // namespace
+
+void log_line(const std::string& line) { logger().info("{}", terminal::plain(line)); }
+void log_problem(const Problem& p) { logger().warn("{}", to_text(p)); }
+void log_problems(const std::vector<Problem>& problems) {
+  for (const Problem& p : problems) log_problem(p);
+}
+
+}  // namespace onggi::files

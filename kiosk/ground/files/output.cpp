@@ -1,0 +1,155 @@
+#include "kiosk/ground/files/output.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "kiosk/ground/files/descriptor.h"
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/output_kind.h"
+#include "kiosk/ground/files/read_ledger.h"
+
+namespace onggi::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What stands under a name, links followed.
+struct Standing {
+  bool there = false;
+  struct stat info {};
+};
+
+Standing standing(const std::string& where) {
+  Standing found;
+  found.there = ::stat(where.c_str(), &found.info) == 0;
+  return found;
+}
+
+bool same_file(const struct stat& a, const struct stat& b) {
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+const char* name_of(Output::Kind kind) {
+  switch (kind) {
+    case Output::Kind::json:
+      return "report in JSON";
+    case Output::Kind::csv:
+      return "table in CSV";
+    case Output::Kind::glb:
+      return "GLB";
+    case Output::Kind::wav:
+      return "sound in WAV";
+    case Output::Kind::archive:
+      return "packed archive";
+    case Output::Kind::picture:
+      break;
+  }
+  return "picture of this kind";
+}
+
+fs::path folder_for(const std::string& where) {
+  const fs::path folder = fs::path(where).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+Result<void> check_new(const std::string& where) {
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(where, ignored)))
+    return problem(where, "It is a link to what is not there.",
+                   "Make what it leads to, or name a file.");
+  const fs::path folder = folder_for(where);
+  const Standing above = standing(folder.string());
+  if (!above.there)
+    return problem(where, "There is no folder " + folder.string() + ", and none is made unasked.",
+                   "Make it first: mkdir -p '" + folder.string() + "'. Or name a file elsewhere.");
+  if (!S_ISDIR(above.info.st_mode) || fs::path(where).filename().empty())
+    return problem(where, folder.string() + " is no folder.", "Name a file in a folder.");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    return tl::unexpected(disk_problem(where, "write", errno));
+  return {};
+}
+
+/// A device or a pipe: written to as it stands, never replaced.
+Result<void> write_to_stream(const std::string& where, std::span<const std::byte> bytes) {
+  // O_NONBLOCK: a pipe that nobody reads would be waited for without end.
+  const Descriptor out(::open(where.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (!out.open() && errno == ENXIO)
+    return problem(where, "Nobody reads from this pipe.", "Start its reader first.");
+  struct stat info {};
+  if (!out.open() || ::fstat(out.get(), &info) != 0)
+    return tl::unexpected(disk_problem(where, "write", errno));
+  if (!S_ISCHR(info.st_mode) && !S_ISFIFO(info.st_mode))
+    return problem(where, "It became another thing while it was looked at.", "Try again.", 1);
+  ::fcntl(out.get(), F_SETFL, 0);
+  if (!write_all(out.get(), bytes)) return tl::unexpected(disk_problem(where, "write", errno));
+  return {};
+}
+
+Result<void> write_to_stdout(std::span<const std::byte> bytes) {
+  std::cout.flush();
+  std::fflush(stdout);
+  if (write_all(STDOUT_FILENO, bytes)) return {};
+  return tl::unexpected(disk_problem("standard output", "write", errno));
+}
+
+}  // namespace
+
+bool Output::to_stdout() const {
+  if (where_ == "-") return true;
+  struct stat out {};
+  const Standing found = standing(where_);
+  return found.there && ::fstat(STDOUT_FILENO, &out) == 0 && same_file(found.info, out) &&
+         (S_ISREG(out.st_mode) || S_ISFIFO(out.st_mode));
+}
+
+bool Output::clashes_with(const Output& other) const {
+  if (!wanted() || !other.wanted()) return false;
+  if (to_stdout() || other.to_stdout()) return to_stdout() && other.to_stdout();
+  const Standing mine = standing(where_), its = standing(other.where_);
+  if (mine.there && its.there) return S_ISREG(mine.info.st_mode) && same_file(mine.info, its.info);
+  std::error_code ignored;
+  return mine.there == its.there &&
+         fs::weakly_canonical(where_, ignored) == fs::weakly_canonical(other.where_, ignored);
+}
+
+Result<void> Output::check() const {
+  if (!wanted() || to_stdout()) return {};
+  const Standing found = standing(where_);
+  if (!found.there) return check_new(where_);
+  const mode_t mode = found.info.st_mode;
+  if (S_ISCHR(mode) || S_ISFIFO(mode)) return {};
+  if (S_ISDIR(mode)) return problem(where_, "It is a folder.", "Name a file in it.");
+  if (!S_ISREG(mode))
+    return problem(where_, S_ISBLK(mode) ? "It is a disk, which would be lost." : "It is a socket.",
+                   "Name a file.");
+  if (was_read(found.info))
+    return problem(where_, "It was read in this run, and is not written over.",
+                   "Name another file.");
+  if (!forced_ && !is_of_kind(where_, kind_))
+    return problem(where_,
+                   std::string("It is there already and is no ") + name_of(kind_) +
+                       ", so nothing is written over it.",
+                   "Name another file, or say --force if this one may be lost.");
+  return {};
+}
+
+Result<void> Output::write(std::span<const std::byte> bytes) const {
+  if (!wanted()) return {};
+  if (auto good = check(); !good) return good;
+  if (to_stdout()) return write_to_stdout(bytes);
+  const Standing found = standing(where_);
+  if (found.there && !S_ISREG(found.info.st_mode)) return write_to_stream(where_, bytes);
+  return write_durably(where_, bytes);
+}
+
+Result<void> Output::write(const std::string& text) const {
+  return write(std::as_bytes(std::span(text)));
+}
+
+}  // namespace onggi::files

@@ -1,0 +1,85 @@
+#include "kiosk/ground/files/output_kind.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace onggi::files {
+namespace {
+
+constexpr std::size_t kLongestJson = std::size_t{64} << 20;
+constexpr std::size_t kHead = 4096;
+
+bool is_report(const std::string& text) {
+  using Json = nlohmann::json;
+  // What lies deeper is read and let go, as only the uppermost keys tell a glTF.
+  const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= 1; };
+  const Json json = Json::parse(text, shallow, false);
+  return !json.is_discarded() && !(json.is_object() && json.contains("asset"));
+}
+
+/// Commas outside quotes.
+std::ptrdiff_t commas(std::string_view line) {
+  std::ptrdiff_t n = 0;
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted) ++n;
+  }
+  return n;
+}
+
+/// Text whose whole lines have all as many commas as the first, which has one at least.
+bool is_table(std::string_view head) {
+  const auto unprintable = [](unsigned char c) {
+    return c < 0x20 && c != '\n' && c != '\r' && c != '\t';
+  };
+  if (std::any_of(head.begin(), head.end(), unprintable)) return false;
+  std::size_t from = 0, end = head.find('\n');
+  if (end == std::string_view::npos) return false;
+  const std::ptrdiff_t wanted = commas(head.substr(0, end));
+  bool good = wanted > 0;
+  for (; good && end != std::string_view::npos; from = end + 1, end = head.find('\n', from))
+    good = commas(head.substr(from, end - from)) == wanted;
+  return good;
+}
+
+std::string read_to(std::ifstream& in, std::size_t most) {
+  std::string text(most, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+}  // namespace
+
+bool is_of_kind(const std::filesystem::path& file, Output::Kind kind) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return false;
+  const std::string head = read_to(in, kHead);
+  if (head.empty()) return in.eof();
+  const bool whole = head.size() < kHead;
+  switch (kind) {
+    case Output::Kind::json: {
+      if (whole) return is_report(head);
+      const std::string rest = read_to(in, kLongestJson);
+      return rest.size() < kLongestJson && is_report(head + rest);
+    }
+    case Output::Kind::csv:
+      return is_table(head);
+    case Output::Kind::glb:
+      return head.starts_with("glTF");
+    case Output::Kind::wav:
+      return head.starts_with("RIFF") && head.substr(8, 4) == "WAVE";
+    case Output::Kind::archive:
+      return head.starts_with("\x1f\x8b");
+    case Output::Kind::picture:
+      break;
+  }
+  if (file.extension() == ".svg") return head.find("<svg") != std::string::npos;
+  return head.starts_with("\x89PNG\r\n");
+}
+
+}  // namespace onggi::files

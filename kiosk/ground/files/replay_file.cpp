@@ -1,0 +1,29 @@
+#include "kiosk/ground/files/replay_file.h"
+
+#include <span>
+
+#include "kiosk/ground/files/read_file.h"
+
+namespace onggi::files {
+
+namespace {
+constexpr std::size_t kLargest = 1u << 30;  // Over ten hours of restless hands.
+}
+
+Result<Replay> read_replay(const std::filesystem::path& file) {
+  using Kind = files::ReadFault::Kind;
+  const std::string name = file.string();
+  const auto bytes = files::read_file(file, kLargest);
+  if (bytes) return Replay::read(std::as_bytes(std::span(*bytes)), name);
+  switch (bytes.error().kind) {
+    case Kind::too_large:
+      return problem(name, "It is over 1 GiB, larger than any visit.", "Name a visit.onggi.");
+    case Kind::closed:
+    case Kind::unreadable:
+      return problem(name, "It could not be read.", "Check its permissions and disk.", 1);
+    default:
+      return problem(name, "There is no such file.", "Name a visit.onggi that a visit left.");
+  }
+}
+
+}  // namespace onggi::files

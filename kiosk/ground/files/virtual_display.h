@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/base/result.h"
+#include "kiosk/ground/files/child_process.h"
+
+namespace onggi::files {
+
+/// An X server without a screen (Xvfb), for scripted visits where there is no display. Sets DISPLAY
+/// while it lives; ends the server when destroyed, and the server ends by itself should the thread
+/// that started it die.
+class VirtualDisplay {
+ public:
+  /// Nothing to do (nullptr) when DISPLAY or WAYLAND_DISPLAY is set. Problem when Xvfb is missing
+  /// or does not start within 10 s.
+  static Result<std::unique_ptr<VirtualDisplay>> ensure(int width, int height);
+  ~VirtualDisplay();
+  VirtualDisplay(const VirtualDisplay&) = delete;
+  VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+ private:
+  explicit VirtualDisplay(ChildProcess server) : server_(std::move(server)) {}
+  ChildProcess server_;
+};
+
+}  // namespace onggi::files

@@ -1,0 +1,170 @@
+#include "kiosk/ground/toml/toml_reader.h"
+
+#include <algorithm>
+
+#include "engine/base/nearest_name.h"
+#include "kiosk/ground/toml/toml_reader_impl.h"
+
+namespace onggi::toml {
+
+TomlReader::Table TomlReader::Impl::table(const std::string& path, const TomlNode::Table* node,
+                                          Place at) {
+  auto& slot = tables[path];
+  if (!slot) {
+    slot = std::make_shared<Table::Impl>();
+    slot->file = this;
+    slot->node = node;
+    slot->path = path;
+    slot->place = at;
+  }
+  Table out;
+  out.impl_ = slot;
+  return out;
+}
+
+TomlReader::TomlReader() : impl_(std::make_shared<Impl>()) {}
+
+TomlReader::TomlReader(const std::filesystem::path& file) : TomlReader() {
+  impl_->name = file.string();
+  if (const Result<std::string> text = read_toml_text(file))
+    parse(*text);
+  else
+    impl_->problems.push_back(text.error());
+}
+
+TomlReader TomlReader::of_text(const std::string& text, const std::string& name) {
+  TomlReader reader;
+  reader.impl_->name = name;
+  reader.parse(text);
+  return reader;
+}
+
+void TomlReader::parse(const std::string& text) {
+  Result<TomlNode::Table> parsed = parse_toml(text, impl_->name);
+  if (!parsed) {
+    impl_->problems.push_back(parsed.error());
+    return;
+  }
+  impl_->root = std::move(*parsed);
+  impl_->ok = true;
+}
+
+TomlReader::~TomlReader() = default;
+TomlReader::TomlReader(TomlReader&&) noexcept = default;
+
+bool TomlReader::ok() const { return impl_->ok; }
+const std::vector<Problem>& TomlReader::problems() const { return impl_->problems; }
+std::vector<Problem> TomlReader::problems_since(const std::vector<Problem>& before) const {
+  // By what they say: a new one stands between the old ones, where its line is.
+  std::vector<Problem> out;
+  for (const Problem& p : impl_->problems)
+    if (std::none_of(before.begin(), before.end(), [&p](const Problem& old) {
+          return old.where == p.where && old.what == p.what;
+        }))
+      out.push_back(p);
+  return out;
+}
+int TomlReader::keys_checked() const { return impl_->keys_checked; }
+TomlReader::Table TomlReader::root() {
+  return impl_->table("", impl_->ok ? &impl_->root : nullptr, Place{});
+}
+
+bool TomlReader::Table::present() const { return impl_->node != nullptr; }
+
+bool TomlReader::Table::has(std::string_view key) const {
+  return present() && find(*impl_->node, key) != nullptr;
+}
+
+bool TomlReader::Table::has_table(std::string_view key) const {
+  const TomlNode* value = present() ? find(*impl_->node, key) : nullptr;
+  return value != nullptr && value->as<TomlNode::Table>() != nullptr;
+}
+
+std::vector<std::string> TomlReader::Table::keys() const {
+  std::vector<std::pair<Place, std::string>> found;
+  if (present()) {
+    for (const TomlNode::Member& member : *impl_->node)
+      found.emplace_back(member.place, member.key);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> out;
+  for (auto& [place, key] : found) out.push_back(std::move(key));
+  return out;
+}
+
+TomlReader::Table TomlReader::Table::child(std::string_view name) {
+  const TomlNode* value = impl_->ask(name);
+  const TomlNode::Table* table = value == nullptr ? nullptr : value->as<TomlNode::Table>();
+  if (value != nullptr && table == nullptr) {
+    const std::string full = impl_->full(name);
+    impl_->wrong_type(name, *value, "a table",
+                      "Write [" + full + "] on a line of its own, and its keys below it.");
+  }
+  return impl_->file->table(impl_->full(name), table,
+                            value == nullptr ? impl_->place : value->place);
+}
+
+std::vector<TomlReader::Table> TomlReader::Table::children(std::string_view name) {
+  const std::string full = impl_->full(name);
+  const std::string remedy = "Write [[" + full + "]] on a line of its own before each of them.";
+  std::vector<Table> out;
+  const TomlNode::List* list = impl_->ask_list(name, "a list of tables", remedy);
+  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    const TomlNode& value = (*list)[i];
+    if (const TomlNode::Table* table = value.as<TomlNode::Table>()) {
+      out.push_back(impl_->file->table(impl_->full(impl_->element(name, i)), table, value.place));
+    } else {
+      impl_->wrong_type(impl_->element(name, i), value, "a table", remedy);
+    }
+  }
+  return out;
+}
+
+void TomlReader::Table::complain(std::string_view key, std::string what, std::string remedy) {
+  impl_->file->note(impl_->place_of_key(key), std::move(what), std::move(remedy));
+}
+
+void TomlReader::Table::complain_at(std::string_view key, std::size_t index, std::string what,
+                                    std::string remedy) {
+  const TomlNode* value = present() ? find(*impl_->node, key) : nullptr;
+  const TomlNode::List* list = value == nullptr ? nullptr : value->as<TomlNode::List>();
+  const Place at =
+      list != nullptr && index < list->size() ? (*list)[index].place : impl_->place_of_key(key);
+  impl_->file->note(at, std::move(what), std::move(remedy));
+}
+
+void TomlReader::Table::require(std::string_view key, std::string remedy) {
+  if (impl_->ask(key) != nullptr) return;
+  impl_->file->note(impl_->place, impl_->full(key) + " is missing.", std::move(remedy));
+}
+
+void TomlReader::Table::finish() {
+  if (!present() || impl_->finished) return;
+  impl_->finished = true;
+  for (const auto& [name, place, value] : *impl_->node) {
+    if (std::find(impl_->asked.begin(), impl_->asked.end(), name) != impl_->asked.end()) continue;
+    const std::string full = shown(impl_->full(name), 120);
+    const std::string what = value.as<TomlNode::Table>()
+                                 ? "[" + full + "] is not a table of this file."
+                                 : full + " is not a key of this file.";
+    impl_->file->note(place, what, impl_->right_name(name));
+  }
+}
+
+std::string TomlReader::Table::Impl::right_name(const std::string& wrong) const {
+  if (const std::string near = nearest_name(wrong, asked); !near.empty()) {
+    return "Write " + near + ", if that is meant.";
+  }
+  // The right name in the wrong place: a key that slipped under another [table].
+  for (const auto& [other_path, other] : file->tables) {
+    if (other.get() == this) continue;
+    if (std::find(other->asked.begin(), other->asked.end(), wrong) == other->asked.end()) continue;
+    return other_path.empty() ? "Move it above the first [table]."
+                              : "Move it below the line [" + other_path + "].";
+  }
+  std::string known;
+  for (const std::string& name : asked) known += (known.empty() ? "" : ", ") + name;
+  return "Remove it, or write one of: " + known + ".";
+}
+
+}  // namespace onggi::toml

@@ -1,0 +1,104 @@
+#include "kiosk/keepsake/phone/answers.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "kiosk/keepsake/phone/page_files.h"
+#include "kiosk/keepsake/phone/probes.h"
+#include "kiosk/keepsake/phone/visitors_page.h"
+#include "kiosk/keepsake/souvenir/visit_folder.h"
+
+namespace onggi::phone {
+
+namespace {
+
+constexpr std::string_view kBelow = "/k/";
+
+struct File {
+  const char* name;
+  const char* type;
+  bool saved;
+};
+constexpr File kFiles[] = {{souvenir::kPostcardJpeg, "image/jpeg", false},
+                           {souvenir::kTurning, "image/gif", false},
+                           {souvenir::kPotGlb, "model/gltf-binary", false},
+                           {souvenir::kPotStl, "model/stl", true}};
+
+struct PageFile {
+  const char *name, *type, *text;
+};
+const PageFile kPageFiles[] = {{"/page.js", "text/javascript; charset=utf-8", k_page_js},
+                               {"/page.css", "text/css; charset=utf-8", k_page_css},
+                               {"/page.svg", "image/svg+xml", k_page_svg}};
+
+/// The value of `name` in what stands behind a '?'.
+std::string asked_for(std::string_view query, std::string_view name) {
+  while (!query.empty()) {
+    const auto end = std::min(query.find('&'), query.size());
+    const std::string_view one = query.substr(0, end);
+    query.remove_prefix(std::min(end + 1, query.size()));
+    if (one.size() > name.size() && one.starts_with(name) && one[name.size()] == '=')
+      return std::string(one.substr(name.size() + 1));
+  }
+  return {};
+}
+
+}  // namespace
+
+Answer Answers::nothing_here(const Ask& ask) const {
+  const PhoneWords* own = languages_.liked(ask.languages);
+  return {.body = sentence_page(own != nullptr ? *own : languages_.all().front(), "nothing")};
+}
+
+Answer Answers::to(const Ask& ask) const {
+  const std::string_view target = ask.target;
+  if (ask.method == "GET")
+    for (const auto& [name, type, text] : kPageFiles)
+      if (target == name) return {.status = 200, .type = type, .body = text};
+  if (const Probe* probe = ask.method == "GET" ? probe_of(target) : nullptr; probe != nullptr)
+    return {.status = probe->status,
+            .type = std::string(probe->type),
+            .body = std::string(probe->body)};
+  // Whatever is asked, all passes are looked through: how long it takes tells nothing.
+  const auto mark = std::min(target.find('?'), target.size());
+  const std::string_view path = target.substr(0, mark);
+  const std::string_view rest =
+      path.starts_with(kBelow) ? path.substr(kBelow.size()) : std::string_view();
+  const auto slash = rest.find('/');
+  const std::string_view what =
+      slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
+  const std::int64_t now = clock_();
+  const auto pass = passes_.find(rest.substr(0, slash), now);
+  if (!pass) return nothing_here(ask);
+  // The page speaks as the visit did, unless another language is asked for.
+  const PhoneWords* own = languages_.liked(ask.languages);
+  const PhoneWords* words =
+      languages_.of(asked_for(target.substr(std::min(mark + 1, target.size())), "lang"));
+  for (const PhoneWords* other : {languages_.of(pass->language), own, &languages_.all().front()})
+    if (words == nullptr) words = other;
+  if (ask.method == "POST" && what == "delete") {
+    if (!passes_.remove_all_of(*pass))
+      return {.status = 500, .body = sentence_page(*words, "not_deleted")};
+    return {.status = 200, .body = sentence_page(*words, "deleted")};
+  }
+  if (ask.method != "GET" || !pass->whole) return nothing_here(ask);
+  if (slash == std::string_view::npos) {
+    passes_.note_fetched(*pass, now);
+    return {.status = 200,
+            .body = visitors_page(pass->token, *words, own, languages_,
+                                  passes_.has_file(*pass, souvenir::kTurning))};
+  }
+  for (const File& file : kFiles) {
+    if (what != file.name) continue;
+    auto bytes = passes_.file_of(*pass, file.name);
+    if (!bytes) break;
+    return {.status = 200,
+            .type = file.type,
+            .body = std::move(*bytes),
+            .file_name = file.saved ? file.name : ""};
+  }
+  return nothing_here(ask);
+}
+
+}  // namespace onggi::phone

@@ -1,0 +1,127 @@
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include "kiosk/keepsake/phone/answers.h"
+#include "kiosk/keepsake/phone/server.h"
+
+namespace {
+
+constexpr const char* kHelp =
+    "onggi-console: serves visitors' keepsakes to their phones. Play needs nothing of it.\n\n"
+    "Usage: onggi-console --phone-only --keepsakes DIR [--listen 127.0.0.1:8080]\n"
+    "                     [--languages content/languages]\n"
+    "       onggi-console --pass DIR/VISIT [--hours 24]   prints the path of a new page\n\n"
+    "Example: onggi-console --phone-only --keepsakes /srv/onggi/keepsakes --listen "
+    "192.168.4.1:8080\n"
+    "Exit: 0 good, 1 the machine's fault, 2 the input's.\n";
+
+struct Arguments {
+  std::string keepsakes, listen = "127.0.0.1:8080", pass, hours = "24", languages;
+  bool phone_only = false, help = false;
+};
+
+onggi::Result<Arguments> read(int count, char** values) {
+  Arguments a;
+  for (int n = 1; n < count; ++n) {
+    const std::string_view name = values[n];
+    if (name == "--help" || name == "-h") {
+      a.help = true;
+      continue;
+    }
+    if (name == "--phone-only") {
+      a.phone_only = true;
+      continue;
+    }
+    std::string* field = name == "--keepsakes"   ? &a.keepsakes
+                         : name == "--listen"    ? &a.listen
+                         : name == "--pass"      ? &a.pass
+                         : name == "--hours"     ? &a.hours
+                         : name == "--languages" ? &a.languages
+                                                 : nullptr;
+    if (field == nullptr || n + 1 == count)
+      return onggi::problem(std::string(name),
+                            field == nullptr ? "There is no such option." : "It wants a value.",
+                            "See onggi-console --help.");
+    *field = values[++n];
+  }
+  return a;
+}
+
+onggi::Result<int> give(const Arguments& a) {
+  const std::filesystem::path visit = a.pass;
+  char* end = nullptr;
+  const double hours = std::strtod(a.hours.c_str(), &end);
+  if (end == a.hours.c_str() || *end != '\0' || !(hours > 0.0 && hours <= 24.0 * 365.0))
+    return onggi::problem("--hours " + a.hours, "That is no time.", "Write hours, 1 to 8760.");
+  const auto pass = onggi::souvenir::Passes(visit.parent_path())
+                        .give(visit.filename().string(), std::time(nullptr), hours);
+  if (!pass) return tl::unexpected(pass.error());
+  std::cout << "/k/" << pass->token << '\n';
+  return 0;
+}
+
+/// The languages of the exhibit whose keepsakes these are, else those beside the program or above
+/// it: where it was built, and where it is installed.
+std::filesystem::path languages_for(const std::filesystem::path& keepsakes) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (auto folder : {std::filesystem::absolute(keepsakes, error).parent_path(), program})
+    for (;; folder = folder.parent_path()) {
+      if (const auto found = folder / "content/languages";
+          std::filesystem::is_directory(found, error))
+        return found;
+      if (folder == folder.parent_path()) break;
+    }
+  return {};
+}
+
+onggi::Result<int> serve(const Arguments& a) {
+  const auto colon = a.listen.rfind(':');
+  const std::string port = colon == std::string::npos ? "" : a.listen.substr(colon + 1);
+  char* end = nullptr;
+  const long number = std::strtol(port.c_str(), &end, 10);
+  if (port.empty() || *end != '\0' || number < 0 || number > 65535)
+    return onggi::problem("--listen " + a.listen, "That is no address and port.",
+                          "Write one such as 127.0.0.1:8080.");
+  if (!std::filesystem::is_directory(a.keepsakes))
+    return onggi::problem("--keepsakes " + a.keepsakes, "That is no folder.",
+                          "Name the exhibit's folder of keepsakes.");
+  std::vector<onggi::Problem> remarks;
+  const onggi::phone::Answers answers(
+      onggi::souvenir::Passes(a.keepsakes),
+      [] { return static_cast<std::int64_t>(std::time(nullptr)); },
+      onggi::phone::PhoneLanguages::read(
+          a.languages.empty() ? languages_for(a.keepsakes) : std::filesystem::path(a.languages),
+          remarks));
+  for (const onggi::Problem& remark : remarks) std::cerr << onggi::to_text(remark) << '\n';
+  const auto server = onggi::phone::Server::listen(a.listen.substr(0, colon),
+                                                   static_cast<std::uint16_t>(number), answers);
+  if (!server) return tl::unexpected(server.error());
+  std::cout << "listening at port " << (*server)->port() << std::endl;
+  (*server)->run([&answers] { answers.look_after(); });
+  answers.end();
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  const auto arguments = read(count, values);
+  onggi::Result<int> done = 0;
+  if (!arguments)
+    done = tl::unexpected(arguments.error());
+  else if (arguments->help || count == 1)
+    std::cout << kHelp;
+  else if (!arguments->pass.empty())
+    done = give(*arguments);
+  else if (arguments->phone_only)
+    done = serve(*arguments);
+  else
+    done = onggi::problem("onggi-console", "It is not said what to do.", "Say --phone-only.");
+  if (done) return *done;
+  std::cerr << onggi::to_text(done.error()) << '\n';
+  return done.error().exit_code;
+}

@@ -1,0 +1,125 @@
+#include "kiosk/keepsake/souvenir/keepsake.h"
+
+#include <ctime>
+#include <optional>
+#include <span>
+#include <system_error>
+
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/souvenir/stl.h"
+#include "kiosk/keepsake/souvenir/visit_folder.h"
+
+namespace onggi::souvenir {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostOfOneName = 99;
+
+/// A pass that is taken back unless its keepsake is kept.
+class GivenPass {
+ public:
+  explicit GivenPass(const fs::path& folder) : passes_(folder) {}
+  ~GivenPass() {
+    if (pass_) passes_.take_back(*pass_);
+  }
+  GivenPass(const GivenPass&) = delete;
+  GivenPass& operator=(const GivenPass&) = delete;
+  /// Its token; "" where the disk refuses: the keepsake is kept whether or not a phone gets it.
+  std::string give(const std::string& visit, const ByPhone& phone) {
+    const auto pass =
+        passes_.give(visit, std::time(nullptr), phone.hours, phone.language, phone.token);
+    if (!pass) return {};
+    pass_ = *pass;
+    return pass->token;
+  }
+  void keep() { pass_.reset(); }
+
+ private:
+  Passes passes_;
+  std::optional<Pass> pass_;
+};
+
+/// A name that neither a visit nor one in the making has, its .partial folder made.
+Result<std::string> take_name(const fs::path& folder, const std::string& wanted) {
+  for (int i = 1; i <= kMostOfOneName; ++i) {
+    const std::string name = i == 1 ? wanted : wanted + "_" + std::to_string(i);
+    std::error_code error;
+    if (fs::symlink_status(folder / name, error).type() != fs::file_type::not_found) continue;
+    // create_directory is the one step that two writers cannot both win.
+    if (fs::create_directory(folder / (name + kPartial), error)) return name;
+    if (error) {
+      return tl::unexpected(
+          files::disk_problem(folder / (name + kPartial), "write", error.value()));
+    }
+  }
+  return problem((folder / wanted).string(), "There are 99 visits of this name already.",
+                 "Set the machine's clock: it seems to stand still.", 1);
+}
+
+}  // namespace
+
+Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
+                           const KeepsakeLimits& limits) {
+  const std::string wanted = visit_name(keepsake.name);
+  if (wanted.empty()) {
+    return problem(keepsake.name, "A visit's name begins with its date and time.",
+                   "This is a fault of the program: report it with the log.", 1);
+  }
+  // Encode first: what fails here has not touched the disk.
+  auto png = encoding::encode(keepsake.phone ? keepsake.phone->card : keepsake.postcard,
+                              encoding::Format::png, keepsake.caption);
+  if (!png) return tl::unexpected(png.error());
+  auto jpeg = encoding::encode(keepsake.postcard, encoding::Format::jpeg, keepsake.caption);
+  if (!jpeg) return tl::unexpected(jpeg.error());
+  std::vector<std::byte> small;
+  if (keepsake.small) {
+    auto picture = encoding::encode(keepsake.small->picture, encoding::Format::jpeg, {});
+    if (!picture) return tl::unexpected(picture.error());
+    small = std::move(*picture);
+  }
+  const std::string shown = keepsake.small ? text_of(*keepsake.small) : std::string();
+  const std::vector<std::byte> stl = write_stl(keepsake.pot, keepsake.caption.title);
+
+  if (auto made = files::make_folder(folder); !made) return tl::unexpected(made.error());
+  const auto name = take_name(folder, wanted);
+  if (!name) return tl::unexpected(name.error());
+  PartialFolder partial(folder / (*name + kPartial));
+
+  KeepsakeFiles files;
+  files.folder = folder / *name;
+  GivenPass given(folder);
+  if (keepsake.phone) {
+    files.token = given.give(*name, *keepsake.phone);
+    if (files.token.empty())
+      png = encoding::encode(keepsake.postcard, encoding::Format::png, keepsake.caption);
+    if (!png) return tl::unexpected(png.error());
+  }
+  const auto write = [&](fs::path& path, const char* file,
+                         std::span<const std::byte> bytes) -> Result<void> {
+    if (bytes.empty()) return {};
+    path = files.folder / file;
+    return files::write_durably(partial.path() / file, bytes);
+  };
+  fs::path unnamed;
+  const bool has_pot = !keepsake.pot.triangles.empty();
+  for (const Result<void>& written :
+       {write(files.png, kPostcardPng, *png), write(files.jpeg, kPostcardJpeg, *jpeg),
+        write(files.glb, kPotGlb, keepsake.glb),
+        write(files.stl, kPotStl, has_pot ? std::span(stl) : std::span<const std::byte>()),
+        write(files.replay, kReplay, keepsake.replay), write(unnamed, kSmall, small),
+        write(unnamed, kShown, std::as_bytes(std::span(shown)))}) {
+    if (!written) return tl::unexpected(written.error());
+  }
+  if (auto renamed = files::rename_durably(partial.path(), files.folder); !renamed) {
+    return tl::unexpected(renamed.error());
+  }
+  partial.keep();
+  given.keep();
+  // This visit is kept, whatever becomes of others.
+  (void)tidy(folder, limits, *name);
+  return files;
+}
+
+}  // namespace onggi::souvenir

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/profile/profile.h"
+#include "kiosk/picture/view/frame.h"
+#include "kiosk/picture/view/measure.h"
+
+namespace onggi::souvenir {
+
+/// What a postcard says and shows; words already in the visitor's language.
+struct PostcardWords {
+  std::string title;   ///< "My answer to: Moon jar"
+  std::string vessel;  ///< Culture and date of the vessel it answers.
+  int stars = 0;       ///< 0..5, as small filled circles.
+  std::string credit;  ///< The museum's.
+  std::string date;    ///< Already formatted.
+  std::string glaze;   ///< And the size: "Celadon, 175 mm high". May be empty.
+  std::string language = "en";
+  bool right_to_left = false;  ///< The language's: words, stars and drawing change sides.
+  std::string address;         ///< The museum's page on the vessel, as a square code; may be empty.
+  std::string address_words;   ///< Below it, where both codes are there.
+  std::string phone;  ///< The visitor's own page, as a larger one; empty: no phone reaches it.
+  std::string phone_words;  ///< Below it: what it is, and until when.
+};
+
+inline constexpr int kPostcardWidth = 1500, kPostcardHeight = 2100;
+
+/// The postcard of the design, composed once for screen and file: the pot alone on plaster, with
+/// its glaze (none: as dry clay), title, vessel, stars, credit, a hairline section of `made` (dark)
+/// over `target` (pale) in one corner, and beside it square codes, dark on the plaster with
+/// their quiet zones.
+view::Frame compose_postcard(const PostcardWords& words, const Profile& made, const Profile& target,
+                             const view::TextMeasure& measure,
+                             const std::optional<view::Glazing>& glazing = view::Glazing{});
+
+}  // namespace onggi::souvenir

@@ -1,0 +1,167 @@
+#include "kiosk/keepsake/souvenir/visit_folder.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "kiosk/ground/files/clock_leap.h"
+#include "kiosk/ground/files/local_time.h"
+#include "kiosk/keepsake/souvenir/keepsake.h"
+
+namespace onggi::souvenir {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 120;
+constexpr auto kLeftoverAge = std::chrono::hours(1);
+// Before it there was no onggi: an earlier date is that of a clock that was wrong.
+constexpr const char* kFirst = "2026";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_plain(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '-' ||
+         c == '_';
+}
+
+/// Only what save() writes: its files, or what a power cut left of one (".postcard.png.12-3.part").
+bool is_ours(const std::string& file) {
+  constexpr std::array<std::string_view, 8> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
+                                                  kReplay,      kSmall,        kShown,  kTurning};
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+    return file == name ||
+           (file.starts_with("." + std::string(name) + ".") && file.ends_with(".part"));
+  });
+}
+
+struct Visit {
+  fs::path folder;
+  std::uintmax_t bytes = 0;
+};
+
+/// True where `folder` is a real folder (no link) that holds nothing but our files; adds up
+/// `bytes`.
+bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
+  std::error_code error;
+  if (fs::symlink_status(folder, error).type() != fs::file_type::directory) return false;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const bool file = fs::symlink_status(entry->path(), error).type() == fs::file_type::regular;
+    if (!file || !is_ours(entry->path().filename().string())) return false;
+    bytes += fs::file_size(entry->path(), error);
+  }
+  return !error;
+}
+
+/// Renamed first, so that a power cut in the middle leaves a leftover, not half a visit.
+Result<void> remove_visit(const fs::path& folder) {
+  fs::path going = folder;
+  going += kPartial;
+  std::error_code error;
+  // What a power cut left of its turning picture is in the way.
+  std::uintmax_t bytes = 0;
+  if (holds_only_ours(going, bytes)) fs::remove_all(going, error);
+  fs::rename(folder, going, error);
+  if (!error) fs::remove_all(going, error);
+  if (!error) return {};
+  return problem(
+      folder.string(),
+      "A visit's keepsakes that were to go could not be removed: " + error.message() + ".",
+      "Make the folder writable for onggi, or remove it.", 1);
+}
+
+/// When the days of the visit in `folder` begin, as in a name: by its own, or, where a clock that
+/// was years back gave it that, when a tidying by a clock that is right first came upon it. That
+/// one leaves its time on the folder.
+std::string begin_of(const fs::path& folder, std::time_t now) {
+  const std::string name = folder.filename().string();
+  if (name >= kFirst) return name;
+  struct stat left {};
+  if (::stat(folder.c_str(), &left) == 0) {
+    const std::string met = files::local_time(left.st_mtime, files::kStamp);
+    if (met >= kFirst) return met;
+  }
+  std::error_code ignored;
+  fs::last_write_time(folder, fs::file_time_type::clock::now(), ignored);
+  return files::local_time(now, files::kStamp);
+}
+
+/// A visit whose days began before this is older than `days`. "" where none is, for all we know:
+/// after a leap of the clock nothing goes by its age until the clock is believed.
+std::string oldest_begin(int days, const std::vector<Visit>& visits, std::time_t now) {
+  if (days <= 0) return {};
+  std::vector<std::time_t> times;
+  for (const Visit& visit : visits)
+    if (const auto at = files::time_of_stamp(begin_of(visit.folder, now))) times.push_back(*at);
+  if (files::clock_leapt(times, now)) return {};
+  constexpr std::time_t kDayLength = 24 * 3600;  // s
+  return files::local_time(now - days * kDayLength, files::kStamp);
+}
+
+/// A .partial that no writer is still at: over an hour old. One from the future (a clock that was
+/// set back) waits until the clock has caught up.
+bool is_leftover(const fs::path& folder) {
+  std::error_code error;
+  const auto changed = fs::last_write_time(folder, error);
+  return !error && fs::file_time_type::clock::now() - changed > kLeftoverAge;
+}
+
+}  // namespace
+
+bool is_visit_name(std::string_view name) { return files::begins_like(name, "9999-99-99_999999_"); }
+
+std::string visit_name(std::string_view wanted) {
+  if (!is_visit_name(wanted)) return "";
+  std::string name(wanted.substr(0, kLongestName));
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !is_plain(c); }, '_');
+  // Never the name of a folder in the making.
+  while (name.ends_with(kPartial)) name[name.size() - std::string_view(kPartial).size()] = '_';
+  return name;
+}
+
+Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const std::string& keep,
+                  std::time_t now) {
+  std::vector<Visit> visits;
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    Visit visit{entry->path()};
+    if (!is_visit_name(name) || !holds_only_ours(visit.folder, visit.bytes)) continue;
+    if (!name.ends_with(kPartial)) {
+      visits.push_back(visit);
+    } else if (is_leftover(visit.folder)) {
+      std::error_code ignored;
+      fs::remove_all(visit.folder, ignored);
+    }
+  }
+
+  // Names begin with the time, so the order of names is the order of visits.
+  std::sort(visits.begin(), visits.end(),
+            [](const Visit& a, const Visit& b) { return a.folder < b.folder; });
+  const std::string oldest = oldest_begin(limits.days, visits, now);
+  const auto quota = static_cast<std::uintmax_t>(std::max(limits.quota_mb, 0)) * 1000000u;
+  std::uintmax_t total = 0;
+  for (const Visit& visit : visits) total += visit.bytes;
+  Result<void> good;
+  for (const Visit& visit : visits) {
+    const std::string name = visit.folder.filename().string();
+    const bool over = !oldest.empty() && begin_of(visit.folder, now) < oldest;
+    if (name == keep || (total <= quota && !over)) continue;
+    if (auto removed = remove_visit(visit.folder); removed)
+      total -= visit.bytes;
+    else if (good)
+      good = removed;
+  }
+  return good;
+}
+
+}  // namespace onggi::souvenir

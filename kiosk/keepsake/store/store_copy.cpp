@@ -1,0 +1,59 @@
+#include "kiosk/keepsake/store/store_copy.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace onggi::store {
+
+namespace {
+
+/// By what a change of a file is seen. The log's header has a number that is new each time the log
+/// is begun anew, which size and time of a short one need not tell.
+struct Looks {
+  std::uintmax_t size = 0;
+  fs::file_time_type time;
+  std::array<char, 32> header{};
+  friend bool operator==(const Looks&, const Looks&) = default;
+};
+
+Looks looks_of(const fs::path& file) {
+  Looks looks;
+  std::error_code size, time;
+  looks.size = fs::file_size(file, size);
+  looks.time = fs::last_write_time(file, time);
+  std::ifstream(file, std::ios::binary).read(looks.header.data(), looks.header.size());
+  return looks;
+}
+
+}  // namespace
+
+CopyFolder::CopyFolder() {
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "onggi-stats-XXXXXX").string();
+  if (!error && mkdtemp(name.data()) != nullptr) path_ = name;
+}
+
+CopyFolder::~CopyFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+bool copy_still(const fs::path& file, const fs::path& to, const std::function<void()>& meanwhile) {
+  const fs::path log = file.string() + "-wal", copy_log = to.string() + "-wal";
+  const Looks before = looks_of(file), log_before = looks_of(log);
+  std::error_code error, ignored;
+  fs::remove(copy_log, ignored);
+  fs::copy_file(file, to, fs::copy_options::overwrite_existing, error);
+  if (error) return false;
+  if (meanwhile) meanwhile();
+  if (fs::exists(log, ignored))
+    fs::copy_file(log, copy_log, fs::copy_options::overwrite_existing, error);
+  return !error && before == looks_of(file) && log_before == looks_of(log);
+}
+
+}  // namespace onggi::store

@@ -1,0 +1,93 @@
+#include <cstdio>
+#include <memory>
+#include <span>
+
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/files/read_file.h"
+#include "kiosk/ground/files/virtual_display.h"
+#include "kiosk/lab/commands/lab_commands.h"
+#include "kiosk/lab/measure/access_report.h"
+#include "kiosk/lab/measure/no_keepsakes.h"
+#include "kiosk/picture/drawing/put_report.h"
+#include "kiosk/picture/render/window_size.h"
+
+namespace onggi::laboratory {
+
+namespace {
+
+struct AccessArguments {
+  files::Output json{files::Output::Kind::json};
+  std::string config, window = "1920x1080", language, page;
+  bool displays = false;
+};
+
+constexpr std::size_t kMostPage = 1 << 20;
+
+Result<void> write_table(const std::string& page, const std::string& table) {
+  const auto read = files::read_file(page, kMostPage);
+  if (!read)
+    return problem("--page " + page, "It cannot be read.",
+                   "Name the page that has a place for the table: kiosk/docs/access.md.");
+  const auto written = measure::with_table({read->begin(), read->end()}, table);
+  if (!written) return problem("--page " + page, written.error().what, written.error().remedy);
+  return files::write_durably(page, std::as_bytes(std::span(*written)));
+}
+
+Result<int> access(const AccessArguments& arguments) {
+  const auto config = files::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  exhibit::KioskOptions options;
+  options.config = *config;
+  options.stepped = true;
+  options.devices = false;
+  options.language = arguments.language;
+  if (auto good = render::read_window_size(arguments.window, options.window); !good)
+    return tl::unexpected(good.error());
+  const auto nowhere = measure::NoKeepsakes::make();
+  if (!nowhere) return tl::unexpected(nowhere.error());
+  options.keepsakes = nowhere->path();
+  auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
+  if (!display) return tl::unexpected(display.error());
+  auto opened = exhibit::Kiosk::open(options);
+  if (!opened) return tl::unexpected(opened.error());
+  const bool all = arguments.displays || !arguments.page.empty();
+  const auto reports = measure::measure_access(
+      **opened, all ? measure::likely_displays() : std::vector<measure::AccessDisplay>{});
+  if (!reports) return tl::unexpected(reports.error());
+  files::Json json = measure::json_of(reports->front());
+  if (all) {
+    json["displays"] = files::Json::list();
+    for (const auto& report : *reports) json["displays"].push_back(measure::json_of(report));
+  }
+  const auto put = drawing::put_report(json, arguments.json);
+  if (!put) return tl::unexpected(put.error());
+  const std::string table = measure::table_of(*reports);
+  if (*put) {
+    std::fputs(measure::text_of(reports->front()).c_str(), stdout);
+    if (all) std::fputs(("\n" + table).c_str(), stdout);
+  }
+  if (arguments.page.empty()) return 0;
+  return write_table(arguments.page, table).map([] { return 0; });
+}
+
+}  // namespace
+
+cli::Command lab_access_command() {
+  const auto a = std::make_shared<AccessArguments>();
+  return {.name = "access",
+          .help = "EN 301 549's figures of the exhibit, measured on its drawn screens",
+          .examples =
+              "Example: onggi lab access --window 1080x1920 --json access.json\n"
+              "         onggi lab access --displays --page kiosk/docs/access.md",
+          .options = {{"--window", &a->window, "WIDTHxHEIGHT of the screens [1920x1080]"},
+                      {"--language", &a->language, "A language of the exhibit [its first]"},
+                      {"--displays", &a->displays,
+                       "Also on displays that a kiosk is likely to have, a line each"},
+                      {"--page", &a->page, "Write those lines into this page, where it says so"},
+                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
+                      {"--json", &a->json, "Write the figures as JSON (- for standard output)"}},
+          .run = [a] { return access(*a); }};
+}
+
+}  // namespace onggi::laboratory

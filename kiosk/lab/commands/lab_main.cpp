@@ -1,0 +1,15 @@
+#include <csignal>
+
+#include "kiosk/ground/cli/command_line.h"
+#include "kiosk/ground/files/memory.h"
+#include "kiosk/lab/commands/lab_commands.h"
+#include "kiosk/wheel/device/last_word.h"
+
+// As kiosk/program/app/main.cpp: what is measured here is the kiosk as it runs.
+int main(int argc, char** argv) {
+  onggi::files::keep_heap_small();
+  onggi::device::end_forces_on_terminate();
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  return onggi::cli::run_command_line(onggi::laboratory::lab_command(), ONGGI_VERSION, argc, argv);
+}

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/exhibit/composition/kiosk.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/files/virtual_display.h"
+#include "kiosk/lab/commands/lab_commands.h"
+#include "kiosk/lab/measure/contact_sheets.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::laboratory {
+
+namespace {
+
+struct ScreensArguments {
+  std::string config, out, vessel = "moon_jar";
+  bool full = false, missions = false;
+};
+
+void say_state(const std::string& state) { std::fprintf(stderr, "%s\n", state.c_str()); }
+
+/// All that lie beside the exhibit's own, the exhibit's first.
+std::vector<std::string> all_languages(const std::vector<std::string>& own, const fs::path& words) {
+  std::vector<std::string> rest;
+  std::error_code error;
+  for (fs::directory_iterator at(words, error), end; !error && at != end; at.increment(error))
+    if (at->path().extension() == ".toml" &&
+        std::find(own.begin(), own.end(), at->path().stem()) == own.end())
+      rest.push_back(at->path().stem());
+  std::sort(rest.rbegin(), rest.rend());
+  std::vector<std::string> all = own;
+  all.insert(all.end(), rest.begin(), rest.end());
+  return all;
+}
+
+Result<void> look_at_vessel(exhibit::Kiosk& kiosk, const ScreensArguments& arguments,
+                            const std::vector<measure::SheetPlan>& plans) {
+  int card = 0;
+  const auto& cards = kiosk.shelf().cards();
+  for (std::size_t i = 0; i < cards.size(); ++i)
+    if (cards[i].vessel->id == arguments.vessel) card = static_cast<int>(i);
+  if (cards.empty() || cards[static_cast<std::size_t>(card)].vessel->id != arguments.vessel)
+    return problem("--vessel " + arguments.vessel, "No such vessel is on the shelf.",
+                   "Name one of " + kiosk.exhibit().shelf.string() + ".");
+  return measure::draw_contact_sheets(
+      kiosk, [&](const auto& see) { return measure::look_at_every_screen(kiosk, card, see); },
+      plans, arguments.out, arguments.full, say_state);
+}
+
+Result<void> look_at_missions(exhibit::Kiosk& kiosk, const ScreensArguments& arguments,
+                              const std::vector<measure::SheetPlan>& plans) {
+  return measure::draw_contact_sheets(
+      kiosk, [&](const auto& see) { return measure::look_at_every_mission(kiosk, see); }, plans,
+      fs::path(arguments.out) / "missions", arguments.full, say_state);
+}
+
+Result<int> look(const ScreensArguments& arguments) {
+  std::error_code error;
+  if (arguments.out.empty() || (fs::create_directories(arguments.out, error), error))
+    return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
+                   "Name a folder that may be written.");
+  const auto config = files::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  exhibit::KioskOptions options;
+  options.config = *config;
+  options.stepped = true;
+  options.devices = false;
+  options.keepsakes = fs::path(arguments.out) / "keepsakes";
+  options.window = {.width = 1280, .height = 720, .visible = false};
+  options.languages = all_languages(settings::read_exhibit(*config).exhibit.languages,
+                                    files::language_folder(*config));
+  auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
+  if (!display) return tl::unexpected(display.error());
+  const auto plans = measure::plans(options.languages);
+  // As it comes, then with all that a curator may switch on.
+  for (const bool missions : {false, true}) {
+    if (!missions && arguments.missions) continue;
+    options.mission = missions ? exhibit::Missions::kEvery : "";
+    auto opened = exhibit::Kiosk::open(options);
+    if (!opened) return tl::unexpected(opened.error());
+    const auto drawn = missions ? look_at_missions(**opened, arguments, plans)
+                                : look_at_vessel(**opened, arguments, plans);
+    if (!drawn) return tl::unexpected(drawn.error());
+  }
+  return 0;
+}
+
+}  // namespace
+
+cli::Command lab_screens_command() {
+  const auto a = std::make_shared<ScreensArguments>();
+  return {.name = "screens",
+          .help = "Every screen in every size, language and comfort, at full size and on sheets",
+          .examples =
+              "Example: onggi lab screens --out /tmp/screens --full\n"
+              "Some minutes without a GPU, --full a quarter of an hour. Ends with an error "
+              "where words\ndo not fit.",
+          .options = {{.name = "--out",
+                       .field = &a->out,
+                       .help = "Folder for the contact sheets",
+                       .required = true},
+                      {"--full", &a->full, "Each picture too, as OUT/SIGHT/NN_STATE.jpg"},
+                      {"--missions", &a->missions, "The missions alone"},
+                      {"--vessel", &a->vessel, "Of the shelf, to be thrown [moon_jar]"},
+                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+          .run = [a] { return look(*a); }};
+}
+
+}  // namespace onggi::laboratory

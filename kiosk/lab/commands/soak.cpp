@@ -1,0 +1,94 @@
+#include "kiosk/lab/measure/soak.h"
+
+#include <memory>
+
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/lab/commands/lab_commands.h"
+#include "kiosk/lab/measure/soak_days.h"
+#include "kiosk/picture/drawing/put_report.h"
+#include "kiosk/picture/render/window_size.h"
+
+namespace onggi::laboratory {
+
+namespace {
+
+struct SoakArguments {
+  std::string config, window = "1280x720", out = "keepsakes/soak";
+  measure::SoakPlan plan;
+  double hours = 0;
+  measure::SoakDaysPlan days;
+  files::Output json{files::Output::Kind::json};
+  files::Output plot{files::Output::Kind::picture};
+};
+
+Result<int> soak_days(SoakArguments& arguments) {
+  arguments.days.config = arguments.plan.config;
+  arguments.days.folder = arguments.plan.keepsakes;
+  arguments.days.window = arguments.plan.window;
+  arguments.days.hours = arguments.hours;
+  for (const files::Output* out : {&arguments.json, &arguments.plot})
+    if (auto good = out->check(); !good) return tl::unexpected(good.error());
+  const auto report = measure::soak_days(arguments.days);
+  if (!report) return tl::unexpected(report.error());
+  return drawing::put_report(measure::json_of(*report), measure::text_of(*report),
+                             measure::plot_of(*report), arguments.json, arguments.plot)
+      .map([&report] { return report->good() ? 0 : 1; });
+}
+
+Result<int> soak(SoakArguments& arguments) {
+  const auto config = files::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  arguments.plan.config = *config;
+  arguments.plan.keepsakes = arguments.out;
+  if (auto good = render::read_window_size(arguments.window, arguments.plan.window); !good)
+    return tl::unexpected(good.error());
+  if (arguments.hours > 0) return soak_days(arguments);
+  return measure::soak(arguments.plan);
+}
+
+}  // namespace
+
+cli::Command soak_command() {
+  const auto a = std::make_shared<SoakArguments>();
+  return {
+      .name = "soak",
+      .help = "Let scripted visitors come and go, and watch memory and the 1 kHz loop",
+      .examples =
+          "Example: onggi soak --minutes 10 --window 1280x720\n"
+          "         onggi soak --hours 72 --json soak.json --plot soak.svg\n"
+          "With --hours the time between visits is skipped, and what befalls a kiosk that nobody "
+          "looks\nat is put in for real: helpers that die, a full disk, a folder that is "
+          "gone, an exhibit\nthat is changed and broken. Only what lies in --out is touched. "
+          "Ten visits take a minute.\nExit: 0 nothing was lost, and nothing grew; 1 something.",
+      .options = {{.name = "--minutes",
+                   .field = &a->plan.minutes,
+                   .help = "How long [10]",
+                   .least = 0.1,
+                   .most = 1e5},
+                  {.name = "--pace",
+                   .field = &a->plan.pace,
+                   .help = "Of the hands, 0.25 to 4 [3]",
+                   .least = 0.25,
+                   .most = 4.0},
+                  {.name = "--hours",
+                   .field = &a->hours,
+                   .help = "Of the museum's clock, skipping the time between visits",
+                   .least = 0.5,
+                   .most = 1e4},
+                  {.name = "--visits-an-hour",
+                   .field = &a->days.visits_an_hour,
+                   .help = "With --hours [6]",
+                   .least = 0.5,
+                   .most = 60.0},
+                  {"--json", &a->json, "With --hours: every quarter of an hour as JSON"},
+                  {"--plot", &a->plot, "With --hours: draw them into this PNG or SVG"},
+                  {"--script", &a->plan.script, "What the hands do [follow]"},
+                  {"--by-device", &a->plan.by_device,
+                   "A device that is plugged in moves the hand, not a script"},
+                  {"--out", &a->out, "Where its keepsakes go [keepsakes/soak]"},
+                  {"--window", &a->window, "WIDTHxHEIGHT [1280x720]"},
+                  {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+      .run = [a] { return soak(*a); }};
+}
+
+}  // namespace onggi::laboratory

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "kiosk/ground/files/json.h"
+#include "kiosk/lab/measure/frame_load.h"
+#include "kiosk/picture/drawing/plot.h"
+
+namespace onggi::measure {
+
+struct FrameRatePlan {
+  std::filesystem::path config;
+  std::vector<std::pair<int, int>> sizes{{1280, 720}, {1920, 1080}};  ///< Pixels.
+  double seconds = 15.0;    ///< Of each screen at each size, 2 to 600.
+  bool only_loads = false;  ///< No times: only what a frame asks of the graphics.
+};
+
+/// The open exhibit, drawing one screen at one size beside the running 1 kHz loop.
+struct FrameRateRow {
+  int width = 0, height = 0;
+  std::string screen;  ///< "attract", "throwing" (a naive visitor's mouse at work)
+  int frames = 0;
+  double fps_median = 0, fps_p5 = 0;  ///< Frames a second; one frame in twenty is slower than p5.
+  double main_thread_share = 0;       ///< Processor time of the drawing thread over time.
+  double render_scale = 0;            ///< Of the picture in space, mean.
+  double ssim = 0, ssim_least = 0;    ///< Of the pot's part of the picture to full quality.
+};
+
+/// What is asked once a size: how soon things are on the screen.
+struct FrameDelays {
+  int width = 0, height = 0;
+  double first_picture_ms = 0;     ///< From opening the exhibit to its first frame on the screen.
+  std::optional<double> still_ms;  ///< From the last motion to a picture at full quality.
+  std::optional<int> drag_frames;  ///< From a drag to the first frame that shows the hand moved.
+};
+
+struct FrameRateReport {
+  std::string device;  ///< What draws.
+  bool software = false;
+  std::vector<FrameRateRow> rows;
+  std::vector<FrameDelays> delays;
+  std::vector<FrameLoad> loads;
+};
+
+/// Opens the exhibit in a window of each size (on a display of its own where there is none), lets
+/// attract play, throws as a naive visitor does, then lets go and stands the wheel still. Pictures
+/// are compared once a second; the frames round a comparison are not counted. Then counts what a
+/// frame asks of the graphics. Says on `progress` where it is. Main thread; blocks for about
+/// 2 x `seconds` + 60 s a size.
+Result<FrameRateReport> measure_frames(const FrameRatePlan& plan, std::FILE* progress);
+
+files::Json json_of(const FrameRateReport& report);
+std::string text_of(const FrameRateReport& report);
+drawing::Plot plot_of(const FrameRateReport& report);
+
+}  // namespace onggi::measure

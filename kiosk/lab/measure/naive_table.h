@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "kiosk/ground/files/json.h"
+#include "kiosk/lab/measure/quiet_visit.h"
+
+namespace onggi::measure {
+
+/// What people who never threw make of a shelf: which visits.
+struct NaivePlan {
+  std::string exhibit_file;
+  std::string scene;                                ///< Instead of the exhibit's; empty for those.
+  std::vector<std::string> vessels;                 ///< Empty: all of the shelf.
+  int seeds = 20;                                   ///< Visits a vessel, >= 1.
+  std::uint64_t first = 1;                          ///< Seed of the first.
+  std::vector<double> moments = {30, 60, 90, 120};  ///< s, rising, 5 to 600: when pots are judged.
+  rehearsal::NaiveHands::Pointer pointer = rehearsal::NaiveHands::Pointer::mouse;
+  bool careful = false;  ///< And the script's hand, once a vessel.
+  int threads = 1;
+};
+
+/// The middle and the worst of some visits at one moment.
+struct NaiveLine {
+  std::string vessel;  ///< "all" for all of them.
+  double seconds = 0;
+  int visits = 0;
+  double points = 0, least_points = 0, stars = 0;     ///< Medians but for the least.
+  double roughness = 0, ledge = 0, out_of_round = 0;  ///< Medians, m.
+  double way_in = 1, wall = 0;                        ///< Medians; PotLook's.
+  int five_stars = 0;                                 ///< Visits that came to them.
+  std::optional<double> handsome_at;                  ///< Median of those that came to it, s,
+  int handsome = 0;                                   ///< and how many did.
+};
+
+struct NaiveTable {
+  std::string scene, machine;
+  NaivePlan plan;
+  std::vector<QuietOutcome> naive, careful;  ///< By vessel, then seed.
+  std::vector<NaiveLine> lines;              ///< By moment, then vessel, "all" last.
+};
+
+/// Makes the visits, told one by one to `progress`. Minutes to an hour. Problem as QuietVisits'.
+Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress);
+/// The lines of `outcomes`, each with as many looks as there are moments.
+std::vector<NaiveLine> lines_of(const std::vector<QuietOutcome>& outcomes,
+                                const std::vector<double>& moments);
+files::Json json_of(const NaiveTable& table);
+std::string text_of(const NaiveTable& table);
+
+}  // namespace onggi::measure

@@ -1,0 +1,30 @@
+#include "kiosk/lab/measure/no_keepsakes.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace onggi::measure {
+
+namespace fs = std::filesystem;
+
+Result<NoKeepsakes> NoKeepsakes::make() {
+  std::error_code error;
+  std::string name = (fs::temp_directory_path(error) / "onggi-measure-XXXXXX").string();
+  if (!error && mkdtemp(name.data()) == nullptr) error.assign(errno, std::generic_category());
+  if (!error) return NoKeepsakes(name);
+  return problem(name, "A folder for what is measured cannot be made: " + error.message() + ".",
+                 "Make room there, or let TMPDIR name a folder that can be written.", 1);
+}
+
+NoKeepsakes::NoKeepsakes(NoKeepsakes&& other) noexcept
+    : path_(std::exchange(other.path_, fs::path())) {}
+
+NoKeepsakes::~NoKeepsakes() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+}  // namespace onggi::measure

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "kiosk/picture/drawing/spectrogram.h"
+
+namespace onggi::measure {
+
+/// Seventeen seconds of everything that the studio can sound like, one after the other: to be
+/// listened to and looked at.
+struct StudioFilm {
+  std::vector<float> samples;  ///< One channel, sound::kRate a second.
+  std::vector<drawing::Spectrogram::Part> parts;
+};
+/// The same samples on every machine. Allocates.
+StudioFilm studio_film();
+/// As a WAV file of 16 bits.
+std::vector<std::byte> wav_of(const StudioFilm& film);
+drawing::Spectrogram spectrogram_of(const StudioFilm& film);
+
+}  // namespace onggi::measure

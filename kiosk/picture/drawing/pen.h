@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cairo.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "kiosk/picture/view/frame.h"
+#include "kiosk/picture/view/image.h"
+
+namespace onggi::drawing {
+
+/// The paper of sheets and plots.
+inline constexpr view::Color kPaper{251 / 255.0f, 248 / 255.0f, 242 / 255.0f};
+
+/// How words are set.
+struct Lettering {
+  double px = 24;  ///< Size of a letter.
+  int side = 1;    ///< -1: they end at x, 0: they stand about it, +1: they begin there.
+  view::Color color{};
+  double width = 0;  ///< They are broken at it; 0: one line.
+  int lines = 0;  ///< No more than these where they are broken, the last ending in "…"; 0: any.
+  bool serif = false;  ///< As titles are.
+  double turn = 0;     ///< Radians, clockwise, about the place they are put at.
+  double halo = 0;     ///< Pixels of paper round each letter, so that no line runs into it.
+};
+
+/// Draws on paper of its own with Cairo, and sets words with Pango: for pictures that are not on
+/// the screen. Pixels from the top left. Needs no display. Allocates; any thread, one at a time.
+class Pen {
+ public:
+  Pen() = default;
+  ~Pen();
+  Pen(const Pen&) = delete;
+  Pen& operator=(const Pen&) = delete;
+
+  /// Takes a fresh sheet of paper; once. `vector`: lines and letters stay such, for svg().
+  void begin(int width, int height, bool vector = false);
+  void ink(view::Color color, double alpha = 1.0);
+  void line(double x0, double y0, double x1, double y1, double width);
+  /// Sets `words` with their upper edge at y, and gives the height they take.
+  double words(const std::string& words, double x, double y, const Lettering& how);
+  /// The height that words() would take.
+  double height_of(const std::string& words, const Lettering& how);
+  /// How wide `words` are on one line.
+  double width_of(const std::string& words, const Lettering& how);
+  /// Lays `image` down with its upper left corner at x, y.
+  void picture(const view::Image& image, double x, double y);
+  /// The sheet as it is now, opaque.
+  view::Image image() const;
+  /// The same as the bytes of a PNG, or of an SVG where it is a vector. Once, at the end.
+  std::vector<std::byte> bytes();
+
+ protected:
+  cairo_surface_t* surface_ = nullptr;
+  cairo_t* c_ = nullptr;
+
+ private:
+  std::vector<std::byte> written_;
+  bool vector_ = false;
+};
+
+}  // namespace onggi::drawing

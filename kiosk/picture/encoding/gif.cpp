@@ -1,0 +1,290 @@
+#include "kiosk/picture/encoding/gif.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "kiosk/ground/files/byte_writer.h"
+
+namespace onggi::encoding {
+namespace {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+constexpr int kColors = 255;
+constexpr std::uint8_t kUnchanged = 255;  // the palette's last: what was there shows
+constexpr int kBits = 6;                  // of a channel, in which colours are counted
+
+/// Colours that are alike, counted together.
+struct Cell {
+  std::array<double, 3> sum{}, square{};
+  double count = 0;
+  double mean(std::size_t k) const { return sum[k] / count; }
+  double error(std::size_t k) const { return square[k] - sum[k] * sum[k] / count; }
+  void add(const Cell& other) {
+    count += other.count;
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += other.sum[k], square[k] += other.square[k];
+  }
+};
+
+std::vector<Cell> count_colors(std::span<const std::uint8_t> rgb) {
+  std::vector<Cell> all(std::size_t{1} << 3 * kBits);
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+    std::size_t place = 0;
+    for (std::size_t k = 0; k < 3; ++k) place = place << kBits | rgb[i + k] >> (8 - kBits);
+    Cell& cell = all[place];
+    ++cell.count;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<double>(rgb[i + k]);
+      cell.sum[k] += v;
+      cell.square[k] += v * v;
+    }
+  }
+  std::erase_if(all, [](const Cell& cell) { return cell.count == 0; });
+  return all;
+}
+
+/// A run of cells that one colour stands for.
+struct Shades {
+  std::size_t from = 0, to = 0;
+  Cell all;
+  std::size_t axis = 0;  // on which its colours differ most
+  double error = 0;      // on all three
+};
+
+Shades shades_of(const std::vector<Cell>& cells, std::size_t from, std::size_t to) {
+  Shades some{from, to, {}, 0, 0};
+  for (std::size_t i = from; i < to; ++i) some.all.add(cells[i]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    some.error += some.all.error(k);
+    if (some.all.error(k) > some.all.error(some.axis)) some.axis = k;
+  }
+  if (to - from < 2) some.error = 0;  // it is not parted
+  return some;
+}
+
+/// The colours are parted where they differ most, at their mean, until there are kColors.
+std::vector<Rgb> palette_of(std::span<const std::uint8_t> rgb) {
+  std::vector<Cell> cells = count_colors(rgb);
+  std::vector<Shades> all{shades_of(cells, 0, cells.size())};
+  while (all.size() < kColors) {
+    const auto worst = std::max_element(
+        all.begin(), all.end(), [](const Shades& a, const Shades& b) { return a.error < b.error; });
+    if (worst->error <= 0) break;
+    const Shades some = *worst;
+    const double mean = some.all.mean(some.axis);
+    const auto at = [&](std::size_t i) { return cells.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto middle = std::stable_partition(
+        at(some.from), at(some.to), [&](const Cell& cell) { return cell.mean(some.axis) < mean; });
+    auto parted = static_cast<std::size_t>(middle - cells.begin());
+    if (parted == some.from || parted == some.to)
+      parted = (some.from + some.to) / 2;  // all the same
+    *worst = shades_of(cells, some.from, parted);
+    all.push_back(shades_of(cells, parted, some.to));
+  }
+  std::vector<Rgb> palette;
+  for (const Shades& some : all) {
+    Rgb color;
+    for (std::size_t k = 0; k < 3; ++k)
+      color[k] = static_cast<std::uint8_t>(some.all.mean(k) + 0.5);
+    palette.push_back(color);
+  }
+  return palette;
+}
+
+/// Pixels as places in the palette. Each is moved by a pattern that lies still (Bayer's, of 8 x 8)
+/// before the nearest colour is taken.
+class Nearest {
+ public:
+  explicit Nearest(const std::vector<Rgb>& palette)
+      : palette_(palette), known_(std::size_t{1} << 24, kUnknown) {}
+
+  std::uint8_t of(const std::uint8_t* rgb, int x, int y) {
+    constexpr int kStrength = 5;  // levels, the least to the most
+    const int move = bayer(x, y) * kStrength / 64 - kStrength / 2;
+    std::array<int, 3> color;
+    std::size_t place = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      color[k] = std::clamp(rgb[k] + move, 0, 255);
+      place = place << 8 | static_cast<std::size_t>(color[k]);
+    }
+    if (known_[place] == kUnknown) known_[place] = look(color);
+    return static_cast<std::uint8_t>(known_[place]);
+  }
+
+ private:
+  static constexpr std::uint16_t kUnknown = 0xffff;
+
+  static int bayer(int x, int y) {
+    int value = 0;
+    for (int bit = 0; bit < 3; ++bit) {
+      const int a = x >> bit & 1, b = y >> bit & 1;
+      value = value << 2 | (a ^ b) << 1 | b;
+    }
+    return value;  // 0..63
+  }
+  std::uint16_t look(const std::array<int, 3>& color) const {
+    // Weighed as an eye does: green most, blue least.
+    constexpr std::array<int, 3> kWeight{3, 6, 2};
+    int least = 1 << 30;
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < palette_.size(); ++i) {
+      int apart = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int d = color[k] - palette_[i][k];
+        apart += kWeight[k] * d * d;
+      }
+      if (apart < least) least = apart, nearest = i;
+    }
+    return static_cast<std::uint16_t>(nearest);
+  }
+
+  const std::vector<Rgb>& palette_;
+  std::vector<std::uint16_t> known_;
+};
+
+/// GIF89a, appendix F: codes of growing width, the lowest bit first, in blocks of up to 255 bytes.
+class LzwWriter {
+ public:
+  explicit LzwWriter(files::ByteWriter& out) : out_(out) { clear(); }
+
+  void put(std::uint8_t value) {
+    if (before_ < 0) {
+      before_ = value;
+      return;
+    }
+    const std::uint32_t wanted = static_cast<std::uint32_t>(before_) << 8 | value;
+    std::size_t at = (wanted * 2654435761u) >> (32 - kTableBits);
+    while (keys_[at] != kFree && keys_[at] != wanted) at = (at + 1) % keys_.size();
+    if (keys_[at] == wanted) {
+      before_ = codes_[at];
+      return;
+    }
+    write(before_);
+    before_ = value;
+    if (next_ == kMostCodes) {
+      clear();
+      return;
+    }
+    keys_[at] = wanted;
+    codes_[at] = next_++;
+    if (next_ > 1 << width_ && width_ < 12) ++width_;
+  }
+  void end() {
+    if (before_ >= 0) write(before_);
+    // Whoever reads it has one code more now.
+    if (next_ + 1 > 1 << width_ && width_ < 12) ++width_;
+    write(kEnd);
+    if (held_ > 0) push(static_cast<std::uint8_t>(bits_));
+    flush();
+    out_.u8(0);
+  }
+
+ private:
+  static constexpr int kClear = 256, kEnd = 257, kMostCodes = 4096, kTableBits = 14;
+  static constexpr std::uint32_t kFree = 0xffffffff;
+
+  void clear() {
+    // The first code of all is written at the width that it begins with.
+    write(kClear);
+    keys_.fill(kFree);
+    next_ = kEnd + 1;
+    width_ = 9;
+  }
+  void write(int code) {
+    bits_ |= static_cast<std::uint32_t>(code) << held_;
+    for (held_ += width_; held_ >= 8; held_ -= 8, bits_ >>= 8)
+      push(static_cast<std::uint8_t>(bits_));
+  }
+  void push(std::uint8_t byte) {
+    block_.push_back(byte);
+    if (block_.size() == 255) flush();
+  }
+  void flush() {
+    if (block_.empty()) return;
+    out_.u8(static_cast<std::uint8_t>(block_.size()));
+    for (const std::uint8_t byte : block_) out_.u8(byte);
+    block_.clear();
+  }
+
+  files::ByteWriter& out_;
+  std::vector<std::uint8_t> block_;
+  std::array<std::uint32_t, 1u << kTableBits> keys_{};
+  std::array<int, 1u << kTableBits> codes_{};
+  int next_ = 0, width_ = 9, held_ = 0, before_ = -1;
+  std::uint32_t bits_ = 0;
+};
+
+/// The least rectangle that holds all that is not kUnchanged.
+struct Part {
+  int left = 0, top = 0, right = 1, bottom = 1;
+};
+Part part_of(const std::vector<std::uint8_t>& pixels, int width, int height) {
+  Part part{width, height, 0, 0};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                             static_cast<std::size_t>(x);
+      if (pixels[at] == kUnchanged) continue;
+      part = {std::min(part.left, x), std::min(part.top, y), std::max(part.right, x + 1),
+              std::max(part.bottom, y + 1)};
+    }
+  return part.right == 0 ? Part{} : part;  // nothing has changed: one pixel that shows nothing
+}
+
+}  // namespace
+
+std::vector<std::byte> write_gif(int width, int height, int hundredths,
+                                 std::span<const std::uint8_t> rgb) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::vector<Rgb> palette = palette_of(rgb);
+  Nearest nearest(palette);
+  const auto u16 = [](int value) { return static_cast<std::uint16_t>(value); };
+
+  // 1. Size, palette, and that it goes on without end.
+  files::ByteWriter out;
+  out.text("GIF89a");
+  out.u16(u16(width));
+  out.u16(u16(height));
+  out.u8(0xf7);  // a palette of 256, eight bits a channel
+  out.u8(0);
+  out.u8(0);
+  for (std::size_t i = 0; i < 256; ++i)
+    for (std::size_t k = 0; k < 3; ++k) out.u8(i < palette.size() ? palette[i][k] : 0);
+  out.text(std::string_view("\x21\xff\x0bNETSCAPE2.0\x03\x01\0\0\0", 19));
+
+  // 2. Of each picture what is not as in the one before.
+  std::vector<std::uint8_t> before(pixels, kUnchanged), now(pixels), drawn(pixels);
+  for (std::size_t from = 0; from + 3 * pixels <= rgb.size(); from += 3 * pixels) {
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const auto x = static_cast<int>(i % static_cast<std::size_t>(width));
+      const auto y = static_cast<int>(i / static_cast<std::size_t>(width));
+      now[i] = nearest.of(&rgb[from + 3 * i], x, y);
+      drawn[i] = now[i] == before[i] ? kUnchanged : now[i];
+    }
+    const Part part = part_of(drawn, width, height);
+    out.text(std::string_view("\x21\xf9\x04\x05", 4));  // left where it is; one colour is none
+    out.u16(u16(hundredths));
+    out.u8(kUnchanged);
+    out.u8(0);
+    out.u8(0x2c);
+    out.u16(u16(part.left));
+    out.u16(u16(part.top));
+    out.u16(u16(part.right - part.left));
+    out.u16(u16(part.bottom - part.top));
+    out.u8(0);
+    out.u8(8);  // bits of a pixel
+    LzwWriter codes(out);
+    for (int y = part.top; y < part.bottom; ++y)
+      for (int x = part.left; x < part.right; ++x)
+        codes.put(drawn[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x)]);
+    codes.end();
+    std::swap(before, now);
+  }
+  out.u8(0x3b);
+  return out.take();
+}
+
+}  // namespace onggi::encoding

@@ -1,0 +1,103 @@
+#include "kiosk/picture/render/skin_reader.h"
+
+#include <algorithm>
+#include <string>
+
+#include "kiosk/picture/render/shaders.h"
+
+namespace onggi::render {
+namespace {
+
+constexpr int kReadWidth = 1024;  // texels
+
+/// Part of clay.glsl. The foot is the lowest of the outer wall.
+std::size_t part_of(ClayFace face) {
+  switch (face) {
+    case ClayFace::rim:
+      return 1;
+    case ClayFace::inner:
+      return 2;
+    case ClayFace::floor:
+      return 3;
+    case ClayFace::foot:
+    case ClayFace::outer:
+      break;
+  }
+  return 0;
+}
+
+/// Somewhere to write light, which has no steps of 8 bits.
+struct ReadTarget {
+  FramebufferName framebuffer;
+  Texture texels;
+  ReadTarget(int width, int height)
+      : texels(Texture::create(GL_RGBA32F, width, height, GL_RGBA, GL_FLOAT, nullptr)) {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    framebuffer = FramebufferName(name);
+    calls::bind_framebuffer(GL_FRAMEBUFFER, name);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texels.name.get(),
+                           0);
+    glViewport(0, 0, width, height);
+  }
+};
+
+}  // namespace
+
+Result<std::unique_ptr<SkinReader>> SkinReader::create() {
+  std::unique_ptr<SkinReader> reader(new SkinReader);
+  for (const int skin : {0, 2})  // SKIN of clay.glsl
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const std::string which = "#define READ\n#define PART " + std::to_string(part) +
+                                "\n#define SKIN " + std::to_string(skin) + "\n";
+      auto made = Program::create("clay's surface",
+                                  {which.c_str(), k_common_glsl, k_light_glsl, k_clay_glsl});
+      if (!made) return tl::unexpected(made.error());
+      reader->programs_[skin == 0 ? 0 : 1][part] = std::move(*made);
+    }
+  return reader;
+}
+
+std::vector<view::SkinPoint> SkinReader::read(
+    const ClayMesh& pot, bool fired, const std::function<void(const Program&)>& set_up) const {
+  const std::size_t count = pot.faces.size();
+  std::vector<view::SkinPoint> out(count);
+  if (count == 0) return out;
+  const int high = (static_cast<int>(count) + kReadWidth - 1) / kReadWidth;
+  const ReadTarget target(kReadWidth, high);
+  // Each position is a point on a texel of its own, in the order of the mesh.
+  std::vector<float> places;
+  places.reserve(5 * count);
+  std::array<std::vector<std::uint32_t>, kParts> of_part;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [x, y, z] = pot.mesh.positions[i];
+    const auto column = static_cast<float>(i % kReadWidth),
+               row = static_cast<float>(i / kReadWidth);
+    places.insert(places.end(), {x, y, z, (2.0f * column + 1.0f) / kReadWidth - 1.0f,
+                                 (2.0f * row + 1.0f) / static_cast<float>(high) - 1.0f});
+    of_part[part_of(pot.faces[i])].push_back(static_cast<std::uint32_t>(i));
+  }
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const Mesh points(places.data(), places.size(), of_part[part].data(), of_part[part].size(),
+                      {3, 2}, Mesh::Of::points);
+    const Program& program = programs_[fired ? 1 : 0][part];
+    program.use();
+    set_up(program);
+    points.draw();
+  }
+  // Rows of four floats need no alignment.
+  std::vector<std::array<float, 4>> texels(static_cast<std::size_t>(kReadWidth) *
+                                           static_cast<std::size_t>(high));
+  glReadPixels(0, 0, kReadWidth, high, GL_RGBA, GL_FLOAT, texels.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [r, g, b, roughness] = texels[i];
+    const auto share = [](float x) { return std::clamp(x, 0.0f, 1.0f); };
+    out[i] = {{share(r), share(g), share(b)}, share(roughness)};
+  }
+  return out;
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,394 @@
+#include "kiosk/picture/render/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <string>
+
+#include "kiosk/picture/render/shaders.h"
+#include "kiosk/picture/render/stage_meshes.h"
+
+namespace onggi::render {
+namespace {
+
+// Meshes of the walls, and the pot's height in pixels up to which each is fine enough. Light and
+// grooves come from the radius textures at every pixel; a mesh only owes the outline, and a chord
+// of 6 pixels is within 0.2 of an arc of 25. Small triangles cost dearly: a software rasterizer
+// shades 4 x 4 pixels for each that it touches, whatever part of them is the triangle's.
+struct Wall {
+  int columns, rows;
+  float most_pixels;
+};
+constexpr std::array<Wall, 4> kWalls{
+    {{44, 48, 280.0f}, {60, 96, 580.0f}, {96, 192, 1200.0f}, {192, 400, 1e9f}}};
+// As fine, of the part of the way round that faces the eye, where that is no more than kFacing.
+constexpr double kFacing = 0.6;
+constexpr int facing_columns(int columns) { return static_cast<int>(kFacing * columns + 0.5); }
+constexpr Wall kMirrored{44, 16, 1e9f};
+constexpr double kMirroredHeight = 0.12;  // m
+// Of the lip, by its radius in pixels: it is an outline all round, and some pixels wide.
+constexpr std::array<Wall, 3> kLips{{{64, 6, 160.0f}, {96, 8, 370.0f}, {160, 12, 1e9f}}};
+// Of the wall's section, by the pot's height.
+constexpr std::array<std::pair<int, float>, 2> kSections{{{96, 580.0f}, {192, 1e9f}}};
+// What a position of a mesh stands for, as a pixel of a screen does, m.
+constexpr float kReadPixel = 0.0005f;
+constexpr int kRim = 96;  // corners of the wheel head
+
+// Texture units.
+constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
+              kRowAt = 6, kWetRows = 7, kTornAt = 8, kOwnPicture = 9;
+
+// Parts of clay.glsl that tear: outer wall, lip, inner wall, section.
+constexpr bool kTears[] = {true, true, true, false, true};
+
+glm::mat4 clip_of(const view::Camera& camera) {
+  glm::mat4 view, projection;
+  camera.matrices(&view[0][0], &projection[0][0]);
+  return projection * view;
+}
+
+// Metres that one pixel covers at the axis.
+float pixel_size(const view::Camera& camera, double scale) {
+  return static_cast<float>(2.0 * camera.distance * std::tan(0.5 * camera.fov) /
+                            (camera.height * scale));
+}
+
+float size_of(const view::PotView& pot) {
+  return static_cast<float>(std::clamp(pot.size, 0.5, 1.0));
+}
+
+// The angle about the axis that faces the camera.
+float front_of(const view::Camera& camera) {
+  return 0.5f * glm::pi<float>() - static_cast<float>(camera.azimuth);
+}
+
+template <std::size_t N>
+std::size_t fine_enough(const std::array<Wall, N>& meshes, float pixels) {
+  std::size_t size = 0;
+  while (pixels > meshes[size].most_pixels) ++size;
+  return size;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> Stage::create() {
+  std::unique_ptr<Stage> stage(new Stage);
+  Result<void> fine;
+  const auto make = [&fine](Program& into, const char* name, const char* text, bool lit, int part,
+                            std::size_t skin, bool torn = false) {
+    if (!fine) return;
+    const std::string which = "#define PART " + std::to_string(part) + "\n#define SKIN " +
+                              std::to_string(skin) + (torn ? "\n#define TORN\n" : "\n");
+    auto made = Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text,
+                                       torn ? k_torn_glsl : ""});
+    if (made) {
+      into = std::move(*made);
+    } else {
+      fine = tl::unexpected(made.error());
+    }
+  };
+  for (int part = 0; part < 5; ++part) {
+    const auto p = static_cast<std::size_t>(part);
+    for (std::size_t skin = 0; skin < stage->clay_programs_.size(); ++skin) {
+      make(stage->clay_programs_[skin][p], "clay", k_clay_glsl, true, part, skin);
+      if (kTears[part])
+        make(stage->torn_programs_[skin][p], "torn clay", k_clay_glsl, true, part, skin, true);
+    }
+  }
+  make(stage->wheel_program_, "wheel", k_wheel_glsl, true, 0, 0);
+  make(stage->solid_program_, "solid", k_solid_glsl, true, 0, 0);
+  if (!fine) return tl::unexpected(fine.error());
+  auto tools = ToolPainter::create();
+  if (!tools) return tl::unexpected(tools.error());
+  stage->tools_ = std::move(*tools);
+  auto soft_edges = SoftEdges::create();
+  if (!soft_edges) return tl::unexpected(soft_edges.error());
+  stage->soft_edges_ = std::move(*soft_edges);
+  auto reader = SkinReader::create();
+  if (!reader) return tl::unexpected(reader.error());
+  stage->skin_reader_ = std::move(*reader);
+  auto backdrop = Backdrop::create();
+  if (!backdrop) return tl::unexpected(backdrop.error());
+  stage->backdrop_ = std::move(*backdrop);
+  for (std::size_t i = 0; i < kWalls.size(); ++i) {
+    stage->walls_[i] = unit_grid(kWalls[i].columns, kWalls[i].rows);
+    stage->facing_[i] = unit_grid(facing_columns(kWalls[i].columns), kWalls[i].rows);
+  }
+  for (std::size_t i = 0; i < kLips.size(); ++i)
+    stage->lips_[i] = unit_grid(kLips[i].columns, kLips[i].rows);
+  for (std::size_t i = 0; i < kSections.size(); ++i)
+    stage->sections_[i] = section_mesh(kSections[i].first);
+  stage->mirrored_ = unit_grid(kMirrored.columns, kMirrored.rows);
+  stage->floor_ = unit_grid(48, 3);
+  stage->wheel_ = wheel_head_mesh(kRim);
+  return stage;
+}
+
+void Stage::set_light(const Program& program, const view::Camera& camera, const Texture& levels) {
+  studio_.light(program, kSky);
+  levels.bind(kLevelsUnit);
+  program.set("levels", kLevelsUnit);
+  studio_.grain().bind(kGrain);
+  program.set("grain", kGrain);
+  backdrop_->shadow().bind(kShadow);
+  program.set("shadow", kShadow);
+  program.set("eye", vec(camera.eye()));
+}
+
+void Stage::prepare(const view::PotView& pot, const Quality& quality) {
+  studio_.put_window(pot.window_right);
+  clay_.refresh(clay_levels_);
+  backdrop_->cast(Backdrop::Of::clay, clay_.levels(), clay_levels_, studio_,
+                  pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f, size_of(pot),
+                  quality.shadow_apart);
+  skin_.prepare(pot);
+  if (!pot.beside) return;
+  upload(vessel_.levels, vessel_levels_);
+  backdrop_->cast(Backdrop::Of::mesh, vessel_.levels, vessel_levels_, studio_, 0.0f, 1.0f, 0.0);
+}
+
+float Stage::foot(const view::PotView& pot) const {
+  return pot.wheel ? static_cast<float>(pot.wheel_radius) : size_of(pot) * clay_.levels().outer[0];
+}
+
+void Stage::draw_ground(const view::PotView& pot, const Texture& plaster,
+                        const Backdrop::Extent& extent) {
+  backdrop_->draw_ground(clip_of(pot.camera), plaster, extent, pot.wheel, foot(pot),
+                         static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0)));
+}
+
+void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double scale) {
+  const bool shown = !clay_.empty();
+  glClearColor(0, 0, 0, 0);
+  glClearStencil(0);
+  // All of it: a part would be drawn, as a rectangle.
+  glDisable(GL_SCISSOR_TEST);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_SCISSOR_TEST);
+  const glm::mat4 clip = clip_of(pot.camera);
+  const float pixel = pixel_size(pot.camera, scale);
+
+  // 1. The clay.
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glEnable(GL_CULL_FACE);
+  glEnable(GL_DEPTH_TEST);
+  if (shown) {
+    // The edges of a tear are in the middle of triangles, where only alpha can smooth them.
+    const bool soft = clay_.tears().any() && quality.samples > 0;
+    if (soft) soft_edges_.begin();
+    draw_clay(pot, clip, pixel, soft);
+    if (soft) soft_edges_.end();
+  }
+  // 2. The wheel head where the clay leaves it to be seen, and the pot mirrored in it.
+  if (pot.wheel) {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    draw_wheel(pot, clip, pixel);
+    if (quality.reflection && shown && pot.cut_away < 0.01) {
+      glStencilFunc(GL_EQUAL, 1, 1);
+      glDisable(GL_DEPTH_TEST);
+      draw_reflection(pot, clip);
+      glEnable(GL_DEPTH_TEST);
+    }
+    glDisable(GL_STENCIL_TEST);
+  }
+
+  // 3. The tools, which fade into the air.
+  draw_hands(pot, clip);
+  // 4. The vessel: open scans have no outside alone.
+  if (pot.beside) {
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    draw_model(vessel_, vessel_levels_, pot.beside->camera, pot.beside->angle);
+  }
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
+  const Program& program = wheel_program_;
+  glFrontFace(GL_CW);
+  program.use();
+  set_light(program, pot.camera, clay_levels_);
+  program.set("clip_from_studio", clip);
+  program.set("radius", static_cast<float>(pot.wheel_radius));
+  program.set("table_y", Backdrop::kTable);
+  program.set("reach", Backdrop::kReach);
+  program.set("wheel_angle", static_cast<float>(pot.wheel_angle));
+  program.set("wetness", static_cast<float>(pot.wetness));
+  program.set("pixel", pixel);
+  program.set("opened", static_cast<float>(pot.cut_away));
+  wheel_.draw();
+  glFrontFace(GL_CCW);
+}
+
+const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::mat4& clip,
+                               float pixel) {
+  const bool torn = clay_.tears().any() && kTears[part];
+  const Program& program =
+      (torn ? torn_programs_ : clay_programs_)[ClaySkin::of(pot)][static_cast<std::size_t>(part)];
+  program.use();
+  if (torn) {
+    clay_.tears().texture().bind(kTornAt);
+    program.set("torn_at", kTornAt);
+    program.set("soft_edges", 0.0f);
+  }
+  set_clay(program, pot, clip, pixel);
+  return program;
+}
+
+void Stage::set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
+                     float pixel) {
+  const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
+  set_light(program, pot.camera, clay_levels_);
+  // All is computed at the thrown size; a pot that has shrunk is seen from as much farther away.
+  const float size = size_of(pot);
+  program.set("eye", vec(pot.camera.eye()) / size);
+  clay_.outer().bind(kOuter);
+  clay_.inner().bind(kInner);
+  program.set("outer_radius", kOuter);
+  program.set("inner_radius", kInner);
+  program.set("widest", clay_.widest());
+  clay_.row_at().bind(kRowAt);
+  program.set("row_at", kRowAt);
+  program.set("first_wall_row", clay_.first_wall_row());
+  program.set("top_row", clay_.top_row());
+  program.set("lip_radius", static_cast<float>(kLipRadius));
+  program.set("mean_lip", clay_.lip());
+  program.set("clip_from_studio", glm::scale(clip, glm::vec3(size)));
+  program.set("grid", glm::vec2(clay_.sectors(), clay_.texture_rows()));
+  program.set("height", static_cast<float>(clay_.height()));
+  program.set("floor_height", static_cast<float>(clay_.floor_top()));
+  program.set("clay_angle", static_cast<float>(pot.clay_angle));
+  // The door is hinged at the visitor's right: it opens from the front towards there.
+  program.set("open_from", front_of(pot.camera) - 0.5f * glm::pi<float>() * open);
+  program.set("open_angle", 0.5f * glm::pi<float>() * open);
+  program.set("front", front_of(pot.camera));
+  program.set("opened", open);
+  program.set("mirrored", 0.0f);
+  program.set("share", 1.0f);
+  program.set("pixel", pixel / size);
+  program.set("wetness", static_cast<float>(pot.wetness));
+  skin_.set(program, pot, kWetRows);
+}
+
+std::vector<view::SkinPoint> Stage::read_skin(const ClayMesh& mesh,
+                                              const std::optional<view::Glazing>& glazing) {
+  if (clay_.empty()) return std::vector<view::SkinPoint>(mesh.faces.size());
+  view::PotView pot;
+  if (glazing) {
+    pot.finish = view::Finish::fired;
+    pot.glazing = *glazing;
+  }
+  clay_.refresh(clay_levels_);
+  return skin_reader_->read(mesh, glazing.has_value(), [&](const Program& program) {
+    set_clay(program, pot, glm::mat4(1.0f), kReadPixel);
+  });
+}
+
+void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft) {
+  const auto tall = static_cast<float>(clay_.height()) / pixel;
+  const auto use = [&](int part) -> const Program& {
+    const Program& program = use_clay(part, pot, clip, pixel);
+    program.set("soft_edges", soft ? 1.0f : 0.0f);
+    return program;
+  };
+  const Vec3 eye = (1.0 / static_cast<double>(size_of(pot))) * pot.camera.eye();
+  const std::size_t size = fine_enough(kWalls, tall);
+  const Program& outside = use(0);
+  if (pot.cut_away <= 0.001 && clay_.facing(eye) <= kFacing) {
+    // What turns its back is not even begun: the gap of a cut-away that nobody sees.
+    const float gap = 2.0f * glm::pi<float>() * (1.0f - static_cast<float>(kFacing));
+    outside.set("open_from", front_of(pot.camera) + glm::pi<float>() - 0.5f * gap);
+    outside.set("open_angle", gap);
+    facing_[size].draw();
+  } else {
+    walls_[size].draw();
+  }
+  use(1);
+  // The round edges of a thick wall are a small part of its top.
+  const bool thick = clay_.rim_wall() > 4.0 * static_cast<double>(clay_.lip());
+  const std::size_t round =
+      thick ? kLips.size() - 1 : fine_enough(kLips, static_cast<float>(clay_.max_radius()) / pixel);
+  lips_[round].draw();
+  // Less is seen of the inside: the next coarser mesh does, as deep down as one sees.
+  const bool whole = pot.cut_away <= 0.001 && !clay_.tears().any();
+  const double deep = whole ? clay_.seen_into(eye) : 1.0;
+  const std::size_t coarse = size > 0 ? size - 1 : 0;
+  const Wall& inner = kWalls[coarse];
+  const int rows = std::min(inner.rows, 1 + static_cast<int>(std::ceil(deep * inner.rows)));
+  use(2);
+  walls_[coarse].draw_some(0, indices_of_rows(inner.columns, rows));
+  if (deep >= 1.0) {
+    use(3);
+    floor_.draw();
+  }
+  if (pot.cut_away <= 0.001) return;
+  glDisable(GL_CULL_FACE);
+  use(4);
+  sections_[tall > kSections[0].second ? 1 : 0].draw_times(2);
+  glEnable(GL_CULL_FACE);
+}
+
+void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {
+  const Program& program = use_clay(0, pot, clip, pixel_size(pot.camera, 1.0));
+  program.set("mirrored", 1.0f);
+  glFrontFace(GL_CW);
+  // Only what stands near the wheel head is seen in it.
+  program.set("share",
+              static_cast<float>(std::min(1.0, kMirroredHeight / std::max(clay_.height(), 0.01))));
+  mirrored_.draw();
+  glFrontFace(GL_CCW);
+}
+
+void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
+  for (const HandView& hand : pot.hands)
+    if (hand.present)
+      tools_->draw(hand, clay_.levels(), clip,
+                   [&](const Program& program) { set_light(program, pot.camera, clay_levels_); });
+}
+
+void Stage::draw_vessel_ground(const view::PotView& pot, int width, int height) {
+  if (!pot.beside || vessel_.coats.empty()) return;
+  const glm::vec2 size(width, height);
+  // It goes on over the edge: the outermost pixel's middle is half a pixel from there.
+  backdrop_->draw_ground_layer(clip_of(pot.beside->camera), vessel_.levels.outer[0],
+                               static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0)), size,
+                               glm::vec2(0.5f));
+}
+
+void Stage::draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
+                       double turned) {
+  const Program& program = solid_program_;
+  program.use();
+  set_light(program, camera, levels);
+  program.set("clip_from_studio", clip_of(camera));
+  program.set("own_picture", kOwnPicture);
+  program.set("height", static_cast<float>(model.levels.height));
+  program.set("turned", static_cast<float>(turned));
+  for (const Coat& coat : model.coats) {
+    coat.picture.bind(kOwnPicture);
+    model.mesh.draw_some(coat.first, coat.count);
+  }
+}
+
+void Stage::draw_portrait(const Portrait& portrait) {
+  const Levels& levels = portrait.model.levels;
+  const view::Camera& camera = portrait.camera;
+  upload(levels, mesh_levels_);
+  // A picture of its own, that stands on many screens.
+  studio_.put_window(false);
+  backdrop_->cast(Backdrop::Of::mesh, levels, mesh_levels_, studio_, 0.0f, 1.0f, 0.0);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  const glm::vec2 size(camera.width, camera.height);
+  backdrop_->draw_ground_layer(clip_of(camera), levels.outer[0], 0.78f, size,
+                               size * glm::vec2(0.28f, 0.14f));
+  glEnable(GL_DEPTH_TEST);
+  draw_model(portrait.model, mesh_levels_, camera, 0.0);
+  glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace onggi::render

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "engine/base/result.h"
+#include "engine/profile/mesh.h"
+#include "kiosk/picture/render/backdrop.h"
+#include "kiosk/picture/render/clay_skin.h"
+#include "kiosk/picture/render/clay_surface.h"
+#include "kiosk/picture/render/gl.h"
+#include "kiosk/picture/render/portrait.h"
+#include "kiosk/picture/render/skin_reader.h"
+#include "kiosk/picture/render/soft_edges.h"
+#include "kiosk/picture/render/studio.h"
+#include "kiosk/picture/render/tool_painter.h"
+#include "kiosk/picture/view/frame.h"
+
+namespace onggi::render {
+
+/// How finely the stage is drawn. Never touches the engine's grid.
+struct Quality {
+  int samples = 4;         ///< Multisampling.
+  bool reflection = true;  ///< The pot mirrored in the wheel head.
+  /// How much the clay may have moved since its shadow was cast, metres. Soft edges begin at 2.5
+  /// mm.
+  double shadow_apart = 0.0005;
+};
+
+/// Everything in space: the clay, the wheel head, the tools, their light and shadow. Draws into the
+/// bound target, over a transparent ground (premultiplied, display sRGB).
+class Stage {
+ public:
+  static Result<std::unique_ptr<Stage>> create();
+
+  ClaySurface& clay() { return clay_; }
+  const Backdrop& backdrop() const { return *backdrop_; }
+  /// Before the others: what has changed of clay, light and water goes to the graphics side.
+  void prepare(const view::PotView& pot, const Quality& quality);
+  /// The pot's shadow on `plaster`, into the bound target of the same size.
+  void draw_ground(const view::PotView& pot, const Texture& plaster,
+                   const Backdrop::Extent& extent);
+  /// Of what stands on the ground: the wheel head, or the pot's foot. Metres.
+  float foot(const view::PotView& pot) const;
+  /// The vessel that may stand beside the pot from here on; nothing while a pot is drawn alone.
+  void show_vessel(Model vessel) { vessel_ = std::move(vessel); }
+  const Model& vessel() const { return vessel_; }
+  /// Its shadow over a ground of this size. prepare() first.
+  void draw_vessel_ground(const view::PotView& pot, int width, int height);
+  /// Draws the pot, and what stands beside it, into the bound target, which is `scale` times the
+  /// camera's size.
+  void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
+  void draw_portrait(const Portrait& portrait);
+  /// What the clay's surface is at the positions of `mesh`, which is its own: dry, or fired in
+  /// `glazing`. Uses the bound target for nothing, and leaves another one bound.
+  std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
+                                         const std::optional<view::Glazing>& glazing);
+
+ private:
+  Stage() = default;
+  void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
+  void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
+  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft);
+  void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
+  void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
+                  double turned);
+  void draw_hands(const view::PotView& pot, const glm::mat4& clip);
+  /// For a program of clay.glsl that is in use: all but what it is drawn with or torn by.
+  void set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
+                float pixel);
+  const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
+
+  Studio studio_;
+  ClaySurface clay_;
+  ClaySkin skin_;
+  std::array<std::array<Program, 5>, ClaySkin::kSkins> clay_programs_,
+      torn_programs_;  // by skin and part of clay.glsl; only walls and lips tear
+  std::unique_ptr<ToolPainter> tools_;
+  std::unique_ptr<SkinReader> skin_reader_;
+  std::unique_ptr<Backdrop> backdrop_;
+  SoftEdges soft_edges_;
+  Program wheel_program_, solid_program_;
+  std::array<Mesh, 4> walls_, facing_;
+  std::array<Mesh, 3> lips_;
+  std::array<Mesh, 2> sections_;
+  Mesh mirrored_, floor_, wheel_;
+  Texture clay_levels_, mesh_levels_, vessel_levels_;
+  Model vessel_;
+};
+
+}  // namespace onggi::render

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+#include "kiosk/picture/render/renderer.h"
+
+namespace onggi::render {
+
+/// "1280x720" into `options`; 320x240 to 7680x4320. An empty text leaves full screen.
+Result<void> read_window_size(const std::string& text, render::WindowOptions& options);
+
+}  // namespace onggi::render

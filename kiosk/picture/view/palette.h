@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cmath>
+
+#include "kiosk/picture/view/frame.h"
+
+namespace onggi::view {
+
+/// A colour as designers write it: 0xEDE8E1.
+constexpr Color rgb(unsigned hex, float alpha = 1.0f) {
+  return {static_cast<float>((hex >> 16) & 255u) / 255.0f,
+          static_cast<float>((hex >> 8) & 255u) / 255.0f, static_cast<float>(hex & 255u) / 255.0f,
+          alpha};
+}
+
+/// But for how opaque they are.
+constexpr bool same_hue(Color a, Color b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
+
+constexpr Color with_alpha(Color c, float alpha) { return {c.r, c.g, c.b, alpha}; }
+
+/// The exhibit's colours. Text on plaster: at least 4.5:1; lines that mean something: 3:1
+/// (tests/kiosk/picture/view/palette_test.cpp).
+inline constexpr Color kPlaster = rgb(0xEDE8E1);   ///< The studio's wall, and paper.
+inline constexpr Color kInk = rgb(0x23201D);       ///< Words.
+inline constexpr Color kFaintInk = rgb(0x5F5850);  ///< Words of second rank.
+inline constexpr Color kWetClay = rgb(0x6E4B3A);
+inline constexpr Color kDryClay = rgb(0xB08968);
+inline constexpr Color kCeladon = rgb(0x9DB5A0);
+inline constexpr Color kDeepCeladon = rgb(0x2E6B57);  ///< Celadon dark enough for a line.
+inline constexpr Color kIron = rgb(0x8A3B22);
+inline constexpr Color kCobalt = rgb(0x2F4B7C);      ///< The one accent: what can be touched.
+inline constexpr Color kHeldCobalt = rgb(0x1F3560);  ///< And what a finger is on.
+
+/// Relative luminance (WCAG 2.2) of an opaque colour, 0..1.
+inline double luminance(Color c) {
+  const auto linear = [](float v) {
+    const double x = static_cast<double>(v);
+    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+
+/// Contrast ratio of two opaque colours, 1..21.
+inline double contrast(Color a, Color b) {
+  const double la = luminance(a), lb = luminance(b);
+  return la > lb ? (la + 0.05) / (lb + 0.05) : (lb + 0.05) / (la + 0.05);
+}
+
+}  // namespace onggi::view

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "kiosk/ground/cli/command.h"
+
+namespace onggi::commands {
+
+/// The program: it opens the exhibit, and has all the others.
+cli::Command onggi_command();
+
+cli::Command run_command();
+cli::Command visit_command();
+cli::Command replay_command();
+cli::Command check_command();
+cli::Command vessel_command();
+cli::Command score_command();
+cli::Command stats_command();
+cli::Command report_command();
+cli::Command devices_command();
+cli::Command setup_command();
+
+/// Of `onggi vessel`.
+cli::Command make_command();
+cli::Command inspect_command();
+cli::Command import_command();
+
+/// Of `onggi lab`, in the museum's program.
+cli::Command tune_command();
+
+}  // namespace onggi::commands

@@ -1,0 +1,133 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/plain_text.h"
+#include "kiosk/collection/content/coloring.h"
+#include "kiosk/collection/content/glb.h"
+#include "kiosk/collection/content/glb_packer.h"
+#include "kiosk/collection/content/gltf_parts.h"
+#include "kiosk/collection/content/mesh_file.h"
+#include "kiosk/collection/content/pack_writer.h"
+#include "kiosk/collection/content/vessel_file.h"
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/program/commands/commands.h"
+#include "kiosk/program/commands/up_option.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::commands {
+
+namespace {
+
+struct ImportArguments {
+  std::string file, id, node, up, shelf = ".";
+};
+
+Result<void> check_id(const std::string& id) {
+  bool good = !id.empty() && id.size() <= 80;
+  for (const char c : id)
+    good = good && ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-');
+  if (good) return {};
+  return problem("--id " + id.substr(0, 80), "an id is a folder's name of a to z, 0 to 9, _ and -.",
+                 "Write one such as moon_jar.");
+}
+
+/// The vessel's file as it came, where it is a GLB whole; a whole glTF with all that it names; else
+/// its surface alone with its colours, since a pack holds one file.
+Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole) {
+  const settings::ReaderLimits limits;
+  if (whole) {
+    const auto bytes =
+        content::read_vessel_file(vessel.file, static_cast<std::size_t>(limits.file_mb) << 20);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const bool is_glb = bytes->size() > 4 && (*bytes)[0] == 'g' && (*bytes)[1] == 'l' &&
+                        (*bytes)[2] == 'T' && (*bytes)[3] == 'F';
+    if (is_glb) {
+      const auto span = std::as_bytes(std::span(*bytes));
+      return std::vector<std::byte>(span.begin(), span.end());
+    }
+  }
+  if (whole && content::format_unit(vessel.file) > 0.0)
+    return content::pack_glb(vessel.file, limits);
+  const auto model = content::read_mesh_file(vessel.file, limits);
+  if (!model) return tl::unexpected(model.error());
+  content::NamedPart named;
+  if (!vessel.node.empty()) named = content::find_part(*model, vessel.node);
+  std::string rights = vessel.credit;
+  if (!vessel.licence.empty()) rights += (rights.empty() ? "" : ". ") + vessel.licence;
+  const bool all = named.part == nullptr;
+  const content::Coloring coloring =
+      all ? model->coloring : content::coloring_of(*model, *named.part, named.reach);
+  content::GlbMaterial material;
+  if (model->colored) material.color = model->base_color;
+  if (!coloring.empty()) material.color = {1, 1, 1};
+  return content::write_glb(all ? model->mesh : content::mesh_of(*model, *named.part, named.reach),
+                            vessel.label("en").title, rights, material, content::baked(coloring));
+}
+
+Result<int> import_vessel(const ImportArguments& arguments) {
+  if (auto good = check_id(arguments.id); !good) return tl::unexpected(good.error());
+  const fs::path folder = fs::path(arguments.shelf) / arguments.id;
+  std::error_code ignored;
+  if (!fs::is_directory(arguments.shelf, ignored))
+    return problem("--shelf " + arguments.shelf,
+                   "There is no such folder, and none is made unasked.",
+                   "Make it first: mkdir -p '" + arguments.shelf + "'. Or name another shelf.");
+  if (fs::exists(folder, ignored))
+    return problem(folder.string(), "it is there already, and nothing is written over it.",
+                   "Choose another --id, or move the folder away.");
+  content::LoadOptions options;
+  options.node = arguments.node;
+  if (auto good = take_up(arguments.up, options); !good) return tl::unexpected(good.error());
+  const auto vessel = content::load_vessel(arguments.file, options);
+  if (!vessel) return tl::unexpected(vessel.error());
+  const auto glb = glb_of(*vessel, arguments.node.empty());
+  if (!glb) return tl::unexpected(glb.error());
+
+  const std::string toml = content::pack_toml(*vessel);
+  if (auto good = files::make_folder(folder); !good) return tl::unexpected(good.error());
+  if (auto good = files::write_durably(folder / "vessel.glb", *glb); !good)
+    return tl::unexpected(good.error());
+  if (auto good = files::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
+      !good)
+    return tl::unexpected(good.error());
+  std::cout << (folder / "vessel.glb").string() << ": the shape, " << glb->size() / 1024 << " kB\n"
+            << (folder / "vessel.toml").string()
+            << ": for you to finish; what it lacks is told by: onggi check " << folder.string()
+            << '\n';
+  for (const std::string& warning : vessel->extracted.warnings)
+    std::cout << "  note: " << terminal::plain(warning) << '\n';
+  return 0;
+}
+
+}  // namespace
+
+cli::Command import_command() {
+  const auto a = std::make_shared<ImportArguments>();
+  return {
+      .name = "import",
+      .help = "Make a vessel's folder from a scan, for you to finish",
+      .examples =
+          "Example: onggi vessel import scan.glb --id moon_jar --shelf content/vessels\n"
+          "Copyright, licence and credit are taken from the file where it names them.",
+      .options = {{.name = "file",
+                   .field = &a->file,
+                   .help = "A GLB, glTF, OBJ, PLY or STL of anyone's making, or a IIIF manifest or "
+                           "Smithsonian document beside one",
+                   .required = true},
+                  {.name = "--id",
+                   .field = &a->id,
+                   .help = "The folder's name: a to z, 0 to 9, _ and -",
+                   .required = true},
+                  {"--shelf", &a->shelf, "The shelf to put it on [this folder]"},
+                  {"--node", &a->node,
+                   "The node that is the vessel, by name or number [all of the file]"},
+                  up_option(a->up)},
+      .run = [a] { return import_vessel(*a); }};
+}
+
+}  // namespace onggi::commands

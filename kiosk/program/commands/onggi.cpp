@@ -1,0 +1,31 @@
+#include "kiosk/program/commands/commands.h"
+
+namespace onggi::commands {
+
+namespace {
+/// What a museum needs of the laboratory. Its other commands are in onggi-lab (lab_program.h).
+cli::Command lab_command() {
+  return {.name = "lab",
+          .help = "Measure this machine (all but tune: in the package onggi-lab)",
+          .examples = "Example: onggi lab tune --write config/scenes/first_touch.toml",
+          .commands = {tune_command()}};
+}
+}  // namespace
+
+cli::Command onggi_command() {
+  // The same options with and without the word "run": a kiosk is started by its bare name.
+  const cli::Command run = run_command();
+  return {.name = "onggi",
+          .help = "Onggi: throw pots on a virtual wheel, in a museum.",
+          .examples =
+              "Example: onggi --window 1280x720\n"
+              "Without a subcommand the exhibit opens, as with: onggi run\n"
+              "Exit: 0 good, 1 the program's or the machine's fault, 2 the input's.",
+          .options = run.options,
+          .commands = {run, visit_command(), replay_command(), check_command(), vessel_command(),
+                       score_command(), stats_command(), report_command(), lab_command(),
+                       devices_command(), setup_command()},
+          .run = run.run};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,103 @@
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "kiosk/exhibit/composition/kiosk.h"
+#include "kiosk/exhibit/composition/reload.h"
+#include "kiosk/ground/files/log.h"
+#include "kiosk/ground/files/monotonic.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/picture/render/window_size.h"
+#include "kiosk/program/commands/attendance.h"
+#include "kiosk/program/commands/commands.h"
+
+namespace onggi::commands {
+
+namespace {
+
+volatile std::sig_atomic_t asked_to_stop = 0;
+
+struct RunArguments {
+  std::string config, window, shelf;
+};
+
+enum class Ending { asked_to, reload };
+
+/// The exhibit of `options`, the museum's or one that `stands_in` for it, until it is asked to end,
+/// or the museum's has changed and no visitor is here.
+Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in,
+                            exhibit::Reload& reload, Attendance* attendance) {
+  if (attendance != nullptr) attendance->opens(options.config, stands_in);
+  auto kiosk = exhibit::Kiosk::open(options);
+  if (!kiosk) return tl::unexpected(kiosk.error());
+  if (attendance != nullptr) attendance->shows(**kiosk);
+  bool first = true;
+  while (asked_to_stop == 0 && (*kiosk)->frame(files::monotonic_seconds())) {
+    if (attendance != nullptr) attendance->look(**kiosk);
+    if (!(*kiosk)->open_to_visitors()) continue;
+    if (std::exchange(first, false))
+      files::log_line("First picture " +
+                      std::to_string(static_cast<int>(files::since_exec_seconds() * 1000)) +
+                      " ms after the start of the program.");
+    // Not before: the shelf is read once already.
+    if (!(*kiosk)->shelf().complete()) continue;
+    reload.look(files::monotonic_seconds());
+    if (reload.wanted() && (*kiosk)->nobody_is_here()) return Ending::reload;
+  }
+  return Ending::asked_to;
+}
+
+Result<int> open_exhibit(const exhibit::KioskOptions& museums, Attendance* attendance) {
+  using exhibit::Reload;
+  std::optional<exhibit::KioskOptions> safer;
+  if (attendance != nullptr) safer = attendance->safer(museums);
+  Reload reload(museums.config, safer ? Reload::Shown::another : Reload::Shown::this_one);
+  for (;;) {
+    const auto ending =
+        show_exhibit(safer ? *safer : museums, safer.has_value(), reload, attendance);
+    if (!ending) return tl::unexpected(ending.error());
+    if (*ending == Ending::asked_to) break;
+    reload.taken_up();
+    safer.reset();
+  }
+  if (attendance != nullptr) attendance->end();
+  return 0;
+}
+
+Result<int> run(const RunArguments& arguments) {
+  const auto config = files::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  exhibit::KioskOptions options;
+  options.config = *config;
+  options.seed = static_cast<std::uint64_t>(files::monotonic_seconds() * 1e6);
+  if (!arguments.shelf.empty()) options.shelf = arguments.shelf;
+  if (auto good = render::read_window_size(arguments.window, options.window); !good)
+    return tl::unexpected(good.error());
+
+  std::signal(SIGINT, [](int) { asked_to_stop = 1; });
+  std::signal(SIGTERM, [](int) { asked_to_stop = 1; });
+  const std::optional<std::filesystem::path> state = Attendance::state_folder();
+  if (!state) return open_exhibit(options, nullptr);
+  Attendance attendance(*state);
+  return open_exhibit(options, &attendance);
+}
+
+}  // namespace
+
+cli::Command run_command() {
+  const auto a = std::make_shared<RunArguments>();
+  return {.name = "run",
+          .help = "Open the exhibit full screen",
+          .examples = "Example: onggi run --config config/exhibit.toml --window 1280x720",
+          .options = {{"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
+                      {"--window", &a->window,
+                       "A window of WIDTHxHEIGHT pixels instead of full screen"},
+                      {"--shelf", &a->shelf,
+                       "A folder of vessels (packs, .glb, .gltf) instead of the exhibit's"}},
+          .run = [a] { return run(*a); }};
+}
+
+}  // namespace onggi::commands

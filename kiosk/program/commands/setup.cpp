@@ -1,0 +1,73 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "kiosk/program/commands/commands.h"
+#include "kiosk/program/setup/machine_setup.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct SetupArguments {
+  std::string root = "/";
+  bool undo = false, dry = false, replace_desktop = false;
+};
+
+void tell(const char* head, const std::vector<std::string>& lines) {
+  if (!lines.empty()) std::cout << head << '\n';
+  for (const std::string& line : lines) std::cout << "  " << line << '\n';
+}
+
+Result<int> undo(const setup::System& system, bool dry) {
+  const auto report = setup::undo_setup(system, dry);
+  if (!report) return tl::unexpected(report.error());
+  tell(dry ? "Would take back:" : "Taken back:", report->changed);
+  tell(dry ? "Would leave:" : "Left:", report->stayed);
+  if (dry) return 0;
+  std::cout << "This machine is no kiosk any more.\n";
+  return 0;
+}
+
+Result<int> set_up(const SetupArguments& arguments) {
+  const setup::System system{arguments.root};
+  if (arguments.undo) return undo(system, arguments.dry);
+  setup::SetupOptions options{
+      .system = system, .dry = arguments.dry, .replace_desktop = arguments.replace_desktop};
+  const auto report = setup::set_up(options);
+  if (!report) return tl::unexpected(report.error());
+  tell(arguments.dry ? "Would change:" : "Changed:", report->changed);
+  tell("Was so already, or left:", report->stayed);
+  if (arguments.dry) return 0;
+  std::cout << "The exhibit is " << setup::kSite << "/config/exhibit.toml; after a change: cd "
+            << setup::kSite << " && onggi check\n"
+            << "The kiosk starts with the machine; at once: sudo systemctl start onggi\n"
+            << "To take all of this back: sudo onggi setup --undo\n";
+  return 0;
+}
+
+}  // namespace
+
+cli::Command setup_command() {
+  const auto a = std::make_shared<SetupArguments>();
+  return {
+      .name = "setup",
+      .help =
+          "Make a kiosk of this machine (Debian 13 or 12, from the package), and say what changed",
+      .examples =
+          "Example: sudo onggi setup\n"
+          "         onggi setup --dry-run\n"
+          "         sudo onggi setup --undo",
+      .options = {{"--dry-run", &a->dry,
+                   "Say what would change, or be taken back, and change nothing"},
+                  {"--undo", &a->undo, "Take back what an earlier setup changed"},
+                  {"--replace-desktop", &a->replace_desktop,
+                   "Where a desktop starts with the machine, the kiosk takes its place"},
+                  {.name = "--root",
+                   .field = &a->root,
+                   .help = "The folder of a system's image, instead of this system",
+                   .shows_default = true}},
+      .run = [a] { return set_up(*a); }};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,117 @@
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/keepsake/store/figures_report.h"
+#include "kiosk/keepsake/store/statistics.h"
+#include "kiosk/picture/drawing/put_report.h"
+#include "kiosk/program/commands/commands.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct StatsArguments {
+  std::string config, store, from, to;
+  files::Output csv{files::Output::Kind::csv}, json{files::Output::Kind::json},
+      plot{files::Output::Kind::picture};
+};
+
+Result<void> check_day(const std::string& option, const std::string& day) {
+  if (day.empty()) return {};
+  int y = 0, m = 0, d = 0, end = 0;
+  const bool read = std::sscanf(day.c_str(), "%4d-%2d-%2d%n", &y, &m, &d, &end) == 3 && end == 10 &&
+                    day.size() == 10;
+  const std::chrono::year_month_day date{std::chrono::year(y),
+                                         std::chrono::month(static_cast<unsigned>(m)),
+                                         std::chrono::day(static_cast<unsigned>(d))};
+  if (read && date.ok()) return {};
+  return problem(option + " " + day, "That is no day.", "Write it as 2026-05-31.");
+}
+
+/// Visits a day, or a month where there are too many days to name; what is left out is a gap.
+drawing::Plot plot_of(const store::PublishedStatistics& s) {
+  constexpr std::size_t kMostDays = 45;
+  std::string step = "day";
+  for (const auto& table : s.tables)
+    if (table.name == "day" && table.lines.size() > kMostDays) step = "month";
+  drawing::Plot plot;
+  plot.title = "Visits a " + step;
+  plot.subtitle = "Fewer than " + std::to_string(store::PublishedStatistics::kLeast) +
+                  " visits are left out, and what would give them away.";
+  plot.x.label = step;
+  plot.y.label = "visits";
+  drawing::PlotSeries visits{.name = "visits", .kind = drawing::PlotSeries::Kind::bars};
+  drawing::PlotSeries kept{.name = "with a keepsake", .kind = drawing::PlotSeries::Kind::bars};
+  for (const auto& table : s.tables) {
+    if (table.name != step) continue;
+    for (const auto& line : table.lines) {
+      plot.x.names.push_back(step == "day" ? line.name.substr(5) : line.name);
+      const double nothing = std::numeric_limits<double>::quiet_NaN();
+      visits.y.push_back(line.visits ? static_cast<double>(*line.visits) : nothing);
+      kept.y.push_back(line.kept ? static_cast<double>(*line.kept) : nothing);
+    }
+  }
+  if (visits.y.empty()) {
+    const bool none = s.all.visits == 0;
+    plot.notes.push_back({0.0, 0.0, none ? "No visits in these days." : "Too few visits to tell."});
+    return plot;
+  }
+  plot.series = {visits, kept};
+  return plot;
+}
+
+Result<std::string> store_of(const StatsArguments& arguments) {
+  if (!arguments.store.empty()) return arguments.store;
+  const auto config = files::exhibit_file(arguments.config);
+  if (!config) return tl::unexpected(config.error());
+  return files::store_file(settings::read_exhibit(*config).exhibit.keepsake.folder).string();
+}
+
+Result<int> stats(const StatsArguments& arguments) {
+  if (auto good = check_day("--from", arguments.from); !good) return tl::unexpected(good.error());
+  if (auto good = check_day("--to", arguments.to); !good) return tl::unexpected(good.error());
+  if (!arguments.to.empty() && arguments.to < arguments.from)
+    return problem("--from " + arguments.from + " --to " + arguments.to,
+                   "The last day is before the first.", "Exchange them.");
+  const auto file = store_of(arguments);
+  if (!file) return tl::unexpected(file.error());
+  const auto counted = store::read_statistics(*file, arguments.from, arguments.to);
+  if (!counted) return tl::unexpected(counted.error());
+  const store::PublishedStatistics told = store::publish(*counted);
+  // Before the words: what cannot be written is told first.
+  if (auto good = arguments.csv.write(store::csv_of(told)); !good)
+    return tl::unexpected(good.error());
+  const std::string words =
+      arguments.csv.wanted() && arguments.csv.to_stdout() ? std::string() : store::words_of(told);
+  const auto put = drawing::put_report(store::json_of(told), words, plot_of(told), arguments.json,
+                                       arguments.plot);
+  if (!put) return tl::unexpected(put.error());
+  return 0;
+}
+
+}  // namespace
+
+cli::Command stats_command() {
+  const auto a = std::make_shared<StatsArguments>();
+  return {
+      .name = "stats",
+      .help = "Say what visitors did: how many, how long, which vessels, where they left",
+      .examples =
+          "Example: onggi stats --from 2026-05-01 --to 2026-05-31 --csv may.csv --plot may.svg\n"
+          "Nothing is told of fewer than five visitors: kiosk/docs/store.md says why.",
+      .options = {{"--from", &a->from, "First day that is counted, as 2026-05-01 [all]"},
+                  {"--to", &a->to, "Last day that is counted [all]"},
+                  {"--csv", &a->csv, "Write the tables as CSV (- for standard output)"},
+                  {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
+                  {"--plot", &a->plot,
+                   "Draw visits a day or month, as PNG or SVG (- for standard output)"},
+                  {"--store", &a->store, "Another store than the exhibit's"},
+                  {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+      .run = [a] { return stats(*a); }};
+}
+
+}  // namespace onggi::commands

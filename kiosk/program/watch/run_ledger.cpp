@@ -1,0 +1,64 @@
+#include "kiosk/program/watch/run_ledger.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/read_file.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::watch {
+
+namespace {
+
+constexpr std::size_t kMostOfALedger = 256;
+constexpr int kMostKept = 1000;
+
+struct Entry {
+  bool running = false;
+  int crashes = 0;
+};
+
+Entry read_entry(const fs::path& file) {
+  const auto bytes = files::read_file(file, kMostOfALedger);
+  if (!bytes) return {};
+  int running = 0, crashes = 0, end = 0;
+  const std::string text(bytes->begin(), bytes->end());
+  if (std::sscanf(text.c_str(), "onggi-runs 1 running %1d crashes %4d.%n", &running, &crashes,
+                  &end) != 2 ||
+      end == 0 || running < 0 || crashes < 0)
+    return {};
+  return {running == 1, std::min(crashes, kMostKept)};
+}
+
+}  // namespace
+
+RunLedger::RunLedger(fs::path folder) : file_(std::move(folder) / "runs") {
+  const Entry last = read_entry(file_);
+  crashes_ = last.running ? last.crashes + 1 : 0;
+}
+
+Result<void> RunLedger::begin() {
+  if (auto made = files::make_folder(file_.parent_path()); !made) return made;
+  return write(true, crashes_);
+}
+
+Result<void> RunLedger::lasted(double seconds) {
+  if (steady_ || seconds < kSteady) return {};
+  steady_ = true;
+  // Whatever ends it from here on, it is no crash at the start. crashes() stays: what this run
+  // shows, it goes on showing.
+  return write(false, 0);
+}
+
+Result<void> RunLedger::ended() { return write(false, 0); }
+
+Result<void> RunLedger::write(bool running, int crashes) {
+  const std::string text = "onggi-runs 1 running " + std::to_string(running ? 1 : 0) + " crashes " +
+                           std::to_string(crashes) + ".\n";
+  return files::write_durably(file_, std::as_bytes(std::span(text)));
+}
+
+}  // namespace onggi::watch

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+
+#include "kiosk/visit/screens/visit.h"
+#include "kiosk/visit/screens/wire_cut.h"
+#include "kiosk/wheel/device/ghost_finger.h"
+#include "kiosk/wheel/device/pointer_lead.h"
+#include "kiosk/wheel/device/rib_pass.h"
+#include "kiosk/wheel/device/trim_pass.h"
+#include "kiosk/wheel/loop/potter.h"
+#include "kiosk/wheel/loop/wheel_view.h"
+
+namespace onggi::screens {
+
+/// A potter throws a vessel for all to see, with the hands that a visitor has: wets the clay,
+/// brings the wall to the outline stroke by stroke between both hands, trims the foot, goes over it
+/// all slowly, lays a rib to it, and draws the wire under it. Each stroke is planned on the pot as
+/// it then stands. Tools that the scene lacks are left out. Main thread.
+class Demonstration {
+ public:
+  /// Left-handed potters work at the left of the axis, and their wheel turns the other way.
+  Demonstration(const Wheel& wheel, bool left_handed);
+
+  /// Once a frame, once the pot is on the wheel. `right`: as PointerLead::input.
+  void update(double dt, const loop::WheelView& wheel, const Profile& target, Vec3 right,
+              loop::PotterCommands& potter);
+  /// The hands come off the clay and the sponge away; the next update() goes on.
+  void let_go(loop::PotterCommands& potter);
+  bool done() const { return stage_ == Stage::done; }
+
+ private:
+  enum class Stage : std::uint8_t { wet, throwing, foot, even, rib, stand, wire, done };
+  void enter(Stage stage) { stage_ = stage, for_ = 0; }
+  void send(Vec3 right, loop::PotterCommands& potter) const;
+  bool rested(double dt, double seconds);
+  void turn(double speed, loop::PotterCommands& potter);
+  void take_hands(const Profile& target);
+  void next_stage(const loop::WheelView& wheel, const Profile& target);
+  void throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
+                loop::PotterCommands& potter);
+
+  Wheel wheel_;
+  device::PointerLead hands_;
+  device::GhostFinger finger_;
+  std::optional<device::RibPass> rib_;
+  std::optional<device::TrimPass> trimmer_;
+  std::optional<WireCut> wire_;
+  Profile worked_;  ///< The target as the hands can leave it.
+  double side_;     ///< +1 right of the axis, -1 left.
+  Stage stage_ = Stage::wet;
+  double for_ = 0;    ///< s in the stage, or since the last stroke.
+  double turns_ = 0;  ///< rad/s, as the wheel was last asked.
+  int strokes_ = 0;
+  bool water_ = false;
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,149 @@
+#include "kiosk/visit/screens/desk.h"
+
+#include <utility>
+
+#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/visit/screens/label.h"
+
+namespace onggi::screens {
+
+void Desk::forget() {
+  std::optional<VisitNotes> counted =
+      notes.finish(now, std::exchange(leaves, VisitNotes::End::back));
+  if (counted) {
+    counted->language = words().code();
+    counted->card = card;
+    if (const settings::Mission* mission_chosen = on()) counted->mission = mission_chosen->id;
+  }
+  language = 0;
+  card = mission = -1;
+  figures.reset();
+  made = {};
+  score = {};
+  glaze = -1;
+  lesson_step = 0;
+  force = {};
+  comfort = {};
+  kept = Kept::not_asked;
+  kept_as.clear();
+  kept_at.clear();
+  postcard = 0;
+  requests.emplace_back(ForgetVisitor{std::move(counted)});
+}
+
+std::string Desk::title() const {
+  const auto& titles = world.exhibit->title;
+  return titles.empty() ? say("attract.title") : settings::spoken(titles, words().code());
+}
+
+const ShelfCard* Desk::shelf_card(int index) const {
+  if (const int own = mission_of_own(index); own >= 0 && own < missions())
+    return &mission_card(own).own;
+  if (index < 0 || index >= cards()) return nullptr;
+  return &(*world.shelf)[static_cast<std::size_t>(index)];
+}
+
+content::Label Desk::label(int index) const {
+  const ShelfCard* shelf = shelf_card(index);
+  return shelf != nullptr && shelf->vessel != nullptr ? shelf->vessel->label(words().code())
+                                                      : content::Label{};
+}
+
+const Wheel& Desk::wheel() const {
+  static const Wheel kNone;
+  const ShelfCard* shelf = shelf_card(card != -1 ? card : attract_card);
+  return shelf != nullptr ? shelf->wheel : kNone;
+}
+
+int Desk::missions() const {
+  return world.missions != nullptr ? static_cast<int>(world.missions->size()) : 0;
+}
+
+const MissionCard& Desk::mission_card(int index) const {
+  return (*world.missions)[static_cast<std::size_t>(index)];
+}
+
+const settings::Mission* Desk::on() const {
+  return mission >= 0 && mission < missions() ? mission_card(mission).mission : nullptr;
+}
+
+const settings::Mission::Described* Desk::described() const {
+  const settings::Mission* what = on();
+  return what != nullptr && what->kind == settings::Mission::Kind::describe ? &what->wanted
+                                                                            : nullptr;
+}
+
+std::string Desk::heading() const {
+  const settings::Mission* what = on();
+  return what == nullptr || what->kind == settings::Mission::Kind::today
+             ? label(card).title
+             : what->title_in(words().code());
+}
+
+std::string Desk::answer() const {
+  const settings::Mission* what = on();
+  if (what == nullptr) return say("result.answer", {{"vessel", label(card).title}});
+  const std::string& title = what->title_in(words().code());
+  return described() != nullptr
+             ? title
+             : say("mission.answer", {{"mission", title}, {"vessel", label(card).title}});
+}
+
+std::string Desk::said(const score::Remark& remark) const {
+  auto places = remark.places;
+  for (const char* litre : {"litres", "wanted"})
+    if (const auto at = places.find(litre); at != places.end())
+      at->second = hundredths(std::stol(at->second), words());
+  return say(remark.key, places);
+}
+
+void Desk::judge(const ShelfCard& answered) {
+  made = world.wheel->clay.profile();
+  const settings::Rubric& rubric = world.exhibit->rubric;
+  kept = Kept::not_asked;
+  glaze = -1;
+  postcard = 0;
+  if (const auto* wanted = described()) {
+    figures = score::figures_of(made, world.wheel->clay.capacity());
+    score = score::judge_described(*wanted, *figures, made, rubric);
+    notes.judged(score.points);
+    return;
+  }
+  const bool known = answered.vessel == nullptr || content::is_known(answered.vessel->size_from);
+  const double true_scale = !known ? 0 : answered.scale > 0 ? 1 / answered.scale : 1;
+  score = score::judge(answered.target, made, !rubric.size_counts, true_scale, rubric);
+  notes.judged(score.points);
+}
+
+void Desk::keep_pot() {
+  if (kept != Kept::not_asked && kept_glaze_ == glaze) return;
+  requests.emplace_back(MakeKeepsake{card, score, made, glaze});
+  kept = Kept::asked;
+  kept_glaze_ = glaze;
+  kept_as.clear();
+  kept_at.clear();
+  postcard = 0;
+}
+
+void Desk::start_pot(int index, bool scripted, const std::string& script) {
+  requests.emplace_back(StartPot{index, scripted, script});
+  if (!scripted) notes.pot();
+  figures.reset();
+  awaited_ = status.scene_serial;
+}
+
+const std::string& Desk::note() const {
+  const std::string& fault = fault_note.key();
+  return fault.empty() && world.devices != nullptr ? world.devices->key() : fault;
+}
+
+void Desk::look() {
+  status = world.wheel->status;
+  fault_note.update(status, now, *world.potter);
+  if (awaited_ && *awaited_ != status.scene_serial) {
+    awaited_.reset();
+    pot_since_ = now;
+  }
+}
+
+}  // namespace onggi::screens

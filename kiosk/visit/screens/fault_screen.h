@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "kiosk/visit/screens/screen.h"
+
+namespace onggi::screens {
+
+/// Kind words where the exhibit cannot go on. `desk` outlives it.
+std::unique_ptr<Screen> make_fault(Desk& desk);
+
+}  // namespace onggi::screens

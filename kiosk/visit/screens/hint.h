@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/visit/screens/desk.h"
+#include "kiosk/wheel/device/wall_hold.h"
+
+namespace onggi::screens {
+
+struct HintInput {
+  const Profile* target = nullptr;
+  const Profile* made = nullptr;
+  bool wheel_turns = true;
+  device::Grip grip = device::Grip::both;
+  bool touched = false;       ///< The visitor has touched this pot.
+  bool dry_too_long = false;  ///< Long rubbed without water.
+  double tool_radius = 0.008;
+  std::string
+      described{};  ///< Where figures are asked for, and no outline: the hint that they give.
+};
+
+/// The most useful hint for what is true now. Pure.
+Hint next_hint(const HintInput& in);
+
+/// Every hint in the words of the desk, for reserving room.
+std::vector<std::string> all_hints(const Desk& desk);
+std::string words_of(const Hint& hint, const Desk& desk);
+
+/// Shows one hint at a time: looks four times a second, and keeps each at least two seconds, so
+/// that a sentence can be read before it changes.
+class HintLine {
+ public:
+  const Hint& update(double now, const HintInput& in);
+  const Hint& shown() const { return shown_; }
+
+ private:
+  Hint shown_;
+  double looked_ = -1, since_ = -10;
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,173 @@
+#include "kiosk/visit/screens/keepsake_screen.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kiosk/collection/settings/wifi_code.h"
+#include "kiosk/picture/view/square_code.h"
+#include "kiosk/visit/screens/gallery_page.h"
+#include "kiosk/visit/screens/overlays.h"
+
+namespace onggi::screens {
+
+using view::Face;
+using view::Rect;
+
+namespace {
+
+/// The postcard, large, and where it is kept; from there today's pots.
+class Keepsake final : public Screen {
+ public:
+  explicit Keepsake(Desk& d) : Screen(d), gallery_(d) {}
+  ScreenId id() const override { return ScreenId::keepsake; }
+  std::string first_focus() const override { return "keepsake.done"; }
+
+  void update(double dt) override {
+    gallery_.update(dt);
+    if (open_ && !gallery_.any()) turn_to(false);
+  }
+  bool drag(const view::InputEvent& e, const Page& page) override {
+    return open_ && gallery_.drag(e, page);
+  }
+  void pointer(const view::InputEvent& e, const Page&) override {
+    if (open_) gallery_.pointer(e);
+  }
+  void let_go() override { gallery_.let_go(); }
+
+  void lay_out(Page& page) override {
+    const Button done{"keepsake.done", desk.say("keepsake.done"), Look::solid};
+    if (open_) return gallery_.lay_out(page, {done}, true);
+    if (desk.postcard != 0) lay_out_card(page);
+    const TypeScale& t = page.type();
+    Column column(page, page.where().words);
+    column.foot_buttons(standing_buttons(desk, true));
+    column.foot_space(t.gap * 1.5f);
+    std::vector<Button> ways{done, {"keepsake.again", desk.say("keepsake.again"), Look::outline}};
+    if (gallery_.any()) ways.push_back(gallery_.way("keepsake.gallery"));
+    column.foot_buttons(ways);
+    column.foot_space(t.gap);
+    const bool failed = desk.kept == Desk::Kept::failed;
+    const bool making = desk.postcard == 0 && !failed;
+    column.text(making            ? desk.say("keepsake.making")
+                : desk.glaze >= 0 ? desk.say("keepsake.title")
+                                  : desk.say("keepsake.unfired"),
+                t.title, Face::serif);
+    column.space(t.gap);
+    switch (desk.kept) {
+      case Desk::Kept::not_asked:
+      case Desk::Kept::asked:
+        column.text(desk.say("keepsake.wait"), t.body);
+        break;
+      case Desk::Kept::kept:
+        column.text(desk.say("keepsake.kept"), t.body);
+        column.space(t.gap);
+        // Date and time stay in their order among words from the right, too.
+        column.text(
+            desk.words().right_to_left() ? "\u2066" + desk.kept_as + "\u2069" : desk.kept_as,
+            t.body, Face::sans, view::kFaintInk);
+        lay_out_codes(column);
+        break;
+      case Desk::Kept::failed:
+        column.text(desk.say("keepsake.failed"), t.body);
+        break;
+    }
+  }
+
+  void press(const std::string& control) override {
+    if (control == "keepsake.done") desk.go(ScreenId::attract);
+    if (control == "keepsake.again") desk.go(ScreenId::choose);
+    if (control == "keepsake.gallery") turn_to(true);
+    if (open_) gallery_.press(control);
+  }
+  void back() override {
+    if (open_) return turn_to(false);
+    desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::result);
+  }
+
+ private:
+  void turn_to(bool open) {
+    open_ = open;
+    gallery_.begin();
+    desk.turned = true;
+  }
+
+  /// For a phone, where one can reach it: in the museum's network the page, behind the kiosk's own
+  /// access point first the network and then the page.
+  void lay_out_codes(Column& column) {
+    const auto& phone = desk.world.exhibit->phone;
+    const std::string network =
+        desk.kept_at.empty() ? "" : settings::wifi_code(phone.network, phone.password);
+    if (std::exchange(coded_, network + desk.kept_at) != network + desk.kept_at) {
+      page_code_ = view::SquareCode(desk.kept_at);
+      network_code_ = view::SquareCode(network);
+    }
+    if (page_code_.empty()) return;
+    Page& page = column.page();
+    const TypeScale& t = page.type();
+    column.space(t.gap);
+    if (network_code_.empty()) {
+      column.text(desk.say("keepsake.phone"), t.body);
+      return put_code(page, page_code_, column.rest());
+    }
+    // One beside the other in the order that they are read, and both on one line.
+    const view::Rect room = column.rest();
+    const float half = (room.w - t.gap) / 2;
+    float words_high = 0;
+    for (const char* step : {"keepsake.join", "keepsake.then"}) {
+      const auto size = page.size(desk.say(step), page.style(Face::sans, t.body), half);
+      words_high = std::max(words_high, size.height);
+      if (size.width > half + 1) page.overflowed();
+    }
+    const bool from_right = page.right_to_left();
+    const view::Rect first{from_right ? room.x + room.w - half : room.x, room.y, half, room.h};
+    const view::Rect then{from_right ? room.x : room.x + room.w - half, room.y, half, room.h};
+    for (const auto& [at, step, code] :
+         {Step{first, "keepsake.join", &network_code_}, Step{then, "keepsake.then", &page_code_}}) {
+      const auto style = page.style(Face::sans, t.body);
+      page.words({at.x, at.y, at.w, words_high}, desk.say(step), style, view::kInk);
+      put_code(page, *code, {at.x, at.y + words_high, at.w, at.h - words_high});
+    }
+  }
+
+  struct Step {
+    Rect at;
+    const char* words;
+    const view::SquareCode* code;
+  };
+
+  /// At the top of `room`, where its words begin. Its own quiet zone is air enough.
+  static void put_code(Page& page, const view::SquareCode& code, const Rect& room) {
+    const float wanted = page.type().body * 7, side = code.width(wanted);
+    if (side > room.h || side > room.w) return page.overflowed();
+    code.draw(page.items(), page.right_to_left() ? room.x + room.w - side : room.x, room.y, wanted);
+  }
+
+  GalleryPage gallery_;
+  bool open_ = false;                          ///< The gallery is shown.
+  std::string coded_;                          ///< What the codes are of.
+  view::SquareCode page_code_, network_code_;  ///< Reckoned once for a page.
+
+  /// A card of 5:7 lying on the plaster: a soft shadow laid in films, no frame.
+  void lay_out_card(Page& page) const {
+    const Rect room = page.where().pot;
+    const float h = std::min(room.h, room.w * 1.4f), w = h / 1.4f;
+    const Rect card{room.x + (room.w - w) / 2, room.y + (room.h - h) / 2, w, h};
+    constexpr int kFilms = 14;
+    for (int i = 1; i <= kFilms; ++i) {
+      const float grow = page.type().body * 0.06f * static_cast<float>(i);
+      page.draw(view::Box{{card.x - grow, card.y - grow + page.type().body * 0.3f,
+                           card.w + 2 * grow, card.h + 2 * grow},
+                          grow,
+                          view::with_alpha(view::kInk, 0.009f),
+                          0,
+                          {}});
+    }
+    page.draw(view::Picture{card, desk.postcard, 1});
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> make_keepsake(Desk& desk) { return std::make_unique<Keepsake>(desk); }
+
+}  // namespace onggi::screens

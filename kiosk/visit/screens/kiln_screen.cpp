@@ -1,0 +1,219 @@
+#include "kiosk/visit/screens/kiln_screen.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kiosk/visit/screens/label.h"
+#include "kiosk/visit/screens/overlays.h"
+#include "kiosk/visit/screens/pot_picture.h"
+#include "kiosk/visit/screens/target_line.h"
+
+namespace onggi::screens {
+
+using view::Face;
+
+namespace {
+
+constexpr double kGlazeShowSpeed = 1.2;  // rad/s: a glaze is looked at from all sides.
+constexpr double kDryTime = 4.0;         // s; an impatient visitor's pot dries in a fifth of it.
+constexpr double kFireTime = 6.0;        // s
+constexpr double kReglazeTime = 2.4;     // s
+constexpr double kTextFade = 0.5;        // s
+// Of the firing: the heat is at its height here, and the glaze comes as it goes.
+constexpr double kHottest = 0.4, kGlazeFrom = 0.3, kGlazeTo = 0.95;
+
+double smooth(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3 - 2 * x);
+}
+double along(double from, double to, double share) { return from + (to - from) * share; }
+
+view::Color display(const content::LinearColor& c) {
+  const auto encode = [](float v) {
+    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+  };
+  return {encode(c[0]), encode(c[1]), encode(c[2]), 1};
+}
+
+/// The pot dries, gets the glaze that the visitor chooses, and comes out smaller. Another choice
+/// glazes it anew. Nothing here has to be waited for.
+class KilnScreen final : public Screen {
+ public:
+  explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.wheel().kiln), shown_(desk.glaze) {
+    if (desk.glaze >= 0) finish();
+  }
+  ScreenId id() const override { return ScreenId::kiln; }
+  std::string first_focus() const override { return desk.glaze < 0 ? "kiln.glaze.0" : "kiln.keep"; }
+
+  void update(double dt) override {
+    picture_.update(desk, dt, nullptr, false, false);
+    picture_.show_round(desk, dt, desk.screen().left_handed ? -kGlazeShowSpeed : kGlazeShowSpeed);
+    if (desk.still()) return finish();
+    const bool chosen = desk.glaze >= 0;
+    dried_ = std::min(1.0, dried_ + dt / (chosen ? 0.2 * kDryTime : kDryTime));
+    if (dried_ < 1 || !chosen) return;
+    if (shown_ < 0) shown_ = desk.glaze;
+    const bool was_fired = fired_ >= 1;
+    fired_ = std::min(1.0, fired_ + dt / kFireTime);
+    if (fired_ >= 1 && !was_fired) told_at_ = desk.now;
+    if (fired_ < 1) return;
+    if (reglazed_ >= 1 && shown_ != desk.glaze) {
+      before_ = shown_;
+      shown_ = desk.glaze;
+      reglazed_ = 0;
+    }
+    reglazed_ = std::min(1.0, reglazed_ + dt / kReglazeTime);
+  }
+
+  std::optional<view::PotView> pot(const Page& page) override {
+    view::PotView pot = picture_.view(desk, page);
+    pot.wheel = false;
+    pot.hands = {};
+    pot.size = along(along(1, kiln_.dried_size, smooth(dried_)), kiln_.fired_size, smooth(fired_));
+    pot.wetness *= 1 - dried_;
+    for (float& wet : pot.wet_rows) wet *= static_cast<float>(1 - dried_);
+    if (shown_ < 0) return pot;
+    pot.glazing = glazing(shown_);
+    if (fired_ < 1) {
+      pot.finish = view::Finish::firing;
+      const double heat = fired_ < kHottest ? fired_ / kHottest : (1 - fired_) / (1 - kHottest);
+      pot.firing = {std::nullopt, smooth((fired_ - kGlazeFrom) / (kGlazeTo - kGlazeFrom)),
+                    smooth(heat)};
+    } else if (reglazed_ < 1) {
+      pot.finish = view::Finish::firing;
+      pot.firing = {glazing(before_), smooth(reglazed_),
+                    0.5 * smooth(1 - std::abs(2 * reglazed_ - 1))};
+    } else {
+      pot.finish = view::Finish::fired;
+    }
+    return pot;
+  }
+
+  void lay_out(Page& page) override {
+    // What was thrown stays as a line, so that the eye sees what the words say.
+    if (dried_ > 0.05) draw_ghost(page, picture_.camera(page), desk.made, {});
+    const TypeScale& t = page.type();
+    Column column(page, page.where().words);
+    column.foot_buttons(standing_buttons(desk, true));
+    column.foot_space(t.gap * 1.5f);
+    const Button keep{"kiln.keep", desk.say("kiln.keep"), Look::solid};
+    if (desk.glaze >= 0)
+      column.foot_buttons({keep});
+    else
+      column.foot_space(page.size(keep, page.where().words.w).height);
+    column.foot_space(t.gap * 1.5f);
+    column.foot_buttons(glaze_buttons());
+    column.foot_space(t.gap);
+
+    if (!desk.screen().larger_text) {  // What is needed goes before what has been said.
+      column.text(desk.answer(), t.body, Face::sans, view::kFaintInk);
+      column.space(t.gap * 0.5f);
+    }
+    keep_room(page, column.rest());
+    if (desk.glaze < 0) {
+      column.text(desk.say("kiln.title"), t.title, Face::serif);
+      column.space(t.gap);
+      column.text(desk.say("kiln.choose"), t.body);
+      return;
+    }
+    const content::Glaze& glaze = chosen();
+    const view::Color ink = view::with_alpha(view::kInk, faded_in(chosen_at_));
+    column.text(glaze.name_in(desk.words().code()), t.title, Face::serif, ink);
+    column.space(t.gap);
+    column.text(glaze.about_in(desk.words().code()), t.body, Face::sans, ink);
+    column.space(t.gap);
+    if (fired_ < 1)
+      column.text(desk.say("kiln.firing"), t.body, Face::sans, view::kFaintInk);
+    else
+      column.text(shrank(), t.body, Face::sans, view::with_alpha(view::kInk, faded_in(told_at_)));
+  }
+
+  void press(const std::string& control) override {
+    if (control == "kiln.keep") {
+      desk.keep_pot();
+      desk.go(ScreenId::keepsake);
+      return;
+    }
+    for (int i = 0; i < static_cast<int>(kiln_.glazes->size()); ++i) {
+      if (control != glaze_control(i) || desk.glaze == i) continue;
+      desk.glaze = i;
+      chosen_at_ = desk.now;
+    }
+  }
+  void back() override { desk.go(ScreenId::result); }
+
+  /// A touch on the pot says that it has been seen enough of.
+  void pointer(const view::InputEvent& e, const Page&) override {
+    if (e.kind == view::InputEvent::Kind::pointer_down && desk.glaze >= 0) finish();
+  }
+
+ private:
+  static std::string glaze_control(int i) { return "kiln.glaze." + std::to_string(i); }
+  const content::Glaze& glaze_at(int i) const {
+    return (*kiln_.glazes)[static_cast<std::size_t>(i)];
+  }
+  const content::Glaze& chosen() const { return glaze_at(desk.glaze); }
+  view::Glazing glazing(int i) const { return {glaze_at(i).look, kiln_.coat}; }
+
+  std::vector<Button> glaze_buttons() const {
+    std::vector<Button> row;
+    for (int i = 0; i < static_cast<int>(kiln_.glazes->size()); ++i) {
+      Button button{glaze_control(i), glaze_at(i).name_in(desk.words().code()),
+                    i == desk.glaze ? Look::solid : Look::outline};
+      button.on = i == desk.glaze;
+      button.swatch = display(content::swatch(glaze_at(i).look));
+      row.push_back(std::move(button));
+    }
+    return row;
+  }
+
+  /// All is as it will be.
+  void finish() {
+    dried_ = 1;
+    if (desk.glaze < 0) return;
+    fired_ = reglazed_ = 1;
+    shown_ = desk.glaze;
+  }
+
+  std::string shrank() const {
+    const double before = 1000 * desk.made.height(), left = kiln_.fired_size;
+    const auto whole = [](double x) { return std::to_string(std::lround(x)); };
+    // To a tenth, and no tenth where there is none: 12.5, 10.
+    const std::string percent = hundredths(10 * std::lround(1000 * (1 - left)), desk.words());
+    return desk.say(
+        "kiln.shrank",
+        {{"percent", percent}, {"before", whole(before)}, {"after", whole(before * left)}});
+  }
+
+  float faded_in(double since) const {
+    if (desk.still()) return 1;
+    return static_cast<float>(smooth((desk.now - since) / kTextFade));
+  }
+
+  /// Room for the longest words that may come, so that none has to be set smaller when it does.
+  void keep_room(Page& page, const view::Rect& room) const {
+    const TypeScale& t = page.type();
+    float most = 0;
+    const auto height = [&](const std::string& words, float px, Face face) {
+      return page.size(words, page.style(face, px), std::min(room.w, px * 0.52f * 55.0f)).height;
+    };
+    for (const content::Glaze& glaze : *kiln_.glazes)
+      most = std::max(most, height(glaze.name_in(desk.words().code()), t.title, Face::serif) +
+                                height(glaze.about_in(desk.words().code()), t.body, Face::sans));
+    const float last = std::max(height(shrank(), t.body, Face::sans),
+                                height(desk.say("kiln.firing"), t.body, Face::sans));
+    if (most + last + 2 * t.gap > room.h) page.overflowed();
+  }
+
+  const Kiln& kiln_;
+  PotPicture picture_;
+  double dried_ = 0, fired_ = 0, reglazed_ = 1;
+  int shown_ = -1, before_ = -1;  // glazes on the pot
+  double chosen_at_ = -10, told_at_ = -10;
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> make_kiln(Desk& desk) { return std::make_unique<KilnScreen>(desk); }
+
+}  // namespace onggi::screens

@@ -1,0 +1,94 @@
+#include "kiosk/visit/screens/label.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace onggi::screens {
+
+namespace {
+
+/// Chinese and Japanese ends of a sentence, three bytes each and no space after them.
+constexpr std::array<const char*, 3> kWideStops{"\u3002", "\uFF01", "\uFF1F"};
+
+bool ends_wide(const std::string& words) {
+  return std::any_of(kWideStops.begin(), kWideStops.end(),
+                     [&](const char* stop) { return words.ends_with(stop); });
+}
+
+}  // namespace
+
+std::string label_line(const content::Label& label, const content::Language& language) {
+  if (label.culture.empty() || label.date.empty()) return label.culture + label.date;
+  return language.say("all.list", {{"first", label.culture}, {"second", label.date}});
+}
+
+std::string centimetres(double metres, const content::Language& language) {
+  const auto tenths = static_cast<long>(std::lround(metres * 1000.0));
+  std::string text = std::to_string(tenths / 10);
+  if (tenths % 10 != 0) text += language.decimal() + std::to_string(tenths % 10);
+  return text;
+}
+
+std::string hundredths(long number, const content::Language& language) {
+  std::string text = std::to_string(number / 100);
+  const long rest = number % 100;
+  if (rest == 0) return text;
+  text += language.decimal() + std::to_string(rest / 10);
+  return rest % 10 == 0 ? text : text + std::to_string(rest % 10);
+}
+
+std::string joined(const std::string& words, const std::string& sentence) {
+  return words.empty() ? sentence : words + (ends_wide(words) ? "" : " ") + sentence;
+}
+
+std::vector<std::string> sentences(const std::string& text) {
+  std::vector<std::string> found;
+  std::size_t begin = 0;
+  const auto take = [&](std::size_t end) {
+    while (begin < end && text[begin] == ' ') ++begin;
+    if (end > begin) found.push_back(text.substr(begin, end - begin));
+    begin = end;
+  };
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    const char c = text[i];
+    if ((c == '.' || c == '?' || c == '!') && text[i + 1] == ' ') take(i + 1);
+    if (ends_wide(text.substr(i, 3))) take(i + 3);
+  }
+  take(text.size());
+  return found;
+}
+
+float paragraph_gap(const view::TextStyle& style) { return style.px * 0.5f; }
+
+std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
+                                      const view::TextStyle& style, const view::Rect& box) {
+  const float width = std::min(box.w, style.px * 0.52f * 55.0f);
+  const auto height = [&](const std::string& words) {
+    return page.size(words, style, width).height;
+  };
+  std::vector<LabelPart> parts(1);
+  float used = 0;  // By the whole paragraphs of the last part.
+  for (const std::string& paragraph : paragraphs) {
+    std::string words;
+    for (const std::string& sentence : sentences(paragraph)) {
+      const float before = parts.back().empty() ? 0.0f : used + paragraph_gap(style);
+      const std::string longer = joined(words, sentence);
+      if (before + height(longer) <= box.h) {
+        words = longer;
+        continue;
+      }
+      if (!words.empty()) parts.back().push_back(std::move(words));
+      if (!parts.back().empty()) parts.emplace_back();
+      used = 0;
+      words = sentence;
+      if (height(words) > box.h) page.overflowed();
+    }
+    if (words.empty()) continue;
+    used += (parts.back().empty() ? 0.0f : paragraph_gap(style)) + height(words);
+    parts.back().push_back(std::move(words));
+  }
+  return parts;
+}
+
+}  // namespace onggi::screens

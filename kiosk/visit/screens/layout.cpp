@@ -1,0 +1,137 @@
+#include "kiosk/visit/screens/layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kiosk/picture/view/type_scale.h"
+
+namespace onggi::screens {
+
+namespace {
+
+constexpr double kReachLow = 380.0, kReachHigh = 1220.0;  // mm above the floor, from a wheelchair
+constexpr float kLarger = 1.3f, kLeadOfLarger = 1.1f;
+constexpr float kTitlesGive = 0.6f, kGapsGive = 0.4f;  // at most, of what they are more than text
+constexpr float kBodyStep = 0.94f;
+constexpr float kPotInReach = 0.28f;  // of its height, in portrait
+constexpr float kReadAbove = 0.6f;    // of what is in reach: farther up is far from the buttons
+constexpr float kUpright = 0.8f;      // of the width: from here on the pot stands over the words
+
+double pixels_per_mm(const settings::Exhibit::Screen& screen, int width, int height) {
+  return std::hypot(width, height) / std::max(screen.diagonal_mm, 100.0);
+}
+
+}  // namespace
+
+view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int height) {
+  const auto w = static_cast<float>(width), h = static_cast<float>(height);
+  if (!screen.low_reach) return {0, 0, w, h};
+  const double px_per_mm = pixels_per_mm(screen, width, height);
+  const auto row = [&](double above_floor) {
+    const double y = height - (above_floor - screen.lower_edge_mm) * px_per_mm;
+    return static_cast<float>(std::clamp(std::round(y), 0.0, static_cast<double>(height)));
+  };
+  const float top = row(kReachHigh), foot = row(kReachLow);
+  // Wholly out of reach it is no better set smaller.
+  return foot - top < 1 ? view::Rect{0, 0, w, h} : view::Rect{0, top, w, foot - top};
+}
+
+GiveWay give_way(int step, bool low) {
+  // Half of what titles have to give costs less than a part of the pot's room.
+  constexpr std::array<GiveWay, 5> kAll{{{0}, {0.5f}, {1}, {0.5f, true}, {1, true}}};
+  // What lies higher is seen from farther below: half of that first.
+  constexpr std::array<GiveWay, 7> kLow{
+      {{0}, {0.5f}, {1}, {1, false, 0.5f}, {1, false, 1}, {0.5f, true, 1}, {1, true, 1}}};
+  const auto of = [&](const auto& steps) {
+    const int gives = static_cast<int>(steps.size());
+    GiveWay way = steps[static_cast<std::size_t>(std::clamp(step, 0, gives - 1))];
+    if (step >= gives) way.body = std::pow(kBodyStep, static_cast<float>(step - gives + 1));
+    return way;
+  };
+  return low ? of(kLow) : of(kAll);
+}
+
+void read_above(Regions& r, float margin, float share) {
+  if (share <= 0 || r.all.y <= 0) return;
+  r.reach = r.all.y;
+  const float up = share * std::clamp(r.page.y - margin, 0.0f, kReadAbove * r.all.h);
+  r.page.y -= up;
+  r.page.h += up;
+  if (r.portrait) {
+    const float most = std::max(0.0f, r.words.y - r.reach - kPotInReach * r.all.h);
+    const float higher = std::min(up, share * most);
+    r.words.y -= higher;
+    r.words.h += higher;
+    r.pot.h += up - higher;
+    r.pot.y -= up;
+    return;
+  }
+  r.words.y -= up;
+  r.words.h += up;
+}
+
+TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int height,
+                     const GiveWay& gives) {
+  const view::Rect all = in_reach(screen, width, height);
+  const auto short_side = static_cast<double>(std::min(all.w, all.h));
+  const double px_per_mm = pixels_per_mm(screen, width, height);
+  const float body =
+      view::TypeScale::for_screen(width, height, screen.diagonal_mm, screen.viewing_distance_mm)
+          .body();
+  const view::TypeScale steps(std::min(body, static_cast<float>(std::min(width, height) / 28.0)) *
+                              gives.body);
+
+  TypeScale t;
+  t.body = steps.body();
+  const auto step = [&](int n) {
+    return steps.px(n) - gives.titles * kTitlesGive * (steps.px(n) - steps.body());
+  };
+  t.lead = step(1);
+  t.title = step(2);
+  t.display = step(3);
+  if (screen.larger_text) {
+    // What is small is what cannot be read: titles are large as they are, and give it their room.
+    t.body *= kLarger;
+    t.lead = std::max(t.lead, t.body * kLeadOfLarger);
+  }
+  t.target = static_cast<float>(std::clamp(15.0 * px_per_mm, 28.0, short_side / 10.0));
+  t.gap = t.body * 0.5f * (1 - gives.titles * kGapsGive);
+  t.margin = static_cast<float>(std::round(short_side * 0.06));
+  t.hairline = static_cast<float>(std::max(1.0, std::round(short_side / 720.0)));
+  return t;
+}
+
+Regions regions(const view::Rect& all, float margin, bool mirrored, bool roomy) {
+  const float w = all.w, h = all.h;
+  Regions r;
+  r.all = all;
+  r.page = {margin, margin, w - 2 * margin, h - 2 * margin};
+  r.portrait = h > w * kUpright;
+  r.mirrored = mirrored;
+  r.roomy = roomy;
+  const auto lower = [&] {
+    for (view::Rect* part : {&r.page, &r.words, &r.pot}) part->x += all.x, part->y += all.y;
+    return r;
+  };
+  if (r.portrait) {
+    r.pot = {margin * 2, margin * 1.5f, w - 4 * margin,
+             std::round(h * (roomy ? 0.4f : 0.52f)) - margin * 1.5f};
+    const float top = r.pot.y + r.pot.h + margin * 1.5f;
+    r.words = {margin, top, w - 2 * margin, h - margin - top};
+    return lower();
+  }
+  r.words = {margin, margin, std::round(w * (roomy ? 0.5f : 0.365f)), h - 2 * margin};
+  // The axis on the vertical third: the pot's half width is what is left beside it on both sides.
+  const float axis = w * (roomy ? 0.77f : 2.0f / 3.0f);
+  const float half = std::min(axis - (r.words.x + r.words.w + margin), w - axis);
+  // Air above the rim; below the foot, the wheel.
+  r.pot = {axis - half, margin * 1.2f, 2 * half, h - margin * 3.4f};
+  if (mirrored) {
+    r.words.x = w - r.words.x - r.words.w;
+    r.pot.x = w - r.pot.x - r.pot.w;
+  }
+  return lower();
+}
+
+}  // namespace onggi::screens

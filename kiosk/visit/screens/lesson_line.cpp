@@ -1,0 +1,87 @@
+#include "kiosk/visit/screens/lesson_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kiosk/visit/screens/target_line.h"
+
+namespace onggi::screens {
+
+using content::DoneWhen;
+using content::LessonStep;
+
+namespace {
+constexpr double kTouch = 1.0;        // s on the clay that count as having done so
+constexpr double kRimShare = 0.9;     // of the pot's height: from here on it is the rim
+constexpr double kRaised = 1.0 / 3;   // of the pot's height, in one stroke
+constexpr double kStrokeEnds = 0.4;   // s off the clay
+constexpr double kShapedShare = 0.5;  // of the heights are on the line
+constexpr double kLook = 0.25;        // s between two looks at the outline
+constexpr double kCut = 0.99;         // of the section
+
+double share_on_line(const Profile& made, const Profile& target) {
+  constexpr int kHeights = 48;
+  int near = 0;
+  for (int n = 1; n < kHeights; ++n) {
+    const double h = target.height() * n / kHeights;
+    near += std::abs(made.outer_at(h) - target.outer_at(h)) < tolerance(target);
+  }
+  return static_cast<double>(near) / (kHeights - 1);
+}
+}  // namespace
+
+const LessonStep* LessonLine::shown(const Desk& desk) {
+  // It is of an outline that is seen and met by both of one's hands.
+  if (desk.on() != nullptr && desk.on()->kind != settings::Mission::Kind::today) return nullptr;
+  const auto* lesson = desk.world.lesson;
+  return lesson != nullptr && desk.lesson_step < lesson->size() ? &(*lesson)[desk.lesson_step]
+                                                                : nullptr;
+}
+
+void LessonLine::skip(Desk& desk) {
+  if (desk.world.lesson != nullptr) desk.lesson_step = desk.world.lesson->size();
+}
+
+void LessonLine::watch(const Desk& desk, double dt, const Profile* target, const Profile& made) {
+  const loop::LoopStatus& status = desk.status;
+  const double height = std::max(made.points.empty() ? 0.0 : made.height(), 0.01);
+  bool contact = false;
+  double highest = 0;
+  for (std::size_t n = 0; n < status.feedback.hand.size(); ++n) {
+    if (!status.feedback.hand[n].contact) continue;
+    contact = true;
+    if (status.feedback.hand[n].side == WallSide::inside) inside_ += dt;
+    highest = std::max(highest, status.hand[n].at.y);
+  }
+  apart_ = contact ? 0 : apart_ + dt;
+  if (apart_ > kStrokeEnds) lowest_ = -1;
+  if (contact) {
+    touched_ += dt;
+    lowest_ = lowest_ < 0 ? highest : std::min(lowest_, highest);
+    if (highest - lowest_ > kRaised * height) note(DoneWhen::raised);
+    if (highest > kRimShare * height) at_rim_ += dt;
+  }
+  if (touched_ > kTouch) note(DoneWhen::touched);
+  if (inside_ > kTouch) note(DoneWhen::opened);
+  if (at_rim_ > kTouch) note(DoneWhen::rim);
+  if (status.feedback.cut_free > kCut) note(DoneWhen::cut);
+  looked_ += dt;
+  if (looked_ < kLook || target == nullptr || made.points.empty()) return;
+  looked_ = 0;
+  if (share_on_line(made, *target) > kShapedShare) note(DoneWhen::shaped);
+}
+
+void LessonLine::update(Desk& desk, double dt, const Profile* target, const Profile& made,
+                        bool alone) {
+  const LessonStep* step = shown(desk);
+  if (step == nullptr) return;
+  if (alone) watch(desk, dt, target, made);
+  in_step_ += dt;
+  while (step != nullptr && (has(step->until) || in_step_ > step->after)) {
+    ++desk.lesson_step;
+    in_step_ = 0;
+    step = shown(desk);
+  }
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,47 @@
+#include "kiosk/visit/screens/mishap.h"
+
+#include <utility>
+
+namespace onggi::screens {
+
+namespace {
+
+// A wall that tore for its thinness comes back a little once the hand is gone: an eighth of a press
+// is elastic in the exhibit's scenes.
+constexpr double kSprungBack = 1.25;
+
+// How long the wheel may take to lay a step back, seconds: 8192 elements a tick for each face,
+// twice over (engine/scene/scene.cpp), and what the clay's own settling takes.
+double patience(const ClayView& clay) { return 0.1 + 4e-3 * clay.rows() * clay.sectors() / 8192.0; }
+
+}  // namespace
+
+Mishap MishapWatch::seen(const Desk& desk) const {
+  if (!desk.pot_ready()) return Mishap::none;
+  const Feedback& felt = desk.status.feedback;
+  if (felt.fallen) return Mishap::fell;
+  if (!felt.torn) return Mishap::none;
+  // Why it tore is told once, as it was then.
+  if (now_ == Mishap::tore_thin || now_ == Mishap::tore_wide) return now_;
+  // The status may be ahead of the rows that it speaks of.
+  const auto wall = desk.world.wheel->clay.torn_wall();
+  if (!wall) return Mishap::none;
+  return *wall < kSprungBack * desk.wheel().tear_thickness ? Mishap::tore_thin : Mishap::tore_wide;
+}
+
+bool MishapWatch::update(Desk& desk) {
+  const Mishap was = std::exchange(now_, seen(desk));
+  if (now_ != Mishap::tore_thin && now_ != Mishap::tore_wide) going_back_ = false;
+  if (going_back_ && desk.status.can_restore &&
+      desk.status.time - asked_at_ > patience(desk.world.wheel->clay))
+    go_back(desk);
+  return now_ != was;
+}
+
+void MishapWatch::go_back(Desk& desk) {
+  desk.world.potter->restore();
+  going_back_ = now_ != Mishap::none;
+  asked_at_ = desk.status.time;
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,100 @@
+#include "kiosk/visit/screens/overlays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::screens {
+
+using view::Face;
+
+namespace {
+constexpr float kHelpLine = 0.52f * 55,
+                kHelpKeys = 12;  // em: of a line, and at the least beside it
+}  // namespace
+
+std::vector<Button> language_buttons(const Desk& desk) {
+  std::vector<Button> row;
+  const auto& all = *desk.world.languages;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const auto& other = all[(desk.language + k) % all.size()];
+    Button button{k == 1 ? "language" : "language." + other.code(), other.name(), Look::quiet};
+    button.language = other.code();
+    row.push_back(std::move(button));
+  }
+  return row;
+}
+
+std::optional<std::size_t> language_of(const Desk& desk, const std::string& control) {
+  const auto& all = *desk.world.languages;
+  if (control == "language") return (desk.language + 1) % all.size();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (control == "language." + all[i].code()) return i;
+  return std::nullopt;
+}
+
+std::vector<Button> standing_buttons(const Desk& desk, bool with_back) {
+  std::vector<Button> row;
+  if (with_back) row.push_back({"back", desk.say("all.back"), Look::quiet});
+  row.push_back({"help", desk.say("all.help"), Look::quiet});
+  for (Button& b : reading_buttons(desk)) row.push_back(std::move(b));
+  return row;
+}
+
+std::vector<Button> reading_buttons(const Desk& desk) {
+  std::vector<Button> row{{"comfort", desk.say("all.comfort"), Look::quiet}};
+  for (Button& b : language_buttons(desk)) row.push_back(std::move(b));
+  return row;
+}
+
+void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& paragraphs,
+                  const std::string& keys) {
+  const TypeScale& t = page.type();
+  Column column(page, page.where().page);
+  column.foot_buttons(reading_buttons(desk));
+  column.foot_space(t.gap);
+  column.foot_buttons({{"help.close", desk.say("help.close"), Look::solid}});
+  column.foot_space(t.gap);
+  column.text(desk.say("help.title"), t.title, Face::serif);
+  column.space(t.gap);
+  // Keys stand beside what there is to do where both have no room below each other.
+  const view::Rect room = column.rest();
+  const float width = std::min(room.w, kHelpLine * t.body), aside = 2 * t.body;
+  const auto height = [&](const std::string& words) {
+    return page.size(words, page.style(Face::sans, t.body), width).height + t.gap;
+  };
+  float all = height(keys) - t.gap;
+  for (const std::string& words : paragraphs) all += height(words);
+  const float beside = room.w - width - aside;
+  const bool two = all > room.h && beside >= kHelpKeys * t.body;
+  const bool from_right = page.right_to_left();
+  Column first(page, {from_right ? room.x + room.w - width : room.x, room.y, width, room.h});
+  for (const std::string& words : paragraphs) {
+    first.text(words, t.body);
+    first.space(t.gap);
+  }
+  if (!two) return first.text(keys, t.body, Face::sans, view::kFaintInk);
+  Column second(page, {from_right ? room.x : room.x + room.w - beside, room.y, beside, room.h});
+  second.text(keys, t.body, Face::sans, view::kFaintInk);
+}
+
+void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown) {
+  const TypeScale& t = page.type();
+  Column column(page, page.where().page);
+  column.foot_buttons(reading_buttons(desk));
+  column.foot_space(t.gap);
+  const int seconds = static_cast<int>(std::ceil(seconds_left));
+  column.space(page.where().page.h * 0.12f);
+  column.text(desk.say("idle.title"), t.display, Face::serif);
+  column.space(t.gap);
+  column.text(desk.say("idle.countdown", {{"seconds", std::to_string(seconds)}}), t.lead);
+  column.space(t.gap);
+  // The same as a line that grows shorter.
+  const view::Rect rest = column.rest();
+  const auto share = static_cast<float>(std::clamp(seconds_left / countdown, 0.0, 1.0));
+  const float thick = std::max(2.0f, t.body * 0.12f);
+  page.draw(view::Box{{rest.x, rest.y, rest.w * share, thick}, thick / 2, view::kInk, 0, {}});
+  column.space(thick + t.gap * 2);
+  column.buttons({{"idle.stay", desk.say("idle.stay"), Look::solid}});
+}
+
+}  // namespace onggi::screens

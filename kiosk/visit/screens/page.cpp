@@ -1,0 +1,329 @@
+#include "kiosk/visit/screens/page.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onggi::screens {
+
+using view::Align;
+using view::Color;
+using view::Face;
+using view::Rect;
+
+namespace {
+// Pango rounds to its own units; a line measured to the pixel must not break for that.
+constexpr float kSlack = 4.0f;
+constexpr float kButtonLine = 1.2f;
+}  // namespace
+
+view::TextStyle Page::style(Face face, float px, Align align) const {
+  view::TextStyle s;
+  s.face = face;
+  s.px = px;
+  s.align = align;
+  s.line_height = face == Face::serif ? 1.22f : 1.4f;
+  s.language = sheet_.language;
+  s.right_to_left = sheet_.right_to_left;
+  return s;
+}
+
+view::TextMeasure::Size Page::size(const std::string& words, const view::TextStyle& style,
+                                   float at_most) const {
+  return measuring_(words, style, at_most);
+}
+
+float Page::longest_word(const std::string& words, const view::TextStyle& style) const {
+  float longest = 0;
+  if (style.language.starts_with("ja") || style.language.starts_with("zh")) return longest;
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    longest = std::max(longest, size(words.substr(begin, end - begin), style, -1).width);
+    begin = end + 1;
+  }
+  return longest;
+}
+
+void Page::words(const Rect& box, const std::string& words, const view::TextStyle& style,
+                 Color color) {
+  items_.push_back(view::Text{box, words, style, color});
+}
+
+namespace {
+struct Padding {
+  float x, y;
+};
+Padding padding(const Button& button, const TypeScale& t) {
+  if (button.look == Look::quiet || button.look == Look::plain) return {0, t.body * 0.2f};
+  return {t.body * (button.tight ? 0.35f : 0.7f), t.body * 0.32f};
+}
+float swatch_width(const TypeScale& t) { return t.body * 1.2f; }
+view::TextStyle button_style(const Page& page, const Button& button) {
+  view::TextStyle s = page.style(Face::sans, page.type().body, Align::centre);
+  s.line_height = kButtonLine;
+  if (!button.language.empty()) s.language = button.language;
+  return s;
+}
+}  // namespace
+
+view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
+  const Padding pad = padding(button, type());
+  const auto style = button_style(*this, button);
+  const float aside = button.swatch ? swatch_width(type()) : 0;
+  const auto room = [&](const std::string& words, float width) {
+    auto text = size(words, style, -1);
+    if (text.width + kSlack + 2 * pad.x + aside > width)
+      text = size(words, style, width - 2 * pad.x - kSlack - aside);
+    return view::TextMeasure::Size{std::max(text.width + kSlack + 2 * pad.x + aside, type().target),
+                                   std::max(text.height + 2 * pad.y, type().target)};
+  };
+  if (button.other.empty()) return room(button.room.empty() ? button.words : button.room, at_most);
+  const auto a = room(button.words, at_most / 2), b = room(button.other, at_most / 2);
+  return {2 * std::max(a.width, b.width), std::max(a.height, b.height)};
+}
+
+void Page::button(const Button& button, const Rect& rect) {
+  if (!button.id.empty()) touched({button.id, rect, button.words, button.on, button.note});
+  if (!button.other.empty()) {
+    switch_halves(button, rect);
+  } else {
+    const Padding pad = padding(button, type());
+    const auto style = button_style(*this, button);
+    const float aside = button.swatch ? swatch_width(type()) : 0;
+    const float inner = rect.w - 2 * pad.x - aside;
+    const auto text = size(button.words, style, inner);
+    const Rect box{rect.x + pad.x + aside, rect.y + (rect.h - text.height) / 2, inner, text.height};
+    const bool held = sheet_.attention.pressed == button.id && !button.id.empty();
+    const float radius = type().body * 0.14f;
+    Color ink = view::kCobalt;
+    switch (button.look) {
+      case Look::plain:
+        ink = view::kInk;
+        break;
+      case Look::solid:
+        ink = view::kPlaster;
+        draw(view::Box{rect, radius, held ? view::kHeldCobalt : view::kCobalt, 0, {}});
+        break;
+      case Look::outline:
+        draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
+                       type().hairline * 1.5f, view::kCobalt});
+        break;
+      case Look::quiet: {
+        if (held) draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, 0.14f), 0, {}});
+        const float y = std::round(box.y + box.h) + type().hairline * 1.5f;
+        const float x = box.x + (inner - text.width) / 2;
+        draw(view::Box{{x, y, text.width, type().hairline}, 0, view::kCobalt, 0, {}});
+        break;
+      }
+    }
+    if (button.swatch) {
+      const float d = type().body * 0.9f;
+      draw(view::Box{{rect.x + pad.x * 0.8f, rect.y + (rect.h - d) / 2, d, d},
+                     d / 2,
+                     *button.swatch,
+                     std::max(1.0f, d * 0.05f),
+                     view::with_alpha(ink, 0.6f)});
+    }
+    words(box, button.words, style, ink);
+  }
+  if (!button.id.empty() && sheet_.attention.focused == button.id) focus_ring(rect);
+}
+
+void Page::switch_halves(const Button& button, const Rect& rect) {
+  const float radius = type().body * 0.14f, half = rect.w / 2;
+  const auto style = button_style(*this, button);
+  const bool held = sheet_.attention.pressed == button.id && !button.id.empty();
+  draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
+                 type().hairline * 1.5f, view::kCobalt});
+  for (const bool second : {false, true}) {
+    const Rect side{rect.x + (second != right_to_left() ? half : 0), rect.y, half, rect.h};
+    const bool on = second == button.other_on;
+    if (on) draw(view::Box{side, radius, view::kCobalt, 0, {}});
+    const std::string& text = second ? button.other : button.words;
+    const float pad = type().body * 0.35f;
+    const auto text_size = size(text, style, side.w - 2 * pad);
+    words({side.x + pad, side.y + (side.h - text_size.height) / 2, side.w - 2 * pad,
+           text_size.height},
+          text, style, on ? view::kPlaster : view::kCobalt);
+  }
+}
+
+void Page::touched(const Control& control) {
+  if (!control.by_keys && control.rect.y < where().reach - 0.5f) overflow_ = out_of_reach_ = true;
+  controls_.push_back(control);
+}
+
+void Page::control(const Control& control) {
+  touched(control);
+  if (sheet_.attention.pressed == control.id)
+    draw(view::Box{
+        control.rect, type().body * 0.14f, view::with_alpha(view::kCobalt, 0.08f), 0, {}});
+  if (focused(control.id)) focus_ring(control.rect);
+}
+
+std::vector<std::string> Page::told() const {
+  auto ordered = told_;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> out;
+  for (auto& [y, words] : ordered) out.push_back(std::move(words));
+  return out;
+}
+
+void Page::focus_ring(const Rect& rect) {
+  const float out = type().gap * 0.4f, line = std::max(3.0f, type().hairline * 3);
+  draw(view::Box{{rect.x - out, rect.y - out, rect.w + 2 * out, rect.h + 2 * out},
+                 type().body * 0.3f,
+                 {0, 0, 0, 0},
+                 line,
+                 view::kInk});
+}
+
+void Column::text(const std::string& words, float px, Face face, Color color, Align align) {
+  if (words.empty()) return;
+  const auto style = page_.style(face, px, align);
+  // 55 characters of about half an em.
+  const float width = std::min(box_.w, px * 0.52f * 55.0f);
+  const auto size = page_.size(words, style, width);
+  if (size.width > width + 1) page_.overflowed();
+  page_.words({turned(box_.x, width), top_, width, size.height}, words, style, color);
+  page_.tell(top_, words);
+  top_ += size.height;
+  check();
+}
+
+void Column::foot_text(const std::string& words, float px, Face face, Color color) {
+  if (words.empty()) return;
+  const auto style = page_.style(face, px);
+  const float width = std::min(box_.w, px * 0.52f * 55.0f);
+  const auto size = page_.size(words, style, width);
+  foot_ -= size.height;
+  page_.words({turned(box_.x, width), foot_, width, size.height}, words, style, color);
+  page_.tell(foot_, words);
+  check();
+}
+
+float Column::flow(const std::vector<Button>& row, float indent,
+                   std::vector<Placed>& placed) const {
+  const float gap = page_.type().gap;
+  float x = indent, y = 0, row_height = 0;
+  std::size_t row_begin = placed.size();
+  const auto level = [&] {
+    for (; row_begin < placed.size(); ++row_begin) placed[row_begin].rect.h = row_height;
+  };
+  for (const Button& button : row) {
+    const float widest = box_.w - indent;
+    const float spread = button.look == Look::quiet ? gap * 2 : gap;
+    const auto size = page_.size(button, widest);
+    if (size.width > widest + 1) page_.overflowed();
+    if (x > indent && x + size.width > box_.w) {
+      level();
+      x = indent;
+      y += row_height + gap;
+      row_height = 0;
+    }
+    placed.push_back({button, {box_.x + x, y, size.width, size.height}});
+    row_height = std::max(row_height, size.height);
+    x += size.width + spread;
+  }
+  level();
+  return y + row_height;
+}
+
+void Column::place(std::vector<Placed>& placed, float y, const std::string& caption,
+                   float caption_width) {
+  if (placed.empty()) return;
+  if (!caption.empty()) {
+    const auto style = page_.style(Face::sans, page_.type().body);
+    const auto size = page_.size(caption, style, -1);
+    page_.words({turned(box_.x, caption_width), y + (placed.front().rect.h - size.height) / 2,
+                 caption_width, size.height},
+                caption, style, view::kFaintInk);
+  }
+  for (Placed& p : placed) {
+    p.rect.y += y;
+    p.rect.x = turned(p.rect.x, p.rect.w);
+    page_.button(p.button, p.rect);
+  }
+  check();
+}
+
+void Column::buttons(const std::vector<Button>& row, const std::string& caption,
+                     float caption_width) {
+  std::vector<Placed> placed;
+  const float height = flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
+  into_reach();
+  top_ += height;
+  place(placed, top_ - height, caption, caption_width);
+}
+
+void Column::foot_buttons(const std::vector<Button>& row, const std::string& caption,
+                          float caption_width) {
+  std::vector<Placed> placed;
+  foot_ -= flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
+  place(placed, foot_, caption, caption_width);
+}
+
+std::size_t Column::abreast(const std::vector<Button>& cells) const {
+  // Wide enough for the words in one line; the last resort breaks them.
+  float widest = 0;
+  for (const Button& cell : cells) widest = std::max(widest, page_.size(cell, box_.w).width);
+  const float gap = page_.type().gap;
+  std::size_t abreast = std::max<std::size_t>(1, cells.size());
+  const auto width = [&] {
+    const auto n = static_cast<float>(abreast);
+    return (box_.w - (n - 1) * gap) / n;
+  };
+  while (abreast > 1 && widest > width() + 1) abreast = (abreast + 1) / 2;
+  return abreast;
+}
+
+void Column::foot_grid(const std::vector<Button>& cells, float height, bool mirrored) {
+  const float gap = page_.type().gap;
+  const std::size_t abreast = this->abreast(cells);
+  const auto n = static_cast<float>(abreast);
+  const float width = (box_.w - (n - 1) * gap) / n;
+  float tall = height;
+  for (const Button& cell : cells) {
+    const auto size = page_.size(cell, abreast > 1 ? box_.w : width);
+    if (size.width > width + 1) page_.overflowed();
+    tall = std::max(tall, size.height);
+  }
+  const std::size_t rows = (std::max<std::size_t>(1, cells.size()) + abreast - 1) / abreast;
+  foot_ -= static_cast<float>(rows) * (tall + gap) - gap;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].id.empty()) continue;
+    const std::size_t place = mirrored ? abreast - 1 - i % abreast : i % abreast;
+    page_.button(cells[i], {box_.x + static_cast<float>(place) * (width + gap),
+                            foot_ + static_cast<float>(i / abreast) * (tall + gap), width, tall});
+  }
+  check();
+}
+
+void Column::circles(int full, int count, const std::string& words) {
+  const auto style = page_.style(Face::sans, page_.type().body);
+  const auto size = page_.size(words, style, -1);
+  const float diameter = page_.type().body * 0.95f, pitch = diameter * 1.45f;
+  for (int i = 0; i < count; ++i) {
+    const Rect r{turned(box_.x + static_cast<float>(i) * pitch, diameter),
+                 top_ + (size.height - diameter) / 2, diameter, diameter};
+    const Color fill = i < full ? view::kIron : Color{0, 0, 0, 0};
+    page_.draw(view::Box{r, diameter / 2, fill, std::max(1.5f, diameter * 0.07f), view::kIron});
+  }
+  float x = box_.x + static_cast<float>(count) * pitch + page_.type().gap * 0.5f;
+  const float room = size.width + kSlack;
+  if (x + room > box_.x + box_.w) {  // under them
+    x = box_.x;
+    top_ += size.height;
+    if (room > box_.w) page_.overflowed();
+  }
+  page_.words({turned(x, room), top_, room, size.height}, words, style, view::kFaintInk);
+  page_.tell(top_, words);
+  top_ += size.height;
+  check();
+}
+
+void Column::check() const {
+  if (top_ > foot_ + 0.5f) page_.overflowed();
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "kiosk/visit/screens/desk.h"
+#include "kiosk/visit/screens/page.h"
+
+namespace onggi::screens {
+
+/// The pot on the wheel as a screen pictures it: camera, hands, cut-away. Everything eases; nothing
+/// jumps unless motion is reduced, and then it is simply there.
+class PotPicture {
+ public:
+  /// `target` may be nullptr. `hold` keeps the camera still (a finger is on the clay).
+  void update(const Desk& desk, double dt, const Profile* target, bool cut, bool hold);
+  /// A pot that rests is shown from all sides: wheel and pot turn before the eye, from the speed
+  /// that the wheel had to `speed` (rad/s, positive to the visitor's right hand).
+  void show_round(const Desk& desk, double dt, double speed);
+  /// Shadows fall away from the words.
+  view::PotView view(const Desk& desk, const Page& page) const;
+  /// The pot as large as its place allows, with the wheel head clear of the words.
+  view::Camera camera(const Page& page) const;
+  /// The clay as it is now, at most some 8 times a second. Empty before the first pot.
+  const Profile& made() const { return made_; }
+
+ private:
+  view::Camera frame(const Page& page) const;
+
+  Profile made_;
+  double made_at_ = -1;
+  std::uint32_t serial_ = 0;
+  double height_ = 0, radius_ = 0, wheel_radius_ = 0;
+  double cut_ = 0, shown_ = 0;
+  /// The camera as last found, and of what: the search takes a third of a frame's work.
+  struct Framed {
+    std::array<double, 14> of{};
+    view::Camera camera;
+  };
+  mutable std::optional<Framed> framed_;
+  double turned_ = 0;                 ///< By show_round(), rad,
+  std::optional<double> turn_speed_;  ///< and how fast, rad/s.
+};
+
+}  // namespace onggi::screens

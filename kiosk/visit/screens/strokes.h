@@ -1,0 +1,19 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "kiosk/visit/screens/page.h"
+
+namespace onggi::screens {
+
+/// Pixels.
+using Points = std::vector<std::pair<float, float>>;
+
+/// A line of `width` pixels on a pale halo, which tells it from whatever lies under it.
+void draw_stroke(Page& page, const Points& points, view::Color color, float width);
+
+/// The same cut into dashes of `dash` pixels with as much between them.
+void draw_dashes(Page& page, const Points& points, view::Color color, float width, float dash);
+
+}  // namespace onggi::screens

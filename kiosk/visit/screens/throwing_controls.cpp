@@ -1,0 +1,368 @@
+#include "kiosk/visit/screens/throwing_controls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "kiosk/visit/screens/hint.h"
+#include "kiosk/visit/screens/measured_pot.h"
+#include "kiosk/visit/screens/overlays.h"
+#include "kiosk/visit/screens/telling.h"
+#include "kiosk/visit/screens/tool_tray.h"
+
+namespace onggi::screens {
+
+using device::Grip;
+using view::Face;
+
+namespace {
+
+constexpr float kPotAbove = 0.4f;         // of the shorter side of what is in reach
+constexpr float kMostUsed = 4.0f / 3.0f;  // of the least touch target: 20 mm
+constexpr float kColumn = 0.3f, kLargerColumn = 0.42f, kWidestColumn = 0.5f;  // of the width
+
+constexpr const char *kToolsWay = "throw.tools", *kWheelWay = "throw.wheel",
+                     *kCloseWay = "throw.less";
+
+Button tools_button(const Desk& desk, const ThrowingControls& now) {
+  const std::string closed = desk.say(desk.wheel().tools.empty() ? "throw.hand" : kToolsWay);
+  std::string longest = closed;
+  for (std::size_t n = 1; n <= desk.wheel().tools.size(); ++n)
+    if (const std::string name = ToolTray::name_of(desk, n); name.size() > longest.size())
+      longest = name;
+  // What is in the hand is seen where another is taken up.
+  const bool tool = now.held > 0;
+  return {kToolsWay, tool ? ToolTray::name_of(desk, now.held) : closed,
+          tool ? Look::solid : Look::outline, longest};
+}
+
+/// The ways to all else, or back from it.
+std::vector<Button> ways(const Desk& desk, const ThrowingControls& now) {
+  if (now.drawer != Drawer::closed) return {{kCloseWay, desk.say(kCloseWay), Look::solid}};
+  std::vector<Button> both{{kWheelWay, desk.say(kWheelWay), Look::outline}};
+  // Of two visitors with bare hands neither has anything to choose.
+  if (!desk.wheel().tools.empty() || !desk.two_hands())
+    both.insert(both.begin(), tools_button(desk, now));
+  for (Button& way : both) way.tight = true;
+  return both;
+}
+
+void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
+  Page& page = column.page();
+  const bool happened = now.mishap != Mishap::none;
+  std::vector<Button> cells;
+  const auto add = [&](const char* id, const char* words, Look look, bool there,
+                       std::optional<bool> on = std::nullopt) {
+    cells.push_back({there ? id : "", desk.say(words), look});
+    cells.back().tight = true;
+    cells.back().on = on;
+  };
+  if (happened) {
+    const bool fell = now.mishap == Mishap::fell;
+    add("throw.restore", fell ? "throw.before_fall" : "throw.before_tear", Look::solid,
+        desk.status.can_restore);
+  } else {
+    add("throw.water", "throw.water", now.water ? Look::solid : Look::outline, true, now.water);
+    // Its place is kept, but where nobody is ever shown anything.
+    if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
+      add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
+  }
+  add("throw.done", "throw.done", happened ? Look::outline : Look::solid, true);
+  // What comes and goes stands last, and its place is kept.
+  if (!happened) add("throw.restore", "throw.restore", Look::outline, now.restore);
+  column.foot_grid(cells, page.type().target * kMostUsed, page.where().mirrored);
+  column.foot_space(page.type().gap);
+}
+
+/// What stands at the foot of the page: the way to all else, or back from it, and what any screen
+/// has.
+void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
+  const std::vector<Button> on = ways(desk, now);
+  std::vector<Button> row = standing_buttons(desk, true);
+  if (now.board && now.drawer == Drawer::closed) {  // There they stand among the strokes.
+    column.foot_buttons(row);
+    column.foot_space(column.page().type().gap);
+    return;
+  }
+  // There one row holds it all.
+  if (column.page().where().portrait) row.insert(row.begin(), on.begin(), on.end());
+  column.foot_buttons(row);
+  column.foot_space(column.page().type().gap);
+  if (column.page().where().portrait) return;
+  // As wide as those over them, where both have room.
+  if (column.abreast(on) == 2)
+    column.foot_grid(on, column.page().type().target, column.page().where().mirrored);
+  else
+    column.foot_buttons(on);
+  column.foot_space(column.page().type().gap);
+}
+
+/// The vessel, and at the far end the way out of the lesson; and what moves the hand.
+void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
+  Page& page = column.page();
+  const TypeScale& t = page.type();
+  const view::Rect at = column.rest();
+  const Button skip{"throw.skip", desk.say("throw.skip"), Look::quiet};
+  const bool skip_below = at.y < page.where().reach;
+  auto skip_size = page.size(skip, at.w);
+  if (skip_below) {
+    if (now.skip)
+      column.foot_buttons({skip});
+    else
+      column.foot_space(skip_size.height);
+    column.foot_space(t.gap);
+    skip_size = {};
+  }
+  const auto style = page.style(Face::serif, t.body);
+  const float width = at.w - skip_size.width - t.gap;
+  const std::string title = desk.heading();
+  const auto size = page.size(title, style, width);
+  if (size.width > width + 2) page.overflowed();
+  const float height = std::max(skip_size.height, size.height);
+  const bool from_right = desk.words().right_to_left();
+  page.words({from_right ? at.x + at.w - width : at.x, at.y + (height - size.height) / 2, width,
+              size.height},
+             title, style, view::kFaintInk);
+  page.tell(at.y, title);
+  if (now.skip && !skip_below)
+    page.button(skip,
+                {from_right ? at.x : at.x + at.w - skip_size.width, at.y, skip_size.width, height});
+  column.space(height);
+  // What else was asked is said by the hint, where it is off.
+  if (const auto figures = MeasuredPot::sentences(desk); !figures.empty())
+    column.text(figures.front(), t.body);
+  if (desk.two_hands()) column.text(desk.say(desk.halves()), t.body);
+  if (desk.eyes_closed()) column.text(desk.say("mission.unseen"), t.body);
+  if (desk.world.devices != nullptr && !desk.world.devices->in_use().empty())
+    column.text(desk.say(desk.world.devices->in_use()), t.body, Face::sans, view::kFaintInk);
+  column.space(t.gap * 0.5f);
+}
+
+void tell_mishap(Column& column, const Desk& desk, Mishap what) {
+  const TypeScale& t = column.page().type();
+  const bool fell = what == Mishap::fell;
+  column.text(desk.say(fell ? "throw.fallen" : "throw.torn"), t.lead);
+  if (fell) return;
+  column.space(t.gap * 0.5f);
+  column.text(desk.say(what == Mishap::tore_thin ? "throw.torn_thin" : "throw.torn_wide"), t.body);
+}
+
+/// A row of a drawer, with what it is of before it or, in a narrow column, over it.
+void drawer_row(Column& column, const std::string& caption, const std::vector<Button>& row,
+                float captions) {
+  const TypeScale& t = column.page().type();
+  if (column.page().where().portrait) {
+    column.buttons(row, caption, captions);
+  } else {
+    column.text(caption, t.body, Face::sans, view::kFaintInk);
+    column.buttons(row);
+  }
+  column.space(t.gap * 0.7f);
+}
+
+struct DrawerRow {
+  std::string caption;
+  std::vector<Button> buttons;
+};
+
+DrawerRow hand_row(const Desk& desk, const ThrowingControls& now) {
+  DrawerRow row{desk.say("throw.hand"), {}};
+  for (const auto& [id, which] : {std::pair("throw.both", Grip::both),
+                                  {"throw.outside", Grip::outside},
+                                  {"throw.inside", Grip::inside}}) {
+    row.buttons.push_back({id, desk.say(id), now.grip == which ? Look::solid : Look::outline});
+    row.buttons.back().on = now.grip == which;
+  }
+  return row;
+}
+
+std::vector<DrawerRow> wheel_rows(const Desk& desk, const ThrowingControls& now) {
+  const auto rpm = [&](double speed) {
+    const auto turns = static_cast<int>(std::lround(speed * 60.0 / (2 * 3.14159265358979)));
+    return desk.say("throw.rpm", {{"rpm", std::to_string(turns)}});
+  };
+  Button cut{"throw.cut", desk.say("throw.cut"), now.cut ? Look::solid : Look::outline};
+  cut.on = now.cut;
+  std::vector<DrawerRow> rows{
+      {desk.say(kWheelWay),
+       {{"throw.slower", desk.say("throw.slower"), Look::outline},
+        {"", rpm(now.speed), Look::plain, rpm(desk.wheel().max_speed)},
+        {"throw.faster", desk.say("throw.faster"), Look::outline}}},
+      {desk.say("throw.clay"), {cut, {"throw.renew", desk.say("throw.renew"), Look::outline}}}};
+  if (std::vector<Button> feels = desk.force.buttons(desk); !feels.empty())
+    rows.push_back({desk.say("throw.force"), std::move(feels)});
+  return rows;
+}
+
+void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
+  const Page& page = column.page();
+  const TypeScale& t = page.type();
+  column.into_reach();
+  std::vector<DrawerRow> rows;
+  if (now.drawer == Drawer::wheel) {
+    rows = wheel_rows(desk, now);
+  } else {
+    ToolTray::lay_out(column, desk, now.held);
+    column.space(t.gap);
+    if (!desk.two_hands()) rows.push_back(hand_row(desk, now));
+  }
+  float captions = 0;
+  for (const DrawerRow& row : rows)
+    captions =
+        std::max(captions, page.size(row.caption, page.style(Face::sans, t.body), -1).width + 4);
+  for (const DrawerRow& row : rows) drawer_row(column, row.caption, row.buttons, captions);
+  column.check();
+}
+
+/// Beside strokes by buttons. News go before the hint. The lesson is of hands that draw, and so are
+/// hints of where to press: here the part is named that differs most, or what is advised.
+std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
+  if (!desk.note().empty()) return desk.say(desk.note());
+  if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
+  if (desk.described() != nullptr) return StrokeBoard::advice(desk);
+  if (desk.two_hands() && !now.board->begun()) return desk.say("mission.by_buttons");
+  return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();
+}
+
+/// What is left at the least between head and foot of `box`, whatever happens: below 0 it is too
+/// low. Nothing where something stands out of reach.
+std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk& desk,
+                             const ThrowingControls& now) {
+  bool reached = true;
+  const auto left_of = [&](Drawer open, Mishap mishap, const auto& lay_out) {
+    ThrowingControls then = now;
+    then.drawer = open;
+    then.mishap = mishap;
+    Page trial = page;
+    Column column(trial, box);
+    standing(column, desk, then);
+    lay_out(column, then);
+    reached = reached && trial.in_reach();
+    return column.rest().h;
+  };
+  const auto closed = [&](Mishap mishap) {
+    return left_of(Drawer::closed, mishap, [&](Column& column, const ThrowingControls& then) {
+      most_used(column, desk, then);
+      heading(column, desk, then);
+      if (mishap != Mishap::none)
+        tell_mishap(column, desk, mishap);
+      else
+        column.space(longest_telling(page, desk, box.w - telling_drawing(page)) +
+                     telling_below(page));
+    });
+  };
+  const auto by_strokes = [&](Column& column, const ThrowingControls& then) {
+    most_used(column, desk, then);
+    std::string longest = desk.two_hands() ? desk.say("mission.by_buttons") : "";
+    for (std::string& hint : all_hints(desk))
+      if (hint.size() > longest.size()) longest = std::move(hint);
+    then.board->lay_out(column, desk, ways(desk, then), then.parts, false, longest);
+  };
+  float least = box.h;
+  for (const Drawer open : {Drawer::tools, Drawer::wheel})
+    least = std::min(least,
+                     left_of(open, Mishap::none, [&](Column& column, const ThrowingControls& then) {
+                       drawer(column, desk, then);
+                     }));
+  if (now.board) {
+    least = std::min(least, left_of(Drawer::closed, Mishap::none, by_strokes));
+  } else {
+    for (const Mishap what : {Mishap::none, Mishap::fell, Mishap::tore_thin, Mishap::tore_wide})
+      least = std::min(least, closed(what));
+  }
+  return reached ? std::optional(least) : std::nullopt;
+}
+
+}  // namespace
+
+std::string way_into_drawer(const std::string& control) {
+  constexpr const char *kOfTools[] = {"throw.both", "throw.outside", "throw.inside"},
+                       *kOfWheel[] = {"throw.slower", "throw.faster", "throw.cut",
+                                      "throw.renew",  "throw.softer", "throw.stronger"};
+  const auto in = [&](const auto& all) {
+    return std::find(std::begin(all), std::end(all), control) != std::end(all);
+  };
+  if (in(kOfTools) || ToolTray::of_control(control)) return kToolsWay;
+  return in(kOfWheel) ? kWheelWay : "";
+}
+
+KeyedControl control_of(view::Key key) {
+  using view::Key;
+  switch (key) {
+    case Key::water:
+      return {"throw.water"};
+    case Key::cut:
+      return {"throw.cut"};
+    case Key::renew:
+      return {"throw.renew"};
+    case Key::restore:
+      return {"throw.restore", true};
+    case Key::faster:
+      return {"throw.faster", true};
+    case Key::slower:
+      return {"throw.slower", true};
+    case Key::tell:
+      return {"throw.tell"};
+    default:
+      return {};
+  }
+}
+
+void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls& now) {
+  Regions r = page.where();
+  const view::Rect& all = r.all;
+  const float margin = page.type().margin;
+  // Strokes by buttons touch no pot: it stands above what is in reach, where that has room.
+  const bool above = r.reach > 0 && StrokeBoard::wanted(desk) &&
+                     all.y - margin > kPotAbove * std::min(all.w, all.h);
+  if (above) {
+    r.portrait = true;
+    page.divide(r);
+  }
+  if (r.portrait) {
+    constexpr float kEndless = 1e5f;
+    const view::Rect endless{0, page.where().reach, r.page.w, kEndless};
+    const float high = kEndless - left_in(endless, page, desk, now).value_or(0);
+    r.words = {r.page.x, r.page.y + r.page.h - high, r.page.w, high};
+    // Less than this and it is no pot to work on: the words are set smaller instead.
+    if (!above && r.words.y < all.y + 0.45f * all.h) page.overflowed();
+    if (above && r.words.y < r.reach) page.overflowed();
+    const float top = above ? std::max(margin, r.words.y - r.page.w) : all.y + margin;
+    r.pot = {r.page.x, top, r.page.w, std::max(r.words.y - margin * 1.5f - top, margin)};
+    page.divide(r);
+    return;
+  }
+  const bool wide = r.roomy || StrokeBoard::wanted(desk);
+  const bool wider = r.roomy && (StrokeBoard::wanted(desk) || r.reach > 0);
+  r.words.w = std::round(all.w * (wider ? kWidestColumn : wide ? kLargerColumn : kColumn));
+  r.words.x = all.x + margin;
+  const float left = r.words.x + r.words.w + margin;
+  // The axis on the vertical third, or in the middle of what is left where that lies farther out.
+  const float axis = std::max(all.x + all.w * 2 / 3, (left + all.x + all.w) / 2);
+  const float half = std::min(axis - left, all.x + all.w - axis);
+  r.pot = {axis - half, all.y + margin, 2 * half, all.h - margin * 3.0f};
+  if (r.mirrored) {
+    r.words.x = 2 * all.x + all.w - r.words.x - r.words.w;
+    r.pot.x = 2 * all.x + all.w - r.pot.x - r.pot.w;
+  }
+  page.divide(r);
+  // Whatever is to be said, and whichever drawer is open, the pot stays where it is.
+  if (left_in(r.words, page, desk, now).value_or(-2) < -1) page.overflowed();
+}
+
+void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now, const ShowMe& show,
+                      const Hint& hint) {
+  Column column(page, page.where().words);
+  standing(column, desk, now);
+  if (now.drawer != Drawer::closed) return drawer(column, desk, now);
+  most_used(column, desk, now);
+  if (now.board)
+    return now.board->lay_out(column, desk, ways(desk, now), now.parts, now.working,
+                              sentence_of(desk, now, hint));
+  heading(column, desk, now);
+  if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);
+  lay_out_telling(column, desk, show, hint);
+}
+
+}  // namespace onggi::screens

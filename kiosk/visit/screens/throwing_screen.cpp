@@ -1,0 +1,400 @@
+#include "kiosk/visit/screens/throwing_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "kiosk/visit/screens/hint.h"
+#include "kiosk/visit/screens/lesson_line.h"
+#include "kiosk/visit/screens/measured_pot.h"
+#include "kiosk/visit/screens/mishap.h"
+#include "kiosk/visit/screens/pot_picture.h"
+#include "kiosk/visit/screens/show_me.h"
+#include "kiosk/visit/screens/stroke_board.h"
+#include "kiosk/visit/screens/target_line.h"
+#include "kiosk/visit/screens/throwing_controls.h"
+#include "kiosk/visit/screens/tool_tray.h"
+#include "kiosk/visit/screens/water_button.h"
+#include "kiosk/visit/screens/wheel_hands.h"
+#include "kiosk/visit/screens/wheel_speed.h"
+#include "kiosk/visit/screens/wire_cut.h"
+
+namespace onggi::screens {
+
+using device::Grip;
+using device::WallHold;
+using view::InputEvent;
+using view::Key;
+
+namespace {
+
+constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside.
+
+/// The wheel, the clay and the visitor's hand.
+class Throwing final : public Screen {
+ public:
+  explicit Throwing(Desk& d)
+      : Screen(d), hands_(d.wheel(), d.two_hands() && !StrokeBoard::wanted(d)), speed_(d) {}
+  ScreenId id() const override { return ScreenId::throwing; }
+  std::string first_focus() const override {
+    if (!by_buttons()) return "";
+    const char* usual = menu_ ? "throw.done" : StrokeBoard::kFirst;
+    return drawer_ != Drawer::closed ? "throw.less" : mishap_ ? "throw.restore" : usual;
+  }
+
+  void update(double dt) override {
+    if (serial_ != desk.status.scene_serial && desk.pot_ready()) {
+      // A new pot finds the wheel standing, and one that was called done has rested.
+      serial_ = desk.status.scene_serial;
+      desk.world.potter->pause(false);
+      speed_.send(desk);
+      desk.world.potter->water(water_.wet());
+    }
+    if (done_) return finish();
+    // Cut free, by whatever wire: there is nothing more to throw.
+    if (desk.status.feedback.cut_free >= 1 && !cut_off_) return finish();
+    if (cut_off_) draw_wire(dt);
+    look_for_mishaps();
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    const Profile* target = card != nullptr ? &card->target : nullptr;
+    inside_until_ = hands_.inside() ? desk.now + kLookIn : inside_until_;
+    picture_.update(desk, dt, target, cut_chosen_ ? cut_ : cut_ || desk.now < inside_until_,
+                    hands_.grabbed());
+
+    std::array<bool, kMaxHands> contacts{};
+    for (std::size_t n = 0; n < contacts.size(); ++n)
+      contacts[n] = desk.status.feedback.hand[n].contact;
+    const bool contact = std::find(contacts.begin(), contacts.end(), true) != contacts.end();
+    if (hands_.active() && desk.pot_ready()) {
+      show_.draw(dt, hands_.lead(), desk.world.wheel->clay);
+      hands_.follow(desk.world.wheel->clay, dt, contacts);
+      send_hand();
+    }
+    strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
+    if (contact) {
+      touched_ = true;
+      dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
+    }
+    if (water_.wet()) dry_ = 0;
+    if (desk.pot_ready() && !mishap_)
+      lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
+    measured_.update(desk, picture_.made());
+    // Of the pot that stood there before nothing is to be said.
+    if (desk.pot_ready())
+      hint_.update(desk.now, {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
+                              dry_ > 20.0, desk.wheel().tool_radius, MeasuredPot::hint(desk)});
+  }
+
+  std::optional<view::PotView> pot(const Page& page) override {
+    if (dark()) return std::nullopt;
+    return picture_.view(desk, page);
+  }
+  bool dark() const override { return desk.eyes_closed(); }
+
+  /// A mission says itself what is to be done. Of a line nothing, where none is seen; of two hands
+  /// nothing, where each is somebody's.
+  std::vector<std::string> help() const override {
+    const settings::Mission* mission = desk.on();
+    std::vector<std::string> all;
+    if (mission != nullptr && mission->kind != settings::Mission::Kind::today)
+      all.push_back(mission->about_in(desk.words().code()));
+    if (!desk.two_hands()) all.push_back(desk.say("help.throw"));
+    if (!dark() && desk.described() == nullptr) all.push_back(desk.say("help.throw_line"));
+    return all;
+  }
+
+  std::optional<Sight> sight() const override {
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    if (card == nullptr || !desk.pot_ready() || mishap_) return std::nullopt;
+    return Sight{camera_, &card->target, &picture_.made(), hint_.shown()};
+  }
+
+  void lay_out(Page& page) override {
+    const bool whole = !mishap_;
+    const ThrowingControls now{speed_.asked(),
+                               grip(),
+                               water_.wet(),
+                               cut_,
+                               desk.status.can_restore && whole,
+                               show_.button(desk, aim() == nullptr || dark() || hands_.two()),
+                               whole && LessonLine::shown(desk) != nullptr,
+                               drawer_,
+                               held_,
+                               mishap_.now(),
+                               StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
+                               parts(),
+                               working()};
+    give_the_pot_its_room(page, desk, now);
+    camera_ = picture_.camera(page);
+    if (const ShelfCard* card = desk.shelf_card(desk.card);
+        card != nullptr && desk.pot_ready() && !dark()) {
+      if (desk.described() == nullptr) draw_ghost(page, camera_, card->target, picture_.made());
+      if (const auto& press = hint_.shown().press;
+          press && !hands_.grabbed() && whole && LessonLine::shown(desk) == nullptr)
+        draw_press(page, camera_, card->target, press->height, press->inward);
+    }
+    lay_out_throwing(page, desk, now, show_, hint_.shown());
+  }
+
+  void press(const std::string& control) override {
+    if (control == "throw.both") {
+      hold_with(Grip::both);
+    } else if (control == "throw.outside") {
+      hold_with(Grip::outside);
+    } else if (control == "throw.inside") {
+      hold_with(Grip::inside);
+    } else if (control == "throw.water") {
+      water_.press(desk.now);
+      set_water(water_.wet());
+    } else if (control == "throw.cut") {
+      cut_ = !cut_;
+      cut_chosen_ = true;
+    } else if (control == "throw.renew") {
+      let_go();
+      desk.world.potter->renew();
+    } else if (control == "throw.restore") {
+      let_go();
+      mishap_.go_back(desk);
+    } else if (control == "throw.show") {
+      if (held_ > 0) take_up(0);
+      if (const Profile* target = aim()) show_.press(desk, *target, key_sign(), hands_.lead());
+      send_hand();
+    } else if (control == "throw.tools" || control == "throw.wheel" || control == "throw.less") {
+      open_drawer(control == "throw.tools"   ? Drawer::tools
+                  : control == "throw.wheel" ? Drawer::wheel
+                                             : Drawer::closed);
+    } else if (control == "throw.skip") {
+      LessonLine::skip(desk);
+    } else if (control == "throw.done") {
+      finish();
+    } else if (const auto ask = board_.press(control)) {
+      make_stroke(*ask);
+    } else if (const auto tool = ToolTray::of_control(control)) {
+      take_up(*tool);
+    } else if (!speed_.press(control, desk)) {
+      desk.force.press(control);
+    }
+  }
+
+  void hold(const std::string& control) override {
+    if (control == "throw.show") {
+      if (held_ > 0) take_up(0);
+      if (const Profile* target = aim()) show_.hold(desk, *target, key_sign(), hands_.lead());
+      send_hand();
+    }
+    if (control != "throw.water") return;
+    water_.hold(desk.now);
+    set_water(true);
+  }
+
+  void back() override {
+    if (drawer_ != Drawer::closed) {
+      open_drawer(Drawer::closed);
+    } else if (menu_) {
+      menu_ = false;
+    } else if (hands_.active() && !hands_.grabbed()) {
+      let_go();
+    } else {
+      desk.go(ScreenId::choose);
+    }
+  }
+
+  void pointer(const InputEvent& e, const Page& page) override {
+    // Of two visitors the one who is among the buttons stays there.
+    if (!hands_.two()) menu_ = false;
+    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
+    const bool down = e.kind == InputEvent::Kind::pointer_down;
+    if (down && (e.finger == 0 || hands_.two())) {
+      if (page.where().words.contains(e.x, e.y)) return;
+      if (!menu_) open_drawer(Drawer::closed);
+      mishap_.stay();
+      // Hands that still finish a stroke would go to the next through the pot; of two visitors the
+      // other one's go on.
+      hands_.two() ? show_.stop(hands_.lead()) : let_go();
+    }
+    if (show_.showing()) return;
+    const Vec2 at = camera_.on_axis_plane(e.x, e.y);
+    if (hands_.pointer(e, at, desk.world.wheel->clay, grip(), held_ > 0)) send_hand();
+  }
+
+  bool key(Key key, bool repeat) override {
+    if (const KeyedControl pressed = control_of(key); pressed.control != nullptr) {
+      const bool there = key != Key::restore || desk.status.can_restore;
+      if (there && (!repeat || pressed.repeats)) press(pressed.control);
+      return true;
+    }
+    switch (key) {
+      case Key::side:
+        if (!repeat) hold_with(device::next_grip(grip_));
+        return true;
+      case Key::depth_in:
+        return move_by_keys(-WheelHands::kNotch, 0), true;
+      case Key::depth_out:
+        return move_by_keys(WheelHands::kNotch, 0), true;
+      default:
+        break;
+    }
+    if (by_buttons()) return false;
+    // The hand works on the column's far side, where the pot is clear of the words; of two visitors
+    // the one inside works on the left.
+    const double left = hands_.two() ? -1.0 : key_sign(), notch = WheelHands::kNotch;
+    if (key == Key::enter) return menu_ = true;
+    if (key == Key::up || key == Key::down)
+      return move_by_keys(0, key == Key::up ? notch : -notch), true;
+    if (key == Key::left || key == Key::right)
+      return move_by_keys(key == Key::left ? -notch * left : notch * left, 0), true;
+    return false;
+  }
+
+  bool keys_are_anothers() const override { return hands_.two(); }
+
+  void let_go() override {
+    show_.stop(hands_.lead());
+    hands_.lift();
+    send_hand();
+  }
+  void comforted() override { speed_.send(desk); }
+
+  std::optional<PotTold> told() const override {
+    if (mishap_) return std::nullopt;
+    // With eyes closed every stroke asks how the pot differs.
+    const int asked = board_.asked() + (dark() ? strokes_ : 0);
+    return PotTold{working(), asked, StrokeBoard::told(desk, parts())};
+  }
+
+ private:
+  /// The keys move among buttons, and not the hand.
+  bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
+  bool working() const { return show_.showing() || hands_.active() || cut_off_; }
+  std::vector<PartOff> parts() const {
+    return parts_off(desk.shelf_card(desk.card), picture_.made());
+  }
+  void make_stroke(device::Ask ask) {
+    if (held_ > 0) take_up(0);
+    const ClayView& clay = desk.world.wheel->clay;
+    if (const Profile* target = aim(); target != nullptr && clay.rows() > 0)
+      show_.make(asked_stroke(clay, *target, ask, board_.part()), clay, key_sign(), hands_.lead());
+    send_hand();
+  }
+  double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
+  void send_hand() {
+    Vec3 right, up, back;
+    camera_.basis(right, up, back);
+    const auto hands = hands_.input(right);
+    for (int n = 0; n < kMaxHands; ++n)
+      desk.world.potter->hand(n, hands[static_cast<std::size_t>(n)]);
+  }
+  /// The outline to be met, where a hand may work towards it.
+  const Profile* aim() const {
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    return card != nullptr && desk.pot_ready() && !mishap_ && !cut_off_ ? &card->target : nullptr;
+  }
+  void hold_with(Grip grip) {
+    grip_ = grip;
+    if (grip == Grip::both) take_up(0);
+    // Inside a closed wall nobody sees a hand that works alone.
+    if (!cut_chosen_) cut_ = grip_ == Grip::inside;
+    let_go();
+  }
+  /// A tool is one hand's.
+  Grip grip() const { return held_ > 0 && grip_ == Grip::both ? Grip::outside : grip_; }
+  void take_up(std::size_t which) {
+    const Wheel wheel = desk.wheel();
+    if (which > wheel.tools.size() || cut_off_) return;
+    let_go();
+    const WallHold::Part fine{0, wheel.tool_radius};
+    if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
+      desk.world.potter->wheel(0);
+      set_water(false);
+      cut_off_.emplace(*wheel.wire);
+      open_drawer(Drawer::closed);
+      return;
+    }
+    held_ = which;
+    if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
+    const Wheel::Tool& tool = wheel.tools[which - 1];
+    hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
+  }
+  /// The wheel comes to rest, the wire passes under the pot, and the pot is done.
+  void draw_wire(double dt) {
+    if (!desk.pot_ready() || std::abs(desk.status.feedback.wheel_speed) > 0.5) return;
+    Vec3 right, up, back;
+    camera_.basis(right, up, back);
+    if (!cut_off_->update(dt, *desk.world.wheel, right, *desk.world.potter)) return;
+    cut_off_.reset();
+    finish();
+  }
+  void set_water(bool on) {
+    water_.set(on);
+    desk.world.potter->water(on);
+  }
+
+  void move_by_keys(double outward, double up) {
+    if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
+    menu_ = false;
+    open_drawer(Drawer::closed);
+    mishap_.stay();
+    show_.stop(hands_.lead());
+    hands_.move_by_keys(desk.world.wheel->clay, grip(), key_sign(), outward, up);
+    send_hand();
+  }
+
+  void finish() {
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    if (card == nullptr || !desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
+    let_go();
+    set_water(false);
+    // From here on the pot is what it is: no sagging, drying or springing back between what the
+    // visitor is told and what is kept. It is judged once every row of it has arrived.
+    desk.world.potter->pause(true);
+    done_ = !desk.world.potter->settle();
+    if (done_) return;
+    desk.judge(*card);
+    desk.go(ScreenId::result);
+  }
+
+  /// All that is not used most lies in two; a hand on the pot closes them.
+  void open_drawer(Drawer which) {
+    if (drawer_ != which) desk.turned = true;
+    drawer_ = which;
+  }
+
+  /// A pot that has just fallen or torn is let go of, and the way back is where the eyes and keys
+  /// are.
+  void look_for_mishaps() {
+    if (!mishap_.update(desk)) return;
+    desk.turned = true;
+    if (!mishap_) return;
+    drawer_ = Drawer::closed;
+    let_go();
+    set_water(false);
+  }
+
+  PotPicture picture_;
+  HintLine hint_;
+  MishapWatch mishap_;
+  WheelHands hands_;
+  std::size_t held_ = 0;  ///< Of the tray: 0 the hands.
+  std::optional<WireCut> cut_off_;
+  ShowMe show_;
+  StrokeBoard board_;
+  Drawer drawer_ = Drawer::closed;
+  WaterButton water_;
+  LessonLine lesson_;
+  view::Camera camera_;
+  WheelSpeed speed_;
+  MeasuredPot measured_;
+  Grip grip_ = Grip::both;
+  bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, done_ = false,
+       worked_ = false;
+  int strokes_ = 0;  ///< That are over.
+  double dry_ = 0, inside_until_ = -1;
+  std::uint32_t serial_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Screen> make_throwing(Desk& desk) { return std::make_unique<Throwing>(desk); }
+
+}  // namespace onggi::screens

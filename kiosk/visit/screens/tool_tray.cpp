@@ -1,0 +1,189 @@
+#include "kiosk/visit/screens/tool_tray.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace onggi::screens {
+
+using view::Rect;
+
+namespace {
+
+constexpr std::string_view kControl = "throw.tool.";
+constexpr float kDrawn = 1.5f;    // em: of a drawing's side
+constexpr float kLeading = 1.2f;  // of a name that is broken
+
+/// A stroke of a drawing, in a square of 24 with y down.
+using PenStroke = std::vector<std::pair<float, float>>;
+
+PenStroke arc(float x, float y, float rx, float ry, double from, double to) {
+  PenStroke s;
+  constexpr int kParts = 20;
+  for (int i = 0; i <= kParts; ++i) {
+    const double a = from + (to - from) * i / kParts;
+    s.emplace_back(x + rx * static_cast<float>(std::cos(a)),
+                   y + ry * static_cast<float>(std::sin(a)));
+  }
+  return s;
+}
+
+constexpr double kPi = 3.14159265358979;
+
+std::vector<PenStroke> drawing_of(std::string_view tool) {
+  if (tool == "fingertip")
+    return {{{9, 22}, {9, 8}},
+            arc(12, 8, 3, 4, kPi, 2 * kPi),
+            {{15, 8}, {15, 22}},
+            arc(12, 7.5f, 1.6f, 2.2f, kPi, 2 * kPi)};
+  if (tool == "flat_rib")
+    return {{{8, 2}, {16, 2}, {16, 22}, {8, 22}, {8, 2}}, arc(12, 6, 1.4f, 1.4f, 0, 2 * kPi)};
+  if (tool == "curved_rib")
+    return {arc(9, 12, 9, 10, -kPi / 2, kPi / 2),
+            {{9, 2}, {9, 22}},
+            arc(12.5f, 12, 1.4f, 1.4f, 0, 2 * kPi)};
+  if (tool == "needle")
+    return {{{12, 1}, {12, 12}}, {{10.6f, 12}, {13.4f, 12}, {13.4f, 23}, {10.6f, 23}, {10.6f, 12}}};
+  if (tool == "loop_trimmer")
+    return {arc(12, 6, 5, 5, kPi * 0.64, kPi * 2.36),
+            {{10.2f, 10.6f}, {11, 13}},
+            {{13.8f, 10.6f}, {13, 13}},
+            {{11, 13}, {13, 13}, {13, 23}, {11, 23}, {11, 13}}};
+  if (tool == "sponge")
+    return {arc(12, 13, 9.5f, 7.5f, 0, 2 * kPi), arc(8.5f, 11, 1.2f, 1, 0, 2 * kPi),
+            arc(14, 9.5f, 1.2f, 1, 0, 2 * kPi), arc(12, 15, 1.2f, 1, 0, 2 * kPi),
+            arc(16.5f, 14, 1, 0.9f, 0, 2 * kPi)};
+  if (tool == "wire") return {{{3, 8}, {3, 16}}, {{21, 8}, {21, 16}}, arc(12, 12, 9, 2.4f, kPi, 0)};
+  if (tool == "palm")
+    return {arc(12, 15, 6, 7.5f, 0, kPi),
+            {{6, 15}, {6, 8}},
+            {{18, 15}, {18, 9}},
+            arc(7.5f, 8, 1.5f, 1.6f, kPi, 2 * kPi),
+            {{9, 8}, {9, 5}},
+            arc(10.5f, 5, 1.5f, 1.6f, kPi, 2 * kPi),
+            {{12, 5}, {12, 12}},
+            arc(13.5f, 5, 1.5f, 1.6f, kPi, 2 * kPi),
+            {{15, 5}, {15, 12}},
+            arc(16.5f, 8, 1.5f, 1.6f, kPi, 2 * kPi)};
+  // The bare hands: one on each face of a wall.
+  return {{{11, 3}, {11, 22}},
+          {{13, 3}, {13, 22}},
+          arc(4.5f, 11, 5, 4, -kPi / 2, kPi / 2),
+          arc(19.5f, 11, 5, 4, kPi / 2, 1.5 * kPi),
+          {{1, 7}, {4.5f, 7}},
+          {{1, 15}, {4.5f, 15}},
+          {{19.5f, 7}, {23, 7}},
+          {{19.5f, 15}, {23, 15}}};
+}
+
+/// How the tray is set: cells beside one another, in each a drawing and after it its name, and rows
+/// as high as their highest.
+struct TrayGrid {
+  std::size_t columns = 1;
+  float cell = 0, drawing = 0, name = 0;  ///< Widths.
+  std::vector<float> rows;
+  float height = 0;
+  bool fits = false;
+};
+
+view::TextStyle name_style(const Page& page) {
+  auto style = page.style(view::Face::sans, page.type().body);
+  style.line_height = kLeading;
+  return style;
+}
+
+float between(const Page& page) { return page.type().gap * 0.5f; }
+
+TrayGrid tray_of(const Page& page, const Desk& desk, float width, std::size_t columns) {
+  const TypeScale& t = page.type();
+  const std::size_t count = desk.wheel().tools.size() + 1;
+  const auto style = name_style(page);
+  TrayGrid grid;
+  grid.columns = columns;
+  grid.cell = width / static_cast<float>(columns);
+  grid.drawing = std::max(t.target, kDrawn * t.body) - between(page);
+  // Air before the drawing, after it, after the name, and before the next cell.
+  grid.name = grid.cell - grid.drawing - 4 * between(page);
+  grid.rows.assign((count + columns - 1) / columns, grid.drawing + between(page));
+  grid.fits = grid.name > 0;
+  for (std::size_t n = 0; n < count && grid.fits; ++n) {
+    const std::string name = ToolTray::name_of(desk, n);
+    const auto size = page.size(name, style, grid.name);
+    grid.fits = std::max(page.longest_word(name, style), size.width) <= grid.name;
+    float& row = grid.rows[n / columns];
+    row = std::max(row, size.height + between(page));
+  }
+  grid.height = between(page) * static_cast<float>(grid.rows.size() - 1);
+  for (const float row : grid.rows) grid.height += row;
+  return grid;
+}
+
+/// The lowest in which no word of a name is broken.
+TrayGrid lowest_tray(const Page& page, const Desk& desk, float width) {
+  TrayGrid best = tray_of(page, desk, width, 1);
+  for (std::size_t columns = 2; columns <= desk.wheel().tools.size() + 1; ++columns)
+    if (TrayGrid grid = tray_of(page, desk, width, columns);
+        grid.fits && grid.height < best.height - 1)
+      best = std::move(grid);
+  return best;
+}
+
+}  // namespace
+
+std::string ToolTray::name_of(const Desk& desk, std::size_t which) {
+  const auto& tools = desk.wheel().tools;
+  return desk.say("tool." + (which == 0 ? "hands" : tools[which - 1].name));
+}
+
+void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
+  const Wheel& wheel = desk.wheel();
+  if (wheel.tools.empty()) return;
+  Page& page = column.page();
+  const TypeScale& t = page.type();
+  const Rect strip = column.rest();
+  const TrayGrid grid = lowest_tray(page, desk, strip.w);
+  if (!grid.fits) page.overflowed();
+  const auto style = name_style(page);
+  const float air = between(page);
+  const bool from_right = desk.words().right_to_left();
+  float y = strip.y;
+  for (std::size_t n = 0; n <= wheel.tools.size(); ++n) {
+    const std::size_t place = n % grid.columns;
+    if (n > 0 && place == 0) y += grid.rows[n / grid.columns - 1] + air;
+    const float high = grid.rows[n / grid.columns];
+    const auto turned = [&](float x, float w) {
+      return from_right ? 2 * strip.x + strip.w - x - w : x;
+    };
+    const float left = strip.x + grid.cell * static_cast<float>(place), wide = grid.cell - air;
+    const Rect button{turned(left, wide), y, wide, high};
+    const std::string words = name_of(desk, n);
+    const bool on = n == held;
+    page.control({std::string(kControl) + std::to_string(n), button, words, on});
+    page.draw(view::Box{button, t.body * 0.14f, view::with_alpha(view::kCobalt, on ? 0.10f : 0.0f),
+                        on ? t.hairline * 1.5f : 0, view::kCobalt});
+    const float side = grid.drawing;
+    const float x = turned(left + air, side), top = y + (high - side) / 2;
+    for (PenStroke stroke : drawing_of(n == 0 ? "hands" : wheel.tools[n - 1].name)) {
+      for (auto& [px, py] : stroke) px = x + px * side / 24, py = top + py * side / 24;
+      page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, side / 22)});
+    }
+    const float lines = page.size(words, style, grid.name).height;
+    page.words({turned(left + 2 * air + side, grid.name), y + (high - lines) / 2, grid.name, lines},
+               words, style, view::kInk);
+  }
+  column.space(grid.height);
+  column.check();
+}
+
+std::optional<std::size_t> ToolTray::of_control(const std::string& control) {
+  if (!control.starts_with(kControl)) return std::nullopt;
+  std::size_t n = 0;
+  const char* end = control.data() + control.size();
+  const auto read = std::from_chars(control.data() + kControl.size(), end, n);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(n) : std::nullopt;
+}
+
+}  // namespace onggi::screens

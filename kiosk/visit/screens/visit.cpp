@@ -1,0 +1,248 @@
+#include "kiosk/visit/screens/visit.h"
+
+#include <algorithm>
+
+#include "kiosk/picture/view/dark.h"
+#include "kiosk/picture/view/high_contrast.h"
+#include "kiosk/visit/screens/focus.h"
+#include "kiosk/visit/screens/visit_state.h"
+
+namespace onggi::screens {
+
+using view::InputEvent;
+
+namespace {
+constexpr double kFade = 0.3;         // s
+constexpr double kLookedAway = 60.0;  // s that help and another language stay over attract
+constexpr double kStepsToAct = 40, kStepsToStay = 10;  // of one switch
+constexpr double kDeviceMoved = 0.002;                 // m: more than a device at rest trembles.
+}  // namespace
+
+Visit::Visit(const VisitWorld& world) : state_(std::make_unique<State>(world)) {}
+Visit::~Visit() = default;
+
+void Visit::input(const InputEvent& event, double now) {
+  State& s = *state_;
+  s.desk.now = now;
+  if (event.kind == InputEvent::Kind::resize || event.kind == InputEvent::Kind::close) return;
+  s.idle.touched(now);
+  const bool is_key =
+      event.kind == InputEvent::Kind::key_down || event.kind == InputEvent::Kind::key_up;
+  s.desk.notes.touch(is_key        ? NoteTaker::By::keys
+                     : event.glass ? NoteTaker::By::glass
+                                   : NoteTaker::By::mouse,
+                     now);
+  if (!is_key)
+    s.pointer(event);
+  else if (event.kind == InputEvent::Kind::key_down)
+    s.key(event);
+  if (s.over == Over::idle && event.kind != InputEvent::Kind::key_up) s.cover(Over::nothing);
+  s.settle();
+}
+
+void Visit::update(double now) {
+  State& s = *state_;
+  const double dt = s.updated_at < 0 ? 0.0 : std::clamp(now - s.updated_at, 0.0, 0.25);
+  s.updated_at = s.desk.now = now;
+  s.desk.look();
+
+  // A device that is moved is a visitor who is there.
+  const loop::LoopStatus& status = s.desk.status;
+  for (std::size_t n = 0; n < s.device_at.size(); ++n) {
+    const HandInput& hand = status.hands.hand[n];
+    if (status.scripted || !hand.active) continue;
+    if (length(hand.position - s.device_at[n]) <= kDeviceMoved) continue;
+    s.device_at[n] = hand.position;
+    s.idle.touched(now);
+    if (status.hands_taken && s.desk.world.devices != nullptr)
+      s.desk.notes.device(s.desk.world.devices->hand(), now);
+    if (s.over == Over::idle) s.cover(Over::nothing);
+  }
+
+  s.screen->update(dt);
+  const bool taken_now = status.hands_taken;
+  const ScreenId id = s.screen->id();
+  if (id == ScreenId::attract) {
+    s.idle.touched(now);
+    // Whoever takes a device begins; whoever still leans on one when the last visit ended does not.
+    if (status.hands_taken && !s.hands_taken) s.desk.go(ScreenId::choose);
+    if (now - s.changed_at > kLookedAway) {
+      if (s.over == Over::help) s.cover(Over::nothing);
+      if (s.desk.language != 0) s.set_language(0);
+    }
+  } else {
+    const auto& wait = s.desk.world.exhibit->idle;
+    const bool reading = id == ScreenId::result || id == ScreenId::kiln || id == ScreenId::keepsake;
+    // Who steps through everything with one switch comes to it later.
+    const settings::Exhibit::Screen own = s.desk.screen();
+    const double step = own.one_switch ? own.scan_seconds : 0.0;
+    switch (s.idle.look(now, (reading ? wait.result_after : wait.warn_after) + kStepsToAct * step,
+                        wait.countdown + kStepsToStay * step)) {
+      case IdleWatch::Word::none:
+        break;
+      case IdleWatch::Word::warn:
+        s.cover(Over::idle);
+        break;
+      case IdleWatch::Word::over:
+        s.desk.leaves = VisitNotes::End::idle;
+        s.desk.go(ScreenId::attract);
+        break;
+    }
+  }
+  s.hands_taken = taken_now;
+  s.settle();
+}
+
+view::Frame Visit::frame(int width, int height) {
+  State& s = *state_;
+  s.keep_focus();
+  s.lay_out_fitting(width, height);
+  const std::string was = s.focused;
+  s.keep_focus();
+  if (s.focused != was) s.lay_out_fitting(width, height);
+
+  view::Frame frame;
+  frame.width = width;
+  frame.height = height;
+  frame.pot = s.screen->pot(*s.page);
+  if (frame.pot && s.over != Over::nothing) frame.pot->opacity *= 0.12;
+  frame.items = std::move(s.page->items());
+  if (s.screen->dark())
+    view::to_dark(frame.items, width, height);
+  else if (s.desk.screen().high_contrast)
+    view::to_high_contrast(frame.items);
+  frame.screen_serial = s.serial;
+  const double since = (s.desk.now - s.changed_at) / kFade;
+  if (!s.desk.still() && since < 1) frame.fade = static_cast<float>(1 - std::max(0.0, since));
+  return frame;
+}
+
+std::optional<Request> Visit::take_request() {
+  std::deque<Request>& queue = state_->desk.requests;
+  if (queue.empty()) return std::nullopt;
+  // Copied: g++ 12 takes a moved variant for uninitialised.
+  std::optional<Request> first(queue.front());
+  queue.pop_front();
+  return first;
+}
+
+void Visit::wander() { state_->wanders = true; }
+
+void Visit::show_postcard(view::PictureId id) {
+  if (state_->desk.kept == Desk::Kept::not_asked) return;  // The visitor has gone.
+  state_->desk.postcard = id;
+  state_->reworded();
+}
+
+void Visit::keepsake_kept(const std::string& file, const std::string& page) {
+  if (state_->desk.kept != Desk::Kept::asked) return;
+  state_->desk.kept = Desk::Kept::kept;
+  state_->desk.kept_as = file;
+  state_->desk.kept_at = page;
+  state_->reworded();
+}
+
+void Visit::keepsake_failed(const Problem&) {
+  if (state_->desk.kept != Desk::Kept::asked) return;
+  state_->desk.kept = Desk::Kept::failed;
+  state_->reworded();
+}
+
+void Visit::fail(const Problem&) {
+  if (state_->screen->id() == ScreenId::fault) return;
+  state_->desk.go(ScreenId::fault);
+  state_->settle();
+}
+
+void Visit::close(double now) {
+  if (state_->screen->id() == ScreenId::attract) return;
+  state_->desk.now = now;
+  state_->desk.leaves = VisitNotes::End::closed;
+  state_->desk.go(ScreenId::attract);
+  state_->settle();
+}
+
+ScreenId Visit::screen() const { return state_->screen->id(); }
+bool Visit::idle_warning() const { return state_->over == Over::idle; }
+const std::string& Visit::language() const { return state_->desk.words().code(); }
+void Visit::speak(const std::string& code) {
+  const auto& all = *state_->desk.world.languages;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].code() == code) state_->set_language(i);
+}
+double Visit::force_share() const { return state_->desk.force.share(); }
+double Visit::volume_share() const {
+  const Desk& desk = state_->desk;
+  return static_cast<double>(desk.comfort.volume(desk.world.exhibit->screen)) / Comfort::kLoudest;
+}
+settings::Exhibit::Screen Visit::shown_on() const { return state_->desk.screen(); }
+const score::Score& Visit::score() const { return state_->desk.score; }
+
+std::vector<std::pair<std::string, view::Rect>> Visit::controls() const {
+  std::vector<std::pair<std::string, view::Rect>> all;
+  if (state_->page)
+    for (const Control& c : state_->page->controls()) all.emplace_back(c.id, c.rect);
+  return all;
+}
+
+Reading Visit::reading() const {
+  const State& s = *state_;
+  Reading r;
+  r.screen = s.screen->id();
+  r.over = s.over == Over::help      ? "help"
+           : s.over == Over::comfort ? "comfort"
+           : s.over == Over::idle    ? "idle"
+                                     : "";
+  r.language = &s.desk.words();
+  if (s.page) {
+    r.words = s.page->told();
+    r.controls = in_reading_order(s.page->controls(), s.page->right_to_left());
+  }
+  r.first = s.first_control();
+  r.focus = s.focused;
+  const settings::Exhibit::Screen shown = s.desk.screen();
+  r.spoken = spoken();
+  r.unasked = !shown.spoken;
+  r.one_switch = shown.one_switch;
+  r.scan_seconds = shown.scan_seconds;
+  if (s.over == Over::nothing)
+    if (auto pot = s.screen->told()) {
+      r.working = pot->working;
+      r.asked = pot->asked;
+      r.differences = std::move(pot->differences);
+    }
+  return r;
+}
+
+bool Visit::spoken() const { return state_->desk.screen().spoken || state_->screen->dark(); }
+
+void Visit::activate(const std::string& control, double now) {
+  State& s = *state_;
+  s.desk.now = now;
+  s.idle.touched(now);
+  s.desk.notes.touch(NoteTaker::By::keys, now);
+  s.by_keys = !s.desk.screen().one_switch;  // It has a ring of its own.
+  if (!control.empty()) s.press(control);
+  s.settle();
+}
+
+void Visit::focus_on(const std::string& control, double now) {
+  State& s = *state_;
+  s.desk.now = now;
+  s.idle.touched(now);
+  s.by_keys = true;
+  s.focused = control;
+}
+
+std::optional<Sight> Visit::sight() const { return state_->screen->sight(); }
+
+const std::string& Visit::focus() const { return state_->focused; }
+
+std::optional<view::Rect> Visit::control(const std::string& id) const {
+  if (state_->page)
+    for (const Control& c : state_->page->controls())
+      if (c.id == id) return c.rect;
+  return std::nullopt;
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,307 @@
+#include "kiosk/visit/screens/visit_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kiosk/visit/screens/attract_screen.h"
+#include "kiosk/visit/screens/choose_screen.h"
+#include "kiosk/visit/screens/comfort_page.h"
+#include "kiosk/visit/screens/drift.h"
+#include "kiosk/visit/screens/fault_screen.h"
+#include "kiosk/visit/screens/focus.h"
+#include "kiosk/visit/screens/keepsake_screen.h"
+#include "kiosk/visit/screens/kiln_screen.h"
+#include "kiosk/visit/screens/overlays.h"
+#include "kiosk/visit/screens/result_screen.h"
+#include "kiosk/visit/screens/throwing_screen.h"
+
+namespace onggi::screens {
+
+using view::InputEvent;
+using view::Key;
+
+std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk) {
+  switch (id) {
+    case ScreenId::choose:
+      return make_choose(desk);
+    case ScreenId::throwing:
+      return make_throwing(desk);
+    case ScreenId::result:
+      return make_result(desk);
+    case ScreenId::kiln:
+      return make_kiln(desk);
+    case ScreenId::keepsake:
+      return make_keepsake(desk);
+    case ScreenId::fault:
+      return make_fault(desk);
+    case ScreenId::attract:
+      break;
+  }
+  return make_attract(desk);
+}
+
+/// The words change where they stand: cross-fade.
+void Visit::State::reworded() {
+  ++serial;
+  changed_at = desk.now;
+}
+
+/// The picture changes to another: cross-fade, and nothing stays pressed or focused.
+void Visit::State::changed() {
+  reworded();
+  focused.clear();
+  pressed.clear();
+  page.reset();
+}
+
+void Visit::State::settle() {
+  if (std::exchange(desk.turned, false) && !desk.next) changed();
+  if (!desk.next) return;
+  const ScreenId to = *desk.next;
+  desk.next.reset();
+  screen->let_go();
+  over = Over::nothing;
+  if (to == ScreenId::attract)
+    desk.forget();
+  else
+    desk.notes.enter(to, desk.now);
+  screen = make_screen(to, desk);
+  changed();
+}
+
+void Visit::State::cover(Over what) {
+  if (over == what) return;
+  over = what;
+  if (what != Over::nothing) screen->let_go();
+  changed();
+}
+
+void Visit::State::set_language(std::size_t index) {
+  desk.language = index;
+  reworded();
+}
+
+void Visit::State::press(const std::string& control) {
+  if (const auto language = language_of(desk, control)) return set_language(*language);
+  if (control == "help") return cover(Over::help);
+  if (control == "comfort") return open_comfort();
+  if (desk.comfort.press(control, desk.world.exhibit->screen)) {
+    screen->comforted();
+    return reworded();
+  }
+  if (control == "help.close" || control == "comfort.close" || control == "idle.stay")
+    return cover(Over::nothing);
+  if (control == "back")
+    screen->back();
+  else
+    screen->press(control);
+  settle();
+}
+
+/// Whoever asks for it has come: what is chosen lasts as long as the visit.
+void Visit::State::open_comfort() {
+  if (screen->id() == ScreenId::attract) {
+    desk.go(ScreenId::choose);
+    settle();
+  }
+  cover(Over::comfort);
+}
+
+std::string Visit::State::control_at(float x, float y) const {
+  if (page)
+    for (auto c = page->controls().rbegin(); c != page->controls().rend(); ++c)
+      if (!c->by_keys && c->rect.contains(x, y)) return c->id;
+  return {};
+}
+
+void Visit::State::pointer(const InputEvent& e) {
+  using Kind = InputEvent::Kind;
+  if (e.finger != 0) {
+    // Beside the first, fingers mean something at the wheel alone: a second hand.
+    if (screen->id() == ScreenId::throwing && over == Over::nothing && page && pressed.empty())
+      screen->pointer(e, *page);
+    return;
+  }
+  if (!screen->keys_are_anothers()) {
+    by_keys = false;
+    focused.clear();
+  }
+  const std::string on = e.kind == Kind::pointer_down || e.kind == Kind::pointer_up
+                             ? control_at(e.x, e.y)
+                             : std::string();
+  if (over == Over::idle) {
+    // Any touch says "I am here"; only what makes the words legible is worth hearing besides.
+    if (e.kind != Kind::pointer_down) return;
+    if (language_of(desk, on)) set_language(*language_of(desk, on));
+    if (on == "comfort") open_comfort();
+    return;
+  }
+  if (over == Over::nothing && page && screen->drag(e, *page)) {
+    pressed.clear();
+    return settle();
+  }
+  if (e.kind == Kind::pointer_down) {
+    // The first touch is never lost: wherever it lands, the visit begins.
+    if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
+        on != "comfort" && !language_of(desk, on) && screen->begins_with(on)) {
+      desk.go(ScreenId::choose);
+      return settle();
+    }
+    pressed = on;
+    if (!on.empty()) return over == Over::nothing ? screen->hold(on) : void();
+  }
+  if (e.kind == Kind::pointer_up && !pressed.empty()) {
+    const std::string was = std::exchange(pressed, {});
+    if (was == on) press(was);
+    return;
+  }
+  if (over == Over::help) {
+    if (e.kind == Kind::pointer_up) cover(Over::nothing);
+    return;
+  }
+  // A slip beside a switch of the Comfort page is no wish to leave it.
+  if (over == Over::nothing && page && pressed.empty()) screen->pointer(e, *page);
+  settle();
+}
+
+void Visit::State::key(const InputEvent& e) {
+  by_keys = true;
+  if (over == Over::idle) {
+    if (e.key == Key::language) set_language(*language_of(desk, "language"));
+    if (e.key == Key::comfort) open_comfort();
+    return;
+  }
+  if (e.key == Key::language && !e.repeat) return press("language");
+  if (e.key == Key::comfort && !e.repeat)
+    return press(over == Over::comfort ? "comfort.close" : "comfort");
+  if (e.key == Key::help && !e.repeat) return press(over == Over::help ? "help.close" : "help");
+  if (over == Over::help || over == Over::comfort) {
+    if (e.key == Key::back) return cover(Over::nothing);
+  } else {
+    if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none &&
+        e.key != Key::other && screen->begins_with({})) {
+      desk.go(ScreenId::choose);
+      return settle();
+    }
+    if (screen->key(e.key, e.repeat)) return settle();
+    if (e.key == Key::back && !e.repeat) return press("back");
+  }
+  if (!page || page->controls().empty()) return;
+  const auto in_order = [&](bool onward) {
+    const std::vector<Control> all = in_reading_order(page->controls(), page->right_to_left());
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const Control& c) { return c.id == focused; });
+    if (at == all.end()) return;
+    const auto i = static_cast<std::size_t>(at - all.begin());
+    focused = all[(i + (onward ? 1 : all.size() - 1)) % all.size()].id;
+  };
+  const auto step = [&](Direction to) {
+    if (focused.empty()) return;
+    const std::string known = over == Over::nothing ? screen->step(focused, to) : std::string();
+    if (known.empty()) {
+      focused = step_focus(page->controls(), focused, to);
+    } else if (std::exchange(focused, known) != known) {
+      page.reset();  // It may not be on this one.
+    }
+  };
+  switch (e.key) {
+    case Key::up:
+      return step(Direction::up);
+    case Key::down:
+      return step(Direction::down);
+    case Key::left:
+      return step(Direction::left);
+    case Key::right:
+      return step(Direction::right);
+    case Key::next:
+    case Key::previous:
+      return in_order(e.key == Key::next);
+    case Key::enter:
+      if (!focused.empty() && !e.repeat) press(focused);
+      return;
+    default:
+      return;
+  }
+}
+
+/// Where the keyboard begins; nothing where the keys move the hand.
+std::string Visit::State::first_control() const {
+  return over == Over::help      ? "help.close"
+         : over == Over::comfort ? first_comfort()
+         : over == Over::idle    ? "idle.stay"
+                                 : screen->first_focus();
+}
+
+/// While keys are used something is always focused, unless the keys move the hand.
+void Visit::State::keep_focus() {
+  if (!by_keys) return focused.clear();
+  const std::string first = first_control();
+  if (first.empty()) return focused.clear();
+  const auto is_there = [&](const std::string& id) {
+    return page && std::any_of(page->controls().begin(), page->controls().end(),
+                               [&](const Control& c) { return c.id == id; });
+  };
+  if (focused.empty() || (page && !is_there(focused)))
+    focused = !page || is_there(first)   ? first
+              : page->controls().empty() ? std::string()
+                                         : page->controls().front().id;
+}
+
+Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
+  const settings::Exhibit::Screen own = desk.screen();
+  const TypeScale type = type_scale(own, width, height, gives);
+  Regions home = regions(in_reach(own, width, height), type.margin, desk.mirrored(),
+                         own.larger_text || gives.roomy);
+  read_above(home, type.margin, gives.above);
+  Page made(measuring, {width,
+                        height,
+                        type,
+                        wanders ? moved(home, drift(desk.now, type.margin)) : home,
+                        desk.words().code(),
+                        {focused, pressed},
+                        desk.words().right_to_left()});
+  switch (over) {
+    case Over::nothing:
+      screen->lay_out(made);
+      break;
+    case Over::help:
+      lay_out_help(made, desk, screen->help(), desk.say(screen->help_key() + "_keys"));
+      break;
+    case Over::comfort:
+      lay_out_comfort(made, desk);
+      break;
+    case Over::idle:
+      lay_out_idle(made, desk, idle.seconds_left(), idle.countdown());
+      break;
+  }
+  return made;
+}
+
+/// Where words do not fit, something gives way, a step at a time, and then stays so while this
+/// picture lasts: sizes that come and go with the words would flicker.
+void Visit::State::lay_out_fitting(int width, int height) {
+  const std::string stands_for =
+      std::to_string(width) + 'x' + std::to_string(height) + (desk.mirrored() ? " mirrored" : "");
+  // What lies over a screen covers its words alone: after another size its pots stand where it has
+  // them then.
+  if (over != Over::nothing && stands_for != laid_out_for) {
+    const Over covers = std::exchange(over, Over::nothing);
+    lay_out_fitting(width, height);
+    over = covers;
+    tight_for.clear();
+  }
+  laid_out_for = stands_for;
+  const std::string now_for = std::to_string(serial) + ' ' + std::to_string(width) + 'x' +
+                              std::to_string(height) + desk.words().code();
+  if (tight_for != now_for) tight = 0;
+  tight_for = now_for;
+  int again = 3;
+  for (;;) {
+    page = std::make_unique<Page>(lay_out(width, height, give_way(tight, desk.screen().low_reach)));
+    if (page->restarted() && again-- > 0) continue;
+    if (!page->overflow() || tight >= kLastGiveWay) return;
+    ++tight;
+  }
+}
+
+}  // namespace onggi::screens

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "kiosk/visit/screens/idle.h"
+#include "kiosk/visit/screens/screen.h"
+
+namespace onggi::screens {
+
+/// What lies over the screen.
+enum class Over { nothing, help, comfort, idle };
+
+std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk);
+
+/// The visit's inside: which screen, what lies over it, where the keyboard is.
+struct Visit::State {
+  explicit State(const VisitWorld& world)
+      : desk(world), measuring(*world.measure), screen(make_screen(ScreenId::attract, desk)) {}
+
+  Desk desk;
+  Measuring measuring;
+  std::unique_ptr<Screen> screen;
+  std::unique_ptr<Page> page;  ///< The one last shown.
+  IdleWatch idle;
+  Over over = Over::nothing;
+  bool by_keys = false, wanders = false;
+  std::string focused, pressed;
+  std::uint64_t serial = 1;
+  double changed_at = -10, updated_at = -1;
+  int tight = 0;  ///< Step of give_way().
+  std::string tight_for;
+  std::string laid_out_for;  ///< Size and side that the screen under all else was laid out for.
+  std::array<Vec3, kMaxHands> device_at{};
+  bool hands_taken = false;  ///< LoopStatus::hands_taken, as last looked at.
+
+  void reworded();
+  void changed();
+  void settle();
+  void cover(Over what);
+  void set_language(std::size_t index);
+  void open_comfort();
+  void press(const std::string& control);
+  void pointer(const view::InputEvent& e);
+  void key(const view::InputEvent& e);
+  std::string first_control() const;
+  void keep_focus();
+  std::string control_at(float x, float y) const;
+  Page lay_out(int width, int height, const GiveWay& gives);
+  void lay_out_fitting(int width, int height);
+};
+
+}  // namespace onggi::screens

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "kiosk/visit/screens/desk.h"
+
+namespace onggi::screens {
+
+/// What the visitor asks of the wheel: it starts by itself, so that touch works at once, and two
+/// buttons change it in steps.
+class WheelSpeed {
+ public:
+  static constexpr double kFirst = 25.0;  ///< rad/s: some 240 turns a minute.
+  static constexpr double kStep = 2.5;    ///< rad/s
+
+  explicit WheelSpeed(const Desk& desk) : asked_(std::min(kFirst, desk.wheel().max_speed)) {}
+  /// True where it was one of its two buttons: then it has been sent.
+  bool press(std::string_view control, const Desk& desk) {
+    const bool faster = control == "throw.faster";
+    if (!faster && control != "throw.slower") return false;
+    asked_ = std::clamp(asked_ + (faster ? kStep : -kStep), 0.0, desk.wheel().max_speed);
+    if (asked_ < kStep * 0.5) asked_ = 0;
+    send(desk);
+    return true;
+  }
+  /// The other way round for a left hand.
+  void send(const Desk& desk) const {
+    desk.world.potter->wheel(desk.screen().left_handed ? -asked_ : asked_);
+  }
+  double asked() const { return asked_; }  ///< rad/s
+
+ private:
+  double asked_;
+};
+
+}  // namespace onggi::screens

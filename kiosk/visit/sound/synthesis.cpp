@@ -1,0 +1,120 @@
+#include "kiosk/visit/sound/synthesis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/math/portable.h"
+
+namespace onggi::sound {
+
+namespace {
+
+constexpr unsigned kTuned = 16;  // samples between two turns of a filter
+constexpr double kLeast = 1e-4;  // m/s and N: what is slower or lighter is at rest
+
+// A figure from 0 up, of which `half` is heard half as loud as the most.
+double grown(double x, double half) { return x / (x + half); }
+
+double sane(double x, double most) {
+  return std::isfinite(x) ? std::clamp(std::fabs(x), 0.0, most) : 0.0;
+}
+
+// As tubes do: 1 at the most, and straight where it is quiet (Pade's tanh).
+double limited(double x) {
+  const double t = std::clamp(x, -3.0, 3.0);
+  return t * (27.0 + t * t) / (27.0 + 9.0 * t * t);
+}
+
+struct Timbre {
+  double low, high;  // Hz of the band, at rest and in haste
+  double q, loud;
+};
+
+constexpr Timbre timbre_of(Rub::Kind kind) {
+  switch (kind) {
+    case Rub::Kind::sponge:
+      return {180.0, 620.0, 0.5, 0.8};
+    case Rub::Kind::rib:
+      return {700.0, 3600.0, 1.4, 0.7};
+    case Rub::Kind::wire:
+      return {1500.0, 3200.0, 7.0, 1.0};
+    case Rub::Kind::hand:
+      break;
+  }
+  return {320.0, 2000.0, 0.8, 1.0};
+}
+
+}  // namespace
+
+double Synthesis::RubVoice::next(const Rub& rub, double wet, bool tune) noexcept {
+  const double slip = sane(rub.slip, 20.0), push = sane(rub.push, 50.0);
+  const bool rubs = slip > kLeast && push > kLeast;
+  const Timbre timbre = timbre_of(rub.kind);
+  const double haste = pitch.to(grown(slip, 0.8));
+  const double gain =
+      loud.to(rubs ? timbre.loud * grown(push, 1.2) * std::sqrt(grown(slip, 0.4)) : 0.0);
+  if (gain == 0.0) return 0.0;
+  if (tune) {
+    // Water lies between: dry clay hisses, slip whispers.
+    const double dull = 1.0 - 0.4 * wet;
+    const double hz = dull * (timbre.low + (timbre.high - timbre.low) * haste);
+    body.tune(hz, timbre.q);
+    if (rub.kind == Rub::Kind::sponge)
+      breath.tune(7.0 + 9.0 * haste, 0.5);
+    else
+      breath.tune(1.6 * hz, 0.7);  // a band alone leaves a hiss far above it
+  }
+  const double in = noise.next();
+  double out = body.next(in);
+  if (rub.kind == Rub::Kind::sponge) {
+    // Water that is pressed out and drawn in again, some ten times a second.
+    breath.next(squelch.next());
+    out = 1.6 * body.low() * std::clamp(0.7 + 14.0 * breath.low(), 0.0, 1.6);
+  } else {
+    breath.next(1.4 * out);
+    out = breath.low();
+  }
+  return 0.55 * gain * out;
+}
+
+double Synthesis::FireVoice::next(double fire, bool tune) noexcept {
+  const double gain = loud.to(std::min(sane(fire, 1.0), 1.0));
+  if (gain == 0.0) return 0.0;
+  if (tune) {
+    rumble.tune(130.0, 0.6);
+    crack.tune(1900.0, 1.2);
+  }
+  rumble.next(noise.next());
+  // Three sparks a second, each gone in some milliseconds.
+  const bool one = sparks.next() > 1.0 - 2.0 * 3.0 / kRate;
+  const double flash = spark.to(one ? 60.0 : 0.0);
+  return gain * (1.3 * rumble.low() * (0.75 + 0.25 * breath.next(0.13)) +
+                 crack.next(0.25 * flash * sparks.next()));
+}
+
+double Synthesis::hum(double wheel) noexcept {
+  const double speed = wheel_.to(sane(wheel, 100.0));
+  if (speed < 0.05) return 0.0;
+  // A belt of four to one on a motor of six poles: 4 rad/s more are 16 Hz more.
+  const double hz = 28.0 + 4.0 * speed;
+  const double gain = 0.05 * grown(speed, 6.0) * std::min(speed, 1.0);
+  const double tone = partials_[0].next(hz) + 0.5 * partials_[1].next(2.0 * hz) +
+                      0.22 * partials_[2].next(3.0 * hz);
+  return gain * tone * (1.0 + 0.12 * turn_.next(speed / (2.0 * portable::kPi)));
+}
+
+void Synthesis::play(const Heard& heard, std::span<float> out) noexcept {
+  const double volume = std::min(sane(heard.volume, 1.0), 1.0);
+  const double wet_now = std::min(sane(heard.wet, 1.0), 1.0);
+  for (float& sample : out) {
+    const bool tune = sample_++ % kTuned == 0;
+    const double wet = wet_.to(wet_now);
+    double sum = hum(heard.wheel) + fire_.next(heard.fire, tune) + song_.next();
+    for (std::size_t i = 0; i < rubs_.size(); ++i) sum += rubs_[i].next(heard.rub[i], wet, tune);
+    // Loudness goes by the square, roughly, so that half of the slider sounds like half.
+    const double level = volume_.to(volume);
+    sample = static_cast<float>(limited(level * level * sum));
+  }
+}
+
+}  // namespace onggi::sound

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "kiosk/visit/sound/heard.h"
+#include "kiosk/visit/sound/outline_song.h"
+#include "kiosk/visit/sound/voice.h"
+
+namespace onggi::sound {
+
+/// A quiet studio, made of what is heard: the wheel's hum by its speed, clay that rubs on a hand, a
+/// sponge, a rib or a wire by slip and push, and a kiln. No recording; the same figures give the
+/// same samples everywhere. Whatever it is told, no sample leaves -1..1 and no step of a figure is
+/// a click. No allocation, no lock: it runs where a sound card asks.
+class Synthesis {
+ public:
+  /// Goes on by out.size() samples of one channel, kRate a second, while all is as in `heard`. What
+  /// touches now is two thirds as loud as it will be after 3 ms.
+  void play(const Heard& heard, std::span<float> out) noexcept;
+  /// Begins with the next sample, over whatever else is heard.
+  void sing(const OutlineSong& song) noexcept { song_.sing(song); }
+
+ private:
+  /// What rubs: noise through a band, and what a sponge or a wire adds.
+  struct RubVoice {
+    explicit RubVoice(std::uint32_t seed) noexcept : noise(seed), squelch(seed + 7) {}
+    Noise noise, squelch;
+    Band body, breath;
+    Glide loud{0.003}, pitch{0.02};
+    double next(const Rub& rub, double wet, bool tune) noexcept;
+  };
+  struct FireVoice {
+    Noise noise{11}, sparks{23};
+    Band rumble, crack;
+    Glide loud{0.5}, spark{0.002};
+    Tone breath;
+    double next(double fire, bool tune) noexcept;
+  };
+
+  double hum(double wheel) noexcept;
+
+  std::array<RubVoice, kMaxHands> rubs_{RubVoice{3}, RubVoice{5}};
+  FireVoice fire_;
+  OutlineVoice song_;
+  std::array<Tone, 3> partials_;
+  Tone turn_;
+  Glide wheel_{0.15}, wet_{0.2}, volume_{0.02};
+  unsigned sample_ = 0;
+};
+
+}  // namespace onggi::sound

@@ -1,0 +1,86 @@
+#include "kiosk/wheel/device/drivers/dual_sense_driver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/math/portable.h"
+
+namespace onggi::device {
+
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kBetween = 10 * kMs;  // Its motors follow no quicker, and radio is shared.
+constexpr std::int64_t kTap = 40 * kMs;      // What a first touch feels like.
+constexpr std::uint8_t kTapStrength = 160;
+constexpr double kStrongest = 200.0;
+constexpr double kFullForce = 3.0;  // N that make it tremble all it does.
+constexpr double kDegree = portable::kPi / 180.0;
+constexpr double kStillTurn = 3.0 * kDegree;          // rad/s; below that the hand is only alive.
+constexpr double kGyro = 2000.0 / 32768.0 * kDegree;  // rad/s, of an uncalibrated count.
+
+double stick(std::uint8_t value) { return std::clamp((value - 127.5) / 127.5, -1.0, 1.0); }
+
+double turning(std::int16_t rate) {
+  return std::fabs(rate * kGyro) < kStillTurn ? 0.0 : rate * kGyro;
+}
+
+std::uint32_t buttons_of(std::uint32_t raw) {
+  using namespace dual_sense;
+  constexpr std::pair<std::uint32_t, std::uint32_t> kMeaning[] = {
+      {kCross, kEnter},  {kOptions, kEnter}, {kCircle, kGoBack}, {kTriangle, kSide},
+      {kSquare, kWater}, {kR1, kFaster},     {kL1, kSlower}};
+  // The pad's eight directions, clockwise from up.
+  constexpr std::uint32_t kPad[] = {kUp,   kUp | kRight,  kRight, kDown | kRight,
+                                    kDown, kDown | kLeft, kLeft,  kUp | kLeft};
+  std::uint32_t buttons = (raw & 15) < 8 ? kPad[raw & 15] : 0;
+  for (const auto& [bit, meaning] : kMeaning)
+    if ((raw & bit) != 0) buttons |= meaning;
+  return buttons;
+}
+
+}  // namespace
+
+bool DualSenseDriver::begin(HidPort& port) {
+  // By radio it sends ten bytes only, until somebody asks for its calibration.
+  std::array<std::uint8_t, 64> calibration{};
+  port.feature(0x05, calibration);
+  return true;
+}
+
+Heard DualSenseDriver::take(Report report, DeviceSample& sample) noexcept {
+  const Heard heard = dual_sense::read(report, bus_, state_);
+  if (heard != Heard::news) return heard;
+  sample.push = {stick(state_.left[0]), -stick(state_.left[1]), stick(state_.right[1])};
+  sample.turning = {turning(state_.turn[0]), turning(state_.turn[1]), turning(state_.turn[2])};
+  sample.buttons = buttons_of(state_.buttons);
+  return heard;
+}
+
+Report DualSenseDriver::say(const Saying& saying) noexcept {
+  if (saying.wish.contact && !std::exchange(touching_, saying.wish.contact))
+    touched_ns_ = saying.now_ns;
+  touching_ = saying.wish.contact;
+  const double share = std::clamp(saying.wish.strength / kFullForce, 0.0, 1.0);
+  const auto slow =
+      static_cast<std::uint8_t>(saying.wish.contact ? std::lround(kStrongest * share) : 0);
+  const bool tap = touching_ && saying.now_ns - touched_ns_ < kTap;
+  const std::uint8_t quick = tap ? kTapStrength : std::uint8_t{0};
+  // Small changes are not felt; stillness always is.
+  const bool still = slow == 0 && quick == 0;
+  const bool same = quick == quick_ && (still ? slow_ == 0 : std::abs(slow - slow_) < 4);
+  if (same || (!still && saying.now_ns - said_ns_ < kBetween)) return {};
+  slow_ = slow;
+  quick_ = quick;
+  said_ns_ = saying.now_ns;
+  out_ = dual_sense::rumble(bus_, slow_, quick_, sequence_);
+  sequence_ = static_cast<std::uint8_t>((sequence_ + 1) & 15);
+  return out_.report();
+}
+
+void DualSenseDriver::end(HidPort& port) noexcept {
+  port.write(dual_sense::rumble(bus_, 0, 0, sequence_).report());
+}
+
+}  // namespace onggi::device

@@ -1,0 +1,55 @@
+#include "kiosk/wheel/device/drivers/polhem_driver.h"
+
+#include <utility>
+
+namespace onggi::device {
+
+namespace {
+constexpr int kTries = 20;
+constexpr int kTryMs = 10;
+}  // namespace
+
+bool PolhemDriver::begin(HidPort& port) {
+  std::array<std::uint8_t, 128> bytes{};
+  polhem::Input input;
+  for (int n = 0; n < kTries; ++n) {
+    // It speaks only when it is spoken to.
+    if (!port.write(polhem::currents({}, 0))) return false;
+    const int size = port.read(bytes, kTryMs);
+    if (size < 0) return false;
+    if (size == 0) continue;
+    if (polhem::read(Report(bytes).first(static_cast<std::size_t>(size)), input) != Heard::news)
+      return false;
+    return input.info == 0 || input.info == 1;
+  }
+  return false;
+}
+
+Heard PolhemDriver::take(Report report, DeviceSample& sample) noexcept {
+  polhem::Input input;
+  const Heard heard = polhem::read(report, input);
+  if (heard != Heard::news) return heard;
+  asks_ = input.info == 1;
+  at_ = arm_angles(arm_, {input.encoder[0], input.encoder[1], input.encoder[2]});
+  sample.has_place = true;
+  sample.place = arm_position(arm_, at_);
+  // It needs no arming of its own; while it asks where it stands its place is not to be trusted.
+  sample.armed = !asks_;
+  return heard;
+}
+
+Report PolhemDriver::say(const Saying& saying) noexcept {
+  if (std::exchange(asks_, false)) {
+    std::array<std::int16_t, 3> parked{};
+    for (std::size_t n = 0; n < 3; ++n) parked[n] = static_cast<std::int16_t>(arm_.parked[n]);
+    bytes_ = polhem::calibrate(parked);
+    return bytes_;
+  }
+  const Vec3 force = saying.may_push ? saying.force : Vec3{};
+  bytes_ = polhem::currents(arm_currents(arm_, at_, force), arm_.most_milliamperes);
+  return bytes_;
+}
+
+void PolhemDriver::end(HidPort& port) noexcept { port.write(polhem::currents({}, 0)); }
+
+}  // namespace onggi::device

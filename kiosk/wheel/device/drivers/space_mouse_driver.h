@@ -1,0 +1,20 @@
+#pragma once
+
+#include "kiosk/wheel/device/codecs/space_mouse.h"
+#include "kiosk/wheel/device/driver.h"
+
+namespace onggi::device {
+
+/// A puck: its deflection is how fast the tool moves. Lit while it is in use.
+class SpaceMouseDriver final : public Driver {
+ public:
+  bool begin(HidPort& port) override;
+  Heard take(Report report, DeviceSample& sample) noexcept override;
+  Report say(const Saying&) noexcept override { return {}; }
+  void end(HidPort& port) noexcept override;
+
+ private:
+  space_mouse::State state_;
+};
+
+}  // namespace onggi::device

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "engine/force/haptics.h"
+#include "kiosk/wheel/device/hand_device.h"
+#include "kiosk/wheel/device/hid_link.h"
+#include "kiosk/wheel/device/place_join.h"
+
+namespace onggi::device {
+
+/// A visitor's hand at a HID device, the loop's half: samples to where the tool is, the clay's
+/// force to a wish. A handle's place is mapped from its workspace to the vessel, with a clutch
+/// where that is too small, and the tool hangs on it by the coupling that the device bears; a puck
+/// or stick is how fast the tool goes, and a puck that is let go of lifts it.
+class HidHand final : public HandDevice {
+ public:
+  /// `left_handed`: it begins on the other side of the wheel.
+  explicit HidHand(std::shared_ptr<HidLink> link, bool left_handed = false);
+  HandInput read(double dt) noexcept override;
+  void feel(const HandFeedback& feedback) noexcept override;
+  double age() const noexcept override;
+
+  HidLink& link() { return *link_; }
+  /// Anybody's: it moves the hand now.
+  bool in_use() const { return moves_.load(std::memory_order_relaxed); }
+  /// Main's: the visitor's share of the force, 0 (off) .. 1.
+  void share(double of_force) { share_.store(of_force, std::memory_order_relaxed); }
+
+ private:
+  Vec3 handle_place(double dt) noexcept;
+  Vec3 glide(double dt) noexcept;
+  bool in_use(double dt) noexcept;
+  void turn_tool(double dt, HandInput& hand) noexcept;
+
+  std::shared_ptr<HidLink> link_;
+  DeviceDef def_;
+  Vec3 home_;
+  DeviceSample sample_;
+  FeelWish wish_;
+  bool pushes_;  ///< A force device.
+  force::HapticLimits limits_;
+  force::Haptics haptics_;
+  PlaceJoin join_;
+  std::atomic<double> share_{1.0};
+  std::atomic<bool> moves_{false};
+  Vec3 at_;       ///< The hand, or a puck's tool, as last read.
+  Vec3 tool_;     ///< What hangs on a hand that feels.
+  Vec3 speed_;    ///< Of a puck's tool, m/s.
+  Vec3 slipped_;  ///< What the clutch has added, metres.
+  Vec3 handle_;   ///< HandInput::handle, once it was turned.
+  double roll_ = 0.0;
+  double rested_ = 1e9;  ///< s since a puck was last touched.
+  bool clutched_ = false, used_ = false;
+};
+
+}  // namespace onggi::device

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "engine/force/overspeed.h"
+#include "kiosk/wheel/device/driver.h"
+#include "kiosk/wheel/device/force_gate.h"
+#include "kiosk/wheel/device/mailbox.h"
+#include "kiosk/wheel/device/presence.h"
+
+namespace onggi::device {
+
+/// How a link is doing, for screens, lists and logs.
+struct LinkStatus {
+  DeviceSample sample;
+  Vec3 force;                                       ///< As last written, N, the device's frame.
+  std::array<std::uint64_t, kLinkFaults> faults{};  ///< By LinkFault.
+  bool asks_to_be_held = false;  ///< A force device that nobody took since it was plugged in.
+  bool in_fault = false;         ///< Now.
+};
+
+/// What a link is made of.
+struct LinkParts {
+  std::unique_ptr<HidPort> port;
+  DeviceKind kind = DeviceKind::space_mouse;
+  HidListing listing;
+  DeviceDef def;
+};
+
+/// One device while it is plugged in: a thread of its own reads it, keeps the newest report, passes
+/// the wish through the gate and writes. Or it is turned by hand, a tick at a time, for wheels that
+/// are (loop::SteppedPotter). Made and destroyed on the main thread, and then the device is at
+/// rest. Each call says whose thread it belongs to.
+class HidLink {
+ public:
+  enum class Turning : std::uint8_t { by_thread, by_hand };
+
+  /// Shakes hands. Null where the device is not what its numbers say, or does not answer.
+  static std::unique_ptr<HidLink> begin(LinkParts parts, Turning turning);
+  ~HidLink();
+  HidLink(const HidLink&) = delete;
+  HidLink& operator=(const HidLink&) = delete;
+
+  DeviceKind kind() const { return kind_; }
+  const HidListing& listing() const { return listing_; }
+  const DeviceDef& def() const { return def_; }
+  const std::string& says() const { return says_; }
+  /// What may be felt: the device's cap, or its own word where that is less. N.
+  double cap() const { return limits_.cap; }
+
+  /// Loop's: the newest sample, if it is new; a wish in place of the last.
+  bool newest(DeviceSample& sample) noexcept { return samples_.take(sample); }
+  void wish(FeelWish wish) noexcept;
+  /// Loop's, by hand alone: `dt` seconds pass, and the device gets a turn.
+  void pump(double dt) noexcept;
+  /// Anybody's: how often its thread has had a turn; a thread that hangs in its cable has none.
+  std::uint64_t turns() const noexcept { return turns_.load(std::memory_order_relaxed); }
+  /// Anybody's: the link's clock, ns.
+  std::int64_t time_ns() const noexcept { return now_ns(); }
+  bool by_hand() const noexcept { return turning_ == Turning::by_hand; }
+
+  /// Main's: the screens move. Once it was called, it must be called every half second.
+  void heartbeat() noexcept { heartbeat_ns_.store(now_ns(), std::memory_order_relaxed); }
+  /// Main's.
+  LinkStatus status() noexcept;
+
+  static constexpr double kStall = 0.010;      ///< s without news from a force device.
+  static constexpr double kStuck = 0.010;      ///< s without a wish.
+  static constexpr double kFrozen = 0.5;       ///< s without a heartbeat.
+  static constexpr double kStandstill = 0.05;  ///< s without a turn.
+  static constexpr double kJump = 0.02;        ///< m between two reports.
+
+ private:
+  HidLink(LinkParts parts, Turning turning, std::unique_ptr<Driver> driver);
+  void run();
+  bool turn(int timeout_ms) noexcept;
+  LinkFault listen(int timeout_ms) noexcept;
+  LinkFault look_for_faults(std::int64_t now) const noexcept;
+  void answer(LinkFault fault, std::int64_t now) noexcept;
+  void publish(LinkFault fault) noexcept;
+  std::int64_t now_ns() const noexcept;
+
+  std::unique_ptr<HidPort> port_;
+  std::unique_ptr<Driver> driver_;
+  DeviceKind kind_;
+  HidListing listing_;
+  DeviceDef def_;
+  Turning turning_;
+  bool force_device_;
+  std::string says_;
+  ForceLimits limits_;
+
+  // Its thread's.
+  DeviceSample sample_;
+  FeelWish wish_;
+  ForceGate gate_;
+  Presence presence_;
+  force::Overspeed overspeed_;
+  LinkStatus said_;
+  std::int64_t turned_ns_ = 0, answered_ns_ = 0;
+  bool news_ = false;
+  bool taken_ = false;  ///< Somebody held it since it was plugged in.
+
+  Mailbox<DeviceSample> samples_;
+  Mailbox<FeelWish> wishes_;
+  Mailbox<LinkStatus> statuses_;
+  LinkStatus seen_;  ///< Main's.
+  std::atomic<std::int64_t> heartbeat_ns_{-1};
+  std::atomic<std::int64_t> turned_time_ns_{0};  ///< The clock where it is turned by hand.
+  std::atomic<std::uint64_t> turns_{0};
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace onggi::device

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kiosk/wheel/loop/status.h"
+
+namespace onggi::loop {
+
+/// What staff should know of FaultBits: each kind is told once a pot, however often it comes. Main
+/// thread.
+class FaultLog {
+ public:
+  /// Once a frame: a line for each kind that is new.
+  std::vector<std::string> news(const LoopStatus& status);
+
+ private:
+  std::uint32_t scene_serial_ = 0;
+  std::uint32_t told_ = 0;
+};
+
+}  // namespace onggi::loop

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "engine/scene/hands.h"
+#include "engine/script/script.h"
+#include "kiosk/wheel/device/hand_device.h"
+
+namespace onggi::loop {
+
+struct Pot;
+
+/// What the main thread asks of the loop, a type for each kind. Pots and scripts belong to whoever
+/// holds the command; devices stay the host's.
+namespace command {
+struct Put {  ///< On the wheel; what was there goes back.
+  Pot* pot = nullptr;
+};
+struct GiveBack {};
+struct Play {  ///< nullptr: the visitor's hands again.
+  Script* script = nullptr;
+};
+struct Attach {
+  device::HandDevice* device = nullptr;
+  int hand = 0;
+};
+struct Detach {
+  device::HandDevice* device = nullptr;
+};
+struct Lead {
+  int hand = 0;
+  HandInput target;
+};
+struct Take {
+  int hand = 0;
+  std::uint8_t tool = 0;
+};
+struct TurnWheel {
+  double rad_per_s = 0.0;
+};
+struct Water {
+  bool held = false;
+};
+struct Renew {};
+struct Restore {};
+struct Pause {
+  bool on = false;
+};
+struct Show {};  ///< The pot on the wheel is shown: no visitor's device works on it.
+struct ClearFaults {
+  std::uint32_t which = 0;
+};
+}  // namespace command
+
+using Command =
+    std::variant<command::GiveBack, command::Put, command::Play, command::Attach, command::Detach,
+                 command::Lead, command::Take, command::TurnWheel, command::Water, command::Renew,
+                 command::Restore, command::Pause, command::Show, command::ClearFaults>;
+static_assert(std::is_trivially_copyable_v<Command>, "the queue moves it without a thought");
+
+}  // namespace onggi::loop

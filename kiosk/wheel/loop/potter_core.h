@@ -1,0 +1,115 @@
+#pragma once
+
+#include <readerwriterqueue/readerwriterqueue.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "engine/scene/replay.h"
+#include "engine/scene/scene.h"
+#include "engine/script/script.h"
+#include "kiosk/wheel/device/hand_device.h"
+#include "kiosk/wheel/loop/potter_command.h"
+#include "kiosk/wheel/loop/row_channel.h"
+#include "kiosk/wheel/loop/status.h"
+#include "kiosk/wheel/loop/wet_rows.h"
+
+namespace onggi::loop {
+
+/// Everything that belongs to one pot while it is on the wheel. Made and destroyed on the main
+/// thread.
+struct Pot {
+  Pot(Scene made, std::uint32_t number);
+
+  Scene scene;
+  std::uint32_t serial;
+  RowChannel rows;
+  std::unique_ptr<WetRows> wet;                       ///< Where rows have a wetness of their own.
+  moodycamel::ReaderWriterQueue<TickRecord> records;  ///< Loop to main; 16 s deep.
+  std::uint64_t dropped_records = 0;                  ///< Loop's; read once the pot is back.
+};
+
+/// What the loop side is done with, for the main thread to keep or destroy.
+struct Returned {
+  Pot* pot = nullptr;
+  Script* script = nullptr;
+  device::HandDevice* device = nullptr;
+};
+
+/// The wheel as the loop thread knows it: takes commands, reads the hands or the script, steps the
+/// scene, publishes rows and records. No lock, no allocation, no throw in any call but the
+/// destructor.
+class PotterCore {
+ public:
+  static constexpr std::size_t kMostDevices = 8;
+
+  PotterCore();
+  ~PotterCore();
+  PotterCore(const PotterCore&) = delete;
+  PotterCore& operator=(const PotterCore&) = delete;
+
+  /// Main thread. False when the queue is full (256 commands wait): the loop stands still.
+  bool send(const Command& command) noexcept { return commands_.try_enqueue(command); }
+  /// Main thread: the next thing the loop has handed back.
+  bool take_returned(Returned& out) noexcept { return returned_.try_dequeue(out); }
+
+  /// Loop side: applies the commands that wait.
+  void take_commands() noexcept;
+  /// Loop side: take_commands(), then one tick of `dt` seconds.
+  void tick(double dt) noexcept;
+  /// Loop side: ticks came too late several times in a row. Forces go down until they do no more.
+  void strained(bool late) noexcept { strained_ = late; }
+  /// Loop side: age of the newest report that the last tick took, s; below 0 where there is none.
+  double device_age() const noexcept { return device_age_; }
+  /// Loop side.
+  LoopStatus status() const noexcept { return status_; }
+
+ private:
+  struct Attached {
+    device::HandDevice* device = nullptr;
+    int hand = 0;
+  };
+
+  void apply(const command::Put& wish) noexcept;
+  void apply(const command::GiveBack& wish) noexcept;
+  void apply(const command::Play& wish) noexcept;
+  void apply(const command::Attach& wish) noexcept;
+  void apply(const command::Detach& wish) noexcept;
+  void apply(const command::Lead& wish) noexcept;
+  void apply(const command::Take& wish) noexcept;
+  void apply(const command::TurnWheel& wish) noexcept { asked_.wheel_speed = wish.rad_per_s; }
+  void apply(const command::Water& wish) noexcept { asked_.water = wish.held; }
+  void apply(const command::Renew&) noexcept { asked_.renew = true; }
+  void apply(const command::Restore&) noexcept { asked_.restore = true; }
+  void apply(const command::Pause& wish) noexcept;
+  void apply(const command::Show&) noexcept { shown_ = true; }
+  void apply(const command::ClearFaults& wish) noexcept;
+
+  void hand_back(const Returned& done) noexcept;
+  void lift_hands() noexcept;
+  void read_hands(double dt, Hands& hands) noexcept;
+  void feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept;
+  void step(double dt) noexcept;
+
+  moodycamel::ReaderWriterQueue<Command> commands_;
+  moodycamel::ReaderWriterQueue<Returned> returned_;
+  Pot* pot_ = nullptr;
+  Script* script_ = nullptr;
+  double script_time_ = 0;
+  std::array<Attached, kMostDevices> devices_{};  ///< In the order in which they came.
+  std::size_t attached_ = 0;
+  std::array<device::HandDevice*, kMaxHands> leads_{};  ///< Whose word the last tick took.
+  std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
+  double off_ = 0;  ///< s for which all hands stay off the clay that was just laid.
+  Hands asked_;     ///< Wheel, water and the one-tick wishes; hands come from the devices.
+  bool paused_ = false;
+  bool shown_ = false;
+  bool strained_ = false;
+  double calm_ = 1.0;  ///< Share of the force that hands feel.
+  double device_age_ = -1.0;
+  LoopStatus status_;
+};
+
+}  // namespace onggi::loop

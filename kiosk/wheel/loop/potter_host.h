@@ -1,0 +1,92 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/replay.h"
+#include "kiosk/wheel/device/hand_device.h"
+#include "kiosk/wheel/loop/potter.h"
+#include "kiosk/wheel/loop/potter_core.h"
+#include "kiosk/wheel/loop/wheel_view.h"
+
+namespace onggi::loop {
+
+/// The main thread's end of the wheel: sends commands, owns the devices, keeps the view of the
+/// wheel and the replay of the visit. How ticks come about is the derived class's: a 1 kHz thread,
+/// or stepping by hand. A pointer device (mouse, touch, keys) is attached for every hand.
+class PotterHost : public PotterCommands {
+ public:
+  ~PotterHost() override;
+
+  void start(std::unique_ptr<Scene> scene) override;
+  void play(std::unique_ptr<Script> script) override;
+  void hand(int index, const HandInput& target) override;
+  void take(int index, std::uint8_t tool) override { send(command::Take{index, tool}); }
+  void wheel(double rad_per_s) override { send(command::TurnWheel{rad_per_s}); }
+  void water(bool held) override { send(command::Water{held}); }
+  void renew() override { send(command::Renew{}); }
+  void restore() override { send(command::Restore{}); }
+  void pause(bool on) override { send(command::Pause{on}); }
+  void clear_faults(std::uint32_t which) override { send(command::ClearFaults{which}); }
+  bool settle() override;
+  /// What is on the wheel is shown, to the next pot: devices that visitors hold neither work on it
+  /// nor feel it. Those that the screens lead do.
+  void show() { send(command::Show{}); }
+
+  /// From the next tick on the loop reads `device` for hand `hand`. Of several for one hand the
+  /// last that came and is in use leads. Eight in all; one too many, or one for a hand that there
+  /// is not, is destroyed. Gives its name for detach(), good until then.
+  device::HandDevice* attach(std::unique_ptr<device::HandDevice> device, int hand);
+  /// The loop lets go of the device; then it is destroyed.
+  void detach(device::HandDevice* device) { send(command::Detach{device}); }
+
+  /// The newest status; view() has the one that goes with its clay.
+  virtual LoopStatus status() const = 0;
+
+  /// Once a frame: takes in what the loop handed back, notes ticks into the replay, and brings the
+  /// view up to what has been published. Gives how many rows came. Allocates nothing for them.
+  int collect();
+  const WheelView& view() const { return view_; }
+
+  /// Notes ticks of the pot on the wheel from its first one. Call right after start().
+  void record(const std::string& vessel_id, std::uint64_t seed);
+  void stop_recording() { recording_.reset(); }
+  /// Ticks that the replay lacks because the main thread stood still for over 16 s. 0 is whole.
+  std::uint64_t dropped_records() const { return dropped_; }
+
+  /// Lends the scene to `look` on this thread; the wheel waits meanwhile and then goes on. False
+  /// when there is no pot or the loop did not answer within a second.
+  bool with_scene(const std::function<void(Scene&)>& look);
+  /// The replay so far, ended with the scene's present hash and the glaze that was chosen, if any;
+  /// empty when nothing was recorded.
+  std::vector<std::byte> replay(std::uint64_t state_hash, const std::string& glaze = {}) const;
+
+ protected:
+  /// `patience`: seconds that with_scene() and full queues wait for the loop.
+  explicit PotterHost(double patience = 1.0);
+  /// Lets the loop side take the commands sent (a stepped wheel applies them here; a thread needs
+  /// time).
+  virtual void let_loop_turn() = 0;
+
+  PotterCore core_;
+
+ private:
+  bool send(const Command& command);
+  void take_returned();
+  bool put_back();  ///< Puts lent_ on the wheel again.
+  void note_records(Pot& pot);
+
+  double patience_;
+  WheelView view_;
+  Pot* current_ = nullptr;     ///< On the wheel, owned by the core.
+  std::unique_ptr<Pot> lent_;  ///< Given back by the core for with_scene().
+  std::vector<std::unique_ptr<device::HandDevice>> devices_;
+  std::uint32_t serial_ = 0;
+  std::optional<ReplayWriter> recording_;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace onggi::loop

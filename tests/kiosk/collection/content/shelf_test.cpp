@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "engine/profile/measures.h"
+#include "kiosk/collection/content/catalogue.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+// The shelf that Onggi comes with, as the kiosk opens it. What its packs say is in
+// shelf_packs_test.cpp, and that each GLB is what its drawing makes in model_test.cpp.
+
+namespace onggi::content {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kShelf = "content/vessels";
+
+const Catalogue& shelf() {
+  static const Catalogue catalogue = open_shelf(kShelf);
+  return catalogue;
+}
+
+double published(const std::string& id, const char* key) {
+  toml::TomlReader reader(kShelf / id / "vessel.toml");
+  double value = 0.0;
+  reader.root().number(key, value, 1.0, 2000.0);
+  return value / 1000.0;
+}
+
+TEST(Shelf, every_pack_opens) {
+  for (const Problem& p : shelf().problems) ADD_FAILURE() << to_text(p);
+  std::size_t folders = 0;
+  for (const auto& entry : fs::directory_iterator(kShelf)) folders += entry.is_directory() ? 1 : 0;
+  EXPECT_EQ(shelf().vessels.size(), folders);
+}
+
+TEST(Shelf, every_vessel_carries_a_label_of_its_own_in_each_language) {
+  for (const Vessel& v : shelf().vessels) {
+    EXPECT_GE(v.labels.size(), 5u) << v.id;
+    std::set<std::string> texts;
+    for (const auto& [code, label] : v.labels) {
+      EXPECT_FALSE(label.text.empty()) << v.id << " " << code;
+      EXPECT_TRUE(texts.insert(label.text).second) << v.id << " " << code;
+      EXPECT_EQ(v.label(code).text, label.text) << v.id << " " << code;
+    }
+  }
+}
+
+TEST(Shelf, the_scored_profile_has_the_published_height_and_diameter) {
+  for (const Vessel& v : shelf().vessels) {
+    const Dimensions d = dimensions(v.extracted.profile);
+    const double height = published(v.id, "true_height_mm");
+    const double diameter = published(v.id, "true_diameter_mm");
+    EXPECT_NEAR(d.height, height, 0.01 * height) << v.id;
+    EXPECT_NEAR(d.belly, diameter, 0.01 * diameter) << v.id;
+    EXPECT_EQ(v.true_height, height) << v.id;
+  }
+}
+
+TEST(Shelf, every_wall_was_seen_and_none_was_inferred) {
+  for (const Vessel& v : shelf().vessels)
+    EXPECT_EQ(v.extracted.profile.inner_wall, InnerWall::measured) << v.id;
+}
+
+TEST(Shelf, a_finger_fits_through_every_neck_at_the_size_it_is_played) {
+  // Scaled into 200 mm of height and 220 mm of width, a sphere of 8 mm radius must pass.
+  for (const Vessel& v : shelf().vessels) {
+    const Profile& p = v.extracted.profile;
+    const double scale = std::min(0.200 / p.height(), 0.220 / (2.0 * p.max_radius()));
+    for (const ProfilePoint& point : p.points) {
+      if (point.height < 0.5 * p.height()) continue;
+      EXPECT_GT(scale * point.inner, 0.009) << v.id << " at " << point.height;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace onggi::content

@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "engine/scene/lump.h"
+#include "engine/script/script.h"
+#include "kiosk/collection/content/catalogue.h"
+#include "kiosk/collection/score/score.h"
+#include "kiosk/exhibit/composition/scenes.h"
+#include "kiosk/exhibit/rehearsal/handsome.h"
+#include "kiosk/visit/screens/demonstration.h"
+#include "kiosk/wheel/loop/stepped_potter.h"
+
+namespace onggi::exhibit {
+namespace {
+
+constexpr double kSmooth = 0.0003;  // m: what people call smooth
+
+// The outline as it stands against the light on one side: a screw thread is no ridge of the mean.
+Profile silhouette(const ClayView& clay, int sector) {
+  Profile side;
+  for (int j = 0; j < clay.rows(); ++j) {
+    const auto s = static_cast<std::size_t>(sector);
+    side.points.push_back({clay.row_height(j), clay.outer(j)[s], clay.inner(j)[s]});
+  }
+  return side;
+}
+
+double roughest(const ClayView& clay) {
+  double worst = 0;
+  for (int n = 0; n < 4; ++n)
+    worst =
+        std::max(worst, rehearsal::smoothness(silhouette(clay, n * clay.sectors() / 4)).roughness);
+  return worst;
+}
+
+struct Pot {
+  Profile target;
+  SceneDef scene;
+};
+
+// On a grid that is coarse about the axis, where nothing of this happens.
+Pot pot_of(const content::Vessel& vessel, const Scenes& scenes) {
+  const Profile& own = vessel.extracted.profile;
+  Pot pot{scaled(own, workspace_scale(own)), scenes.of(vessel.id)};
+  pot.scene.clay.rows = 240;
+  pot.scene.clay.sectors = 24;
+  pot.scene.clay = lump_for(pot.target, pot.scene);
+  return pot;
+}
+
+/// A potter's wheel that hears which tool hand 0 is told to hold.
+class Overheard final : public loop::PotterCommands {
+ public:
+  explicit Overheard(loop::SteppedPotter& wheel) : wheel_(wheel) {}
+  void start(std::unique_ptr<Scene> scene) override { wheel_.start(std::move(scene)); }
+  void play(std::unique_ptr<Script> script) override { wheel_.play(std::move(script)); }
+  void hand(int index, const HandInput& target) override {
+    if (index == 0) {
+      changed_in_the_clay += target.active && was_.active && target.tool != was_.tool;
+      if (target.active) tools.insert(target.tool);
+      was_ = target;
+    }
+    wheel_.hand(index, target);
+  }
+  void take(int index, std::uint8_t tool) override { wheel_.take(index, tool); }
+  void wheel(double speed) override { wheel_.wheel(speed); }
+  void water(bool held) override { wheel_.water(held); }
+  void renew() override { wheel_.renew(); }
+  void restore() override { wheel_.restore(); }
+  void pause(bool on) override { wheel_.pause(on); }
+  void clear_faults(std::uint32_t which) override { wheel_.clear_faults(which); }
+  bool settle() override { return wheel_.settle(); }
+
+  int changed_in_the_clay = 0;
+  std::set<int> tools;
+
+ private:
+  loop::SteppedPotter& wheel_;
+  HandInput was_;
+};
+
+TEST(Attract, HandsComeOffTheClayBeforeTheyTakeAnotherTool) {
+  const settings::ExhibitRead read = settings::read_exhibit("config/exhibit.toml");
+  const Scenes scenes(read.exhibit);
+  const auto shelf = content::open_shelf("content/vessels");
+  const auto vessel = std::ranges::find(shelf.vessels, "samanid_bowl", &content::Vessel::id);
+  ASSERT_NE(vessel, shelf.vessels.end());
+  const Pot pot = pot_of(*vessel, scenes);
+  loop::SteppedPotter potter;
+  potter.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
+  Overheard heard(potter);
+  screens::Demonstration show(scenes.wheel_of(vessel->id), false);
+  for (int frame = 0; !show.done() && frame < 10'000; ++frame) {
+    potter.advance(25);
+    potter.collect();
+    show.update(0.025, potter.view(), pot.target, {1, 0, 0}, heard);
+  }
+  EXPECT_EQ(heard.changed_in_the_clay, 0);
+  EXPECT_EQ(heard.tools.size(), 4u) << "palm, trimmer, rib and wire";
+}
+
+TEST(Attract, APotterThrowsEveryVesselOfTheShelfAndNoMomentOfItShowsAScrewThread) {
+  const settings::ExhibitRead read = settings::read_exhibit("config/exhibit.toml");
+  const Scenes scenes(read.exhibit);
+  double points = 0;
+  const auto shelf = content::open_shelf("content/vessels");
+  ASSERT_GE(shelf.vessels.size(), 12u);
+  for (const content::Vessel& vessel : shelf.vessels) {
+    const Pot pot = pot_of(vessel, scenes);
+    loop::SteppedPotter potter;
+    potter.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
+    screens::Demonstration show(scenes.wheel_of(vessel.id), false);
+    // A vessel has turns of its own, and on the way to it the pot has no more.
+    const double most = std::max(kSmooth, rehearsal::smoothness(pot.target).roughness);
+    double worst = 0, worst_at = 0, seconds = 0;
+    for (int frame = 0; !show.done() && seconds < 240; ++frame, seconds += 0.025) {
+      potter.advance(25);
+      potter.collect();
+      show.update(0.025, potter.view(), pot.target, {1, 0, 0}, potter);
+      if (frame % 4 != 0) continue;
+      const double rough = roughest(potter.view().clay);
+      if (rough > worst) worst = rough, worst_at = seconds;
+    }
+    EXPECT_LE(worst, most) << vessel.id << " at " << worst_at << " s";
+    // As long as a passer-by who stops: they see the end of it too.
+    EXPECT_LT(seconds, 180) << vessel.id;
+    ASSERT_TRUE(potter.settle());
+    EXPECT_EQ(potter.view().status.feedback.cut_free, 1.0) << vessel.id;
+    points += score::judge(pot.target, potter.view().clay.profile()).points;
+  }
+  EXPECT_GT(points / static_cast<double>(shelf.vessels.size()), 90.0);
+}
+
+TEST(Attract, WhatEffectsDoIsShownSlowlyToo) {
+  const settings::ExhibitRead read = settings::read_exhibit("config/exhibit.toml");
+  const auto shelf = content::open_shelf("content/vessels");
+  for (const char* scene : {"config/scenes/studio.toml", "config/scenes/master.toml"}) {
+    settings::Exhibit exhibit = read.exhibit;
+    exhibit.scene = scene;
+    const Scenes scenes(exhibit);
+    const Pot pot = pot_of(shelf.vessels.front(), scenes);
+    int shown = 0;
+    for (const std::string& name : scenes.wheel_of(shelf.vessels.front().id).shown) {
+      if (name == "follow" || name == "collapse") continue;  // that one is to look as it does
+      Scene clay = std::move(*Scene::create(pot.scene));
+      const auto script = make_script(name, {pot.scene, &pot.target});
+      ASSERT_TRUE(script);
+      ClayView view;
+      for (int ms = 0; ms < 1000 * (*script)->duration(); ++ms) {
+        clay.step((*script)->at(1e-3 * ms, clay.clay()), 1e-3);
+        if (ms % 600 != 0) continue;
+        view.take(clay.clay());
+        EXPECT_LE(roughest(view), kSmooth) << scene << " " << name << " " << ms;
+      }
+      ++shown;
+    }
+    EXPECT_GT(shown, 0) << scene;
+  }
+}
+
+}  // namespace
+}  // namespace onggi::exhibit

@@ -1,0 +1,141 @@
+#include "kiosk/exhibit/composition/kiosk.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <span>
+#include <thread>
+
+#include "kiosk/ground/files/memory.h"
+#include "tests/kiosk/exhibit/composition/one_jar.h"
+#include "tests/kiosk/keepsake/souvenir/shown_gif.h"
+#include "tests/support/holes.h"
+#include "tests/support/sanitized.h"
+
+// What only the whole kiosk can be asked: that it hands on what one room knows to another.
+
+namespace onggi::exhibit {
+namespace {
+
+using screens::ScreenId;
+
+/// A stepped kiosk with the moon jar on its shelf, where pots are kept as they are thrown.
+class WholeKiosk : public OneJar {
+ protected:
+  void SetUp() override {
+    KioskOptions options;
+    options.window = {.width = 640, .height = 360, .visible = false, .title = "Onggi tests"};
+    options.stepped = true;
+    open("paper", keepsake_, options);
+  }
+  void frame() {
+    kiosk_->advance(2);  // Nobody throws.
+    kiosk_->frame(now_ += 0.04, false);
+    // Shelf, saves and pictures have threads of their own.
+    if (kiosk_->turning() || kiosk_->saving() || !kiosk_->shelf().complete())
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  template <class Done>
+  void until(const Done& done) {
+    for (int n = 0; n < 20'000 && !done(); ++n) frame();
+    ASSERT_TRUE(done());
+  }
+  void press(const std::string& control) {
+    SCOPED_TRACE(control);
+    until([&] { return kiosk_->visit().control(control).has_value(); });
+    kiosk_->visit().activate(control, now_);
+    frame();
+  }
+  /// From attract to the pot that is kept, by a hand of its choice.
+  void keep_a_pot(bool left_handed) {
+    press("attract.begin");
+    if (left_handed) {
+      press("comfort");
+      press("comfort.left_handed");
+      press("comfort.close");
+    }
+    press("choose.card.0");
+    press("choose.throw");
+    until([&] { return kiosk_->visit().sight().has_value(); });
+    press("throw.done");
+    press("result.keep");
+    until([&] { return kiosk_->kept() && kiosk_->kept()->saved; });
+  }
+
+  std::string keepsake_;  ///< More of its table.
+};
+
+/// Without pictures that turn, which take some seconds.
+class StillKiosk : public WholeKiosk {
+ protected:
+  StillKiosk() { keepsake_ = "turning = false\n"; }
+};
+
+/// Mean difference of two pictures' tiles of 8 x 8 pixels, in which dither is no more.
+double apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  constexpr std::size_t kSide = TurningPot::kSide, kTile = 8;
+  double all = 0;
+  for (std::size_t y = 0; y < kSide; y += kTile)
+    for (std::size_t x = 0; x < kSide; x += kTile) {
+      double tile = 0;
+      for (std::size_t v = y; v < y + kTile; ++v)
+        for (std::size_t u = 3 * x; u < 3 * (x + kTile); ++u)
+          tile += a.at(3 * kSide * v + u) - b.at(3 * kSide * v + u);
+      all += std::abs(tile);
+    }
+  return all / static_cast<double>(3 * kSide * kSide);
+}
+
+// Which way is whose, TurningPot's own tests say.
+TEST_F(WholeKiosk, APictureThatTurnsGoesTheWayOfTheHandThatItsVisitorChose) {
+  std::array<souvenir::Pictures, 2> turns;
+  for (const bool left_handed : {false, true}) {
+    keep_a_pot(left_handed);
+    until([&] { return !kiosk_->turning() && kiosk_->kept()->turning; });
+    const auto& outcome = *kiosk_->kept()->turning;
+    ASSERT_TRUE(outcome) << to_text(outcome.error());
+    const std::string bytes = commands::text_of(*outcome);
+    turns[left_handed ? 1 : 0] = souvenir::shown_gif(std::as_bytes(std::span(bytes)));
+    press("keepsake.done");
+    until([&] { return kiosk_->nobody_is_here(); });
+  }
+  // The same pot: one goes on as the other comes back.
+  const auto& [right, left] = turns;
+  ASSERT_EQ(right.size(), 40u);
+  ASSERT_EQ(left.size(), 40u);
+  for (const std::size_t n : {2u, 5u, 12u}) {
+    const double same_way = apart(right[n], left[n]), other_way = apart(right[n], left[40 - n]);
+    EXPECT_LT(other_way, 0.5 * same_way) << n << " " << other_way;
+  }
+}
+
+TEST_F(StillKiosk, HolesInTheHeapGoBackWhenItsVisitorHasGoneAndNotBefore) {
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";
+  files::keep_heap_small();
+  keep_a_pot(false);
+  const test::Holes holes;
+  const double before = test::resident_mib();
+  for (int n = 0; n < 50; ++n) frame();
+  EXPECT_GT(test::resident_mib(), before - 0.1 * test::Holes::kMib)
+      << "somebody looks at the keepsake";
+  press("keepsake.done");
+  until([&] { return kiosk_->nobody_is_here(); });
+  frame();
+  EXPECT_LT(test::resident_mib(), before - 0.7 * test::Holes::kMib);
+}
+
+TEST(Kiosk, AnExhibitIsOpenedInPagesAnewAndNotInThoseOfTheOneBefore) {
+  if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";
+  files::keep_heap_small();
+  const test::Holes holes;
+  const double before = test::resident_mib();
+  KioskOptions options;
+  options.config = "/nowhere/exhibit.toml";
+  EXPECT_FALSE(Kiosk::open(options));
+  EXPECT_LT(test::resident_mib(), before - 0.9 * test::Holes::kMib);
+}
+
+}  // namespace
+}  // namespace onggi::exhibit

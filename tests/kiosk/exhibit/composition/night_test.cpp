@@ -1,0 +1,125 @@
+#include "kiosk/exhibit/composition/night.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/kiosk/exhibit/composition/one_jar.h"
+
+namespace onggi::exhibit {
+namespace {
+
+settings::Hours daily() {
+  settings::Hours hours;
+  hours.kept = true;
+  hours.week.fill({{600, 1080}});
+  return hours;
+}
+
+files::LocalMoment clock(int hour, int minute = 0, int year = 2026) {
+  return {year, 5, 4, 60 * hour + minute};
+}
+
+TEST(Night, ClosingTimeWaitsForTheVisitorWhoIsHere) {
+  Night night(daily());
+  EXPECT_FALSE(night.look(0, clock(17, 59), true, false));
+  EXPECT_FALSE(night.look(60, clock(18, 0), false, true)) << "somebody throws";
+  EXPECT_FALSE(night.look(1000, clock(18, 20), false, false));
+  EXPECT_TRUE(night.look(1001, clock(18, 20), true, false)) << "and has gone";
+  EXPECT_FALSE(night.look(50'000, clock(10), true, false)) << "it comes back by itself";
+}
+
+TEST(Night, ATouchWakesItForAWhileWhateverTheClockOnTheWallDoes) {
+  Night night(daily());
+  EXPECT_TRUE(night.look(0, clock(23), true, false));
+  EXPECT_FALSE(night.look(1, clock(23), true, true));
+  EXPECT_FALSE(night.look(Night::kAwake, clock(23), true, false));
+  // Put back by an hour meanwhile, and by ten years: waits go by the other clock.
+  EXPECT_TRUE(night.look(Night::kAwake + 2, clock(22), true, false));
+  EXPECT_FALSE(night.look(Night::kAwake + 3, clock(23, 0, 2016), true, false))
+      << "a clock that is years behind closes no museum";
+  EXPECT_TRUE(night.look(Night::kAwake + 4, clock(23), true, false));
+}
+
+// Shown by the real kiosk: the wall's clock is the test's.
+class DarkKiosk : public OneJar {
+ protected:
+  void SetUp() override {
+    KioskOptions options;
+    options.window = {.width = 960, .height = 540, .visible = false, .title = "Onggi tests"};
+    options.wall = [this] { return wall_; };
+    open("first_touch", "", options, "[hours]\nevery_day = \"10:00-18:00\"\n");
+  }
+  void frame(double seconds) { kiosk_->frame(now_ += seconds); }
+  /// The moment of an hour of 2026-05-04 here.
+  static std::time_t at(int hour) {
+    std::tm local{};
+    local.tm_year = 126, local.tm_mon = 4, local.tm_mday = 4, local.tm_hour = hour;
+    local.tm_isdst = -1;
+    return std::mktime(&local);
+  }
+
+  std::time_t wall_ = at(12);
+};
+
+int brightest(const view::Image& image) {
+  int most = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    if (i % 4 != 3) most = std::max<int>(most, image.rgba[i]);
+  return most;
+}
+
+TEST_F(DarkKiosk, AtNightEveryPixelIsBlackTheClayRestsAndTheMorningFindsItAsItWas) {
+  frame(1);
+  EXPECT_GT(brightest(kiosk_->picture()), 150);
+  wall_ = at(19);
+  frame(1);
+  ASSERT_TRUE(kiosk_->dark());
+  EXPECT_EQ(brightest(kiosk_->picture()), 0);
+  ASSERT_TRUE(kiosk_->potter().settle());
+  const auto ticks = kiosk_->potter().status().ticks;
+  const auto wakes = kiosk_->potter().status().deadlines.wakes;
+  for (int n = 0; n < 4; ++n) frame(3600);
+  EXPECT_EQ(kiosk_->potter().status().ticks, ticks) << "no clay is thrown for nobody";
+  EXPECT_GT(kiosk_->potter().status().deadlines.wakes, wakes) << "but the loop lives";
+  wall_ = at(10);
+  frame(1);
+  frame(0.1);
+  EXPECT_FALSE(kiosk_->dark());
+  EXPECT_GT(brightest(kiosk_->picture()), 150);
+}
+
+/// Where a pixel differs from the one beside or below it as print does from paper.
+std::vector<bool> edges(const view::Image& image) {
+  const auto w = static_cast<std::size_t>(image.width), h = static_cast<std::size_t>(image.height);
+  const auto light = [&](std::size_t x, std::size_t y) {
+    const std::uint8_t* p = &image.rgba[4 * (y * w + x)];
+    return (p[0] + 2 * p[1] + p[2]) / 4;
+  };
+  std::vector<bool> edge(w * h);
+  for (std::size_t y = 0; y + 1 < h; ++y)
+    for (std::size_t x = 0; x + 1 < w; ++x)
+      edge[y * w + x] = std::abs(light(x, y) - light(x + 1, y)) > 40 ||
+                        std::abs(light(x, y) - light(x, y + 1)) > 40;
+  return edge;
+}
+
+// An attract that nobody interrupts, over an afternoon: what stands longest in one place.
+TEST_F(DarkKiosk, NothingWithAnEdgeStandsInOnePlaceForHours) {
+  std::vector<int> times;
+  long first = 0;
+  constexpr int kFrames = 10;
+  for (int n = 0; n < kFrames; ++n) {
+    frame(n == 0 ? 0.1 : 900);
+    const std::vector<bool> edge = edges(kiosk_->picture());
+    times.resize(edge.size());
+    for (std::size_t i = 0; i < edge.size(); ++i) times[i] += edge[i] ? 1 : 0;
+    if (n == 0) first = std::count(edge.begin(), edge.end(), true);
+  }
+  ASSERT_GT(first, 2000) << "there are words";
+  const auto stand = std::count(times.begin(), times.end(), kFrames);
+  EXPECT_LT(stand, first / 100) << stand << " of " << first;
+}
+
+}  // namespace
+}  // namespace onggi::exhibit

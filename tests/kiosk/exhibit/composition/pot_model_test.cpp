@@ -1,0 +1,104 @@
+#include "kiosk/exhibit/composition/pot_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "kiosk/collection/content/gltf.h"
+#include "tests/engine/profile/shapes.h"
+#include "tests/kiosk/ground/files/disk.h"
+
+namespace onggi::exhibit {
+namespace {
+
+/// A jar of many colours: a smooth glaze on a rough foot.
+std::vector<view::SkinPoint> skin_of(const TriangleMesh& mesh) {
+  std::vector<view::SkinPoint> skin;
+  for (const auto& p : mesh.positions) {
+    const float foot = p[1] < 0.01f ? 0.7f : 0.12f;
+    skin.push_back({{0.02f + 2.0f * p[1], 0.3f, 0.05f + std::abs(p[0])}, foot});
+  }
+  return skin;
+}
+
+nlohmann::json json_of(const std::vector<std::byte>& glb) {
+  std::uint32_t length = 0;
+  std::memcpy(&length, glb.data() + 12, 4);
+  return nlohmann::json::parse(std::string(reinterpret_cast<const char*>(glb.data()) + 20, length));
+}
+
+Result<content::GltfModel> read_back(const std::vector<std::byte>& glb) {
+  const files::test::ScratchFolder scratch;
+  const auto file = scratch.path() / "pot.glb";
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
+  return content::read_gltf(file);
+}
+
+TEST(PotModel, IsReadBackInTheColoursThatItWasSeenIn) {
+  const TriangleMesh mesh = revolve(section_of(shapes::jar()), 24);
+  const auto skin = skin_of(mesh);
+  const auto glb = pot_model(mesh, skin, "celadon", "Jar", "CC0");
+  EXPECT_EQ(glb, pot_model(mesh, skin, "celadon", "Jar", "CC0"));
+  const auto model = read_back(glb);
+  ASSERT_TRUE(model) << to_text(model.error());
+  EXPECT_EQ(model->mesh.triangles.size(), mesh.triangles.size());
+  const auto light = content::baked(model->coloring);
+  ASSERT_EQ(light.size(), model->mesh.positions.size());
+  std::set<std::array<float, 3>> places;
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const auto& p = model->mesh.positions[i];
+    const auto own = std::ranges::find_if(mesh.positions, [&](const auto& q) {
+      return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]) < 1e-6f;
+    });
+    ASSERT_NE(own, mesh.positions.end());
+    places.insert(*own);
+    const auto& color = skin[static_cast<std::size_t>(own - mesh.positions.begin())].color;
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(content::display_of(light[i][k]), content::display_of(color[k]), 1) << i;
+  }
+  EXPECT_EQ(places.size(), std::set(mesh.positions.begin(), mesh.positions.end()).size());
+}
+
+TEST(PotModel, HasAMaterialForWhatIsSmoothAndOneForWhatIsRoughAndNeedsNoExtension) {
+  const TriangleMesh mesh = revolve(section_of(shapes::jar()), 24);
+  const auto json = json_of(pot_model(mesh, skin_of(mesh), "celadon", "Jar", "CC0"));
+  EXPECT_FALSE(json.contains("extensionsRequired"));
+  EXPECT_FALSE(json.contains("extensionsUsed"));
+  const auto& primitives = json["meshes"][0]["primitives"];
+  ASSERT_EQ(primitives.size(), json["materials"].size());
+  std::size_t corners = 0;
+  double before = 0;
+  for (const auto& primitive : primitives) {
+    EXPECT_EQ(primitive["attributes"], primitives[0]["attributes"]) << "viewers share them";
+    corners +=
+        json["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<std::size_t>();
+    const auto& surface = json["materials"][primitive["material"].get<std::size_t>()];
+    const double rough = surface["pbrMetallicRoughness"]["roughnessFactor"];
+    EXPECT_GT(rough, before) << "the smoothest first";
+    before = rough;
+    EXPECT_EQ(surface["pbrMetallicRoughness"]["metallicFactor"], 0.0);
+  }
+  EXPECT_EQ(corners, 3 * mesh.triangles.size());
+  EXPECT_NEAR(json["materials"].front()["pbrMetallicRoughness"]["roughnessFactor"], 0.12, 0.01);
+  EXPECT_NEAR(json["materials"].back()["pbrMetallicRoughness"]["roughnessFactor"], 0.7, 0.01);
+  EXPECT_EQ(json["materials"].front()["name"], "celadon");
+}
+
+TEST(PotModel, AViewerWithoutColoursAtCornersShowsOneOfThePots) {
+  const TriangleMesh mesh = revolve(section_of(shapes::bowl()), 16);
+  const std::vector<view::SkinPoint> even(mesh.positions.size(), {{0.31f, 0.22f, 0.0f}, 0.5f});
+  const auto json = json_of(pot_model(mesh, even, "clay", "Bowl", ""));
+  ASSERT_EQ(json["materials"].size(), 1u);
+  const auto& factor = json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"];
+  EXPECT_NEAR(factor[0], 0.31, 2e-4);
+  EXPECT_NEAR(factor[1], 0.22, 2e-4);
+  EXPECT_NEAR(factor[2], 0.0, 2e-4);
+}
+
+}  // namespace
+}  // namespace onggi::exhibit

@@ -1,0 +1,131 @@
+#include "kiosk/ground/cli/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace onggi::cli {
+namespace {
+
+/// A program of two commands, `turn` and `tool sponge`, and what became of its fields.
+class CommandLine : public ::testing::Test {
+ protected:
+  /// Exit code and what was said, on either stream.
+  int run(const std::vector<const char*>& words) {
+    std::vector<const char*> arguments{"wheel"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int code =
+        run_command_line(program_, "1.2", static_cast<int>(arguments.size()), arguments.data());
+    said_ = testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+    return code;
+  }
+  Result<int> ran(const char* what) {
+    ran_ = what;
+    return 0;
+  }
+
+  std::string pot_, ran_, said_;
+  double speed_ = 60;
+  std::uint64_t seed_ = 1;
+  bool left_ = false, right_ = false;
+  Command program_{
+      .name = "wheel",
+      .help = "A wheel.",
+      .examples = "Example: wheel turn jar",
+      .commands = {{.name = "turn",
+                    .help = "Turns it.",
+                    .examples = "Example: wheel turn jar --speed 90",
+                    .options = {{.name = "pot", .field = &pot_, .help = "A pot", .required = true},
+                                {.name = "--speed",
+                                 .field = &speed_,
+                                 .help = "Turns a minute",
+                                 .least = 0.5,
+                                 .most = 300,
+                                 .shows_default = true},
+                                {.name = "--seed", .field = &seed_, .help = "Any", .least = 0},
+                                {"--left", &left_, "To the left"},
+                                {.name = "--right",
+                                 .field = &right_,
+                                 .help = "To the right",
+                                 .excludes = "--left"},
+                                {.name = "--secret", .field = &left_, .help = "", .hidden = true}},
+                    .run = [this] { return ran("turn"); }},
+                   {.name = "tool",
+                    .help = "Its tools.",
+                    .examples = "Example: wheel tool sponge",
+                    .commands = {{.name = "sponge",
+                                  .help = "Wets.",
+                                  .examples = "Example: wheel tool sponge",
+                                  .run = [this] { return ran("sponge"); }}}}},
+      .run = [this] { return ran("wheel"); }};
+};
+
+TEST_F(CommandLine, fields_are_filled_before_the_command_that_was_named_runs) {
+  EXPECT_EQ(run({"turn", "--speed", "90", "jar", "--seed=7", "--right"}), 0) << said_;
+  EXPECT_EQ(ran_, "turn");
+  EXPECT_EQ(pot_, "jar");
+  EXPECT_EQ(speed_, 90);
+  EXPECT_EQ(seed_, 7u);
+  EXPECT_TRUE(right_);
+  EXPECT_EQ(run({"tool", "sponge"}), 0);
+  EXPECT_EQ(ran_, "sponge");
+  EXPECT_EQ(run({}), 0);
+  EXPECT_EQ(ran_, "wheel");
+}
+
+TEST_F(CommandLine, what_is_wrong_is_the_inputs_fault_and_nothing_runs) {
+  for (const auto& [words, told] : std::vector<std::pair<std::vector<const char*>, const char*>>{
+           {{"turn"}, "pot is required"},
+           {{"turn", "jar", "--speed", "301"}, "not in range"},
+           {{"turn", "jar", "--speed", "fast"}, "fast"},
+           {{"turn", "jar", "--speed", "nan"}, "no number to go by"},
+           {{"turn", "jar", "--speed", "-nan(1)"}, "--speed"},
+           {{"turn", "jar", "--speed", "NaN"}, "no number to go by"},
+           {{"turn", "jar", "--speed", "inf"}, "no number to go by"},
+           {{"turn", "jar", "--seed", "-1"}, "-1"},
+           {{"turn", "jar", "--left", "--right"}, "excludes"},
+           {{"turn", "jar", "bowl"}, "bowl"},
+           {{"tool"}, "subcommand is required"},
+           {{"spin"}, "spin"}}) {
+    ran_.clear();
+    EXPECT_EQ(run(words), 2) << told;
+    EXPECT_NE(said_.find(told), std::string::npos) << said_;
+    EXPECT_NE(said_.find("See wheel --help"), std::string::npos) << said_;
+    EXPECT_EQ(ran_, "");
+  }
+}
+
+TEST_F(CommandLine, help_tells_options_defaults_and_examples_and_hides_what_is_hidden) {
+  EXPECT_EQ(run({"turn", "--help"}), 0);
+  EXPECT_EQ(ran_, "");
+  for (const char* words : {"Turns it.", "A pot", "--speed", "Example: wheel turn jar"})
+    EXPECT_NE(said_.find(words), std::string::npos) << said_;
+  // CLI11 2.3 and 2.4.
+  EXPECT_THAT(said_, ::testing::AnyOf(::testing::HasSubstr("=60"), ::testing::HasSubstr("[60]")));
+  EXPECT_EQ(said_.find("--secret"), std::string::npos) << said_;
+  EXPECT_EQ(run({"--version"}), 0);
+  EXPECT_EQ(said_, "wheel 1.2\n");
+}
+
+TEST_F(CommandLine, a_problem_is_printed_and_its_exit_code_is_the_programs) {
+  program_.run = []() -> Result<int> { return problem("the wheel", "It stands.", "Push it.", 1); };
+  EXPECT_EQ(run({}), 1);
+  EXPECT_EQ(said_, to_text(Problem{"the wheel", "It stands.", "Push it.", 1}) + "\n");
+  program_.run = []() -> Result<int> { return 2; };
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(said_, "");
+}
+
+TEST_F(CommandLine, what_is_thrown_is_the_programs_fault) {
+  program_.run = []() -> Result<int> { throw std::runtime_error("the belt broke"); };
+  EXPECT_EQ(run({}), 1);
+  EXPECT_NE(said_.find("wheel: the belt broke"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("fault of the program"), std::string::npos) << said_;
+}
+
+}  // namespace
+}  // namespace onggi::cli

@@ -1,0 +1,310 @@
+#include "kiosk/keepsake/phone/server.h"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "kiosk/ground/files/fetch_note.h"
+#include "kiosk/ground/files/local_time.h"
+#include "kiosk/keepsake/phone/page_files.h"
+#include "tests/kiosk/ground/files/disk.h"
+
+namespace onggi::phone {
+namespace {
+
+namespace fs = std::filesystem;
+using files::test::ScratchFolder;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr std::int64_t kNow = 1'780'000'000, kHour = 3600;
+constexpr const char* kVisit = "2026-05-04_141503_moon_jar";
+
+/// A folder of keepsakes with two visits in it, and phones that ask over real sockets.
+class PhoneTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* visit : {kVisit, "2026-05-04_150000_meiping"}) {
+      fs::create_directories(keepsakes_ / visit);
+      for (const char* file : {"postcard.png", "postcard.jpg", "pot.glb", "pot.stl", "visit.onggi"})
+        std::ofstream(keepsakes_ / visit / file) << file << " of " << visit;
+    }
+    auto server = Server::listen("127.0.0.1", 0, answers_);
+    ASSERT_TRUE(server) << to_text(server.error());
+    server_ = std::move(*server);
+    runs_ = std::thread([this] { server_->run([] {}); });
+  }
+  void TearDown() override {
+    if (!server_) return;
+    server_->stop();
+    runs_.join();
+  }
+  std::string token(double hours = 24, const std::string& language = {}) {
+    const auto pass = passes_.give(kVisit, now_, hours, language);
+    EXPECT_TRUE(pass) << to_text(pass.error());
+    return pass->token;
+  }
+  /// Says `words` to the server and hears it to the end.
+  std::string hear(const std::string& words) const {
+    const int phone = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(server_->port());
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    std::string heard;
+    if (connect(phone, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0 &&
+        send(phone, words.data(), words.size(), MSG_NOSIGNAL) ==
+            static_cast<ssize_t>(words.size())) {
+      char some[4096];
+      for (ssize_t n = 0; (n = recv(phone, some, sizeof some, 0)) > 0;)
+        heard.append(some, static_cast<std::size_t>(n));
+    }
+    close(phone);
+    return heard;
+  }
+  std::string get(const std::string& target, const std::string& method = "GET",
+                  const std::string& languages = {}) const {
+    return hear(method + " " + target + " HTTP/1.1\r\nHost: kiosk\r\n" +
+                (languages.empty() ? "" : "Accept-Language: " + languages + "\r\n") + "\r\n");
+  }
+  static std::string body(const std::string& answer) {
+    const auto end = answer.find("\r\n\r\n");
+    return end == std::string::npos ? "" : answer.substr(end + 4);
+  }
+
+  ScratchFolder folder_;
+  fs::path keepsakes_ = folder_.path() / "kept";
+  std::atomic<std::int64_t> now_{kNow};
+  souvenir::Passes passes_{keepsakes_};
+  std::vector<Problem> remarks_;
+  Answers answers_{passes_, [this] { return now_.load(); },
+                   PhoneLanguages::read("content/languages", remarks_)};
+  std::unique_ptr<Server> server_;
+  std::thread runs_;
+};
+
+TEST_F(PhoneTest, AVisitorFindsPostcardPotAndPrintOnThePageAndNoOtherVisitor) {
+  const std::string at = "/k/" + token(), page = get(at);
+  EXPECT_THAT(page, StartsWith("HTTP/1.1 200"));
+  for (const char* file : {"/postcard.jpg", "/pot.glb", "/pot.stl", "/delete"})
+    EXPECT_THAT(page, HasSubstr(at + file));
+  for (const char* told :
+       {"Cache-Control: no-store", "noindex", "default-src 'none'", "no-referrer"})
+    EXPECT_THAT(page, HasSubstr(told));
+  EXPECT_THAT(page, Not(HasSubstr("2026-05-04"))) << "nothing says when it was made";
+  EXPECT_EQ(body(get(at + "/postcard.jpg")), std::string("postcard.jpg of ") + kVisit);
+  EXPECT_EQ(body(get(at + "/pot.glb")), std::string("pot.glb of ") + kVisit);
+  const std::string stl = get(at + "/pot.stl");
+  EXPECT_EQ(body(stl), std::string("pot.stl of ") + kVisit);
+  EXPECT_THAT(stl, HasSubstr("attachment; filename=\"pot.stl\""));
+  EXPECT_EQ(body(get("/page.js")), k_page_js);
+  EXPECT_EQ(body(get("/page.css")), k_page_css);
+  EXPECT_EQ(body(get("/page.svg")), k_page_svg);
+}
+
+TEST_F(PhoneTest, ThePictureThatTurnsIsOfferedFromWhenItIsThere) {
+  const std::string at = "/k/" + token();
+  EXPECT_THAT(get(at), Not(HasSubstr("turning.gif")));
+  EXPECT_THAT(get(at + "/turning.gif"), StartsWith("HTTP/1.1 404"));
+  std::ofstream(keepsakes_ / kVisit / "turning.gif") << "it turns";
+  EXPECT_THAT(get(at), HasSubstr("download href=\"" + at + "/turning.gif\""));
+  const std::string gif = get(at + "/turning.gif");
+  EXPECT_THAT(gif, HasSubstr("Content-Type: image/gif"));
+  EXPECT_EQ(body(gif), "it turns");
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  EXPECT_FALSE(fs::exists(keepsakes_ / kVisit));
+}
+
+TEST_F(PhoneTest, WhoeverHasNoPassIsToldTheSameWhateverIsAsked) {
+  const std::string good = token(), expired = token(1), deleted = token();
+  now_ = kNow + 2 * kHour;
+  const auto other = passes_.give("2026-05-04_150000_meiping", now_, 24);
+  ASSERT_TRUE(other);
+  EXPECT_THAT(get("/k/" + other->token + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  std::string near = good;
+  near.back() = near.back() == 'a' ? 'b' : 'a';
+  const std::string nothing = get("/");
+  EXPECT_THAT(nothing, StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(body(nothing), HasSubstr("nothing here"));
+  for (const std::string& target :
+       {"/k/" + near, "/k/" + expired, "/k/" + expired + "/pot.glb", "/k/" + other->token,
+        std::string("/k/"), std::string("/k"), "/k/" + good.substr(1), "/k/" + good + "x",
+        "/k/" + good + "/", "/k/" + good + "/visit.onggi", "/k/" + good + "/postcard.png",
+        "/k/" + good + "/../2026-05-04_150000_meiping/pot.glb", "/k/" + good + "/%2e%2e/x",
+        std::string("/k/../") + kVisit + "/pot.glb", std::string("/phone/") + good,
+        std::string("/favicon.ico"), "/k/" + std::string(5000, 'a')})
+    EXPECT_EQ(get(target), nothing) << target;
+  EXPECT_EQ(get("/k/" + near + "/delete", "POST"), nothing);
+  EXPECT_EQ(get("/k/" + good + "/delete", "GET"), nothing)
+      << "a link that is looked at deletes nothing";
+  EXPECT_EQ(get("/k/" + good, "PUT"), nothing);
+  EXPECT_THAT(get("/k/" + good), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(PhoneTest, DeletingRemovesEveryCopyAndEveryWayToIt) {
+  const std::string one = token(), two = token();
+  EXPECT_THAT(get("/k/" + one + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  std::string all;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+    all += entry.path().string() + '\n';
+  EXPECT_THAT(all, Not(HasSubstr("moon_jar")));
+  EXPECT_THAT(all, Not(HasSubstr(one)));
+  EXPECT_THAT(all, Not(HasSubstr(two)));
+  EXPECT_THAT(all, HasSubstr("2026-05-04_150000_meiping/pot.glb")) << "and of nobody else";
+  EXPECT_THAT(get("/k/" + two), StartsWith("HTTP/1.1 404"));
+}
+
+TEST_F(PhoneTest, APageIsThereForItsHoursAndAClockThatJumpsMakesItNoOlder) {
+  const std::string at = "/k/" + token(24);
+  now_ = kNow + 24 * kHour - 1;
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 200"));
+  now_ = kNow - 23 * kHour;
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 200")) << "summer time, or a clock that was set";
+  now_ = kNow - 25 * kHour;
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 404")) << "years back it would be good for years";
+  now_ = kNow + 24 * kHour;
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 404"));
+  EXPECT_FALSE(passes_.served(std::time(nullptr)));
+  answers_.look_after();
+  EXPECT_TRUE(passes_.served(std::time(nullptr)));
+  EXPECT_FALSE(passes_.served(std::time(nullptr) + souvenir::Passes::kSilent));
+  answers_.end();
+  EXPECT_FALSE(passes_.served(std::time(nullptr)));
+  for (const auto& left : fs::directory_iterator(keepsakes_ / "phone"))
+    EXPECT_EQ(left.path().filename(), "fetched") << "no pass, and nobody there";
+  EXPECT_TRUE(fs::exists(keepsakes_ / kVisit / "pot.glb")) << "the museum's copy has its own days";
+}
+
+TEST_F(PhoneTest, APhoneThatSaysNothingOrNonsenseKeepsNobodyWaiting) {
+  std::vector<int> silent;
+  for (int n = 0; n < 20; ++n) {
+    silent.push_back(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(server_->port());
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(connect(silent.back(), reinterpret_cast<sockaddr*>(&to), sizeof to), 0);
+  }
+  EXPECT_EQ(hear("\r\n\r\nNONSENSE\r\n\r\n"), "");
+  EXPECT_EQ(hear("GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n"), "");
+  EXPECT_EQ(hear("POST / HTTP/1.1\r\nContent-Length: 9999999\r\n\r\n"), "");
+  EXPECT_THAT(get("/k/" + token()), StartsWith("HTTP/1.1 200"));
+  for (const int phone : silent) close(phone);
+}
+
+TEST_F(PhoneTest, AHundredPassesAreAllDifferentAndUseEveryLetterAlike) {
+  std::set<std::string> tokens;
+  std::array<int, 128> letters{};
+  for (int n = 0; n < 100; ++n) {
+    const auto pass = souvenir::Passes(folder_.path() / "many").give(kVisit, kNow, 24);
+    ASSERT_TRUE(pass);
+    EXPECT_EQ(pass->token.size(), souvenir::Passes::kTokenLetters);
+    tokens.insert(pass->token);
+    for (const char c : pass->token.substr(0, 25)) ++letters[static_cast<std::size_t>(c)];
+  }
+  EXPECT_EQ(tokens.size(), 100u);
+  int used = 0;
+  for (const int count : letters) {
+    if (count == 0) continue;
+    ++used;
+    EXPECT_NEAR(count, 2500 / 32, 53) << "six deviations of 8.7";
+  }
+  EXPECT_EQ(used, 32);
+  EXPECT_FALSE(passes_.give("../../etc", kNow, 24));
+  EXPECT_FALSE(passes_.give("2026-05-04_141503_x/..", kNow, 24));
+}
+
+TEST_F(PhoneTest, ThePageSpeaksAsTheVisitDidAndThePhonesOwnLanguageStandsOnTop) {
+  EXPECT_TRUE(remarks_.empty()) << to_text(remarks_.front());
+  const std::string at = "/k/" + token(24, "ar");
+  const std::string page = body(get(at, "GET", "de-DE,de;q=0.9"));
+  EXPECT_THAT(page, HasSubstr("<html lang=\"ar\" dir=\"rtl\">"));
+  EXPECT_THAT(page, HasSubstr("<p class=\"own\"><a lang=\"de\""));
+  EXPECT_THAT(body(get(at, "GET", "ar")), Not(HasSubstr("class=\"own\"")));
+  for (const char* code : {"de", "en", "es", "fr", "ja", "ko", "zh"}) {
+    const std::string chosen = at + "?lang=" + code;
+    EXPECT_THAT(page, HasSubstr("href=\"" + chosen + "\""));
+    EXPECT_THAT(get(chosen, "GET", "ko"), HasSubstr(std::string("<html lang=\"") + code));
+  }
+  EXPECT_THAT(get(at + "?lang=nn", "GET", "ko"), HasSubstr("<html lang=\"ar\""));
+  EXPECT_THAT(get(at + "?a=b&lang=fr"), HasSubstr("<html lang=\"fr\""));
+  EXPECT_THAT(get("/k/" + token(24, ""), "GET", "ko"), HasSubstr("<html lang=\"ar\""))
+      << "another pass to the same keepsake speaks as the first";
+  EXPECT_THAT(get(at + "/delete?lang=fr", "POST", "ko"), HasSubstr("<html lang=\"fr\""));
+  EXPECT_THAT(get(at, "GET", "ko"), HasSubstr("<html lang=\"ko\"")) << "nothing is known now";
+}
+
+TEST_F(PhoneTest, AKeepsakeIsCountedAsFetchedOnceWhoeverOpensItHoweverOften) {
+  const std::string one = token(), two = token();
+  EXPECT_TRUE(files::fetch_notes(passes_.fetched(), 9).empty());
+  get("/k/" + one + "/pot.glb");
+  get("/k/" + one.substr(1));
+  EXPECT_TRUE(files::fetch_notes(passes_.fetched(), 9).empty()) << "the page was not opened";
+  for (const std::string& each : {one, two, one}) get("/k/" + each);
+  const auto notes = files::fetch_notes(passes_.fetched(), 9);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].day, files::local_time(kNow, files::kDay));
+  EXPECT_NE(notes[0].id, one) << "it leads nowhere";
+  EXPECT_NE(notes[0].id, two);
+  get("/k/" + one + "/delete", "POST");
+  EXPECT_EQ(files::fetch_notes(passes_.fetched(), 9), notes) << "it was fetched all the same";
+}
+
+TEST_F(PhoneTest, AKeepsakeThatCannotBeDeletedIsNotCalledDeletedAndCanBeAskedForAgain) {
+  const std::string at = "/k/" + token();
+  const fs::path in_the_way = keepsakes_ / (std::string(kVisit) + ".partial");
+  std::ofstream(in_the_way) << "no folder";
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 500"));
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 200"));
+  fs::remove(in_the_way);
+  // A power cut came between, or the disk refused in the middle: some of it is still there.
+  fs::rename(keepsakes_ / kVisit, in_the_way);
+  EXPECT_THAT(get(at), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(get(at + "/pot.glb"), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  EXPECT_FALSE(fs::exists(in_the_way));
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 404"));
+}
+
+TEST_F(PhoneTest, APhoneThatAsksWhetherItsNetworkIsGoodIsToldSoToTheByte) {
+  const std::string success =
+      "<HTML><HEAD><TITLE>Success</TITLE></HEAD><BODY>Success</BODY></HTML>";
+  const std::vector<std::pair<std::string, std::string>> wanted = {
+      {"/hotspot-detect.html", success},
+      {"/library/test/success.html", success},
+      {"/connecttest.txt", "Microsoft Connect Test"},
+      {"/ncsi.txt", "Microsoft NCSI"},
+      {"/success.txt", "success\n"},
+      {"/success.txt?ipv4", "success\n"},
+      {"/nm", "NetworkManager is online\n"},
+      {"/check_network_status.txt", "NetworkManager is online\n"},
+      {"/canonical.html",
+       "<meta http-equiv=\"refresh\" "
+       "content=\"0;url=https://support.mozilla.org/kb/captive-portal\"/>"}};
+  for (const auto& [target, bytes] : wanted) {
+    const std::string answer = get(target);
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 200")) << target;
+    EXPECT_EQ(body(answer), bytes) << target;
+    EXPECT_THAT(answer, HasSubstr("Content-Length: " + std::to_string(bytes.size()) + "\r\n"));
+  }
+  for (const char* target : {"/generate_204", "/gen_204"}) {
+    const std::string answer = get(target);
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 204")) << target;
+    EXPECT_EQ(body(answer), "") << target;
+    EXPECT_THAT(answer, Not(HasSubstr("Content-Length"))) << "RFC 9110, 8.6";
+  }
+  EXPECT_EQ(get("/generate_204", "POST"), get("/"));
+}
+
+}  // namespace
+}  // namespace onggi::phone

@@ -1,0 +1,102 @@
+#include "kiosk/lab/measure/scene_bill.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace onggi::measure {
+namespace {
+
+SceneDef small() {
+  SceneDef def;
+  def.clay.rows = 100;
+  def.clay.sectors = 90;
+  each_effect(def, [](auto& effect) { effect.reset(); });
+  return def;
+}
+
+TEST(SceneBill, EachEffectIsChargedForWhatTheSceneWouldBeWithoutIt) {
+  SceneDef def = small();
+  def.walls.emplace();
+  def.propagation.emplace();
+  def.friction.emplace();
+  def.kiln.emplace();
+  const auto bill = bill_of("mine", def, 1);
+  ASSERT_TRUE(bill);
+  ASSERT_EQ(bill->lines.size(), 3u);  // the kiln has no part in the tick
+  for (const BillLine& line : bill->lines) {
+    if (line.effect == "propagation") {
+      EXPECT_GT(line.shape_mm, 0.01);  // neighbours are dragged along
+      EXPECT_GT(line.shape_max_mm, line.shape_mm);
+    }
+    if (line.effect == "friction") {
+      EXPECT_EQ(line.shape_mm, 0.0);  // felt, and nothing else
+      EXPECT_GT(line.force_n, 1e-3);
+    }
+  }
+  EXPECT_GT(bill->whole_us, 0.0);
+  const auto json = nlohmann::json::parse(json_of(*bill).text());
+  EXPECT_EQ(json["effects"].size(), 3u);
+  EXPECT_NE(text_of(*bill).find("propagation"), std::string::npos);
+  EXPECT_EQ(sheet_of(*bill).rows.size(), 3u);
+}
+
+const BillLine* line_for(const SceneBill& bill, const std::string& name) {
+  const auto line = std::ranges::find(bill.lines, name, &BillLine::effect);
+  return line == bill.lines.end() ? nullptr : &*line;
+}
+
+// A wall that only feels thinner leaves the same pot, and a hand that another holds does not feel
+// it: its row says force, no shape, and stands within that of walls.
+TEST(SceneBill, WhatWallsAreAskedForBesidesHasARowOfItsOwnWithinTheirs) {
+  SceneDef def = small();
+  def.walls.emplace();
+  ASSERT_EQ(line_for(*bill_of("mine", def, 1), "yield_stress"), nullptr) << "nobody asks for it";
+  def.walls->yield_stress = 9000.0;
+  def.walls->tear_thickness = 0.006;
+  def.moisture.emplace();
+  def.moisture->sponge_height = 0.06;
+  const auto bill = bill_of("mine", def, 1);
+  ASSERT_TRUE(bill);
+  ASSERT_EQ(bill->lines.size(), 5u);
+  const BillLine* felt = line_for(*bill, "yield_stress");
+  ASSERT_NE(felt, nullptr);
+  EXPECT_EQ(felt->part_of, "walls");
+  EXPECT_EQ(felt->shape_mm, 0.0);
+  EXPECT_GT(felt->force_n, 1e-3);
+  const BillLine* wet = line_for(*bill, "sponge_height");
+  ASSERT_NE(wet, nullptr);
+  EXPECT_GT(wet->shape_mm, 0.0);
+  for (std::size_t n = 1; n < bill->lines.size(); ++n) {
+    const BillLine &line = bill->lines[n], &above = bill->lines[n - 1];
+    if (line.part_of.empty()) continue;
+    EXPECT_TRUE(above.effect == line.part_of || above.part_of == line.part_of)
+        << line.effect << " stands with its effect";
+  }
+  EXPECT_NE(text_of(*bill).find("of it yield_stress"), std::string::npos);
+  EXPECT_NE(json_of(*bill).text().find("\"part_of\": \"walls\""), std::string::npos);
+}
+
+// With one hand a wall moves and does not thin, and a finger evens nothing: such a bill had nothing
+// for either's price.
+TEST(SceneBill, VolumeIsSeenBetweenTwoHandsAndSmoothingUnderAPalm) {
+  SceneDef def = small();
+  def.walls.emplace();
+  def.volume.emplace();
+  def.smoothing.emplace();
+  const auto bill = bill_of("mine", def, 1);
+  ASSERT_TRUE(bill);
+  EXPECT_GT(line_for(*bill, "volume")->shape_mm, 1e-4);
+  EXPECT_GT(line_for(*bill, "smoothing")->shape_mm, 1e-4);
+}
+
+TEST(SceneBill, ASceneOfThePrintedModelHasNone) {
+  SceneDef def = small();
+  def.paper.emplace();
+  EXPECT_FALSE(bill_of("paper", def, 1));
+}
+
+}  // namespace
+}  // namespace onggi::measure

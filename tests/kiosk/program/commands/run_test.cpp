@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <optional>
+#include <thread>
+
+#include "kiosk/ground/files/child_process.h"
+#include "kiosk/ground/files/virtual_display.h"
+#include "kiosk/keepsake/store/database.h"
+#include "tests/kiosk/program/commands/program.h"
+
+namespace onggi::commands {
+namespace {
+
+// A dial is pressed ever more seldom: the first press that finds the kiosk open begins the visit,
+// however long that takes, and too few follow to end it.
+TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCountedThoughTheFormerStoreIsDamaged) {
+  const TemporaryFolder folder;
+  const auto display = files::VirtualDisplay::ensure(640, 480);
+  if (!display) GTEST_SKIP() << "no display, and Xvfb is not installed";
+  const std::string scenario = (folder / "scenario").string(), log = (folder / "log").string();
+  {
+    std::ofstream out(scenario);
+    out << "clock real\ndevice surface_dial";
+    for (int ms = 1000; ms < 100'000; ms *= 2) out << " click " << ms;
+    out << '\n';
+  }
+  // Apart from what is written: a change beside the exhibit opens it anew.
+  const TemporaryFolder site;
+  const std::string exhibit = write_exhibit(
+      site, "first_touch", "[keepsake]\nfolder = \"" + (folder / "kept").string() + "\"\n");
+  std::filesystem::create_directories(folder / "kept");
+  std::ofstream(folder / "kept/onggi.sqlite") << std::string(20'000, 'x');
+  const std::string command =
+      "export LD_PRELOAD='" ONGGI_HID_STAND_IN "' ONGGI_STAND_IN='" + scenario +
+      "'; exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" + exhibit + "' 2>'" + log + "'";
+  auto kiosk = files::ChildProcess::start("sh", {"-c", command}, {});
+  ASSERT_TRUE(kiosk);
+  for (int n = 0; n < 1200 && text_of(log).find("First picture") == std::string::npos; ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::this_thread::sleep_for(std::chrono::milliseconds(6000));
+  kiosk->end(SIGTERM);
+  EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+  const std::string said = text_of(log), aside = "is set aside as onggi.sqlite.damaged-";
+  ASSERT_NE(said.find(aside), std::string::npos) << said;
+  EXPECT_EQ(said.find(aside), said.rfind(aside)) << "once";
+  store::Database counted =
+      store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
+  EXPECT_EQ(counted.number("SELECT count(*) FROM visits"), 1) << text_of(log);
+  EXPECT_EQ(counted.number("SELECT count(*) FROM visits WHERE ended = 'closed'"), 1);
+}
+
+/// A kiosk's X server, which a test ends before the kiosk does.
+class DoomedServer {
+ public:
+  DoomedServer() {
+    files::Channel number;
+    if (!number.open_for_reading()) return;
+    auto server = files::ChildProcess::start(
+        "Xvfb", {"-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp"},
+        {.out = number.theirs.get()});
+    number.theirs.close();
+    if (!server) return;
+    server_.emplace(std::move(*server));
+    pollfd waiting{number.ours.get(), POLLIN, 0};
+    char digit = 0;
+    while (digit != '\n' && ::poll(&waiting, 1, 10'000) == 1 &&
+           ::read(number.ours.get(), &digit, 1) == 1)
+      if (digit != '\n') name_ += digit;
+  }
+  std::string name() const { return name_.empty() ? "" : ":" + name_; }
+  void end() { server_->end(SIGKILL); }
+
+ private:
+  std::optional<files::ChildProcess> server_;
+  std::string name_;
+};
+
+TEST(Run, AVisitUnderWayWhenTheXServerEndsIsCountedAndTheProgramEndsForAnother) {
+  DoomedServer server;
+  if (server.name().empty()) GTEST_SKIP() << "Xvfb is not installed";
+  const TemporaryFolder folder, site;
+  const std::string log = (folder / "log").string();
+  const std::string exhibit = write_exhibit(
+      site, "first_touch", "[keepsake]\nfolder = \"" + (folder / "kept").string() + "\"\n");
+  auto kiosk = files::ChildProcess::start(
+      "sh",
+      {"-c", "export DISPLAY='" + server.name() +
+                 "'; exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" + exhibit + "' 2>'" +
+                 log + "'"},
+      {});
+  ASSERT_TRUE(kiosk);
+  for (int n = 0; n < 1200 && text_of(log).find("First picture") == std::string::npos; ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  // Touches, for longer than somebody who walks by.
+  ASSERT_EQ(std::system(("DISPLAY=" + server.name() +
+                         " sh -c 'for n in 1 2 3 4 5 6 7 8; do xdotool mousemove 160 120 click 1; "
+                         "sleep 0.6; done'")
+                            .c_str()),
+            0);
+  server.end();
+  EXPECT_TRUE(kiosk->wait_until(files::ChildProcess::Clock::now() + std::chrono::seconds(30)));
+  EXPECT_TRUE(WIFEXITED(kiosk->status()) && WEXITSTATUS(kiosk->status()) == 1) << text_of(log);
+  EXPECT_NE(text_of(log).find("X server is gone"), std::string::npos) << text_of(log);
+  store::Database counted =
+      store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
+  EXPECT_EQ(counted.number("SELECT count(*) FROM visits WHERE ended = 'closed'"), 1)
+      << text_of(log);
+}
+
+}  // namespace
+}  // namespace onggi::commands

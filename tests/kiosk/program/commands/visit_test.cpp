@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/kiosk/program/commands/program.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::commands {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
+  const TemporaryFolder folder;
+  Json reports[2];
+  for (int i = 0; i < 2; ++i) {
+    const std::string out = (folder / std::to_string(i)).string();
+    const Outcome run = onggi(
+        "visit --script follow --vessel moon_jar --glaze tenmoku --seed 3 --window 1024x600 --json "
+        "- "
+        "--out " +
+        out);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    reports[i] = Json::parse(run.out);
+  }
+  EXPECT_EQ(reports[0]["state_hash"], reports[1]["state_hash"]);
+  EXPECT_EQ(reports[0]["score"], reports[1]["score"]);
+  EXPECT_EQ(reports[0]["ticks"], reports[1]["ticks"]);
+  EXPECT_GT(reports[0]["score"].get<double>(), 90.0);
+  EXPECT_EQ(reports[0]["vessel"], "moon_jar");
+  EXPECT_EQ(reports[0]["glaze"], "tenmoku");
+  // Stoneware shrinks by an eighth.
+  EXPECT_NEAR(reports[0]["height"].get<double>(), 0.875 * reports[0]["thrown_height"].get<double>(),
+              1e-4);
+
+  EXPECT_GE(reports[0]["screens"].size(), 6u);
+  ASSERT_EQ(reports[0]["files"].size(), 6u);
+  for (const char* list : {"screens", "files"})
+    for (const Json& file : reports[0][list])
+      EXPECT_GT(fs::file_size(file.get<std::string>()), 1000u) << file;
+
+  // The glazed model and the picture that turns are drawn, and are the same to the byte.
+  for (const std::size_t drawn : {2u, 5u}) {
+    const auto bytes = [&](int i) {
+      std::ifstream file(reports[i]["files"][drawn].get<std::string>(), std::ios::binary);
+      return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    EXPECT_EQ(bytes(0), bytes(1)) << reports[0]["files"][drawn];
+  }
+  EXPECT_LT(fs::file_size(reports[0]["files"][5].get<std::string>()), 4'000'000u);
+
+  // The replay that the visitor left throws the same pot in the engine alone.
+  const Outcome replay = onggi("replay --json - " + reports[0]["files"][4].get<std::string>());
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  EXPECT_EQ(Json::parse(replay.out)["state_hash"], reports[0]["state_hash"]);
+  EXPECT_EQ(Json::parse(replay.out)["glaze"], "tenmoku");
+}
+
+// In a scene whose clay goes on springing back by itself, so that a moment more makes another pot.
+TEST(Visit, WhatTheReportSaysIsWhatTheKeptVisitScoresToTheBit) {
+  const TemporaryFolder folder;
+  const std::string rubric = fs::current_path().string() + "/config/rubric.toml";
+  const std::string file =
+      write_exhibit(folder, "first_touch",
+                    "rubric = \"" + rubric + "\"\n[vessel_scenes]\nmoon_jar = \"soft.toml\"\n");
+  std::ofstream(folder / "soft.toml") << "[clay]\nrows = 160\nsectors = 120\nwall_min = 0.002\n"
+                                         "[springback]\nshare = 0.12\ntime = 10.0\n[kiln]\n";
+  const Outcome run = onggi("visit --script follow --vessel moon_jar --seed 5 --window 640x480 " +
+                            ("--config " + file) + " --json - --out " + (folder / "out").string());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json visit = Json::parse(run.out);
+  const std::string kept = visit["files"][4].get<std::string>();
+  const Outcome again =
+      onggi("score content/vessels/moon_jar " + kept + " --rubric " + rubric + " --json -");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const Json score = Json::parse(again.out);
+  EXPECT_GT(visit["score"].get<double>(), 90.0);
+  EXPECT_EQ(visit["score"].get<double>(), score["score"].get<double>());
+  EXPECT_EQ(visit["measures"], score["measures"]);
+  const Outcome replay = onggi("replay --json - " + kept);
+  EXPECT_EQ(Json::parse(replay.out)["state_hash"], visit["state_hash"]);
+}
+
+TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
+  const TemporaryFolder folder;
+  const std::string file =
+      write_exhibit(folder, "first_touch", "[vessel_scenes]\ntea_bowl = \"unfired.toml\"\n");
+  std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
+  for (const auto& [vessel, fired] : {std::pair{"tea_bowl", false}, {"moon_jar", true}}) {
+    const Outcome run =
+        onggi("visit --script groove --window 640x480 --config " + file + " --vessel " + vessel +
+              " --json - --out " + (folder / vessel).string());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json report = Json::parse(run.out);
+    const double shrunk = report["height"].get<double>() / report["thrown_height"].get<double>();
+    EXPECT_NEAR(shrunk, fired ? 0.875 : 1.0, 1e-4) << vessel;
+    EXPECT_EQ(report["glaze"].get<std::string>().empty(), !fired) << vessel;
+  }
+}
+
+/// An exhibit with the missions that come with onggi, and a scene whose pots are soon thrown.
+std::string with_missions(const TemporaryFolder& folder) {
+  std::ofstream(folder / "coarse.toml") << "[clay]\nrows = 160\nsectors = 120\n[walls]\n";
+  return write_exhibit(folder, "first_touch",
+                       "missions = \"" + fs::current_path().string() +
+                           "/content/missions.toml\"\n[vessel_scenes]\nlitre_jar = "
+                           "\"coarse.toml\"\nmoon_jar = \"coarse.toml\"\n");
+}
+
+TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
+  const TemporaryFolder folder;
+  const Outcome run = onggi("visit --mission litre_jar --window 640x480 --config " +
+                            with_missions(folder) + " --json - --out " + (folder / "out").string());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json visit = Json::parse(run.out);
+  EXPECT_EQ(visit["mission"], "litre_jar");
+  EXPECT_EQ(visit["vessel"], "litre_jar") << "what is taken home is called so";
+  EXPECT_EQ(visit["asked"]["mission.holds"]["wanted"], 100);
+  EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 15);
+  EXPECT_GT(visit["score"].get<double>(), 80.0);
+  EXPECT_GE(visit["files"].size(), 5u) << "postcard, model and replay";
+}
+
+TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEach) {
+  const TemporaryFolder folder;
+  const std::string config = with_missions(folder);
+  for (const char* mission : {"eyes_closed", "two_hands"}) {
+    const Outcome run =
+        onggi("visit --mission " + std::string(mission) + " --window 640x480 --config " + config +
+              " --json - --out " + (folder / mission).string());
+    ASSERT_EQ(run.exit_code, 0) << mission << ": " << run.err;
+    const Json visit = Json::parse(run.out);
+    EXPECT_EQ(visit["mission"], mission);
+    EXPECT_EQ(visit["vessel"], "moon_jar");
+    EXPECT_GT(visit["score"].get<double>(), 60.0) << mission;
+  }
+}
+
+TEST(Visit, AMissionIsDoneByWhoHasOneSwitchAndWhatWasSaidOfItIsWritten) {
+  const TemporaryFolder folder;
+  const fs::path out = folder / "out";
+  const Outcome run = onggi(
+      "visit --mission litre_jar --pace 0.5 --script switch --window 640x480 --language ko "
+      "--config " +
+      with_missions(folder) + " --json - --out " + out.string());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json visit = Json::parse(run.out);
+  EXPECT_EQ(visit["mission"], "litre_jar");
+  EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 10);
+  // A switch is asked for by holding on after speech was: both are there.
+  EXPECT_NE(text_of(out / "said.txt").find("1리터가 담기는 항아리"), std::string::npos);
+}
+
+TEST(Visit, AnUnknownMissionIsRefusedWithTheNearestRightNameAndSoAreAVesselAndAMissionAtOnce) {
+  const TemporaryFolder folder;
+  const std::string out = " --out " + (folder / "out").string();
+  const Outcome wrong = onggi("visit --mission litre_jra" + out);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("Did you mean litre_jar?"), std::string::npos) << wrong.err;
+  const Outcome both = onggi("visit --mission litre_jar --vessel moon_jar" + out);
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_EQ(onggi("visit" + out).exit_code, 2) << "nor neither";
+}
+
+TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "file") << "in the way";
+  for (const std::string& out : {(folder / "file").string(), std::string("''")}) {
+    const Outcome run = onggi("visit --vessel moon_jar --out " + out);
+    EXPECT_EQ(run.exit_code, 2) << out;
+    EXPECT_NE(run.err.find("--out"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysWhy) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "out").string();
+  // 800 kB a file: enough for the pictures of small screens, not for the postcard.
+  const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " + out,
+                            "ulimit -f 800");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("postcard"), std::string::npos) << run.err;
+  EXPECT_TRUE(fs::exists(out + "/screens/11_keepsake.png"));
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
+}
+
+TEST(Visit, AnUnknownVesselIsRefusedWithTheNearestRightName) {
+  const TemporaryFolder folder;
+  const Outcome run = onggi("visit --vessel moon_jra --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("Did you mean moon_jar?"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnUnknownGlazeIsRefusedWithThoseThereAre) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      onggi("visit --vessel moon_jar --glaze jade --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("celadon, white_porcelain"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      onggi("visit --script folow --vessel moon_jar --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("follow"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AnEmptyShelfIsNamedByItsPlace) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "shelf");
+  const Outcome run = onggi("visit --vessel moon_jar --shelf " + (folder / "shelf").string() +
+                            " --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find((folder / "shelf").string()), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace onggi::commands

@@ -1,0 +1,57 @@
+#include "kiosk/visit/screens/fault_note.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/kiosk/visit/screens/visitor.h"
+
+namespace onggi::screens {
+namespace {
+
+TEST(FaultNote, WhatTheWheelPutRightIsToldInKindWordsForAWhileAndForgottenAtTheWheel) {
+  struct Told {
+    std::uint32_t bit;
+    const char* en;
+    const char* ko;
+  };
+  for (const Told& told : {Told{kFaultInput, "lost sight of the hand", "손이 잠깐 보이지"},
+                           Told{kFaultTime, "catch its breath", "숨을 골랐습니다"},
+                           Told{kFaultForce, "let go of the hand", "힘을 잠깐 풀었습니다"}})
+    for (const bool korean : {false, true}) {
+      Visitor v;
+      if (korean) v.touch("language");
+      v.throw_a_pot();
+      v.frames(1);
+      const char* words = korean ? told.ko : told.en;
+      EXPECT_EQ(words_in(v.frame).find(words), std::string::npos);
+      EXPECT_EQ(v.potter.cleared, 0u);
+      v.status.feedback.faults = told.bit;
+      v.show();
+      v.status.feedback.faults = 0;
+      EXPECT_EQ(v.potter.cleared, told.bit);
+      v.frames(4);
+      EXPECT_NE(words_in(v.frame).find(words), std::string::npos) << words_in(v.frame);
+      v.frames(4);
+      EXPECT_EQ(words_in(v.frame).find(words), std::string::npos);
+      EXPECT_EQ(v.visit->screen(), ScreenId::throwing);
+    }
+}
+
+TEST(FaultNote, OfSeveralThatOneIsToldWhichTheHandFeelsAndAllAreForgotten) {
+  Visitor v;
+  v.throw_a_pot();
+  v.status.feedback.faults = kFaultInput | kFaultTime | kFaultForce;
+  v.show();
+  EXPECT_NE(words_in(v.frame).find("let go of the hand"), std::string::npos);
+  EXPECT_EQ(v.potter.cleared, kFaultInput | kFaultTime | kFaultForce);
+}
+
+TEST(FaultNote, NobodyIsToldWhereNobodyIsAtTheWheelButTheWheelForgetsAllTheSame) {
+  Visitor v;
+  v.status.feedback.faults = kFaultForce;
+  v.frames(1);
+  EXPECT_EQ(words_in(v.frame).find("let go of the hand"), std::string::npos);
+  EXPECT_EQ(v.potter.cleared, std::uint32_t{kFaultForce});
+}
+
+}  // namespace
+}  // namespace onggi::screens

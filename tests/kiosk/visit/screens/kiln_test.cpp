@@ -1,0 +1,213 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/kiosk/visit/screens/visitor.h"
+
+namespace onggi::screens {
+namespace {
+
+using view::Finish;
+using view::Key;
+
+/// Someone whose pot goes through the kiln.
+struct KilnVisitor : Visitor {
+  KilnVisitor() : Visitor(9, nullptr, true) {}
+  const view::PotView& pot() const { return *frame.pot; }
+  std::vector<MakeKeepsake> kept() {
+    std::vector<MakeKeepsake> all;
+    for (const Request& r : requests())
+      if (const auto* one = std::get_if<MakeKeepsake>(&r)) all.push_back(*one);
+    return all;
+  }
+};
+
+TEST(KilnScreen, APotDriesWhileItsGlazeIsBeingChosenAndIsNotFiredWithoutOne) {
+  KilnVisitor v;
+  v.make_result();
+  v.touch("result.keep");
+  ASSERT_EQ(v.visit->screen(), ScreenId::kiln);
+  EXPECT_FALSE(v.visit->control("kiln.keep"));
+  EXPECT_GT(v.pot().size, 0.99);
+  v.frames(8);
+  EXPECT_NEAR(v.pot().size, 0.9375, 1e-9);
+  EXPECT_EQ(v.pot().finish, Finish::clay);
+  EXPECT_FALSE(v.pot().wheel) << "it was cut off and stands by itself";
+}
+
+TEST(KilnScreen, ThereAreAtLeastThreeGlazesAndEachOneFiresThePot) {
+  ASSERT_GE(KilnVisitor().glazes.size(), 3u);
+  for (std::size_t i = 0; i < KilnVisitor().glazes.size(); ++i) {
+    KilnVisitor v;
+    v.make_result();
+    v.touch("result.keep");
+    v.touch("kiln.glaze." + std::to_string(i));
+    v.frames(10);
+    EXPECT_EQ(v.pot().finish, Finish::fired);
+    EXPECT_EQ(v.pot().glazing.look.glass, v.glazes[i].look.glass);
+    v.touch("kiln.keep");
+    const auto kept = v.kept();
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].glaze, static_cast<int>(i));
+  }
+}
+
+TEST(KilnScreen, ThePotGlowsAndShrinksAndTheGlazeComesWithoutAJump) {
+  KilnVisitor v;
+  v.make_result();
+  v.touch("result.keep");
+  v.touch("kiln.glaze.0");
+  double size = v.pot().size, done = 0, hottest = 0;
+  for (int i = 0; i < 260; ++i) {
+    v.show();
+    EXPECT_LE(v.pot().size, size + 1e-12);
+    EXPECT_LT(size - v.pot().size, 0.01);
+    size = v.pot().size;
+    if (v.pot().finish != Finish::firing) continue;
+    EXPECT_GE(v.pot().firing.done, done);
+    EXPECT_LT(v.pot().firing.done - done, 0.05);
+    done = v.pot().firing.done;
+    hottest = std::max(hottest, v.pot().firing.glow);
+  }
+  EXPECT_GT(hottest, 0.95);
+  EXPECT_GT(done, 0.95);
+  EXPECT_NEAR(size, 0.875, 1e-9);
+  EXPECT_EQ(v.pot().finish, Finish::fired);
+}
+
+TEST(KilnScreen, TheWordsSayHowMuchItShrankInBothLanguages) {
+  KilnVisitor v;
+  v.make_result();
+  EXPECT_EQ(words_in(v.frame).find("175 mm"), std::string::npos);
+  v.glaze_and_fire();
+  EXPECT_NE(words_in(v.frame).find("It shrank by 12.5 % in drying and firing: 200 mm → 175 mm."),
+            std::string::npos)
+      << words_in(v.frame);
+  v.touch("language");
+  EXPECT_NE(words_in(v.frame).find("12.5 % 줄었습니다. 200 mm → 175 mm"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("백자"), std::string::npos);
+}
+
+TEST(KilnScreen, WhereALanguageWritesACommaItShrankByThat) {
+  KilnVisitor v;
+  v.languages = {*content::Language::read("content/languages/de.toml")};
+  v.make_result();
+  v.glaze_and_fire();
+  EXPECT_NE(words_in(v.frame).find(" 12,5"), std::string::npos) << words_in(v.frame);
+}
+
+TEST(KilnScreen, AnotherGlazeDissolvesOverTheFirstAndTheLastChoiceIsKept) {
+  KilnVisitor v;
+  v.make_result();
+  v.glaze_and_fire();
+  v.touch("kiln.glaze.3");
+  v.frames(0.5);
+  ASSERT_EQ(v.pot().finish, Finish::firing);
+  ASSERT_TRUE(v.pot().firing.from);
+  EXPECT_EQ(v.pot().firing.from->look.glass, v.glazes[1].look.glass);
+  EXPECT_NEAR(v.pot().size, 0.875, 1e-9) << "it shrinks once";
+  // A change of mind in the middle is carried out when this one is done.
+  v.touch("kiln.glaze.2");
+  EXPECT_EQ(v.pot().glazing.look.glass, v.glazes[3].look.glass);
+  v.frames(6);
+  EXPECT_EQ(v.pot().glazing.look.glass, v.glazes[2].look.glass);
+  v.touch("kiln.keep");
+  const auto kept = v.kept();
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].glaze, 2);
+}
+
+TEST(KilnScreen, NothingHasToBeWaitedFor) {
+  KilnVisitor touching;
+  touching.make_result();
+  touching.touch("result.keep");
+  touching.touch("kiln.glaze.0");
+  touching.down(900, 300);
+  touching.up(900, 300);
+  touching.show();
+  EXPECT_EQ(touching.pot().finish, Finish::fired);
+
+  KilnVisitor hurried;
+  hurried.make_result();
+  hurried.touch("result.keep");
+  hurried.touch("kiln.glaze.4");
+  hurried.touch("kiln.keep");
+  EXPECT_EQ(hurried.visit->screen(), ScreenId::keepsake);
+  EXPECT_EQ(hurried.kept().at(0).glaze, 4);
+
+  KilnVisitor still;
+  still.exhibit.screen.reduced_motion = true;
+  still.make_result();
+  still.touch("result.keep");
+  EXPECT_NEAR(still.pot().size, 0.9375, 1e-9);
+  still.touch("kiln.glaze.0");
+  EXPECT_EQ(still.pot().finish, Finish::fired);
+}
+
+TEST(KilnScreen, GoingBackFindsTheGlazeAndAnotherOneIsKeptAsWell) {
+  KilnVisitor v;
+  v.make_result();
+  v.glaze_and_fire();
+  v.touch("kiln.keep");
+  v.touch("back");
+  ASSERT_EQ(v.visit->screen(), ScreenId::kiln);
+  EXPECT_EQ(v.pot().finish, Finish::fired);
+  v.touch("kiln.keep");
+  EXPECT_EQ(v.kept().size(), 1u) << "the same pot is kept once";
+  v.touch("back");
+  v.touch("kiln.glaze.0");
+  v.touch("kiln.keep");
+  EXPECT_EQ(v.kept().size(), 1u);
+  // Thrown on, it is raw clay again.
+  v.touch("back");
+  v.touch("back");
+  v.touch("back");
+  ASSERT_EQ(v.visit->screen(), ScreenId::throwing);
+  v.touch("throw.done");
+  v.touch("result.keep");
+  EXPECT_EQ(v.pot().finish, Finish::clay);
+}
+
+TEST(KilnScreen, ItGoesByKeyboardAlone) {
+  KilnVisitor v;
+  v.make_result();
+  ASSERT_TRUE(v.key_to("result.keep"));
+  ASSERT_TRUE(v.key_to("kiln.glaze.2"));
+  v.frames(10);
+  EXPECT_EQ(v.pot().finish, Finish::fired);
+  ASSERT_TRUE(v.key_to("kiln.keep"));
+  EXPECT_EQ(v.kept().at(0).glaze, 2);
+  v.key(Key::back);
+  EXPECT_EQ(v.visit->screen(), ScreenId::kiln);
+  v.key(Key::back);
+  EXPECT_EQ(v.visit->screen(), ScreenId::result);
+}
+
+TEST(KilnScreen, TheNextVisitorFindsNoGlaze) {
+  KilnVisitor v;
+  v.make_result();
+  v.glaze_and_fire();
+  v.touch("kiln.keep");
+  v.touch("keepsake.done");
+  v.make_result();
+  v.touch("result.keep");
+  EXPECT_FALSE(v.visit->control("kiln.keep"));
+}
+
+TEST(KilnScreen, WithoutAKilnAPotIsKeptUnfired) {
+  Visitor v;
+  v.make_result();
+  v.touch("result.keep");
+  EXPECT_EQ(v.visit->screen(), ScreenId::keepsake);
+  for (const Request& r : v.requests())
+    if (const auto* one = std::get_if<MakeKeepsake>(&r)) {
+      EXPECT_EQ(one->glaze, -1);
+    }
+  v.visit->show_postcard(3);
+  v.show();
+  EXPECT_EQ(words_in(v.frame).find("Fired"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace onggi::screens

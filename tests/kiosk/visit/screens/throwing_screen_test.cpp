@@ -1,0 +1,174 @@
+#include "kiosk/visit/screens/throwing_screen.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "kiosk/visit/screens/layout.h"
+#include "kiosk/visit/screens/throwing_controls.h"
+#include "tests/kiosk/visit/screens/visitor.h"
+
+namespace onggi::screens {
+namespace {
+
+using view::Rect;
+
+/// The tools of the exhibit's first scene lie to hand.
+struct AtTheWheel : Visitor {
+  AtTheWheel(int w, int h) {
+    width = w;
+    height = h;
+    put_tools_to_hand();
+    throw_a_pot();
+    frames(2);
+  }
+  double mm(float px) const {
+    return static_cast<double>(px) * exhibit.screen.diagonal_mm / std::hypot(width, height);
+  }
+  std::pair<float, float> seen(double x, double y) const {
+    return *frame.pot->camera.project({x, y, 0});
+  }
+};
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x + a.w > b.x && b.x + b.w > a.x && a.y + a.h > b.y && b.y + b.h > a.y;
+}
+
+/// The largest part of the screen about the pot in which nothing else stands.
+Rect pots_own(const AtTheWheel& v) {
+  const double radius = v.shelf[0].target.max_radius(), high = v.shelf[0].target.height();
+  const Rect pot{v.seen(-radius, 0).first, v.seen(0, high).second,
+                 v.seen(radius, 0).first - v.seen(-radius, 0).first,
+                 v.seen(0, 0).second - v.seen(0, high).second};
+  std::vector<Rect> others;
+  for (const auto& [id, rect] : v.visit->controls()) others.push_back(rect);
+  for (const view::Item& item : v.frame.items)
+    if (const auto* text = std::get_if<view::Text>(&item)) {
+      const auto size = v.plain.measure(text->text, text->style, text->box.w);
+      others.push_back({text->box.x, text->box.y, size.width, size.height});
+    }
+  std::set<float> lefts{0}, tops{0}, rights{static_cast<float>(v.width)},
+      feet{static_cast<float>(v.height)};
+  for (const Rect& o : others) {
+    if (o.x + o.w <= pot.x) lefts.insert(o.x + o.w);
+    if (o.y + o.h <= pot.y) tops.insert(o.y + o.h);
+    if (o.x >= pot.x + pot.w) rights.insert(o.x);
+    if (o.y >= pot.y + pot.h) feet.insert(o.y);
+  }
+  Rect best{0, 0, 0, 0};
+  for (const float left : lefts)
+    for (const float right : rights)
+      for (const float top : tops)
+        for (const float foot : feet) {
+          const Rect room{left, top, right - left, foot - top};
+          if (room.w * room.h > best.w * best.h &&
+              std::none_of(others.begin(), others.end(),
+                           [&](const Rect& o) { return overlap(o, room); }))
+            best = room;
+        }
+  return best;
+}
+
+TEST(ThrowingScreen, ThePotOwnsIt) {
+  const std::tuple<int, int, double> kLeast[] = {
+      {1080, 1920, 0.68}, {1920, 1080, 0.66}, {1280, 720, 0.66}};
+  for (const auto& [w, h, share] : kLeast)
+    for (const bool korean : {false, true}) {
+      AtTheWheel v(w, h);
+      if (korean) v.touch("language");
+      const Rect room = pots_own(v);
+      const float high = v.seen(0, 0).second - v.seen(0, v.shelf[0].target.height()).second;
+      EXPECT_GE(static_cast<double>(room.w * room.h / static_cast<float>(w * h)), share)
+          << w << "x" << h << ": the pot is " << v.mm(high) << " mm high on the screen";
+    }
+}
+
+TEST(ThrowingScreen, WhatIsUsedMostIsAtLeastTwentyMillimetresHighAndNothingElseAsLarge) {
+  for (const auto& [w, h] : {std::pair{1080, 1920}, {1920, 1080}, {1280, 720}}) {
+    AtTheWheel v(w, h);
+    v.status.can_restore = true;
+    v.show();
+    const std::set<std::string> most{"throw.water", "throw.show", "throw.done", "throw.restore"};
+    std::set<std::string> seen;
+    for (const auto& [id, rect] : v.visit->controls()) {
+      if (most.count(id) == 0) {
+        EXPECT_LT(v.mm(rect.h), 19.9) << id;
+        continue;
+      }
+      seen.insert(id);
+      EXPECT_GE(v.mm(rect.h), 19.9) << id;
+      EXPECT_GE(v.mm(rect.w), 45) << id;
+    }
+    EXPECT_EQ(seen, most);
+  }
+}
+
+TEST(ThrowingScreen, NothingMovesWhenThereIsAStrokeToTakeBackOrTheDrawerOpens) {
+  for (const auto& [w, h] : {std::pair{1080, 1920}, {1280, 720}}) {
+    AtTheWheel v(w, h);
+    const auto before = v.visit->controls();
+    const view::Camera camera = v.frame.pot->camera;
+    v.status.can_restore = true;
+    v.show();
+    for (const auto& [id, rect] : before) EXPECT_EQ(v.visit->control(id), rect) << id;
+    for (const char* drawer : {"throw.tools", "throw.wheel"}) {
+      v.touch(drawer);
+      EXPECT_EQ(v.frame.pot->camera, camera);
+      for (const char* id : {"back", "help", "comfort", "language"})
+        EXPECT_TRUE(v.visit->control(id)) << id;
+    }
+  }
+}
+
+TEST(ThrowingScreen, TwoDrawersHoldAllElseAndAHandOnThePotClosesThem) {
+  const std::vector<std::string> of_tools{"throw.tool.0", "throw.tool.8", "throw.both",
+                                          "throw.outside", "throw.inside"},
+      of_wheel{"throw.slower", "throw.faster", "throw.cut", "throw.renew"};
+  for (const auto& [drawer, mine, others] :
+       {std::tuple("throw.tools", of_tools, of_wheel), {"throw.wheel", of_wheel, of_tools}}) {
+    AtTheWheel v(1080, 1920);
+    v.touch(drawer);
+    for (const std::string& id : mine) {
+      EXPECT_TRUE(v.visit->control(id)) << id;
+      EXPECT_EQ(way_into_drawer(id), drawer);
+    }
+    for (const std::string& id : others) EXPECT_FALSE(v.visit->control(id)) << id;
+    EXPECT_FALSE(v.visit->control("throw.done"));
+    EXPECT_EQ(way_into_drawer("throw.done"), "");
+    v.touch("back");
+    EXPECT_TRUE(v.visit->control("throw.done")) << "Back closes it, and the visitor stays";
+    v.touch(drawer);
+    const auto [x, y] = v.seen(0.05, 0.1);
+    v.down(x, y);
+    v.show();
+    EXPECT_TRUE(v.visit->control("throw.done"));
+    EXPECT_TRUE(v.potter.hands.back().active) << "and the touch is a touch";
+  }
+}
+
+TEST(ThrowingScreen, AToolInTheHandIsNamedWhereAnotherIsTakenUp) {
+  AtTheWheel v(1280, 720);
+  EXPECT_NE(words_in(v.frame).find("Tools\n"), std::string::npos);
+  v.touch("throw.tool.4");
+  v.touch("throw.less");
+  EXPECT_NE(words_in(v.frame).find("Flat rib\n"), std::string::npos);
+  EXPECT_EQ(words_in(v.frame).find("Tools\n"), std::string::npos);
+}
+
+TEST(ThrowingScreen, NoWordOfAToolsNameIsBroken) {
+  for (const auto& [w, h] : {std::pair{1080, 1920}, {1280, 720}, {1024, 600}}) {
+    AtTheWheel v(w, h);
+    v.touch("throw.tools");
+    v.frames(1);
+    for (const view::Item& item : v.frame.items)
+      if (const auto* text = std::get_if<view::Text>(&item); text && text->text == "Sponge") {
+        EXPECT_LE(v.plain.measure("Sponge", text->style, -1).width, text->box.w) << w;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace onggi::screens

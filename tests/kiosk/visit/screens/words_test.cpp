@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "kiosk/collection/content/language.h"
+#include "kiosk/collection/content/lesson.h"
+#include "kiosk/collection/score/score.h"
+#include "kiosk/visit/screens/measured_pot.h"
+#include "tests/kiosk/visit/screens/visitor.h"
+
+namespace onggi::screens {
+namespace {
+
+content::Language read(const std::string& code) {
+  auto language = content::Language::read("content/languages/" + code + ".toml");
+  EXPECT_TRUE(language) << (language ? "" : to_text(language.error()));
+  return language ? *language : content::Language{};
+}
+
+std::multiset<std::string> places(const std::string& words) {
+  static const std::regex kPlace("\\{[a-z_]+\\}");
+  std::multiset<std::string> found;
+  for (auto i = std::sregex_iterator(words.begin(), words.end(), kPlace);
+       i != std::sregex_iterator(); ++i)
+    found.insert(i->str());
+  return found;
+}
+
+/// All that come with the exhibit, offered or not.
+std::vector<content::Language> all_languages() {
+  std::vector<content::Language> all;
+  for (const auto& file : std::filesystem::directory_iterator("content/languages"))
+    all.push_back(read(file.path().stem().string()));
+  return all;
+}
+
+TEST(Words, EveryLanguageThatComesSaysTheSameThingsWithTheSamePlaces) {
+  const auto en = read("en");
+  const auto all = all_languages();
+  EXPECT_GE(all.size(), 5u);
+  std::set<std::string> codes;
+  for (const auto& language : all) {
+    SCOPED_TRACE(language.code());
+    EXPECT_TRUE(codes.insert(language.code()).second) << "two files have one code";
+    EXPECT_EQ(en.keys(), language.keys());
+    for (const std::string& key : en.keys())
+      EXPECT_EQ(places(en.say(key)), places(language.say(key))) << key;
+  }
+}
+
+TEST(Words, TheLessonLeadsToTheWireByTheNamesOfItsButtons) {
+  std::vector<std::string> codes;
+  for (const auto& language : all_languages()) codes.push_back(language.code());
+  const auto steps = content::read_lesson("content/lessons/first_minute.toml", codes).steps;
+  ASSERT_FALSE(steps.empty());
+  for (const std::string& code : codes) {
+    const content::Language language = read(code);
+    const std::string words = steps.back().words.at(code);
+    EXPECT_NE(words.find(language.say("throw.tools")), std::string::npos) << words;
+    EXPECT_NE(words.find(language.say("tool.wire")), std::string::npos) << words;
+  }
+}
+
+TEST(Words, EveryKeyThatTheScreensUseIsThere) {
+  const auto en = read("en");
+  const auto all = en.keys();
+  const std::set<std::string> keys(all.begin(), all.end());
+  static const std::regex kKey(
+      "\"((?:all|attract|choose|throw|hint|place|result|mission|kiln|keepsake|idle|fault|help|"
+      "comfort)\\.["
+      "a-z_0-9]+"
+      ")\"");
+  int seen = 0;
+  for (const auto& file : std::filesystem::directory_iterator("kiosk/visit/screens")) {
+    if (file.path().extension() != ".cpp") continue;
+    std::ifstream in(file.path());
+    for (std::string line; std::getline(in, line);) {
+      if (line.find("say(") == std::string::npos && line.find("hint.") == std::string::npos &&
+          line.find("place.") == std::string::npos)
+        continue;
+      for (auto i = std::sregex_iterator(line.begin(), line.end(), kKey);
+           i != std::sregex_iterator(); ++i) {
+        // A control may share a line with its words; only what is in neither list is missing.
+        const std::string key = (*i)[1];
+        const bool control = line.find("{\"" + key + "\"") != std::string::npos ||
+                             key.ends_with(".title_") || key == "throw.done" ||
+                             key == "kiln.glaze.0";
+        EXPECT_TRUE(control || keys.count(key) > 0) << file.path() << ": " << key;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 40);
+}
+
+TEST(Words, EveryRemarkOfAScoreHasItsWords) {
+  for (const auto& language : all_languages())
+    for (const std::string& key : score::remark_keys())
+      EXPECT_NE(language.say(key).front(), '[') << language.code() << " " << key;
+}
+
+TEST(Words, EveryHintAndTitleOfADescriptionHasItsWords) {
+  std::vector<std::string> keys = MeasuredPot::hints();
+  for (int stars = 1; stars <= 5; ++stars) keys.push_back("mission.title_" + std::to_string(stars));
+  settings::Mission::Described wanted;
+  wanted.height = wanted.mouth = settings::Mission::Described::Bounds{0.1, 0.1};
+  for (const auto& one : score::asked_of(wanted, {})) keys.push_back(one.key);
+  EXPECT_EQ(keys.size(), 15u);
+  for (const auto& language : all_languages())
+    for (const std::string& key : keys)
+      EXPECT_NE(language.say(key).front(), '[') << language.code() << " " << key;
+}
+
+TEST(Words, EveryScreenHasItsHelp) {
+  for (const auto& language : all_languages())
+    for (const char* screen : {"attract", "choose", "throw", "result", "kiln", "keepsake", "fault"})
+      for (const char* kind : {"", "_keys"})
+        EXPECT_NE(language.say(std::string("help.") + screen + kind).front(), '[');
+}
+
+TEST(Words, EnglishSentencesHaveAtMostTwentyFiveWords) {
+  const auto en = read("en");
+  for (const std::string& key : en.keys()) {
+    int words = 0;
+    for (const char c : en.say(key) + " ") {
+      if (c == ' ') ++words;
+      if (c == '.' || c == '?' || c == ':') words = 0;
+      EXPECT_LE(words, 25) << key;
+    }
+  }
+}
+
+TEST(Words, ALabelSaysAtWhatPartOfItsSizeAVesselIsThrown) {
+  Visitor v(3);
+  v.shelf[1].scale = 1.0;
+  v.shelf[2].scale = 1.42;
+  v.touch("attract.begin");
+  v.frames(1);
+  const auto label = [&v](int card) {
+    v.touch("choose.card." + std::to_string(card));
+    v.frames(1);
+    const std::string words = words_in(v.frame);
+    v.touch("back");
+    v.frames(1);
+    return words;
+  };
+  EXPECT_NE(label(0).find("Too large for the wheel, so you throw it at 65 percent"),
+            std::string::npos);
+  EXPECT_EQ(label(1).find("percent of its size"), std::string::npos);
+  EXPECT_NE(label(2).find("Small, so you throw it at 142 percent"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace onggi::screens
