@@ -18,6 +18,7 @@ import page_truth
 import public_names
 import room_table
 import unity_names
+from law import Table, circles, place_of, room_of, within
 
 MAX_LINES = 400
 CPP = (".h", ".cpp")
@@ -30,59 +31,6 @@ HALF_FILES = {
 }
 GLOBAL_FLAGS = re.compile(r"CMAKE_CXX_FLAGS\w*|\badd_(?:compile|link)_options\b|-ffast-math|-Ofast")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>]+)>|"([^"]+)")')
-
-
-class Table:
-    """rooms.txt: what each room may include and link."""
-
-    def __init__(self, path):
-        self.rooms, self.headers, self.targets = {}, {}, {}
-        self.system, self.never, self.jobs = {}, {}, {}
-        with open(path, encoding="utf-8") as file:
-            for number, line in enumerate(file, 1):
-                line, _, job = (part.strip() for part in line.partition("#"))
-                if not line:
-                    continue
-                name, colon, rest = line.partition(" :") if " :" in line else line.partition(":")
-                if not colon:
-                    raise SystemExit(f"{path}:{number}: expected 'room : rooms | headers | targets'")
-                name = name.strip()
-                columns = [column.split() for column in rest.split("|")] + [[], []]
-                if name.startswith("system "):
-                    self.system[name.split()[1]] = columns[0]
-                elif name.startswith("never "):
-                    self.never[name.split()[1]] = columns[0]
-                else:
-                    self.rooms[name], self.headers[name], self.targets[name] = columns[:3]
-                    self.jobs[name] = job
-
-    def may_include(self, room, header):
-        """True where `room` may include `header`, a path from the root."""
-        other = room_of(header)
-        allowed = self.rooms[room]
-        return other == room or "*" in allowed or other in allowed or header in allowed
-
-    def cycles(self):
-        """Rooms that reach themselves through the table: there must be none."""
-        def reaches(start, room, seen):
-            for other in self.rooms.get(room, []):
-                if other == start:
-                    return True
-                if other in self.rooms and other not in seen:
-                    seen.add(other)
-                    if reaches(start, other, seen):
-                        return True
-            return False
-        return [room for room in self.rooms if reaches(room, room, set())]
-
-
-def room_of(path):
-    """engine/clay/clay.h -> engine/clay; kiosk/wheel/loop/pacer.h -> kiosk/wheel/loop; tests/... -> tests; else None."""
-    parts = path.split("/")
-    if parts[0] == "tests":
-        return "tests"
-    depth = {"engine": 2, "kiosk": 3}.get(parts[0], len(parts))
-    return "/".join(parts[:depth]) if len(parts) > depth and parts[1] != "docs" else None
 
 
 def files_of(root):
@@ -106,26 +54,26 @@ def read_lines(root, name):
         return file.read().splitlines()
 
 
-def matches(name, patterns):
-    return any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)
+def seen_by(table, room):
+    return " ".join(table.sees[table.row(room)]) or "no other room"
 
 
 def check_includes(root, table):
     """Rules 1 and 3: include lines start at the root, name only rooms and libraries of the table."""
-    broken, count = [], 0
+    broken, count, inside = [], 0, {}
     for name in files_of(root):
         room = room_of(name)
         if room is None or not name.endswith(CPP):
             continue
         count += 1
         half = room.split("/")[0]
-        if room not in table.rooms:
-            broken.append(f"{name}: the room {room} is not in tests/house/rooms.txt. Add it there.")
+        if table.row(room) is None:
+            broken.append(f"{name}: {room} is not in tests/house/rooms.txt, nor is its wing. Add it there.")
             continue
-        libraries = list(table.headers[room])
+        libraries = table.headers(room)
         if half == "tests":
             mirrored = room_of(name.split("/", 1)[1])  # a room's tests may use that room's library
-            libraries += table.headers.get(mirrored, [])
+            libraries += table.headers(mirrored) if mirrored else []
         for number, line in enumerate(read_lines(root, name), 1):
             found = INCLUDE.match(line)
             if not found:
@@ -137,21 +85,25 @@ def check_includes(root, table):
                 if not own.startswith(allowed_roots):
                     broken.append(f'{where}"{own}" does not start at the repository root. '
                                   f'Write "{os.path.dirname(name)}/{own}", or <> for a library.')
-                elif not table.may_include(room, own):
-                    broken.append(f"{where}{room} may not include {own}. It may include: "
-                                  f"{' '.join(table.rooms[room]) or 'no other room'}.")
+                elif not table.may_see(room, room_of(own)):
+                    broken.append(f"{where}{room} may not include {own}. It sees: {seen_by(table, room)}.")
+                elif within(room, table.row(room)) and table.row(room_of(own) or "") == table.row(room) != "tests":
+                    inside.setdefault(room, {}).setdefault(room_of(own), where)
             elif system.startswith(("engine/", "kiosk/")):
                 broken.append(f'{where}write "{system}" in quotes: it is our own.')
-            elif matches(system, table.never.get(half, [])):
+            elif place_of(system, table.never.get(half, [])):
                 broken.append(f"{where}the {half} never includes <{system}>: it is numbers in, "
                               "numbers out. Take the value as an argument.")
             elif "." not in system and "/" not in system:
                 pass  # the C++ standard library
-            elif not matches(system, libraries + table.system.get(half, [])):
-                owners = [r for r in table.rooms if matches(system, table.headers[r])]
+            elif not place_of(system, libraries + table.system.get(half, [])):
+                owners = table.owners(0, system)
                 remedy = (f"It belongs to {' and '.join(owners)}: go through that room."
                           if owners else "Give it one room in tests/house/rooms.txt.")
                 broken.append(f"{where}{room} may not include <{system}>. {remedy}")
+    for room in circles({room: {o for o in others if o != room} for room, others in inside.items()}):
+        other, where = next((o, w) for o, w in inside[room].items() if o != room)
+        broken.append(f"{where}{room} and {other} go round in a circle. In a wing, too, lower never includes higher.")
     return broken, f"{count} files keep the include table"
 
 
@@ -189,8 +141,8 @@ def check_links(root, table):
                               f"{found.group(0)}'s work on the target onggi_build.")
         if room in (None, "tests"):
             continue
-        if room not in table.rooms:
-            broken.append(f"{name}: the room {room} is not in tests/house/rooms.txt. Add it there.")
+        if table.row(room) is None:
+            broken.append(f"{name}: {room} is not in tests/house/rooms.txt, nor is its wing. Add it there.")
             continue
         for function, words in cmake_calls("\n".join(read_lines(root, name))):
             if function == "target_link_libraries":
@@ -203,13 +155,12 @@ def check_links(root, table):
             if function == "onggi_room" and parts[""] != [room]:
                 broken.append(f"{name}: onggi_room({' '.join(parts[''])}) should name {room}.")
             for other in parts.get("ROOMS", []):
-                if other != room and other not in table.rooms[room] and "*" not in table.rooms[room]:
-                    broken.append(f"{name}: {room} may not link {other}. It may link: "
-                                  f"{' '.join(table.rooms[room]) or 'no other room'}.")
+                if not table.may_see(room, other):
+                    broken.append(f"{name}: {room} may not link {other}. It sees: {seen_by(table, room)}.")
             for library in parts.get("LIBS", []) + parts.get("PUBLIC_LIBS", []):
                 plain = re.sub(r"\$<TARGET_NAME_IF_EXISTS:([^>]*)>", r"\1", library)
-                if plain not in table.targets[room]:
-                    owners = [r for r in table.rooms if plain in table.targets[r]]
+                owners = table.owners(1, plain)
+                if not any(within(room, owner) for owner in owners):
                     remedy = (f"It belongs to {' and '.join(owners)}." if owners
                               else "Give it one room in tests/house/rooms.txt.")
                     broken.append(f"{name}: {room} may not link {plain}. {remedy}")
@@ -293,12 +244,14 @@ def check_layout(root, table):
         if parts[0] in HALF_FILES:
             if len(parts) == 2 and parts[1] not in HALF_FILES[parts[0]]:
                 broken.append(f"{name}: belongs in a room of {parts[0]}/, or in {parts[0]}/docs.")
-            elif len(parts) > 2 and parts[1] != "docs" and room_of(name) not in table.rooms:
-                broken.append(f"{name}: {room_of(name) or os.path.dirname(name)} is no room of tests/house/rooms.txt.")
+            elif len(parts) > 2 and parts[1] != "docs" and table.row("/".join(parts[:2])) is None:
+                broken.append(f"{name}: {parts[0]}/{parts[1]} is not in tests/house/rooms.txt.")
+            elif parts[0] == "kiosk" and len(parts) == 3 and parts[1] != "docs" and parts[2] != "README.md":
+                broken.append(f"{name}: belongs in a room of {parts[0]}/{parts[1]}/.")
         if name.endswith("_test.cpp") and parts[0] == "tests":
             mirrored = room_of("/".join(parts[1:]))
             own = "/".join(parts[:3 if parts[1] == "engine" else 4]) + "/CMakeLists.txt"  # of many rooms: says which itself
-            if mirrored not in table.rooms and own not in names:
+            if (mirrored is None or table.row(mirrored) is None) and own not in names:
                 broken.append(f"{name}: no program runs it. Tests lie where their room lies: "
                               "tests/engine/clay/clay_test.cpp.")
     return broken, f"{len(names)} files lie where the house has a place for them"
@@ -312,9 +265,7 @@ def check_docs(root, table):
     broken, kept = page_truth.check(files_of(root), read)
     broken += [f"tests/house/rooms.txt: say the job of {room} behind a # at the end of its line."
               for room, job in table.jobs.items() if room != "tests" and not job]
-    if room_table.split_document(root)[1] != room_table.table_lines(root, table):
-        broken.append(f"{room_table.DOCUMENT}: its table is not that of tests/house/rooms.txt. "
-                      "Run tests/house/house.py table")
+    broken += room_table.stale(root, table)
     return broken, kept + "; the table of rooms is that of rooms.txt"
 
 

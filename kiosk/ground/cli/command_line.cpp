@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "kiosk/ground/cli/man_page.h"
+
 namespace onggi::cli {
 
 namespace {
@@ -101,6 +103,14 @@ int run_command_line(const Command& program, const std::string& version, int arg
                      const char* const* argv) {
   CLI::App app{program.help, program.name};
   app.set_version_flag("--version", program.name + " " + version);
+  // As --version does: before it is asked which command was meant.
+  app.add_option_function<std::string>("--manual",
+                                       [&program, &version](const std::string& day) {
+                                         std::string page = man_page(program, version, day);
+                                         page.pop_back();  // the line end comes with the answer
+                                         throw CLI::CallForVersion(page, 0);
+                                       })
+      ->group("");
   const Command* chosen = &program;
   bool force = false;
   describe(app, program, chosen, force);

@@ -111,6 +111,17 @@ TEST_F(CommandLine, help_tells_options_defaults_and_examples_and_hides_what_is_h
   EXPECT_EQ(said_, "wheel 1.2\n");
 }
 
+TEST_F(CommandLine, the_manual_is_printed_though_no_command_was_named) {
+  program_.run = {};  // as of onggi-lab: one of its commands must be named
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(run({"--manual", "2026-11-22"}), 0) << said_;
+  EXPECT_THAT(said_, ::testing::StartsWith(".\\\""));
+  EXPECT_THAT(said_, ::testing::HasSubstr("2026-11-22"));
+  EXPECT_THAT(said_, ::testing::HasSubstr("wheel tool sponge"));
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_THAT(said_, ::testing::Not(::testing::HasSubstr("--manual")));
+}
+
 TEST_F(CommandLine, a_problem_is_printed_and_its_exit_code_is_the_programs) {
   program_.run = []() -> Result<int> { return problem("the wheel", "It stands.", "Push it.", 1); };
   EXPECT_EQ(run({}), 1);

@@ -1,7 +1,7 @@
 """What the package promises, held against its files: hardened services that systemd understands, a manual
 of every command, licences for all that it brings.
 
-usage: package_test.py --manual build/.../onggi-manual --program build/.../onggi
+usage: package_test.py --program build/.../onggi
 """
 import argparse
 import pathlib
@@ -57,7 +57,7 @@ class Services(unittest.TestCase):
 
 class Manual(unittest.TestCase):
     def setUp(self):
-        self.page = output(ARGUMENTS.manual, "onggi", "1.2.3", "2026-11-22").stdout
+        self.page = output(ARGUMENTS.program, "--manual", "2026-11-22").stdout
 
     def test_it_has_every_command_that_the_program_has(self):
         def commands(words):
@@ -106,7 +106,6 @@ class Papers(unittest.TestCase):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
-    parser.add_argument("--manual", required=True)
     parser.add_argument("--program", required=True)
     ARGUMENTS, rest = parser.parse_known_args()
     unittest.main(argv=[sys.argv[0], *rest])
