@@ -4,10 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "engine/scene/lump.h"
-#include "engine/script/script.h"
 #include "kiosk/exhibit/composition/device_files.h"
-#include "kiosk/exhibit/composition/vessel_model.h"
 #include "kiosk/exhibit/composition/words.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/log.h"
@@ -15,7 +12,6 @@
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/picture/render/display_loss.h"
-#include "kiosk/wheel/device/hidapi_bus.h"
 #include "kiosk/wheel/loop/loop_thread.h"
 #include "kiosk/wheel/loop/stepped_potter.h"
 
@@ -26,7 +22,6 @@ namespace onggi::exhibit {
 namespace {
 
 constexpr double kAskFingers = 5.0;  // s: a glass that is plugged in is seen so soon
-constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
 
 }  // namespace
 
@@ -35,7 +30,6 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   // all the same where it lies in pages of the exhibit before.
   files::give_back_memory();
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
-  kiosk->seed_ = options.seed;
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
   kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
                                           *kiosk->scenes_, kiosk->exhibit_.reader);
@@ -44,12 +38,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
   // A stepped visit is the same wherever it is made: its grids are the scenes' own.
   if (!options.stepped) kiosk->scenes_->tune(kept_in);
-  const auto& keep = kiosk->exhibit_.keepsake;
-  const auto& phone = kiosk->exhibit_.phone;
-  kiosk->keepsakes_ =
-      std::make_unique<Keepsakes>(kept_in, souvenir::KeepsakeLimits{keep.quota_mb, keep.days},
-                                  phone.address.empty() ? 0.0 : phone.hours);
-  if (keep.gallery) kiosk->todays_ = std::make_unique<TodaysPots>(kept_in, options.wall);
+  if (kiosk->exhibit_.keepsake.gallery)
+    kiosk->todays_ = std::make_unique<TodaysPots>(kept_in, options.wall);
   if (kiosk->exhibit_.store.count)
     kiosk->counter_ = std::make_unique<VisitCounter>(files::store_file(kept_in), kiosk->exhibit_,
                                                      souvenir::Passes(kept_in).fetched());
@@ -58,8 +48,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   kiosk->renderer_ = std::move(*renderer);
   render::when_display_is_lost([lost = kiosk.get()] {
     files::log_line("The screen's X server is gone. What is under way is kept, and onggi ends.");
-    lost->postcard_ = 0;  // a picture of that screen
-    lost->settle();
+    if (lost->keeping_) lost->keeping_->lose_screen();
+    lost->close_visit();
   });
   const render::RenderStatus drawn_by = kiosk->renderer_->status();
   files::log_line("Drawing with " + drawn_by.device +
@@ -71,7 +61,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     kiosk->potter_ = std::move(stepped);
     kiosk->renderer_->set_full_quality(true);
     kiosk->shelf_->wait();
-    kiosk->note_shelf();
+    kiosk->log_unknown_names();
     kiosk->missions_->look(kiosk->shelf_->cards(), true, true);
   } else {
     auto loop = std::make_unique<loop::LoopThread>();
@@ -80,12 +70,18 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     if (kiosk->exhibit_.sound.volume > 0.0)
       kiosk->sound_ = std::make_unique<StudioSound>(*kiosk->potter_, kiosk->exhibit_.sound.volume);
   }
+  kiosk->pot_ = std::make_unique<PotOnWheel>(*kiosk->scenes_, *kiosk->potter_, *kiosk->renderer_,
+                                             options.seed);
+  kiosk->keeping_ = std::make_unique<Keeping>(
+      Keeping::World{kiosk->exhibit_, kiosk->languages_, *kiosk->renderer_, *kiosk->potter_,
+                     kiosk->todays_.get(), kiosk->counter_.get()},
+      kept_in);
   kiosk->wall_ = options.wall;
   kiosk->attendant_ = std::make_unique<Attendant>(kiosk->exhibit_, !options.stepped);
   if (kiosk->exhibit_.hours.kept && !options.stepped) kiosk->night_.emplace(kiosk->exhibit_.hours);
   if (options.devices)
     kiosk->devices_ = std::make_unique<HandDevices>(
-        *kiosk->potter_, device::hidapi_bus(), defined_devices(kiosk->exhibit_),
+        *kiosk->potter_, options.bus(), defined_devices(kiosk->exhibit_),
         HandDevices::Options{options.stepped, kiosk->exhibit_.screen.left_handed,
                              kiosk->exhibit_.screen.force});
   return kiosk;
@@ -93,19 +89,34 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
 
 Kiosk::~Kiosk() {
   render::when_display_is_lost({});
-  settle();
+  close_visit();
 }
 
-void Kiosk::settle() {
+void Kiosk::close_visit() {
   if (!visit_) return;
   visit_->close(now_);
   while (const auto request = visit_->take_request())
     if (const auto* over = std::get_if<screens::ForgetVisitor>(&*request)) carry_out(*over);
-  keepsakes_->wait();
-  while (keepsakes_->busy() || keepsakes_->adding()) note_saved();
-  if (!counter_) return;
-  counter_->finish();
-  files::log_problems(counter_->remarks());
+  keeping_->finish(*visit_);
+}
+
+bool Kiosk::nobody_is_here() const {
+  return visit_ && visit_->screen() == screens::ScreenId::attract && !keeping_->saving() &&
+         !keeping_->adding();
+}
+
+Doing Kiosk::doing() const {
+  return {.open_to_visitors = visit_ != nullptr,
+          .nobody_is_here = nobody_is_here(),
+          .dark = dark(),
+          .saving = keeping_->saving(),
+          .turning = keeping_->turning(),
+          .saved = keeping_->saved(),
+          .keepsake_folder = keeping_->folder(),
+          .kept = keeping_->kept() ? &*keeping_->kept() : nullptr,
+          .pot = pot_->def(),
+          .card = pot_->card(),
+          .device_moves = devices_ ? std::optional(devices_->moves()) : std::nullopt};
 }
 
 Result<void> Kiosk::read_settings(const KioskOptions& options) {
@@ -161,7 +172,7 @@ void Kiosk::begin_visit(double now) {
 bool Kiosk::look_at_shelf(double now) {
   const bool complete = shelf_->complete();
   const bool ready = shelf_->look(now);
-  if (!complete && shelf_->complete()) note_shelf();
+  if (!complete && shelf_->complete()) log_unknown_names();
   missions_->look(shelf_->cards(), shelf_->complete(), nobody_is_here(), able());
   return ready;
 }
@@ -176,7 +187,7 @@ Able Kiosk::able() {
   return {sound_ && sound_->speaker().playing() && !exhibit_.screen.silent, two_fingers_};
 }
 
-void Kiosk::note_shelf() {
+void Kiosk::log_unknown_names() {
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
   files::log_problems(names_of_nothing(exhibit_, ids));
@@ -201,7 +212,7 @@ std::vector<view::InputEvent> Kiosk::look_after_devices(double now) {
 }
 
 /// Whoever wakes it only wakes it: what was touched in the dark was not seen.
-bool Kiosk::is_night(double now, const std::vector<view::InputEvent>& events) {
+bool Kiosk::update_night(double now, const std::vector<view::InputEvent>& events) {
   const bool was = night_->dark(), taken = potter_->view().status.hands_taken;
   bool touched = !std::exchange(hands_taken_, taken) && taken;
   for (const view::InputEvent& event : events)
@@ -235,19 +246,22 @@ void Kiosk::be_dark(bool draw) {
 bool Kiosk::frame(double now, bool draw) {
   bool open = true;
   now_ = now;
-  keepsakes_->look(now);
-  if (const auto untidy = keepsakes_->untidy()) files::log_problem(*untidy);
+  keeping_->look(now);
   auto events = renderer_->poll();
   for (const std::string& line : renderer_->remarks()) files::log_line(line);
   if (look_at_shelf(now) && !visit_) begin_visit(now);
+  // By night too: there is time for it when nobody is here, and a full disk is told at once.
+  scenes_->take_up_tuned();
+  if (counter_) files::log_problems(counter_->remarks());
   if (sound_) sound_->frame(now, visit_.get(), dark());
   const auto pressed = look_after_devices(now);
   events.insert(events.end(), pressed.begin(), pressed.end());
   for (const view::InputEvent& event : events)
     if (event.kind == view::InputEvent::Kind::close) open = false;
-  if (visit_ && night_ && is_night(now, events)) {
+  if (visit_ && night_ && update_night(now, events)) {
     potter_->collect();
-    note_saved();
+    pot_->log_faults();
+    keeping_->collect(*visit_);
     be_dark(draw);
     return open;
   }
@@ -264,12 +278,10 @@ bool Kiosk::frame(double now, bool draw) {
     return open;
   }
 
-  scenes_->take_up_tuned();
   potter_->collect();
+  pot_->log_faults();
   renderer_->update_clay(potter_->view().clay);
-  note_saved();
-  if (counter_) files::log_problems(counter_->remarks());
-  for (const std::string& line : fault_log_.news(potter_->view().status)) files::log_line(line);
+  keeping_->collect(*visit_);
   if (todays_) todays_->look(now, *renderer_, stepped_ != nullptr);
   visit_->update(now);
   while (auto request = visit_->take_request())
@@ -278,7 +290,7 @@ bool Kiosk::frame(double now, bool draw) {
          stepped_ != nullptr) {
   }
   last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
-  draw_turning();
+  keeping_->draw_turning(last_frame_);
   attendant_->frame(*visit_, last_frame_, now);
   if (const auto sight = visit_->sight(); attendant_->sings() && sound_ && sight)
     sound_->sing(*sight);
@@ -303,99 +315,22 @@ view::Frame Kiosk::opening_frame() const {
 }
 
 void Kiosk::carry_out(const screens::StartPot& request) {
-  const screens::ShelfCard* wanted = this->card(request.card);
+  const screens::ShelfCard* wanted = card(request.card);
   if (wanted == nullptr) return;
-  const screens::ShelfCard& card = *wanted;
-  SceneDef def = scenes_->of(card.vessel->id);
-  def.clay = lump_for(card.target, def);
-  auto scene = Scene::create(def);
-  if (!scene) {
-    files::log_problem(scene.error());
-    visit_->fail(scene.error());
-    return;
+  if (const auto started = pot_->start(request, *wanted); !started) {
+    files::log_problem(started.error());
+    visit_->fail(started.error());
   }
-  pot_def_ = def;
-  pot_card_ = request.card;
-  potter_->start(std::make_unique<Scene>(std::move(*scene)));
-  renderer_->show_clay(potter_->view().clay);
-  ++pots_;
-  if (!request.scripted) {
-    potter_->record(card.vessel->id, seed_);
-    show_vessel(*renderer_, card);
-    return;
-  }
-  potter_->show();
-  if (request.script.empty()) return;
-  auto script = make_script(request.script, {def, &card.target, seed_ + pots_});
-  if (script)
-    potter_->play(std::move(*script));
-  else
-    files::log_problem(script.error());
 }
 
 void Kiosk::carry_out(const screens::MakeKeepsake& request) {
-  const screens::ShelfCard* answered = card(request.card);
-  if (answered == nullptr) return;
-  auto taken = take_home(request, *answered, language_of(languages_, visit_->language()), exhibit_,
-                         *potter_, *renderer_, keepsakes_->token());
-  if (!taken) return visit_->keepsake_failed(taken.error());
-  if (postcard_ != 0) renderer_->drop_picture(postcard_);
-  postcard_ = renderer_->make_picture(taken->keepsake.postcard);
-  visit_->show_postcard(postcard_);
-  const encoding::Caption caption = taken->keepsake.caption;
-  kept_ticket_ = saving_ticket_ = keepsakes_->save(std::move(taken->keepsake));
-  if (exhibit_.keepsake.turning)
-    turning_.begin(saving_ticket_, caption, request.made, taken->glazing, potter_->view().clay,
-                   visit_->shown_on().left_handed);
-  kept_ = std::move(taken->visit);
+  if (const screens::ShelfCard* answered = card(request.card))
+    keeping_->make(request, *answered, *visit_);
 }
 
 void Kiosk::carry_out(const screens::ForgetVisitor& request) {
-  if (counter_ && request.notes) {
-    const screens::ShelfCard* chosen = card(request.notes->card);
-    const std::string vessel = chosen != nullptr ? chosen->vessel->id : "";
-    counter_->visit_over(*request.notes, vessel, saving_ticket_);
-  }
-  potter_->stop_recording();
-  saving_ticket_ = 0;
-  if (postcard_ != 0) renderer_->drop_picture(std::exchange(postcard_, 0));
-}
-
-/// A picture a frame, and none while one screen fades into another.
-void Kiosk::draw_turning() {
-  if (last_frame_.fade > 0) return;
-  auto drawn = turning_.draw(potter_->view().clay, *renderer_);
-  if (drawn) keepsakes_->add(drawn->ticket, std::move(drawn->turning), std::move(drawn->caption));
-}
-
-void Kiosk::note_saved() {
-  if (const auto added = keepsakes_->added()) {
-    if (added->outcome)
-      files::log_line("Kept " + added->outcome->string());
-    else
-      files::log_problem(added->outcome.error());
-    // The pot of kept() is the last that was saved, and its picture has the same ticket.
-    if (kept_ && added->ticket == kept_ticket_) kept_->turning = added->outcome;
-  }
-  const auto saved = keepsakes_->finished();
-  if (!saved) return;
-  ++(saved->outcome ? saved_.kept : saved_.refused);
-  if (saved->outcome)
-    files::log_line("Kept " + saved->outcome->folder.string());
-  else
-    files::log_problem(saved->outcome.error());
-  if (todays_) todays_->hurry();
-  if (counter_) counter_->saved(*saved);
-  // A save that outlasted its visitor is none of the next one's business.
-  if (saved->ticket != saving_ticket_) return;
-  if (kept_) kept_->saved = saved->outcome;
-  // Date and time are enough to ask for at the desk, and short enough to remember.
-  if (saved->outcome)
-    visit_->keepsake_kept(
-        saved->outcome->folder.filename().string().substr(0, kSpokenName),
-        saved->outcome->token.empty() ? "" : phone_address(exhibit_, saved->outcome->token));
-  else
-    visit_->keepsake_failed(saved->outcome.error());
+  const screens::ShelfCard* chosen = request.notes ? card(request.notes->card) : nullptr;
+  keeping_->forget(request, chosen != nullptr ? chosen->vessel->id : "");
 }
 
 }  // namespace onggi::exhibit

@@ -13,20 +13,19 @@
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/exhibit/composition/attendant.h"
 #include "kiosk/exhibit/composition/hand_devices.h"
-#include "kiosk/exhibit/composition/keepsakes.h"
+#include "kiosk/exhibit/composition/keeping.h"
 #include "kiosk/exhibit/composition/missions.h"
 #include "kiosk/exhibit/composition/night.h"
+#include "kiosk/exhibit/composition/pot_on_wheel.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/exhibit/composition/shelf.h"
 #include "kiosk/exhibit/composition/studio_sound.h"
-#include "kiosk/exhibit/composition/taken_home.h"
 #include "kiosk/exhibit/composition/todays_pots.h"
-#include "kiosk/exhibit/composition/turning_pot.h"
 #include "kiosk/exhibit/composition/visit_counter.h"
 #include "kiosk/ground/files/wall_clock.h"
 #include "kiosk/picture/render/renderer.h"
 #include "kiosk/visit/screens/visit.h"
-#include "kiosk/wheel/loop/fault_log.h"
+#include "kiosk/wheel/device/hidapi_bus.h"
 #include "kiosk/wheel/loop/potter_host.h"
 #include "kiosk/wheel/loop/stepped_potter.h"
 
@@ -38,7 +37,9 @@ struct KioskOptions {
   std::optional<std::filesystem::path> shelf;      ///< Instead of the exhibit's.
   std::optional<std::filesystem::path> keepsakes;  ///< Instead of the exhibit's folder.
   render::WindowOptions window;
-  bool devices = true;   ///< Use the hand devices that are plugged in.
+  bool devices = true;  ///< Use the hand devices that are plugged in.
+  /// Where hand devices come from; tests bring their own.
+  std::function<std::unique_ptr<device::HidBus>()> bus = device::hidapi_bus;
   bool stepped = false;  ///< Turn the wheel by hand (advance()), not by the 1 kHz thread.
   std::uint64_t seed = 1;
   /// The clock on the wall, for opening hours; a stepped kiosk is always open.
@@ -48,6 +49,22 @@ struct KioskOptions {
   std::optional<double> scan_seconds{};  ///< Instead of the exhibit's, s.
   std::string
       mission{};  ///< One that is on, whatever its file says, or Missions::kEvery; empty: none.
+};
+
+/// What a kiosk is doing at the moment of the question. Its references and pointers stay good as
+/// long as the kiosk.
+struct Doing {
+  bool open_to_visitors;  ///< A vessel of the shelf is read, and attract has begun.
+  bool nobody_is_here;  ///< Attract plays, and every keepsake is on the disk: nobody would miss it.
+  bool dark;            ///< Outside of the museum's hours, and nobody is here.
+  bool saving;          ///< A keepsake is on its way to the disk.
+  bool turning;         ///< A turning picture is drawn or written. Nobody need wait for it.
+  const SavedCount& saved;
+  const std::filesystem::path& keepsake_folder;
+  const KeptVisit* kept;  ///< The last visit that was kept; null: none.
+  const SceneDef& pot;    ///< The scene of the pot on the wheel.
+  int card;  ///< Of that pot: of the shelf, or a mission's own; -1 before the first pot.
+  std::optional<std::uint64_t> device_moves;  ///< HandDevices::moves(); none: no devices are used.
 };
 
 /// The one place that knows everyone: settings and content into screens, screens' wishes to the
@@ -82,76 +99,49 @@ class Kiosk {
   render::Renderer& renderer() { return *renderer_; }
   Shelf& shelf() { return *shelf_; }
   const settings::Exhibit& exhibit() const { return exhibit_; }
-  /// The scene of the pot on the wheel, and its card on the shelf (-1 before the first pot), or a
-  /// mission's own.
-  const SceneDef& pot_def() const { return pot_def_; }
-  int pot_card() const { return pot_card_; }
+  const Missions& missions() const { return *missions_; }
   /// Null where there is none.
   const screens::ShelfCard* card(int index) const {
     return missions_->card(index, shelf_->cards());
   }
-  const Missions& missions() const { return *missions_; }
   const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
-  const std::optional<KeptVisit>& kept() const { return kept_; }
-  bool saving() const { return keepsakes_->busy(); }
-  /// A turning picture is drawn, or written. Nobody need wait for it.
-  bool turning() const { return turning_.drawing() || keepsakes_->adding(); }
-  /// Keepsakes that were kept since the kiosk opened, and those that the disk refused.
-  struct SavedCount {
-    std::uint64_t kept = 0, refused = 0;
-  };
-  const SavedCount& saved() const { return saved_; }
-  const std::filesystem::path& keepsake_folder() const { return keepsakes_->folder(); }
-  /// A vessel of the shelf is read and attract has begun.
-  bool open_to_visitors() const { return visit_ != nullptr; }
-  /// HandDevices::moves(); none where no devices are used.
-  std::optional<std::uint64_t> device_moves() const {
-    return devices_ ? std::optional(devices_->moves()) : std::nullopt;
-  }
-  /// Outside of the museum's hours, and nobody is here.
-  bool dark() const { return night_ && night_->dark(); }
-  /// Attract plays, and every keepsake is on the disk: the kiosk may be closed and nobody misses
-  /// it.
-  bool nobody_is_here() const {
-    return visit_ && visit_->screen() == screens::ScreenId::attract && !saving() &&
-           !keepsakes_->adding();
-  }
+  /// For reports, scripted visitors and the service.
+  Doing doing() const;
 
  private:
   Kiosk() = default;
   Result<void> read_settings(const KioskOptions& options);
   /// Ends the visit under way, and waits until keepsakes and visits are on the disk. Once.
-  void settle();
+  void close_visit();
+  bool nobody_is_here() const;
+  bool dark() const { return night_ && night_->dark(); }
   bool look_at_shelf(double now);
-  void note_shelf();
+  void log_unknown_names();
   Able able();
   void begin_visit(double now);
   void carry_out(const screens::StartPot& request);
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::ForgetVisitor& request);
-  void note_saved();
-  void draw_turning();
   std::vector<view::InputEvent> look_after_devices(double now);
   view::Frame opening_frame() const;
-  bool is_night(double now, const std::vector<view::InputEvent>& events);
+  bool update_night(double now, const std::vector<view::InputEvent>& events);
   void be_dark(bool draw);
 
   settings::Exhibit exhibit_;
   std::unique_ptr<Scenes> scenes_;
-  SceneDef pot_def_;
   std::vector<content::Language> languages_;
   std::vector<content::LessonStep> lesson_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::PotterHost> potter_;
   loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
-  std::unique_ptr<StudioSound> sound_;      ///< Null where none is made. Listens to potter_.
+  std::unique_ptr<StudioSound> sound_;      ///< Null if the exhibit has none. Reads potter_.
   std::unique_ptr<HandDevices> devices_;    ///< Null where none are to be used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Missions> missions_;
-  std::unique_ptr<Keepsakes> keepsakes_;
-  TurningPot turning_;
   std::unique_ptr<TodaysPots> todays_;     ///< Null where the curator shows none.
   std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
+  std::unique_ptr<PotOnWheel> pot_;
+  std::unique_ptr<Keeping> keeping_;
   std::unique_ptr<screens::Visit> visit_;
   std::unique_ptr<Attendant> attendant_;
   std::optional<Night> night_;  ///< None where it is always open.
@@ -159,15 +149,6 @@ class Kiosk {
   bool hands_taken_ = false, two_fingers_ = false, nobody_was_here_ = false;
   double fingers_asked_ = -1e9;  ///< When the glass was asked how many it tells apart.
   double now_ = 0.0;             ///< Of the last frame.
-  std::uint64_t seed_ = 1;
-  std::uint64_t pots_ = 0;
-  int pot_card_ = -1;
-  view::PictureId postcard_ = 0;
-  std::optional<KeptVisit> kept_;
-  loop::FaultLog fault_log_;
-  SavedCount saved_;
-  int kept_ticket_ = 0;    ///< Of kept_'s save.
-  int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.
   std::optional<view::InputEvent>
       early_touch_;  ///< The first touch, while the shelf is being read.
   view::Frame last_frame_;

@@ -74,7 +74,8 @@ Result<std::vector<access::Utterance>> walk_aided(
       return problem("the visit", "Nobody said where \"" + blind.lost() + "\" is.",
                      "This is a fault of the program: please report it.", 1);
     // The keepsake is on its way; who would leave now?
-    const bool waits = screen == ScreenId::keepsake && !(kiosk.kept() && kiosk.kept()->saved);
+    const bool waits =
+        screen == ScreenId::keepsake && !(kiosk.doing().kept && kiosk.doing().kept->saved);
     if (now > kAttractSeen && !waits)
       for (const view::InputEvent& event :
            how.blind ? blind.step(now) : one_switch.step(reading, kiosk.attendant().shown(), now))
@@ -83,13 +84,13 @@ Result<std::vector<access::Utterance>> walk_aided(
     if (now > kAidedTooLong)
       return problem("the visit", "It is not over after an hour.",
                      "This is a fault of the program: please report it.", 1);
-    if (kiosk.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (kiosk.doing().saving) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (how.realtime)
       std::this_thread::sleep_for(
           std::chrono::duration<double>(std::max(0.0, started + now - files::monotonic_seconds())));
   }
   kiosk.attendant().listen({});
-  if (!kiosk.kept())
+  if (!kiosk.doing().kept)
     return problem("the visit", "It went back to the start before the keepsake was made.",
                    "This is a fault of the program: please report it.", 1);
   return said;

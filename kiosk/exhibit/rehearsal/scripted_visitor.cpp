@@ -190,8 +190,8 @@ Result<void> ScriptedVisitor::on_throw(double now) {
 }
 
 Result<void> ScriptedVisitor::begin_throwing(double now) {
-  const auto& target = kiosk_.card(kiosk_.pot_card())->target;
-  auto script = make_script(plan_.script, {kiosk_.pot_def(), &target, plan_.seed, plan_.pace});
+  const auto& target = kiosk_.card(kiosk_.doing().card)->target;
+  auto script = make_script(plan_.script, {kiosk_.doing().pot, &target, plan_.seed, plan_.pace});
   if (!script) return tl::unexpected(script.error());
   pass("throw_begin");
   if (plan_.hand == Plan::Hand::script)
@@ -236,16 +236,16 @@ Result<void> ScriptedVisitor::on_kiln() {
 
 Result<void> ScriptedVisitor::on_keepsake() {
   if (touched_) return {};
-  const auto& kept = kiosk_.kept();
+  const exhibit::KeptVisit* const kept = kiosk_.doing().kept;
   if (!kept || !kept->saved) {
     // A save that is at work ends by itself, well or not, however slow the machine.
-    if (!kiosk_.saving() && now_ - entered_ > kKeepTimeout)
+    if (!kiosk_.doing().saving && now_ - entered_ > kKeepTimeout)
       return problem("the keepsake", "Nobody is keeping it.",
                      "This is a fault of the program: please report it.", 1);
     return {};
   }
   // Who takes all home waits for the picture that follows, too.
-  if (kiosk_.turning()) return {};
+  if (kiosk_.doing().turning) return {};
   if (!kept_seen_) {
     kept_seen_ = true;  // One more linger, so that the words about it are on the screen.
     entered_ = now_;

@@ -76,7 +76,7 @@ class Looker {
     kiosk_.advance(kScreenTicks);
     kiosk_.frame(now_ += kFrame, false);
     // A save runs on a worker, at its own pace.
-    if (kiosk_.saving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (kiosk_.doing().saving) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   void fail(const std::string& what) {
     good_ = problem("screen " + std::string(screens::name_of(kiosk_.visit().screen())),
@@ -92,7 +92,7 @@ class Looker {
 
 /// The hands of a script throw at `target` until the pot is half there.
 void throw_half(exhibit::Kiosk& kiosk, Looker& looker, const Profile& target) {
-  auto script = make_script("follow", {kiosk.pot_def(), &target, 1, 1.0});
+  auto script = make_script("follow", {kiosk.doing().pot, &target, 1, 1.0});
   if (!script) return;
   kiosk.potter().play(std::move(*script));
   looker.until("half a pot", [&] { return kiosk.potter().status().script_progress > 0.45; });
@@ -125,7 +125,7 @@ void keep_pot(exhibit::Kiosk& kiosk, Looker& looker, const std::string& name) {
     looker.look_now(name + " kiln");
     looker.touch("kiln.keep");
   }
-  looker.until("the keepsake", [&] { return kiosk.kept() && kiosk.kept()->saved; });
+  looker.until("the keepsake", [&] { return kiosk.doing().kept && kiosk.doing().kept->saved; });
   looker.look(name + " keepsake");
   if (!looker.has("keepsake.gallery")) return;
   looker.touch("keepsake.gallery");
@@ -162,7 +162,7 @@ void look_at_mission(exhibit::Kiosk& kiosk, Looker& looker, std::size_t n) {
   looker.touch("choose.throw");
   looker.look(name + " begin");
   if (!looker.good()) return;
-  throw_half(kiosk, looker, kiosk.card(kiosk.pot_card())->target);
+  throw_half(kiosk, looker, kiosk.card(kiosk.doing().card)->target);
   if (kind != MissionKind::today) {
     looker.look_now(name);
     look_into_drawers(looker, name);
@@ -186,7 +186,7 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
   looker.over("help", "attract help");
   const auto& label = [&] {
     return kiosk.shelf()
-        .cards()[static_cast<std::size_t>(std::max(0, kiosk.pot_card()))]
+        .cards()[static_cast<std::size_t>(std::max(0, kiosk.doing().card))]
         .vessel->label(kiosk.visit().language())
         .title;
   };
@@ -223,7 +223,7 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
   }
   looker.frames(2 * kFrame);
   looker.look_now("keepsake waiting");
-  looker.until("the keepsake", [&] { return kiosk.kept() && kiosk.kept()->saved; });
+  looker.until("the keepsake", [&] { return kiosk.doing().kept && kiosk.doing().kept->saved; });
   looker.look("keepsake");
   if (looker.has("keepsake.gallery")) {
     looker.touch("keepsake.gallery");

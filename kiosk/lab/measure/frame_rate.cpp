@@ -183,7 +183,7 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
   report.device = (*kiosk)->renderer().status().device;
   report.software = (*kiosk)->renderer().status().software;
   Watched watched(**kiosk);
-  while (!(*kiosk)->open_to_visitors() && files::monotonic_seconds() - opening < kOpening)
+  while (!(*kiosk)->doing().open_to_visitors && files::monotonic_seconds() - opening < kOpening)
     if (!watched.frame()) return tl::unexpected(closed());
   const double first = files::monotonic_seconds() - opening;
 

@@ -83,7 +83,7 @@ Result<TimingPhase> drawing_beside(exhibit::Kiosk& kiosk, double seconds) {
   if (loop == nullptr)
     return problem("the loop", "The exhibit does not run it.", "Please report this.", 1);
   double begun = files::monotonic_seconds();
-  while (!kiosk.open_to_visitors() && files::monotonic_seconds() - begun < 120.0)
+  while (!kiosk.doing().open_to_visitors && files::monotonic_seconds() - begun < 120.0)
     if (!kiosk.frame(files::monotonic_seconds())) break;
   const loop::LoopTiming from = loop->timing();
   const std::uint64_t missed = loop->status().deadlines.overruns;

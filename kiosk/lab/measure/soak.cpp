@@ -55,7 +55,7 @@ Result<int> soak(const SoakPlan& plan) {
   for (double now = begun; now - begun < length; now = files::monotonic_seconds()) {
     if (!kiosk.frame(now))
       return problem("the window", "It was closed during the soak.", "Leave it open.", 1);
-    if (!kiosk.open_to_visitors()) continue;
+    if (!kiosk.doing().open_to_visitors) continue;
     if (visitor && visitor->done()) {
       visitor.reset();
       ++visits;

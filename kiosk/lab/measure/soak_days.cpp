@@ -98,7 +98,7 @@ Result<void> SoakDays::open() {
   kiosk_ = std::move(*kiosk);
   timing_ = {};
   const double begun = files::monotonic_seconds();
-  while (!kiosk_->open_to_visitors() || !kiosk_->shelf().complete()) {
+  while (!kiosk_->doing().open_to_visitors || !kiosk_->shelf().complete()) {
     if (files::monotonic_seconds() - begun > kPatience)
       return problem("the exhibit", "It does not open.", "Run onggi check.", 1);
     if (auto good = frame(); !good) return good;
@@ -114,7 +114,8 @@ Result<void> SoakDays::frame() {
   files::set_wall_ahead(static_cast<std::int64_t>((now_ - begun_) - (real_ - real_begun_)));
   if (!kiosk_->frame(now_))
     return problem("the window", "It was closed during the soak.", "Leave it open.", 1);
-  if (reload_ && kiosk_->open_to_visitors() && kiosk_->shelf().complete()) reload_->look(now_);
+  if (reload_ && kiosk_->doing().open_to_visitors && kiosk_->shelf().complete())
+    reload_->look(now_);
   return {};
 }
 
@@ -139,7 +140,7 @@ void SoakDays::dead_end(const std::string& how) {
 }
 
 void SoakDays::look_at_keepsake() {
-  const auto& kept = kiosk_->kept();
+  const exhibit::KeptVisit* const kept = kiosk_->doing().kept;
   if (!kept || !kept->saved) return;
   if (!*kept->saved) {
     ++report_.not_kept;
@@ -203,9 +204,9 @@ Result<void> SoakDays::visit() {
   while (!visitor_->done()) {
     // A save takes its own time: six times as long for a visitor, a helper that hangs would let
     // them be taken for gone.
-    faster_ = kiosk_->saving() || kiosk_->turning() ? 1 : kFaster;
+    faster_ = kiosk_->doing().saving || kiosk_->doing().turning ? 1 : kFaster;
     if (auto good = frame(); !good) return good;
-    troubles_->during(kiosk_->saving());
+    troubles_->during(kiosk_->doing().saving);
     if (!changed_language && kiosk_->visit().screen() == screens::ScreenId::choose &&
         kiosk_->visit().control("language")) {
       changed_language = true;
@@ -222,7 +223,7 @@ Result<void> SoakDays::visit() {
     }
     const auto good = visitor_->step(now_);
     if (!good) {
-      const auto& kept = kiosk_->kept();
+      const exhibit::KeptVisit* const kept = kiosk_->doing().kept;
       const bool refused = kept && kept->saved && !*kept->saved;
       if (!refused) dead_end(good.error().what);
       break;
@@ -240,7 +241,7 @@ Result<void> SoakDays::visit() {
   if (!came_home)
     if (auto good = walk_away(); !good) return good;
   faster_ = 1;
-  while (kiosk_->saving())
+  while (kiosk_->doing().saving)
     if (auto good = frame(); !good) return good;
   troubles_->after();
   return {};
@@ -252,7 +253,7 @@ Result<void> SoakDays::rest() {
   for (int frames = 0; frames < 8 || now_ < until; ++frames) {
     now_ += std::clamp(until - now_, 0.0, kSkip);
     if (auto good = frame(); !good) return good;
-    if (reload_->wanted() && kiosk_->nobody_is_here()) {
+    if (reload_->wanted() && kiosk_->doing().nobody_is_here) {
       if (auto good = open_anew(); !good) return good;
     }
   }

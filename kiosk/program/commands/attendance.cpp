@@ -88,7 +88,7 @@ void Attendance::shows(const exhibit::Kiosk& kiosk) {
     options.watchdog_s = watch::Service::watchdog_s();
     keeper_ = std::make_unique<watch::Keeper>(options, ledger_);
   }
-  shown_.keepsakes = kiosk.keepsake_folder();
+  shown_.keepsakes = kiosk.doing().keepsake_folder;
   keeper_->shows(shown_);
   before_ = watch::together(before_, std::exchange(health_, {}));
 }
@@ -101,11 +101,11 @@ void Attendance::look(exhibit::Kiosk& kiosk) {
   health_.overruns = status.deadlines.overruns;
   health_.lost_ticks = status.deadlines.lost_ticks;
   health_.worst_wake_s = 1e-6 * status.deadlines.worst_wake_us;
-  health_.dark = kiosk.dark();
-  health_.kept = kiosk.saved().kept;
-  health_.not_kept = kiosk.saved().refused;
+  health_.dark = kiosk.doing().dark;
+  health_.kept = kiosk.doing().saved.kept;
+  health_.not_kept = kiosk.doing().saved.refused;
   const watch::Health all = watch::together(before_, health_);
-  keeper_->look({all.frames, all.wakes, kiosk.device_moves().value_or(all.frames)}, all,
+  keeper_->look({all.frames, all.wakes, kiosk.doing().device_moves.value_or(all.frames)}, all,
                 files::monotonic_seconds());
   for (const std::string& line : keeper_->remarks()) files::log_line(line);
 }

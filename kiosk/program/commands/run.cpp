@@ -37,7 +37,7 @@ Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in
   bool first = true;
   while (asked_to_stop == 0 && (*kiosk)->frame(files::monotonic_seconds())) {
     if (attendance != nullptr) attendance->look(**kiosk);
-    if (!(*kiosk)->open_to_visitors()) continue;
+    if (!(*kiosk)->doing().open_to_visitors) continue;
     if (std::exchange(first, false))
       files::log_line("First picture " +
                       std::to_string(static_cast<int>(files::since_exec_seconds() * 1000)) +
@@ -45,7 +45,7 @@ Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in
     // Not before: the shelf is read once already.
     if (!(*kiosk)->shelf().complete()) continue;
     reload.look(files::monotonic_seconds());
-    if (reload.wanted() && (*kiosk)->nobody_is_here()) return Ending::reload;
+    if (reload.wanted() && (*kiosk)->doing().nobody_is_here) return Ending::reload;
   }
   return Ending::asked_to;
 }

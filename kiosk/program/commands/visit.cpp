@@ -178,7 +178,7 @@ Result<void> walk(exhibit::Kiosk& kiosk, rehearsal::ScriptedVisitor& visitor, in
       if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
     }
     // A save runs on a worker: give it wall time, or the visit's clock would outrun it.
-    if (kiosk.saving() || kiosk.turning())
+    if (kiosk.doing().saving || kiosk.doing().turning)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (realtime)
       std::this_thread::sleep_for(std::chrono::duration<double>(
@@ -309,7 +309,7 @@ Result<int> visit(const VisitArguments& arguments) {
   if (!pages) return tl::unexpected(pages.error());
   if (const auto frames = film.write(); !frames) return tl::unexpected(frames.error());
 
-  files::Json report = rehearsal::visit_report(*kiosk.kept(), *pages, visitor.looks());
+  files::Json report = rehearsal::visit_report(*kiosk.doing().kept, *pages, visitor.looks());
   report["first_tick"] = first_tick;
   if (!arguments.mission.empty()) report["mission"] = arguments.mission;
   const auto kept = drawing::put_report(
@@ -317,7 +317,7 @@ Result<int> visit(const VisitArguments& arguments) {
   if (!kept) return tl::unexpected(kept.error());
   const auto free = drawing::put_report(report, arguments.json);
   if (!free) return tl::unexpected(free.error());
-  if (*free) std::cout << rehearsal::visit_summary(*kiosk.kept());
+  if (*free) std::cout << rehearsal::visit_summary(*kiosk.doing().kept);
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "kiosk/ground/files/memory.h"
+#include "kiosk/keepsake/store/statistics.h"
 #include "tests/kiosk/exhibit/composition/one_jar.h"
 #include "tests/kiosk/keepsake/souvenir/shown_gif.h"
 #include "tests/support/holes.h"
@@ -34,7 +35,7 @@ class WholeKiosk : public OneJar {
     kiosk_->advance(2);  // Nobody throws.
     kiosk_->frame(now_ += 0.04, false);
     // Shelf, saves and pictures have threads of their own.
-    if (kiosk_->turning() || kiosk_->saving() || !kiosk_->shelf().complete())
+    if (kiosk_->doing().turning || kiosk_->doing().saving || !kiosk_->shelf().complete())
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   template <class Done>
@@ -48,8 +49,8 @@ class WholeKiosk : public OneJar {
     kiosk_->visit().activate(control, now_);
     frame();
   }
-  /// From attract to the pot that is kept, by a hand of its choice.
-  void keep_a_pot(bool left_handed) {
+  /// From attract to a pot whose keepsake is on its way, by a hand of its choice.
+  void ask_to_keep_a_pot(bool left_handed) {
     press("attract.begin");
     if (left_handed) {
       press("comfort");
@@ -61,7 +62,10 @@ class WholeKiosk : public OneJar {
     until([&] { return kiosk_->visit().sight().has_value(); });
     press("throw.done");
     press("result.keep");
-    until([&] { return kiosk_->kept() && kiosk_->kept()->saved; });
+  }
+  void keep_a_pot(bool left_handed) {
+    ask_to_keep_a_pot(left_handed);
+    until([&] { return kiosk_->doing().kept && kiosk_->doing().kept->saved; });
   }
 
   std::string keepsake_;  ///< More of its table.
@@ -93,13 +97,13 @@ TEST_F(WholeKiosk, APictureThatTurnsGoesTheWayOfTheHandThatItsVisitorChose) {
   std::array<souvenir::Pictures, 2> turns;
   for (const bool left_handed : {false, true}) {
     keep_a_pot(left_handed);
-    until([&] { return !kiosk_->turning() && kiosk_->kept()->turning; });
-    const auto& outcome = *kiosk_->kept()->turning;
+    until([&] { return !kiosk_->doing().turning && kiosk_->doing().kept->turning; });
+    const auto& outcome = *kiosk_->doing().kept->turning;
     ASSERT_TRUE(outcome) << to_text(outcome.error());
     const std::string bytes = commands::text_of(*outcome);
     turns[left_handed ? 1 : 0] = souvenir::shown_gif(std::as_bytes(std::span(bytes)));
     press("keepsake.done");
-    until([&] { return kiosk_->nobody_is_here(); });
+    until([&] { return kiosk_->doing().nobody_is_here; });
   }
   // The same pot: one goes on as the other comes back.
   const auto& [right, left] = turns;
@@ -109,6 +113,49 @@ TEST_F(WholeKiosk, APictureThatTurnsGoesTheWayOfTheHandThatItsVisitorChose) {
     const double same_way = apart(right[n], left[n]), other_way = apart(right[n], left[40 - n]);
     EXPECT_LT(other_way, 0.5 * same_way) << n << " " << other_way;
   }
+}
+
+/// One whose visits are counted, too.
+class CountedKiosk : public StillKiosk {
+ protected:
+  CountedKiosk() { counted_ = true; }
+  /// What is counted once the kiosk is closed.
+  store::Cell counted() {
+    kiosk_.reset();
+    const auto found = store::read_statistics((folder_ / "kept/onggi.sqlite").string(), "", "");
+    EXPECT_TRUE(found) << to_text(found.error());
+    return found ? found->all : store::Cell{};
+  }
+};
+
+// ForgetVisitor is carried out after the save, and the counter hears of the visit before the ticket
+// of its save is forgotten: in the other order each visit is counted as one that kept nothing.
+TEST_F(CountedKiosk, AVisitThatKeptAPotIsCountedWithItsKeepsake) {
+  keep_a_pot(false);
+  press("keepsake.done");
+  until([&] { return kiosk_->doing().nobody_is_here; });
+  const store::Cell all = counted();
+  EXPECT_EQ(all.visits, 1);
+  EXPECT_EQ(all.kept, 1);
+}
+
+// Closing waits for the save, tells the counter of it, and closes the counter, in this order.
+TEST_F(CountedKiosk, AVisitThatIsClosedWhileItsKeepsakeIsOnItsWayIsCountedWithIt) {
+  ask_to_keep_a_pot(false);
+  ASSERT_TRUE(kiosk_->doing().saving);
+  const store::Cell all = counted();
+  EXPECT_EQ(all.visits, 1);
+  EXPECT_EQ(all.kept, 1);
+}
+
+TEST_F(CountedKiosk, AVisitorWhoStartsAnewIsNotToldOfTheSaveOfTheOneBefore) {
+  ask_to_keep_a_pot(false);
+  ASSERT_TRUE(kiosk_->doing().saving);
+  kiosk_->visit().close(now_);  // they leave at once
+  until([&] { return !kiosk_->doing().saving; });
+  EXPECT_EQ(kiosk_->visit().screen(), ScreenId::attract);
+  EXPECT_FALSE(kiosk_->doing().kept->saved) << "what was saved is told to whom it belongs";
+  EXPECT_EQ(kiosk_->doing().saved.kept, 1u);
 }
 
 TEST_F(StillKiosk, HolesInTheHeapGoBackWhenItsVisitorHasGoneAndNotBefore) {
@@ -121,7 +168,7 @@ TEST_F(StillKiosk, HolesInTheHeapGoBackWhenItsVisitorHasGoneAndNotBefore) {
   EXPECT_GT(test::resident_mib(), before - 0.1 * test::Holes::kMib)
       << "somebody looks at the keepsake";
   press("keepsake.done");
-  until([&] { return kiosk_->nobody_is_here(); });
+  until([&] { return kiosk_->doing().nobody_is_here; });
   frame();
   EXPECT_LT(test::resident_mib(), before - 0.7 * test::Holes::kMib);
 }

@@ -44,7 +44,8 @@ TEST(Night, ATouchWakesItForAWhileWhateverTheClockOnTheWallDoes) {
 // Shown by the real kiosk: the wall's clock is the test's.
 class DarkKiosk : public OneJar {
  protected:
-  void SetUp() override {
+  void SetUp() override { open_by_day(); }
+  void open_by_day() {
     KioskOptions options;
     options.window = {.width = 960, .height = 540, .visible = false, .title = "Onggi tests"};
     options.wall = [this] { return wall_; };
@@ -62,6 +63,40 @@ class DarkKiosk : public OneJar {
   std::time_t wall_ = at(12);
 };
 
+/// One that is switched on at night.
+class NightKiosk : public DarkKiosk {
+ protected:
+  void SetUp() override {}
+};
+
+TEST_F(NightKiosk, OfADiskThatRefusesToCountVisitsTheLogTellsAtOnceAndNotInTheMorning) {
+  wall_ = at(23);
+  counted_ = true;
+  std::filesystem::create_directories(folder_ / "kept/onggi.sqlite/in/the/way");
+  testing::internal::CaptureStderr();
+  open_by_day();
+  for (int n = 0; n < 20; ++n) frame(0.1);
+  const std::string log = testing::internal::GetCapturedStderr();
+  if (IsSkipped()) return;
+  ASSERT_TRUE(kiosk_->doing().dark);
+  EXPECT_NE(log.find("onggi.sqlite"), std::string::npos) << log;
+}
+
+// A device's thread lets go of its force when the frames stand still, so that it must be looked
+// after in the dark, too; and what is done to it wakes the screen.
+TEST_F(NightKiosk, InTheDarkHandDevicesAreLookedAfterInEachFrame) {
+  pucks_ = 1;
+  wall_ = at(12);
+  open_by_day();
+  if (IsSkipped()) return;
+  wall_ = at(19);
+  for (int n = 0; n < 100 && kiosk_->doing().device_moves.value_or(0) == 0; ++n) frame(1);
+  ASSERT_TRUE(kiosk_->doing().dark);
+  const auto before = kiosk_->doing().device_moves;
+  for (int n = 0; n < 5; ++n) frame(1);
+  EXPECT_GT(kiosk_->doing().device_moves, before);
+}
+
 int brightest(const view::Image& image) {
   int most = 0;
   for (std::size_t i = 0; i < image.rgba.size(); ++i)
@@ -74,7 +109,7 @@ TEST_F(DarkKiosk, AtNightEveryPixelIsBlackTheClayRestsAndTheMorningFindsItAsItWa
   EXPECT_GT(brightest(kiosk_->picture()), 150);
   wall_ = at(19);
   frame(1);
-  ASSERT_TRUE(kiosk_->dark());
+  ASSERT_TRUE(kiosk_->doing().dark);
   EXPECT_EQ(brightest(kiosk_->picture()), 0);
   ASSERT_TRUE(kiosk_->potter().settle());
   const auto ticks = kiosk_->potter().status().ticks;
@@ -85,7 +120,7 @@ TEST_F(DarkKiosk, AtNightEveryPixelIsBlackTheClayRestsAndTheMorningFindsItAsItWa
   wall_ = at(10);
   frame(1);
   frame(0.1);
-  EXPECT_FALSE(kiosk_->dark());
+  EXPECT_FALSE(kiosk_->doing().dark);
   EXPECT_GT(brightest(kiosk_->picture()), 150);
 }
 

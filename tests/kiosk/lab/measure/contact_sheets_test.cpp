@@ -58,8 +58,8 @@ TEST(ContactSheets, ASheetThatIsLargerThanAnyPictureIsWholeToItsLastRowAndColumn
   ASSERT_TRUE(opened) << to_text(opened.error());
   exhibit::Kiosk& kiosk = **opened;
   double now = 0;
-  for (int n = 0; n < 5000 && !kiosk.open_to_visitors(); ++n) kiosk.frame(now += 0.01, false);
-  ASSERT_TRUE(kiosk.open_to_visitors());
+  for (int n = 0; n < 5000 && !kiosk.doing().open_to_visitors; ++n) kiosk.frame(now += 0.01, false);
+  ASSERT_TRUE(kiosk.doing().open_to_visitors);
 
   // One state more than 4096 pixels hold, each 106 high; and one sight, 158 wide. It is drawn once.
   constexpr int kStates = 40, kSights = 27;

@@ -1,0 +1,92 @@
+#include "kiosk/exhibit/composition/keeping.h"
+
+#include <utility>
+
+#include "kiosk/exhibit/composition/words.h"
+#include "kiosk/ground/files/log.h"
+
+namespace onggi::exhibit {
+
+namespace {
+constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
+}  // namespace
+
+Keeping::Keeping(const World& world, const std::filesystem::path& folder)
+    : world_(world),
+      keepsakes_(folder, {world.exhibit.keepsake.quota_mb, world.exhibit.keepsake.days},
+                 world.exhibit.phone.address.empty() ? 0.0 : world.exhibit.phone.hours) {}
+
+void Keeping::look(double now) {
+  keepsakes_.look(now);
+  if (const auto untidy = keepsakes_.untidy()) files::log_problem(*untidy);
+}
+
+void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& card,
+                   screens::Visit& visit) {
+  auto taken = take_home(wish, card, language_of(world_.languages, visit.language()),
+                         world_.exhibit, world_.potter, world_.renderer, keepsakes_.token());
+  if (!taken) return visit.keepsake_failed(taken.error());
+  if (postcard_ != 0) world_.renderer.drop_picture(postcard_);
+  postcard_ = world_.renderer.make_picture(taken->keepsake.postcard);
+  visit.show_postcard(postcard_);
+  const encoding::Caption caption = taken->keepsake.caption;
+  kept_ticket_ = saving_ticket_ = keepsakes_.save(std::move(taken->keepsake));
+  if (world_.exhibit.keepsake.turning)
+    turning_.begin(saving_ticket_, caption, wish.made, taken->glazing, world_.potter.view().clay,
+                   visit.shown_on().left_handed);
+  kept_ = std::move(taken->visit);
+}
+
+void Keeping::forget(const screens::ForgetVisitor& wish, const std::string& vessel) {
+  // Counted first: the ticket says which save the visit waits for.
+  if (world_.counter && wish.notes) world_.counter->visit_over(*wish.notes, vessel, saving_ticket_);
+  world_.potter.stop_recording();
+  saving_ticket_ = 0;
+  if (postcard_ != 0) world_.renderer.drop_picture(std::exchange(postcard_, 0));
+}
+
+void Keeping::collect(screens::Visit& visit) {
+  if (const auto added = keepsakes_.added()) {
+    if (added->outcome)
+      files::log_line("Kept " + added->outcome->string());
+    else
+      files::log_problem(added->outcome.error());
+    // The pot of kept() is the last that was saved, and its picture has the same ticket.
+    if (kept_ && added->ticket == kept_ticket_) kept_->turning = added->outcome;
+  }
+  if (const auto save = keepsakes_.finished()) tell(*save, visit);
+}
+
+void Keeping::tell(const Keepsakes::Finished& save, screens::Visit& visit) {
+  ++(save.outcome ? saved_.kept : saved_.refused);
+  if (save.outcome)
+    files::log_line("Kept " + save.outcome->folder.string());
+  else
+    files::log_problem(save.outcome.error());
+  if (world_.todays) world_.todays->hurry();
+  if (world_.counter) world_.counter->saved(save);
+  if (save.ticket != saving_ticket_) return;  // its visitor has left
+  if (kept_) kept_->saved = save.outcome;
+  if (!save.outcome) return visit.keepsake_failed(save.outcome.error());
+  // Date and time are enough to ask for at the desk, and short enough to remember.
+  visit.keepsake_kept(
+      save.outcome->folder.filename().string().substr(0, kSpokenName),
+      save.outcome->token.empty() ? "" : phone_address(world_.exhibit, save.outcome->token));
+}
+
+void Keeping::draw_turning(const view::Frame& shown) {
+  if (shown.fade > 0) return;
+  auto drawn = turning_.draw(world_.potter.view().clay, world_.renderer);
+  if (drawn) keepsakes_.add(drawn->ticket, std::move(drawn->turning), std::move(drawn->caption));
+}
+
+void Keeping::finish(screens::Visit& visit) {
+  keepsakes_.wait();
+  while (keepsakes_.busy() || keepsakes_.adding()) collect(visit);
+  // Last: a visit that waits for its save is counted as kept only once the save is told.
+  if (!world_.counter) return;
+  world_.counter->finish();
+  files::log_problems(world_.counter->remarks());
+}
+
+}  // namespace onggi::exhibit

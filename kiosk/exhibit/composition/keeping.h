@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/collection/content/language.h"
+#include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/exhibit/composition/keepsakes.h"
+#include "kiosk/exhibit/composition/taken_home.h"
+#include "kiosk/exhibit/composition/todays_pots.h"
+#include "kiosk/exhibit/composition/turning_pot.h"
+#include "kiosk/exhibit/composition/visit_counter.h"
+#include "kiosk/picture/render/renderer.h"
+#include "kiosk/visit/screens/visit.h"
+#include "kiosk/wheel/loop/potter_host.h"
+
+namespace onggi::exhibit {
+
+/// Keepsakes that were kept since the kiosk opened, and those that the disk refused.
+struct SavedCount {
+  std::uint64_t kept = 0, refused = 0;
+};
+
+/// One visitor's keepsake, from the postcard on the screen to the files on the disk and the count
+/// of visits. Carries out the two wishes of a visit that concern it. Main thread; only finish()
+/// waits for a disk.
+class Keeping {
+ public:
+  /// What it works with; all of it outlives this. `todays`, `counter`: null where the exhibit shows
+  /// no gallery, or counts no visits.
+  struct World {
+    const settings::Exhibit& exhibit;
+    const std::vector<content::Language>& languages;
+    render::Renderer& renderer;
+    loop::PotterHost& potter;
+    TodaysPots* todays = nullptr;
+    VisitCounter* counter = nullptr;
+  };
+  Keeping(const World& world, const std::filesystem::path& folder);
+
+  /// Once a frame, first of all: tidies the folder when that is due. `now` in seconds.
+  void look(double now);
+  /// The visitor keeps the pot that answers `card`: a postcard for the screen, and a save that
+  /// begins.
+  void make(const screens::MakeKeepsake& wish, const screens::ShelfCard& card,
+            screens::Visit& visit);
+  /// The visit is over: it is counted with its save, and its postcard is dropped. `vessel`: its
+  /// name on the shelf, "" where none was chosen.
+  void forget(const screens::ForgetVisitor& wish, const std::string& vessel);
+  /// Takes what workers have finished, and tells the gallery, the count of visits and the visitor,
+  /// in this order. The visitor is told of their own save alone.
+  void collect(screens::Visit& visit);
+  /// One more picture of the turning pot, while no screen fades into another: `shown` is the frame
+  /// that was just made, of the same clay.
+  void draw_turning(const view::Frame& shown);
+  /// Waits for every save, and for the count of visits. Draws nothing. Call once, at the end.
+  void finish(screens::Visit& visit);
+  /// The screen is lost, and with it the postcard's picture.
+  void lose_screen() { postcard_ = 0; }
+
+  const std::optional<KeptVisit>& kept() const { return kept_; }
+  /// A save is under way.
+  bool saving() const { return keepsakes_.busy(); }
+  /// A turning picture is being written.
+  bool adding() const { return keepsakes_.adding(); }
+  /// A turning picture is being drawn or written. It comes after its save, and nobody need wait.
+  bool turning() const { return turning_.drawing() || adding(); }
+  const SavedCount& saved() const { return saved_; }
+  const std::filesystem::path& folder() const { return keepsakes_.folder(); }
+
+ private:
+  void tell(const Keepsakes::Finished& save, screens::Visit& visit);
+
+  World world_;
+  Keepsakes keepsakes_;
+  TurningPot turning_;
+  view::PictureId postcard_ = 0;
+  std::optional<KeptVisit> kept_;
+  int kept_ticket_ = 0;    ///< Of kept_'s save.
+  int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.
+  SavedCount saved_;
+};
+
+}  // namespace onggi::exhibit
