@@ -1,7 +1,9 @@
-# Sourced by tests/distributions/run and tests/arm64/run, which set `folder`: a row of their table.
+# Sourced by tests/distributions/run and tests/arm64/run, which set `folder` and `only`: a row of their table. Where `only` names
+# rows, the others are passed over.
 table=""
 failed=0
 row() {  # row NAME WHAT COMMAND...
+  [[ ${#only[@]} -eq 0 || " ${only[*]} " == *" $1 "* ]] || return 0
   local log=$folder/${suite:-arm64}-$1.log what=$2 start=$SECONDS result=good
   shift 2
   echo "$what: $log"
