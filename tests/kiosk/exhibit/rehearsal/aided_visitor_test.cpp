@@ -85,7 +85,8 @@ TEST(AidedVisits, AWholeVisitIsMadeWithOneSwitch) {
   EXPECT_LE(visit->presses, 2 * (2 * visit->strokes + 10)) << "two a choice, two choices a stroke";
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, HeardVisits, ::testing::Values("en", "ko"));
+INSTANTIATE_TEST_SUITE_P(Languages, HeardVisits, ::testing::Values("en", "ko"),
+                         [](const auto& language) { return std::string(language.param); });
 
 TEST(AidedVisits, ASlowSwitchHasAllTheTimeItNeeds) {
   const auto& all = visits("ko");
@@ -160,7 +161,8 @@ TEST_P(HeardMissions, AtAWheelOfTwoItIsSaidThatBothHandsAreWhoseTheButtonsAre) {
       says_together(heard("two_hands"), mission_of("two_hands").about_in(GetParam()), both));
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, HeardMissions, ::testing::Values("en", "ko"));
+INSTANTIATE_TEST_SUITE_P(Languages, HeardMissions, ::testing::Values("en", "ko"),
+                         [](const auto& language) { return std::string(language.param); });
 
 TEST(AidedMissions, WhatIsAdvisedStrokeByStrokeComesToTheMouthThatWasAsked) {
   const files::test::ScratchFolder folder;

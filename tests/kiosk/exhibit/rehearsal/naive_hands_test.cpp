@@ -101,7 +101,8 @@ TEST_P(EverySeed, TheyMakeStrokesOnThePotAndThenCallItDone) {
     EXPECT_LT(seen.fastest, 1500);
   }
 }
-INSTANTIATE_TEST_SUITE_P(NaiveHands, EverySeed, testing::Range(1, 21));
+INSTANTIATE_TEST_SUITE_P(NaiveHands, EverySeed, testing::Range(1, 21),
+                         [](const auto& seed) { return "seed_" + std::to_string(seed.param); });
 
 TEST(NaiveHands, TheSameSeedMakesTheSameStrokesAndAnotherOnesOthers) {
   const auto strokes = [](std::uint64_t seed) {
