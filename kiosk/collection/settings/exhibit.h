@@ -18,7 +18,7 @@ namespace onggi::settings {
 /// so are the defaults of paths.
 struct Exhibit {
   std::filesystem::path file;  ///< Where it was read.
-  std::map<std::string, std::string> title{{"en", "Throw a pot"},
+  std::map<std::string, std::string> title{{"en", "Make a pot"},
                                            {"ko", "도자기 빚기"}};  ///< By language.
   std::string credit = "Onggi";                    ///< Printed on the keepsake; 1..120 letters.
   std::vector<std::string> languages{"en", "ko"};  ///< First is the default; 1..12 of them.

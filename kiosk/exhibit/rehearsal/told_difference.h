@@ -18,7 +18,7 @@ struct ToldDifference {
 /// Of the first "Middle: 8 mm too narrow." in `text`. Nothing where none is said.
 std::optional<ToldDifference> understand(const std::string& text,
                                          const content::Language& language);
-/// What is advised of a pot that is to answer a description: "To try: Widen, Rim."
+/// What is advised of a pot that is to answer a description: "Try: Widen, Rim."
 struct AdvisedStroke {
   device::WallPart part = device::WallPart::middle;
   device::Ask ask = device::Ask::even;

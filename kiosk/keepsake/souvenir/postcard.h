@@ -12,7 +12,7 @@ namespace onggi::souvenir {
 
 /// What a postcard says and shows; words already in the visitor's language.
 struct PostcardWords {
-  std::string title;   ///< "My answer to: Moon jar"
+  std::string title;   ///< "My pot, inspired by: Moon jar"
   std::string vessel;  ///< Culture and date of the vessel it answers.
   int stars = 0;       ///< 0..5, as small filled circles.
   std::string credit;  ///< The museum's.

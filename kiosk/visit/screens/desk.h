@@ -86,7 +86,7 @@ class Desk {
   }
   /// What stands over the pot: the vessel's name, or the mission's.
   std::string heading() const;
-  /// And over what it came to: "Your answer to: Moon jar".
+  /// And over what it came to: "Inspired by: Moon jar".
   std::string answer() const;
   /// A remark in the visitor's language, litres with its own decimal sign.
   std::string said(const score::Remark& remark) const;

@@ -179,8 +179,8 @@ TEST(AidedMissions, WhatIsAdvisedStrokeByStrokeComesToTheMouthThatWasAsked) {
   const auto visit = (*all)->blind("flask", kStrokes);
   ASSERT_TRUE(visit) << visit.error().what;
   note(*visit, "flask");
-  EXPECT_TRUE(says(*visit, "To try: Narrow, Rim."));
-  EXPECT_TRUE(says(*visit, "Very near now."));
+  EXPECT_TRUE(says(*visit, "Try: Narrow, Rim."));
+  EXPECT_TRUE(says(*visit, "Nearly right."));
   EXPECT_GT(visit->points, kBound);
   ASSERT_EQ(visit->asked.size(), 3u);
   EXPECT_LE(std::stoi(visit->asked.back().places.at("mm")), 72);

@@ -27,7 +27,7 @@ Keepsake keepsake(const std::string& name = "2026-05-04_141503_moon_jar") {
   Keepsake k;
   k.name = name;
   k.postcard = {50, 70, std::vector<std::uint8_t>(50 * 70 * 4, 200)};
-  k.caption = {"My answer to: Moon jar", "Museum of Jars", "Joseon"};
+  k.caption = {"My pot, inspired by: Moon jar", "Museum of Jars", "Joseon"};
   k.glb = {std::byte{'g'}, std::byte{'l'}};
   k.pot = revolve({{{0, 0}, {0.05, 0}, {0.05, 0.1}, {0.04, 0.1}, {0.04, 0.01}, {0, 0.01}}}, 16);
   k.replay = {std::byte{'r'}};

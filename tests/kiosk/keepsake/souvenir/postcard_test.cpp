@@ -40,7 +40,7 @@ Profile vase(double belly) {
 
 PostcardWords words() {
   PostcardWords w;
-  w.title = "My answer to: Panathenaic amphora";
+  w.title = "My pot, inspired by: Panathenaic amphora";
   w.vessel = "Greece, Athens, about 530 BCE";
   w.stars = 3;
   w.credit = "Onggi, shapes drawn from published dimensions";
@@ -142,7 +142,7 @@ TEST(Postcard, SaysTitleVesselCreditAndDateWithoutOverlap) {
 TEST(Postcard, ALongTitleIsSetSmallerUntilItIsTwoLines) {
   auto w = words();
   w.title =
-      "My answer to: a very long title of a vessel that a curator wrote one late evening, "
+      "My pot, inspired by: a very long title of a vessel that a curator wrote one late evening, "
       "with where it was found and by whom";
   const auto texts = all<view::Text>(compose_postcard(w, vase(0.05), vase(0.06), WideMeasure()));
   EXPECT_LE(texts.front().box.h, texts.front().style.px * texts.front().style.line_height * 2.1f);
@@ -195,8 +195,8 @@ TEST(Postcard, KeepsWordsStarsCodesAndDrawingApartHoweverMuchIsSaidAndFromEither
   // A bowl is low and wide, a bottle's drawing as high as it may be.
   for (const auto& vessel : {vase(0.02), vase(0.05), vase(0.3)})
     for (const bool right_to_left : {false, true})
-      for (const char* title : {"My answer to: Bowl",
-                                "My answer to: a very long title of a vessel, with where it was "
+      for (const char* title : {"My pot, inspired by: Bowl",
+                                "My pot, inspired by: a very long title of a vessel, with where it was "
                                 "found, by whom, and on what day of which year"})
         for (const std::string page : {"", "https://museum.org/12.3"})
           for (const std::string& phone : {std::string(), mine, longest}) {

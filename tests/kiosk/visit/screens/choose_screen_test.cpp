@@ -12,7 +12,7 @@
 #include "tests/kiosk/visit/screens/codes_in.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 
-// The museum's page on a label and on a postcard: a phone must read it off the picture, so zbar
+// The museum’s page on a label and on a postcard: a phone must read it off the picture, so zbar
 // does. And the shelf under a finger.
 
 namespace onggi::screens {
@@ -58,7 +58,7 @@ TEST_F(AMuseumsPage, IsReadOffTheLabelAtEverySizeInBothLanguages) {
 
 TEST_F(AMuseumsPage, IsReadOffThePostcard) {
   souvenir::PostcardWords words;
-  words.title = "My answer to: Panathenaic amphora";
+  words.title = "My pot, inspired by: Panathenaic amphora";
   words.vessel = "Greece, Athens, about 530 BCE; a long line of words that says whose it was";
   words.stars = 4;
   words.credit =
@@ -117,8 +117,8 @@ TEST(AVesselsLabel, SaysTheMuseumsPageInWordsAndNothingWhereThereIsNone) {
   };
   const Reader with(1280, 720, false, "https://www.museum.org/12.3"), without(1280, 720, false, "");
   EXPECT_NE(words_of(with.v.frame).find("\nmuseum.org/12.3\n"), std::string::npos);
-  EXPECT_NE(words_of(with.v.frame).find("The museum's page"), std::string::npos);
-  EXPECT_EQ(words_of(without.v.frame).find("The museum's page"), std::string::npos);
+  EXPECT_NE(words_of(with.v.frame).find("The museum’s page"), std::string::npos);
+  EXPECT_EQ(words_of(without.v.frame).find("The museum’s page"), std::string::npos);
   EXPECT_LT(code_in(without.v.frame).w, 0);
 }
 

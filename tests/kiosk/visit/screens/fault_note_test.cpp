@@ -15,7 +15,7 @@ TEST(FaultNote, WhatTheWheelPutRightIsToldInKindWordsForAWhileAndForgottenAtTheW
   };
   for (const Told& told : {Told{kFaultInput, "lost sight of the hand", "손이 잠깐 보이지"},
                            Told{kFaultTime, "catch its breath", "숨을 골랐습니다"},
-                           Told{kFaultForce, "let go of the hand", "힘을 잠깐 풀었습니다"}})
+                           Told{kFaultForce, "eased the force", "힘을 잠깐 풀었습니다"}})
     for (const bool korean : {false, true}) {
       Visitor v;
       if (korean) v.touch("language");
@@ -41,7 +41,7 @@ TEST(FaultNote, OfSeveralThatOneIsToldWhichTheHandFeelsAndAllAreForgotten) {
   v.throw_a_pot();
   v.status.feedback.faults = kFaultInput | kFaultTime | kFaultForce;
   v.show();
-  EXPECT_NE(words_in(v.frame).find("let go of the hand"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("eased the force"), std::string::npos);
   EXPECT_EQ(v.potter.cleared, kFaultInput | kFaultTime | kFaultForce);
 }
 
@@ -49,7 +49,7 @@ TEST(FaultNote, NobodyIsToldWhereNobodyIsAtTheWheelButTheWheelForgetsAllTheSame)
   Visitor v;
   v.status.feedback.faults = kFaultForce;
   v.frames(1);
-  EXPECT_EQ(words_in(v.frame).find("let go of the hand"), std::string::npos);
+  EXPECT_EQ(words_in(v.frame).find("eased the force"), std::string::npos);
   EXPECT_EQ(v.potter.cleared, std::uint32_t{kFaultForce});
 }
 

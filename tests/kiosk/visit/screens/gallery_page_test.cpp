@@ -141,8 +141,8 @@ TEST(Gallery, APotSaysWhatItAnswersAndHowAlikeItIsAndNothingElse) {
   v.frames(1);
   const std::string words = words_in(v.frame);
   EXPECT_NE(words.find(v.vessels[0].labels["en"].title), std::string::npos);
-  EXPECT_NE(words.find("0 of 5 stars"), std::string::npos);
-  EXPECT_NE(words.find("1 of 5 stars"), std::string::npos);
+  EXPECT_NE(words.find("0 out of 5"), std::string::npos);
+  EXPECT_NE(words.find("1 out of 5"), std::string::npos);
   EXPECT_EQ(words.find("any more"), std::string::npos);
 }
 

@@ -155,7 +155,7 @@ struct Card {
   const char *code, *title, *vessel, *credit, *date, *glaze, *phone, *museum;
 };
 const Card kCards[] = {
-    {"en", "My answer to: Panathenaic amphora", "Greece, Athens, about 530 BCE",
+    {"en", "My pot, inspired by: Panathenaic amphora", "Greece, Athens, about 530 BCE",
      "The Museum of Pots, with a credit as long as a museum may have in its exhibit's file",
      "4 May 2026", "Celadon, 175 mm high", "Your pot on a phone, until 5 May 2026",
      "The vessel at the museum"},

@@ -92,7 +92,7 @@ TEST(TodaysMission, IsThrownAsAnyVesselAndTheResultSaysWhatItWas) {
   v.touch("throw.done");
   v.frames(1);
   EXPECT_THAT(words_in(v.frame), HasSubstr("Today’s vessel: Moon jar"));
-  EXPECT_THAT(words_in(v.frame), HasSubstr("What is alike"));
+  EXPECT_THAT(words_in(v.frame), HasSubstr("What matches"));
 }
 
 TEST(Description, SaysWhatThePotHoldsWhileItIsThrownAndWhatWouldBringItNearer) {
@@ -111,7 +111,7 @@ TEST(Description, SaysWhatThePotHoldsWhileItIsThrownAndWhatWouldBringItNearer) {
     v.frames(3);
     EXPECT_THAT(words_in(v.frame), HasSubstr(hundredths < 97    ? "From inside, draw"
                                              : hundredths > 110 ? "From outside, draw"
-                                                                : "to be lower"))
+                                                                : "should be lower"))
         << said;
   }
 }
@@ -160,10 +160,10 @@ TEST(Description, IsJudgedByItsFiguresWithNoVesselBesideIt) {
   ASSERT_TRUE(v.frame.pot);
   EXPECT_FALSE(v.frame.pot->beside) << "there is none";
   const std::string words = words_in(v.frame);
-  EXPECT_THAT(words, HasSubstr("What was asked"));
+  EXPECT_THAT(words, HasSubstr("The task"));
   EXPECT_THAT(words, HasSubstr("l of 1 l."));
-  EXPECT_THAT(words, HasSubstr("100 to 150 mm were asked"));
-  EXPECT_THAT(words, Not(HasSubstr("What is alike")));
+  EXPECT_THAT(words, HasSubstr("The task: 100 to 150 mm."));
+  EXPECT_THAT(words, Not(HasSubstr("What matches")));
   EXPECT_EQ(v.visit->score().asked.size(), 3u);
   v.touch("result.keep");
   v.touch("kiln.glaze.0");
@@ -187,7 +187,7 @@ TEST(Description, IsToldToWhoDoesNotSeeTheScreen) {
   v.frames(1);
   const Reading reading = v.visit->reading();
   EXPECT_THAT(reading.differences, Contains(HasSubstr("l of 1 l.")));
-  EXPECT_THAT(reading.differences, Contains("To try: Widen, All of it."));
+  EXPECT_THAT(reading.differences, Contains("Try: Widen, Whole pot."));
   EXPECT_THAT(words_in(v.frame), Not(HasSubstr("From inside, draw"))) << "it does not draw";
   for (const Control& c : reading.controls) EXPECT_THAT(c.note, Not(HasSubstr("mm")));
 }
@@ -209,11 +209,11 @@ TEST(Description, AdvisesTheStrokeThatBringsItNearerByTheNamesOfItsButtons) {
   };
   const Bounds any{0.04, 0.2}, any_mouth{0.04, 0.22};
   for (const Case& one :
-       {Case{0.03, wants(3, any, any_mouth), "To try: Widen, All of it."},
-        Case{0.06, wants(0.1, any, any_mouth), "To try: Narrow, All of it."},
+       {Case{0.03, wants(3, any, any_mouth), "Try: Widen, Whole pot."},
+        Case{0.06, wants(0.1, any, any_mouth), "Try: Narrow, Whole pot."},
         Case{0.03, wants(0.5, any, {0.14, 0.2}), "To try: Widen, Rim."},
         Case{0.06, wants(1.9, any, {0.04, 0.06}), "To try: Narrow, Rim."},
-        Case{0.04, wants(0.9, {0.04, 0.6 * h}, any_mouth), "It is to be lower."}}) {
+        Case{0.04, wants(0.9, {0.04, 0.6 * h}, any_mouth), "It should be lower."}}) {
     SCOPED_TRACE(one.advice);
     Visitor v;
     v.exhibit.screen.one_switch = true;
@@ -305,8 +305,8 @@ TEST(MissionHelp, AtTheResultSpeaksOfAVesselBesideThePotOnlyWhereOneStands) {
     v.touch("help");
     v.frames(1);
     const std::string words = words_in(v.frame);
-    EXPECT_EQ(words.find("stands beside yours") != std::string::npos, !described) << words;
-    EXPECT_EQ(words.find("What your pot measures") != std::string::npos, described) << words;
+    EXPECT_EQ(words.find("beside the one you chose") != std::string::npos, !described) << words;
+    EXPECT_EQ(words.find("size beside the task") != std::string::npos, described) << words;
   }
 }
 

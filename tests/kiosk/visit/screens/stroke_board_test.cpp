@@ -201,7 +201,7 @@ TEST(Reading, IsInTheOrderOfThePageAndWhatIsOnIsSaid) {
   EXPECT_EQ(find(reading, "comfort.larger_text")->on, std::optional(false));
   EXPECT_EQ(reading.controls.back().id, "language") << "at the foot of the page";
   ASSERT_GE(reading.words.size(), 2u);
-  EXPECT_EQ(reading.words.front(), "Comfort");
+  EXPECT_EQ(reading.words.front(), "Accessibility");
 }
 
 TEST(Comfort, ThePaceOfTheSwitchIsChosenInStepsFromHalfASecondToFive) {

@@ -57,7 +57,7 @@ TEST(ToolTray, EveryToolLiesThereWithItsNameOnEveryScreenClearOfTheWheel) {
           EXPECT_FALSE(rect->contains(place.x + place.w / 2, place.y + place.h / 2)) << other;
         }
     }
-    for (const char* words : {"Hands", "Flat rib", "Cut off"})
+    for (const char* words : {"Hands", "Flat rib", "Cutting wire"})
       EXPECT_NE(words_in(v.frame).find(words), std::string::npos) << words;
   }
 }

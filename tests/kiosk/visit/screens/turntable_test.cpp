@@ -181,11 +181,11 @@ TEST(Turntable, OneSwitchAndWhoIsReadToAreOfferedThemByName) {
       if (c.id == kPots) return c;
     return Control{};
   };
-  EXPECT_EQ(of().words, "From all sides");
-  EXPECT_EQ(of().note, "left and right turn it");
+  EXPECT_EQ(of().words, "Turn it round");
+  EXPECT_EQ(of().note, "the left and right arrows turn it");
   v.visit->activate("comfort.one_switch", v.now);
   v.frames(1);
-  EXPECT_EQ(of().words, "From all sides");
+  EXPECT_EQ(of().words, "Turn it round");
   EXPECT_EQ(of().note, "") << "who has one switch has no arrows";
 }
 

@@ -219,10 +219,10 @@ TEST(TwoHands, WithAKeyboardItIsSaidWhoseHandTheArrowsAre) {
     v.touch("attract.begin");
     v.touch("choose.mission.0");
     v.frames(1);
-    EXPECT_EQ(words_in(v.frame).find("Arrow keys: the hand inside.") != std::string::npos, keys);
+    EXPECT_EQ(words_in(v.frame).find("Arrow keys: the inside hand.") != std::string::npos, keys);
     v.touch("choose.throw");
     v.frames(1);
-    EXPECT_EQ(words_in(v.frame).find("Arrow keys: the hand inside.") != std::string::npos, keys);
+    EXPECT_EQ(words_in(v.frame).find("Arrow keys: the inside hand.") != std::string::npos, keys);
     EXPECT_EQ(words_in(v.frame).find("Left half") != std::string::npos, !keys);
   }
 }
@@ -310,14 +310,14 @@ TEST(MissionHelp, SpeaksOfTheMissionAndOfNoLineWhereNoneIsSeen) {
     const std::string words = words_in(v.frame);
     EXPECT_EQ(words.find("What there is to do.") != std::string::npos, about) << words;
     EXPECT_EQ(words.find("Two hands, one inside") != std::string::npos, two) << words;
-    EXPECT_EQ(words.find("thin line") != std::string::npos, line) << words;
+    EXPECT_EQ(words.find("red and thick") != std::string::npos, line) << words;
   }
   Visitor usual;
   usual.throw_a_pot();
   usual.touch("help");
   const std::string words = words_in(usual.frame);
   EXPECT_NE(words.find("Two hands, one inside"), std::string::npos) << words;
-  EXPECT_NE(words.find("thin line"), std::string::npos) << words;
+  EXPECT_NE(words.find("red and thick"), std::string::npos) << words;
 }
 
 TEST(EyesClosed, AFingerWorksOnThePotThatIsNotSeen) {
