@@ -8,8 +8,9 @@ namespace onggi::score {
 
 namespace {
 
-/// Percent, as people say them: a fiftieth, a thirtieth ... half ... as much again.
-constexpr int kParts[] = {2, 3, 5, 7, 10, 12, 17, 20, 25, 33, 40, 50, 60, 67, 75, 90, 100};
+/// Percent, as people say them: a fiftieth, a thirtieth ... half ... nine tenths, and kFar: "far".
+constexpr int kFar = 100;
+constexpr int kParts[] = {2, 3, 5, 7, 10, 12, 17, 20, 25, 33, 40, 50, 60, 67, 75, 90, kFar};
 
 bool ends_with(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() &&
@@ -27,11 +28,18 @@ double whole_of(const std::string& key, const Dimensions& target) {
   return target.belly;
 }
 
-int nearest_part(double share) {
+/// "Far too wide" is a sentence, "far of the height" is none.
+bool may_be_far(const std::string& key) {
+  return !ends_with(key, "_high") && !ends_with(key, "_low");
+}
+
+int nearest_part(double share, bool far) {
   int best = kParts[0];
-  for (const int part : kParts)
+  for (const int part : kParts) {
+    if (part == kFar && !far) continue;
     if (std::abs(std::log(share / (0.01 * part))) < std::abs(std::log(share / (0.01 * best))))
       best = part;
+  }
   return best;
 }
 
@@ -43,7 +51,7 @@ Remark in_parts(Remark remark, const Measures& measures, double true_scale) {
   const double apart = 0.001 * std::strtod(mm->second.c_str(), nullptr) / true_scale;
   const double share = apart / std::max(whole_of(remark.key, measures.target), 1e-9);
   remark.places.erase(mm);
-  remark.places["part"] = std::to_string(nearest_part(share));
+  remark.places["part"] = std::to_string(nearest_part(share, may_be_far(remark.key)));
   remark.key.insert(remark.key.find('.'), "_part");
   return remark;
 }

@@ -66,6 +66,7 @@ void Assistant::held(Visit& visit, double now) {
   if (held_->reached == 0 && now - held_->since >= hold_) {
     held_->reached = 1;
     if (!shown.spoken) visit.activate("comfort.spoken", now);
+    narrator_.hold_on();
   } else if (held_->reached == 1 && now - held_->since >= 2 * hold_) {
     held_->reached = 2;
     if (!shown.one_switch) visit.activate("comfort.one_switch", now);

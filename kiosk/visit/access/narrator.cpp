@@ -106,6 +106,8 @@ Narrator::Wish Narrator::wish(const Reading& reading, const std::vector<std::str
   const bool turned = place != place_ || another_page(reading);
   const bool stopped = std::exchange(working_, reading.working) && !reading.working;
   const bool asked = std::exchange(asked_, reading.asked) != reading.asked && !turned;
+  const std::string first =
+      std::exchange(hold_on_, false) ? reading.language->say("access.hold_on") : "";
   if (turned || std::exchange(again_, false)) {
     place_ = place;
     again_ = false;
@@ -120,9 +122,10 @@ Narrator::Wish Narrator::wish(const Reading& reading, const std::vector<std::str
     std::string text = page(reading);
     if (!begun_ && !reading.unasked) text = joined({reading.language->say("access.begun"), text});
     begun_ = true;
-    return {joined({text, on}), reading.over == "idle" ? kWarningWeight : kDoneWeight};
+    return {joined({first, text, on}), reading.over == "idle" ? kWarningWeight : kDoneWeight};
   }
   for (const Control& c : reading.controls) controls_.insert(c.id);
+  if (!first.empty()) return {first, kDoneWeight};
   if (asked || (stopped && !reading.differences.empty())) {
     news(reading, now);  // It is said by this.
     news_at_ = now;

@@ -26,6 +26,8 @@ class Narrator {
   void again() { again_ = true; }
   /// Something is being said, as far as one knows.
   bool speaks(double now) const { return under_way_ != 0 && now < until_; }
+  /// A visitor is still holding: says first that holding on brings one switch.
+  void hold_on() { hold_on_ = true; }
   /// The voice has said it, or ended it.
   void ended(std::uint64_t id);
   /// The visitor has gone.
@@ -51,7 +53,7 @@ class Narrator {
   std::set<std::string> sentences_;  ///< That were said of it; figures left out.
   std::string focus_;                ///< standing_of() what was said.
   int asked_ = 0;
-  bool begun_ = false, again_ = false, working_ = false;
+  bool begun_ = false, again_ = false, working_ = false, hold_on_ = false;
   double news_at_ = -100, counted_at_ = -100;
   std::string waiting_;  ///< News that found something weightier being said.
   std::uint64_t under_way_ = 0;

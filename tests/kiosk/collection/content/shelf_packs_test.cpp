@@ -150,14 +150,11 @@ TEST(ShelfPacks, no_label_is_longer_than_a_visitor_reads) {
 }
 
 TEST(ShelfPacks, a_vessel_that_no_wheel_made_says_that_only_its_shape_is_tried_here) {
-  const std::pair<const char*, const char*> calls[] = {{"en", "you try only its shape"},
-                                                       {"ko", "여기서는 형태만"},
-                                                       {"es", "Aquí pruebas solo su forma"},
-                                                       {"fr", "vous n’essayez que sa forme"},
-                                                       {"de", "probieren Sie nur die Form"},
-                                                       {"ja", "ここでは形だけ"},
-                                                       {"zh", "这里只做它的器形"},
-                                                       {"ar", "تجرّب شكلها فقط"}};
+  const std::pair<const char*, const char*> calls[] = {
+      {"en", "you try only its shape"},     {"ko", "여기서는 형태만"},
+      {"es", "Aquí pruebas solo su forma"}, {"fr", "vous n’essayez que sa forme"},
+      {"de", "probieren Sie nur die Form"}, {"ja", "ここでは形だけ"},
+      {"zh", "这里只做它的器形"},           {"ar", "تجرّب شكلها فقط"}};
   for (const char* id : {"black_topped_jar", "cylinder_vase", "olla"})
     for (const auto& [code, words] : calls)
       EXPECT_NE(packs().at(id).labels.at(code).made.find(words), std::string::npos) << id << code;

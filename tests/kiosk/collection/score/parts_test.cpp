@@ -42,6 +42,30 @@ TEST(Parts, a_fifth_too_narrow_is_said_so) {
   EXPECT_EQ(words.find('{'), std::string::npos) << words;
 }
 
+TEST(Parts, what_is_twice_as_wide_or_more_is_far_too_wide) {
+  const Score score = judge(shapes::jar(), wider(shapes::jar(), 2.3), true, 0.0);
+  const auto english = content::Language::read("content/languages/en.toml");
+  ASSERT_TRUE(english) << to_text(english.error());
+  const std::string words = english->say("difference_part.belly_wide", {{"part", "100"}});
+  EXPECT_EQ(words, "The belly is far too wide.");
+  ASSERT_TRUE(score.largest);
+  EXPECT_EQ(english->say(score.largest->key, score.largest->places).find("as much"),
+            std::string::npos);
+}
+
+TEST(Parts, a_place_too_high_or_low_is_told_as_a_part_of_the_height_and_never_as_far) {
+  Measures m;
+  m.target.belly = 0.2;
+  m.target.height = 0.4;
+  const auto part = [&m](const char* key, const char* mm) {
+    return in_parts({key, {{"mm", mm}}}, m, 1.0).places.at("part");
+  };
+  for (const char* key : {"remark.belly_high", "remark.belly_low", "difference.belly_high"})
+    for (const char* mm : {"390", "900"}) EXPECT_EQ(part(key, mm), "90") << key;
+  EXPECT_EQ(part("remark.belly_wide", "900"), "100");
+  EXPECT_EQ(part("difference.tall", "900"), "100");
+}
+
 TEST(Parts, a_part_is_of_the_length_it_is_about) {
   Measures m;
   m.target.belly = 0.2;

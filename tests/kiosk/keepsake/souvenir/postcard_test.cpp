@@ -195,9 +195,10 @@ TEST(Postcard, KeepsWordsStarsCodesAndDrawingApartHoweverMuchIsSaidAndFromEither
   // A bowl is low and wide, a bottle's drawing as high as it may be.
   for (const auto& vessel : {vase(0.02), vase(0.05), vase(0.3)})
     for (const bool right_to_left : {false, true})
-      for (const char* title : {"My pot, inspired by: Bowl",
-                                "My pot, inspired by: a very long title of a vessel, with where it was "
-                                "found, by whom, and on what day of which year"})
+      for (const char* title :
+           {"My pot, inspired by: Bowl",
+            "My pot, inspired by: a very long title of a vessel, with where it was "
+            "found, by whom, and on what day of which year"})
         for (const std::string page : {"", "https://museum.org/12.3"})
           for (const std::string& phone : {std::string(), mine, longest}) {
             most.title = title;

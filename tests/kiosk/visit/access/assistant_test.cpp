@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::access {
@@ -74,6 +76,25 @@ TEST(Assistant, AKeyOrAFingerThatIsHeldForThreeSecondsHasTheScreenReadAndForSixI
       EXPECT_EQ(a.v.visit->screen(), ScreenId::choose);
       EXPECT_EQ(!a.said.empty(), seconds > 3);
     }
+}
+
+TEST(Assistant, WhoHoldsOnIsToldFirstThatHoldingOnBringsOneSwitch) {
+  const auto language = *content::Language::read("content/languages/en.toml");
+  const std::string hold_on = language.say("access.hold_on");
+  Aided a;
+  a.event(Kind::key_down, 0, 0, Key::enter);
+  a.wait(2.7);
+  EXPECT_TRUE(a.said.empty());
+  a.wait(0.6);
+  ASSERT_FALSE(a.said.empty());
+  EXPECT_TRUE(a.said[0].starts_with(hold_on + " " + language.say("access.begun"))) << a.said[0];
+  a.event(Kind::key_up, 0, 0, Key::enter);
+  a.wait(6);
+  a.said.clear();
+  a.event(Kind::key_down, 0, 0, Key::enter);
+  a.wait(3.3);
+  EXPECT_NE(std::find(a.said.begin(), a.said.end(), hold_on), a.said.end())
+      << "also where it is read aloud already";
 }
 
 TEST(Assistant, AFingerThatGoesElsewhereMeanwhileHasAskedForNothing) {

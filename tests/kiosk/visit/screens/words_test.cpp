@@ -148,8 +148,7 @@ TEST(Words, ALabelSaysAtWhatPartOfItsSizeAVesselIsThrown) {
     v.frames(1);
     return words;
   };
-  EXPECT_NE(label(0).find("Shown at 65 % of its real size, to fit the wheel"),
-            std::string::npos);
+  EXPECT_NE(label(0).find("Shown at 65 % of its real size, to fit the wheel"), std::string::npos);
   EXPECT_EQ(label(1).find("of its real size"), std::string::npos);
   EXPECT_NE(label(2).find("Small, so shown at 142 % of its real size"), std::string::npos);
 }
