@@ -1,78 +1,10 @@
 #include "kiosk/ground/toml/toml_text.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdio>
 #include <string_view>
 
 #include "kiosk/ground/files/read_file.h"
 
 namespace onggi::toml {
-namespace {
-
-constexpr int kLongestChain = 16;
-
-bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-
-/// Behind the string that begins at `i`; at the end of its line, or of `text`, where it is not
-/// closed.
-std::size_t behind_string(const std::string& text, std::size_t i) {
-  const char quote = text[i];
-  const bool escapes = quote == '"';
-  const bool multi = text.compare(i, 3, std::string(3, quote)) == 0;
-  i += multi ? 3 : 1;
-  while (i < text.size()) {
-    if (text[i] == '\n' && !multi) return i;  // an unclosed string: the parser will say so
-    if (escapes && text[i] == '\\' && text.compare(i + 1, 1, "\n") != 0) {
-      i += 2;
-    } else if (multi ? text.compare(i, 3, std::string(3, quote)) == 0 : text[i] == quote) {
-      i += multi ? 3 : 1;
-      // Up to two more quotes belong to the string: """He said "go"""".
-      for (int extra = 0; multi && extra < 2 && i < text.size() && text[i] == quote; ++extra) ++i;
-      return i;
-    } else {
-      ++i;
-    }
-  }
-  return text.size();
-}
-
-/// "file:line:column" of byte `at`; columns count letters.
-std::string place_in(const std::string& text, std::size_t at, const std::string& file_name) {
-  const std::size_t start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
-  const auto begin = text.begin(), there = begin + static_cast<std::ptrdiff_t>(at);
-  const auto line = 1 + std::count(begin, there, '\n');
-  const auto column =
-      1 + std::count_if(begin + static_cast<std::ptrdiff_t>(start), there,
-                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-  return file_name + ":" + std::to_string(line) + ":" + std::to_string(column);
-}
-
-/// The bytes of the UTF-8 letter at `i`; 0 where there is none.
-std::size_t letter_size(const std::string& text, std::size_t i) {
-  const auto lead = static_cast<unsigned char>(text[i]);
-  const std::size_t size = lead >= 0xF0 && lead < 0xF5 ? 4
-                           : lead >= 0xE0              ? 3
-                           : lead >= 0xC2              ? 2
-                                                       : 0;
-  if (lead >= 0xF5 || size == 0 || i + size > text.size()) return 0;
-  for (std::size_t k = 1; k < size; ++k)
-    if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return 0;
-  return size;
-}
-
-/// \UXXXXXXXX for the letter of `size` bytes at `i`.
-std::string escape_of(const std::string& text, std::size_t i, std::size_t size) {
-  std::uint32_t point = static_cast<unsigned char>(text[i]) & (0xFFu >> (size + 1));
-  for (std::size_t k = 1; k < size; ++k)
-    point = point << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
-  char out[11];
-  std::snprintf(out, sizeof out, "\\U%08X", point);
-  return out;
-}
-
-}  // namespace
-
 Result<std::string> read_toml_text(const std::filesystem::path& file) {
   using Kind = files::ReadFault::Kind;
   const std::string name = file.string();
@@ -103,81 +35,6 @@ Result<std::string> read_toml_text(const std::filesystem::path& file) {
                    "Save it again as UTF-8.");
   }
   return text;
-}
-
-Result<void> check_outside_quotes(const std::string& text, const std::string& file_name) {
-  int chain = 0;
-  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size();) {
-    const char c = text[i];
-    if (c == '"' || c == '\'') {
-      i = behind_string(text, i);
-      continue;
-    }
-    if (c == '#') {
-      while (i < text.size() && text[i] != '\n') ++i;
-      continue;
-    }
-    if (c == '\n' || c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}') {
-      chain = 0;
-    } else if (c == '.' && ++chain >= kLongestChain) {
-      return problem(
-          place_in(text, i, file_name), "The name has more than 16 parts with points between them.",
-          "Names here have three parts at most: put quotes round the point if it is meant.");
-    } else if (beyond_ascii(c)) {
-      const std::string place = place_in(text, i, file_name);
-      return problem(
-          place,
-          "A letter stands outside quotes where TOML has only a to z, digits, _ and -, "
-          "in the line: " +
-              line_of(text,
-                      1 + static_cast<std::size_t>(std::count(
-                              text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'))),
-          "Put \"quotes\" round the name or the text.");
-    }
-    ++i;
-  }
-  return {};
-}
-
-std::string escaped_after_line_ends(const std::string& text) {
-  std::string out;
-  std::size_t copied = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    if (text[i] == '#') {
-      while (i < text.size() && text[i] != '\n') ++i;
-      continue;
-    }
-    if (text[i] != '"' && text[i] != '\'') {
-      ++i;
-      continue;
-    }
-    const std::size_t end = behind_string(text, i);
-    if (text.compare(i, 3, R"(""")") != 0) {
-      i = end;
-      continue;
-    }
-    while (i < end) {
-      if (text[i] != '\\') {
-        ++i;
-        continue;
-      }
-      const std::size_t next = text.find_first_not_of(" \t\r\n", i + 1);
-      const bool joins_lines = text.find('\n', i) < next;
-      if (!joins_lines) {
-        i += 2;
-        continue;
-      }
-      i = std::min(next, end);
-      if (i == end || !beyond_ascii(text[i])) continue;
-      if (const std::size_t size = letter_size(text, i); size > 0) {
-        out.append(text, copied, i - copied).append(escape_of(text, i, size));
-        i += size;
-        copied = i;
-      }
-    }
-    i = end;
-  }
-  return out.append(text, copied);
 }
 
 std::string shown(std::string_view text, std::size_t most) {

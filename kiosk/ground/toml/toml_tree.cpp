@@ -6,7 +6,7 @@
 // Problem. Without NDEBUG an assertion of toml++ is TOML_ASSERT and nothing else: with NDEBUG it
 // becomes a promise to the compiler, and a typing error such as "[.]" breaks it (toml++ 3.3 and 3.4
 // assert that a [header] begins with a letter just before the loop that reports what does not).
-// Its other fault, letters that are taken for spaces, is kept away in toml_text.cpp.
+// Its other fault, letters that it takes for spaces, is kept away by AsciiToml.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #undef TOML_HEADER_ONLY
@@ -20,38 +20,39 @@
 
 #include <algorithm>
 
+#include "kiosk/ground/toml/ascii_toml.h"
 #include "kiosk/ground/toml/toml_text.h"
 
 namespace onggi::toml {
 
 namespace {
 
-Place place_of(const ::toml::source_region& source) {
-  return {std::max(1u, source.begin.line), std::max(1u, source.begin.column)};
+Place place_of(const ::toml::source_region& source, const AsciiToml& file) {
+  return file.original({std::max(1u, source.begin.line), std::max(1u, source.begin.column)});
 }
 
-TomlNode::Table table_of(const ::toml::table& table);
+TomlNode::Table table_of(const ::toml::table& table, const AsciiToml& file);
 
-TomlNode node_of(const ::toml::node& node) {
+TomlNode node_of(const ::toml::node& node, const AsciiToml& file) {
   TomlNode out;
-  out.place = place_of(node.source());
+  out.place = place_of(node.source(), file);
   if (const auto* text = node.as_string()) out.value = text->get();
   if (const auto* whole = node.as_integer()) out.value = whole->get();
   if (const auto* number = node.as_floating_point()) out.value = number->get();
   if (const auto* yes = node.as_boolean()) out.value = yes->get();
-  if (const auto* table = node.as_table()) out.value = table_of(*table);
+  if (const auto* table = node.as_table()) out.value = table_of(*table, file);
   if (const auto* array = node.as_array()) {
     TomlNode::List list;
-    for (const ::toml::node& element : *array) list.push_back(node_of(element));
+    for (const ::toml::node& element : *array) list.push_back(node_of(element, file));
     out.value = std::move(list);
   }
   return out;
 }
 
-TomlNode::Table table_of(const ::toml::table& table) {
+TomlNode::Table table_of(const ::toml::table& table, const AsciiToml& file) {
   TomlNode::Table out;
   for (const auto& [key, value] : table)
-    out.push_back({std::string(key.str()), place_of(key.source()), node_of(value)});
+    out.push_back({std::string(key.str()), place_of(key.source(), file), node_of(value, file)});
   return out;
 }
 
@@ -69,13 +70,15 @@ const TomlNode* find(const TomlNode::Table& table, std::string_view key) {
 }
 
 Result<TomlNode::Table> parse_toml(const std::string& text, const std::string& name) {
-  if (const Result<void> sound = check_outside_quotes(text, name); !sound)
-    return tl::unexpected(sound.error());
-  const ::toml::parse_result parsed =
-      ::toml::parse(escaped_after_line_ends(text), std::string_view(name));
-  if (parsed) return table_of(parsed.table());
+  const AsciiToml file(text, name);
+  const ::toml::parse_result parsed = ::toml::parse(file.text(), std::string_view(name));
+  // The first mistake is told. What is not closed before a fault's line may be closed after it.
+  const auto& fault = file.fault();
+  if (parsed && fault) return tl::unexpected(*fault);
+  if (parsed) return table_of(parsed.table(), file);
   const ::toml::parse_error& error = parsed.error();
-  const Place at = place_of(error.source());
+  const Place at = place_of(error.source(), file);
+  if (fault && at.line >= file.fault_line()) return tl::unexpected(*fault);
   const std::string line = line_of(text, at.line);
   return problem(name + ":" + std::to_string(at.line) + ":" + std::to_string(at.column),
                  "This cannot be read as TOML (" + shown(error.description(), 160) + ")" +
