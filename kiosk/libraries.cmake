@@ -31,4 +31,6 @@ onggi_library(SYSTEMD       MODULES libsystemd AT_LEAST 252 DEBIAN libsystemd-de
 onggi_library(spdlog        AT_LEAST 1.10 DEBIAN libspdlog-dev)           # files
 onggi_library(CLI11         AT_LEAST 2.1  DEBIAN libcli11-dev)            # cli
 onggi_header(ONGGI_READERWRITERQUEUE readerwriterqueue/readerwriterqueue.h DEBIAN libreaderwriterqueue-dev)  # loop
-onggi_libraries_found("bash kiosk/install-packages kiosk/packages.txt")
+if(NOT ONGGI_TESTS)
+  onggi_libraries_found("bash kiosk/install-packages kiosk/packages.txt")
+endif()

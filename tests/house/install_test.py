@@ -26,6 +26,28 @@ class Libraries(unittest.TestCase):
         self.assertIn("bash kiosk/install-packages kiosk/packages.txt", told)
         self.assertNotIn("spdlog", told)
 
+    def test_the_engines_library_and_the_kiosks_are_told_together(self):
+        with tempfile.TemporaryDirectory() as folder:
+            code, told = self.configure(folder, "-DCMAKE_DISABLE_FIND_PACKAGE_tl-expected=ON",
+                                        "-DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON")
+        self.assertNotEqual(code, 0)
+        self.assertIn("tl-expected is not here", told)
+        self.assertIn("PNG is not here", told)
+
+    def test_without_pkg_config_nothing_is_said_of_the_libraries_that_it_would_find(self):
+        with tempfile.TemporaryDirectory() as folder:
+            code, told = self.configure(folder, "-DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON")
+        self.assertNotEqual(code, 0)
+        self.assertEqual(told.count("pkg-config is not here (Debian: pkg-config)"), 1, told)
+        self.assertNotIn("WEBP", told)
+
+    def test_a_library_that_does_not_say_its_version_is_told_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "TinyGLTFConfig.cmake").write_text("set(TinyGLTF_FOUND 1)\n")
+            code, told = self.configure(folder, f"-DTinyGLTF_DIR={folder}")
+        self.assertNotEqual(code, 0)
+        self.assertIn("TinyGLTF of an unknown version is here, 2.7 or newer is needed", told)
+
     def test_a_library_that_one_can_do_without_stops_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
             code, told = self.configure(folder, "-DCMAKE_DISABLE_FIND_PACKAGE_assimp=ON")
@@ -56,8 +78,15 @@ class Packages(unittest.TestCase):
             self.assertEqual(run.stdout, "")
             self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
             self.assertIn("Debian 12 and 13 only", run.stderr)
-            self.assertTrue(run.stderr.endswith(": bash onggi-no-such-package\n"), run.stderr)
+            self.assertTrue(run.stderr.endswith("`build/release/bin/onggi run`: bash onggi-no-such-package\n"), run.stderr)
         self.assertIn("Fedora Linux 43", self.install('ID=fedora\nPRETTY_NAME="Fedora Linux 43"\n').stderr)
+
+
+    def test_without_a_list_it_says_how_it_is_used_and_waits_for_nobody(self):
+        run = subprocess.run(["bash", ROOT / "kiosk/install-packages"], stdin=subprocess.DEVNULL, capture_output=True,
+                             text=True, check=False)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("usage: kiosk/install-packages LIST", run.stderr)
 
 
 if __name__ == "__main__":
