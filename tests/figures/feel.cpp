@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/lab/force_quality.h"
 #include "kiosk/collection/settings/scene_file.h"
+#include "tests/support/force_quality.h"
 
 namespace {
 
@@ -21,18 +21,18 @@ constexpr std::size_t kSettles = 400;           // ms
 std::FILE* out = nullptr;
 
 // One row for all kinds: what, which, then figures; what is not there is left empty.
-void quality(const char* scene, const std::string& tool, const lab::ForceQuality& q) {
+void quality(const char* scene, const std::string& tool, const test::ForceQuality& q) {
   std::fprintf(out, "tool,%s,%s,%.4f,%.4f,%.4f,%.3f,%.4f,\n", scene, tool.c_str(), q.mean,
                1e3 * q.increment, 1e3 * q.above_50, 1e3 * q.lag, 1e3 * q.own);
 }
 
 // Mean over the push of the force inwards, of what pulls sideways, and how the first grows.
 void felt(const char* what, const SceneDef& def, bool wet) {
-  lab::SlowPush push;
+  test::SlowPush push;
   push.wet = wet;
   push.coupling = kBest;
   double in = 0.0, side = 0.0, most = 0.0;
-  const std::vector<Vec3> force = lab::push_slowly(def, push);
+  const std::vector<Vec3> force = test::push_slowly(def, push);
   for (std::size_t n = kSettles; n < force.size(); ++n) {
     in += force[n].x / static_cast<double>(force.size() - kSettles);
     side += std::fabs(force[n].z) / static_cast<double>(force.size() - kSettles);
@@ -89,20 +89,21 @@ int main(int argc, char** argv) {
   }
   const bool quick = argc > 2 && std::strcmp(argv[2], "--quick") == 0;
   std::fprintf(out, "kind,which,tool,a,b,c,d,e,f\n");
-  const lab::PrintedQuality printed = lab::printed_quality(SceneDef());
+  const test::PrintedQuality printed = test::printed_quality(SceneDef());
   quality("as printed", "raw", printed.raw);
   quality("as printed", "behind 10 Hz", printed.filtered);
   for (const char* name : {"first_touch", "studio", "master"}) {
     if (quick && std::strcmp(name, "first_touch") != 0) continue;
     const SceneDef def = scene_named(name);
-    quality(name, "printed behind 10 Hz", lab::printed_quality(def).filtered);
+    quality(name, "printed behind 10 Hz", test::printed_quality(def).filtered);
     for (std::size_t tool = 0; tool <= def.tools.size(); ++tool) {
       const std::string called = tool == 0 ? "ball" : def.tools[tool - 1].name;
       if (called == "wire" || (quick && tool > 1)) continue;
       const auto number = static_cast<std::uint8_t>(tool);
-      quality(name, called, lab::scenes_quality(def, number, kBest));
-      if (tool == 0) quality(name, "ball as it comes", lab::scenes_quality(def, number));
-      if (tool == 0) quality(name, "ball through 19 N/m", lab::scenes_quality(def, number, kLeast));
+      quality(name, called, test::scenes_quality(def, number, kBest));
+      if (tool == 0) quality(name, "ball as it comes", test::scenes_quality(def, number));
+      if (tool == 0)
+        quality(name, "ball through 19 N/m", test::scenes_quality(def, number, kLeast));
     }
   }
 
@@ -128,10 +129,10 @@ int main(int argc, char** argv) {
     felt(name, other, false);
   }
   rim(first);
-  lab::SlowPush push;
-  std::vector<Vec3> own = lab::push_slowly(first, push);
+  test::SlowPush push;
+  std::vector<Vec3> own = test::push_slowly(first, push);
   trembling("a scene's own", own);
   push.coupling = kBest;
-  trembling("at the hand", lab::push_slowly(first, push));
+  trembling("at the hand", test::push_slowly(first, push));
   return std::fclose(out) == 0 ? 0 : 1;
 }

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "engine/lab/closed_form.h"
-
 namespace onggi::lab {
 namespace {
 

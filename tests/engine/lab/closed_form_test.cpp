@@ -1,4 +1,4 @@
-#include "engine/lab/closed_form.h"
+#include "tests/support/closed_form.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 namespace onggi::lab {
 namespace {
 
+namespace closed_form = test::closed_form;
 using portable::kPi;
 constexpr double kTau = 0.00949;
 constexpr double kBall = 0.008;

@@ -1,11 +1,11 @@
-#include "engine/lab/force_quality.h"
+#include "tests/support/force_quality.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::lab {
+namespace onggi::test {
 namespace {
 
 /// `seconds` of a sine of `hertz` on a newton, late by `late` ms.
@@ -84,4 +84,4 @@ TEST(ForceQuality, ALumpThatIsCentredUnderTheToolIsSmoothToo) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::test

@@ -1,4 +1,4 @@
-#include "engine/lab/force_quality.h"
+#include "tests/support/force_quality.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "engine/force/haptics.h"
 #include "engine/math/portable.h"
 
-namespace onggi::lab {
+namespace onggi::test {
 
 namespace {
 
@@ -247,4 +247,4 @@ ForceQuality scenes_quality(const SceneDef& scene, std::uint8_t tool, double cou
   return quality_of(force, push_slowly(scene, push));
 }
 
-}  // namespace onggi::lab
+}  // namespace onggi::test

@@ -6,7 +6,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace onggi::lab {
+namespace onggi::test {
 
 /// What a force is like to a hand that is pushed slowly into a turning pot.
 struct ForceQuality {
@@ -52,4 +52,4 @@ struct PrintedQuality {
 };
 PrintedQuality printed_quality(const SceneDef& scene);
 
-}  // namespace onggi::lab
+}  // namespace onggi::test

@@ -1,4 +1,4 @@
-#include "engine/lab/closed_form.h"
+#include "tests/support/closed_form.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "engine/math/portable.h"
 
-namespace onggi::lab::closed_form {
+namespace onggi::test::closed_form {
 namespace {
 
 // Gauss and Legendre's eight places and weights on -1..1, one half of each.
@@ -83,4 +83,4 @@ double weight_above(const ConicWall& wall, double from, double density) {
          (frustum(wall.foot_outer, wall.rim_outer) - frustum(wall.foot_inner, wall.rim_inner));
 }
 
-}  // namespace onggi::lab::closed_form
+}  // namespace onggi::test::closed_form

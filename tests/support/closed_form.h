@@ -3,7 +3,7 @@
 /// What the law of contact comes to where it can be worked out with pen and paper: nothing here
 /// knows a grid, a tick or a float. What a laboratory measures is held to it. SI units; no
 /// allocation, any thread.
-namespace onggi::lab::closed_form {
+namespace onggi::test::closed_form {
 
 /// Press that is left `seconds` after a tool was put `press` (m) deep into clay of relaxation time
 /// `tau` (s) and held: a Maxwell element, l0 e^(-t/tau).
@@ -38,4 +38,4 @@ struct ConicWall {
 /// What the part of it above `from` (m, 0..height) weighs, N: frusta, density (kg/m^3) and 9.81.
 double weight_above(const ConicWall& wall, double from, double density);
 
-}  // namespace onggi::lab::closed_form
+}  // namespace onggi::test::closed_form
