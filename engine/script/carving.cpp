@@ -15,6 +15,8 @@ constexpr double kClear = 0.012;    // m: how far from the clay a hand is lifted
 constexpr double kApproach = 0.05;  // m/s
 constexpr double kQuarterTurn = 0.5 * portable::kPi;
 
+}  // namespace
+
 // One hand with one tool, in cylinder coordinates; straight in them between two keys.
 struct CarvingKey {
   double time = 0.0;
@@ -24,6 +26,8 @@ struct CarvingKey {
   bool active = false;
   std::string_view phase = "carry";
 };
+
+namespace {
 
 class CarvingScript final : public Script {
  public:
@@ -54,16 +58,17 @@ class CarvingScript final : public Script {
   std::uint8_t tool_;
 };
 
+}  // namespace
+
 // Writes the keys down.
 class Carver {
  public:
-  Carver(const ScriptContext& context, std::string_view name)
-      : clay(context.scene.clay), pace_(context.pace) {
-    now_.phase = name;
+  explicit Carver(const ScriptContext& context) : clay(context.scene.clay), pace_(context.pace) {
     now_.angle = kHandAngle;
     now_.out = clay.outer_radius + 5.0 * kClear;
   }
 
+  void phase(std::string_view name) { now_.phase = name; }
   void wheel(double speed) { now_.wheel_speed = speed * std::min(pace_, 1.5); }
   void roll(double angle) { now_.roll = angle; }
   void put(bool active) {
@@ -110,6 +115,7 @@ class Carver {
 
 // Flats all round the belly, one after the other, the wheel still.
 void press_flats(Carver& hand, const ToolSize& rib) {
+  hand.phase("facet");
   const double touch = hand.clay.outer_radius + 0.5 * rib.thickness;
   for (int n = 0; n < kFacets; ++n) {
     const double angle = kHandAngle + 2.0 * portable::kPi * n / kFacets;
@@ -123,6 +129,7 @@ void press_flats(Carver& hand, const ToolSize& rib) {
 
 // Grooves drawn upwards at even angles, the loop held level.
 void draw_grooves(Carver& hand, const ToolSize& loop) {
+  hand.phase("flute");
   const double touch = hand.clay.outer_radius + loop.radius;
   const double low = 0.15 * hand.clay.height;
   const double high = 0.85 * hand.clay.height;
@@ -138,6 +145,7 @@ void draw_grooves(Carver& hand, const ToolSize& loop) {
 
 // A line that winds up the wall, the wheel slow.
 void wind_line(Carver& hand, const ToolSize& needle) {
+  hand.phase("incise");
   constexpr double kWheel = 1.5;  // rad/s
   const double touch = hand.clay.outer_radius + needle.radius;
   const double low = 0.3 * hand.clay.height;
@@ -155,6 +163,7 @@ void wind_line(Carver& hand, const ToolSize& needle) {
 
 // Clay turned off the foot.
 void turn_off_foot(Carver& hand, const ToolSize& loop) {
+  hand.phase("trim_foot");
   constexpr double kWheel = 12.0;  // rad/s
   const double touch = hand.clay.outer_radius + loop.radius;
   hand.wheel(kWheel);
@@ -170,6 +179,7 @@ void turn_off_foot(Carver& hand, const ToolSize& loop) {
 
 // The wire, drawn under the pot from one side to the other.
 void draw_wire(Carver& hand, const ToolSize&) {
+  hand.phase("cut_off");
   const double beyond = hand.clay.outer_radius + 2.0 * kClear;
   hand.wait(0.5);
   hand.set_down(beyond, kHandAngle, kSlit);
@@ -177,33 +187,10 @@ void draw_wire(Carver& hand, const ToolSize&) {
   hand.move(-beyond, kHandAngle, kSlit, 0.08);
 }
 
-std::unique_ptr<Script> carve(std::string_view name, const ScriptContext& context,
-                              const ToolInHand& tool, void (*moves)(Carver&, const ToolSize&)) {
-  Carver hand(context, name);
+std::unique_ptr<Script> play(const ScriptContext& context, const ToolInHand& tool, Carving& moves) {
+  Carver hand(context);
   moves(hand, tool.size);
   return std::make_unique<CarvingScript>(hand.finish(), tool.index);
-}
-
-}  // namespace
-
-std::unique_ptr<Script> facet(const ScriptContext& context, const ToolInHand& tool) {
-  return carve("facet", context, tool, press_flats);
-}
-
-std::unique_ptr<Script> flute(const ScriptContext& context, const ToolInHand& tool) {
-  return carve("flute", context, tool, draw_grooves);
-}
-
-std::unique_ptr<Script> incise(const ScriptContext& context, const ToolInHand& tool) {
-  return carve("incise", context, tool, wind_line);
-}
-
-std::unique_ptr<Script> trim_foot(const ScriptContext& context, const ToolInHand& tool) {
-  return carve("trim_foot", context, tool, turn_off_foot);
-}
-
-std::unique_ptr<Script> cut_off(const ScriptContext& context, const ToolInHand& tool) {
-  return carve("cut_off", context, tool, draw_wire);
 }
 
 }  // namespace onggi::script

@@ -6,9 +6,15 @@ namespace onggi {
 
 namespace script {
 
-/// Scripts that leave marks which are not round, with the wheel still or slow, and those that
-/// finish a pot.
-Plan facet, flute, incise, trim_foot, cut_off;
+class Carver;
+
+/// Moves that leave marks which are not round, with the wheel still or slow, and those that finish
+/// a pot. Allocate; not for the tick.
+using Carving = void(Carver& hand, const ToolSize& tool);
+Carving press_flats, draw_grooves, wind_line, turn_off_foot, draw_wire;
+
+/// The script of these moves.
+std::unique_ptr<Script> play(const ScriptContext& context, const ToolInHand& tool, Carving& moves);
 
 }  // namespace script
 

@@ -14,6 +14,8 @@ constexpr double kHandClear = 0.012;  // m: how far from the clay a hand is lift
 constexpr double kSlow = 10.0;        // rad/s: pulling; centring is twice as fast
 constexpr double kFast = 25.0;
 
+}  // namespace
+
 // Both hands at one height; straight between two keys. Of the height `rising` is the share of the
 // rim's, so that hands follow a pot that grows.
 struct PairKey {
@@ -25,6 +27,8 @@ struct PairKey {
   std::uint8_t tool = 0;
   std::string_view phase;
 };
+
+namespace {
 
 class PairScript final : public Script {
  public:
@@ -57,11 +61,16 @@ class PairScript final : public Script {
   Keyed<PairKey> keys_;
 };
 
+}  // namespace
+
 // Writes the keys down.
 class Thrower {
  public:
-  explicit Thrower(const ScriptContext& context)
-      : clay(context.scene.clay), finger(context.scene.tool.radius), pace_(context.pace) {}
+  Thrower(const ScriptContext& context, const ToolInHand& tool)
+      : clay(context.scene.clay),
+        finger(context.scene.tool.radius),
+        rib(tool),
+        pace_(context.pace) {}
 
   PairKey now;
   void put() { keys_.push_back(now); }
@@ -93,6 +102,7 @@ class Thrower {
 
   const ClayDef& clay;
   const double finger;
+  const ToolInHand& rib;
   double middle() const { return 0.5 * (clay.outer_radius + clay.inner_radius); }
   double wall() const { return clay.outer_radius - clay.inner_radius; }
 
@@ -100,6 +110,8 @@ class Thrower {
   double pace_;
   std::vector<PairKey> keys_;
 };
+
+namespace {
 
 // The sponge, held beside the wall halfway up.
 void soak(Thrower& hand, double seconds) {
@@ -135,6 +147,19 @@ void pull(Thrower& hand, double room) {
   hand.lift();
 }
 
+// A finger that lies against the wall for three seconds, a millimetre deep at the end.
+void lean(Thrower& hand, double rising, std::string_view phase) {
+  hand.now.phase = phase;
+  hand.now.height = 0.0;
+  hand.now.rising = rising;
+  hand.now.outside = hand.clay.outer_radius + hand.finger + 0.002;
+  hand.move(1.0, [&](PairKey& key) { key.outside -= 0.003; });
+  hand.wait(2.0);
+  hand.lift();
+}
+
+}  // namespace
+
 void pull_four_times(Thrower& hand) {
   hand.now.wheel_speed = kSlow;
   hand.wait(1.0);
@@ -165,17 +190,6 @@ void pull_and_drown(Thrower& hand) {
   hand.wait(6.0);
 }
 
-// A finger that lies against the wall for three seconds, a millimetre deep at the end.
-void lean(Thrower& hand, double rising, std::string_view phase) {
-  hand.now.phase = phase;
-  hand.now.height = 0.0;
-  hand.now.rising = rising;
-  hand.now.outside = hand.clay.outer_radius + hand.finger + 0.002;
-  hand.move(1.0, [&](PairKey& key) { key.outside -= 0.003; });
-  hand.wait(2.0);
-  hand.lift();
-}
-
 void press_wet_and_drier(Thrower& hand) {
   hand.now.wheel_speed = kSlow;
   hand.wait(1.0);
@@ -203,7 +217,7 @@ void press_steadily(Thrower& hand) {
   hand.lift();
 }
 
-void draw_and_even(Thrower& hand, const ToolInHand& rib) {
+void draw_and_even(Thrower& hand) {
   hand.now.wheel_speed = kSlow;
   hand.wait(1.0);
   // Faster than a finger is wide in a turn: it leaves a line.
@@ -213,45 +227,18 @@ void draw_and_even(Thrower& hand, const ToolInHand& rib) {
   hand.move(4.0, [&](PairKey& key) { key.rising = 0.65; });
   hand.lift();
   hand.now.phase = "rib";
-  hand.now.tool = rib.index;
+  hand.now.tool = hand.rib.index;
   hand.now.rising = 0.5;
-  hand.now.outside = hand.clay.outer_radius + 0.5 * rib.size.thickness + 0.002;
+  hand.now.outside = hand.clay.outer_radius + 0.5 * hand.rib.size.thickness + 0.002;
   hand.move(1.0, [&](PairKey& key) { key.outside -= 0.0024; });
   hand.wait(3.0);
   hand.lift();
 }
 
-std::unique_ptr<Script> play(const ScriptContext& context, void (*moves)(Thrower&)) {
-  Thrower hand(context);
+std::unique_ptr<Script> play(const ScriptContext& context, const ToolInHand& tool,
+                             Throwing& moves) {
+  Thrower hand(context, tool);
   moves(hand);
-  return std::make_unique<PairScript>(hand.finish());
-}
-
-}  // namespace
-
-std::unique_ptr<Script> pull_tall(const ScriptContext& context, const ToolInHand&) {
-  return play(context, pull_four_times);
-}
-
-std::unique_ptr<Script> collapse(const ScriptContext& context, const ToolInHand&) {
-  return play(context, pull_and_drown);
-}
-
-std::unique_ptr<Script> dry_out(const ScriptContext& context, const ToolInHand&) {
-  return play(context, press_wet_and_drier);
-}
-
-std::unique_ptr<Script> re_wet(const ScriptContext& context, const ToolInHand&) {
-  return play(context, press_and_wet_again);
-}
-
-std::unique_ptr<Script> centre(const ScriptContext& context, const ToolInHand&) {
-  return play(context, press_steadily);
-}
-
-std::unique_ptr<Script> rib_smooth(const ScriptContext& context, const ToolInHand& tool) {
-  Thrower hand(context);
-  draw_and_even(hand, tool);
   return std::make_unique<PairScript>(hand.finish());
 }
 

@@ -4,9 +4,17 @@
 
 namespace onggi::script {
 
-/// Scripts for what a scene's effects bring: a wall pulled up between two hands, one that falls
-/// (too wet, too thin), clay that dries and is wetted again, a lump that wobbles, the lines that a
-/// finger left. On a scene without the effect they do the same moves.
-Plan pull_tall, collapse, dry_out, re_wet, centre, rib_smooth;
+class Thrower;
+
+/// Moves for what a scene's effects bring: a wall pulled up between two hands, one that falls (too
+/// wet, too thin), clay that dries and is wetted again, a lump that wobbles, the lines that a
+/// finger left. On a scene without the effect the hands do the same moves. Allocate; not for the
+/// tick.
+using Throwing = void(Thrower& hand);
+Throwing pull_four_times, pull_and_drown, press_wet_and_drier, press_and_wet_again;
+Throwing press_steadily, draw_and_even;
+
+/// The script of these moves.
+std::unique_ptr<Script> play(const ScriptContext& context, const ToolInHand& tool, Throwing& moves);
 
 }  // namespace onggi::script

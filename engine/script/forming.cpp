@@ -8,7 +8,6 @@
 #include "engine/script/choreography.h"
 #include "engine/script/former.h"
 #include "engine/script/keyed.h"
-#include "engine/script/upright.h"
 
 namespace onggi::script {
 namespace {
@@ -71,6 +70,59 @@ void begin(Choreography& hand) {
   hand.wait(1.0);
 }
 
+// A soft, wide pot spreads when it is spun fast. At this share of what holds it, half wet, there is
+// room for its weight.
+double steady_wheel(const SceneDef& scene, const Profile& target) {
+  if (!scene.slump) return scene.wheel.max_speed;
+  constexpr double kShare = 0.5;
+  constexpr double kRoot3 = 1.7320508075688772;
+  const double weak = scene.moisture ? effects::strength(*scene.moisture, 0.5) : 1.0;
+  const double hoop = kShare * kRoot3 * scene.slump->yield_stress * weak;
+  const double speed = std::sqrt(hoop / scene.slump->density) / target.max_radius();
+  return std::min(scene.wheel.max_speed, speed);
+}
+
+// The target's own outline: widen and narrow quickly, and after each go over it slowly.
+// Gives the seconds that the slow passes take, which no haste shortens.
+double go_along(Former& former, Choreography& hand, const SceneDef& scene, const Profile& target) {
+  // As many turns on the way up, however slowly the wheel has to turn.
+  const double slower = std::min(1.0, steady_wheel(scene, target) / kWheelFine);
+  double slow = 0.0;
+  const auto finish = [&](WallSide side, std::string_view phase) {
+    const double before = hand.time_on_clay();
+    former.finish(side, phase, kFinish * slower);
+    slow += hand.time_on_clay() - before;
+  };
+  former.set_goal([&](double h) { return target.outer_at(h); });
+  former.open("open", kRough);
+  hand.wheel(kWheelFine);
+  // What stays too narrow here cannot be mended from outside.
+  finish(WallSide::inside, "pull");
+  former.narrow("shape", kRough);
+  finish(WallSide::outside, "finish");
+  return slow;
+}
+
+// A visitor watches for about this long. Small pots get slower passes, tall ones quicker.
+std::vector<Key> follow_in_time(const ScriptContext& context) {
+  constexpr double kWanted = 112.0;  // s at pace 1
+  double haste = 1.0;
+  for (int round = 0;; ++round) {
+    Choreography hand(context.pace, steady_wheel(context.scene, *context.target), context.seed);
+    Former former(context.scene, hand, haste);
+    begin(hand);
+    const double slow = go_along(former, hand, context.scene, *context.target);
+    former.rest();
+    if (round == 1) return hand.finish();
+    const double quick = hand.time_on_clay() - slow;
+    const double left = std::max(kWanted / context.pace - (hand.time() - quick), 0.4 * quick);
+    // Past 2.4 times the usual speed the clay no longer follows the finger.
+    haste = std::clamp(quick / left, 0.5, std::max(0.5, 2.4 / context.pace));
+  }
+}
+
+}  // namespace
+
 // An even cylinder.
 void turn_true(Choreography&, Former& former, const SceneDef& scene) {
   former.set_goal([&](double) { return 0.94 * scene.clay.outer_radius; });
@@ -126,60 +178,7 @@ void hold_finger(Choreography&, Former& former, const SceneDef& scene) {
   former.narrow("groove", 0.2 * kRough);
 }
 
-// A soft, wide pot spreads when it is spun fast. At this share of what holds it, half wet, there is
-// room for its weight.
-double steady_wheel(const SceneDef& scene, const Profile& target) {
-  if (!scene.slump) return scene.wheel.max_speed;
-  constexpr double kShare = 0.5;
-  constexpr double kRoot3 = 1.7320508075688772;
-  const double weak = scene.moisture ? effects::strength(*scene.moisture, 0.5) : 1.0;
-  const double hoop = kShare * kRoot3 * scene.slump->yield_stress * weak;
-  const double speed = std::sqrt(hoop / scene.slump->density) / target.max_radius();
-  return std::min(scene.wheel.max_speed, speed);
-}
-
-// The target's own outline: widen and narrow quickly, and after each go over it slowly.
-// Gives the seconds that the slow passes take, which no haste shortens.
-double go_along(Former& former, Choreography& hand, const SceneDef& scene, const Profile& target) {
-  // As many turns on the way up, however slowly the wheel has to turn.
-  const double slower = std::min(1.0, steady_wheel(scene, target) / kWheelFine);
-  double slow = 0.0;
-  const auto finish = [&](WallSide side, std::string_view phase) {
-    const double before = hand.time_on_clay();
-    former.finish(side, phase, kFinish * slower);
-    slow += hand.time_on_clay() - before;
-  };
-  former.set_goal([&](double h) { return target.outer_at(h); });
-  former.open("open", kRough);
-  hand.wheel(kWheelFine);
-  // What stays too narrow here cannot be mended from outside.
-  finish(WallSide::inside, "pull");
-  former.narrow("shape", kRough);
-  finish(WallSide::outside, "finish");
-  return slow;
-}
-
-// A visitor watches for about this long. Small pots get slower passes, tall ones quicker.
-std::vector<Key> follow_in_time(const ScriptContext& context) {
-  constexpr double kWanted = 112.0;  // s at pace 1
-  double haste = 1.0;
-  for (int round = 0;; ++round) {
-    Choreography hand(context.pace, steady_wheel(context.scene, *context.target), context.seed);
-    Former former(context.scene, hand, haste);
-    begin(hand);
-    const double slow = go_along(former, hand, context.scene, *context.target);
-    former.rest();
-    if (round == 1) return hand.finish();
-    const double quick = hand.time_on_clay() - slow;
-    const double left = std::max(kWanted / context.pace - (hand.time() - quick), 0.4 * quick);
-    // Past 2.4 times the usual speed the clay no longer follows the finger.
-    haste = std::clamp(quick / left, 0.5, std::max(0.5, 2.4 / context.pace));
-  }
-}
-
-using Moves = void (*)(Choreography&, Former&, const SceneDef&);
-
-std::unique_ptr<Script> play(const ScriptContext& context, Moves moves) {
+std::unique_ptr<Script> play(const ScriptContext& context, const ToolInHand&, Forming& moves) {
   Choreography hand(context.pace, context.scene.wheel.max_speed, context.seed);
   Former former(context.scene, hand);
   begin(hand);
@@ -188,46 +187,8 @@ std::unique_ptr<Script> play(const ScriptContext& context, Moves moves) {
   return std::make_unique<PlannedScript>(hand.finish(), context.scene.tool.radius);
 }
 
-}  // namespace
-
-std::unique_ptr<Script> true_up(const ScriptContext& context, const ToolInHand&) {
-  return play(context, turn_true);
-}
-
-std::unique_ptr<Script> collar(const ScriptContext& context, const ToolInHand&) {
-  return play(context, narrow_neck);
-}
-
-std::unique_ptr<Script> belly(const ScriptContext& context, const ToolInHand&) {
-  return play(context, push_barrel);
-}
-
-std::unique_ptr<Script> bowl(const ScriptContext& context, const ToolInHand&) {
-  return play(context, flare_wall);
-}
-
-std::unique_ptr<Script> groove(const ScriptContext& context, const ToolInHand&) {
-  return play(context, hold_finger);
-}
-
 std::unique_ptr<Script> follow(const ScriptContext& context, const ToolInHand&) {
   return std::make_unique<PlannedScript>(follow_in_time(context), context.scene.tool.radius);
-}
-
-std::unique_ptr<Script> open(const ScriptContext& context, const ToolInHand&) {
-  return play(context, open_up);
-}
-
-std::unique_ptr<Script> press_rim(const ScriptContext& context, const ToolInHand&) {
-  return play(context, press_lip);
-}
-
-std::unique_ptr<Script> flare_rim(const ScriptContext& context, const ToolInHand&) {
-  return play(context, flare_lip);
-}
-
-std::unique_ptr<Script> squeeze(const ScriptContext& context, const ToolInHand&) {
-  return play(context, squeeze_wall);
 }
 
 }  // namespace onggi::script

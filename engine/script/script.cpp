@@ -7,73 +7,90 @@
 #include "engine/script/carving.h"
 #include "engine/script/demonstrations.h"
 #include "engine/script/forming.h"
+#include "engine/script/upright.h"
 
 namespace onggi {
 namespace {
 
+using namespace script;
+
+// The script of some moves: each kind of moves has a play() of its own.
+template <auto kMoves>
+std::unique_ptr<Script> plays(const ScriptContext& context, const ToolInHand& tool) {
+  return play(context, tool, *kMoves);
+}
+
 constexpr ScriptInfo kScripts[] = {
     // name, words, needs, shows, plan
-    {"true", "cut a lump to an even cylinder", {}, "", script::true_up},
-    {"collar", "narrow a neck", {}, "", script::collar},
-    {"belly", "push a barrel out from inside", {}, "", script::belly},
-    {"bowl", "flare the wall to the rim", {}, "", script::bowl},
-    {"groove", "hold one fingertip to the wall", {}, "", script::groove},
-    {"follow", "bring the clay to a vessel's own outline", {.target = true}, "", script::follow},
+    {"true", "cut a lump to an even cylinder", {}, "", plays<turn_true>},
+    {"collar", "narrow a neck", {}, "", plays<narrow_neck>},
+    {"belly", "push a barrel out from inside", {}, "", plays<push_barrel>},
+    {"bowl", "flare the wall to the rim", {}, "", plays<flare_wall>},
+    {"groove", "hold one fingertip to the wall", {}, "", plays<hold_finger>},
+    {"follow", "bring the clay to a vessel's own outline", {.target = true}, "", follow},
     {"open",
      "go down the middle of a lump, out along the floor, up the wall",
      {},
      "",
-     script::open},
+     plays<open_up>},
     {"press_rim",
      "lay a fingertip on the lip and press the pot lower by a twentieth",
      {},
      "",
-     script::press_rim},
-    {"flare_rim", "draw the lip outwards from within", {.wall = true}, "", script::flare_rim},
+     plays<press_lip>},
+    {"flare_rim", "draw the lip outwards from within", {.wall = true}, "", plays<flare_lip>},
     {"squeeze",
      "take a third off the wall between a hand outside and one inside, drawing up",
      {.wall = true},
      "",
-     script::squeeze},
+     plays<squeeze_wall>},
     {"facet",
      "press eight flats with the flat rib, the wheel still",
      {.tool = "flat_rib"},
      "",
-     script::facet},
+     plays<press_flats>},
     {"flute",
      "draw twelve grooves upwards with the loop trimmer, the wheel still",
      {.tool = "loop_trimmer"},
      "",
-     script::flute},
+     plays<draw_grooves>},
     {"incise",
      "wind a line up the wall with the needle, the wheel slow",
      {.tool = "needle"},
      "",
-     script::incise},
+     plays<wind_line>},
     {"trim_foot",
      "turn clay off the foot with the loop trimmer",
      {.tool = "loop_trimmer"},
      "",
-     script::trim_foot},
-    {"cut_off", "draw the wire through under the pot", {.tool = "wire"}, "", script::cut_off},
+     plays<turn_off_foot>},
+    {"cut_off", "draw the wire through under the pot", {.tool = "wire"}, "", plays<draw_wire>},
     {"pull_tall",
      "pull the wall up between two hands, four times",
      {},
      "volume",
-     script::pull_tall},
+     plays<pull_four_times>},
     {"collapse",
      "pull it thin, three times, then drown it on a fast wheel until it falls",
      {},
      "slump",
-     script::collapse},
-    {"dry_out", "press when wet, wait, press when drier", {}, "moisture", script::dry_out},
-    {"re_wet", "the same, and wet it again", {}, "moisture", script::re_wet},
-    {"centre", "press steadily until a lump no longer wobbles", {}, "wobble", script::centre},
+     plays<pull_and_drown>},
+    {"dry_out",
+     "press when wet, wait, press when drier",
+     {},
+     "moisture",
+     plays<press_wet_and_drier>},
+    {"re_wet", "the same, and wet it again", {}, "moisture", plays<press_and_wet_again>},
+    {"centre",
+     "press steadily until a lump no longer wobbles",
+     {},
+     "wobble",
+     plays<press_steadily>},
     {"rib_smooth",
      "leave a line with a finger, and take it away with the flat rib",
      {.tool = "flat_rib"},
      "smoothing",
-     script::rib_smooth},
+     plays<draw_and_even>},
 };
 
 constexpr auto kNames = [] {
