@@ -42,11 +42,4 @@ std::string_view name_of(Vectors kind) noexcept {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::optional<Vectors> vectors_named(std::string_view name) noexcept {
-  if (name.empty()) return best_vectors();
-  for (const Vectors kind : vectors_here())
-    if (name_of(kind) == name) return kind;
-  return {};
-}
-
 }  // namespace onggi

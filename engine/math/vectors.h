@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -22,7 +21,5 @@ std::span<const Vectors> vectors_here() noexcept;
 Vectors best_vectors() noexcept;
 
 std::string_view name_of(Vectors kind) noexcept;  ///< "avx2"
-/// None where this machine, or this program, has none of that name; "" is the best.
-std::optional<Vectors> vectors_named(std::string_view name) noexcept;
 
 }  // namespace onggi

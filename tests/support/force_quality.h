@@ -18,10 +18,6 @@ struct ForceQuality {
   double above_50 = 0.0;   ///< Of what it does above 50 Hz, root mean square, N.
   double lag = 0.0;        ///< s behind the same force without what makes it late, of what is
                            ///< slower than about 25 Hz; below 0: ahead of it.
-
-  /// Of the mean force.
-  double jaggedness() const { return mean > 0.0 ? increment / mean : 0.0; }
-  double noise() const { return mean > 0.0 ? above_50 / mean : 0.0; }
 };
 
 /// 60 rpm; 5 mm/s, to and fro by 0.3 mm three times a second, for 1.6 s after the first touch.

@@ -10,11 +10,12 @@ int print_vector_kinds() {
 }
 
 std::optional<Vectors> choose_vectors(std::string_view kind) {
-  const auto found = vectors_named(kind);
-  if (!found)
-    std::fprintf(stderr, "There are no vectors \"%.*s\" here; --kinds lists what there is.\n",
-                 static_cast<int>(kind.size()), kind.data());
-  return found;
+  if (kind.empty()) return best_vectors();
+  for (const Vectors here : vectors_here())
+    if (name_of(here) == kind) return here;
+  std::fprintf(stderr, "There are no vectors \"%.*s\" here; --kinds lists what there is.\n",
+               static_cast<int>(kind.size()), kind.data());
+  return {};
 }
 
 }  // namespace onggi
