@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/effects/effect_list.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -35,6 +36,12 @@ Propagation::Propagation(int rows) {
   give_.resize(n);
   more_.resize(column_kernels::kMostBlocks * Displacements::kBlock * n);
   lost_.resize(n);
+}
+
+bool Propagation::wanted(const Effects& def) { return def.propagation.has_value(); }
+
+void Propagation::run(const StageWork& work) noexcept {
+  drag(*work.def.propagation, work.clay, work.side, work.along(work.side));
 }
 
 // Two sweeps over the pressed rows, one up and one down, each carrying the strongest pull of the

@@ -6,6 +6,7 @@
 #include "engine/effects/column_kernels.h"
 #include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
+#include "engine/effects/row_stage.h"
 
 namespace onggi {
 
@@ -22,9 +23,14 @@ struct PropagationDef {
 namespace effects {
 
 /// Drags the rows about those that moved. Allocates only when made; one thread.
-class Propagation {
+class Propagation : public KeepsNoRows {
  public:
   explicit Propagation(int rows);
+
+  static constexpr bool kAsksMoves = true;
+  static bool wanted(const Effects& def);
+  static Propagation make(const Effects&, Clay& clay) { return Propagation(clay.room()); }
+  void run(const StageWork& work) noexcept;
 
   /// Stage 6.1: no row is moved by more than the strongest of those about it, times its share; one
   /// that moved that far by itself is left alone. `along`: see limits_of(). The displacements grow

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "engine/effects/effect_list.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -101,6 +102,15 @@ const Slump::Flow& Slump::share(const Clay& clay, int j, const Flow& next) noexc
   return shared_;
 }
 
+bool Slump::wanted(const Effects& def) { return def.slump.has_value(); }
+
+void Slump::run(const StageWork& work) noexcept {
+  const MoistureDef* moisture = work.def.moisture ? &*work.def.moisture : nullptr;
+  const RowTick& tick = work.tick;
+  sink(*work.def.slump, work.clay, *work.volume,
+       {tick.moisture, moisture, tick.wheel_speed, tick.seconds, tick.touched || work.laid});
+}
+
 void Slump::begin(const Clay& clay) noexcept {
   sweep_ = Sweep::down;
   round_.begin();
@@ -185,19 +195,22 @@ void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& 
 }
 
 // A sweep goes on where it was, between the same rows.
-void Slump::row_divided(int j) noexcept {
+void Slump::row_divided(const Clay&, const RowDivided& divided) noexcept {
+  const int j = divided.row;
   for (std::vector<Flow>* flows : {&flow_, &owed_})
     clay::open_place(*flows, j + 1, (*flows)[static_cast<std::size_t>(j)]);
   if (sweep_ == Sweep::down ? j <= next_ : j < next_) ++next_;
 }
 
-void Slump::rows_joined(int j, double upper) noexcept {
+void Slump::rows_joined(const Clay&, const RowsJoined& joined) noexcept {
+  const int j = joined.row;
   for (std::vector<Flow>* flows : {&flow_, &owed_}) clay::close_place(*flows, j + 1);
-  if (sweep_ == Sweep::down && j == next_) above_ -= upper;  // it is weighed again, with the lower
+  if (sweep_ == Sweep::down && j == next_)
+    above_ -= joined.upper;  // it is weighed again, with the lower
   if (j + 1 <= (sweep_ == Sweep::down ? next_ : next_ - 1)) --next_;
 }
 
-void Slump::forget_fall() noexcept {
+void Slump::forget(Clay&, const Laid&) noexcept {
   sagged_ = 0.0;
   fallen_ = false;
   stands_ = true;

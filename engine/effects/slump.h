@@ -2,6 +2,7 @@
 
 #include "engine/effects/moisture.h"
 #include "engine/effects/round.h"
+#include "engine/effects/row_stage.h"
 #include "engine/effects/volume.h"
 
 namespace onggi {
@@ -36,6 +37,11 @@ class Slump {
   explicit Slump(int room)
       : flow_(static_cast<std::size_t>(room)), owed_(static_cast<std::size_t>(room)) {}
 
+  static constexpr bool kAsksMoves = false;
+  static bool wanted(const Effects& def);
+  static Slump make(const Effects&, Clay& clay) { return Slump(clay.room()); }
+  void run(const StageWork& work) noexcept;
+
   /// What the clay stands in.
   struct Around {
     const Moisture* moisture = nullptr;  ///< Null: dry.
@@ -54,11 +60,10 @@ class Slump {
   bool fallen() const { return fallen_; }
   /// It has sagged by less than a tenth of that.
   bool stands() const { return stands_; }
-  /// Row `j` has been divided, or joined with the one above it, which held `upper` m^3.
-  void row_divided(int j) noexcept;
-  void rows_joined(int j, double upper) noexcept;
-  /// The pot is another one.
-  void forget_fall() noexcept;
+  void row_divided(const Clay&, const RowDivided& divided) noexcept;
+  void rows_joined(const Clay&, const RowsJoined& joined) noexcept;
+  /// The pot is another one: it has not fallen.
+  void forget(Clay&, const Laid&) noexcept;
   static constexpr double kFallTime = 3.0;  ///< s
   void add_to(StateHash& hash, const Clay& clay) const;
 

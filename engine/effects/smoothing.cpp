@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/effects/column_kernels.h"
+#include "engine/effects/effect_list.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -21,6 +22,15 @@ Smoothing::Smoothing(int rows) {
   gained_.resize(n);
   for (std::vector<float>* part : {&weight_, &flow_, &up_, &inverse_, &extent_}) part->resize(n);
   change_.resize(column_kernels::kMostBlocks * Displacements::kBlock * n);
+}
+
+bool Smoothing::wanted(const Effects& def) { return def.smoothing.has_value(); }
+
+void Smoothing::run(const StageWork& work) noexcept {
+  for (const HandThere& hand : work.tick.hand)
+    if (hand.on_wall && hand.smooths > 0.0 && hand.side == work.side)
+      even(*work.def.smoothing, work.clay, hand.side, hand.at.y - hand.smooths,
+           hand.at.y + hand.smooths, work.side_seconds);
 }
 
 void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double bottom, double top,

@@ -5,6 +5,7 @@
 #include "engine/clay/wall_side.h"
 #include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
+#include "engine/effects/row_stage.h"
 
 namespace onggi {
 
@@ -23,9 +24,14 @@ namespace effects {
 /// Diffusion of R^2, whose integral over height is volume, along the wall: implicit, so that any
 /// tick is stable, nothing gets larger than the largest or smaller than the least, and no clay is
 /// lost. Allocates only when made; one thread.
-class Smoothing {
+class Smoothing : public KeepsNoRows {
  public:
   explicit Smoothing(int rows);
+
+  static constexpr bool kAsksMoves = true;
+  static bool wanted(const Effects& def);
+  static Smoothing make(const Effects&, Clay& clay) { return Smoothing(clay.room()); }
+  void run(const StageWork& work) noexcept;
 
   /// Stage 6.3: evens the elements that moved in this tick, and what lies between them up and down,
   /// of rows whose middles are from `bottom` to `top` (m). O(those).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/effects/effect_list.h"
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
@@ -30,6 +31,13 @@ Springback::Springback(const Clay& clay)
     face.seen.resize(room_);
     face.rows.resize(room_);
   }
+}
+
+bool Springback::wanted(const Effects& def) { return def.springback.has_value(); }
+
+void Springback::run(const StageWork& work) noexcept {
+  load(*work.def.springback, work.clay, work.side);
+  come_back(*work.def.springback, work.clay, work.tick.seconds, work.def.walls ? 1.0 : 0.0);
 }
 
 void Springback::load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept {
@@ -111,10 +119,10 @@ void Springback::come_back(const SpringbackDef& def, Clay& clay, double seconds,
   if (asleep()) round_.stop();
 }
 
-void Springback::row_divided(int from, int to) noexcept {
+void Springback::row_divided(const Clay&, const RowDivided& divided) noexcept {
   for (Face& f : face_) {
-    const auto a = static_cast<std::size_t>(from);
-    const auto b = static_cast<std::size_t>(to);
+    const auto a = static_cast<std::size_t>(divided.from);
+    const auto b = static_cast<std::size_t>(divided.to);
     if (f.rows[a] == 0) continue;
     std::copy_n(f.left.begin() + static_cast<std::ptrdiff_t>(a * stride_), stride_,
                 f.left.begin() + static_cast<std::ptrdiff_t>(b * stride_));
@@ -124,7 +132,7 @@ void Springback::row_divided(int from, int to) noexcept {
   }
 }
 
-void Springback::forget() noexcept {
+void Springback::forget(Clay&, const Laid&) noexcept {
   for (Face& f : face_)
     for (std::size_t n = 0; n < f.rows.size(); ++n) {
       if (f.rows[n] == 0) continue;
@@ -135,7 +143,7 @@ void Springback::forget() noexcept {
   round_.stop();
 }
 
-void Springback::add_to(StateHash& hash) const {
+void Springback::add_to(StateHash& hash, Clay&) const {
   for (const Face& f : face_) {
     for (std::size_t n = 0; n < f.rows.size(); ++n) {
       if (f.rows[n] == 0) continue;

@@ -7,6 +7,7 @@
 #include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
 #include "engine/effects/round.h"
+#include "engine/effects/row_stage.h"
 #include "engine/math/hash.h"
 
 namespace onggi {
@@ -29,6 +30,11 @@ class Springback {
  public:
   explicit Springback(const Clay& clay);
 
+  static constexpr bool kAsksMoves = true;
+  static bool wanted(const Effects& def);
+  static Springback make(const Effects&, Clay& clay) { return Springback(clay); }
+  void run(const StageWork& work) noexcept;
+
   /// Stage 6.2: of what moved in this tick the share is to come back. O(elements moved).
   void load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept;
   /// And lets what is loaded come back: rows take turns, eight in SpringbackDef::time and on the
@@ -36,18 +42,19 @@ class Springback {
   /// No row ever goes beyond where it was pressed from. `along`: see limits_of(). Asleep when
   /// nothing is loaded.
   void come_back(const SpringbackDef& def, Clay& clay, double seconds, double along) noexcept;
-  /// Something of a stored row has still to come back.
+  /// Something of a stored row has still to come back: it may not be joined.
   bool loaded(int stored) const {
     const auto n = static_cast<std::size_t>(stored);
     return face_[0].rows[n] != 0 || face_[1].rows[n] != 0;
   }
-  /// The stored row `to`, which is not loaded, is half of what `from` was.
-  void row_divided(int from, int to) noexcept;
-  /// The clay was laid anew: nothing is loaded. O(rows that were).
-  void forget() noexcept;
+  /// The upper half of a loaded row is loaded too.
+  void row_divided(const Clay&, const RowDivided& divided) noexcept;
+  void rows_joined(const Clay&, const RowsJoined&) noexcept {}  // neither was loaded
+  /// Nothing is loaded then. O(rows that were).
+  void forget(Clay&, const Laid&) noexcept;
 
   bool asleep() const { return loaded_rows_ == 0; }
-  void add_to(StateHash& hash) const;
+  void add_to(StateHash& hash, Clay&) const;
 
  private:
   struct Face {                      // by stored row

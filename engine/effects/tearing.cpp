@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/effects/effect_list.h"
 #include "engine/effects/row_kernels.h"
 
 namespace onggi::effects {
@@ -53,6 +54,13 @@ int Tearing::next_unseen() noexcept {
   return j;
 }
 
+bool Tearing::wanted(const Effects& def) { return def.walls && tears(*def.walls); }
+
+// Where volume is kept, that stage asks after this one which rows changed.
+void Tearing::run(const StageWork& work) noexcept {
+  look(*work.def.walls, work.clay, work.tick.seconds, work.tick.step, work.volume == nullptr);
+}
+
 void Tearing::look(const WallsDef& def, Clay& clay, double seconds, std::uint64_t step,
                    bool last) noexcept {
   RowAreas& areas = *clay.areas();
@@ -72,13 +80,15 @@ void Tearing::look(const WallsDef& def, Clay& clay, double seconds, std::uint64_
   }
 }
 
-void Tearing::row_divided(int j) noexcept {
+void Tearing::row_divided(const Clay&, const RowDivided& divided) noexcept {
+  const int j = divided.row;
   const bool unseen = unseen_.has(j);
   unseen_.open(j + 1);
   if (unseen) unseen_.add(j + 1);
 }
 
-void Tearing::rows_joined(int j) noexcept {
+void Tearing::rows_joined(const Clay&, const RowsJoined& joined) noexcept {
+  const int j = joined.row;
   const bool unseen = unseen_.has(j + 1);
   unseen_.close(j + 1);
   if (unseen) unseen_.add(j);

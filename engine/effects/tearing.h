@@ -7,6 +7,7 @@
 
 #include "engine/clay/clay.h"
 #include "engine/clay/row_set.h"
+#include "engine/effects/row_stage.h"
 #include "engine/effects/walls.h"
 #include "engine/math/hash.h"
 
@@ -20,6 +21,11 @@ class Tearing {
   /// `def` says that walls can tear: see tears().
   explicit Tearing(Clay& clay);
 
+  static constexpr bool kAsksMoves = false;
+  static bool wanted(const Effects& def);
+  static Tearing make(const Effects&, Clay& clay) { return Tearing(clay); }
+  void run(const StageWork& work) noexcept;
+
   /// Stage 6.6: rings that changed since they were last looked at take turns; one whose wall is
   /// somewhere thinner than `def.tear_thickness`, or is wider than the lump's by more than
   /// `def.tear_strain`, tears. All that wait are looked at within 0.1 s. `step`: History::depth()
@@ -31,9 +37,13 @@ class Tearing {
   /// `step` was taken back, and all after it: what tore in them is whole.
   void go_back(Clay& clay, std::uint64_t step) noexcept;
 
-  /// Row `j`, which is whole, has been divided, or joined with the one above it.
-  void row_divided(int j) noexcept;
-  void rows_joined(int j) noexcept;
+  void forget(Clay& clay, const Laid& laid) noexcept {
+    laid.fresh ? lay(clay, laid.step) : go_back(clay, laid.step);
+  }
+
+  /// Rows that are divided or joined are whole.
+  void row_divided(const Clay&, const RowDivided& divided) noexcept;
+  void rows_joined(const Clay&, const RowsJoined& joined) noexcept;
 
   bool any() const { return torn_rows_ > 0; }
   /// Some row is torn, and the last of them tore before `step`.

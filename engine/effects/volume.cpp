@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/effects/effect_list.h"
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
@@ -76,6 +77,8 @@ Volume::Volume(Clay& clay, const Limits& limits) : limits_(limits) {
   }
   noted_.assign(kSteps, sum(clay));
 }
+
+bool Volume::wanted(const Effects& def) { return def.volume.has_value(); }
 
 bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
   return clay.row_thickness(j) < thickness_[static_cast<std::size_t>(j)];
@@ -222,7 +225,8 @@ int Volume::take_thick(const Clay& clay, double times, int from) noexcept {
   return -1;
 }
 
-void Volume::row_divided(const Clay& clay, int j) noexcept {
+void Volume::row_divided(const Clay& clay, const RowDivided& divided) noexcept {
+  const int j = divided.row;
   const auto n = static_cast<std::size_t>(j);
   const double lower =
       volume_[n] * clay.areas()->of(j) / (clay.areas()->of(j) + clay.areas()->of(j + 1));
@@ -233,7 +237,8 @@ void Volume::row_divided(const Clay& clay, int j) noexcept {
   thickness_[n] = clay.row_thickness(j);
 }
 
-void Volume::rows_joined(const Clay& clay, int j) noexcept {
+void Volume::rows_joined(const Clay& clay, const RowsJoined& joined) noexcept {
+  const int j = joined.row;
   const auto n = static_cast<std::size_t>(j);
   const double both = volume_[n] + volume_[n + 1];
   clay::close_place(volume_, j + 1);

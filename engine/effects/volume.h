@@ -6,6 +6,7 @@
 #include "engine/clay/clay.h"
 #include "engine/clay/history.h"
 #include "engine/effects/effect_field.h"
+#include "engine/effects/row_stage.h"
 #include "engine/math/hash.h"
 
 namespace onggi {
@@ -37,6 +38,11 @@ class Volume {
   explicit Volume(Clay& clay) : Volume(clay, Limits{}) {}
   Volume(Clay& clay, const Limits& limits);
 
+  static constexpr bool kAsksMoves = false;
+  static bool wanted(const Effects& def);
+  static Volume make(const Effects&, Clay& clay) { return Volume(clay); }
+  void run(const StageWork& work) noexcept { keep(work.clay, work.tick.seconds); }
+
   /// Stage 6 of the pipeline: rows that lost area since the last call gain height, as far as they
   /// may; rows that were pressed down, or may not grow, gain girth, as many as make 16384 elements
   /// a millisecond or a hundredth of all rows, the rest in the next calls: none waits for more than
@@ -64,9 +70,11 @@ class Volume {
   /// until it is raised anew.
   int take_thick(const Clay& clay, double times, int from) noexcept;
   void ask_again(int j) noexcept { raised_.add(j); }
-  /// Row `j` has been divided, or joined with the one above it (clay/row_division.h).
-  void row_divided(const Clay& clay, int j) noexcept;
-  void rows_joined(const Clay& clay, int j) noexcept;
+  void row_divided(const Clay& clay, const RowDivided& divided) noexcept;
+  void rows_joined(const Clay& clay, const RowsJoined& joined) noexcept;
+  void forget(Clay& clay, const Laid& laid) noexcept {
+    if (!laid.fresh) return_to(clay, laid.step);
+  }
   void add_to(StateHash& hash, Clay& clay) const;
 
  private:

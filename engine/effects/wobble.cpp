@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/effects/effect_list.h"
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
@@ -97,6 +98,19 @@ void lay_off_centre(Clay& clay, int j, OffCentre off) noexcept {
   shape_row(clay, j, [&](double c, double s, double radius) {
     return circle_along(radius, away, c * ux + s * uz, s * ux - c * uz);
   });
+}
+
+bool Wobble::wanted(const Effects& def) { return def.wobble.has_value(); }
+
+void Wobble::lay_row(const Effects& def, Clay& clay, int j) noexcept {
+  lay_off_centre(clay, j, {def.wobble->off_centre, 0.0});
+}
+
+void Wobble::run(const StageWork& work) noexcept {
+  for (std::size_t n = 0; n < kMostHands; ++n)
+    if (const HandThere& hand = work.tick.hand[n]; hand.on_wall)
+      press(n, {hand.at, hand.normal, hand.side}, work.tick.seconds);
+  centre(*work.def.wobble, work.clay, work.tick.seconds);
 }
 
 void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noexcept {
@@ -195,21 +209,23 @@ void Wobble::go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double second
   }
 }
 
-void Wobble::row_divided(int j) noexcept {
+void Wobble::row_divided(const Clay&, const RowDivided& divided) noexcept {
+  const int j = divided.row;
   for (Sweep& sweep : sweeps_) {
     for (int& row : sweep.bound) row += j < row ? 1 : 0;
     for (int& row : sweep.edge) row += j < row ? 1 : 0;
   }
 }
 
-void Wobble::rows_joined(int j) noexcept {
+void Wobble::rows_joined(const Clay&, const RowsJoined& joined) noexcept {
+  const int j = joined.row;
   for (Sweep& sweep : sweeps_) {
     for (int& row : sweep.bound) row -= j + 1 < row ? 1 : 0;
     for (int& row : sweep.edge) row -= j + 1 < row ? 1 : 0;
   }
 }
 
-void Wobble::add_to(StateHash& hash) const {
+void Wobble::add_to(StateHash& hash, Clay&) const {
   beat_.add_to(hash);
   for (const Sweep& sweep : sweeps_) {
     for (const Gathered* gathered : {&sweep.next, &sweep.now}) {

@@ -6,6 +6,7 @@
 #include "engine/clay/wall_side.h"
 #include "engine/effects/effect_field.h"
 #include "engine/effects/round.h"
+#include "engine/effects/row_stage.h"
 #include "engine/math/hash.h"
 #include "engine/math/vec.h"
 
@@ -54,23 +55,26 @@ struct CentringHand {
 /// allocation; one thread.
 class Wobble {
  public:
+  static constexpr bool kAsksMoves = false;
+  static bool wanted(const Effects& def);
+  static Wobble make(const Effects&, Clay&) { return {}; }
+  /// A fresh lump lies off the middle.
+  static void lay_row(const Effects& def, Clay& clay, int j) noexcept;
+  void run(const StageWork& work) noexcept;
+
   /// Stage 6.4: what hand `n` of kMostHands does in a tick of `seconds`. O(1).
   void press(std::size_t n, const CentringHand& hand, double seconds) noexcept;
   /// Then: the rings near a hand are pushed towards the middle, away from a hand outside and
   /// towards one inside, by a share of what they are off on its side: they come nearer to it or
   /// stay. O(sectors) a row.
   void centre(const WobbleDef& def, Clay& clay, double seconds) noexcept;
-  /// Row `j` has been divided, or joined with the one above it.
-  void row_divided(int j) noexcept;
-  void rows_joined(int j) noexcept;
-  /// The clay is another.
-  void forget() noexcept {
+  void row_divided(const Clay&, const RowDivided& divided) noexcept;
+  void rows_joined(const Clay&, const RowsJoined& joined) noexcept;
+  void forget(Clay&, const Laid&) noexcept {
     sweeps_ = {};
     beat_ = {};
   }
-  void add_to(StateHash& hash) const;
-
-  static constexpr std::size_t kMostHands = 2;
+  void add_to(StateHash& hash, Clay&) const;
 
  private:
   static constexpr std::size_t kDirections = 16;

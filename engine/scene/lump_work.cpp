@@ -60,7 +60,7 @@ bool LumpWork::renew(const Parts& parts) const noexcept {
 
 bool LumpWork::lay(const Parts& parts) const noexcept {
   if (parts.moisture != nullptr) parts.moisture->count_rows(parts.clay);
-  return parts.row_effects->settle_some(parts.def, parts.clay, true, depth_of(parts.history),
+  return parts.row_effects->settle_some(parts.def, parts.clay, {true, depth_of(parts.history)},
                                         kBudget);
 }
 
@@ -77,7 +77,7 @@ bool LumpWork::restore(const Parts& parts) const noexcept {
 
 bool LumpWork::settle(const Parts& parts) const noexcept {
   if (parts.moisture != nullptr) parts.moisture->count_rows(parts.clay);
-  return parts.row_effects->settle_some(parts.def, parts.clay, false, depth_of(parts.history),
+  return parts.row_effects->settle_some(parts.def, parts.clay, {false, depth_of(parts.history)},
                                         kBudget);
 }
 

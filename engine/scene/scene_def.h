@@ -6,16 +6,7 @@
 
 #include "engine/clay/clay.h"
 #include "engine/contact/tool.h"
-#include "engine/effects/friction.h"
-#include "engine/effects/kiln.h"
-#include "engine/effects/moisture.h"
-#include "engine/effects/propagation.h"
-#include "engine/effects/slump.h"
-#include "engine/effects/smoothing.h"
-#include "engine/effects/springback.h"
-#include "engine/effects/volume.h"
-#include "engine/effects/walls.h"
-#include "engine/effects/wobble.h"
+#include "engine/effects/effect_list.h"
 
 namespace onggi {
 
@@ -62,43 +53,16 @@ struct PaperDef {
   double c_r = 200.0;   ///< Eq. 10: N per metre of the deepest press, 0..1e5.
 };
 
-struct SceneDef {
+/// Beside the effects, what every scene has.
+struct SceneDef : Effects {
   ClayDef clay;
   ToolDef tool;                                   ///< HandInput::tool 0.
   std::vector<ToolToHand> tools = usual_tools();  ///< HandInput::tool 1 and on; 63 at most.
   ContactDef contact;
   WheelDef wheel;
   GuardDef guard;
-  // Effects (engine/docs/effects.md): one that is present is simulated; one that is absent costs no
-  // byte and no instruction.
-  std::optional<MoistureDef> moisture = MoistureDef{};
-  std::optional<WallsDef> walls;
-  std::optional<PropagationDef> propagation;
-  std::optional<SpringbackDef> springback;
-  std::optional<SmoothingDef> smoothing;
-  std::optional<WobbleDef> wobble;
-  std::optional<SlumpDef> slump;  ///< Needs volume.
-  std::optional<VolumeDef> volume;
-  std::optional<FrictionDef> friction = FrictionDef{};
-  std::optional<KilnDef> kiln;    ///< Of the visit's end: no stage of the tick.
   std::optional<PaperDef> paper;  ///< There: no effect must be.
 };
-
-/// Calls `visit` with every effect of `def`, a std::optional<XDef>, in the pipeline's order: the
-/// one list of them. SceneDef may be const.
-template <class AnySceneDef, class Visit>
-void each_effect(AnySceneDef& def, Visit&& visit) {
-  visit(def.moisture);
-  visit(def.walls);
-  visit(def.propagation);
-  visit(def.springback);
-  visit(def.smoothing);
-  visit(def.wobble);
-  visit(def.slump);
-  visit(def.volume);
-  visit(def.friction);
-  visit(def.kiln);
-}
 
 /// First thing wrong with `def`, with field ("clay.rows") or effect ("slump"), meaning and remedy.
 /// Allocates nothing big.

@@ -48,11 +48,11 @@ void follow(Clay& clay, Volume& volume, Refinement& refinement) {
     if (change.kind == Refinement::Change::Kind::none) return;
     if (change.kind == Refinement::Change::Kind::divide) {
       onggi::clay::divide_row(clay, change.row, volume.of_row(change.row));
-      volume.row_divided(clay, change.row);
+      volume.row_divided(clay, {change.row});
     } else {
       onggi::clay::join_rows(clay, change.row,
                              volume.of_row(change.row) + volume.of_row(change.row + 1));
-      volume.rows_joined(clay, change.row);
+      volume.rows_joined(clay, {change.row});
     }
   }
 }

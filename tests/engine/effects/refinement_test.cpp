@@ -179,7 +179,7 @@ TEST(Refinement, TheOnlyThinRowsAreFoundWhereverTheyStand) {
     Volume volume(clay);
     Refinement refinement;
     clay::divide_row(clay, pair, volume.of_row(pair));
-    volume.row_divided(clay, pair);
+    volume.row_divided(clay, {pair});
     volume.keep(clay, 0.001);
     int found = 0;
     for (int n = 0; n < 2 * clay.rows(); ++n) {
@@ -204,7 +204,7 @@ TEST(Refinement, WhereSpareRowsAreFewThinOnesAreJoinedAndNoMoreThanAreWanted) {
   EXPECT_EQ(refinement.next(clay, volume).kind, Kind::none) << "there is nothing to do";
   const auto divide = [&](int j) {
     clay::divide_row(clay, j, volume.of_row(j));
-    volume.row_divided(clay, j);
+    volume.row_divided(clay, {j});
     volume.keep(clay, 0.001);
   };
   for (int j = 76; j > 0; --j)
@@ -225,7 +225,7 @@ TEST(Refinement, WhereSpareRowsAreFewThinOnesAreJoinedAndNoMoreThanAreWanted) {
     const Refinement::Change change = refinement.next(clay, volume);
     if (change.kind != Kind::join) continue;
     clay::join_rows(clay, change.row, volume.of_row(change.row) + volume.of_row(change.row + 1));
-    volume.rows_joined(clay, change.row);
+    volume.rows_joined(clay, {change.row});
     volume.keep(clay, 0.001);
     ++joins;
   }

@@ -241,7 +241,7 @@ TEST(Tearing, ARowThatCameInTheStepTakenBackLeavesNoTear) {
   Tearing tearing(clay);
   constexpr int kRow = 40;
   clay::divide_row(clay, kRow, clay.areas()->of(kRow) * clay.row_thickness(kRow));
-  tearing.row_divided(kRow);
+  tearing.row_divided(clay, {kRow});
   std::ranges::fill(clay.inner_mut(kRow + 1), 0.0535f);
   // Found at once, it counts with the step before the one that has just begun.
   tearing.look(*def.walls, clay, 0.2, 0, true);

@@ -173,15 +173,15 @@ TEST(Wobble, ARowThatDividesAndIsJoinedAgainLeavesTheTurnsWhereTheyWere) {
   }
   const auto hash = [&] {
     StateHash of;
-    wobble.add_to(of);
+    wobble.add_to(of, clay);
     return of.value();
   };
   const std::uint64_t before = hash();
   int moved = 0;
   for (int j = 0; j < clay.rows(); ++j) {
-    wobble.row_divided(j);
+    wobble.row_divided(clay, {j});
     moved += hash() != before;
-    wobble.rows_joined(j);
+    wobble.rows_joined(clay, {j});
     ASSERT_EQ(hash(), before) << j;
   }
   EXPECT_GT(moved, clay.rows() / 4);

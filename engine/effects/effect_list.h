@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/effects/friction.h"
+#include "engine/effects/kiln.h"
+#include "engine/effects/moisture.h"
+#include "engine/effects/propagation.h"
+#include "engine/effects/slump.h"
+#include "engine/effects/smoothing.h"
+#include "engine/effects/springback.h"
+#include "engine/effects/tearing.h"
+#include "engine/effects/volume.h"
+#include "engine/effects/walls.h"
+#include "engine/effects/wobble.h"
+
+namespace onggi {
+
+/// The effects of a scene (engine/docs/effects.md): one that is present is simulated; one that is
+/// absent costs no byte and no instruction. A new one is its file pair and a word in each list of
+/// this file.
+struct Effects {
+  std::optional<MoistureDef> moisture = MoistureDef{};
+  std::optional<WallsDef> walls;
+  std::optional<PropagationDef> propagation;
+  std::optional<SpringbackDef> springback;
+  std::optional<SmoothingDef> smoothing;
+  std::optional<WobbleDef> wobble;
+  std::optional<SlumpDef> slump;  ///< Needs volume.
+  std::optional<VolumeDef> volume;
+  std::optional<FrictionDef> friction = FrictionDef{};
+  std::optional<KilnDef> kiln;  ///< Of the visit's end: no stage of the tick.
+};
+
+/// Calls `visit` with every effect of `def`, a std::optional<XDef>. SceneDef, which has them, may
+/// be const.
+template <class AnyEffects, class Visit>
+void each_effect(AnyEffects& def, Visit&& visit) {
+  visit(def.moisture);
+  visit(def.walls);
+  visit(def.propagation);
+  visit(def.springback);
+  visit(def.smoothing);
+  visit(def.wobble);
+  visit(def.slump);
+  visit(def.volume);
+  visit(def.friction);
+  visit(def.kiln);
+}
+
+namespace effects {
+
+/// Those that work on rows, in the pipeline's order: 6.1 to 6.7.
+using RowStages = Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume>;
+
+}  // namespace effects
+}  // namespace onggi
