@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/base/result.h"
+#include "engine/base/def_field.h"
 
 namespace onggi::clay {
 /// Of a grid.
@@ -28,6 +28,11 @@ struct ClayDef {
   double radius_max = 0.16;   ///< Largest outer radius, metres, <= 1.
   bool keep_undo = true;      ///< Strokes, and new clay, can be taken back (history.h): doubles the
                               ///< memory, and 32 MiB more.
+
+  static constexpr const char* kName = "clay";
+  static std::span<const DefField<ClayDef, int>> counts();
+  static std::span<const DefField<ClayDef>> fields();
+  static std::span<const DefField<ClayDef, bool>> switches();
 };
 
 /// Checks every field; `where` prefixes the field's name in the Problem. Nothing is allocated.

@@ -4,8 +4,8 @@
 
 namespace onggi {
 
-std::span<const EffectField<FrictionDef>> FrictionDef::fields() {
-  static constexpr EffectField<FrictionDef> kFields[] = {
+std::span<const DefField<FrictionDef>> FrictionDef::fields() {
+  static constexpr DefField<FrictionDef> kFields[] = {
       {"coefficient", &FrictionDef::coefficient, 0.0, 2.0, ""},
       {"wet_factor", &FrictionDef::wet_factor, 0.0, 1.0, ""},
       {"slip_speed", &FrictionDef::slip_speed, 1e-4, 0.1, "m/s"},

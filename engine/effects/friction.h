@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/effects/effect_field.h"
+#include "engine/base/def_field.h"
 #include "engine/math/vec.h"
 
 namespace onggi {
@@ -12,7 +12,7 @@ struct FrictionDef {
   double slip_speed = 0.01;   ///< eps, m/s, 1e-4..0.1: slower slip than this is felt less.
 
   static constexpr const char* kName = "friction";
-  static std::span<const EffectField<FrictionDef>> fields();
+  static std::span<const DefField<FrictionDef>> fields();
 };
 
 namespace effects {

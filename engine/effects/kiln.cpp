@@ -2,8 +2,8 @@
 
 namespace onggi {
 
-std::span<const EffectField<KilnDef>> KilnDef::fields() {
-  static constexpr EffectField<KilnDef> kFields[] = {
+std::span<const DefField<KilnDef>> KilnDef::fields() {
+  static constexpr DefField<KilnDef> kFields[] = {
       {"drying_shrinkage", &KilnDef::drying_shrinkage, 0.0, 0.15, ""},
       {"firing_shrinkage", &KilnDef::firing_shrinkage, 0.0, 0.2, ""},
       {"glaze_thickness", &KilnDef::glaze_thickness, 0.0, 0.002, "m"},

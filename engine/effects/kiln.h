@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "engine/effects/effect_field.h"
+#include "engine/base/def_field.h"
 
 namespace onggi {
 
@@ -17,7 +17,7 @@ struct KilnDef {
                                     ///< the pot bare.
 
   static constexpr const char* kName = "kiln";
-  static std::span<const EffectField<KilnDef>> fields();
+  static std::span<const DefField<KilnDef>> fields();
 };
 
 /// A clay as it is bought, for a scene's `body`: its two shrinkages.

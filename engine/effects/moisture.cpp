@@ -6,8 +6,8 @@
 
 namespace onggi {
 
-std::span<const EffectField<MoistureDef>> MoistureDef::fields() {
-  static constexpr EffectField<MoistureDef> kFields[] = {
+std::span<const DefField<MoistureDef>> MoistureDef::fields() {
+  static constexpr DefField<MoistureDef> kFields[] = {
       {"wetting_time", &MoistureDef::wetting_time, 0.05, 60.0, "s"},
       {"drying_time", &MoistureDef::drying_time, 1.0, 36000.0, "s"},
       {"softening", &MoistureDef::softening, 0.05, 1.0, ""},

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/def_field.h"
 #include "engine/clay/clay.h"
-#include "engine/effects/effect_field.h"
 #include "engine/math/hash.h"
 
 namespace onggi {
@@ -27,7 +27,7 @@ struct MoistureDef {
                                ///< own. Fixed when the scene is made.
 
   static constexpr const char* kName = "moisture";
-  static std::span<const EffectField<MoistureDef>> fields();
+  static std::span<const DefField<MoistureDef>> fields();
 };
 
 namespace effects {

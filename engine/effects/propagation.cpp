@@ -21,8 +21,8 @@ double fading_over(double x) {
 
 }  // namespace
 
-std::span<const EffectField<PropagationDef>> PropagationDef::fields() {
-  static constexpr EffectField<PropagationDef> kFields[] = {
+std::span<const DefField<PropagationDef>> PropagationDef::fields() {
+  static constexpr DefField<PropagationDef> kFields[] = {
       {"reach", &PropagationDef::reach, 0.0005, 0.05, "m"},
   };
   return kFields;

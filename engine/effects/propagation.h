@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "engine/base/def_field.h"
 #include "engine/clay/wall_side.h"
 #include "engine/effects/column_kernels.h"
-#include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
 #include "engine/effects/row_stage.h"
 
@@ -17,7 +17,7 @@ struct PropagationDef {
                          ///< times this nothing. Higher: softer lines.
 
   static constexpr const char* kName = "propagation";
-  static std::span<const EffectField<PropagationDef>> fields();
+  static std::span<const DefField<PropagationDef>> fields();
 };
 
 namespace effects {

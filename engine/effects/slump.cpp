@@ -42,8 +42,8 @@ double log_1_plus(double x) {
 
 }  // namespace
 
-std::span<const EffectField<SlumpDef>> SlumpDef::fields() {
-  static constexpr EffectField<SlumpDef> kFields[] = {
+std::span<const DefField<SlumpDef>> SlumpDef::fields() {
+  static constexpr DefField<SlumpDef> kFields[] = {
       {"yield_stress", &SlumpDef::yield_stress, 100.0, 1e6, "Pa"},
       {"viscosity", &SlumpDef::viscosity, 10.0, 1e8, "Pa s"},
       {"density", &SlumpDef::density, 500.0, 4000.0, "kg/m^3"},

@@ -20,7 +20,7 @@ struct SlumpDef {
             ///< as fallen, 0.01..0.9. Higher: the kiosk waits longer with kind words.
 
   static constexpr const char* kName = "slump";
-  static std::span<const EffectField<SlumpDef>> fields();
+  static std::span<const DefField<SlumpDef>> fields();
 };
 
 namespace effects {

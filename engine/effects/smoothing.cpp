@@ -8,8 +8,8 @@
 
 namespace onggi {
 
-std::span<const EffectField<SmoothingDef>> SmoothingDef::fields() {
-  static constexpr EffectField<SmoothingDef> kFields[] = {
+std::span<const DefField<SmoothingDef>> SmoothingDef::fields() {
+  static constexpr DefField<SmoothingDef> kFields[] = {
       {"pace", &SmoothingDef::pace, 1e-6, 1e-2, "m^2/s"},
   };
   return kFields;

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "engine/base/def_field.h"
 #include "engine/clay/wall_side.h"
-#include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
 #include "engine/effects/row_stage.h"
 
@@ -16,7 +16,7 @@ struct SmoothingDef {
                        ///< under the tool. Higher: gone in one turn.
 
   static constexpr const char* kName = "smoothing";
-  static std::span<const EffectField<SmoothingDef>> fields();
+  static std::span<const DefField<SmoothingDef>> fields();
 };
 
 namespace effects {

@@ -13,8 +13,8 @@ constexpr double kTurns = 8.0;  // of every row in Springback::time: steps well 
 
 }  // namespace
 
-std::span<const EffectField<SpringbackDef>> SpringbackDef::fields() {
-  static constexpr EffectField<SpringbackDef> kFields[] = {
+std::span<const DefField<SpringbackDef>> SpringbackDef::fields() {
+  static constexpr DefField<SpringbackDef> kFields[] = {
       {"share", &SpringbackDef::share, 0.0, 0.5, ""},
       {"time", &SpringbackDef::time, 0.01, 10.0, "s"},
   };

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "engine/base/def_field.h"
 #include "engine/clay/wall_side.h"
-#include "engine/effects/effect_field.h"
 #include "engine/effects/move_face.h"
 #include "engine/effects/round.h"
 #include "engine/effects/row_stage.h"
@@ -20,7 +20,7 @@ struct SpringbackDef {
   double time = 0.2;    ///< s, 0.01..10: how soon two thirds of it are back.
 
   static constexpr const char* kName = "springback";
-  static std::span<const EffectField<SpringbackDef>> fields();
+  static std::span<const DefField<SpringbackDef>> fields();
 };
 
 namespace effects {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/def_field.h"
 #include "engine/clay/clay.h"
 #include "engine/clay/history.h"
-#include "engine/effects/effect_field.h"
 #include "engine/effects/row_stage.h"
 #include "engine/math/hash.h"
 
@@ -15,7 +15,7 @@ namespace onggi {
 /// down widens it. Pulling up the wall makes the pot taller and thinner. It has no numbers to set.
 struct VolumeDef {
   static constexpr const char* kName = "volume";
-  static std::span<const EffectField<VolumeDef>> fields() { return {}; }
+  static std::span<const DefField<VolumeDef>> fields() { return {}; }
 };
 
 namespace effects {

@@ -14,8 +14,8 @@ constexpr double kBeside = 0.008;  // m: about as far as a finger bends a wall
 
 }  // namespace
 
-std::span<const EffectField<WallsDef>> WallsDef::fields() {
-  static constexpr EffectField<WallsDef> kFields[] = {
+std::span<const DefField<WallsDef>> WallsDef::fields() {
+  static constexpr DefField<WallsDef> kFields[] = {
       {"support", &WallsDef::support, 0.001, 0.2, "m"},
       {"tear_thickness", &WallsDef::tear_thickness, 0.0, 0.02, "m"},
       {"tear_strain", &WallsDef::tear_strain, 0.0, 10.0, ""},

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/base/def_field.h"
 #include "engine/clay/clay.h"
-#include "engine/effects/effect_field.h"
 #include "engine/math/vec.h"
 
 namespace onggi {
@@ -20,7 +20,7 @@ struct WallsDef {
                               ///< Higher: thin walls are felt as harder. 0: a wall bears any push.
 
   static constexpr const char* kName = "walls";
-  static std::span<const EffectField<WallsDef>> fields();
+  static std::span<const DefField<WallsDef>> fields();
 };
 
 namespace effects {

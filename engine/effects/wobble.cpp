@@ -71,8 +71,8 @@ void shape_row(Clay& clay, int j, const Face& face) {
 
 }  // namespace
 
-std::span<const EffectField<WobbleDef>> WobbleDef::fields() {
-  static constexpr EffectField<WobbleDef> kFields[] = {
+std::span<const DefField<WobbleDef>> WobbleDef::fields() {
+  static constexpr DefField<WobbleDef> kFields[] = {
       {"off_centre", &WobbleDef::off_centre, 0.0, 0.03, "m"},
       {"centring_time", &WobbleDef::centring_time, 0.002, 60.0, "s"},
       {"reach", &WobbleDef::reach, 0.001, 1.0, "m"},

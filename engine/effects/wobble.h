@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "engine/base/def_field.h"
 #include "engine/clay/clay.h"
 #include "engine/clay/wall_side.h"
-#include "engine/effects/effect_field.h"
 #include "engine/effects/round.h"
 #include "engine/effects/row_stage.h"
 #include "engine/math/hash.h"
@@ -21,7 +21,7 @@ struct WobbleDef {
   double reach = 0.03;          ///< m, 0.001..1: how far up and down a hand takes the lump along.
 
   static constexpr const char* kName = "wobble";
-  static std::span<const EffectField<WobbleDef>> fields();
+  static std::span<const DefField<WobbleDef>> fields();
 };
 
 namespace effects {

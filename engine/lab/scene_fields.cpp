@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace onggi::lab {
@@ -31,55 +33,56 @@ void make_room(ClayDef& clay, const double* kept) {
   clay.radius_max = std::max(clay.radius_max, std::min(1.0, 1.5 * clay.outer_radius));
 }
 
-SceneField length_of_clay(const char* name, double least, double most, double ClayDef::*field,
-                          bool bounded) {
-  return {name,
-          least,
-          most,
-          bounded,
-          always,
-          [field](const SceneDef& def) { return def.clay.*field; },
-          [field](SceneDef& def, double value) {
-            def.clay.*field = value;
-            make_room(def.clay, &(def.clay.*field));
-            // A wall that tears does so before it is as thin as it can be.
-            if (def.walls && def.walls->tear_thickness > 0.0)
-              def.walls->tear_thickness =
-                  std::max(def.walls->tear_thickness, std::nextafter(def.clay.wall_min, 1.0));
-          }};
+// A wall that tears does so before it is as thin as it can be.
+void keep_tearing_above(SceneDef& def) {
+  if (def.walls && def.walls->tear_thickness > 0.0)
+    def.walls->tear_thickness =
+        std::max(def.walls->tear_thickness, std::nextafter(def.clay.wall_min, 1.0));
 }
 
-void add_clay(std::vector<SceneField>& fields) {
-  fields.push_back({"clay.rows", 8, 20000, false, always,
-                    [](const SceneDef& def) { return def.clay.rows; },
-                    [](SceneDef& def, double value) { def.clay.rows = static_cast<int>(value); }});
-  fields.push_back(
-      {"clay.sectors", 16, 8192, false, always,
-       [](const SceneDef& def) { return def.clay.sectors; },
-       [](SceneDef& def, double value) { def.clay.sectors = static_cast<int>(value); }});
-  fields.push_back(length_of_clay("clay.height", 0.01, 1.0, &ClayDef::height, false));
-  // radius_min + wall_min at the least, and less than radius_max at the most.
-  fields.push_back(
-      length_of_clay("clay.outer_radius", 0.00061, 0.9999, &ClayDef::outer_radius, true));
-  fields.push_back(length_of_clay("clay.inner_radius", 1e-4, 0.95, &ClayDef::inner_radius, true));
-  fields.push_back(
-      length_of_clay("clay.floor_thickness", 0.0, 1.0, &ClayDef::floor_thickness, false));
-  fields.push_back(length_of_clay("clay.floor_min", 0.0005, 0.05, &ClayDef::floor_min, false));
-  fields.push_back(length_of_clay("clay.wall_min", 0.0005, 0.02, &ClayDef::wall_min, false));
-  fields.push_back(length_of_clay("clay.radius_min", 1e-4, 0.5, &ClayDef::radius_min, false));
-  fields.push_back(length_of_clay("clay.radius_max", 0.005, 1.0, &ClayDef::radius_max, false));
+// What other lengths leave of the range of one that they bound: radius_min + wall_min at the least,
+// and less than radius_max at the most.
+void bound(SceneField& field) {
+  const auto to = [&](double least, double most) {
+    field.bounded = true;
+    field.least = least;
+    field.most = most;
+  };
+  if (field.name == "clay.outer_radius") to(0.00061, 0.9999);
+  if (field.name == "clay.inner_radius") to(1e-4, 0.95);
 }
 
-template <class Part>
-SceneField plain(const char* name, double least, double most, Part SceneDef::*part,
-                 double Part::*field) {
-  return {name,
-          least,
-          most,
-          false,
-          always,
-          [=](const SceneDef& def) { return def.*part.*field; },
-          [=](SceneDef& def, double value) { def.*part.*field = value; }};
+template <class Part, class Value>
+SceneField number_of(Part SceneDef::*part, const DefField<Part, Value>& number) {
+  const auto value = number.value;
+  SceneField field;
+  field.name = std::string(Part::kName) + "." + number.key;
+  field.least = number.least;
+  field.most = number.most;
+  bound(field);
+  field.there = always;
+  field.get = [=](const SceneDef& def) { return static_cast<double>(def.*part.*value); };
+  field.set = [=](SceneDef& def, double wanted) {
+    def.*part.*value = static_cast<Value>(wanted);
+    if constexpr (std::is_same_v<Part, ClayDef> && std::is_same_v<Value, double>) {
+      make_room(def.clay, &(def.clay.*value));
+      keep_tearing_above(def);
+    }
+  };
+  return field;
+}
+
+void add_parts(std::vector<SceneField>& fields) {
+  std::apply(
+      [&]<class... Part>(Part SceneDef::*... part) {
+        const auto add = [&]<class One>(One SceneDef::*one) {
+          each_field<One>([&]<class Value>(const DefField<One, Value>& number) {
+            if constexpr (!std::is_same_v<Value, bool>) fields.push_back(number_of(one, number));
+          });
+        };
+        (add(part), ...);
+      },
+      kSceneParts);
 }
 
 // Calls `visit` with the effect at place `n`, a std::optional.
@@ -95,7 +98,7 @@ void add_effects(std::vector<SceneField>& fields) {
   std::size_t n = 0;
   SceneDef all;
   each_effect(all, [&]<class Def>(std::optional<Def>&) {
-    for (const EffectField<Def>& field : Def::fields()) {
+    for (const DefField<Def>& field : Def::fields()) {
       const auto value = field.value;
       SceneField out;
       out.name = std::string(Def::kName) + "." + field.key;
@@ -127,21 +130,19 @@ void add_effects(std::vector<SceneField>& fields) {
 }
 
 void add_paper(std::vector<SceneField>& fields) {
-  const auto add = [&](const char* name, double least, double most, double PaperDef::*field) {
-    fields.push_back({name, least, most, false,
-                      [](const SceneDef& def) { return def.paper.has_value(); },
-                      [=](const SceneDef& def) { return (*def.paper).*field; },
-                      [=](SceneDef& def, double value) {
+  for (const DefField<PaperDef>& number : PaperDef::fields()) {
+    const auto value = number.value;
+    fields.push_back({std::string(PaperDef::kName) + "." + number.key, number.least, number.most,
+                      false, [](const SceneDef& def) { return def.paper.has_value(); },
+                      [=](const SceneDef& def) { return (*def.paper).*value; },
+                      [=](SceneDef& def, double wanted) {
                         if (!def.paper) {
                           def = bare(std::move(def));
                           def.paper.emplace();
                         }
-                        (*def.paper).*field = value;
+                        (*def.paper).*value = wanted;
                       }});
-  };
-  add("paper.c_eta", 0.5, 1000.0, &PaperDef::c_eta);
-  add("paper.c_v", 0.0, 1000.0, &PaperDef::c_v);
-  add("paper.c_r", 0.0, 1e5, &PaperDef::c_r);
+  }
 }
 
 void add_tools(std::vector<SceneField>& fields) {
@@ -169,18 +170,7 @@ void add_tools(std::vector<SceneField>& fields) {
 
 std::vector<SceneField> scene_fields() {
   std::vector<SceneField> fields;
-  add_clay(fields);
-  fields.push_back(plain("tool.radius", 0.001, 0.05, &SceneDef::tool, &ToolDef::radius));
-  fields.push_back(plain("contact.relaxation_time", 0.001, 1.0, &SceneDef::contact,
-                         &ContactDef::relaxation_time));
-  fields.push_back(
-      plain("contact.stiffness", 1e5, 5e7, &SceneDef::contact, &ContactDef::stiffness));
-  fields.push_back(plain("wheel.max_speed", 0.0, 62.9, &SceneDef::wheel, &WheelDef::max_speed));
-  fields.push_back(
-      plain("wheel.acceleration", 0.1, 1000.0, &SceneDef::wheel, &WheelDef::acceleration));
-  fields.push_back(plain("guard.max_force", 0.0, 22.2, &SceneDef::guard, &GuardDef::max_force));
-  fields.push_back(plain("guard.max_slew", 10.0, 1e5, &SceneDef::guard, &GuardDef::max_slew));
-  fields.push_back(plain("guard.engage_time", 0.05, 5.0, &SceneDef::guard, &GuardDef::engage_time));
+  add_parts(fields);
   add_effects(fields);
   add_paper(fields);
   add_tools(fields);

@@ -136,25 +136,22 @@ bool tool_list(Io& io, std::vector<ToolToHand>& tools) {
   return true;
 }
 
-/// Every field of a SceneDef, for writing and for reading alike. A field added to SceneDef is added
-/// here, an effect's to its own list; kVersion is raised either way.
+/// Every field of a SceneDef, for writing and for reading alike, in the order of the lists.
+/// kVersion is raised where one of these gets longer.
 template <class Io>
 bool scene_def(Io& io, SceneDef& d) {
-  bool good = io(d.clay.rows) && io(d.clay.sectors) && io(d.clay.height) &&
-              io(d.clay.outer_radius) && io(d.clay.inner_radius) && io(d.clay.floor_thickness) &&
-              io(d.clay.floor_min) && io(d.clay.wall_min) && io(d.clay.radius_min) &&
-              io(d.clay.radius_max) && io(d.clay.keep_undo) && io(d.tool.radius) &&
-              io(d.contact.relaxation_time) && io(d.contact.stiffness) && io(d.wheel.max_speed) &&
-              io(d.wheel.acceleration) && io(d.guard.max_force) && io(d.guard.max_slew) &&
-              io(d.guard.engage_time);
+  bool good = true;
+  const auto fields = [&]<class Def>(Def& def) {
+    each_field<Def>([&](const auto& field) { good = good && io(def.*(field.value)); });
+  };
+  const auto optional = [&](auto& part) {
+    good = good && optional_part(io, part);
+    if (good && part) fields(*part);
+  };
+  each_part(d, fields);
   good = good && tool_list(io, d.tools);
-  each_effect(d, [&]<class Def>(std::optional<Def>& effect) {
-    good = good && optional_part(io, effect);
-    if (!effect) return;
-    for (const EffectField<Def>& field : Def::fields()) good = good && io((*effect).*(field.value));
-  });
-  good = good && optional_part(io, d.paper);
-  if (good && d.paper) good = io(d.paper->c_eta) && io(d.paper->c_v) && io(d.paper->c_r);
+  each_effect(d, optional);
+  optional(d.paper);
   return good;
 }
 

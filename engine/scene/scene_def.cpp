@@ -1,19 +1,12 @@
 #include "engine/scene/scene_def.h"
 
 #include <string>
-
-#include "engine/base/field_check.h"
+#include <type_traits>
 
 namespace onggi {
 namespace {
 
 constexpr std::size_t kMostTools = 63;
-
-Result<void> check_tool(const SceneDef& def) {
-  FieldCheck check("tool");
-  check.range("radius", def.tool.radius, 0.001, 0.05, "m");
-  return check.result();
-}
 
 Result<void> check_size(const ToolToHand& tool, const ToolShape& shape) {
   FieldCheck check(tool.name);
@@ -46,26 +39,15 @@ Result<void> check_tools(const SceneDef& def) {
   return {};
 }
 
-Result<void> check_contact(const SceneDef& def) {
-  FieldCheck check("contact");
-  check.range("relaxation_time", def.contact.relaxation_time, 0.001, 1.0, "s");
-  check.range("stiffness", def.contact.stiffness, 1e5, 5e7, "N/m per m^2");
-  return check.result();
-}
-
-Result<void> check_wheel(const SceneDef& def) {
-  FieldCheck check("wheel");
-  check.range("max_speed", def.wheel.max_speed, 0.0, 62.9, "rad/s");
-  check.range("acceleration", def.wheel.acceleration, 0.1, 1000.0, "rad/s^2");
-  return check.result();
-}
-
-Result<void> check_guard(const SceneDef& def) {
-  FieldCheck check("guard");
-  check.range("max_force", def.guard.max_force, 0.0, 22.2, "N");
-  check.range("max_slew", def.guard.max_slew, 10.0, 1e5, "N/s");
-  check.range("engage_time", def.guard.engage_time, 0.05, 5.0, "s");
-  return check.result();
+Result<void> check_parts(const SceneDef& def) {
+  Result<void> good;
+  each_part(def, [&]<class Part>(const Part& part) {
+    if constexpr (std::is_same_v<Part, ClayDef>)
+      good = validate(part, Part::kName);
+    else if (good)
+      good = check_fields(part);
+  });
+  return good;
 }
 
 Result<void> check_effects(const SceneDef& def) {
@@ -99,10 +81,8 @@ Result<void> check_tearing(const SceneDef& def) {
 
 Result<void> check_paper(const SceneDef& def) {
   if (!def.paper) return {};
-  FieldCheck check("paper");
-  check.range("c_eta", def.paper->c_eta, 0.5, 1000.0, "ticks");
-  check.range("c_v", def.paper->c_v, 0.0, 1000.0, "N/m");
-  check.range("c_r", def.paper->c_r, 0.0, 1e5, "N/m");
+  FieldCheck check(PaperDef::kName);
+  check_fields(check, *def.paper);
   const char* beside = nullptr;
   each_effect(def, [&]<class Def>(const std::optional<Def>& effect) {
     if (effect && beside == nullptr) beside = Def::kName;
@@ -117,6 +97,47 @@ Result<void> check_paper(const SceneDef& def) {
 
 }  // namespace
 
+std::span<const DefField<ToolDef>> ToolDef::fields() {
+  static constexpr DefField<ToolDef> kFields[] = {
+      {"radius", &ToolDef::radius, 0.001, 0.05, "m"},
+  };
+  return kFields;
+}
+
+std::span<const DefField<ContactDef>> ContactDef::fields() {
+  static constexpr DefField<ContactDef> kFields[] = {
+      {"relaxation_time", &ContactDef::relaxation_time, 0.001, 1.0, "s"},
+      {"stiffness", &ContactDef::stiffness, 1e5, 5e7, "N/m per m^2"},
+  };
+  return kFields;
+}
+
+std::span<const DefField<WheelDef>> WheelDef::fields() {
+  static constexpr DefField<WheelDef> kFields[] = {
+      {"max_speed", &WheelDef::max_speed, 0.0, 62.9, "rad/s"},
+      {"acceleration", &WheelDef::acceleration, 0.1, 1000.0, "rad/s^2"},
+  };
+  return kFields;
+}
+
+std::span<const DefField<GuardDef>> GuardDef::fields() {
+  static constexpr DefField<GuardDef> kFields[] = {
+      {"max_force", &GuardDef::max_force, 0.0, 22.2, "N"},
+      {"max_slew", &GuardDef::max_slew, 10.0, 1e5, "N/s"},
+      {"engage_time", &GuardDef::engage_time, 0.05, 5.0, "s"},
+  };
+  return kFields;
+}
+
+std::span<const DefField<PaperDef>> PaperDef::fields() {
+  static constexpr DefField<PaperDef> kFields[] = {
+      {"c_eta", &PaperDef::c_eta, 0.5, 1000.0, "ticks"},
+      {"c_v", &PaperDef::c_v, 0.0, 1000.0, "N/m"},
+      {"c_r", &PaperDef::c_r, 0.0, 1e5, "N/m"},
+  };
+  return kFields;
+}
+
 std::vector<ToolToHand> usual_tools() {
   std::vector<ToolToHand> tools;
   for (const ToolShape& shape : tool_shapes())
@@ -125,9 +146,9 @@ std::vector<ToolToHand> usual_tools() {
 }
 
 Result<void> validate(const SceneDef& def) {
-  Result<void> good = validate(def.clay, "clay");
-  for (auto check : {check_tool, check_tools, check_contact, check_wheel, check_guard,
-                     check_effects, check_needs, check_tearing, check_paper})
+  Result<void> good;
+  for (auto check :
+       {check_parts, check_tools, check_effects, check_needs, check_tearing, check_paper})
     if (good) good = check(def);
   return good;
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "engine/clay/clay.h"
@@ -14,6 +15,9 @@ namespace onggi {
 
 struct ToolDef {
   double radius = 0.008;  ///< Sphere, metres, 0.001..0.05. A fingertip is about 0.008.
+
+  static constexpr const char* kName = "tool";
+  static std::span<const DefField<ToolDef>> fields();
 };
 
 /// A tool that lies to hand beside the ball (engine/docs/tools.md).
@@ -29,11 +33,17 @@ struct ContactDef {
                                      ///< c_eta = 10 at 1 kHz). Higher feels stiffer.
   double stiffness =
       5e6;  ///< k_A, N per metre of press and m^2 of touched wall, 1e5..5e7. Higher feels drier.
+
+  static constexpr const char* kName = "contact";
+  static std::span<const DefField<ContactDef>> fields();
 };
 
 struct WheelDef {
   double max_speed = 31.4;     ///< rad/s (300 rpm), 0..62.9. Asked speeds are clamped to it.
   double acceleration = 20.0;  ///< rad/s^2, 0.1..1000.
+
+  static constexpr const char* kName = "wheel";
+  static std::span<const DefField<WheelDef>> fields();
 };
 
 /// The last word on every force. Always on.
@@ -41,6 +51,9 @@ struct GuardDef {
   double max_force = 3.3;    ///< N, 0..22.2. The Omni's peak is 3.3.
   double max_slew = 600.0;   ///< N/s, 10..1e5.
   double engage_time = 0.5;  ///< s of ramp from zero when a hand arrives or after a fault, 0.05..5.
+
+  static constexpr const char* kName = "guard";
+  static std::span<const DefField<GuardDef>> fields();
 };
 
 /// The printed model of Lee, Han & Choi 2008 in place of the corrected one, with its own
@@ -51,6 +64,9 @@ struct PaperDef {
   double c_v = 0.864;   ///< Eq. 9: N per metre of one element's press, 0..1000. 5e6 N/m^3 on an
                         ///< element of 0.18 mm by 1 degree at 55 mm.
   double c_r = 200.0;   ///< Eq. 10: N per metre of the deepest press, 0..1e5.
+
+  static constexpr const char* kName = "paper";
+  static std::span<const DefField<PaperDef>> fields();
 };
 
 /// Beside the effects, what every scene has.
@@ -63,6 +79,15 @@ struct SceneDef : Effects {
   GuardDef guard;
   std::optional<PaperDef> paper;  ///< There: no effect must be.
 };
+
+/// The parts that every scene has, but for the tools to hand.
+inline constexpr std::tuple kSceneParts{&SceneDef::clay, &SceneDef::tool, &SceneDef::contact,
+                                        &SceneDef::wheel, &SceneDef::guard};
+/// Calls `visit` with each of them. SceneDef may be const.
+template <class AnySceneDef, class Visit>
+void each_part(AnySceneDef& def, Visit&& visit) {
+  std::apply([&](auto... part) { (visit(def.*part), ...); }, kSceneParts);
+}
 
 /// First thing wrong with `def`, with field ("clay.rows") or effect ("slump"), meaning and remedy.
 /// Allocates nothing big.

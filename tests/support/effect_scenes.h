@@ -42,7 +42,7 @@ inline std::vector<EffectTrial> effect_trials() {
                       [at, n](SceneDef& def) {
                         at(def, n, []<class One>(std::optional<One>& effect) {
                           effect.emplace();
-                          for (const EffectField<One>& field : One::fields())
+                          for (const DefField<One>& field : One::fields())
                             (*effect).*(field.value) = std::numeric_limits<double>::quiet_NaN();
                           effect.reset();
                         });

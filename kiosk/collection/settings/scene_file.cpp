@@ -25,37 +25,21 @@ class SceneReader {
 
   void read() {
     read_quality();
-    read_clay(def_.clay);
-    read_table("tool", [&] {
-      number("radius", def_.tool.radius);
-      read_to_hand();
-    });
-    for (ToolToHand& tool : def_.tools) read_tool(tool);
-    read_table("contact", [&] {
-      number("relaxation_time", def_.contact.relaxation_time);
-      number("stiffness", def_.contact.stiffness);
-    });
-    read_table("wheel", [&] {
-      number("max_speed", def_.wheel.max_speed);
-      number("acceleration", def_.wheel.acceleration);
-    });
-    read_table("guard", [&] {
-      number("max_force", def_.guard.max_force);
-      number("max_slew", def_.guard.max_slew);
-      number("engage_time", def_.guard.engage_time);
+    each_part(def_, [&]<class Part>(Part& part) {
+      read_table(Part::kName, [&] {
+        read_fields(part);
+        if constexpr (std::is_same_v<Part, ToolDef>) read_to_hand();
+      });
+      if constexpr (std::is_same_v<Part, ToolDef>)
+        for (ToolToHand& tool : def_.tools) read_tool(tool);
     });
     each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
       read_effect(Def::kName, effect, [&](Def& written) {
         if constexpr (std::is_same_v<Def, KilnDef>) read_body(written);
-        for (const EffectField<Def>& field : Def::fields())
-          number(field.key, written.*(field.value));
+        read_fields(written);
       });
     });
-    read_effect("paper", def_.paper, [&](PaperDef& paper) {
-      number("c_eta", paper.c_eta);
-      number("c_v", paper.c_v);
-      number("c_r", paper.c_r);
-    });
+    read_effect(PaperDef::kName, def_.paper, [&](PaperDef& paper) { read_fields(paper); });
     if (def_.paper)
       each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
         if (!effect) return;
@@ -92,20 +76,9 @@ class SceneReader {
       root_.complain("quality", "\"" + word + "\" is no quality.",
                      "Write \"auto\", and the grid is found here, or \"fixed\".");
   }
-  void read_clay(ClayDef& clay) {
-    read_table("clay", [&] {
-      integer("rows", clay.rows);
-      integer("sectors", clay.sectors);
-      number("height", clay.height);
-      number("outer_radius", clay.outer_radius);
-      number("inner_radius", clay.inner_radius);
-      number("floor_thickness", clay.floor_thickness);
-      number("floor_min", clay.floor_min);
-      number("wall_min", clay.wall_min);
-      number("radius_min", clay.radius_min);
-      number("radius_max", clay.radius_max);
-      table_.boolean("keep_undo", clay.keep_undo);
-    });
+  template <class Def>
+  void read_fields(Def& def) {
+    each_field<Def>([&](const auto& field) { value(field.key, def.*(field.value)); });
   }
   /// A clay by name; a number that is written beside it has the last word.
   void read_body(KilnDef& kiln) {
@@ -148,9 +121,9 @@ class SceneReader {
   }
   void read_tool(ToolToHand& tool) {
     read_table(tool.name, [&] {
-      number("radius", tool.size.radius);
-      number("length", tool.size.length);
-      number("thickness", tool.size.thickness);
+      value("radius", tool.size.radius);
+      value("length", tool.size.length);
+      value("thickness", tool.size.thickness);
     });
   }
   void read_table(const std::string& name, const std::function<void()>& fields) {
@@ -174,19 +147,21 @@ class SceneReader {
                   [&](const auto& entry) { return entry.first.starts_with(name + "."); });
     effect.reset();
   }
-  void number(const std::string& key, double& field) {
+  void value(const std::string& key, double& field) {
     const double before = field;
     if (table_.number(key, field, -kAny, kAny)) {
       put_back_[name_ + "." + key] = [&field, before] { field = before; };
     }
   }
-  void integer(const std::string& key, int& field) {
+  void value(const std::string& key, int& field) {
     const int before = field;
     if (table_.integer(key, field, std::numeric_limits<int>::min(),
                        std::numeric_limits<int>::max())) {
       put_back_[name_ + "." + key] = [&field, before] { field = before; };
     }
   }
+
+  void value(const std::string& key, bool& field) { table_.boolean(key, field); }
 
   void tell(const Problem& problem) {
     const std::size_t dot = problem.where.find('.');

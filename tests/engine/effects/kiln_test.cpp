@@ -59,7 +59,7 @@ RC_GTEST_PROP(KilnProperty, APotNeverGrowsOnItsWayThroughTheKiln, ()) {
 }
 
 TEST(Kiln, FiguresOutOfRangeAreNamedWithARemedy) {
-  for (const EffectField<KilnDef>& field : KilnDef::fields()) {
+  for (const DefField<KilnDef>& field : KilnDef::fields()) {
     for (const double bad :
          {field.least - 0.01, field.most * 1.5, std::numeric_limits<double>::quiet_NaN()}) {
       KilnDef def;

@@ -33,7 +33,7 @@ TEST(SceneFields, NameEveryEffectsFieldsOnce) {
     EXPECT_TRUE(names.insert(field.name).second) << field.name;
   SceneDef any;
   each_effect(any, [&]<class Def>(const std::optional<Def>&) {
-    for (const EffectField<Def>& field : Def::fields())
+    for (const DefField<Def>& field : Def::fields())
       EXPECT_TRUE(names.contains(std::string(Def::kName) + "." + field.key)) << field.key;
   });
   EXPECT_TRUE(names.contains("clay.wall_min"));

@@ -48,7 +48,7 @@ std::string figures(const SceneDef& d) {
   each_effect(d, [&]<class Def>(const std::optional<Def>& effect) {
     if (!effect) return;
     out << ' ' << Def::kName;
-    for (const EffectField<Def>& field : Def::fields()) out << ' ' << (*effect).*(field.value);
+    for (const DefField<Def>& field : Def::fields()) out << ' ' << (*effect).*(field.value);
   });
   if (d.paper) out << " paper " << d.paper->c_eta << ' ' << d.paper->c_v << ' ' << d.paper->c_r;
   return out.str();
@@ -92,7 +92,7 @@ TEST(scene, every_effect_is_read_from_a_table_of_its_name_each_number_into_its_o
   double share = 0.25;
   each_effect(all_of_them, [&]<class Def>(std::optional<Def>& effect) {
     text += "[" + std::string(Def::kName) + "]\n";
-    for (const EffectField<Def>& field : Def::fields()) {
+    for (const DefField<Def>& field : Def::fields()) {
       double& number = (*effect).*(field.value);
       number = field.least + share * (field.most - field.least);
       share = share < 0.7 ? share + 0.0625 : 0.25;
@@ -327,7 +327,7 @@ TEST(scene_file, the_readme_tells_every_figure_of_every_effect_as_it_is) {
   SceneDef def;
   int told = 0;
   each_effect(def, [&told]<class Def>(std::optional<Def>&) {
-    for (const EffectField<Def>& field : Def::fields()) {
+    for (const DefField<Def>& field : Def::fields()) {
       const std::string start = "| `" + std::string(field.key) + "` |";
       const auto rows = rows_told(Def::kName);
       const auto row = std::find_if(rows.begin(), rows.end(),

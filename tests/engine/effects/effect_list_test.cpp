@@ -1,20 +1,10 @@
-#include "engine/effects/effect_field.h"
+#include "engine/effects/effect_list.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <span>
 #include <string_view>
-
-#include "engine/effects/friction.h"
-#include "engine/effects/kiln.h"
-#include "engine/effects/moisture.h"
-#include "engine/effects/propagation.h"
-#include "engine/effects/slump.h"
-#include "engine/effects/smoothing.h"
-#include "engine/effects/springback.h"
-#include "engine/effects/walls.h"
-#include "engine/effects/wobble.h"
 
 namespace onggi {
 namespace {
@@ -30,7 +20,7 @@ void expect(std::string_view effect, std::span<const Told> told) {
   const Def def;
   ASSERT_EQ(Def::fields().size(), told.size()) << effect;
   for (std::size_t n = 0; n < told.size(); ++n) {
-    const EffectField<Def>& field = Def::fields()[n];
+    const DefField<Def>& field = Def::fields()[n];
     EXPECT_EQ(field.key, told[n].key) << effect;
     EXPECT_EQ(def.*field.value, told[n].usual) << told[n].key;
     EXPECT_EQ(field.least, told[n].least) << told[n].key;
