@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/scene/replay_bytes.h"
+#include "engine/scene/replay_scene.h"
 
 namespace onggi {
 namespace {
@@ -78,10 +79,9 @@ ReplayWriter::ReplayWriter(const SceneDef& def, const std::string& vessel_id, st
   Writer io(bytes_);
   std::uint64_t magic = kMagic;
   std::uint32_t version = kVersion;
-  SceneDef copy = def;
   io(magic);
   io(version);
-  scene_def(io, copy);
+  write_scene(io, def);
   io(seed);
   io.text(vessel_id, kLongestId);
 }
@@ -136,12 +136,17 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
   std::uint64_t magic = 0;
   std::uint32_t version = 0;
   if (!io(magic) || magic != kMagic) return malformed("This is no replay.");
-  if (!io(version) || version != kVersion)
+  if (!io(version) || version < kOldestVersion || version > kVersion)
     return malformed("The replay was written by another version of the engine, or is damaged.");
   if (body.empty())
     return malformed("The replay is damaged or cut short: its checksum is of other bytes.");
   Replay replay;
-  if (!scene_def(io, replay.def) || !io(replay.seed) || !io.text(replay.vessel_id, kLongestId))
+  std::string unknown;
+  const bool read = read_scene(io, version, replay.def, unknown);
+  if (!unknown.empty())
+    return problem(name + ", " + unknown, "This engine does not know \"" + unknown + "\".",
+                   "Replay it with the version of this program that wrote it, or a later one.");
+  if (!read || !io(replay.seed) || !io.text(replay.vessel_id, kLongestId))
     return malformed("The replay's beginning is cut short or damaged.");
   if (auto good = validate(replay.def); !good)
     return problem(name + ", " + good.error().where, good.error().what,

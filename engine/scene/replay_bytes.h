@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene_def.h"
-
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 11;
+inline constexpr std::uint32_t kVersion = 12;
+inline constexpr std::uint32_t kOldestVersion = 11;  ///< That is still read (replay_scene.h).
 
 /// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
 enum Tag : std::uint8_t {
@@ -113,46 +112,5 @@ class Reader {
   std::span<const std::byte> in_;
   std::size_t at_ = 0;
 };
-
-template <class Io, class Part>
-bool optional_part(Io& io, std::optional<Part>& part) {
-  bool present = part.has_value();
-  if (!io(present)) return false;
-  if (present && !part) part.emplace();
-  if (!present) part.reset();
-  return true;
-}
-
-/// The tools to hand.
-template <class Io>
-bool tool_list(Io& io, std::vector<ToolToHand>& tools) {
-  auto count = static_cast<std::uint8_t>(tools.size());
-  if (!io(count)) return false;
-  tools.resize(count);
-  for (ToolToHand& tool : tools)
-    if (!io.text(tool.name, 64) || !io(tool.size.radius) || !io(tool.size.length) ||
-        !io(tool.size.thickness))
-      return false;
-  return true;
-}
-
-/// Every field of a SceneDef, for writing and for reading alike, in the order of the lists.
-/// kVersion is raised where one of these gets longer.
-template <class Io>
-bool scene_def(Io& io, SceneDef& d) {
-  bool good = true;
-  const auto fields = [&]<class Def>(Def& def) {
-    each_field<Def>([&](const auto& field) { good = good && io(def.*(field.value)); });
-  };
-  const auto optional = [&](auto& part) {
-    good = good && optional_part(io, part);
-    if (good && part) fields(*part);
-  };
-  each_part(d, fields);
-  good = good && tool_list(io, d.tools);
-  each_effect(d, optional);
-  optional(d.paper);
-  return good;
-}
 
 }  // namespace onggi::replay_bytes

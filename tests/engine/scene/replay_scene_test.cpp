@@ -1,0 +1,150 @@
+#include "engine/scene/replay_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "engine/scene/replay.h"
+
+namespace onggi {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+Bytes file(const std::string& name) {
+  std::ifstream in("tests/golden/" + name, std::ios::binary);
+  Bytes bytes;
+  for (auto at = std::istreambuf_iterator<char>(in); at != std::istreambuf_iterator<char>(); ++at)
+    bytes.push_back(static_cast<std::byte>(*at));
+  return bytes;
+}
+
+// Written by the last engine of version 11: 300 ticks, a hash every 100.
+TEST(ReplayScene, AFileOfTheOldVersionWithEveryEffectReplaysToItsHash) {
+  const Result<Replay> replay = Replay::read(file("version_11_effects.onggi"), "old");
+  ASSERT_TRUE(replay) << to_text(replay.error());
+  const SceneDef& def = replay->def;
+  EXPECT_EQ(def.clay.rows, 60);
+  EXPECT_EQ(def.clay.wall_min, 0.003);
+  EXPECT_FALSE(def.clay.keep_undo);
+  EXPECT_EQ(def.tool.radius, 0.009);
+  ASSERT_EQ(def.tools.size(), 2u);
+  EXPECT_EQ(def.tools[1].name, "flat_rib");
+  EXPECT_EQ(def.contact.stiffness, 4e6);
+  EXPECT_EQ(def.wheel.acceleration, 25.0);
+  EXPECT_EQ(def.guard.engage_time, 0.4);
+  EXPECT_EQ(def.walls->tear_thickness, 0.004);
+  EXPECT_EQ(def.slump->viscosity, 2e4);
+  EXPECT_EQ(def.wobble->off_centre, 0.003);
+  EXPECT_FALSE(def.paper);
+  EXPECT_EQ(replay->glaze, "celadon");
+  const Result<ReplayOutcome> outcome = run_replay(*replay);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->first_difference_tick, -1);
+  EXPECT_EQ(outcome->hashes_checked, 4u);
+  EXPECT_EQ(outcome->replayed_hash, 0x00e595cbcda3ce29u);
+}
+
+TEST(ReplayScene, AndSoDoesOneOfThePapersScene) {
+  const Result<Replay> replay = Replay::read(file("version_11_paper.onggi"), "old");
+  ASSERT_TRUE(replay) << to_text(replay.error());
+  each_effect(replay->def, [](const auto& effect) { EXPECT_FALSE(effect); });
+  ASSERT_TRUE(replay->def.paper);
+  EXPECT_EQ(replay->def.paper->c_v, 1.5);
+  const Result<ReplayOutcome> outcome = run_replay(*replay);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->first_difference_tick, -1);
+  EXPECT_EQ(outcome->replayed_hash, 0x865f3e1be261c9fdu);
+}
+
+// A replay of no tick, with its seal taken off.
+Bytes written(const SceneDef& def) {
+  ReplayWriter writer(def, "moon_jar", 3);
+  Bytes bytes = writer.finish(0);
+  bytes.resize(bytes.size() - replay_bytes::kSealBytes);
+  return bytes;
+}
+Result<Replay> read(Bytes bytes) {
+  replay_bytes::seal(bytes);
+  return Replay::read(bytes, "visit.onggi");
+}
+Bytes::iterator find(Bytes& bytes, const std::string& word) {
+  return std::search(bytes.begin(), bytes.end(), word.begin(), word.end(),
+                     [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
+}
+
+SceneDef odd() {
+  SceneDef def;
+  double n = 0.0;
+  const auto set = [&]<class Def>(Def& part) {
+    for (const DefField<Def>& field : Def::fields())
+      part.*(field.value) = field.least + 1e-3 * ++n * (field.most - field.least);
+  };
+  each_part(def, set);
+  each_effect(def, [&](auto& effect) { set(effect.emplace()); });
+  def.clay.rows = 77;
+  def.clay.keep_undo = false;
+  return def;
+}
+
+TEST(ReplayScene, EveryNumberComesBack) {
+  const SceneDef def = odd();
+  Bytes bytes;
+  replay_bytes::Writer writer(bytes);
+  replay_bytes::write_scene(writer, def);
+  replay_bytes::Reader reader(bytes);
+  SceneDef back;
+  std::string unknown;
+  ASSERT_TRUE(replay_bytes::read_scene(reader, replay_bytes::kVersion, back, unknown)) << unknown;
+  EXPECT_EQ(reader.left(), 0u);
+  Bytes again;
+  replay_bytes::Writer second(again);
+  replay_bytes::write_scene(second, back);
+  EXPECT_EQ(again, bytes);
+  EXPECT_EQ(back.clay.rows, 77);
+  EXPECT_FALSE(back.clay.keep_undo);
+  EXPECT_EQ(back.clay.height, def.clay.height);
+  EXPECT_EQ(back.kiln->glaze_thickness, def.kiln->glaze_thickness);
+}
+
+TEST(ReplayScene, AnEffectOrANumberThatThisEngineDoesNotHaveIsNamed) {
+  for (const auto& [name, where] :
+       {std::pair{"friction", "frictiom"}, std::pair{"wet_factor", "friction.wet_factom"}}) {
+    Bytes bytes = written(SceneDef());
+    const auto at = find(bytes, name);
+    ASSERT_NE(at, bytes.end());
+    *(at + static_cast<std::ptrdiff_t>(std::string(name).size()) - 1) = std::byte{'m'};
+    const Result<Replay> replay = read(bytes);
+    ASSERT_FALSE(replay);
+    EXPECT_NE(replay.error().what.find(where), std::string::npos) << replay.error().what;
+    EXPECT_EQ(replay.error().exit_code, 2);
+  }
+}
+
+// As in a file that is older than the number.
+TEST(ReplayScene, ANumberThatIsNotThereHasItsUsualValue) {
+  SceneDef def;
+  def.friction->wet_factor = 0.5;
+  Bytes bytes = written(def);
+  ASSERT_EQ(read(bytes)->def.friction->wet_factor, 0.5);
+  const auto at = find(bytes, "wet_factor");
+  bytes.erase(at - 4, at + 10 + 8);  // its size, its name, its value
+  const Result<Replay> replay = read(bytes);
+  ASSERT_TRUE(replay) << to_text(replay.error());
+  EXPECT_EQ(replay->def.friction->wet_factor, FrictionDef().wet_factor);
+}
+
+TEST(ReplayScene, RowsAreWholeAndASwitchIsOnOrOff) {
+  for (const std::string key : {"rows", "keep_undo"}) {
+    Bytes bytes = written(SceneDef());
+    auto at = find(bytes, key) + static_cast<std::ptrdiff_t>(key.size());
+    const auto bits = std::bit_cast<std::uint64_t>(40.5);
+    for (int n = 0; n < 8; ++n) *at++ = static_cast<std::byte>(bits >> (8 * n));
+    EXPECT_FALSE(read(bytes)) << key;
+  }
+}
+
+}  // namespace
+}  // namespace onggi
