@@ -20,7 +20,8 @@ import room_table
 import unity_names
 from law import Table, circles, place_of, room_of, within
 
-MAX_LINES = 400
+LONG_LINES = 400  # a warning
+MAX_LINES = 600
 CPP = (".h", ".cpp")
 SOURCES = CPP + (".glsl", ".vert", ".frag", ".py", ".sh", ".cmake")
 TOP = set("""CMakeLists.txt kiosk engine content config tests README.md CHANGELOG.md LICENSE
@@ -182,8 +183,8 @@ def exceptions(root, listing, may):
 
 
 def check_length(root, _table):
-    """Rule 4: a source over 400 lines fails, unless it is in the list with a reason."""
-    count = 0
+    """Rule 4: a source over 600 lines fails, unless it is in the list with a reason; one over 400 is warned of."""
+    count, long = 0, []
     listing = "tests/house/long_files.txt"
     broken, excepted = exceptions(root, listing, "be long")
     for name in files_of(root):
@@ -191,6 +192,8 @@ def check_length(root, _table):
             continue
         count += 1
         length = len(read_lines(root, name))
+        if LONG_LINES < length <= MAX_LINES:
+            long.append(f"{name} ({length})")
         if length > MAX_LINES and name not in excepted:
             broken.append(f"{name}: {length} lines, {MAX_LINES} is the most. Split it by job: "
                           "one clear job a file.")
@@ -200,7 +203,8 @@ def check_length(root, _table):
         if not os.path.exists(os.path.join(root, path)):
             broken.append(f"{listing}:{number}: {path} is gone. Remove the line.")
     return broken, f"{count} sources, none over {MAX_LINES} lines" + (
-        f" but {len(excepted)} by name" if excepted else "")
+        f" but {len(excepted)} by name" if excepted else "") + (
+        f". Warning: more than {LONG_LINES} lines: {', '.join(long)}" if long else "")
 
 
 def check_headers(root, _table):

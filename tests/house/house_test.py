@@ -40,9 +40,16 @@ class House(unittest.TestCase):
     def write_table(self):
         house.room_table.write_table(self.root, house.Table(os.path.join(self.root, "tests/house/rooms.txt")))
 
-    def check(self, name):
+    def run_check(self, name):
         table = house.Table(os.path.join(self.root, "tests/house/rooms.txt"))
-        return house.CHECKS[name](self.root, table)[0]
+        return house.CHECKS[name](self.root, table)
+
+    def check(self, name):
+        return self.run_check(name)[0]
+
+    def kept(self, name):
+        """What the check says of a tree that passes."""
+        return self.run_check(name)[1]
 
     def assert_broken(self, check, *words):
         broken = self.check(check)
@@ -183,14 +190,16 @@ class House(unittest.TestCase):
         self.write("tests/house/rooms.txt", "kiosk/wheel : engine\nengine/clay : kiosk/wheel\nengine/math :\n")
         self.assertEqual(sum("reaches itself" in line for line in self.check("links")), 2)
 
-    def test_a_file_of_401_lines_fails_and_400_pass(self):
-        self.write("engine/clay/clay.cpp", "\n" * 400)
-        self.assertEqual(self.check("length"), [])
-        self.write("engine/clay/clay.cpp", "\n" * 401)
-        self.assert_broken("length", "engine/clay/clay.cpp: 401 lines")
+    def test_a_file_of_401_lines_is_warned_of_and_one_of_601_fails(self):
+        for lines, warned in ((400, False), (401, True), (600, True)):
+            self.write("engine/clay/clay.cpp", "\n" * lines)
+            self.assertEqual(self.check("length"), [])
+            self.assertEqual(f"engine/clay/clay.cpp ({lines})" in self.kept("length"), warned, lines)
+        self.write("engine/clay/clay.cpp", "\n" * 601)
+        self.assert_broken("length", "engine/clay/clay.cpp: 601 lines")
 
     def test_a_long_table_passes_by_name_with_a_reason(self):
-        self.write("engine/clay/table.cpp", "\n" * 500)
+        self.write("engine/clay/table.cpp", "\n" * 700)
         self.write("tests/house/long_files.txt", "engine/clay/table.cpp : a table of constants\n")
         self.assertEqual(self.check("length"), [])
         self.write("tests/house/long_files.txt", "engine/clay/table.cpp\n")
