@@ -21,7 +21,7 @@ CLI::Option* add_field(CLI::App& to, const Option& option, bool* field) {
 std::string not_finite(const std::string& text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  return read.ec == std::errc() && !std::isfinite(value) ? text + " is no number to go by" : "";
+  return read.ec == std::errc() && !std::isfinite(value) ? text + " is not a finite number" : "";
 }
 
 CLI::Option* add_field(CLI::App& to, const Option& option, double* field) {
@@ -66,7 +66,7 @@ void describe(CLI::App& app, const Command& command, const Command*& chosen, boo
     if (!option.excludes.empty())
       app.get_option(option.name)->excludes(app.get_option(option.excludes));
   if (!outputs_of(command).empty())
-    app.add_flag("--force", force, "Write over a file of another kind");
+    app.add_flag("--force", force, "Overwrite a file of another kind");
   if (!command.commands.empty()) app.require_subcommand(command.run ? 0 : 1, 1);
   app.callback([&app, &command, &chosen] {
     if (app.get_subcommands().empty()) chosen = &command;
@@ -80,8 +80,9 @@ Result<void> check_outputs(const std::vector<files::Output*>& outputs, bool forc
     if (auto good = outputs[i]->check(); !good) return good;
     for (std::size_t j = 0; j < i; ++j)
       if (outputs[i]->clashes_with(*outputs[j]))
-        return problem(outputs[i]->where(), "Two outputs would go there, one over the other.",
-                       "Name another place for one of them.");
+        return problem(outputs[i]->where(),
+                       "Two outputs have this name, so one would overwrite the other.",
+                       "Choose another name for one of them.");
   }
   return {};
 }
@@ -121,7 +122,7 @@ int run_command_line(const Command& program, const std::string& version, int arg
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
     std::cerr << program.name << ": " << error.what() << "\n  See " << program.name
-              << " --help, or " << program.name << " COMMAND --help, for what it takes.\n";
+              << " --help, or " << program.name << " COMMAND --help, for the options.\n";
     return 2;
   } catch (const std::exception& error) {
     std::cerr << program.name << ": " << error.what()

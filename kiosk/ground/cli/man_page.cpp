@@ -98,7 +98,7 @@ std::string synopsis(const std::string& path, const Command& command) {
 void put_options(std::ostream& out, const Command& command) {
   for (const Option& option : command.options)
     if (!option.hidden) put_option(out, option);
-  if (writes_files(command)) out << ".TP\n\\fB\\-\\-force\\fR\nWrite over a file of another kind\n";
+  if (writes_files(command)) out << ".TP\n\\fB\\-\\-force\\fR\nOverwrite a file of another kind\n";
 }
 
 void put_examples(std::ostream& out, const Command& command) {
@@ -125,8 +125,9 @@ std::string man_page(const Command& program, const std::string& version, const s
   out << ".SH SYNOPSIS\n.B " << program.name << "\n[\\fICOMMAND\\fR] [\\fIOPTION\\fR]...\n";
   out << ".SH DESCRIPTION\n"
       << escaped(
-             "Opens an exhibit at which visitors throw pots on a wheel of virtual clay, and tries, "
-             "measures and prepares what belongs to one.")
+             "Opens an exhibit where visitors throw pots of virtual clay on a wheel. Other "
+             "commands "
+             "check, measure and prepare an exhibit.")
       << '\n';
   put_options(out, program);
   put_examples(out, program);
@@ -134,8 +135,8 @@ std::string man_page(const Command& program, const std::string& version, const s
   for (const Command& command : program.commands)
     put_command(out, program.name + " " + command.name, command);
   out << ".SH EXIT STATUS\n"
-         ".TP\n0\nGood.\n.TP\n1\nThe program's or the machine's fault.\n"
-         ".TP\n2\nThe input's: where, what and the remedy are printed.\n";
+         ".TP\n0\nSuccess.\n.TP\n1\nA fault of the program or the machine.\n"
+         ".TP\n2\nA mistake in the input: the program prints where, what and the remedy.\n";
   return out.str();
 }
 

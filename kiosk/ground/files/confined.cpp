@@ -45,7 +45,7 @@ void confine(unsigned long memory_mib, unsigned long seconds, const char* words)
   if (!kSanitized)
     good = good && limit(RLIMIT_NOFILE, 3) && limit(RLIMIT_AS, rlim_t{memory_mib} << 20);
   if (good) return;
-  std::fputs("the limits of memory and time could not be set", stderr);
+  std::fputs("the memory and time limits could not be set", stderr);
   std::exit(1);
 }
 

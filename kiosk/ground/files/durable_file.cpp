@@ -54,14 +54,14 @@ Problem disk_problem(const fs::path& path, const char* doing, int error) {
     return Problem{where, what, remedy, 1};
   };
   if (error == ENOENT && !fs::exists(folder, ignored))
-    return told("There is no folder " + folder + ".", "Make it, or name another folder.");
+    return told("The folder " + folder + " does not exist.", "Create it, or name another folder.");
   switch (error) {
     case ENOSPC:
     case EDQUOT:
       return told("The disk is full.",
                   "Free some space, lower keepsake.quota_mb, or name a folder on another disk.");
     case EFBIG:
-      return told("The file is larger than this disk or this user may hold.",
+      return told("The file is larger than this disk or this user's limit allows.",
                   "Raise the limit on file sizes, or name a folder on another disk.");
     case EROFS:
       return told("The disk is mounted read-only.",
@@ -69,12 +69,12 @@ Problem disk_problem(const fs::path& path, const char* doing, int error) {
     case EACCES:
     case EPERM:
       return told(std::string("The kiosk's user may not ") + doing + " here.",
-                  "Give user number " + std::to_string(::geteuid()) + " the folder " + folder +
-                      ", or name another.");
+                  "Let user number " + std::to_string(::geteuid()) + " write in the folder " +
+                      folder + ", or name another folder.");
     case ENOTDIR:
     case EEXIST:
     case EISDIR:
-      return told("A file stands where a folder is wanted, or a folder where a file is.",
+      return told("A file is in the place of a folder, or a folder in the place of a file.",
                   "Move it away, or name another folder.");
     case ENAMETOOLONG:
       return told("The name is too long for this disk.", "Name a folder with a shorter path.");
@@ -84,7 +84,7 @@ Problem disk_problem(const fs::path& path, const char* doing, int error) {
     default:
       return told(
           std::string("The kiosk could not ") + doing + " this: " + std::strerror(error) + ".",
-          "Check the disk, and that the folder " + folder + " can be written.");
+          "Check the disk, and check that the folder " + folder + " is writable.");
   }
 }
 
@@ -118,13 +118,14 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
     std::error_code lost;
     const fs::path target = fs::canonical(file, lost);
     if (lost)
-      return problem(file.string(), "It is a link to what is not there.",
-                     "Make what it leads to, or take the link away.", 1);
+      return problem(file.string(), "This link points to a file that does not exist.",
+                     "Create that file, or remove the link.", 1);
     return write_durably(target, bytes);
   }
   if (there && S_ISDIR(before.st_mode)) return tl::unexpected(disk_problem(file, "write", EISDIR));
   if (there && !S_ISREG(before.st_mode))
-    return problem(file.string(), "It is a device, a pipe or a socket, and is not replaced.",
+    return problem(file.string(),
+                   "This is a device, a pipe or a socket. Onggi does not replace it.",
                    "Name a file.", 1);
 
   const fs::path folder = folder_of(file);

@@ -30,7 +30,7 @@ bool is_fetch_id(std::string_view id) {
 
 Result<void> leave_fetch_note(const fs::path& folder, const FetchNote& note) {
   if (!is_fetch_id(note.id))
-    return problem(note.id, "That is no note's id.", "Report this with the log.");
+    return problem(note.id, "This is not a valid note id.", "Report this with the log.");
   std::error_code error;
   if (fs::exists(folder / note.id, error)) return {};
   if (auto made = make_folder(folder); !made) return made;

@@ -90,7 +90,7 @@ std::string last_words(std::string words) {
   while (!words.empty() && (words.back() == '\n' || words.back() == ' ')) words.pop_back();
   std::replace_if(
       words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  return words.empty() ? "It said nothing." : "It said: " + words;
+  return words.empty() ? "It printed nothing." : "It printed: " + words;
 }
 
 std::string how_it_ended(int status) {
@@ -107,7 +107,7 @@ Result<std::vector<std::byte>> run_helper(const Helper& helper) {
   Channel in, out, err;
   if (!in.open_for_writing() || !out.open_for_reading() || !err.open_for_reading()) {
     return told(std::string("No pipe to the helper could be opened: ") + std::strerror(errno) + ".",
-                "Raise the limit on open files, and restart the kiosk if this returns.");
+                "Raise the limit on open files, and restart the kiosk if this happens again.");
   }
   auto child = ChildProcess::start(helper.program, helper.arguments,
                                    {in.theirs.get(), out.theirs.get(), err.theirs.get()});
@@ -124,22 +124,23 @@ Result<std::vector<std::byte>> run_helper(const Helper& helper) {
   const Talk talked = talk(in.ours, out.ours, err.ours, std::as_bytes(std::span(helper.head)),
                            std::as_bytes(helper.body), helper.most_bytes, patience, output, words);
   if (talked == Talk::too_much) {
-    return told(std::string("The helper wrote more than any such ") + helper.answer + " needs.",
+    return told(std::string("The helper wrote a larger ") + helper.answer + " than it may.",
                 "Build the kiosk again, so that both come from the same version.");
   }
   if (talked == Talk::broken) {
-    return told("The helper could not be listened to.", "Restart the kiosk if this returns.");
+    return told("The helper's output could not be read.",
+                "Restart the kiosk if this happens again.");
   }
   if (talked == Talk::late || !child->wait_until(Clock::now() + std::chrono::seconds(1))) {
     child->end(SIGKILL);
-    return told("The helper worked or stood still for " +
+    return told("The helper did not finish within " +
                     std::to_string(static_cast<int>(helper.timeout_s + 0.5)) +
-                    " s without an end and was stopped. " + last_words(words),
-                "Its disk may be failing: look into the system's log.");
+                    " s and was stopped. " + last_words(words),
+                "The disk may be failing. Check the system log.");
   }
   if (child->status() != 0) {
     return told("The helper " + how_it_ended(child->status()) + ". " + last_words(words),
-                "Check that its libraries are installed (bash kiosk/start does), and free memory.");
+                "Install its libraries (bash kiosk/start does this), and free some memory.");
   }
   return output;
 }

@@ -61,15 +61,16 @@ fs::path folder_for(const std::string& where) {
 Result<void> check_new(const std::string& where) {
   std::error_code ignored;
   if (fs::is_symlink(fs::symlink_status(where, ignored)))
-    return problem(where, "It is a link to what is not there.",
-                   "Make what it leads to, or name a file.");
+    return problem(where, "This link points to a file that does not exist.",
+                   "Create that file, or name another file.");
   const fs::path folder = folder_for(where);
   const Standing above = standing(folder.string());
   if (!above.there)
-    return problem(where, "There is no folder " + folder.string() + ", and none is made unasked.",
-                   "Make it first: mkdir -p '" + folder.string() + "'. Or name a file elsewhere.");
+    return problem(
+        where, "The folder " + folder.string() + " does not exist.",
+        "Create it first: mkdir -p '" + folder.string() + "'. Or name a file elsewhere.");
   if (!S_ISDIR(above.info.st_mode) || fs::path(where).filename().empty())
-    return problem(where, folder.string() + " is no folder.", "Name a file in a folder.");
+    return problem(where, folder.string() + " is not a folder.", "Name a file in a folder.");
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
     return tl::unexpected(disk_problem(where, "write", errno));
   return {};
@@ -80,12 +81,12 @@ Result<void> write_to_stream(const std::string& where, std::span<const std::byte
   // O_NONBLOCK: a pipe that nobody reads would be waited for without end.
   const Descriptor out(::open(where.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (!out.open() && errno == ENXIO)
-    return problem(where, "Nobody reads from this pipe.", "Start its reader first.");
+    return problem(where, "No program reads from this pipe.", "Start the reading program first.");
   struct stat info {};
   if (!out.open() || ::fstat(out.get(), &info) != 0)
     return tl::unexpected(disk_problem(where, "write", errno));
   if (!S_ISCHR(info.st_mode) && !S_ISFIFO(info.st_mode))
-    return problem(where, "It became another thing while it was looked at.", "Try again.", 1);
+    return problem(where, "The file was replaced while it was being checked.", "Try again.", 1);
   ::fcntl(out.get(), F_SETFL, 0);
   if (!write_all(out.get(), bytes)) return tl::unexpected(disk_problem(where, "write", errno));
   return {};
@@ -124,18 +125,20 @@ Result<void> Output::check() const {
   if (!found.there) return check_new(where_);
   const mode_t mode = found.info.st_mode;
   if (S_ISCHR(mode) || S_ISFIFO(mode)) return {};
-  if (S_ISDIR(mode)) return problem(where_, "It is a folder.", "Name a file in it.");
+  if (S_ISDIR(mode)) return problem(where_, "This is a folder.", "Name a file in it.");
   if (!S_ISREG(mode))
-    return problem(where_, S_ISBLK(mode) ? "It is a disk, which would be lost." : "It is a socket.",
-                   "Name a file.");
+    return problem(
+        where_,
+        S_ISBLK(mode) ? "This is a disk device; writing would erase it." : "This is a socket.",
+        "Name a file.");
   if (was_read(found.info))
-    return problem(where_, "It was read in this run, and is not written over.",
+    return problem(where_, "This command reads the file, so it does not overwrite it.",
                    "Name another file.");
   if (!forced_ && !is_of_kind(where_, kind_))
     return problem(where_,
-                   std::string("It is there already and is no ") + name_of(kind_) +
-                       ", so nothing is written over it.",
-                   "Name another file, or say --force if this one may be lost.");
+                   std::string("The file exists and is not a ") + name_of(kind_) +
+                       ", so it is not overwritten.",
+                   "Name another file, or add --force to overwrite this one.");
   return {};
 }
 

@@ -22,7 +22,7 @@ Result<Replay> read_replay(const std::filesystem::path& file) {
     case Kind::unreadable:
       return problem(name, "It could not be read.", "Check its permissions and disk.", 1);
     default:
-      return problem(name, "There is no such file.", "Name a visit.onggi that a visit left.");
+      return problem(name, "There is no such file.", "Name the visit.onggi of a kept visit.");
   }
 }
 

@@ -153,7 +153,7 @@ void TomlReader::Table::finish() {
 
 std::string TomlReader::Table::Impl::right_name(const std::string& wrong) const {
   if (const std::string near = nearest_name(wrong, asked); !near.empty()) {
-    return "Write " + near + ", if that is meant.";
+    return "Did you mean " + near + "?";
   }
   // The right name in the wrong place: a key that slipped under another [table].
   for (const auto& [other_path, other] : file->tables) {

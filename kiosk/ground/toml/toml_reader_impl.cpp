@@ -57,7 +57,7 @@ std::string span_words(const std::string& kind, double low, double high, std::st
 
 void TomlReader::Table::Impl::wrong_type(std::string_view key, const TomlNode& value,
                                          const std::string& wanted, std::string remedy) {
-  file->note(value.place, full(key) + " is " + in_words(value) + ", and " + wanted + " is wanted.",
+  file->note(value.place, full(key) + " is " + in_words(value) + ", but must be " + wanted + ".",
              std::move(remedy));
 }
 
@@ -68,8 +68,8 @@ void TomlReader::Table::Impl::out_of_range(std::string_view key, const TomlNode&
   finite_number(value, number);
   const bool small = number < low;
   file->note(value.place,
-             full(key) + " is " + with_unit(in_words(value), unit) + ", and the " +
-                 (small ? "smallest" : "largest") + " that is allowed is " +
+             full(key) + " is " + with_unit(in_words(value), unit) + ", but the " +
+                 (small ? "smallest" : "largest") + " allowed value is " +
                  with_unit(digits(small ? low : high), unit) + ".",
              remedy);
 }

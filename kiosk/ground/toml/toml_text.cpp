@@ -15,7 +15,7 @@ Result<std::string> read_toml_text(const std::filesystem::path& file) {
       case Kind::missing:
         return problem(name, "There is no such file.", "Correct the path, or put the file there.");
       case Kind::folder:
-        return problem(name, "This is a folder, and a TOML file is wanted.", "Name a TOML file.");
+        return problem(name, "This is a folder, not a TOML file.", "Name a TOML file.");
       case Kind::special:
         return problem(name, "This is not an ordinary file.", "Name a TOML file.");
       case Kind::too_large:
@@ -31,10 +31,85 @@ Result<std::string> read_toml_text(const std::filesystem::path& file) {
   }
   const std::string text(bytes->begin(), bytes->end());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    return problem(name + ":1:1", "The file is written in UTF-16, and TOML is UTF-8.",
+    return problem(name + ":1:1", "The file is in UTF-16, but TOML must be UTF-8.",
                    "Save it again as UTF-8.");
   }
   return text;
+}
+
+Result<void> check_outside_quotes(const std::string& text, const std::string& file_name) {
+  int chain = 0;
+  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      i = behind_string(text, i);
+      continue;
+    }
+    if (c == '#') {
+      while (i < text.size() && text[i] != '\n') ++i;
+      continue;
+    }
+    if (c == '\n' || c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}') {
+      chain = 0;
+    } else if (c == '.' && ++chain >= kLongestChain) {
+      return problem(place_in(text, i, file_name),
+                     "The name has more than 16 parts separated by points.",
+                     "Use three parts at most, or put quotes round a name that contains a point.");
+    } else if (beyond_ascii(c)) {
+      const std::string place = place_in(text, i, file_name);
+      return problem(
+          place,
+          "Outside quotes a name may hold only a to z, digits, _ and -. "
+          "The line is: " +
+              line_of(text,
+                      1 + static_cast<std::size_t>(std::count(
+                              text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'))),
+          "Put \"quotes\" round the name or the text.");
+    }
+    ++i;
+  }
+  return {};
+}
+
+std::string escaped_after_line_ends(const std::string& text) {
+  std::string out;
+  std::size_t copied = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '#') {
+      while (i < text.size() && text[i] != '\n') ++i;
+      continue;
+    }
+    if (text[i] != '"' && text[i] != '\'') {
+      ++i;
+      continue;
+    }
+    const std::size_t end = behind_string(text, i);
+    if (text.compare(i, 3, R"(""")") != 0) {
+      i = end;
+      continue;
+    }
+    while (i < end) {
+      if (text[i] != '\\') {
+        ++i;
+        continue;
+      }
+      const std::size_t next = text.find_first_not_of(" \t\r\n", i + 1);
+      const bool joins_lines = text.find('\n', i) < next;
+      if (!joins_lines) {
+        i += 2;
+        continue;
+      }
+      i = std::min(next, end);
+      if (i == end || !beyond_ascii(text[i])) continue;
+      if (const std::size_t size = letter_size(text, i); size > 0) {
+        out.append(text, copied, i - copied).append(escape_of(text, i, size));
+        i += size;
+        copied = i;
+      }
+    }
+    i = end;
+  }
+  return out.append(text, copied);
 }
 
 std::string shown(std::string_view text, std::size_t most) {

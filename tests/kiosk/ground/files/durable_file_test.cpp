@@ -45,7 +45,7 @@ TEST(durable_file, a_file_where_a_folder_should_be_is_told_with_a_remedy) {
   const auto written = make_folder(scratch.path() / "keepsakes/visit");
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().where, (scratch.path() / "keepsakes").string());
-  EXPECT_THAT(written.error().what, HasSubstr("A file stands where a folder is wanted"));
+  EXPECT_THAT(written.error().what, HasSubstr("A file is in the place of a folder"));
   EXPECT_EQ(written.error().exit_code, 1);
 }
 

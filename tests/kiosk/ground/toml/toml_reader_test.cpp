@@ -107,7 +107,7 @@ TEST_F(TomlReaderTest, a_wrong_type_is_told_in_plain_words_at_its_line_and_colum
   ASSERT_THAT(reader.problems(), SizeIs(1));
   EXPECT_EQ(reader.problems()[0].where, file.string() + ":2:14");
   EXPECT_EQ(reader.problems()[0].what,
-            "idle.warn_after is the text \"fast\", and a number is wanted.");
+            "idle.warn_after is the text \"fast\", but must be a number.");
   EXPECT_EQ(reader.problems()[0].remedy, "Write a number from 20 to 3600 s, without quotes.");
 }
 
@@ -120,10 +120,9 @@ TEST_F(TomlReaderTest, a_range_is_told_with_its_unit) {
   EXPECT_FALSE(root.number("b", number, 20, 3600, "s"));
   EXPECT_FALSE(root.integer("c", whole, 8, 20000));
   ASSERT_THAT(reader.problems(), SizeIs(3));
-  EXPECT_EQ(reader.problems()[0].what, "a is 5 s, and the smallest that is allowed is 20 s.");
-  EXPECT_EQ(reader.problems()[1].what, "b is 4000.5 s, and the largest that is allowed is 3600 s.");
-  EXPECT_EQ(reader.problems()[2].what,
-            "c is 99999999999, and the largest that is allowed is 20000.");
+  EXPECT_EQ(reader.problems()[0].what, "a is 5 s, but the smallest allowed value is 20 s.");
+  EXPECT_EQ(reader.problems()[1].what, "b is 4000.5 s, but the largest allowed value is 3600 s.");
+  EXPECT_EQ(reader.problems()[2].what, "c is 99999999999, but the largest allowed value is 20000.");
 }
 
 TEST_F(TomlReaderTest, nan_and_infinity_are_no_numbers) {
@@ -148,7 +147,7 @@ TEST_F(TomlReaderTest, a_misspelt_key_is_answered_with_the_nearest_right_one) {
   ASSERT_THAT(reader.problems(), SizeIs(1));
   EXPECT_THAT(reader.problems()[0].where, EndsWith(":1:1"));
   EXPECT_EQ(reader.problems()[0].what, "warn_aftr is not a key of this file.");
-  EXPECT_EQ(reader.problems()[0].remedy, "Write warn_after, if that is meant.");
+  EXPECT_EQ(reader.problems()[0].remedy, "Did you mean warn_after?");
 }
 
 TEST_F(TomlReaderTest, a_key_that_slipped_into_another_table_is_sent_back_to_its_own) {
@@ -186,7 +185,7 @@ TEST_F(TomlReaderTest, each_bad_element_of_a_list_is_named_with_its_own_place) {
   EXPECT_FALSE(root.points("outer", outer));
   ASSERT_THAT(reader.problems(), SizeIs(3));
   EXPECT_THAT(reader.problems()[0].where, EndsWith(":3:3"));
-  EXPECT_EQ(reader.problems()[0].what, "outer[1] is a list of 1, and a point is wanted.");
+  EXPECT_EQ(reader.problems()[0].what, "outer[1] is a list of 1, but must be a point.");
   EXPECT_THAT(reader.problems()[1].where, EndsWith(":4:11"));
   EXPECT_THAT(reader.problems()[2].where, EndsWith(":5:3"));
   root.complain_at("outer", 0, "The foot floats.", "Begin at height 0.");
@@ -219,7 +218,7 @@ TEST_F(TomlReaderTest, a_value_where_a_table_belongs_is_told) {
   TomlReader reader(write("idle = 60\n"));
   EXPECT_FALSE(reader.root().child("idle").present());
   ASSERT_THAT(reader.problems(), SizeIs(1));
-  EXPECT_EQ(reader.problems()[0].what, "idle is 60, and a table is wanted.");
+  EXPECT_EQ(reader.problems()[0].what, "idle is 60, but must be a table.");
 }
 
 TEST_F(TomlReaderTest, a_syntax_error_is_the_only_problem_and_shows_its_line) {
@@ -232,7 +231,7 @@ TEST_F(TomlReaderTest, a_syntax_error_is_the_only_problem_and_shows_its_line) {
   root.finish();
   ASSERT_THAT(reader.problems(), SizeIs(1));
   EXPECT_THAT(reader.problems()[0].where, HasSubstr("pot.toml:2:"));
-  EXPECT_THAT(reader.problems()[0].what, HasSubstr("in the line: title = Throw a pot"));
+  EXPECT_THAT(reader.problems()[0].what, HasSubstr("The line is: title = Throw a pot"));
 }
 
 TEST_F(TomlReaderTest, a_byte_order_mark_and_windows_line_ends_are_read) {
