@@ -40,14 +40,14 @@ bool is_host(const std::string& host) {
 std::string fault_of_address(const std::string& address) {
   if (address.rfind(kHttps, 0) != 0) return "the address does not begin with https://.";
   if (address.size() > kLongestAddress)
-    return "the address has " + std::to_string(address.size()) + " letters, and " +
-           std::to_string(kLongestAddress) + " are the most that a small square code holds.";
+    return "the address has " + std::to_string(address.size()) +
+           " letters, but a small QR code holds only " + std::to_string(kLongestAddress) + ".";
   for (const char c : address) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte <= 0x20 || byte >= 0x7F || std::string("\"<>\\^`{|}").find(c) != std::string::npos)
-      return "the address holds a letter that no address has.";
+      return "the address contains a letter that addresses cannot have.";
   }
-  if (!is_host(host_of(address))) return "the address names no host on the web.";
+  if (!is_host(host_of(address))) return "the address does not name a web host.";
   return "";
 }
 

@@ -98,7 +98,7 @@ std::vector<fs::path> empty_folders(const fs::path& shelf, const std::vector<Ent
 
 Problem no_shelf(const fs::path& folder, const std::error_code& error) {
   return {folder.string(), "the shelf cannot be opened: " + error.message() + ".",
-          "Name a folder of vessels that the kiosk may read."};
+          "Name a folder of vessels that the kiosk can read."};
 }
 
 std::string mm(double metres) { return std::to_string(std::lround(1000.0 * metres)) + " mm"; }
@@ -108,11 +108,11 @@ void check_sizes(const fs::path& toml, const Pack& pack, const Vessel& vessel, S
   const Dimensions d = dimensions(vessel.extracted.profile);
   if (pack.true_height > 0.0 && pack.true_diameter > 0.0 &&
       std::abs(d.belly - pack.true_diameter) > 0.03 * pack.true_diameter)
-    check.problems.push_back(
-        {toml.string(),
-         "at " + mm(pack.true_height) + " tall the mesh is " + mm(d.belly) +
-             " wide, and true_diameter_mm says " + mm(pack.true_diameter) + ".",
-         "Correct the figure, or the mesh; a diameter measured over handles is left out."});
+    check.problems.push_back({toml.string(),
+                              "at " + mm(pack.true_height) + " tall the mesh is " + mm(d.belly) +
+                                  " wide, but true_diameter_mm is " + mm(pack.true_diameter) + ".",
+                              "Correct true_diameter_mm or the mesh. Leave the key out if you "
+                              "measured over the handles."});
 }
 
 void check_pack(const fs::path& folder, const LoadOptions& options,
@@ -220,9 +220,8 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
     entries = entries_of(path, error);
   if (error) check.problems.push_back(no_shelf(path, error));
   for (const fs::path& folder : empty_folders(path, entries))
-    check.problems.push_back(
-        {folder.string(), "This folder of the shelf holds no vessel.",
-         "Put its vessel.glb and vessel.toml there, or take the folder away."});
+    check.problems.push_back({folder.string(), "This folder of the shelf contains no vessel.",
+                              "Put its vessel.glb and vessel.toml there, or remove the folder."});
   for (const Entry& entry : entries) {
     if (stop.stop_requested()) break;
     if (fs::is_directory(entry.path, ignored)) {

@@ -37,7 +37,7 @@ bool check_points(Table& root, const std::string& key, const std::vector<Outline
   const std::size_t count = points.size();
   if (count < 2 || count > kMostPoints) {
     root.complain(key,
-                  key + " has " + std::to_string(count) + " points, and a wall needs 2 to " +
+                  key + " has " + std::to_string(count) + " points, but a wall needs 2 to " +
                       std::to_string(kMostPoints) + ".",
                   "Give more points, or fewer: 20 to 40 draw a vessel well.");
     return false;
@@ -50,7 +50,7 @@ bool check_points(Table& root, const std::string& key, const std::vector<Outline
   for (std::size_t i = 0; i < points.size(); ++i) {
     const OutlinePoint& p = points[i];
     if (p.radius < 0.0)
-      complain(i, "this radius is " + in_mm(p.radius) + ", and a wall cannot lie behind the axis.",
+      complain(i, "this radius is " + in_mm(p.radius) + ", but a radius cannot be negative.",
                "Measure the radius from the axis: 0 or more.");
     else if (p.height < 0.0)
       complain(i, "this height is " + in_mm(p.height) + ", below the surface the vessel stands on.",
@@ -74,7 +74,7 @@ bool check_ends(Table& root, const Drawn& d) {
   const OutlinePoint &mouth = d.inner.front(), &floor = d.inner.back();
   if (foot.height != 0.0)
     complain("outer", 0,
-             "outer begins at height " + in_mm(foot.height) + ", and the foot stands at 0.",
+             "outer begins at height " + in_mm(foot.height) + ", but the foot must be at height 0.",
              "Begin with the outer edge of the foot: [radius, 0].");
   if (foot.radius < kThinnest)
     complain("outer", 0,
@@ -82,11 +82,11 @@ bool check_ends(Table& root, const Drawn& d) {
              "Begin with the outer edge of the foot: [radius, 0].");
   if (floor.radius != 0.0)
     complain("inner", d.inner.size() - 1,
-             "inner ends at radius " + in_mm(floor.radius) + ", and the floor reaches the axis.",
+             "inner ends at radius " + in_mm(floor.radius) + ", but it must end on the axis.",
              "End with the floor on the axis: [0, height].");
   if (floor.height < kThinnest)
     complain("inner", d.inner.size() - 1,
-             "the floor is " + in_mm(floor.height) + " thick, and the least is " +
+             "the floor is " + in_mm(floor.height) + " thick, but the minimum is " +
                  in_mm(kThinnest) + ".",
              "Raise the last point of inner.");
   for (std::size_t i = 1; i < d.outer.size(); ++i)
@@ -100,13 +100,13 @@ bool check_ends(Table& root, const Drawn& d) {
   const double width = rim.radius - mouth.radius;
   if (width < kThinnest)
     complain("inner", 0,
-             "at the rim the inner wall (" + in_mm(mouth.radius) + ") is not " + in_mm(kThinnest) +
-                 " inside the outer (" + in_mm(rim.radius) + ").",
+             "at the rim the inner wall (" + in_mm(mouth.radius) + ") must be at least " +
+                 in_mm(kThinnest) + " inside the outer wall (" + in_mm(rim.radius) + ").",
              "Begin inner at the rim's inner edge, nearer to the axis than the end of outer.");
   else if (std::abs(mouth.height - rim.height) > width + 2.0)
     complain("inner", 0,
-             "the rim gapes: outer ends at height " + in_mm(rim.height) + " and inner begins at " +
-                 in_mm(mouth.height) + ".",
+             "the rim is open: outer ends at height " + in_mm(rim.height) +
+                 " and inner begins at " + in_mm(mouth.height) + ".",
              "Let both outlines meet at the rim, one on each edge of it.");
   return good;
 }
@@ -122,7 +122,7 @@ bool check_foot(Table& foot, const Drawn& d) {
   if (ring < kThinnest) {
     foot.complain(
         "ring_inner_radius",
-        "the foot ring is " + in_mm(ring) + " wide, and the least is " + in_mm(kThinnest) + ".",
+        "the foot ring is " + in_mm(ring) + " wide, but the minimum is " + in_mm(kThinnest) + ".",
         "Make it smaller than the foot's outer radius, " + in_mm(d.outer.front().radius) + ".");
     return false;
   }
@@ -163,9 +163,9 @@ bool check_walls(Table& root, const std::vector<Vec2>& under, const Outline& out
                      "Move this point towards the inside, or the outer wall outwards.");
   else
     root.complain_at("inner", drawn,
-                     "the wall is " + in_mm(narrow->distance) + " thick here, and the least is " +
+                     "the wall is " + in_mm(narrow->distance) + " thick here, but the minimum is " +
                          in_mm(kThinnest) + ".",
-                     "Move the two walls apart here, or leave the inner wall away from the outer.");
+                     "Move the two walls apart here.");
   return false;
 }
 
@@ -214,7 +214,7 @@ DrawingRead check_drawing(const std::filesystem::path& toml) {
   root.text("title", read.drawing.title);
   root.text("source", read.drawing.source);
   if (root.text("units", units) && units != "mm")
-    root.complain("units", "units is \"" + units + "\", and drawings are in millimetres.",
+    root.complain("units", "units is \"" + units + "\", but drawings are in millimetres.",
                   "Give all figures in millimetres and write units = \"mm\".");
   root.boolean("smooth", d.smooth);
   const bool outer_drawn = root.points("outer", d.outer),

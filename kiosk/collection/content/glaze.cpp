@@ -40,7 +40,7 @@ bool read_color(Table& table, const std::string& key, LinearColor& out) {
   std::string text;
   if (!table.text(key, text)) return false;
   if (parse_color(text, out)) return true;
-  table.complain(key, "\"" + text + "\" is no colour.",
+  table.complain(key, "\"" + text + "\" is not a valid colour.",
                  "Write # and six digits or letters a to f, as in \"#9DB5A0\".");
   return false;
 }
@@ -64,9 +64,10 @@ bool read_words(Table& glaze, const std::string& key, const std::vector<std::str
   }
   for (const std::string& code : languages)
     if (needed && !out.contains(code))
-      glaze.complain(words.present() ? key : "",
-                     "The glaze has no " + key + " in the language \"" + code + "\".",
-                     "Write " + key + " = { " + code + " = \"...\" }, a part for each language.");
+      glaze.complain(
+          words.present() ? key : "",
+          "The glaze has no " + key + " in the language \"" + code + "\".",
+          "Write " + key + " = { " + code + " = \"...\" }, one entry for each language.");
   words.finish();
   return !out.empty();
 }
@@ -76,7 +77,7 @@ bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& 
   table.require("id", "Write a short name of letters, digits and _: id = \"celadon\".");
   bool good = table.text("id", glaze.id);
   if (good && !is_id(glaze.id)) {
-    table.complain("id", "\"" + glaze.id + "\" is no id.",
+    table.complain("id", "\"" + glaze.id + "\" is not a valid id.",
                    "Write 1 to 40 lower-case letters, digits and _: id = \"white_porcelain\".");
     good = false;
   }
@@ -124,7 +125,7 @@ GlazesRead read_glazes(const std::filesystem::path& file,
                      "Give the second another id.");
     } else if (read.glazes.size() == kMostGlazes) {
       table.complain("", "There are more than " + std::to_string(kMostGlazes) + " glazes.",
-                     "Take some out: a screen has no room for more.");
+                     "Remove some: the screen has no room for more.");
     } else {
       read.glazes.push_back(std::move(glaze));
     }
@@ -132,7 +133,7 @@ GlazesRead read_glazes(const std::filesystem::path& file,
   root.finish();
   read.problems = reader.problems();
   if (reader.ok() && read.problems.empty() && read.glazes.empty())
-    read.problems.push_back({file.string(), "There is no glaze in it.",
+    read.problems.push_back({file.string(), "The file contains no glaze.",
                              "Write a [[glaze]] with id, name, body and glass."});
   read.keys_checked = reader.keys_checked();
   return read;

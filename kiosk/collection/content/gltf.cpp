@@ -144,7 +144,7 @@ Result<void> Gatherer::walk_scene() {
       return problem(here, "there is no such node.", "Export the vessel again.");
     const auto index = static_cast<std::size_t>(visit.node);
     if (seen[index])
-      return problem(here, "it hangs below two nodes, or below itself.",
+      return problem(here, "it has two parents, or it is its own parent.",
                      "Give every node one parent, and export the vessel again.");
     seen[index] = true;
     const tinygltf::Node& node = model_.nodes[index];
@@ -300,7 +300,7 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
     const std::array<float, 3> at{static_cast<float>(v.x), static_cast<float>(v.y),
                                   static_cast<float>(v.z)};
     if (!std::isfinite(at[0]) || !std::isfinite(at[1]) || !std::isfinite(at[2]))
-      return problem(where, "its node moves it out of all bounds.",
+      return problem(where, "its node moves or scales it too far.",
                      "Apply the transforms in the modelling tool and export again.");
     out_.mesh.positions.push_back(at);
   }

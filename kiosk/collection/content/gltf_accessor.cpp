@@ -155,10 +155,11 @@ Result<void> check(const tinygltf::Model& model, int index, int type, std::size_
                                    (type == TINYGLTF_TYPE_VEC2 ? "two." : "three."));
   if (accessor.count > most)
     return unsound(here, "it claims " + std::to_string(accessor.count) +
-                             " elements, and the most is " + std::to_string(most) + ".");
+                             " elements, but the limit is " + std::to_string(most) + ".");
   // Elements of no buffer view cost the file nothing, and are all zero but for a sparse part.
   if (accessor.bufferView < 0 && accessor.count > kMostFromNothing)
-    return unsound(here, "it claims " + std::to_string(accessor.count) + " elements of no data.");
+    return unsound(here,
+                   "it claims " + std::to_string(accessor.count) + " elements but has no data.");
   if (component_size(accessor.componentType) == 0)
     return unsound(here, "its numbers are of the unknown type " +
                              std::to_string(accessor.componentType) + ".");
@@ -183,11 +184,11 @@ Result<std::span<const unsigned char>> GltfReader::view(int index, const std::st
   }
   const tinygltf::BufferView& view = views[static_cast<std::size_t>(index)];
   if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= document_.buffers.size())
-    return unsound(here, "there is no such buffer as " + std::to_string(view.buffer) + ".");
+    return unsound(here, "there is no buffer " + std::to_string(view.buffer) + ".");
   const std::span<const unsigned char> buffer =
       document_.buffers[static_cast<std::size_t>(view.buffer)];
   if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset)
-    return unsound(here, "it reaches over the end of its buffer of " +
+    return unsound(here, "it extends past the end of its buffer of " +
                              std::to_string(buffer.size()) + " bytes.");
   return buffer.subspan(view.byteOffset, view.byteLength);
 }
@@ -197,7 +198,7 @@ Result<files::Bytes> GltfReader::decode_meshopt(const MeshoptView& view, const s
     return unsound(where, "its compressed data is in no buffer of the file.");
   const std::span<const unsigned char> buffer = document_.buffers[view.buffer];
   if (view.offset > buffer.size() || view.length > buffer.size() - view.offset)
-    return unsound(where, "its compressed data reaches over the end of its buffer.");
+    return unsound(where, "its compressed data extends past the end of its buffer.");
   const bool attributes = view.mode == "ATTRIBUTES";
   const bool stride_good = attributes
                                ? view.stride % 4 == 0 && view.stride > 0 && view.stride <= 256
@@ -207,7 +208,7 @@ Result<files::Bytes> GltfReader::decode_meshopt(const MeshoptView& view, const s
                     static_cast<std::size_t>(std::max(limits_.vertices, limits_.triangles));
   if (view.count > most || !stride_good || (triangles && view.count % 3 != 0) ||
       (!attributes && !triangles && view.mode != "INDICES"))
-    return unsound(where, "the figures of its meshopt compression do not make sense.");
+    return unsound(where, "the numbers of its meshopt compression are inconsistent.");
   const std::size_t size = view.count * view.stride;
   if (size / kMostDense > view.length ||
       size > (static_cast<std::size_t>(limits_.file_mb) << 20) - decoded_bytes_)
@@ -247,7 +248,7 @@ Result<std::vector<std::array<float, 3>>> GltfReader::vectors(int accessor,
     return tl::unexpected<Problem>(good.error());
   const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
   if (a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-    return unsound(here, "whole numbers of 32 bits are no vectors.");
+    return unsound(here, "vectors cannot use 32-bit whole numbers.");
   const std::size_t size = component_size(a.componentType);
   std::vector<std::array<float, 3>> out;
   std::size_t bad = a.count;
@@ -282,7 +283,7 @@ Result<std::vector<std::array<float, N>>> GltfReader::plain(int accessor, int ty
     return tl::unexpected<Problem>(good.error());
   const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
   if (a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-    return unsound(here, "whole numbers of 32 bits are no vectors.");
+    return unsound(here, "vectors cannot use 32-bit whole numbers.");
   const std::size_t size = component_size(a.componentType);
   const std::size_t components = type == TINYGLTF_TYPE_VEC4 ? 4 : N;
   std::vector<std::array<float, N>> out;
@@ -350,7 +351,7 @@ Result<std::vector<std::uint32_t>> GltfReader::indices(int accessor, const std::
   if (a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
       a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
       a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-    return unsound(here, "indices must be whole numbers without a sign.");
+    return unsound(here, "indices must be unsigned whole numbers.");
   std::vector<std::uint32_t> out;
   const auto read = each_element(
       *this, model, accessor, 1, here, [&] { out.resize(a.count); },

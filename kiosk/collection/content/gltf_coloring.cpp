@@ -70,7 +70,7 @@ void GltfColors::add(const tinygltf::Primitive& primitive, const DecodedPrimitiv
     if (places.size() == count)
       lay(places_, run.first, places);
     else
-      note("TEXCOORD_" + std::to_string(set), "no such place in its picture can be read.");
+      note("TEXCOORD_" + std::to_string(set), "these picture coordinates cannot be read.");
     // Zero places would show one pixel on all of it; a tint without its picture is no colour of it.
     if (places.size() != count) run = {run.first, count, -1, false};
   }
@@ -102,7 +102,7 @@ std::vector<int> GltfColors::decode(GltfReader& reader, Coloring& out) {
     if (!bytes)
       note(what, bytes.error().what);
     else if (wanted.size() >= kMostPictures)
-      note(what, "the most pictures that are read are " + std::to_string(kMostPictures));
+      note(what, "the limit of pictures is " + std::to_string(kMostPictures));
     else
       wanted.push_back(*bytes), which.push_back(i);
   }
@@ -139,8 +139,8 @@ std::vector<int> GltfColors::decode(GltfReader& reader, Coloring& out) {
     }
   }
   if (too_many)
-    note("its materials", "their pictures are laid on in more ways than " +
-                              std::to_string(kMostCoats) + ", the most that are shown");
+    note("its materials",
+         "they apply pictures in more ways than the limit of " + std::to_string(kMostCoats) + "");
   return of_material;
 }
 

@@ -28,18 +28,18 @@ Result<Chunks> split(const std::string& name, const files::Bytes& bytes) {
   if (bytes.size() < 20) return broken_gltf(name, "this GLB ends within its header.");
   if (u32_at(bytes, 4) != 2)
     return broken_gltf(name, "this GLB is of version " + std::to_string(u32_at(bytes, 4)) +
-                                 ", and 2 is what can be read.");
+                                 ", but Onggi reads version 2.");
   const std::size_t total = u32_at(bytes, 8);
   if (total > bytes.size())
-    return broken_gltf(name, "this GLB says it has " + std::to_string(total) + " bytes, and has " +
-                                 std::to_string(bytes.size()) + ".");
+    return broken_gltf(name, "this GLB says it has " + std::to_string(total) +
+                                 " bytes, but it has " + std::to_string(bytes.size()) + ".");
   Chunks out;
   std::size_t at = 12;
   for (int chunk = 0; at + 8 <= total; ++chunk) {
     const std::size_t length = u32_at(bytes, at);
     const std::uint32_t kind = u32_at(bytes, at + 4);
     at += 8;
-    if (length > total - at) return broken_gltf(name, "a chunk of this GLB runs over its end.");
+    if (length > total - at) return broken_gltf(name, "a chunk of this GLB extends past its end.");
     if (chunk == 0 && kind != kGlbJson)
       return broken_gltf(name, "the first chunk of this GLB is not JSON.");
     if (chunk == 0) out.json = {at, length};
@@ -107,7 +107,7 @@ class JsonSieve {
     if (out.json.size() + (to - from) > most_)
       return broken_gltf(name_,
                          "its JSON has " + std::to_string((end_ - at_ + out.json.size()) >> 20) +
-                             " MiB, and the most is " + std::to_string(limits_.json_mb) + ".");
+                             " MiB, but the limit is " + std::to_string(limits_.json_mb) + ".");
     out.json.append(reinterpret_cast<const char*>(bytes_.data()) + from, to - from);
     return {};
   }

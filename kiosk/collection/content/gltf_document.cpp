@@ -217,7 +217,7 @@ Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
     const std::string here = out.name + ", buffer " + std::to_string(i);
     const std::size_t wanted = whole(buffer, "byteLength", 0);
     const auto too_few = [&](std::size_t there) {
-      return broken_gltf(here, "it should have " + std::to_string(wanted) + " bytes, and has " +
+      return broken_gltf(here, "it should have " + std::to_string(wanted) + " bytes, but it has " +
                                    std::to_string(there) + ".");
     };
     std::span<const unsigned char> bytes;
@@ -294,9 +294,9 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
                           nullptr);
     if (!loader.LoadASCIIFromString(out.model.get(), &error, &warning, text.c_str(),
                                     static_cast<unsigned int>(text.size()), ""))
-      return broken_gltf(out.name, "it is not sound glTF: " + first_line(error));
+      return broken_gltf(out.name, "it is not valid glTF: " + first_line(error));
   } catch (const std::exception& e) {
-    return broken_gltf(out.name, std::string("it is not sound glTF: ") + first_line(e.what()));
+    return broken_gltf(out.name, std::string("it is not valid glTF: ") + first_line(e.what()));
   }
   return out;
 }

@@ -98,7 +98,7 @@ class Pictures {
     picture.view = index_in(image, "bufferView");
     if (picture.view >= 0) return picture;
     if (read_ >= kMostPictures) {
-      picture.fault = "the most pictures that are read are " + std::to_string(kMostPictures);
+      picture.fault = "the limit of pictures is " + std::to_string(kMostPictures);
       return picture;
     }
     if (const auto data = data_behind(uri, container_)) {
@@ -108,7 +108,7 @@ class Pictures {
       if (!decoded || decoded->empty())
         picture.fault = "its data within the file cannot be decoded";
       else if (decoded->size() > left_)
-        picture.fault = "it is larger than what is left of a file's most";
+        picture.fault = "the pictures of the file together are too large";
       else
         picture.bytes = *decoded;
     } else if (uri.empty() || uri.rfind("data:", 0) == 0) {

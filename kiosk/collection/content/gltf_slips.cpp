@@ -39,7 +39,7 @@ Result<void> check_transforms(const std::string& name, const json& document) {
       if (given.is_array() && given.size() == numbers && count == numbers) continue;
       return slip(name + ", node " + std::to_string(i),
                   std::string("its ") + key + " has " + std::to_string(count) +
-                      " numbers, and it takes " + std::to_string(numbers) + ".");
+                      " numbers, but it needs " + std::to_string(numbers) + ".");
     }
   return {};
 }
@@ -53,7 +53,7 @@ Result<void> check_sparse(const std::string& name, const json& document) {
     if (count.is_number_unsigned() && count.get<std::uint64_t>() > 0) continue;
     return slip(name + ", accessor " + std::to_string(i),
                 "its sparse part has " + (count.is_number() ? count.dump() : "no number of") +
-                    " elements, and it takes one or more.");
+                    " elements, but it needs one or more.");
   }
   return {};
 }
@@ -63,8 +63,8 @@ void note_scene(const json& document, std::vector<std::string>& warnings) {
   const json& scene = document["scene"];
   const std::size_t scenes = list_of(document, "scenes").size();
   if (scene.is_number_unsigned() && scene.get<std::uint64_t>() < scenes) return;
-  warnings.push_back("It asks for scene " + scene.dump().substr(0, 20) + " and has " +
-                     std::to_string(scenes) + "; what hangs below none of its nodes is shown.");
+  warnings.push_back("The file asks for scene " + scene.dump().substr(0, 20) + " but has only " +
+                     std::to_string(scenes) + "; every node without a parent is shown.");
 }
 
 bool any_weight(const json& weights) {

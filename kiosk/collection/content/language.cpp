@@ -11,7 +11,7 @@ namespace {
 std::string brace_fault(const std::string& text) {
   bool open = false;
   for (const char c : text) {
-    if (c == '{' && open) return "a { stands inside another {";
+    if (c == '{' && open) return "a { is inside another {";
     if (c == '}' && !open) return "a } has no { before it";
     if (c == '{') open = true;
     if (c == '}') open = false;
@@ -34,7 +34,7 @@ void read_texts(toml::TomlReader::Table table, const std::string& prefix,
       table.complain(key, full + " is empty.", "Write its words, or leave the key out.");
     if (const std::string fault = brace_fault(words); !fault.empty())
       table.complain(key, "in " + full + ", " + fault + ".",
-                     "Mark a place to fill as {name}, in one pair of braces.");
+                     "Write a placeholder as {name}, in one pair of braces.");
     out.push_back({full, std::move(words), table, key});
   }
   table.finish();
@@ -57,14 +57,14 @@ LanguageRead check_language(const std::filesystem::path& file) {
     if (decimal == "." || decimal == "," || decimal == "\u066B")
       read.language.decimal_ = decimal;
     else
-      root.complain("decimal", "\"" + decimal + "\" stands before no tenths.",
+      root.complain("decimal", "\"" + decimal + "\" is not a decimal separator.",
                     "Write decimal = \".\" or decimal = \",\".");
   }
   if (!read.language.code_.empty() && read.language.code_ != file.stem().string())
     root.complain("code",
-                  "code is \"" + read.language.code_ + "\", and the file is called " +
+                  "code is \"" + read.language.code_ + "\", but the file is called " +
                       file.filename().string() + ".",
-                  "Give the file the code's name: " + read.language.code_ + ".toml.");
+                  "Rename the file to " + read.language.code_ + ".toml.");
   if (reader.ok() && !text.present())
     root.complain("", "the language has no words.", "Add a table [text] with key = \"words\".");
   std::vector<WrittenText> written;

@@ -54,13 +54,15 @@ void compare_places(WrittenText& text, const std::string& wanted_words) {
   std::set_difference(there.begin(), there.end(), wanted.begin(), wanted.end(),
                       std::back_inserter(unknown));
   if (!unknown.empty())
-    text.table.complain(text.name, text.key + " has " + braced(unknown) + ", which nothing fills.",
-                        wanted.empty() ? "Take the braces and what is in them away."
-                                       : "Its places are " + braced(wanted) + ".");
+    text.table.complain(
+        text.name,
+        text.key + " has " + braced(unknown) + ", but the program fills no such placeholder.",
+        wanted.empty() ? "Remove the braces and the word inside them."
+                       : "Its placeholders are " + braced(wanted) + ".");
   else if (!lacking.empty())
     text.table.complain(
         text.name, text.key + " lacks " + braced(lacking) + ".",
-        "Put it where the program's figure or name goes. In English: \"" + wanted_words + "\".");
+        "Put it where the program's number or name belongs. In English: \"" + wanted_words + "\".");
 }
 
 }  // namespace
@@ -89,10 +91,9 @@ void compare_with_english(toml::TomlReader::Table text, std::vector<WrittenText>
     }
     const std::string meant = meant_by(one.key, missing);
     std::erase(missing, meant);
-    one.table.complain(one.name, one.key + " is nothing that the program says.",
-                       meant.empty()
-                           ? "Take it out."
-                           : "Call it " + meant + ", which is missing, if that is meant.");
+    one.table.complain(
+        one.name, one.key + " is not a text of the program.",
+        meant.empty() ? "Remove it." : "Did you mean " + meant + "? That key is missing.");
   }
   for (const std::string& key : missing) {
     const std::string section = key.substr(0, key.find('.'));

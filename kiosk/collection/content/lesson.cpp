@@ -42,7 +42,7 @@ void read_choice(LessonTable& step, const std::string& key,
   const std::string nearest = nearest_name(text, std::span<const std::string_view>(names));
   step.complain(
       key, "There is no " + key + " \"" + text + "\".",
-      (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "Choose of " + all + ".");
+      (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "Choose one of " + all + ".");
 }
 
 bool read_step_words(LessonTable& step, const std::vector<std::string>& languages,
@@ -56,7 +56,7 @@ bool read_step_words(LessonTable& step, const std::vector<std::string>& language
     else if (letters(text) > kMostStepLetters)
       words.complain(code,
                      "words." + code + " has " + std::to_string(letters(text)) +
-                         " letters, and a step has room for " + std::to_string(kMostStepLetters) +
+                         " letters, but a step has room for " + std::to_string(kMostStepLetters) +
                          ".",
                      "Say it in one short sentence, or in two steps.");
     else
@@ -66,7 +66,7 @@ bool read_step_words(LessonTable& step, const std::vector<std::string>& language
     if (!out.contains(code) && !words.has(code))
       step.complain(words.present() ? "words" : "",
                     "The step has no words in the language \"" + code + "\".",
-                    "Write words = { " + code + " = \"...\" }, a part for each language.");
+                    "Write words = { " + code + " = \"...\" }, one entry for each language.");
   words.finish();
   return !out.empty();
 }
@@ -75,7 +75,7 @@ bool read_step(LessonTable& table, const std::vector<std::string>& languages, Le
   table.require("id", "Write a short name of letters, digits and _: id = \"open\".");
   bool good = table.text("id", step.id);
   if (good && !is_step_id(step.id)) {
-    table.complain("id", "\"" + step.id + "\" is no id.",
+    table.complain("id", "\"" + step.id + "\" is not a valid id.",
                    "Write 1 to 40 lower-case letters, digits and _: id = \"open\".");
     good = false;
   }
@@ -108,7 +108,7 @@ LessonRead read_lesson(const std::filesystem::path& file,
                      "Give the second another id.");
     } else if (read.steps.size() == kMostSteps) {
       table.complain("", "There are more than " + std::to_string(kMostSteps) + " steps.",
-                     "Take some out: nobody learns more in a minute.");
+                     "Remove some: at most " + std::to_string(kMostSteps) + " steps.");
     } else {
       read.steps.push_back(std::move(step));
     }

@@ -63,7 +63,7 @@ Result<GltfModel> read_by_helper(const fs::path& file, const std::string& ending
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   if (error)
     return problem("/proc/self/exe",
-                   "The kiosk cannot tell where it lies: " + error.message() + ".", "Mount /proc.",
+                   "The kiosk cannot find its own folder: " + error.message() + ".", "Mount /proc.",
                    1);
   const std::size_t mib =
       std::min(kMostMemoryMib, kMemoryMib + kMemoryTimesFile * (bytes->size() >> 20));
@@ -81,7 +81,7 @@ Result<GltfModel> read_by_helper(const fs::path& file, const std::string& ending
        .answer = "mesh"});
   if (!answer)
     return problem(name, "it cannot be read: " + answer.error().what,
-                   "Export the vessel again, best as GLB. If no such file can be read: " +
+                   "Export the vessel again, best as GLB. If no file of this kind can be read: " +
                        answer.error().remedy);
   auto parts = parts_of(*answer, name);
   if (!parts) return tl::unexpected<Problem>(parts.error());

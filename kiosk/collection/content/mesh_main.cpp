@@ -135,11 +135,11 @@ int main(int count, char** words) {
   }
   // Assimp runs in circles on some damaged files.
   onggi::files::confine(std::strtoul(words[4], nullptr, 10), std::strtoul(words[5], nullptr, 10),
-                        "it found no end of the file in the time that it may have");
+                        "reading the file takes longer than allowed");
   try {
     return read(words[1], std::strtoul(words[2], nullptr, 10), std::strtoul(words[3], nullptr, 10));
   } catch (const std::bad_alloc&) {
-    std::fputs("it needs more memory than it may have", stderr);
+    std::fputs("it needs more memory than allowed", stderr);
   }
   return 1;
 }

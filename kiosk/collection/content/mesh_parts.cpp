@@ -91,7 +91,7 @@ Result<std::vector<MeshPart>> parts_of(std::span<const std::byte> bytes, const s
                    "Export the vessel again, best as GLB.");
   }
   const auto none = [&name] {
-    return problem(name, "it cannot be read: its reader gave no whole answer.",
+    return problem(name, "it cannot be read: its reader gave an incomplete answer.",
                    "Export the vessel again, best as GLB.");
   };
   if (!begins(kParts)) return none();

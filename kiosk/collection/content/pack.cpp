@@ -36,15 +36,15 @@ void read_mesh_terms(toml::TomlReader::Table& root, Pack& pack) {
     if (unit == "mm") pack.unit = 0.001;
     if (unit == "in") pack.unit = 0.0254;
     if (pack.unit == 0.0)
-      root.complain("units", "units is \"" + unit + "\", which is no unit of length known here.",
+      root.complain("units", "units is \"" + unit + "\", which is not a known unit of length.",
                     "Write what one unit of the mesh is: \"mm\", \"cm\", \"m\" or \"in\".");
   }
   std::string up;
   if (!root.text("up", up)) return;
   pack.up = axis_called(up);
   if (!pack.up)
-    root.complain("up", "up is \"" + up + "\", which is no axis.",
-                  "Write the mesh's axis that the rim lies towards: \"y\", \"z\", \"-z\" ...");
+    root.complain("up", "up is \"" + up + "\", which is not an axis.",
+                  "Write the axis of the mesh that points to the rim: \"y\", \"z\", \"-z\" ...");
 }
 
 void read_labels(toml::TomlReader::Table& root, PackRead& read) {
@@ -74,8 +74,8 @@ void keep_good_addresses(toml::TomlReader::Table& root, Pack& pack) {
     const std::string fault = fault_of_address(address);
     if (!table.has("address") || fault.empty()) return;
     table.complain("address", fault,
-                   "Write the museum's page on this vessel as a browser shows it, best a short "
-                   "one: address = \"https://museum.org/12.3\". Or leave it out.");
+                   "Write the web address of the museum's page on this vessel, best a short "
+                   "one: address = \"https://museum.org/12.3\". Or remove the key.");
     address.clear();
   };
   keep(root, pack.address);
@@ -141,7 +141,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.finish();
   if (!pack.drawing.empty() && pack.drawing != std::filesystem::path(pack.drawing).filename())
     root.complain("drawing", "drawing names a file outside the vessel's folder.",
-                  "Put the drawing beside vessel.toml and give its name alone.");
+                  "Put the drawing beside vessel.toml and write only its name.");
   read.problems = reader.problems();
   keep_good_addresses(root, pack);
   ask_for_the_rest(root, pack, languages);

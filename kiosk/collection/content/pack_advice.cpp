@@ -23,7 +23,7 @@ void ask(Table& table, const char* key, const std::string& name, const std::stri
   else if (is_blank(text))
     table.complain(key, name + " is empty.", remedy);
   else if (is_no_answer(text))
-    table.complain(key, name + " is \"" + text + "\", and visitors would read that.", remedy);
+    table.complain(key, name + " is \"" + text + "\", and visitors would see that.", remedy);
 }
 
 void ask_for_label(Table labels, const std::string& language, const Label& label) {
@@ -33,16 +33,16 @@ void ask_for_label(Table labels, const std::string& language, const Label& label
   ask(table, "culture", of + "culture", label.culture,
       "Say whose it was: culture = \"Korea, Joseon dynasty\".");
   ask(table, "date", of + "date", label.date,
-      "Say from when it is, or that nobody can tell: date = \"18th century\", \"undated\".");
+      "Say when it was made, or that this is not known: date = \"18th century\", \"undated\".");
   ask(table, "made", of + "made", label.made,
       "Say in one sentence how it was made; if it was never thrown, say so.");
   ask(table, "text", of + "text", label.text,
-      "Write at most " + std::to_string(kMostLabelWords) + " words on what one sees in it.");
+      "Write at most " + std::to_string(kMostLabelWords) + " words about what visitors can see.");
   if (const int words = count_words(label.text); words > kMostLabelWords)
     table.complain("text",
-                   "the label has " + std::to_string(words) + " words, and visitors read " +
-                       std::to_string(kMostLabelWords) + " at most.",
-                   "Shorten it to what one sees in the vessel.");
+                   "the label has " + std::to_string(words) + " words, but the limit is " +
+                       std::to_string(kMostLabelWords) + ".",
+                   "Shorten it to what visitors can see.");
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ bool is_blank(const std::string& text) { return count_words(text) == 0; }
 
 void ask_for_the_rest(Table root, const Pack& pack, const std::vector<std::string>& languages) {
   if (pack.true_height == 0.0 && pack.true_diameter == 0.0 && pack.unit == 0.0)
-    root.complain("", "the true size is missing, so nobody knows how large the vessel is.",
+    root.complain("", "the true size is missing, so the size of the vessel is not known.",
                   "Measure the real vessel, or look it up, and write: true_height_mm = 305.");
   ask(root, "institution", "institution", pack.institution,
       "Name the museum that has it: institution = \"National Museum of Korea, Seoul\".");

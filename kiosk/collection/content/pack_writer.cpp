@@ -59,9 +59,10 @@ std::string label_toml(const Vessel& vessel, const std::string& language) {
 }  // namespace
 
 std::string pack_toml(const Vessel& vessel) {
-  std::string out = "# From " + vessel.file.filename().string() +
-                    ". Finish what stands behind # and take the # away; then: onggi check\n"
-                    "# Every key: kiosk/docs/curators.md\n\n";
+  std::string out =
+      "# From " + vessel.file.filename().string() +
+      ". Complete the lines that begin with # and remove the #. Then run: onggi check\n"
+      "# Every key: kiosk/docs/curators.md\n\n";
   char text[160];
   if (vessel.true_height > 0.0)
     std::snprintf(text, sizeof text, "true_height_mm = %.1f\n", 1000.0 * vessel.true_height);
@@ -69,7 +70,7 @@ std::string pack_toml(const Vessel& vessel) {
     std::snprintf(
         text, sizeof text,
         "# true_height_mm = %.0f         # of the real vessel: measure it. The file's own "
-        "figure is %.6g units.\n",
+        "height is %.6g units.\n",
         1000.0 * vessel.extracted.profile.height(),
         vessel.extracted.profile.height() / vessel.unit);
   out += text;
@@ -78,7 +79,7 @@ std::string pack_toml(const Vessel& vessel) {
     out += "up = " + quoted(extraction::axis_name(vessel.extracted.axis_direction)) + "\n";
   else if (vessel.extracted.up_sure < ExtractedProfile::kSureUp)
     out += "# up = " + quoted(extraction::axis_name(-vessel.extracted.axis_direction)) +
-           "                    # if it now stands on its head\n";
+           "                    # if it is upside down now\n";
   out += line("institution", vessel.given.institution, "The museum that has it");
   out += line("accession", vessel.given.accession, "Its number there");
   out += line("source", vessel.source, "Where the figures are published");

@@ -151,7 +151,7 @@ Result<fs::path> found(const fs::path& document, const Named& named) {
     auto beside = find_vessel_file_beneath(document.parent_path(), own, document.string());
     if (beside) return beside;
     return problem(document.string(),
-                   "its model is " + shown + ", and the kiosk opens nothing of a network.",
+                   "its model is " + shown + ", but the kiosk opens nothing from a network.",
                    "Download it first, and put it beside this file as " +
                        json_words::tidy(own.substr(0, 80)) + ".");
   }
@@ -276,7 +276,7 @@ Problem no_model(const std::string& name) {
 }
 
 Problem several_models(const fs::path& file, std::size_t count) {
-  return {file.string(), "it shows " + std::to_string(count) + " models, and a vessel is one.",
+  return {file.string(), "it shows " + std::to_string(count) + " models, but a vessel is one.",
           "Name the vessel's GLB itself."};
 }
 

@@ -26,7 +26,7 @@ Result<std::vector<textures::Decoded>> read_textures(
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error)
     return problem("/proc/self/exe",
-                   "The kiosk cannot tell where it lies: " + error.message() + ".", "Mount /proc.",
+                   "The kiosk cannot find its own folder: " + error.message() + ".", "Mount /proc.",
                    1);
   const auto side = static_cast<std::size_t>(limits.texture_px);
   const unsigned wanted = pictures.size() > kFew ? kManySide : kFewSide;
@@ -45,7 +45,7 @@ Result<std::vector<textures::Decoded>> read_textures(
   if (!answer) return tl::unexpected<Problem>(answer.error());
   auto out = answers_of(*answer, pictures.size(), wanted);
   if (out.size() != pictures.size())
-    return problem("onggi-texture", "it gave no whole answer.", "Start the kiosk again.", 1);
+    return problem("onggi-texture", "it gave an incomplete answer.", "Start the kiosk again.", 1);
   return out;
 }
 

@@ -24,7 +24,7 @@ int decode(const onggi::textures::TextureLimits& limits) {
     try {
       decoded.push_back(onggi::textures::decode_texture(picture, limits));
     } catch (const std::bad_alloc&) {
-      decoded.push_back(tl::unexpected(std::string("it needs more memory than it may have")));
+      decoded.push_back(tl::unexpected(std::string("it needs more memory than allowed")));
     }
   }
   const auto out = onggi::content::answer_bytes(decoded);
@@ -41,11 +41,11 @@ int main(int count, char** words) {
     return 1;
   }
   const auto number = [words](int i) { return std::strtoul(words[i], nullptr, 10); };
-  onggi::files::confine(number(3), number(4), "they take longer than they may");
+  onggi::files::confine(number(3), number(4), "they take longer than allowed");
   try {
     return decode({static_cast<unsigned>(number(1)), static_cast<unsigned>(number(2))});
   } catch (const std::bad_alloc&) {
-    std::fputs("they need more memory than they may have", stderr);
+    std::fputs("they need more memory than allowed", stderr);
   }
   return 1;
 }

@@ -51,18 +51,19 @@ TrueSize guessed(const FileSize& size, const ToldSize& told) {
   const std::string own =
       figures(size.height) + " units tall and " + figures(size.widest) + " wide";
   const std::string ask =
-      " Write true_height_mm, true_diameter_mm or units in vessel.toml, and it is known.";
+      " Write true_height_mm, true_diameter_mm or units in vessel.toml to set it.";
   TrueSize out;
   out.from = best != nullptr ? SizeFrom::guess : SizeFrom::unknown;
   out.unit = best != nullptr ? best->metres : kShown / most;
   if (best != nullptr)
     out.doubt = "Its true size is a guess: it is " + own +
-                (told.format_unit == 1.0 ? ", so they are not metres, but in " : ", and in ") +
-                best->name + " a vessel of " + in_words(size, out.unit) + "." + ask;
+                (told.format_unit == 1.0 ? ". They cannot be metres; in " : "; in ") + best->name +
+                " the vessel is " + in_words(size, out.unit) + "." + ask;
   else
-    out.doubt = "Its true size is not known: it is " + own +
-                ", which is no vessel in metres, centimetres or millimetres; shown " +
-                in_words(size, out.unit) + "." + ask;
+    out.doubt =
+        "Its true size is not known: it is " + own +
+        ", which is no size for a vessel in metres, centimetres or millimetres. It is shown " +
+        in_words(size, out.unit) + "." + ask;
   return out;
 }
 
@@ -89,8 +90,8 @@ const char* name_of(SizeFrom from) {
 Result<TrueSize> true_size(const FileSize& size, const ToldSize& told, const std::string& name) {
   if (size.widest > kFlattest * size.height || size.height > kSlimmest * size.widest)
     return problem(name,
-                   "no wheel ever held it: it is " + figures(size.height) + " units tall and " +
-                       figures(size.widest) + " wide.",
+                   "it has no shape for a wheel: it is " + figures(size.height) +
+                       " units tall and " + figures(size.widest) + " wide.",
                    "Export the vessel alone, with its scale applied alike to all three axes.");
   TrueSize out;
   if (told.height > 0.0)
@@ -105,8 +106,7 @@ Result<TrueSize> true_size(const FileSize& size, const ToldSize& told, const std
     return guessed(size, told);
   if (!held(size, out.unit))
     return problem(
-        name,
-        "no wheel ever held it: by what vessel.toml says it is " + in_words(size, out.unit) + ".",
+        name, "it has no size for a wheel: vessel.toml makes it " + in_words(size, out.unit) + ".",
         "Correct true_height_mm, true_diameter_mm or units in vessel.toml.");
   return out;
 }

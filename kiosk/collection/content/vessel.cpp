@@ -105,7 +105,7 @@ void set_upright(Vessel& vessel, const TriangleMesh& mesh, const TrueSize& size)
   found.inferred_wall *= vessel.unit;
   if (size.from == SizeFrom::diameter) vessel.true_height = found.profile.height();
   if (found.inferred_wall > 0.0)
-    found.warnings.push_back("Where no inner wall was seen it is drawn " +
+    found.warnings.push_back("Where the inner wall was not visible, it is drawn " +
                              metres(1000.0 * found.inferred_wall) + " mm inside the outer one.");
 }
 
@@ -181,7 +181,7 @@ Result<Vessel> load_named(const Order& order, const GltfModel& model) {
   for (const GltfPart& part : model.parts) parts.push_back(&part);
   return problem(order.vessel.file.string(),
                  "it has no node \"" + wanted.substr(0, 80) + "\" that carries a surface.",
-                 "Name one of these: " + names_of(parts) + ".");
+                 "Name one of these nodes: " + names_of(parts) + ".");
 }
 
 /// Letters, digits and _ of a node's name, for an id.
@@ -203,7 +203,7 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   const auto most = static_cast<std::size_t>(order.options.limits.vessels_in_a_file);
   if (objects.size() > most)
     return problem(order.vessel.file.string(),
-                   "it holds " + std::to_string(objects.size()) + " objects, and the most is " +
+                   "it holds " + std::to_string(objects.size()) + " objects, but the limit is " +
                        std::to_string(most) + ".",
                    "Export the vessels one by one, or a few to a file.");
   std::vector<Vessel> out;
@@ -232,7 +232,8 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   }
   if (out.empty()) return tl::unexpected<Problem>(several_objects(order, objects));
   if (!others.empty())
-    out.front().extracted.warnings.push_back("In the same file, and no vessels: " + others + ".");
+    out.front().extracted.warnings.push_back(
+        "The file also holds objects that are not vessels: " + others + ".");
   // A set was modelled in one unit, which its largest piece tells.
   FileSize largest;
   for (const Vessel& v : out) {

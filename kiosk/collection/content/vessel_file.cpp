@@ -11,7 +11,7 @@ std::string mib(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"
 /// What is told of a file that was opened and is not what it should be.
 Problem not_read(const std::string& name, const files::ReadFault& fault, std::size_t most) {
   if (fault.kind == Kind::too_large)
-    return {name, "it has " + mib(fault.size) + ", and the most is " + mib(most) + ".",
+    return {name, "it has " + mib(fault.size) + ", but the limit is " + mib(most) + ".",
             "Export the vessel with fewer triangles."};
   if (fault.kind == Kind::unreadable)
     return {name, "it cannot be read: " + fault.reason + ".",
@@ -26,7 +26,7 @@ Result<files::Bytes> read_vessel_file(const std::filesystem::path& file, std::si
   if (bytes) return std::move(*bytes);
   if (bytes.error().kind == Kind::missing || bytes.error().kind == Kind::closed)
     return problem(file.string(), "it cannot be opened: " + bytes.error().reason + ".",
-                   "Check the name and that the kiosk may read it.");
+                   "Check the name, and check that the kiosk can read it.");
   return tl::unexpected(not_read(file.string(), bytes.error(), most));
 }
 
@@ -37,7 +37,7 @@ Problem not_read_beneath(const std::string& name, const std::string& uri,
   const std::string shown = uri.substr(0, 80);
   switch (fault.kind) {
     case Kind::outside:
-      return {name, "it asks for \"" + shown + "\", which is not beneath its own folder.",
+      return {name, "it asks for \"" + shown + "\", which is outside its own folder.",
               "Put every file of the vessel into its folder, or export it as one GLB."};
     case Kind::link:
       return {name, "it asks for \"" + shown + "\", which goes through a symbolic link.",

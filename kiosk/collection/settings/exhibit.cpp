@@ -35,8 +35,8 @@ bool read_line(Table& table, const std::string& key, const std::string& name, st
   if (text.find_first_not_of(' ') == std::string::npos) what = name + " is empty.";
   if (has_control_character(text)) what = name + " has a line break or tab in it.";
   if (letters(text) > kMostLetters) {
-    what = name + " has " + std::to_string(letters(text)) + " letters, and " +
-           std::to_string(kMostLetters) + " is the most that fits.";
+    what = name + " has " + std::to_string(letters(text)) + " letters, but only " +
+           std::to_string(kMostLetters) + " fit.";
   }
   if (what.empty()) {
     out = text;
@@ -68,7 +68,7 @@ void read_languages(Table& root, const fs::path& folder, std::vector<std::string
   std::vector<std::string> codes;
   const bool written = root.texts("languages", codes);
   if (!written) codes = out;
-  const std::string example = "Write codes of languages, the first one first: [\"en\", \"ko\"].";
+  const std::string example = "Write language codes, the main language first: [\"en\", \"ko\"].";
   if (codes.empty()) return root.complain("languages", "languages is an empty list.", example);
   if (codes.size() > kMostLanguages) {
     return root.complain("languages", "languages has more than 12 elements.", example);
@@ -84,10 +84,9 @@ void read_languages(Table& root, const fs::path& folder, std::vector<std::string
       std::error_code error;
       const fs::path file = folder / (code + ".toml");
       if (!folder.empty() && !fs::is_regular_file(file, error)) {
-        root.complain_at(
-            "languages", i, "There are no words for \"" + code + "\".",
-            "Write " + file.string() +
-                " (copy one that is there and translate it), or take the language out.");
+        root.complain_at("languages", i, "There are no words for \"" + code + "\".",
+                         "Write " + file.string() +
+                             " (copy another language and translate it), or remove the language.");
       }
       good.push_back(code);
     }
@@ -129,7 +128,7 @@ bool read_path(Table& table, const std::string& key, const fs::path& folder, fs:
                      "Write a path, such as \"" + out.string() + "\".");
     } else if (text.starts_with("~")) {
       table.complain(key, key + " begins with ~, which only a shell understands.",
-                     "Write the whole path, from / on.");
+                     "Write the full path, starting with /.");
     } else {
       out = text;
       good = true;
@@ -168,7 +167,7 @@ void read_shelf_and_scene(Table& root, const fs::path& folder, Exhibit& exhibit)
   }
   read_path(root, "glazes", folder, exhibit.glazes);
   if (!fs::is_regular_file(exhibit.glazes, error)) {
-    root.complain("glazes", "There is no file of glazes " + exhibit.glazes.string() + ".",
+    root.complain("glazes", "There is no glaze file " + exhibit.glazes.string() + ".",
                   "Write glazes = \"FILE\" with a file such as content/glazes.toml.");
   }
 }
@@ -184,8 +183,8 @@ void read_lesson_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
   else if (named)
     root.complain(
         "lesson", "There is no lesson " + lesson.string() + ".",
-        "Write lesson = \"FILE\" with a file such as content/lessons/first_minute.toml; for "
-        "no lesson, one without steps.");
+        "Write lesson = \"FILE\" with a file such as content/lessons/first_minute.toml. For "
+        "no lesson, use a file without steps.");
 }
 
 /// Likewise missions.
@@ -197,9 +196,9 @@ void read_missions_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
   if (fs::is_regular_file(missions, error))
     exhibit.missions = missions;
   else if (named)
-    root.complain("missions", "There is no file of missions " + missions.string() + ".",
-                  "Write missions = \"FILE\" with a file such as content/missions.toml, or leave "
-                  "the key out.");
+    root.complain("missions", "There is no mission file " + missions.string() + ".",
+                  "Write missions = \"FILE\" with a file such as content/missions.toml, or remove "
+                  "the key.");
 }
 
 /// Reads the rubric too; without the key and without the file the defaults stand.
@@ -210,7 +209,7 @@ void read_rubric_of(Table& root, const fs::path& folder, ExhibitRead& read) {
   if (!fs::is_regular_file(read.exhibit.rubric_file, error)) {
     if (named)
       root.complain("rubric", "There is no rubric " + read.exhibit.rubric_file.string() + ".",
-                    "Write rubric = \"FILE\", or leave the key out for the rubric built in.");
+                    "Write rubric = \"FILE\", or remove the key to use the built-in rubric.");
     return;
   }
   RubricRead rubric = read_rubric(read.exhibit.rubric_file);
@@ -224,7 +223,7 @@ void read_attract(Table table, std::vector<std::string>& scripts) {
   std::vector<std::string> names;
   if (table.texts("scripts", names)) {
     if (names.empty() || names.size() > kMostScripts)
-      table.complain("scripts", "scripts has no element, or more than 32.",
+      table.complain("scripts", "scripts is empty, or it has more than 32 elements.",
                      "Write what attract mode shows, pot by pot: scripts = [\"follow\"].");
     else
       scripts = names;
@@ -243,7 +242,7 @@ void read_keepsake(Table table, const fs::path& folder, Exhibit::Keepsake& keeps
   read_path(table, "folder", folder, keepsake.folder);
   std::error_code error;
   if (fs::exists(keepsake.folder, error) && !fs::is_directory(keepsake.folder, error)) {
-    table.complain("folder", keepsake.folder.string() + " is a file, and a folder is wanted.",
+    table.complain("folder", keepsake.folder.string() + " is a file, not a folder.",
                    "Name another folder, or move the file away.");
   }
   table.integer("quota_mb", keepsake.quota_mb, 10, 1000000, "MB");
@@ -262,8 +261,8 @@ void read_access(Table table, Exhibit::Access& access) {
   double hold = access.hold_to_speak;
   if (table.number("hold_to_speak", hold, 0, 10, "s")) {
     if (hold > 0 && hold < 1)
-      table.complain("hold_to_speak", "A touch of less than a second is any visitor's.",
-                     "Write 1 to 10 s, or 0 for no such gesture.");
+      table.complain("hold_to_speak", "Under 1 s every normal touch would start speech.",
+                     "Write 1 to 10 s, or 0 to turn this gesture off.");
     else
       access.hold_to_speak = hold;
   }
@@ -282,8 +281,8 @@ void read_network(Table& table, Exhibit::Phone& phone) {
   if (table.text("network", network)) {
     if (network.size() > kLongest || has_control_character(network))
       table.complain(
-          "network", "\"" + network + "\" is no name that a network can have.",
-          "Write 1 to 32 letters, as hostapd.conf has them; fewer where they are not Latin.");
+          "network", "\"" + network + "\" is not a valid network name.",
+          "Write the name from hostapd.conf, 1 to 32 Latin letters, or fewer in other scripts.");
     else
       phone.network = network;
   }
@@ -291,14 +290,14 @@ void read_network(Table& table, Exhibit::Phone& phone) {
     const bool printable =
         std::all_of(password.begin(), password.end(), [](char c) { return c >= ' ' && c <= '~'; });
     if (!password.empty() && (password.size() < kShort || password.size() > kLong || !printable))
-      table.complain("password", "That is no password that WPA2 takes.",
-                     "Write 8 to 63 Latin letters and digits, as hostapd.conf has them.");
+      table.complain("password", "This is not a valid WPA2 password.",
+                     "Write the password from hostapd.conf, 8 to 63 Latin letters and digits.");
     else
       phone.password = password;
   }
   if (!phone.network.empty() && phone.address.empty())
-    table.complain("network", "There is a network for phones, and no address in it.",
-                   "Write the kiosk's own: address = \"http://192.168.4.1\".");
+    table.complain("network", "There is a network for phones, but no address.",
+                   "Write the kiosk's address: address = \"http://192.168.4.1\".");
 }
 
 void read_phone(Table table, Exhibit::Phone& phone) {
@@ -309,8 +308,8 @@ void read_phone(Table table, Exhibit::Phone& phone) {
     const bool web = address.starts_with("http://") || address.starts_with("https://");
     if (!web || address.size() > kLongest || has_control_character(address) ||
         address.find(' ') != std::string::npos || address.ends_with(":"))
-      table.complain("address", "\"" + address + "\" is no address that a phone can open.",
-                     "Write one such as \"http://192.168.4.1:8080\", 100 letters at most.");
+      table.complain("address", "\"" + address + "\" is not an address that a phone can open.",
+                     "Write one such as \"http://192.168.4.1:8080\", at most 100 letters.");
     else
       phone.address = address;
   }

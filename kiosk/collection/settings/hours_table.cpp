@@ -18,7 +18,8 @@ bool read_spans_at(Table& table, const std::string& key, Hours::Spans& spans) {
   std::string text;
   if (!table.text(key, text)) return false;
   if (read_spans(text, spans)) return true;
-  table.complain(key, key + " has no opening hours in \"" + text + "\".", kHoursRemedy);
+  table.complain(key, key + " is \"" + text + "\", which cannot be read as opening hours.",
+                 kHoursRemedy);
   return false;
 }
 
@@ -47,7 +48,7 @@ void read_hours(Table table, Hours& hours) {
     if (is_date(date))
       hours.exceptions[date] = spans;
     else
-      exceptions.complain(date, "\"" + date + "\" is no date.",
+      exceptions.complain(date, "\"" + date + "\" is not a valid date.",
                           "Write \"2026-12-24\", or \"12-24\" for every year.");
   }
   exceptions.finish();

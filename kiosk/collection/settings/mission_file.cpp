@@ -45,18 +45,19 @@ bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
     else if (mission_letters(text) > most)
       words.complain(code,
                      key + "." + code + " has " + std::to_string(mission_letters(text)) +
-                         " letters, and there is room for " + std::to_string(most) + ".",
-                     "Say it in fewer words.");
+                         " letters, but there is room for only " + std::to_string(most) + ".",
+                     "Use fewer words.");
     else
       out[code] = text;
   }
   for (const std::string& code : languages)
     if (!out.contains(code) && !words.has(code))
-      mission.complain(words.present() ? key : "",
-                       "The mission has no " + key + " in the language \"" + code + "\".",
-                       "Write " + key + " = { " + code +
-                           " = \"...\" }, a part for each language. Until then it is shown in "
-                           "English, or in the first language there is.");
+      mission.complain(
+          words.present() ? key : "",
+          "The mission has no " + key + " in the language \"" + code + "\".",
+          "Write " + key + " = { " + code +
+              " = \"...\" }, one entry for each language. Until then visitors see it in "
+              "English, or in the first language that has it.");
   words.finish();
   if (out.empty() && languages.empty())
     mission.complain(words.present() ? key : "", "The mission has no " + key + ".",
@@ -77,8 +78,8 @@ bool read_one_of(MissionTable& mission, const std::string& key, const std::strin
   }
   const std::string nearest = nearest_name(text, std::span<const std::string_view>(names));
   mission.complain(key, "There is no " + what + " \"" + text + "\".",
-                   (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "Choose of " +
-                       joined_names(names) + ".");
+                   (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") +
+                       "Choose one of " + joined_names(names) + ".");
   return false;
 }
 
@@ -93,7 +94,7 @@ bool is_on_shelf(MissionTable& mission, const std::string& key, std::size_t inde
   const std::string nearest = nearest_name(id, shelf);
   const std::string what = "There is no vessel \"" + id + "\" on the shelf.";
   const std::string remedy = nearest.empty()
-                                 ? "Write the name of its folder on the shelf, or take it out."
+                                 ? "Write the name of its folder on the shelf, or remove it."
                                  : "Did you mean \"" + nearest + "\"?";
   of_list ? mission.complain_at(key, index, what, remedy) : mission.complain(key, what, remedy);
   return false;
@@ -104,7 +105,7 @@ bool read_today(MissionTable& mission, const std::vector<std::string>& shelf, Mi
   if (!mission.texts("vessels", out.vessels)) return false;
   if (out.vessels.empty())
     mission.complain("vessels", "vessels is empty.",
-                     "Name vessels of the shelf, or leave it out for all of them.");
+                     "Name vessels on the shelf, or remove the key to use all of them.");
   bool good = !out.vessels.empty();
   for (std::size_t n = 0; n < out.vessels.size(); ++n)
     good = is_on_shelf(mission, "vessels", n, true, out.vessels[n], shelf) && good;
@@ -124,7 +125,7 @@ bool read_bounds(MissionTable& mission, const std::string& key, double low, doub
   if (!mission.numbers(key, mm)) return false;
   if (mm.size() != 2 || !(mm[0] <= mm[1]) || mm[0] < low || mm[1] > high) {
     const auto text = [](double x) { return std::to_string(static_cast<int>(x)); };
-    mission.complain(key, key + " is not a least and a most.",
+    mission.complain(key, key + " is not a minimum and a maximum.",
                      "Write two numbers from " + text(low) + " to " + text(high) +
                          " mm, the smaller first: " + key + " = [" + text(low) + ", " + text(high) +
                          "].");
@@ -135,7 +136,7 @@ bool read_bounds(MissionTable& mission, const std::string& key, double low, doub
 }
 
 bool read_described(MissionTable& mission, Mission::Described& out) {
-  mission.require("litres", "Write how much it is to hold: litres = 1.0.");
+  mission.require("litres", "Write how much it should hold: litres = 1.0.");
   double litres = 1.0;
   bool good = mission.number("litres", litres, kLeastLitres, kMostLitres, "litres");
   out.volume = 1e-3 * litres;
@@ -148,13 +149,13 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
   table.require("id", "Write a short name of letters, digits and _: id = \"litre_jar\".");
   bool good = table.text("id", mission.id);
   if (good && !is_mission_id(mission.id)) {
-    table.complain("id", "\"" + mission.id + "\" is no id.",
+    table.complain("id", "\"" + mission.id + "\" is not a valid id.",
                    "Write 1 to 40 lower-case letters, digits and _: id = \"litre_jar\".");
     good = false;
   }
   if (good && std::ranges::find(shelf, mission.id) != shelf.end()) {
-    table.complain("id", "A vessel of the shelf is called \"" + mission.id + "\" already.",
-                   "Give the mission another id: keepsakes are named by it.");
+    table.complain("id", "A vessel on the shelf already has the name \"" + mission.id + "\".",
+                   "Give the mission another id: keepsakes carry this name.");
     good = false;
   }
   table.boolean("on", mission.on);
@@ -207,7 +208,7 @@ MissionsRead read_missions(const std::filesystem::path& file,
                      "Give the second another id.");
     } else if (read.missions.size() == kMostMissions) {
       table.complain("", "There are more than " + std::to_string(kMostMissions) + " missions.",
-                     "Take some out: the shelf comes after them.");
+                     "Remove some: visitors see the shelf after them.");
     } else {
       read.missions.push_back(std::move(mission));
     }

@@ -44,7 +44,9 @@ class SceneReader {
       each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
         if (!effect) return;
         root_.child(Def::kName)
-            .complain("", std::string(Def::kName) + " stands beside [paper], whose model has none.",
+            .complain("",
+                      std::string(Def::kName) +
+                          " cannot be combined with [paper], whose model has no effects.",
                       std::string("Remove [") + Def::kName + "] or [paper].");
         leave_out(Def::kName, effect);
       });
@@ -73,8 +75,8 @@ class SceneReader {
     if (!root_.text("quality", word)) return;
     auto_quality_ = word == "auto";
     if (!auto_quality_ && word != "fixed")
-      root_.complain("quality", "\"" + word + "\" is no quality.",
-                     "Write \"auto\", and the grid is found here, or \"fixed\".");
+      root_.complain("quality", "\"" + word + "\" is not a valid quality.",
+                     "Write \"auto\" to find the grid on this machine, or \"fixed\".");
   }
   template <class Def>
   void read_fields(Def& def) {
@@ -96,9 +98,9 @@ class SceneReader {
       listed += (listed.empty() ? "" : ", ") + all.back();
     }
     const std::string nearest = nearest_name(name, all);
-    table_.complain("body", "\"" + name + "\" is no clay body.",
-                    nearest.empty() ? "Write one of " + listed + "."
-                                    : "Write " + nearest + ", if that is meant.");
+    table_.complain(
+        "body", "\"" + name + "\" is not a known clay body.",
+        nearest.empty() ? "Write one of " + listed + "." : "Did you mean " + nearest + "?");
   }
   /// The tools that lie there, by name; all where the scene names none. The order is the engine's.
   void read_to_hand() {
@@ -111,9 +113,9 @@ class SceneReader {
       const std::string nearest = nearest_name(named[i], all);
       std::string listed;
       for (const std::string& name : all) listed += (listed.empty() ? "" : ", ") + name;
-      table_.complain_at("to_hand", i, "\"" + named[i] + "\" is no tool.",
-                         nearest.empty() ? "Write some of " + listed + "."
-                                         : "Write " + nearest + ", if that is meant.");
+      table_.complain_at("to_hand", i, "\"" + named[i] + "\" is not a known tool.",
+                         nearest.empty() ? "Write one or more of " + listed + "."
+                                         : "Did you mean " + nearest + "?");
     }
     std::erase_if(def_.tools, [&](const ToolToHand& tool) {
       return std::find(named.begin(), named.end(), tool.name) == named.end();

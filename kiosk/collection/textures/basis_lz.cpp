@@ -317,9 +317,9 @@ Decoded decode_basis_lz(Bytes global, std::size_t images, std::size_t image, Byt
     return unsound("its codebooks");
   const std::size_t own = kHead + kImage * image;
   const std::size_t from = whole(global, own + 4, 4), size = whole(global, own + 8, 4);
-  if (whole(global, own, 4) != 0) return tl::unexpected(std::string("it is a film"));
+  if (whole(global, own, 4) != 0) return tl::unexpected(std::string("it is an animation"));
   if (from > level.size() || size > level.size() - from)
-    return unsound("its picture reaches over its level");
+    return unsound("its picture is larger than its level");
 
   TexturePixels out;
   out.width = width;

@@ -54,7 +54,7 @@ Decoded decode_ktx2(Bytes bytes, unsigned most_side, unsigned wanted_side) {
   const std::uint32_t width = word(20), height = word(24), scheme = word(44);
   const std::size_t levels = std::max(1u, word(40));
   if (word(28) != 0 || word(32) > 1 || word(36) != 1)
-    return no("it is a KTX2 of several pictures, or of a body");
+    return no("it is a KTX2 with several pictures, or a 3D texture");
   if (levels > kMostLevels || bytes.size() < kHeaderBytes + levels * kLevelBytes)
     return no("it is damaged: its list of levels");
   std::size_t level = 0;
@@ -70,14 +70,14 @@ Decoded decode_ktx2(Bytes bytes, unsigned most_side, unsigned wanted_side) {
   const bool etc1s = model == kEtc1s && scheme == kBasisLz;
   const bool uastc = model == kUastc && (scheme == kNoScheme || scheme == kZstandard);
   if (word(12) != 0 || (!etc1s && !uastc))
-    return no("it is a KTX2 of neither BasisLZ nor UASTC, which are what glTF allows");
+    return no("it is a KTX2 that uses neither BasisLZ nor UASTC, as glTF requires");
   const std::size_t entry = kHeaderBytes + level * kLevelBytes;
   const auto data = run(bytes, number(bytes, entry, 8), number(bytes, entry + 8, 8));
-  if (!data) return no("it is damaged: a level reaches over its end");
+  if (!data) return no("it is damaged: a level extends past its end");
   const int w = static_cast<int>(across), h = static_cast<int>(down);
   if (uastc) return unpacked_uastc(*data, scheme, w, h);
   const auto global = run(bytes, number(bytes, 64, 8), number(bytes, 72, 8));
-  if (!global) return no("it is damaged: its codebooks reach over its end");
+  if (!global) return no("it is damaged: its codebooks extend past its end");
   return decode_basis_lz(*global, levels, level, *data, w, h);
 }
 

@@ -75,7 +75,7 @@ Decoded decode_texture(std::span<const std::uint8_t> bytes, const TextureLimits&
     out = decode_ktx2(bytes, limits.most_side, limits.wanted_side);
   else
     out = tl::unexpected(
-        std::string(bytes.empty() ? "it is empty" : "it is no PNG, JPEG, WebP or KTX2"));
+        std::string(bytes.empty() ? "it is empty" : "it is not a PNG, JPEG, WebP or KTX2"));
   if (!out) return out;
   return shrunk(std::move(*out), limits.wanted_side);
 }

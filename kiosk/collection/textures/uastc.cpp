@@ -200,7 +200,7 @@ Decoded decode_uastc(std::span<const std::uint8_t> blocks, int width, int height
   for (std::size_t y = 0; y < down; ++y)
     for (std::size_t x = 0; x < across; ++x) {
       const auto pixels = uastc_block(blocks.subspan(16 * (y * across + x)).first<16>());
-      if (!pixels) return tl::unexpected(std::string("it is damaged: a block of no kind"));
+      if (!pixels) return tl::unexpected(std::string("it is damaged: a block of an unknown kind"));
       for (std::size_t row = 0; row < std::min<std::size_t>(4, h - 4 * y); ++row)
         std::copy_n(pixels->begin() + static_cast<std::ptrdiff_t>(12 * row),
                     3 * std::min<std::size_t>(4, w - 4 * x),

@@ -67,10 +67,10 @@ TEST_F(GlazeTest, ASlipInOneIsToldWithItsPlaceAndTheOthersStand) {
   EXPECT_THAT(r.glazes, SizeIs(2));
   ASSERT_THAT(r.problems, SizeIs(6));
   EXPECT_THAT(r.problems[0].where, EndsWith("glazes.toml:7:6"));
-  EXPECT_THAT(r.problems[0].what, HasSubstr("\"Tea Dust\" is no id"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("\"Tea Dust\" is not a valid id"));
   EXPECT_THAT(r.problems[1].what, HasSubstr("no name in the language \"ko\""));
-  EXPECT_THAT(r.problems[2].what, HasSubstr("\"brown\" is no colour"));
-  EXPECT_THAT(r.problems[3].what, HasSubstr("\"#12345\" is no colour"));
+  EXPECT_THAT(r.problems[2].what, HasSubstr("\"brown\" is not a valid colour"));
+  EXPECT_THAT(r.problems[3].what, HasSubstr("\"#12345\" is not a valid colour"));
   EXPECT_THAT(r.problems[4].remedy, HasSubstr("Write gloss"));
   EXPECT_THAT(r.problems[5].what, HasSubstr("pooling is 3"));
   for (const Problem& p : r.problems) EXPECT_FALSE(p.remedy.empty());

@@ -170,9 +170,9 @@ TEST_F(Colors, a_picture_that_cannot_be_read_is_told_once_and_the_vessel_stays_w
   TexturedScan far{.picture = png_of(halves())};
   far.use = ",\"texCoord\":3";
   for (const auto& [scan, why] :
-       {std::pair{cut, "damaged"}, std::pair{other, "no PNG"}, std::pair{missing, "not_there.png"},
-        std::pair{outside, "not beneath its own folder"}, std::pair{nowhere, "picture"},
-        std::pair{far, "TEXCOORD_3"}}) {
+       {std::pair{cut, "damaged"}, std::pair{other, "not a PNG"},
+        std::pair{missing, "not_there.png"}, std::pair{outside, "outside its own folder"},
+        std::pair{nowhere, "picture"}, std::pair{far, "TEXCOORD_3"}}) {
     const Vessel vessel = read(scan);
     EXPECT_EQ(notes_of_colors(vessel), 1) << why;
     EXPECT_NE(note_of(vessel).find(why), std::string::npos) << note_of(vessel);

@@ -68,12 +68,12 @@ TEST_F(GltfTest, a_buffer_beside_the_file_is_found_and_one_elsewhere_is_refused)
   write("secret.bin", positions());
   EXPECT_EQ(fault(write("pack/a.gltf", triangle("a.bin"))), "");
   EXPECT_EQ(fault(write("pack/a.gltf", triangle("./a%2ebin"))), "");
-  expect_fault(triangle("../secret.bin"), "not beneath");
-  expect_fault(triangle("%2e%2e/secret.bin"), "not beneath");
-  expect_fault(triangle((folder_ / "secret.bin").string()), "not beneath");
-  expect_fault(triangle("http://museum/a.bin"), "not beneath");
+  expect_fault(triangle("../secret.bin"), "outside its own folder");
+  expect_fault(triangle("%2e%2e/secret.bin"), "outside its own folder");
+  expect_fault(triangle((folder_ / "secret.bin").string()), "outside its own folder");
+  expect_fault(triangle("http://museum/a.bin"), "outside its own folder");
   expect_fault(triangle("none.bin"), "missing");
-  expect_fault(triangle("."), "not beneath");
+  expect_fault(triangle("."), "outside its own folder");
   std::filesystem::create_symlink(folder_ / "secret.bin", folder_ / "pack/link.bin");
   expect_fault(triangle("link.bin"), "symbolic link");
   std::filesystem::create_directory_symlink(folder_, folder_ / "pack/up");
@@ -104,7 +104,7 @@ TEST_F(GltfTest, json_nested_deep_or_claims_without_data_are_refused) {
   write("pack/nan.bin", nan);
   expect_fault(triangle("nan.bin"), "not a finite number");
   write("pack/short.bin", positions().substr(0, 20));
-  expect_fault(triangle("short.bin"), "should have 36 bytes, and has 20");
+  expect_fault(triangle("short.bin"), "should have 36 bytes, but it has 20");
 }
 
 TEST_F(GltfTest, a_required_extension_that_is_not_known_is_refused_by_name) {
@@ -191,8 +191,8 @@ TEST_F(GltfTest, what_a_parser_reads_past_is_named) {
   };
   const std::string node = R"("nodes":[{"mesh":0}])";
   expect_fault(with(node, R"("nodes":[{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0]}])"),
-               "node 0: its matrix has 15 numbers, and it takes 16");
-  expect_fault(with(node, R"("nodes":[{"mesh":0,"translation":[1,2]}])"), "takes 3");
+               "node 0: its matrix has 15 numbers, but it needs 16");
+  expect_fault(with(node, R"("nodes":[{"mesh":0,"translation":[1,2]}])"), "needs 3");
   expect_fault(with(node, R"("nodes":[{"mesh":0,"rotation":[0,0,"0",1]}])"), "has 3 numbers");
   expect_fault(with(R"("count":3)", R"("count":3,"sparse":{"count":-1,"indices":{"bufferView":0,)"
                                     R"("componentType":5125},"values":{"bufferView":0}})"),

@@ -73,12 +73,11 @@ TEST_F(LanguageTest, what_differs_from_the_programs_english_is_named_and_still_s
   const std::pair<std::pair<const char*, const char*>, std::vector<const char*>> slips[] = {
       {{"begin = \"Touch to begin\"\n", ""},
        {"en.toml:13:", "attract.begin is missing", "begin = \"Touch to begin\""}},
-      {{"begin = ", "beginn = "}, {"attract.beginn", "Call it attract.begin"}},
-      {{"help = \"Help\"\n", "help = \"Help\"\nnonsense = \"x\"\n"},
-       {"all.nonsense", "Take it out"}},
-      {{"rpm = \"{rpm} rpm\"", "rpm = \"{turns} rpm\""}, {"{turns}", "Its places are {rpm}"}},
+      {{"begin = ", "beginn = "}, {"attract.beginn", "Did you mean attract.begin?"}},
+      {{"help = \"Help\"\n", "help = \"Help\"\nnonsense = \"x\"\n"}, {"all.nonsense", "Remove it"}},
+      {{"rpm = \"{rpm} rpm\"", "rpm = \"{turns} rpm\""}, {"{turns}", "Its placeholders are {rpm}"}},
       {{"rpm = \"{rpm} rpm\"", "rpm = \"turning\""}, {"throw.rpm lacks {rpm}"}},
-      {{"back = \"Back\"", "back = \"{way} back\""}, {"{way}", "Take the braces"}}};
+      {{"back = \"Back\"", "back = \"{way} back\""}, {"{way}", "Remove the braces"}}};
   for (const auto& [slip, words] : slips) {
     const std::string all = changed(slip.first, slip.second);
     for (const char* word : words)

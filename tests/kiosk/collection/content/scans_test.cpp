@@ -66,7 +66,7 @@ TEST_F(Scans, of_a_set_one_is_named_or_all_are_listed) {
   EXPECT_NEAR(bowl->extracted.profile.height(), 0.075, 1e-3);
   options.node = "a brick";
   const std::string brick = error_of(load_vessel(set, options));
-  EXPECT_NE(brick.find("node \"a brick\": it is no body of revolution"), std::string::npos)
+  EXPECT_NE(brick.find("node \"a brick\": it is not a body of revolution"), std::string::npos)
       << brick;
   options.node = "jug";
   EXPECT_NE(error_of(load_vessel(set, options)).find("Name one of these"), std::string::npos);
@@ -207,7 +207,7 @@ TEST_F(Scans, limits_are_settings_and_hold) {
     return model ? std::string("(read)") : to_text(model.error());
   };
   EXPECT_EQ(refused([](auto&) {}), "(read)");
-  EXPECT_NE(refused([](auto& l) { l.file_mb = 0; }).find("the most is"), std::string::npos);
+  EXPECT_NE(refused([](auto& l) { l.file_mb = 0; }).find("the limit is"), std::string::npos);
   EXPECT_NE(refused([](auto& l) { l.json_mb = 0; }).find("JSON"), std::string::npos);
   EXPECT_NE(refused([](auto& l) { l.json_depth = 3; }).find("nested"), std::string::npos);
   EXPECT_NE(refused([](auto& l) { l.json_values = 20; }).find("values"), std::string::npos);

@@ -69,7 +69,7 @@ TEST_F(VesselTest, a_bare_file_is_named_after_itself_and_an_absurd_size_is_made_
   EXPECT_NEAR(big->extracted.profile.height(), 0.3, 1e-3);
   EXPECT_EQ(big->size_from, SizeFrom::guess);
   ASSERT_EQ(big->extracted.warnings.size(), 1u);
-  EXPECT_NE(big->extracted.warnings[0].find("not metres"), std::string::npos);
+  EXPECT_NE(big->extracted.warnings[0].find("cannot be metres"), std::string::npos);
   const auto plain = load_vessel(write_mesh("bowl.glb", shapes::bowl()));
   ASSERT_TRUE(plain);
   EXPECT_NEAR(plain->extracted.profile.height(), 0.075, 3e-4);

@@ -179,7 +179,8 @@ TEST(scene, the_tools_to_hand_are_those_that_it_names_and_all_where_it_names_non
 TEST(scene, a_tool_that_nobody_makes_is_told_at_its_place_with_the_nearest) {
   const SceneRead scene = read("[tool]\nto_hand = [\"wire\", \"neddle\"]\n");
   ASSERT_THAT(scene.problems, SizeIs(1));
-  EXPECT_THAT(all(scene.problems), HasSubstr("\"neddle\" is no tool.\n  Write needle"));
+  EXPECT_THAT(all(scene.problems),
+              HasSubstr("\"neddle\" is not a known tool.\n  Did you mean needle"));
   EXPECT_THAT(all(scene.problems), HasSubstr(":2"));
 }
 

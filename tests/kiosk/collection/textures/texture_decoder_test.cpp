@@ -97,7 +97,7 @@ TEST(Textures, damage_is_told_and_never_shown) {
   flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 0x40);
   EXPECT_TRUE(holds(why_not(flipped), "damaged"));
   EXPECT_EQ(why_not(""), "it is empty");
-  EXPECT_EQ(why_not("GIF89a, which no scan has"), "it is no PNG, JPEG, WebP or KTX2");
+  EXPECT_EQ(why_not("GIF89a, which no scan has"), "it is not a PNG, JPEG, WebP or KTX2");
   EXPECT_TRUE(holds(why_not(jpeg_of(made, 4)), "CMYK"));
 }
 
