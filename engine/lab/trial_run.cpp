@@ -69,7 +69,8 @@ TrialResult run_trial(const Trial& trial, const TrialChecks& checks) {
       return go_on();
     });
     if (!given_up && again.state_hash() != result.hash)
-      result.breach = Breach{Invariant::same_hash, ticks, "The same hands left other bits."};
+      result.breach =
+          Breach{Invariant::same_hash, ticks, "The same hands gave a different result."};
   }
   if (checks.mirror && !given_up && !result.breach) {
     Scene image = std::move(*Scene::create(trial.def));

@@ -79,7 +79,7 @@ std::optional<Breach> Watch::look_at_feedback(const Scene& scene, double dt, con
   for (const double v : {felt.wheel_angle, felt.wheel_speed, felt.clay_angle, felt.cut_free,
                          felt.wetness, felt.sinking, scene.time()})
     if (!std::isfinite(v))
-      return breach(Invariant::finite, "The tick gave back what is no number.");
+      return breach(Invariant::finite, "The tick returned a value that is not a number.");
   if (felt.wheel_angle < 0.0 || felt.wheel_angle >= 2.0 * portable::kPi)
     return breach(Invariant::range, said("The wheel stands at %.17g rad.", felt.wheel_angle));
   if (std::fabs(felt.wheel_speed) > def.wheel.max_speed)
@@ -93,7 +93,7 @@ std::optional<Breach> Watch::look_at_feedback(const Scene& scene, double dt, con
   for (std::size_t n = 0; n < felt.hand.size(); ++n) {
     const HandFeedback& hand = felt.hand[n];
     if (!is_finite(hand.force) || !std::isfinite(hand.depth))
-      return breach(Invariant::finite, "A hand feels what is no number.");
+      return breach(Invariant::finite, "A hand's force is not a number.");
     const double strength = length(hand.force);
     if (strength > def.guard.max_force * (1.0 + 1e-12))
       return breach(Invariant::force,
@@ -131,7 +131,7 @@ std::optional<Breach> Watch::look_at_row(const Clay& clay, int j) {
     hole = std::min(hole, inner[i]);
     widest = std::max(widest, inner[i]);
   }
-  if (!good) return breach(Invariant::finite, said("Row %d has a radius that is no number.", j));
+  if (!good) return breach(Invariant::finite, said("Row %d has a radius that is not a number.", j));
   const double rounding = Watch::rounding(static_cast<double>(most));
   if (settled && solid && (hole != 0.0f || widest != 0.0f))
     return breach(Invariant::range, said("Row %d of the floor has a hole of %.9g m.", j,
@@ -155,7 +155,7 @@ std::optional<Breach> Watch::look_at_stack(const Clay& clay) const {
   for (int j = 0; j < clay.rows(); ++j) {
     const double thick = clay.row_thickness(j);
     if (!std::isfinite(thick) || !std::isfinite(clay.row_height(j)))
-      return breach(Invariant::finite, said("Row %d has a height that is no number.", j));
+      return breach(Invariant::finite, said("Row %d has a height that is not a number.", j));
     if (!(thick > 0.0))
       return breach(Invariant::stacked, said("Row %d is %.9g m thick.", j, thick));
     if (clay.areas() != nullptr && thick > effects::Volume::kThickest * clay.first_thickness())
@@ -169,13 +169,12 @@ std::optional<Breach> Watch::look_at_stack(const Clay& clay) const {
   }
   const int floor = clay.floor_rows();
   const double top = clay.floor_top();
-  if (!std::isfinite(top)) return breach(Invariant::finite, "The floor has no height.");
+  if (!std::isfinite(top)) return breach(Invariant::finite, "The floor's height is not a number.");
   const double low = floor > 0 ? clay.row_height(floor - 1) : 0.0;
   const double high = floor < clay.rows() ? clay.row_height(floor) : clay.rim_height();
   if (top < low - kSettled || top > high + kSettled)
-    return breach(
-        Invariant::stacked,
-        said("The floor's top is at %.9g m, and belongs between %.9g and %.9g.", top, low, high));
+    return breach(Invariant::stacked,
+                  said("The floor's top is at %.9g m, outside %.9g to %.9g m.", top, low, high));
   return {};
 }
 
@@ -202,7 +201,7 @@ std::optional<Breach> Watch::look_at_volume(const Scene& scene, double seconds) 
   off_ = waits ? off_ + 1 : 0;
   off_seconds_ = waits ? off_seconds_ + seconds : 0.0;
   if (off_ > 2 && off_seconds_ > 2.0 * late)
-    return breach(Invariant::volume, said("There is %.9g of the lump's clay more.", off));
+    return breach(Invariant::volume, said("The clay grew by %.9g of the lump.", off));
   return {};
 }
 
@@ -230,7 +229,7 @@ std::optional<Breach> Watch::whole(Scene& scene) {
   const Clay& clay = scene.clay();
   for (int j = 0; j < clay.rows(); ++j) {
     if (content_[static_cast<std::size_t>(j)] != content_of(clay, j))
-      return breach(Invariant::marks, said("Row %d changed, and is not marked.", j));
+      return breach(Invariant::marks, said("Row %d changed but is not marked.", j));
     if (auto found = look_at_row(clay, j)) return found;
   }
   return !laying_ ? look_at_stack(clay) : std::nullopt;

@@ -87,7 +87,7 @@ class Extractor {
   double find_floor();
   void read_inside();
   tl::unexpected<Problem> not_round(const std::string& why) const {
-    return problem(name_, "it is no body of revolution: " + why,
+    return problem(name_, "it is not a body of revolution: " + why,
                    "Choose a vessel thrown on a wheel, export one object alone, or cut off handles "
                    "and spouts in the modelling tool.");
   }
@@ -120,14 +120,14 @@ Result<void> Extractor::check_mesh() const {
   for (const auto& p : mesh_.positions)
     for (const float v : p) {
       if (!std::isfinite(v))
-        return problem(name_, "a vertex lies nowhere: its position is not a number.",
+        return problem(name_, "a vertex has a position that is not a number.",
                        "Clean the mesh in the modelling tool and export again.");
       low = std::min<double>(low, v);
       high = std::max<double>(high, v);
     }
   if (!(high - low > 1e-9 * std::max(std::abs(high), std::abs(low))) || high - low < 1e-12)
-    return problem(name_, "it has no extent.",
-                   "Apply the scale in the modelling tool, and export.");
+    return problem(name_, "it has no size.",
+                   "Apply the scale in the modelling tool, and export again.");
   return {};
 }
 
@@ -159,10 +159,10 @@ void Extractor::stand() {
   out_.up_from = found.choice.from;
   out_.up_sure = found.choice.sure;
   if (options_.up && out_.up_from != UpFrom::given)
-    warn("The up that was given, " + axis_name(*options_.up) + ", lies across the axis: " +
+    warn("The given up, " + axis_name(*options_.up) + ", lies across the vessel's axis: " +
          axis_name(frame_.up) + " or " + axis_name(-frame_.up) + " would tell which end is up.");
   if (out_.up_sure >= ExtractedProfile::kSureUp) return;
-  warn("It could be read the other way up: what told is " + words_of(out_.up_from) + ", " +
+  warn("It could be upside down. The direction comes from " + words_of(out_.up_from) + ", " +
        percent(out_.up_sure) + " sure. If the rim is at the other end, write up = \"" +
        axis_name(-frame_.up) + "\" in vessel.toml.");
 }
@@ -198,8 +198,7 @@ Result<void> Extractor::judge_roundness() {
   out_.symmetry = std::clamp(1.0 - spread / mean, 0.0, 1.0);
   if (out_.masked_fraction > allowed_.masked || lacking > allowed_.lacking || round < 0.8 * n ||
       out_.symmetry < allowed_.symmetry)
-    return not_round(percent(out_.masked_fraction) +
-                     " of it stands off the circle that the rest agrees on.");
+    return not_round(percent(out_.masked_fraction) + " of it lies off the circle of the rest.");
   if (out_.masked_fraction > 0.01)
     warn("Left out as handle, spout or damage: " + percent(out_.masked_fraction) +
          " of the surface.");
@@ -223,11 +222,11 @@ void Extractor::note_slant() {
   const double lean = 2.0 * length(Vec2{median(across), median(along)}) / body_.size;
   const double oval = 2.0 * length(Vec2{median(x), median(y)}) / body_.size;
   if (std::max(lean, oval) < kSlanted) return;
-  warn(
-      (lean > oval
-           ? "It leans: its rim lies " + percent(lean) + " of its largest radius aside of its foot."
-           : "It is oval: longer than wide by " + percent(oval) + " of its largest radius.") +
-      " If it was sheared or stretched in a modelling tool, undo that and export it again.");
+  warn((lean > oval
+            ? "It leans: its rim is " + percent(lean) +
+                  " of its largest radius to the side of its foot."
+            : "It is oval: longer than wide by " + percent(oval) + " of its largest radius.") +
+       " If it was sheared or stretched in a modelling tool, undo that and export it again.");
 }
 
 /// A slice without a wall takes it from its neighbours.
@@ -251,7 +250,7 @@ void Extractor::fill_gaps() {
   }
   if (filled > 0)
     warn("The wall is missing at " + std::to_string(filled) + " of " + std::to_string(n) +
-         " heights; it is drawn on from its neighbours.");
+         " heights; it is filled in from its neighbours.");
 }
 
 /// A flat foot that a rough or coarse mesh has domed by a hair would end in a point: the wall just
@@ -290,7 +289,7 @@ double Extractor::find_floor() {
          " deep; below that the wall is a guess.");
     return 0.0;
   }
-  warn("No opening is seen at the top; lid or stopper are part of the outline.");
+  warn("There is no opening at the top, so a lid or stopper is part of the outline.");
   if (!body_.facing_known) return 0.0;
   const Slicer slicer(mesh_, frame_);
   const Hollow hollow = find_hollow(slicer, body_.bottom, body_.top, kOnAxis * body_.size);
@@ -328,7 +327,7 @@ void Extractor::read_inside() {
   const double share = wanted > 0 ? static_cast<double>(seen) / static_cast<double>(wanted) : 0.0;
   out_.profile.inner_wall = share >= 0.75 ? InnerWall::measured : InnerWall::inferred;
   if (share < kAllSeen)
-    warn("The wall is measured, both sides of it seen, on " + percent(share) +
+    warn("Both sides of the wall are measured on " + percent(share) +
          " of the height; the rest is inferred.");
 
   for (std::size_t i = 0; i < n; ++i) {

@@ -68,7 +68,7 @@ Result<void> validate(const Profile& p, const std::string& name) {
   if (p.points.size() < 2)
     return problem(name,
                    "the profile has " + std::to_string(p.points.size()) +
-                       " points, and a wall needs at least two.",
+                       " points, but a wall needs at least two.",
                    "Give the radius at the foot and at the rim.");
   if (p.points.front().height != 0.0)
     return problem(place(name, 0), "the lowest point does not stand at height 0.",

@@ -71,7 +71,7 @@ Result<Profile> jar_that_holds(const JarWish& wish, const SceneDef& scene) {
            std::to_string(hundredths % 10);
   };
   return problem("a jar that holds " + text(wish.volume) + " litres",
-                 "Within its bounds the nearest that can be thrown on this wheel holds " +
+                 "The nearest jar that fits this wheel and its bounds holds " +
                      text(capacity(jar)) + " litres.",
                  "Ask for another volume, or widen height_mm and mouth_mm.");
 }

@@ -134,11 +134,12 @@ Result<void> check(const ScriptInfo& script, const ScriptContext& context) {
                    "Open it first: script \"open\".");
   if (!script.needs.tool.empty() && tool_of(script, context.scene) == nullptr)
     return problem(
-        where, "It needs the " + std::string(script.needs.tool) + ", which is not to hand here.",
-        "Choose a scene that has it among its tools.");
+        where,
+        "It needs the " + std::string(script.needs.tool) + ", which this scene does not have.",
+        "Choose a scene that has this tool.");
   if (!script.needs.target) return {};
   if (context.target == nullptr)
-    return problem(where, "It follows a vessel's outline, and none is given.",
+    return problem(where, "It follows a vessel's outline, but no vessel is given.",
                    "Choose a vessel, or a script that needs none: " +
                        names_of([](const ScriptInfo& s) { return !s.needs.target; }) + ".");
   return validate(*context.target, where + ", target");

@@ -145,7 +145,7 @@ TEST(Extraction, what_is_not_turned_is_refused_by_name) {
   const Section box{{{0, 0}, {0.1, 0}, {0.1, 0.2}, {0, 0.2}}};
   TriangleMesh brick = revolve(box, 4);
   for (auto& p : brick.positions) p[0] *= 3.0f;
-  EXPECT_NE(refused(brick).find("no body of revolution"), std::string::npos) << refused(brick);
+  EXPECT_NE(refused(brick).find("not a body of revolution"), std::string::npos) << refused(brick);
 
   TriangleMesh pair = revolve(section_of(shapes::jar()), 48);
   const auto n = static_cast<std::uint32_t>(pair.positions.size());
@@ -155,7 +155,7 @@ TEST(Extraction, what_is_not_turned_is_refused_by_name) {
   for (std::size_t i = 0; i < triangles; ++i)
     pair.triangles.push_back(
         {pair.triangles[i][0] + n, pair.triangles[i][1] + n, pair.triangles[i][2] + n});
-  EXPECT_NE(refused(pair).find("no body of revolution"), std::string::npos) << refused(pair);
+  EXPECT_NE(refused(pair).find("not a body of revolution"), std::string::npos) << refused(pair);
 
   EXPECT_NE(refused({}).find("no triangles"), std::string::npos);
   TriangleMesh broken = revolve(section_of(shapes::jar()), 16);
@@ -166,7 +166,7 @@ TEST(Extraction, what_is_not_turned_is_refused_by_name) {
   EXPECT_NE(refused(broken).find("not there"), std::string::npos);
   TriangleMesh point = revolve(section_of(shapes::jar()), 16);
   for (auto& p : point.positions) p = {0, 0, 0};
-  EXPECT_NE(refused(point).find("no extent"), std::string::npos);
+  EXPECT_NE(refused(point).find("no size"), std::string::npos);
 }
 
 TEST(Extraction, a_heap_of_loose_triangles_is_refused_before_an_axis_is_sought) {

@@ -45,7 +45,7 @@ TEST(Handles, a_sheared_jar_is_told_what_it_is) {
   for (const double by : {0.04, 0.05, 0.06, 0.08, 0.15, 0.3}) {
     const auto found = sheared(by);
     if (!found) {
-      EXPECT_NE(found.error().what.find("no body of revolution"), std::string::npos);
+      EXPECT_NE(found.error().what.find("not a body of revolution"), std::string::npos);
       continue;
     }
     bool told = false;
