@@ -26,8 +26,8 @@ std::optional<Problem> access_problem(const HidListing& listing) {
                    "into /etc/udev/rules.d, or this line: " +
                        udev_rule(listing) +
                        " Then: sudo udevadm control --reload && sudo udevadm trigger "
-                       "--subsystem-match=hidraw, and make the kiosk's user one of the group: sudo "
-                       "usermod -aG onggi $USER, with a new login.",
+                       "--subsystem-match=hidraw, and add the kiosk's user to the group: sudo "
+                       "usermod -aG onggi $USER. Then log in again.",
                    1};
   // Listed by something that has no file of its own there: whoever opens it knows.
   if (why == ENOENT && listing.path.rfind("/dev/", 0) != 0) return std::nullopt;

@@ -38,7 +38,7 @@ void read_axes(Table& root, device::DeviceDef& def) {
     def.axes = axes;
   else
     root.complain("axes", "axes does not name each of the device's axes once.",
-                  "Write which of them goes right, up and towards the visitor: [\"x\", \"z\", "
+                  "Write which axis points right, up and towards the visitor: [\"x\", \"z\", "
                   "\"-y\"].");
 }
 
@@ -61,7 +61,7 @@ void check_limit(Table table, device::DeviceDef& def) {
   if (*def.stiffness_limit <= bears / kMarginInFile * kRounding) return;
   def.stiffness_limit.reset();
   table.complain("stiffness_limit",
-                 "stiffness_limit is more than a device with this [body] bears, so it is left out.",
+                 "stiffness_limit is too high for a device with this [body], so it is ignored.",
                  "Run onggi lab loop --write with this file, which derives and writes it.");
 }
 

@@ -10,7 +10,7 @@ constexpr std::array<KindInfo, 5> kKinds{{
     {DeviceKind::space_mouse, "space_mouse", "3Dconnexion SpaceMouse", "moves a hand", true},
     {DeviceKind::surface_dial, "surface_dial", "Microsoft Surface Dial", "turns the wheel"},
     {DeviceKind::dual_sense, "dual_sense", "Sony DualSense",
-     "moves a hand, and trembles at a touch", true},
+     "moves a hand, and vibrates at a touch", true},
     {DeviceKind::polhem, "polhem", "Polhem or WoodenHaptics", "is a hand, with force", true, true,
      false},
     {DeviceKind::onggi_hid, "onggi_hid", "onggi-hid", "is a hand, with force", true, true},

@@ -59,7 +59,7 @@ void DeviceWatch::open(const HidListing& listing, DeviceKind kind) {
     if (!link)
       problem = Problem{listing.path,
                         std::string(info_of(kind).name) +
-                            (opened ? " does not answer as one." : " could not be opened."),
+                            (opened ? " does not answer as expected." : " could not be opened."),
                         "Unplug it and plug it in again. If it is another device with the same "
                         "numbers, nothing needs to be done.",
                         1};

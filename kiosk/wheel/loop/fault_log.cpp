@@ -11,15 +11,18 @@ std::vector<std::string> FaultLog::news(const LoopStatus& status) {
   std::vector<std::string> lines;
   if ((fresh & kFaultInput) != 0)
     lines.emplace_back(
-        "A hand's device gave a place that cannot be, or a tool that the scene does not have; the "
-        "hand was held where it was. If this returns, look after the device and its cable.");
+        "A hand device reported an impossible position, or a tool that the scene does not have. "
+        "The "
+        "hand was held where it was. If this happens again, check the device and its cable.");
   if ((fresh & kFaultTime) != 0)
     lines.emplace_back(
-        "A tick was to last longer than 5 ms, or no time at all; it was cut to what the clay "
-        "bears. If this returns, look for what keeps the processor busy.");
+        "A tick was longer than 5 ms, or had no length. It was set to the longest step that the "
+        "clay "
+        "allows. If this happens again, look for what keeps the processor busy.");
   if ((fresh & kFaultForce) != 0)
     lines.emplace_back(
-        "A force came out as no number; the hand felt none instead. If this returns, try the scene "
+        "A computed force was not a number, so the hand felt no force. If this happens again, try "
+        "the scene "
         "with fewer effects, and report it with the visit's replay.");
   return lines;
 }

@@ -314,7 +314,7 @@ TEST(Faults, EachIsToldInTheLogOncePerPotAndComesAgainOnlyOnceItWasForgotten) {
   potter.hand(0, lost);
   const auto hand = look();
   ASSERT_EQ(hand.size(), 1u);
-  EXPECT_NE(hand[0].find("place that cannot be"), std::string::npos);
+  EXPECT_NE(hand[0].find("impossible position"), std::string::npos);
   EXPECT_EQ(potter.view().status.feedback.faults, std::uint32_t{kFaultInput});
   const auto time = look(0.02);
   ASSERT_EQ(time.size(), 1u) << "the hand is known already";
