@@ -10,13 +10,13 @@
 namespace {
 
 constexpr const char* kHelp =
-    "onggi-console: serves visitors' keepsakes to their phones. Play needs nothing of it.\n\n"
+    "onggi-console: serves visitors' keepsakes to their phones. The kiosk plays without it.\n\n"
     "Usage: onggi-console --phone-only --keepsakes DIR [--listen 127.0.0.1:8080]\n"
     "                     [--languages content/languages]\n"
     "       onggi-console --pass DIR/VISIT [--hours 24]   prints the path of a new page\n\n"
     "Example: onggi-console --phone-only --keepsakes /srv/onggi/keepsakes --listen "
     "192.168.4.1:8080\n"
-    "Exit: 0 good, 1 the machine's fault, 2 the input's.\n";
+    "Exit: 0 success, 1 a fault of the machine, 2 a mistake in the input.\n";
 
 struct Arguments {
   std::string keepsakes, listen = "127.0.0.1:8080", pass, hours = "24", languages;
@@ -42,9 +42,10 @@ onggi::Result<Arguments> read(int count, char** values) {
                          : name == "--languages" ? &a.languages
                                                  : nullptr;
     if (field == nullptr || n + 1 == count)
-      return onggi::problem(std::string(name),
-                            field == nullptr ? "There is no such option." : "It wants a value.",
-                            "See onggi-console --help.");
+      return onggi::problem(
+          std::string(name),
+          field == nullptr ? "This option does not exist." : "This option needs a value.",
+          "See onggi-console --help.");
     *field = values[++n];
   }
   return a;
@@ -55,7 +56,8 @@ onggi::Result<int> give(const Arguments& a) {
   char* end = nullptr;
   const double hours = std::strtod(a.hours.c_str(), &end);
   if (end == a.hours.c_str() || *end != '\0' || !(hours > 0.0 && hours <= 24.0 * 365.0))
-    return onggi::problem("--hours " + a.hours, "That is no time.", "Write hours, 1 to 8760.");
+    return onggi::problem("--hours " + a.hours, "This is not a valid time.",
+                          "Write hours, 1 to 8760.");
   const auto pass = onggi::souvenir::Passes(visit.parent_path())
                         .give(visit.filename().string(), std::time(nullptr), hours);
   if (!pass) return tl::unexpected(pass.error());
@@ -84,11 +86,11 @@ onggi::Result<int> serve(const Arguments& a) {
   char* end = nullptr;
   const long number = std::strtol(port.c_str(), &end, 10);
   if (port.empty() || *end != '\0' || number < 0 || number > 65535)
-    return onggi::problem("--listen " + a.listen, "That is no address and port.",
+    return onggi::problem("--listen " + a.listen, "This is not an address with a port.",
                           "Write one such as 127.0.0.1:8080.");
   if (!std::filesystem::is_directory(a.keepsakes))
-    return onggi::problem("--keepsakes " + a.keepsakes, "That is no folder.",
-                          "Name the exhibit's folder of keepsakes.");
+    return onggi::problem("--keepsakes " + a.keepsakes, "This is not a folder.",
+                          "Name the exhibit's keepsake folder.");
   std::vector<onggi::Problem> remarks;
   const onggi::phone::Answers answers(
       onggi::souvenir::Passes(a.keepsakes),
@@ -120,7 +122,7 @@ int main(int count, char** values) {
   else if (arguments->phone_only)
     done = serve(*arguments);
   else
-    done = onggi::problem("onggi-console", "It is not said what to do.", "Say --phone-only.");
+    done = onggi::problem("onggi-console", "The action is missing.", "Use --phone-only.");
   if (done) return *done;
   std::cerr << onggi::to_text(done.error()) << '\n';
   return done.error().exit_code;

@@ -39,13 +39,14 @@ Result<PhoneWords> read_words(const fs::path& file, const PhoneWords& english) {
   PhoneWords words = words_of(reader);
   if (!reader.problems().empty()) return tl::unexpected<Problem>(reader.problems().front());
   if (words.code != file.stem().string() || words.name.empty())
-    return problem(file.string(), "The language has no name, or a code that is not the file's.",
-                   "onggi check says more.");
+    return problem(file.string(),
+                   "The language has no name, or its code differs from the file name.",
+                   "Run onggi check for details.");
   for (const auto& [key, text] : english.texts)
     if (words.texts.count(key) == 0)
       return problem(
           file.string(),
-          "phone." + key + " is missing, so phones are not spoken to in " + words.name + ".",
+          "phone." + key + " is missing, so phones do not get pages in " + words.name + ".",
           "Write it below [text.phone]. In English: " + key + " = \"" + text + "\".");
   return words;
 }
@@ -71,7 +72,7 @@ PhoneLanguages PhoneLanguages::read(const fs::path& folder, std::vector<Problem>
   if (error)
     remarks.push_back({folder.empty() ? "content/languages" : folder.string(),
                        "No languages can be read there: " + error.message() + ".",
-                       "Phones are spoken to in English. Name a folder by --languages.", 1});
+                       "Phones get English pages. Name a folder with --languages.", 1});
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
     auto words = read_words(file, languages.all_.front());

@@ -126,7 +126,8 @@ Result<std::unique_ptr<Server>> Server::listen(const std::string& address, std::
   const std::string where = address + ':' + std::to_string(port);
   error_code error;
   const auto ip = asio::ip::make_address(address, error);
-  if (error) return problem(where, "That is no IP address.", "Write one such as 127.0.0.1:8080.");
+  if (error)
+    return problem(where, "This is not an IP address.", "Write one such as 127.0.0.1:8080.");
   auto inside = std::make_unique<Inside>(answers);
   const Tcp::endpoint end(ip, port);
   inside->acceptor.open(end.protocol(), error);
@@ -134,8 +135,8 @@ Result<std::unique_ptr<Server>> Server::listen(const std::string& address, std::
   if (!error) inside->acceptor.bind(end, error);
   if (!error) inside->acceptor.listen(kMostAtOnce, error);
   if (error)
-    return problem(where, "Phones cannot be listened to: " + error.message() + ".",
-                   "Name an address of this machine's and a port that is free.", 1);
+    return problem(where, "The server for phones cannot start: " + error.message() + ".",
+                   "Name an address of this machine and a free port.", 1);
   return std::unique_ptr<Server>(new Server(std::move(inside)));
 }
 

@@ -54,8 +54,8 @@ Result<std::string> take_name(const fs::path& folder, const std::string& wanted)
           files::disk_problem(folder / (name + kPartial), "write", error.value()));
     }
   }
-  return problem((folder / wanted).string(), "There are 99 visits of this name already.",
-                 "Set the machine's clock: it seems to stand still.", 1);
+  return problem((folder / wanted).string(), "There are already 99 visits with this name.",
+                 "Set the machine's clock: it seems to be stopped.", 1);
 }
 
 }  // namespace

@@ -85,14 +85,15 @@ Result<std::string> Passes::new_token() {
 Result<Pass> Passes::give(const std::string& visit, std::int64_t now, double hours,
                           const std::string& language, std::string token) const {
   if (!is_visit_name(visit) || visit_name(visit) != visit)
-    return problem(visit, "That is no visit's folder.", "Name one of the folder of keepsakes.");
+    return problem(visit, "This is not a visit's folder.",
+                   "Name a folder inside the keepsake folder.");
   if (token.empty()) {
     auto made = new_token();
     if (!made) return tl::unexpected(made.error());
     token = std::move(*made);
   }
   if (!is_token(token))
-    return problem(token, "That is no pass's token.", "Leave it to the program.");
+    return problem(token, "This is not a valid token.", "Let the program make the token.");
   Pass pass{token, visit, now, now + static_cast<std::int64_t>(hours * 3600.0),
             is_code(language) ? language : std::string()};
   // A keepsake is fetched once, whichever of its passes leads to it.

@@ -45,8 +45,8 @@ Result<fs::path> add_turning(const fs::path& visit, std::span<const std::byte> g
                              const KeepsakeLimits& limits) {
   std::error_code error;
   if (fs::symlink_status(visit, error).type() != fs::file_type::directory)
-    return problem(visit.string(), "The keepsake has gone before its turning picture was made.",
-                   "Nothing is to be done: it was deleted, or went for the quota.", 1);
+    return problem(visit.string(), "The keepsake was deleted before its turning picture was made.",
+                   "Nothing needs doing: somebody or the quota deleted it.", 1);
   // Made beside the visit, under the name that whoever deletes it removes too.
   PartialFolder making(fs::path(visit) += kPartial);
   if (!fs::create_directory(making.path(), error)) {

@@ -71,10 +71,9 @@ Result<void> remove_visit(const fs::path& folder) {
   fs::rename(folder, going, error);
   if (!error) fs::remove_all(going, error);
   if (!error) return {};
-  return problem(
-      folder.string(),
-      "A visit's keepsakes that were to go could not be removed: " + error.message() + ".",
-      "Make the folder writable for onggi, or remove it.", 1);
+  return problem(folder.string(),
+                 "A visit's old keepsakes could not be removed: " + error.message() + ".",
+                 "Make the folder writable for onggi, or remove it.", 1);
 }
 
 /// When the days of the visit in `folder` begin, as in a name: by its own, or, where a clock that

@@ -80,9 +80,9 @@ std::string put_table(const PublishedStatistics::Lines& table, const char* title
                   text_or(line.active_min, "-").c_str(), text_or(line.likeness, "-").c_str());
     text += "  " + terminal::column(line.name.empty() ? "(none chosen)" : line.name, 24) + row;
   }
-  if (table.too_few && table.left_out == 0) text += "  Left out: too few to tell.\n";
+  if (table.too_few && table.left_out == 0) text += "  Left out: too few to show.\n";
   if (table.left_out > 0)
-    text += "  and " + std::to_string(table.left_out) + " more, left out: too few to tell.\n";
+    text += "  and " + std::to_string(table.left_out) + " more, left out: too few to show.\n";
   return text;
 }
 
@@ -94,7 +94,7 @@ bool any_named(const PublishedStatistics::Lines& table) {
 
 /// Nothing where no phone ever fetched: most kiosks have none to fetch with.
 std::string fetched_words(const PublishedStatistics& s) {
-  if (!s.fetched) return ", of which a number that is too few to tell of were opened on a phone";
+  if (!s.fetched) return ", and too few to show were opened on a phone";
   if (*s.fetched == 0) return {};
   return "; " + std::to_string(*s.fetched) + " keepsakes were opened on a phone";
 }
@@ -134,15 +134,15 @@ std::string csv_of(const PublishedStatistics& s) {
 
 std::string words_of(const PublishedStatistics& s) {
   std::string text = "Visits, " + days_of(s) + ": ";
-  if (!s.all.visits) return text + "too few to tell.\n";
+  if (!s.all.visits) return text + "too few to show.\n";
   if (*s.all.visits == 0) return text + "none.\n";
   text += std::to_string(*s.all.visits) + " visitors were active for " +
-          text_or(s.all.active_min, "-") + " minutes, half of them longer than " +
-          text_or(s.median_min, "-") + ", at the wheel " + text_or(s.throwing_min, "-") +
-          " of them. They began " + text_or(s.pots, "-") + " pots and kept " +
-          text_or(s.all.kept, "a number that is too few to tell of") + " (likeness " +
-          text_or(s.all.likeness, "-") + " of 100 on average)" + fetched_words(s) + ". " +
-          text_or(s.brief, "Few") + " more only touched the screen in passing.\n";
+          text_or(s.all.active_min, "-") + " minutes in all, half of them for more than " +
+          text_or(s.median_min, "-") + ". They spent " + text_or(s.throwing_min, "-") +
+          " minutes at the wheel. They began " + text_or(s.pots, "-") + " pots and kept " +
+          text_or(s.all.kept, "too few to show") + " (likeness " + text_or(s.all.likeness, "-") +
+          " of 100 on average)" + fetched_words(s) + ". " + text_or(s.brief, "Few") +
+          " more only touched the screen in passing.\n";
   constexpr std::pair<const char*, const char*> kTold[] = {
       {"vessel", "Vessels"},       {"mission", "Missions"},   {"reached", "How far they came"},
       {"left", "Where they left"}, {"ended", "How it ended"}, {"language", "Language"},

@@ -119,7 +119,7 @@ Result<Statistics> read_statistics(const std::string& file, const std::string& f
   std::error_code error;
   if (!fs::is_regular_file(file, error))
     return problem(file, "There is no store of visits.",
-                   "It is made with the first visit, beside the keepsakes; name another one by "
+                   "The first visit creates it beside the keepsakes. Name another store with "
                    "--store FILE.");
   // No report is written over it.
   struct stat read {};
@@ -136,16 +136,16 @@ Result<Statistics> read_statistics(const std::string& file, const std::string& f
     Database database = Database::open(copy, Database::Mode::read);
     if (const auto version = database.number("PRAGMA user_version").value_or(0);
         version > newest_version())
-      return tl::unexpected(newer_store(file, version, "Ask the onggi that wrote it.", 2));
+      return tl::unexpected(newer_store(file, version, "Use the onggi that wrote it.", 2));
     if (database.trouble() == Trouble::none && migrate(database))
       return read_statistics(database, from, to);
     if (database.trouble() == Trouble::damaged || n + 1 == kTries)
-      return problem(
-          file, "It is no store of visits that this onggi can read: " + database.message() + ".",
-          "Where it is damaged, onggi run sets it aside and begins anew.");
+      return problem(file,
+                     "This onggi cannot read it as a store of visits: " + database.message() + ".",
+                     "If it is damaged, onggi run sets it aside and starts a new one.");
   }
-  return problem(file, "It is written to without a pause, and no whole copy was had.", "Try again.",
-                 1);
+  return problem(file, "It is written to all the time, so no complete copy could be made.",
+                 "Try again.", 1);
 }
 
 }  // namespace onggi::store

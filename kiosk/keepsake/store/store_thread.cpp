@@ -85,7 +85,7 @@ void StoreThread::run() {
   if (const std::size_t lost = mine.size() + dropped_; lost > 0)
     remark({file_.string(),
             std::to_string(lost) + (lost == 1 ? " visit" : " visits") +
-                " that the disk did not take could not be counted before the end.",
+                " could not be saved to the disk before the end, so they are not counted.",
             "Make room on the disk and the folder writable.", 1});
 }
 
@@ -101,8 +101,8 @@ void StoreThread::say(const Problem& problem) {
 bool StoreThread::open() {
   if (store_ && store_->taken_away()) {
     store_.reset();
-    remark({file_.string(), "It was taken away while onggi ran; counting begins anew.",
-            "End onggi before the keepsakes' folder is moved or emptied.", 1});
+    remark({file_.string(), "It was removed while onggi ran, so counting starts again.",
+            "Stop onggi before you move or empty the keepsake folder.", 1});
   }
   if (store_) return true;
   std::vector<Problem> remarks;
@@ -176,7 +176,7 @@ void StoreThread::write(std::deque<VisitRecord>& visits) {
       if (const std::size_t lost = std::exchange(dropped_, 0); lost > 0)
         remark({file_.string(),
                 "Visits are counted again; " + std::to_string(lost) +
-                    " that the disk did not take are forgotten.",
+                    " that could not be saved are lost.",
                 "Nothing needs doing.", 1});
       return;
     }
@@ -191,8 +191,7 @@ void StoreThread::drop_oldest(std::deque<VisitRecord>& visits) {
   visits.erase(visits.begin(), visits.begin() + static_cast<std::ptrdiff_t>(over));
   dropped_ += over;
   say({file_.string(),
-       "More than " + std::to_string(kMost) +
-           " visits wait for the disk; the oldest are forgotten.",
+       "More than " + std::to_string(kMost) + " visits wait for the disk; the oldest are dropped.",
        "Make room on the disk and the folder writable. Play goes on.", 1});
 }
 

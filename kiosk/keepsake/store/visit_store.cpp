@@ -25,7 +25,7 @@ Problem problem_of(const fs::path& file, const std::string& what, const Database
   switch (database.trouble()) {
     case Trouble::in_use:
       return {file.string(), what + ": another onggi has it open.",
-              "End the other one. Play goes on; visits of this one are not counted.", 1};
+              "Stop the other one. Play goes on, but visits are not counted here.", 1};
     case Trouble::unwritable:
       return {file.string(), what + ": " + words + ".",
               "Make room on the disk and the folder writable. Play goes on.", 1};
@@ -68,8 +68,8 @@ bool is_no_store(Trouble trouble) {
 Problem newer_store(const fs::path& file, std::int64_t version, const std::string& remedy,
                     int exit_code) {
   return {file.string(),
-          "A newer onggi made it (version " + std::to_string(version) + ", and this one knows " +
-              std::to_string(newest_version()) + ").",
+          "A newer onggi made it (version " + std::to_string(version) +
+              ", but this one reads up to " + std::to_string(newest_version()) + ").",
           remedy, exit_code};
 }
 
@@ -84,11 +84,10 @@ Result<Problem> VisitStore::set_aside(const fs::path& file, const std::string& s
     std::error_code ignored;
     fs::rename(file.string() + tail, to + tail, ignored);
   }
-  return Problem{
-      file.string(),
-      "It was damaged and is set aside as " + fs::path(to).filename().string() +
-          "; counting begins anew.",
-      "Nothing needs doing. What it held may be rescued from there: sqlite3 FILE .recover.", 1};
+  return Problem{file.string(),
+                 "It was damaged and is set aside as " + fs::path(to).filename().string() +
+                     "; counting starts again.",
+                 "Nothing needs doing. To rescue its data, run: sqlite3 FILE .recover.", 1};
 }
 
 Result<void> VisitStore::forget_aside(const fs::path& file, const std::string& day) {
@@ -107,7 +106,7 @@ Result<void> VisitStore::forget_aside(const fs::path& file, const std::string& d
     fs::remove(entry->path(), failed);
     if (failed && good)
       good = problem(entry->path().string(),
-                     "What was set aside could not be forgotten: " + failed.message() + ".",
+                     "The store that was set aside could not be deleted: " + failed.message() + ".",
                      "Make the folder writable, or remove it.", 1);
   }
   return good;
@@ -192,7 +191,7 @@ Result<void> VisitStore::add_fetches(std::span<const files::FetchNote> notes) {
   };
   if (written()) return {};
   database_.run("ROLLBACK");
-  return failed("What phones fetched could not be counted");
+  return failed("Keepsakes opened on phones could not be counted");
 }
 
 Result<bool> VisitStore::clock_leapt(std::int64_t now) {
@@ -205,7 +204,7 @@ Result<bool> VisitStore::clock_leapt(std::int64_t now) {
   near.bind(now - files::kDoubt).bind(now);
   while (near.step())
     if (!near.null(0)) times.push_back(near.integer(0));
-  if (!near.done()) return failed("Visits could not be looked at");
+  if (!near.done()) return failed("Visits could not be read");
   return files::clock_leapt(times, now);
 }
 
@@ -221,7 +220,7 @@ Result<void> VisitStore::forget_before(const std::string& day) {
   }
   // What was deleted is still in the log, until that is emptied.
   if (gone && database_.run("PRAGMA wal_checkpoint(TRUNCATE)")) return {};
-  return failed("Old visits could not be forgotten");
+  return failed("Old visits could not be deleted");
 }
 
 }  // namespace onggi::store

@@ -66,11 +66,11 @@ TEST(FiguresReport, TheWordsNameNobodyWhoIsLeftOut) {
   EXPECT_NE(words.find("; 33 keepsakes were opened on a phone."), std::string::npos) << words;
   PublishedStatistics some = may();
   some.fetched.reset();
-  EXPECT_NE(words_of(some).find("too few to tell of were opened on a phone"), std::string::npos);
+  EXPECT_NE(words_of(some).find("too few to show were opened on a phone"), std::string::npos);
   some.fetched = 0;
   EXPECT_EQ(words_of(some).find("phone"), std::string::npos) << "most kiosks have none";
   PublishedStatistics few;
-  EXPECT_NE(words_of(few).find("too few to tell"), std::string::npos);
+  EXPECT_NE(words_of(few).find("too few to show"), std::string::npos);
   few.all.visits = 0;
   EXPECT_NE(words_of(few).find("none"), std::string::npos);
 }
@@ -85,7 +85,7 @@ TEST(FiguresReport, WordsStandUnderEachOtherInEveryScript) {
   const std::string words = words_of(s);
   EXPECT_NE(words.find("  moon_jar                     100 visits"), std::string::npos) << words;
   EXPECT_NE(words.find("  달항아리_조선_십팔세기_       20 visits"), std::string::npos) << words;
-  EXPECT_NE(words.find("Language\n  Left out: too few to tell.\n"), std::string::npos) << words;
+  EXPECT_NE(words.find("Language\n  Left out: too few to show.\n"), std::string::npos) << words;
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ TEST(StoreThread, OfMoreVisitsThanItHoldsTheOldestGoAndThatIsSaidOnceAndTheirNum
   }
   const auto full = store.remarks();
   ASSERT_EQ(full.size(), 1u);
-  EXPECT_NE(full[0].what.find("the oldest are forgotten"), std::string::npos);
+  EXPECT_NE(full[0].what.find("the oldest are dropped"), std::string::npos);
   fs::remove(away);
   store.visit(last);
   store.finish();
@@ -259,7 +259,7 @@ TEST(StoreThread, AFileThatIsTakenAwayIsSaidAndCountingBeginsAnewAtOnce) {
     count(2);
     const std::vector<Problem> said = store.remarks();
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_NE(said[0].what.find("taken away"), std::string::npos);
+    EXPECT_NE(said[0].what.find("was removed"), std::string::npos);
     count(3);
     EXPECT_TRUE(store.remarks().empty());
   }
