@@ -83,7 +83,7 @@ double Sheet::gather_said(double room) {
   for (std::size_t i = 0; i < s_.notes.size(); ++i) {
     const std::size_t after = s_.notes.size() - i - 1;
     if (take(s_.notes[i], 7, after > 0 ? last_line : 0)) continue;
-    take(std::to_string(after + 1) + " more notes: onggi vessel inspect tells them.", 7, 0);
+    take(std::to_string(after + 1) + " more notes: onggi vessel inspect lists them.", 7, 0);
     break;
   }
   return used;

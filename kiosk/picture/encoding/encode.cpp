@@ -37,7 +37,7 @@ Result<fs::path> own_helper() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) {
     return problem("/proc/self/exe",
-                   "The kiosk cannot tell where it lies: " + error.message() + ".", "Mount /proc.",
+                   "The kiosk cannot find its own folder: " + error.message() + ".", "Mount /proc.",
                    1);
   }
   return program.parent_path() / "onggi-encode";
@@ -70,8 +70,8 @@ Result<std::vector<std::byte>> run(const fs::path& helper, const files::Json& he
   // done is told by the second.
   if (!picture) picture = files::run_helper(work);
   if (picture && !is_whole(*picture, format)) {
-    return problem(helper.string(), "The helper gave less than a whole picture.",
-                   "Free memory, and build the kiosk again if this returns.", 1);
+    return problem(helper.string(), "The helper gave an incomplete picture.",
+                   "Free memory, and build the kiosk again if this happens again.", 1);
   }
   return picture;
 }

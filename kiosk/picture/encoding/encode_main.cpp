@@ -63,19 +63,19 @@ std::string read_order(std::istream& in, Order& order) {
   };
   if (side("width") < 1 || side("width") > kLargestSide || side("height") < 1 ||
       side("height") > kLargestSide) {
-    return "width and height are to be 1 to " + std::to_string(kLargestSide);
+    return "width and height must be 1 to " + std::to_string(kLargestSide);
   }
   order.width = static_cast<int>(side("width"));
   order.height = static_cast<int>(side("height"));
   const std::string format = text("format");
   if (format != "png" && format != "jpeg" && format != "gif")
-    return "the format is to be png, jpeg or gif";
+    return "the format must be png, jpeg or gif";
   order.format = format == "png" ? Format::png : format == "jpeg" ? Format::jpeg : Format::gif;
   if (order.format == Format::gif) {
     if (side("frames") < 1 || side("frames") > kMostFrames)
-      return "frames are to be 1 to " + std::to_string(kMostFrames);
+      return "frames must be 1 to " + std::to_string(kMostFrames);
     if (side("hundredths") < 2 || side("hundredths") > 1000)
-      return "a frame is to stand for 2 to 1000 hundredths of a second";
+      return "a frame must last 2 to 1000 hundredths of a second";
     order.frames = static_cast<int>(side("frames"));
     order.hundredths = static_cast<int>(side("hundredths"));
   }
@@ -165,7 +165,7 @@ std::vector<std::byte> encode(const Order& order, std::string& fault) {
   }
   const auto bytes = std::as_bytes(std::span(memory));
   if (!onggi::encoding::is_whole(bytes, order.format)) {
-    fault = "OpenImageIO gave less than a whole picture";
+    fault = "OpenImageIO gave an incomplete picture";
     return {};
   }
   if (order.format == Format::png) {

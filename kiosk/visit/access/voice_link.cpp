@@ -60,9 +60,9 @@ void VoiceLink::fail(double now, const std::string& why) {
   ++failures_;
   const bool last = failures_ >= kMost;
   if (failures_ == 1 || last)
-    remarks_.push_back(
-        "The voice failed: " + why +
-        (last ? ". It is left alone until a visitor asks for one again." : ". It is begun anew."));
+    remarks_.push_back("The voice failed: " + why +
+                       (last ? ". It stays off until a visitor asks for a voice again."
+                             : ". It is started again."));
   again_at_ = last ? -1 : now + std::min(60.0, static_cast<double>(1 << (failures_ - 1)));
 }
 
@@ -72,7 +72,7 @@ bool VoiceLink::send(const std::string& line, double now) {
   const ssize_t sent =
       ::send(to_.ours.get(), line.data(), line.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent != static_cast<ssize_t>(line.size())) {
-    fail(now, "it does not listen");
+    fail(now, "it does not read its input");
     return false;
   }
   if (asked_at_ < 0) asked_at_ = now;
@@ -111,8 +111,9 @@ void VoiceLink::take(const std::string& line, double now) {
     asked_at_ = -1;
     const std::string language = rest(10);
     if (voiceless_.insert(language).second)
-      remarks_.push_back("No voice of this machine speaks \"" + language +
-                         "\": nothing is said in it. espeak-ng speaks most languages.");
+      remarks_.push_back(
+          "No voice on this machine speaks \"" + language +
+          "\", so this language is silent. Install espeak-ng, which speaks most languages.");
   }
 }
 
@@ -139,7 +140,7 @@ void VoiceLink::look(double now) {
       take(line, now);
       if (!child_) return;
     }
-    if (heard_.size() > kMostHeard) return fail(now, "it talks nonsense");
+    if (heard_.size() > kMostHeard) return fail(now, "its answer cannot be read");
   }
   if (asked_at_ >= 0 && now - asked_at_ > (ready_ ? kAnswer : kReady))
     fail(now, "it did not answer");

@@ -64,7 +64,7 @@ void Speaker::open() {
   if (device_ == 0) fault = SDL_GetError();
   const std::string line =
       device_ != 0 ? std::string("Sound is played by ") + SDL_GetCurrentAudioDriver() + "."
-                   : "There is no sound (" + fault + "); play goes on without.";
+                   : "There is no sound (" + fault + "); play goes on without it.";
   if (line != said_) said_ = remark_ = line;
   if (device_ == 0) return;
   asked_ns_ = 0;

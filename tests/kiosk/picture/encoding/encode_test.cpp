@@ -304,7 +304,7 @@ TEST_F(BadHelper, one_that_talks_too_much_is_ended) {
 TEST_F(BadHelper, half_a_picture_is_no_picture) {
   const auto encoded = with_helper("cat > /dev/null; printf '\\211PNG\\r\\n\\032\\n half'");
   ASSERT_FALSE(encoded);
-  EXPECT_THAT(encoded.error().what, HasSubstr("less than a whole picture"));
+  EXPECT_THAT(encoded.error().what, HasSubstr("an incomplete picture"));
 }
 
 TEST_F(BadHelper, it_inherits_three_descriptors_and_nothing_else) {
