@@ -223,7 +223,7 @@ Result<CheckReport> check_path(const std::string& path, const std::string& confi
     return report;
   }
   if (!fs::exists(path, ignored))
-    return problem(path, "There is nothing of this name.",
+    return problem(path, "There is no file or folder with this name.",
                    "Name an exhibit, a scene, a language, glazes, a drawing, a vessel or a shelf.");
   if (fs::path(path).extension() == ".toml")
     check_toml(report, path, languages_for(path, config));

@@ -23,15 +23,15 @@ constexpr std::pair<std::uint32_t, Key> kKeys[] = {
 
 constexpr const char* kFaultWords[device::kLinkFaults] = {
     "",
-    "was to push with a force that is no number",
-    "heard nothing from the 1 kHz loop for 10 ms",
-    "saw the screens stand still for half a second",
-    "saw the whole program stand still",
+    "was told a force that is not a number",
+    "received nothing from the 1 kHz loop for 10 ms",
+    "received no update from the screen for 0.5 s",
+    "received nothing from the whole program",
     "sent nothing new for 10 ms",
     "sent a broken report",
-    "was elsewhere at once",
-    "did not answer to what it was sent",
-    "ran away faster than a hand goes"};
+    "jumped more than 20 mm between reports",
+    "did not answer",
+    "moved faster than a hand can"};
 
 InputEvent key_event(InputEvent::Kind kind, Key key) {
   InputEvent event;
@@ -92,9 +92,9 @@ void HandDevices::take(std::unique_ptr<device::HidLink> link) {
   line += info.hand && used.index < 0 ? " is not used: both hands have a device already."
                                       : " " + std::string(info.use) + ".";
   if (info.force && !used.link->def().stiffness_limit)
-    line += " Nobody has measured its stiffness yet, so it pushes with no more than " +
+    line += " Its stiffness has not been measured yet, so it pushes with at most " +
             newtons(used.link->cap()) + ".";
-  if (!info.verified) line += " Its driver is not verified on hardware.";
+  if (!info.verified) line += " Its driver has not been tested on real hardware.";
   remarks_.push_back(line);
   news_.came(used.link->kind(), info.force);
   used_.push_back(std::move(used));
@@ -102,7 +102,7 @@ void HandDevices::take(std::unique_ptr<device::HidLink> link) {
 
 void HandDevices::let_go(InUse& used) {
   remarks_.push_back(std::string(device::info_of(used.link->kind()).name) + " at " +
-                     used.link->listing().path + " was unplugged, or does not speak any more.");
+                     used.link->listing().path + " was unplugged or no longer answers.");
   news_.went(used.link->kind());
   if (used.hand != nullptr) potter_.detach(used.hand);
   watch_.gone(used.link->listing().path);
@@ -113,8 +113,8 @@ void HandDevices::note_faults(InUse& used, const device::LinkStatus& status) {
     if (status.faults[n] > 0 && used.faults[n] == 0)
       remarks_.push_back(std::string(device::info_of(used.link->kind()).name) + " " +
                          kFaultWords[n] +
-                         "; its force was zero at once. If this returns, look "
-                         "after cable, hub and processor.");
+                         "; its force was set to zero at once. If this happens again, check "
+                         "the cable, the hub and the processor load.");
   used.faults = status.faults;
 }
 

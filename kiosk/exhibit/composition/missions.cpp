@@ -53,11 +53,11 @@ int place_of(const std::string& id, const std::vector<screens::ShelfCard>& shelf
 
 std::string why_not(const Mission& mission, const Able& able) {
   if (mission.kind == Mission::Kind::eyes_closed && !able.sound)
-    return "there is no sound, and it is thrown by ear. Plug a sound card in, and give [sound] a "
+    return "it needs sound, but there is none. Plug in a sound card, and give [sound] a "
            "volume.";
   if (mission.kind == Mission::Kind::two_hands && mission.second == Mission::Second::finger &&
       !able.two_fingers)
-    return "this screen does not tell two fingers apart. With a keyboard beside the mouse write "
+    return "this screen cannot follow two fingers. If there is a keyboard, write "
            "second = \"keys\".";
   return {};
 }
@@ -136,7 +136,7 @@ void Missions::read(const std::vector<screens::ShelfCard>& shelf) {
     else
       files::log_problem({exhibit_.missions->string() + ", mission " + mission.id,
                           "There is no vessel \"" + missing + "\" on the shelf.",
-                          "Write the name of its folder on the shelf, or take it out."});
+                          "Write the name of its folder on the shelf, or remove it."});
   }
 }
 

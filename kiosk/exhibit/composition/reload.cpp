@@ -122,8 +122,8 @@ void Reload::judge(const CheckReport& report, double now) {
   found_.clear();
   for (const Problem& problem : report.problems) found_.insert(name_of(problem));
   if (!std::exchange(checked_, true)) {
-    files::log_line("Changes of the exhibit are looked for in " +
-                    std::to_string(files_->watched()) + " folders.");
+    files::log_line("Watching for changes of the exhibit in " + std::to_string(files_->watched()) +
+                    " folders.");
     if (seen_ == open_ && !stands_in_) known_ = found_;
   }
   if (seen_ == open_) {
@@ -135,7 +135,7 @@ void Reload::judge(const CheckReport& report, double now) {
     return refuse(report, now);
   wanted_ = true;
   refused_.clear();
-  files::log_line("The exhibit has changed, and is opened anew once no visitor is here.");
+  files::log_line("The exhibit has changed. It is opened again when no visitor is here.");
 }
 
 bool Reload::new_to_visitors(const Problem& problem) const {
@@ -149,7 +149,7 @@ bool Reload::new_to_visitors(const Problem& problem) const {
 void Reload::refuse(const CheckReport& report, double now) {
   if (found_ == refused_) return;
   files::log_line(
-      "A change of the exhibit is not taken up. It goes on as it was, until this is mended:");
+      "A change of the exhibit has a fault. The old exhibit stays open until you fix this:");
   for (const Problem& problem : report.problems)
     if (new_to_visitors(problem)) files::log_problem(problem);
   refused_ = found_;

@@ -165,8 +165,8 @@ settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
     if (std::ranges::find(shown, script) != shown.end()) continue;
     std::string all;
     for (const std::string& name : shown) all += (all.empty() ? "" : ", ") + name;
-    attract.complain_at("scripts", n, "Attract mode shows no script \"" + script + "\".",
-                        "Choose of " + all + ".");
+    attract.complain_at("scripts", n, "Attract mode has no script \"" + script + "\".",
+                        "Choose one of " + all + ".");
   }
   return reader.problems();
 }

@@ -63,7 +63,7 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
   });
   if (!lent)
     return problem("the wheel", "The clay did not come back from the wheel in time.",
-                   "If this returns, look for a stuck 1 kHz loop in the log.", 1);
+                   "If this happens again, look for a stuck 1 kHz loop in the log.", 1);
   souvenir::Keepsake& keepsake = taken.keepsake;
   // The pot rests since it was called done: the view has every row of it.
   ClayMesh pot = faced_mesh_of(potter.view().clay);

@@ -28,9 +28,9 @@ Result<std::vector<content::Language>> read_languages(const settings::Exhibit& e
   const auto wanted = std::find_if(languages.begin(), languages.end(),
                                    [&](const auto& l) { return l.code() == first; });
   if (wanted == languages.end())
-    return problem(
-        "--language " + first, "The exhibit has no such language.",
-        "Add it to languages in " + exhibit.file.string() + ", or name one that is there.");
+    return problem("--language " + first, "The exhibit has no such language.",
+                   "Add it to languages in " + exhibit.file.string() +
+                       ", or name one of the exhibit's languages.");
   std::rotate(languages.begin(), wanted, wanted + 1);
   return languages;
 }

@@ -42,7 +42,7 @@ Result<std::vector<access::Utterance>> walk_aided(
   const double hold = kiosk.exhibit().access.hold_to_speak;
   if (hold <= 0)
     return problem("[access] hold_to_speak", "It is 0, so this visitor cannot begin.",
-                   "Write 3, or leave it out.");
+                   "Write 3, or remove the key.");
   BlindVisitor blind(plan, hold);
   SwitchVisitor one_switch(plan, hold);
 
@@ -71,7 +71,7 @@ Result<std::vector<access::Utterance>> walk_aided(
     if (now - entered > kFadedIn && seen.insert(name).second) passed(name);
     for (const access::Utterance& one : fresh) blind.hear(one, now);
     if (!blind.lost().empty())
-      return problem("the visit", "Nobody said where \"" + blind.lost() + "\" is.",
+      return problem("the visit", "No spoken text says where \"" + blind.lost() + "\" is.",
                      "This is a fault of the program: please report it.", 1);
     // The keepsake is on its way; who would leave now?
     const bool waits =
@@ -82,7 +82,7 @@ Result<std::vector<access::Utterance>> walk_aided(
         kiosk.attendant().input(event, visit, kiosk.renderer().width(), kiosk.renderer().height(),
                                 now);
     if (now > kAidedTooLong)
-      return problem("the visit", "It is not over after an hour.",
+      return problem("the visit", "It did not end within an hour.",
                      "This is a fault of the program: please report it.", 1);
     if (kiosk.doing().saving) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (how.realtime)

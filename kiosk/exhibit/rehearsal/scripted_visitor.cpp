@@ -240,7 +240,7 @@ Result<void> ScriptedVisitor::on_keepsake() {
   if (!kept || !kept->saved) {
     // A save that is at work ends by itself, well or not, however slow the machine.
     if (!kiosk_.doing().saving && now_ - entered_ > kKeepTimeout)
-      return problem("the keepsake", "Nobody is keeping it.",
+      return problem("the keepsake", "The kiosk is not saving it.",
                      "This is a fault of the program: please report it.", 1);
     return {};
   }

@@ -80,7 +80,7 @@ Result<void> write_grid(const std::filesystem::path& file, int rows, int sectors
   if (after.problems.empty() && after.def.clay.rows == rows && after.def.clay.sectors == sectors)
     return {};
   if (auto done = write(*text); !done) return done;
-  return problem(file.string(), "The grid could not be written into it; it is as it was.",
+  return problem(file.string(), "The grid could not be written, so the file is unchanged.",
                  "Write clay.rows and clay.sectors by hand.", 1);
 }
 

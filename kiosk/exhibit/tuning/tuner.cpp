@@ -59,7 +59,7 @@ class Benches {
   explicit Benches(const TunePlan& plan) : plan_(plan) {}
   bool given_up() const { return plan_.give_up && plan_.give_up(); }
   static tl::unexpected<Problem> gave_up(const std::string& name) {
-    return problem(name, "Looking for a grid was given up.", "Let it end the next time.", 1);
+    return problem(name, "The search for a grid was interrupted.", "Let it finish next time.", 1);
   }
 
   TunePlan plan_;
@@ -112,15 +112,15 @@ Result<TunedGrid> measure_grid(const std::string& name, const SceneDef& def, con
 
 std::string words_of(const TunedGrid& grid) {
   char text[320];
-  std::snprintf(text, sizeof text,
-                "%d rows x %d sectors: at most %.3f mm off in the mean and %.2f mm at the worst "
-                "place, the force at most %.1f %%; 999 of 1000 ticks take at most %.1f %% of their "
-                "time.%s",
-                grid.rows, grid.sectors, grid.shape_mm, grid.worst_mm, grid.force_pct,
-                grid.tick_pct,
-                !grid.in_time       ? " This machine is too slow for any grid that was tried."
-                : !grid.fine_enough ? " A finer one would be felt or seen, and has no time here."
-                                    : "");
+  std::snprintf(
+      text, sizeof text,
+      "%d rows x %d sectors: at most %.3f mm off in the mean and %.2f mm at the worst "
+      "place, the force at most %.1f %%; 999 of 1000 ticks take at most %.1f %% of their "
+      "time.%s",
+      grid.rows, grid.sectors, grid.shape_mm, grid.worst_mm, grid.force_pct, grid.tick_pct,
+      !grid.in_time       ? " This machine is too slow for every grid that was tried."
+      : !grid.fine_enough ? " A finer one would feel or look better, but it is too slow here."
+                          : "");
   return text;
 }
 
