@@ -45,13 +45,13 @@ std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptio
     // Where the last good one has problems too, the kiosk has shown that it can live with them.
     if (wrong.empty() || !good || !problems_of(good->exhibit).empty()) return {};
     files::log_problems(wrong);
-    files::log_line("The last exhibit that was good is shown until this is mended.");
+    files::log_line("The last good exhibit is shown until you fix this.");
     options.config = good->exhibit;
     options.keepsakes = good->keepsakes;
     return options;
   }
   files::log_line("Safe mode: the last " + std::to_string(ledger_.crashes()) +
-                  " runs crashed. Mouse and touch only. Look at the log above, and run onggi "
+                  " runs crashed. Mouse and touch only. Read the log above, and run onggi "
                   "check.");
   options.devices = false;
   options.shelf.reset();

@@ -19,7 +19,7 @@ Result<int> check(const CheckArguments& arguments) {
   if (!report) return tl::unexpected(report.error());
   for (const Problem& p : report->problems) std::cerr << to_text(p) << '\n';
   for (const auto& file : report->files)
-    std::cout << "looked at " << terminal::plain(file.string()) << '\n';
+    std::cout << "checked " << terminal::plain(file.string()) << '\n';
   std::cout << report->summary() << '\n';
   return report->problems.empty() ? 0 : 2;
 }
@@ -32,12 +32,12 @@ cli::Command check_command() {
           .help = "Find every problem of an exhibit, a shelf, a vessel or a drawing",
           .examples =
               "Example: onggi check config/exhibit.toml\n"
-              "Every file that was looked at is named, and counted at the end.",
+              "It lists every file that it checks, and counts them at the end.",
           .options = {{"path", &a->path,
                        "An exhibit's, scene's, drawing's or language's TOML, a vessel, or a shelf "
                        "[the exhibit]"},
                       {"--config", &a->config,
-                       "The exhibit's TOML [that of the folder you stand in, else the program's]"}},
+                       "The exhibit's TOML [the one in the current folder, else the program's]"}},
           .run = [a] { return check(*a); }};
 }
 

@@ -52,9 +52,8 @@ files::Json json_of(const Found& found) {
 void print(const Found& found) {
   std::cout << found.info.name << " (" << hex(found.listing.vendor) << ':'
             << hex(found.listing.product) << ", " << found.listing.path
-            << (found.listing.bluetooth ? ", by radio" : "") << "): " << found.use << ".\n";
-  if (!found.info.verified)
-    std::cout << "  Its driver was written without the device at hand: not verified on hardware.\n";
+            << (found.listing.bluetooth ? ", by Bluetooth" : "") << "): " << found.use << ".\n";
+  if (!found.info.verified) std::cout << "  Its driver has not been tested on real hardware.\n";
   if (found.problem)
     std::cout << "  " << terminal::plain(found.problem->what) << "\n  "
               << terminal::plain(found.problem->remedy) << '\n';
@@ -97,10 +96,10 @@ Result<int> devices(const files::Output& json) {
 cli::Command devices_command() {
   const auto json = std::make_shared<files::Output>(files::Output::Kind::json);
   return {.name = "devices",
-          .help = "List the hand devices that are plugged in, and what keeps one from being used",
+          .help = "List the hand devices that are plugged in, and why one cannot be used",
           .examples =
               "Example: onggi devices --json -\n"
-              "Nothing is opened or moved. Exit: 1 where a permission is missing.",
+              "No device is opened or moved. Exit: 1 if a permission is missing.",
           .options = {{"--json", json.get(), "Write the list as JSON (- for standard output)"}},
           .run = [json] { return devices(*json); }};
 }

@@ -32,7 +32,8 @@ Result<void> check_id(const std::string& id) {
   for (const char c : id)
     good = good && ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-');
   if (good) return {};
-  return problem("--id " + id.substr(0, 80), "an id is a folder's name of a to z, 0 to 9, _ and -.",
+  return problem("--id " + id.substr(0, 80),
+                 "an id is a folder name with only a to z, 0 to 9, _ and -.",
                  "Write one such as moon_jar.");
 }
 
@@ -74,11 +75,10 @@ Result<int> import_vessel(const ImportArguments& arguments) {
   const fs::path folder = fs::path(arguments.shelf) / arguments.id;
   std::error_code ignored;
   if (!fs::is_directory(arguments.shelf, ignored))
-    return problem("--shelf " + arguments.shelf,
-                   "There is no such folder, and none is made unasked.",
-                   "Make it first: mkdir -p '" + arguments.shelf + "'. Or name another shelf.");
+    return problem("--shelf " + arguments.shelf, "The folder does not exist.",
+                   "Create it first: mkdir -p '" + arguments.shelf + "'. Or name another shelf.");
   if (fs::exists(folder, ignored))
-    return problem(folder.string(), "it is there already, and nothing is written over it.",
+    return problem(folder.string(), "the folder exists, so it is not overwritten.",
                    "Choose another --id, or move the folder away.");
   content::LoadOptions options;
   options.node = arguments.node;
@@ -97,7 +97,7 @@ Result<int> import_vessel(const ImportArguments& arguments) {
     return tl::unexpected(good.error());
   std::cout << (folder / "vessel.glb").string() << ": the shape, " << glb->size() / 1024 << " kB\n"
             << (folder / "vessel.toml").string()
-            << ": for you to finish; what it lacks is told by: onggi check " << folder.string()
+            << ": complete this file; to see what is missing, run: onggi check " << folder.string()
             << '\n';
   for (const std::string& warning : vessel->extracted.warnings)
     std::cout << "  note: " << terminal::plain(warning) << '\n';
@@ -108,26 +108,25 @@ Result<int> import_vessel(const ImportArguments& arguments) {
 
 cli::Command import_command() {
   const auto a = std::make_shared<ImportArguments>();
-  return {
-      .name = "import",
-      .help = "Make a vessel's folder from a scan, for you to finish",
-      .examples =
-          "Example: onggi vessel import scan.glb --id moon_jar --shelf content/vessels\n"
-          "Copyright, licence and credit are taken from the file where it names them.",
-      .options = {{.name = "file",
-                   .field = &a->file,
-                   .help = "A GLB, glTF, OBJ, PLY or STL of anyone's making, or a IIIF manifest or "
-                           "Smithsonian document beside one",
-                   .required = true},
-                  {.name = "--id",
-                   .field = &a->id,
-                   .help = "The folder's name: a to z, 0 to 9, _ and -",
-                   .required = true},
-                  {"--shelf", &a->shelf, "The shelf to put it on [this folder]"},
-                  {"--node", &a->node,
-                   "The node that is the vessel, by name or number [all of the file]"},
-                  up_option(a->up)},
-      .run = [a] { return import_vessel(*a); }};
+  return {.name = "import",
+          .help = "Make a vessel's folder from a scan, which you then complete",
+          .examples =
+              "Example: onggi vessel import scan.glb --id moon_jar --shelf content/vessels\n"
+              "Copyright, licence and credit are taken from the file if it names them.",
+          .options = {{.name = "file",
+                       .field = &a->file,
+                       .help = "A GLB, glTF, OBJ, PLY or STL file, or a IIIF manifest or "
+                               "Smithsonian document beside one",
+                       .required = true},
+                      {.name = "--id",
+                       .field = &a->id,
+                       .help = "The folder's name: a to z, 0 to 9, _ and -",
+                       .required = true},
+                      {"--shelf", &a->shelf, "The shelf to put it on [this folder]"},
+                      {"--node", &a->node,
+                       "The node that is the vessel, by name or number [all of the file]"},
+                      up_option(a->up)},
+          .run = [a] { return import_vessel(*a); }};
 }
 
 }  // namespace onggi::commands

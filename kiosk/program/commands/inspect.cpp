@@ -148,17 +148,17 @@ cli::Command inspect_command() {
       .help = "Measure a vessel as a target",
       .examples =
           "Example: onggi vessel inspect scan.glb --plot scan.png\n"
-          "What cannot be a target ends with 2, and is told with place, meaning and remedy.",
+          "If the file cannot be a target, the exit status is 2 and the reason is printed.",
       .options = {{.name = "file",
                    .field = &a->file,
                    .help = "A GLB, glTF, OBJ, PLY or STL, a IIIF manifest or Smithsonian document "
                            "beside one, or a vessel pack",
                    .required = true},
                   {"--node", &a->node,
-                   "The node that is the vessel, by name or number, alone; NAME/* with what "
-                   "hangs on it [all of the file]"},
+                   "The node that is the vessel, by name or number; NAME/* includes what "
+                   "hangs on it [the whole file]"},
                   up_option(a->up),
-                  {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
+                  {"--json", &a->json, "Write everything as JSON (- for standard output)"},
                   {"--plot", &a->plot,
                    "Draw section and view, as archaeologists do, into this PNG"}},
       .run = [a] { return inspect(*a); }};

@@ -6,7 +6,7 @@ namespace {
 /// What a museum needs of the laboratory. Its other commands are in onggi-lab (lab_program.h).
 cli::Command lab_command() {
   return {.name = "lab",
-          .help = "Measure this machine (all but tune: in the package onggi-lab)",
+          .help = "Measure this machine (all but tune need the package onggi-lab)",
           .examples = "Example: onggi lab tune --write config/scenes/first_touch.toml",
           .commands = {tune_command()}};
 }
@@ -19,8 +19,8 @@ cli::Command onggi_command() {
           .help = "Onggi: throw pots on a virtual wheel, in a museum.",
           .examples =
               "Example: onggi --window 1280x720\n"
-              "Without a subcommand the exhibit opens, as with: onggi run\n"
-              "Exit: 0 good, 1 the program's or the machine's fault, 2 the input's.",
+              "Without a command the exhibit opens, as with: onggi run\n"
+              "Exit: 0 success, 1 a fault of the program or machine, 2 a mistake in the input.",
           .options = run.options,
           .commands = {run, visit_command(), replay_command(), check_command(), vessel_command(),
                        score_command(), stats_command(), report_command(), lab_command(),

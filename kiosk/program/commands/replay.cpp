@@ -37,7 +37,7 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
     std::cout << terminal::plain(name) << ": " << outcome->ticks << " ticks of "
               << terminal::plain(outcome->vessel_id) << ", "
               << (outcome->glaze.empty() ? "" : "glaze " + terminal::plain(outcome->glaze) + ", ")
-              << (same ? "the same pot, bit for bit (" : "another pot than was recorded (")
+              << (same ? "the same pot, bit for bit (" : "a different pot from the recorded one (")
               << rehearsal::hash_text(outcome->replayed_hash) << ")\n";
   if (!same && outcome->first_difference_tick >= 0)
     std::cerr << name << ": first different at tick " << outcome->first_difference_tick << "\n";
@@ -57,7 +57,7 @@ cli::Command replay_command() {
       .help = "Throw a recorded pot again and compare it bit for bit",
       .examples = "Example: onggi replay keepsakes/2026-05-04_141503_moon_jar/visit.onggi --json -",
       .options = {{.name = "file", .field = &a->file, .help = "A visit.onggi", .required = true},
-                  {"--json", &a->json, "Write what it came to as JSON (- for standard output)"}},
+                  {"--json", &a->json, "Write the result as JSON (- for standard output)"}},
       .run = [a] { return replay(a->file, a->json); }};
 }
 

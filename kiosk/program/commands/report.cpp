@@ -27,7 +27,7 @@ Result<int> report(const ReportArguments& arguments) {
   if (!arguments.health.empty()) sources.health = arguments.health;
   const bool watched = isatty(STDERR_FILENO) != 0;
   const auto parts = gather_bundle(sources, [watched](const std::string& what) {
-    if (watched) std::cerr << "looking at " << what << " ...\n";
+    if (watched) std::cerr << "collecting " << what << " ...\n";
   });
   const auto packed = pack_bundle(parts);
   if (!packed) return tl::unexpected(packed.error());
@@ -35,7 +35,7 @@ Result<int> report(const ReportArguments& arguments) {
   if (arguments.to.to_stdout()) return 0;
   std::cout << "Wrote " << arguments.to.where() << ", " << packed->size() / 1024 + 1 << " kB:\n";
   for (const BundlePart& part : parts) std::cout << "  " << part.name << '\n';
-  std::cout << "Nothing of a visitor is in it. Look into it before you send it: tar -xzf "
+  std::cout << "It holds nothing about visitors. Check it before you send it: tar -xzf "
             << arguments.to.where() << '\n';
   return 0;
 }
@@ -44,19 +44,20 @@ Result<int> report(const ReportArguments& arguments) {
 
 cli::Command report_command() {
   const auto a = std::make_shared<ReportArguments>();
-  return {.name = "report",
-          .help = "Pack what somebody far away needs in order to help: nothing of a visitor",
-          .examples =
-              "Example: sudo onggi report --config /srv/onggi/config/exhibit.toml -o "
-              "/tmp/onggi.tar.gz\n"
-              "With sudo the log is in it. Version, machine, configuration, onggi check, "
-              "health, crashes, log, disk and counts.",
-          .options = {{"-o,--to", &a->to, "The file to write [onggi-report.tar.gz]"},
-                      {"--config", &a->config,
-                       "The exhibit's TOML [that of the folder you stand in, else the program's]"},
-                      {"--state", &a->state, "The service's state [/var/lib/onggi]"},
-                      {"--health", &a->health, "The service's health [/run/onggi/onggi.prom]"}},
-          .run = [a] { return report(*a); }};
+  return {
+      .name = "report",
+      .help = "Pack what a helper needs to find a fault, and nothing about visitors",
+      .examples =
+          "Example: sudo onggi report --config /srv/onggi/config/exhibit.toml -o "
+          "/tmp/onggi.tar.gz\n"
+          "With sudo it includes the log. It holds version, machine, configuration, onggi check, "
+          "health, crashes, log, disk and counts.",
+      .options = {{"-o,--to", &a->to, "The file to write [onggi-report.tar.gz]"},
+                  {"--config", &a->config,
+                   "The exhibit's TOML [the one in the current folder, else the program's]"},
+                  {"--state", &a->state, "The service's state [/var/lib/onggi]"},
+                  {"--health", &a->health, "The service's health [/run/onggi/onggi.prom]"}},
+      .run = [a] { return report(*a); }};
 }
 
 }  // namespace onggi::commands

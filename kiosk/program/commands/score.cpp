@@ -157,25 +157,24 @@ Result<int> compare_files(const ScoreArguments& arguments) {
 
 cli::Command score_command() {
   const auto a = std::make_shared<ScoreArguments>();
-  return {.name = "score",
-          .help = "Say how alike two vessels are, and where not",
-          .examples =
-              "Example: onggi score content/vessels/moon_jar scan.glb --json -\n"
-              "Each may be a GLB, a glTF, a vessel's folder, a drawing's TOML or a visit.onggi.\n"
-              "What the measures are worth is config/rubric.toml; kiosk/docs/score.md explains it.",
-          .options = {{.name = "target",
-                       .field = &a->target,
-                       .help = "The vessel that is wanted",
-                       .required = true},
-                      {.name = "pot", .field = &a->pot, .help = "What was made", .required = true},
-                      {"--target-node", &a->target_node, "The object of a set, as target"},
-                      {"--pot-node", &a->pot_node, "The object of a set, as pot"},
-                      {"--size-counts", &a->size_counts,
-                       "Do not scale the pot to the target's height first"},
-                      {"--rubric", &a->rubric, "Another rubric [config/rubric.toml]"},
-                      {"--language", &a->language, "Of the words [en]"},
-                      {"--json", &a->json, "Write all of it as JSON (- for standard output)"}},
-          .run = [a] { return compare_files(*a); }};
+  return {
+      .name = "score",
+      .help = "Compare two vessels: how alike they are, and where they differ",
+      .examples =
+          "Example: onggi score content/vessels/moon_jar scan.glb --json -\n"
+          "Each may be a GLB, a glTF, a vessel's folder, a drawing's TOML or a visit.onggi.\n"
+          "config/rubric.toml sets the points; kiosk/docs/score.md explains the measures.",
+      .options =
+          {{.name = "target", .field = &a->target, .help = "The vessel to copy", .required = true},
+           {.name = "pot", .field = &a->pot, .help = "The pot that was made", .required = true},
+           {"--target-node", &a->target_node,
+            "The node to use as target, if the file holds several"},
+           {"--pot-node", &a->pot_node, "The node to use as pot, if the file holds several"},
+           {"--size-counts", &a->size_counts, "Do not scale the pot to the target's height first"},
+           {"--rubric", &a->rubric, "Another rubric [config/rubric.toml]"},
+           {"--language", &a->language, "Language of the words [en]"},
+           {"--json", &a->json, "Write everything as JSON (- for standard output)"}},
+      .run = [a] { return compare_files(*a); }};
 }
 
 }  // namespace onggi::commands

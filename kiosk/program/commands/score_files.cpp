@@ -51,7 +51,7 @@ Result<Shape> read_thrown(const fs::path& path) {
 Result<Shape> read_shape(const fs::path& file, const std::string& node) {
   std::error_code ignored;
   if (!fs::exists(file, ignored))
-    return problem(file.string(), "There is nothing of this name.",
+    return problem(file.string(), "There is no file or folder with this name.",
                    "Name a GLB, a glTF, a vessel's folder, a drawing's TOML or a visit.onggi.");
   if (file.filename() == "vessel.toml") return read_vessel(fs::absolute(file).parent_path(), node);
   if (file.extension() == ".toml") return read_drawing_shape(file);

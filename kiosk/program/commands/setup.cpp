@@ -22,10 +22,10 @@ void tell(const char* head, const std::vector<std::string>& lines) {
 Result<int> undo(const setup::System& system, bool dry) {
   const auto report = setup::undo_setup(system, dry);
   if (!report) return tl::unexpected(report.error());
-  tell(dry ? "Would take back:" : "Taken back:", report->changed);
-  tell(dry ? "Would leave:" : "Left:", report->stayed);
+  tell(dry ? "Would undo:" : "Undone:", report->changed);
+  tell(dry ? "Would keep:" : "Kept:", report->stayed);
   if (dry) return 0;
-  std::cout << "This machine is no kiosk any more.\n";
+  std::cout << "This machine is no longer a kiosk.\n";
   return 0;
 }
 
@@ -37,12 +37,12 @@ Result<int> set_up(const SetupArguments& arguments) {
   const auto report = setup::set_up(options);
   if (!report) return tl::unexpected(report.error());
   tell(arguments.dry ? "Would change:" : "Changed:", report->changed);
-  tell("Was so already, or left:", report->stayed);
+  tell("Unchanged:", report->stayed);
   if (arguments.dry) return 0;
   std::cout << "The exhibit is " << setup::kSite << "/config/exhibit.toml; after a change: cd "
             << setup::kSite << " && onggi check\n"
             << "The kiosk starts with the machine; at once: sudo systemctl start onggi\n"
-            << "To take all of this back: sudo onggi setup --undo\n";
+            << "To undo all of this: sudo onggi setup --undo\n";
   return 0;
 }
 
@@ -50,24 +50,24 @@ Result<int> set_up(const SetupArguments& arguments) {
 
 cli::Command setup_command() {
   const auto a = std::make_shared<SetupArguments>();
-  return {
-      .name = "setup",
-      .help =
-          "Make a kiosk of this machine (Debian 13 or 12, from the package), and say what changed",
-      .examples =
-          "Example: sudo onggi setup\n"
-          "         onggi setup --dry-run\n"
-          "         sudo onggi setup --undo",
-      .options = {{"--dry-run", &a->dry,
-                   "Say what would change, or be taken back, and change nothing"},
-                  {"--undo", &a->undo, "Take back what an earlier setup changed"},
-                  {"--replace-desktop", &a->replace_desktop,
-                   "Where a desktop starts with the machine, the kiosk takes its place"},
-                  {.name = "--root",
-                   .field = &a->root,
-                   .help = "The folder of a system's image, instead of this system",
-                   .shows_default = true}},
-      .run = [a] { return set_up(*a); }};
+  return {.name = "setup",
+          .help =
+              "Turn this machine into a kiosk (Debian 13 or 12, from the package), and list what "
+              "changed",
+          .examples =
+              "Example: sudo onggi setup\n"
+              "         onggi setup --dry-run\n"
+              "         sudo onggi setup --undo",
+          .options = {{"--dry-run", &a->dry,
+                       "List what would be changed or undone, and change nothing"},
+                      {"--undo", &a->undo, "Undo what an earlier setup changed"},
+                      {"--replace-desktop", &a->replace_desktop,
+                       "Start the kiosk instead of the machine's desktop"},
+                      {.name = "--root",
+                       .field = &a->root,
+                       .help = "The folder of a system's image, instead of this system",
+                       .shows_default = true}},
+          .run = [a] { return set_up(*a); }};
 }
 
 }  // namespace onggi::commands

@@ -29,7 +29,7 @@ Result<void> check_day(const std::string& option, const std::string& day) {
                                          std::chrono::month(static_cast<unsigned>(m)),
                                          std::chrono::day(static_cast<unsigned>(d))};
   if (read && date.ok()) return {};
-  return problem(option + " " + day, "That is no day.", "Write it as 2026-05-31.");
+  return problem(option + " " + day, "This is not a valid date.", "Write it as 2026-05-31.");
 }
 
 /// Visits a day, or a month where there are too many days to name; what is left out is a gap.
@@ -39,9 +39,9 @@ drawing::Plot plot_of(const store::PublishedStatistics& s) {
   for (const auto& table : s.tables)
     if (table.name == "day" && table.lines.size() > kMostDays) step = "month";
   drawing::Plot plot;
-  plot.title = "Visits a " + step;
-  plot.subtitle = "Fewer than " + std::to_string(store::PublishedStatistics::kLeast) +
-                  " visits are left out, and what would give them away.";
+  plot.title = "Visits per " + step;
+  plot.subtitle =
+      "Counts below " + std::to_string(store::PublishedStatistics::kLeast) + " are not shown.";
   plot.x.label = step;
   plot.y.label = "visits";
   drawing::PlotSeries visits{.name = "visits", .kind = drawing::PlotSeries::Kind::bars};
@@ -57,7 +57,7 @@ drawing::Plot plot_of(const store::PublishedStatistics& s) {
   }
   if (visits.y.empty()) {
     const bool none = s.all.visits == 0;
-    plot.notes.push_back({0.0, 0.0, none ? "No visits in these days." : "Too few visits to tell."});
+    plot.notes.push_back({0.0, 0.0, none ? "No visits in these days." : "Too few visits to show."});
     return plot;
   }
   plot.series = {visits, kept};
@@ -76,7 +76,7 @@ Result<int> stats(const StatsArguments& arguments) {
   if (auto good = check_day("--to", arguments.to); !good) return tl::unexpected(good.error());
   if (!arguments.to.empty() && arguments.to < arguments.from)
     return problem("--from " + arguments.from + " --to " + arguments.to,
-                   "The last day is before the first.", "Exchange them.");
+                   "The last day is before the first.", "Swap them.");
   const auto file = store_of(arguments);
   if (!file) return tl::unexpected(file.error());
   const auto counted = store::read_statistics(*file, arguments.from, arguments.to);
@@ -99,17 +99,17 @@ cli::Command stats_command() {
   const auto a = std::make_shared<StatsArguments>();
   return {
       .name = "stats",
-      .help = "Say what visitors did: how many, how long, which vessels, where they left",
+      .help = "Show what visitors did: how many, how long, which vessels, where they left",
       .examples =
           "Example: onggi stats --from 2026-05-01 --to 2026-05-31 --csv may.csv --plot may.svg\n"
-          "Nothing is told of fewer than five visitors: kiosk/docs/store.md says why.",
-      .options = {{"--from", &a->from, "First day that is counted, as 2026-05-01 [all]"},
-                  {"--to", &a->to, "Last day that is counted [all]"},
+          "Counts below five are not shown: kiosk/docs/store.md says why.",
+      .options = {{"--from", &a->from, "First day to count, as 2026-05-01 [all]"},
+                  {"--to", &a->to, "Last day to count [all]"},
                   {"--csv", &a->csv, "Write the tables as CSV (- for standard output)"},
-                  {"--json", &a->json, "Write all of it as JSON (- for standard output)"},
+                  {"--json", &a->json, "Write everything as JSON (- for standard output)"},
                   {"--plot", &a->plot,
-                   "Draw visits a day or month, as PNG or SVG (- for standard output)"},
-                  {"--store", &a->store, "Another store than the exhibit's"},
+                   "Draw visits per day or month, as PNG or SVG (- for standard output)"},
+                  {"--store", &a->store, "Use this store instead of the exhibit's"},
                   {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
       .run = [a] { return stats(*a); }};
 }

@@ -41,7 +41,7 @@ std::string text_or_why(const fs::path& file) {
 std::string of_helper(const files::Helper& helper) {
   const auto said = files::run_helper(helper);
   if (!said) return to_text(said.error()) + "\n";
-  if (said->empty()) return helper.program + " said nothing: say sudo onggi report.\n";
+  if (said->empty()) return helper.program + " printed nothing: run sudo onggi report.\n";
   return {reinterpret_cast<const char*>(said->data()), said->size()};
 }
 
@@ -96,7 +96,7 @@ std::string check_text(const fs::path& config) {
   if (!report) return to_text(report.error()) + "\n";
   std::string out;
   for (const Problem& p : report->problems) out += to_text(p) + '\n';
-  for (const auto& file : report->files) out += "looked at " + file.string() + '\n';
+  for (const auto& file : report->files) out += "checked " + file.string() + '\n';
   return out + report->summary() + '\n';
 }
 
@@ -190,7 +190,7 @@ Result<std::vector<std::byte>> pack_bundle(const std::vector<BundlePart>& parts)
   const store::CopyFolder folder;
   if (folder.path().empty())
     return problem("onggi report", "No temporary folder could be made.",
-                   "Look whether /tmp can be written, and is not full.", 1);
+                   "Check that /tmp is writable and not full.", 1);
   for (const BundlePart& part : parts) {
     const fs::path file = folder.path() / kFolder / part.name;
     if (auto made = files::make_folder(file.parent_path()); !made)

@@ -58,17 +58,17 @@ Result<int> tune(const TuneArguments& arguments) {
 cli::Command tune_command() {
   const auto a = std::make_shared<TuneArguments>();
   return {.name = "tune",
-          .help = "Finds the grid that a scene can have on this machine",
+          .help = "Find the finest grid that a scene can use on this machine",
           .examples =
               "Example: onggi lab tune --write config/scenes/first_touch.toml\n"
-              "Printed is what is promised, margin included. Exit: 1 where no grid is in time.\n"
+              "The printed figures include a margin. Exit: 1 if every grid is too slow.\n"
               "quality = \"auto\" in a scene does the same at the first start on a machine.",
           .options = {{.name = "--scene",
                        .field = &a->scene,
-                       .help = "The scene's TOML; it stays as it is",
+                       .help = "The scene's TOML; it is not changed",
                        .excludes = "--write"},
-                      {"--write", &a->write, "The same, and the grid is written into it"},
-                      {"--json", &a->json, "Write the promise as JSON (- for standard output)"}},
+                      {"--write", &a->write, "The scene's TOML; the grid is written into it"},
+                      {"--json", &a->json, "Write the figures as JSON (- for standard output)"}},
           .run = [a] { return tune(*a); }};
 }
 

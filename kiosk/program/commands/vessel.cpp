@@ -5,7 +5,7 @@ namespace onggi::commands {
 cli::Command vessel_command() {
   return {
       .name = "vessel",
-      .help = "Make a vessel from a drawing, look into one, or put a scan on the shelf",
+      .help = "Make a vessel from a drawing, measure one, or put a scan on the shelf",
       .examples = "Example: onggi vessel make content/vessels/moon_jar/profile.toml -o vessel.glb",
       .commands = {make_command(), inspect_command(), import_command()}};
 }

@@ -102,7 +102,7 @@ Result<int> find_mission(const exhibit::Kiosk& kiosk, const std::string& id) {
   const std::string nearest = nearest_name(id, ids);
   std::string all;
   for (const std::string& one : ids) all += (all.empty() ? "" : ", ") + one;
-  return problem("--mission " + id, "It is no mission that can be played.",
+  return problem("--mission " + id, "No mission with this id can be played.",
                  (nearest.empty() || nearest == id ? "" : "Did you mean " + nearest + "? ") +
                      "In " + file->string() + " there are: " + all + ". Try onggi check.");
 }
@@ -212,25 +212,24 @@ Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int ca
 /// What can be known to be wrong before a visit of a minute begins.
 Result<void> check(const VisitArguments& arguments) {
   if (arguments.vessel.empty() == arguments.mission.empty())
-    return problem("--vessel", "A visitor throws a vessel, or does a mission.",
-                   "Name a vessel of the shelf or a file, or a mission.");
+    return problem("--vessel", "Use --vessel or --mission, not both.",
+                   "Remove one of the two options.");
   if (arguments.out.empty())
     return problem("--out", "It is empty.", "Name a folder for the keepsake and the pictures.");
   std::error_code error;
   if (fs::create_directories(arguments.out, error); error || !fs::is_directory(arguments.out))
-    return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
-                   "Name a folder that may be written.");
+    return problem("--out " + arguments.out, "This folder does not exist and cannot be created.",
+                   "Name a writable folder.");
   if (arguments.hand != "script" && arguments.hand != "mouse" && arguments.hand != "device")
-    return problem("--hand " + arguments.hand, "Nobody moves the hand that way.",
-                   "Write script, mouse or device.");
+    return problem("--hand " + arguments.hand, "Unknown --hand.", "Write script, mouse or device.");
   if (arguments.pointer != "mouse" && arguments.pointer != "finger")
-    return problem("--pointer " + arguments.pointer,
-                   "Naive hands hold a mouse or touch with a finger.",
-                   "Say --pointer mouse or --pointer finger.");
+    return problem("--pointer " + arguments.pointer, "Unknown --pointer.",
+                   "Use --pointer mouse or --pointer finger.");
   if (!arguments.film.empty()) {
     if (fs::create_directories(arguments.film, error); error || !fs::is_directory(arguments.film))
-      return problem("--film " + arguments.film, "It is no folder, and none can be made there.",
-                     "Name a folder that may be written.");
+      return problem("--film " + arguments.film,
+                     "This folder does not exist and cannot be created.",
+                     "Name a writable folder.");
   }
   if (arguments.script == kNaive || aided(arguments)) return {};
   const auto names = script_names();
@@ -329,48 +328,48 @@ cli::Command visit_command() {
   for (const std::string_view name : script_names()) scripts += ", " + std::string(name);
   return {
       .name = "visit",
-      .help = "Make a whole visit without a person, and keep its picture",
+      .help = "Run a whole visit without a person, and save its picture",
       .examples =
           "Example: onggi visit --script follow --vessel moon_jar --out /tmp/visit --json -\n"
           "         onggi visit --script naive --seed 3 --vessel moon_jar --out /tmp/visit --film "
           "/tmp/film",
-      .options = {{"--script", &a->script, "What the hands do: " + scripts + " [follow]"},
-                  {.name = "--vessel",
-                   .field = &a->vessel,
-                   .help = "A vessel of the shelf, a pack, or a GLB/glTF file"},
-                  {"--mission", &a->mission, "Instead: a mission by its id, on or off"},
-                  {.name = "--out",
-                   .field = &a->out,
-                   .help = "Folder for the keepsake and the screens' pictures",
-                   .required = true},
-                  {.name = "--seed",
-                   .field = &a->seed,
-                   .help = "Unevenness of the scripted hands [1]",
-                   .least = 0},
-                  {"--hand", &a->hand,
-                   "Who moves the hand: script, in the loop; mouse, frame by frame; device, one "
-                   "that is plugged in, and the script only turns the wheel [script]"},
-                  {.name = "--seconds",
-                   .field = &a->seconds,
-                   .help = "How long naive hands throw [90]",
-                   .least = 5,
-                   .most = 600},
-                  {.name = "--pace",
-                   .field = &a->pace,
-                   .help = "Seconds from one item to the next for one switch [1.5]",
-                   .least = 0.5,
-                   .most = 5},
-                  {"--pointer", &a->pointer, "What naive hands use: mouse or finger [mouse]"},
-                  {"--film", &a->film, "A folder for a picture of every five seconds' throwing"},
-                  {"--json", &a->json,
-                   "Write what it came to as JSON here too (- for standard output); OUT/visit.json "
-                   "always"},
-                  {"--realtime", &a->realtime, "At a visitor's speed, in a visible window"},
-                  {"--window", &a->window, "WIDTHxHEIGHT of the screens [1280x720]"},
-                  {"--glaze", &a->glaze, "A glaze of the exhibit [its first]"},
-                  {"--language", &a->language, "A language of the exhibit [its first]"},
-                  {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
-                  {"--shelf", &a->shelf, "A folder of vessels instead of the exhibit's"}},
+      .options =
+          {{"--script", &a->script, "What the hands do: " + scripts + " [follow]"},
+           {.name = "--vessel",
+            .field = &a->vessel,
+            .help = "A vessel of the shelf, a pack, or a GLB/glTF file"},
+           {"--mission", &a->mission, "A mission by its id, instead of a vessel"},
+           {.name = "--out",
+            .field = &a->out,
+            .help = "Folder for the keepsake and the screens' pictures",
+            .required = true},
+           {.name = "--seed",
+            .field = &a->seed,
+            .help = "Unevenness of the scripted hands [1]",
+            .least = 0},
+           {"--hand", &a->hand,
+            "Who moves the hand: script (in the loop), mouse (frame by frame) or device (a  "
+            "plugged-in one; the script only turns the wheel) [script]"},
+           {.name = "--seconds",
+            .field = &a->seconds,
+            .help = "How long naive hands throw [90]",
+            .least = 5,
+            .most = 600},
+           {.name = "--pace",
+            .field = &a->pace,
+            .help = "Seconds from one item to the next for one switch [1.5]",
+            .least = 0.5,
+            .most = 5},
+           {"--pointer", &a->pointer, "The pointer of naive hands: mouse or finger [mouse]"},
+           {"--film", &a->film, "A folder for a picture of every five seconds' throwing"},
+           {"--json", &a->json,
+            "Write the result as JSON here (- for standard output), as well as to OUT/visit.json"},
+           {"--realtime", &a->realtime, "At a visitor's speed, in a visible window"},
+           {"--window", &a->window, "WIDTHxHEIGHT of the screens [1280x720]"},
+           {"--glaze", &a->glaze, "A glaze of the exhibit [its first]"},
+           {"--language", &a->language, "A language of the exhibit [its first]"},
+           {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
+           {"--shelf", &a->shelf, "A folder of vessels instead of the exhibit's"}},
       .run = [a] { return visit(*a); }};
 }
 

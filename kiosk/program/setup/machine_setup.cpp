@@ -55,7 +55,7 @@ Result<void> remember(const std::vector<Step>& steps, const System& system) {
 Result<void> may_change(const System& system) {
   if (::geteuid() == 0 || system.root != "/") return {};
   return problem("onggi setup", "Only root may change what starts with this machine.",
-                 "Say: sudo onggi setup", 1);
+                 "Run: sudo onggi setup", 1);
 }
 
 }  // namespace
@@ -78,16 +78,16 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
        "the log takes 64 MB at most"},
       {Kind::link, "/var/lib/prometheus/node-exporter/onggi.prom", "/run/onggi/onggi.prom",
        "the kiosk's health, for node_exporter", true},
-      {Kind::disable, "getty@tty1.service", {}, "the login on the first screen gives way"}};
+      {Kind::disable, "getty@tty1.service", {}, "the login on the first screen is turned off"}};
   std::error_code none;
   if (const fs::path desktop = fs::read_symlink(options.system.at(kDesktop), none);
       !desktop.empty()) {
     if (!options.replace_desktop)
       return problem(desktop.filename().string(),
                      "A desktop starts with this machine and would hold its screen.",
-                     "Say: sudo onggi setup --replace-desktop", 1);
+                     "Run: sudo onggi setup --replace-desktop", 1);
     // Debian starts its desktops by this name alone: most of their units cannot be enabled.
-    steps.push_back({Kind::unlink, kDesktop, desktop, "the desktop gives way to the kiosk"});
+    steps.push_back({Kind::unlink, kDesktop, desktop, "the kiosk replaces the desktop"});
   }
   steps.push_back({Kind::enable, "onggi-display.service", {}, "the screen"});
   steps.push_back({Kind::enable, "onggi.service", {}, "the kiosk"});
@@ -106,7 +106,7 @@ Result<SetupReport> set_up(const SetupOptions& options) {
       return before.kind == Step::Kind::tree && step.kind == before.kind && step.to == before.to;
     });
     if (given) {
-      report.stayed.push_back(step.to.string() + ": stays as the museum has it");
+      report.stayed.push_back(step.to.string() + ": unchanged, because it is the museum's own");
       continue;
     }
     const auto change = apply(step, options.system, options.dry);

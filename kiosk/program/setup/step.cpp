@@ -59,7 +59,7 @@ Result<files::Bytes> bytes_of(const fs::path& file) {
   auto bytes = files::read_file(file, kMostOfAFile);
   if (bytes) return std::move(*bytes);
   return problem(file.string(), "It cannot be read: " + bytes.error().reason + ".",
-                 "Install the package anew, or read this as root.", 1);
+                 "Install the package again, or run this as root.", 1);
 }
 
 Result<void> put_copy(const fs::path& from, const fs::path& to) {
@@ -74,7 +74,7 @@ Result<Change> make_folder(const Step& step, const System& system, bool dry) {
   const auto owner = kiosk_user(system);
   if (!owner)
     return problem(system.at("/etc/passwd").string(), "There is no user onggi.",
-                   "Install the package of onggi, which makes it.", 1);
+                   "Install the package onggi, which creates it.", 1);
   struct stat now {};
   const bool there = ::stat(folder.c_str(), &now) == 0 && S_ISDIR(now.st_mode);
   const bool theirs = there && now.st_uid == owner->user;

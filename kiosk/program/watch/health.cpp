@@ -75,7 +75,7 @@ std::string one_line(const Health& h) {
                             : "Open",
                 static_cast<unsigned long long>(h.kept),
                 static_cast<double>(h.disk_free_bytes) * 1e-9,
-                h.disk_writes ? "" : ", but the disk takes no writes");
+                h.disk_writes ? "" : ", but the disk cannot be written");
   return text;
 }
 

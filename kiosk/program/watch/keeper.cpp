@@ -58,7 +58,7 @@ void Keeper::look(const Moves& moves, const Health& health, double now) {
   if (began_ < 0) began_ = now;
   const bool beats = pulse_.beats(moves, now);
   if (const std::string stands = pulse_.standing(); stands != stood_) {
-    remark(stands.empty() ? "All moves again." : "Standing still: " + stands + ".");
+    remark(stands.empty() ? "Everything runs again." : "Stopped: " + stands + ".");
     stood_ = stands;
   }
   if (!said_ready_) {
@@ -107,7 +107,7 @@ void Keeper::try_disk(const fs::path& keepsakes, double now) {
   if (written) trial_good_ = now;
   if (written.has_value() == disk_writes_) return;
   disk_writes_ = written.has_value();
-  remark(written ? "The disk takes writes again." : to_text(written.error()));
+  remark(written ? "The disk can be written again." : to_text(written.error()));
 }
 
 void Keeper::keep_if_good(const Shown& shown, double now, double shown_for) {
@@ -124,7 +124,7 @@ void Keeper::keep_if_good(const Shown& shown, double now, double shown_for) {
   }
   not_kept_.clear();
   kept_ = shown.files;
-  remark("This exhibit has proved itself: it is kept as the last good one.");
+  remark("This exhibit runs well. It is saved as the last good one.");
 }
 
 void Keeper::attend_once(const Shown& shown, const Health& given, double now, double shown_for) {

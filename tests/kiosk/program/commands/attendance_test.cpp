@@ -88,14 +88,14 @@ TEST(Attendance,
   const Service service;
   if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
   service.keep_as_last_good(kAnother);
-  EXPECT_THAT(service.run("", "TERM", 2).err, Not(HasSubstr("last exhibit that was good")));
+  EXPECT_THAT(service.run("", "TERM", 2).err, Not(HasSubstr("last good exhibit")));
   const Outcome broken = service.run("shelf = [\n", "TERM", 2);
   EXPECT_THAT(broken.err, HasSubstr("exhibit.toml:"));
-  EXPECT_THAT(broken.err, HasSubstr("The last exhibit that was good is shown"));
+  EXPECT_THAT(broken.err, HasSubstr("The last good exhibit is shown"));
   EXPECT_THAT(broken.err, Not(HasSubstr("Safe mode")));
   service.keep_as_last_good("crediit = \"a slip that nobody minded\"\n");
   EXPECT_THAT(service.run("crediit = \"us\"\n", "TERM", 2).err,
-              Not(HasSubstr("The last exhibit that was good is shown")));
+              Not(HasSubstr("The last good exhibit is shown")));
 }
 
 TEST(Attendance, AKilledKioskIsACrashAndOneThatEndsAsAskedIsNone) {

@@ -49,7 +49,7 @@ TEST_F(CopiedSite, IsWhatIsCheckedWhereOneStandsInItAndEachOfItsFilesIsNamed) {
         "content/missions.toml", "content/lessons/first_minute.toml",
         "content/vessels/moon_jar/vessel.toml", "content/vessels/moon_jar/profile.toml",
         "content/vessels/tea_bowl/vessel.glb"})
-    EXPECT_NE(run.out.find("looked at " + at(name) + "\n"), std::string::npos) << name << run.out;
+    EXPECT_NE(run.out.find("checked " + at(name) + "\n"), std::string::npos) << name << run.out;
   // The last line counts what the others name.
   const auto named = std::count(run.out.begin(), run.out.end(), '\n') - 1;
   EXPECT_NE(run.out.find("All good: checked " + std::to_string(named) + " files, "),
@@ -62,7 +62,7 @@ TEST_F(CopiedSite, IsWhatIsCheckedWhereOneStandsInItAndEachOfItsFilesIsNamed) {
 TEST_F(CopiedSite, ElsewhereIsNamedByConfig) {
   const Outcome run = onggi("check --config " + at("config/exhibit.toml"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("looked at " + at("content/languages/ko.toml")), std::string::npos);
+  EXPECT_NE(run.out.find("checked " + at("content/languages/ko.toml")), std::string::npos);
   EXPECT_EQ(onggi("check --config " + at("no.toml")).exit_code, 2);
 }
 
@@ -73,11 +73,12 @@ TEST_F(CopiedSite, WithWordsThatTheProgramDoesNotFindIsNotGood) {
   const Outcome run = check();
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(std::regex_search(
-      run.err, std::regex("ko.toml:[0-9]+:[0-9]+: attract.begni is nothing that the program says."
-                          "\n  Call it attract.begin")))
+      run.err, std::regex("ko.toml:[0-9]+:[0-9]+: attract.begni is not a text of the program."
+                          "\n  Did you mean attract.begin")))
       << run.err;
-  EXPECT_NE(run.err.find("throw.rpm has {rmp}, which nothing fills."), std::string::npos);
-  EXPECT_NE(run.err.find("Its places are {rpm}."), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("throw.rpm has {rmp}, but the program fills no such placeholder."),
+            std::string::npos);
+  EXPECT_NE(run.err.find("Its placeholders are {rpm}."), std::string::npos) << run.err;
   EXPECT_TRUE(std::regex_search(
       run.err, std::regex("en.toml:[0-9]+:[0-9]+: throw.water is missing.\n.*water = \"Water\"")))
       << run.err;

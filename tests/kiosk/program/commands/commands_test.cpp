@@ -124,7 +124,7 @@ TEST(Lab, ANightOfTrialsLeavesItsTallyAndGoesOnWhereItWas) {
   EXPECT_TRUE(tally.at("found").empty());
   const Outcome next = onggi("lab stability --ticks 10000" + out);
   EXPECT_EQ(next.exit_code, 0) << next.err;
-  EXPECT_NE(next.err.find("Goes on from trial"), std::string::npos);
+  EXPECT_NE(next.err.find("Continues from trial"), std::string::npos);
   EXPECT_NE(next.out.find("seed 3"), std::string::npos);
   const Outcome one = onggi("lab stability --trial 1" + out);
   EXPECT_EQ(one.exit_code, 0) << one.err;
@@ -229,7 +229,7 @@ TEST(Vessel, AScanBecomesAPackThatTheKioskOpens) {
   EXPECT_EQ(onggi("vessel inspect " + shelf + "/my_bowl").exit_code, 0);
   const Outcome again = onggi(command);
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_NE(again.err.find("there already"), std::string::npos);
+  EXPECT_NE(again.err.find("is not overwritten"), std::string::npos);
   EXPECT_EQ(onggi("vessel import content/vessels/tea_bowl/vessel.glb --id ../x").exit_code, 2);
 }
 
@@ -239,7 +239,7 @@ TEST(Vessel, WhatCannotBeATargetEndsWithTwoPlaceMeaningAndRemedy) {
   const Outcome run = onggi("vessel inspect " + ewer + " --json -");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
-  for (const char* words : {"ewer", "no body of revolution", "Choose a vessel"})
+  for (const char* words : {"ewer", "not a body of revolution", "Choose a vessel"})
     EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
 }
 

@@ -69,13 +69,13 @@ TEST(Reload, AVesselPutOnTheShelfIsShownAndABrokenExhibitLeavesTheOldOneOpenAndS
   OpenSite site;
   if (!site.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
   ASSERT_TRUE(site.says("The shelf holds 1 vessels")) << site.log();
-  ASSERT_TRUE(site.says("Changes of the exhibit are looked for")) << site.log();
+  ASSERT_TRUE(site.says("Watching for changes of the exhibit")) << site.log();
 
   site.add_vessel("moon_jar");
   EXPECT_TRUE(site.says("The shelf holds 2 vessels")) << site.log();
 
   std::ofstream(site.exhibit(), std::ios::app) << "\nshelf = [\n";
-  EXPECT_TRUE(site.says("is not taken up")) << site.log();
+  EXPECT_TRUE(site.says("has a fault")) << site.log();
   EXPECT_THAT(site.log(), HasSubstr("exhibit.toml:"));
   EXPECT_EQ(site.times("The shelf holds"), 2) << site.log();
 

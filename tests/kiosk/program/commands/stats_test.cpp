@@ -104,8 +104,8 @@ TEST(Stats, NoStoreNoDayAndAStoreThatWouldBeWrittenOverAreRefused) {
     EXPECT_EQ(run.out, "") << arguments;
   };
   refused("--store " + (folder / "none").string(), "no store of visits");
-  refused("--from 2026-02-30 --store " + file, "no day");
-  refused("--from 2026-5-3 --store " + file, "no day");
+  refused("--from 2026-02-30 --store " + file, "not a valid date");
+  refused("--from 2026-5-3 --store " + file, "not a valid date");
   refused("--from 2026-05-02 --to 2026-05-01 --store " + file, "before the first");
   const std::string before = text_of(file);
   refused("--json " + file + " --force --store " + file, file);

@@ -65,7 +65,7 @@ TEST(health, it_tells_what_is_wrong) {
   EXPECT_THAT(prometheus_text(health), HasSubstr("\nonggi_disk_writes 0\n"));
   EXPECT_THAT(prometheus_text(health), HasSubstr("\nonggi_crashes_in_a_row 4\n"));
   EXPECT_THAT(one_line(health), HasSubstr("Safe mode"));
-  EXPECT_THAT(one_line(health), HasSubstr("the disk takes no writes"));
+  EXPECT_THAT(one_line(health), HasSubstr("the disk cannot be written"));
 }
 
 }  // namespace

@@ -274,16 +274,16 @@ TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again)
       });
     });
   };
-  EXPECT_TRUE(hears("A file stands where a folder is wanted"));
+  EXPECT_TRUE(hears("A file is in the place of a folder"));
   for (int more = 0; more < 20; ++more) {  // trials that fail as the first did
     keeper.look({1, 1, 1}, {}, now += 1.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   fs::remove(kept.keepsakes());
-  EXPECT_TRUE(hears("The disk takes writes again."));
+  EXPECT_TRUE(hears("The disk can be written again."));
   EXPECT_EQ(std::count_if(told.begin(), told.end(),
                           [](const std::string& line) {
-                            return line.find("A file stands") != std::string::npos;
+                            return line.find("A file is in") != std::string::npos;
                           }),
             1);
 }
