@@ -37,20 +37,21 @@ Result<int> accuracy(const AccuracyArguments& arguments) {
 
 cli::Command accuracy_command() {
   const auto a = std::make_shared<AccuracyArguments>();
-  return {.name = "accuracy",
-          .help = "What accuracy costs in time here, and which setting to choose",
-          .examples =
-              "Example: onggi lab accuracy --quick --plot accuracy.png\n"
-              "         onggi lab accuracy --json accuracy.json --csv accuracy.csv\n"
-              "Shape in mm, force in N and volume in %, against a reference in doubles; "
-              "time is the thread's own.",
-          .options = {{"--quick", &a->plan.quick, "Fewer combinations: a minute or so"},
-                      {"--json", &a->json,
-                       "Write everything as JSON (- for standard output, here and below)"},
-                      {"--csv", &a->csv, "Write the rows as CSV"},
-                      {"--plot", &a->plot, "Draw the picture into this PNG or SVG"},
-                      {"--seed", &a->plan.seed, "Of the random hands that try to break it [1]"}},
-          .run = [a] { return accuracy(*a); }};
+  return {
+      .name = "accuracy",
+      .help = "Measure what accuracy costs in time here, and which setting to choose",
+      .examples =
+          "Example: onggi lab accuracy --quick --plot accuracy.png\n"
+          "         onggi lab accuracy --json accuracy.json --csv accuracy.csv\n"
+          "Shape in mm, force in N and volume in %, against a reference in doubles; "
+          "time is the thread's own.",
+      .options = {{"--quick", &a->plan.quick, "Fewer combinations: a minute or so"},
+                  {"--json", &a->json,
+                   "Write everything as JSON (- for standard output, here and below)"},
+                  {"--csv", &a->csv, "Write the rows as CSV"},
+                  {"--plot", &a->plot, "Draw the picture into this PNG or SVG"},
+                  {"--seed", &a->plan.seed, "Seed of the random hands that try to break it [1]"}},
+      .run = [a] { return accuracy(*a); }};
 }
 
 }  // namespace onggi::laboratory

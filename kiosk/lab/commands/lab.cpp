@@ -70,13 +70,13 @@ Result<int> effects(const LabArguments& arguments) {
 cli::Command effects_command() {
   const auto a = std::make_shared<LabArguments>();
   return {.name = "effects",
-          .help = "The price list: what each effect and each scene costs",
+          .help = "List what each effect and each scene costs",
           .examples =
               "Example: onggi lab effects --json prices.json --plot prices.png\n"
               "         onggi lab effects --bill config/scenes/studio.toml --plot bill.png\n"
-              "Bytes are those beyond the base scene's. Instructions are of a tick, under "
+              "Bytes are beyond the base scene's. Instructions are per tick, under "
               "valgrind.\n"
-              "A bill: what a scene pays for each of its effects, and what for.",
+              "A bill shows what each effect of a scene costs and what it does.",
           .options =
               {{"--json", &a->json, "Write the list as JSON (- for standard output)"},
                {"--plot", &a->plot, "Draw it into this PNG or SVG"},
@@ -116,7 +116,7 @@ Result<int> stability(StabilityArguments& arguments) {
                 static_cast<unsigned long long>(tally->seed),
                 static_cast<unsigned long long>(tally->trials),
                 static_cast<unsigned long long>(tally->ticks), tally->finds.size(),
-                tally->interrupted ? "; interrupted: run it again to go on" : "");
+                tally->interrupted ? "; interrupted: run it again to continue" : "");
     for (const measure::StabilityFind& find : tally->finds)
       std::printf("  trial %llu, %s: %s\n    %s\n", static_cast<unsigned long long>(find.trial),
                   find.invariant.c_str(), find.what.c_str(), find.replay.c_str());
@@ -126,34 +126,35 @@ Result<int> stability(StabilityArguments& arguments) {
 
 cli::Command stability_command() {
   const auto a = std::make_shared<StabilityArguments>();
-  return {.name = "stability",
-          .help = "Random hands in random scenes for a night, and what must hold after each tick",
-          .examples =
-              "Example: onggi lab stability --ticks 1e9 --json night.json\n"
-              "         onggi lab stability --ticks 1e7 --seed 7 --threads 1\n"
-              "         onggi lab stability --seed 7 --trial 1234\n"
-              "         onggi lab stability --check keepsakes/stability/7_1234.onggi\n"
-              "Interrupted, it goes on where it was when it is run again with the same seed.",
-          .options = {{.name = "--ticks",
-                       .field = &a->plan.ticks,
-                       .help = "To have been run in all [1e9]",
-                       .least = 1,
-                       .most = 1e15},
-                      {"--seed", &a->plan.seed, "That trials are drawn from [1]"},
-                      {.name = "--threads",
-                       .field = &a->plan.threads,
-                       .help = "0: one a core [0]",
-                       .least = 0,
-                       .most = 256},
-                      {.name = "--trial",
-                       .field = &a->trial,
-                       .help = "Only this one of the seed, by its number; no progress is kept",
-                       .least = 0,
-                       .excludes = "--check"},
-                      {"--out", &a->out, "Where progress and replays go [keepsakes/stability]"},
-                      {"--json", &a->json, "Write what came as JSON (- for standard output)"},
-                      {"--check", &a->check, "Only look at every tick of this replay"}},
-          .run = [a] { return stability(*a); }};
+  return {
+      .name = "stability",
+      .help = "Run random hands in random scenes for a night, and check every tick",
+      .examples =
+          "Example: onggi lab stability --ticks 1e9 --json night.json\n"
+          "         onggi lab stability --ticks 1e7 --seed 7 --threads 1\n"
+          "         onggi lab stability --seed 7 --trial 1234\n"
+          "         onggi lab stability --check keepsakes/stability/7_1234.onggi\n"
+          "If it is interrupted, run it again with the same seed to continue.",
+      .options = {{.name = "--ticks",
+                   .field = &a->plan.ticks,
+                   .help = "Ticks to run in all [1e9]",
+                   .least = 1,
+                   .most = 1e15},
+                  {"--seed", &a->plan.seed, "Seed of the trials [1]"},
+                  {.name = "--threads",
+                   .field = &a->plan.threads,
+                   .help = "Threads; 0 means one per core [0]",
+                   .least = 0,
+                   .most = 256},
+                  {.name = "--trial",
+                   .field = &a->trial,
+                   .help = "Run only this trial of the seed, by its number, and keep no progress",
+                   .least = 0,
+                   .excludes = "--check"},
+                  {"--out", &a->out, "Folder for progress and replays [keepsakes/stability]"},
+                  {"--json", &a->json, "Write the result as JSON (- for standard output)"},
+                  {"--check", &a->check, "Only check every tick of this replay"}},
+      .run = [a] { return stability(*a); }};
 }
 
 struct TimingArguments {
@@ -176,13 +177,13 @@ Result<int> timing(const TimingArguments& arguments) {
 cli::Command timing_command() {
   const auto a = std::make_shared<TimingArguments>();
   return {.name = "timing",
-          .help = "How well the 1 kHz loop keeps time here, alone and beside the drawing",
+          .help = "Measure how well the 1 kHz loop keeps time, alone and while drawing",
           .examples =
               "Example: onggi lab timing --json timing.json --plot timing.svg\n"
-              "Exit: 0 fit for force feedback, 1 not; the words say what to change.",
+              "Exit: 0 fit for force feedback, 1 not fit; the text says what to change.",
           .options = {{.name = "--seconds",
                        .field = &a->seconds,
-                       .help = "Of each of the two; 101 or more for the tail [101]",
+                       .help = "Seconds for each of the two; 101 or more for the tail [101]",
                        .least = 1.0,
                        .most = 3600.0},
                       {"--json", &a->json, "Write the figures as JSON (- for standard output)"},
@@ -196,7 +197,7 @@ cli::Command timing_command() {
 cli::Command lab_command() {
   return {
       .name = "onggi-lab",
-      .help = "Onggi's laboratory: what accuracy, effects and hard cases cost on this machine.",
+      .help = "Onggi's laboratory: measure accuracy, effects and hard cases on this machine.",
       .examples =
           "Example: onggi lab accuracy\n         onggi lab effects\n         onggi lab stability "
           "--ticks 1e7\n"

@@ -75,19 +75,19 @@ Result<int> access(const AccessArguments& arguments) {
 
 cli::Command lab_access_command() {
   const auto a = std::make_shared<AccessArguments>();
-  return {.name = "access",
-          .help = "EN 301 549's figures of the exhibit, measured on its drawn screens",
-          .examples =
-              "Example: onggi lab access --window 1080x1920 --json access.json\n"
-              "         onggi lab access --displays --page kiosk/docs/access.md",
-          .options = {{"--window", &a->window, "WIDTHxHEIGHT of the screens [1920x1080]"},
-                      {"--language", &a->language, "A language of the exhibit [its first]"},
-                      {"--displays", &a->displays,
-                       "Also on displays that a kiosk is likely to have, a line each"},
-                      {"--page", &a->page, "Write those lines into this page, where it says so"},
-                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
-                      {"--json", &a->json, "Write the figures as JSON (- for standard output)"}},
-          .run = [a] { return access(*a); }};
+  return {
+      .name = "access",
+      .help = "Measure EN 301 549's figures on the exhibit's drawn screens",
+      .examples =
+          "Example: onggi lab access --window 1080x1920 --json access.json\n"
+          "         onggi lab access --displays --page kiosk/docs/access.md",
+      .options = {{"--window", &a->window, "WIDTHxHEIGHT of the screens [1920x1080]"},
+                  {"--language", &a->language, "A language of the exhibit [its first]"},
+                  {"--displays", &a->displays, "Also measure common kiosk displays, one line each"},
+                  {"--page", &a->page, "Write those lines into the table of this page"},
+                  {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
+                  {"--json", &a->json, "Write the figures as JSON (- for standard output)"}},
+      .run = [a] { return access(*a); }};
 }
 
 }  // namespace onggi::laboratory

@@ -29,8 +29,8 @@ Result<int> frames(FramesArguments& arguments) {
     arguments.plan.sizes = {{window.width, window.height}};
   }
   if (arguments.plan.only_loads && arguments.plot.wanted())
-    return problem("--plot", "It draws times, and --counts takes none.",
-                   "Leave one of the two out, or write the counts with --json.");
+    return problem("--plot", "--plot draws times, but --counts measures none.",
+                   "Remove one of the two, or write the counts with --json.");
   const auto report = measure::measure_frames(arguments.plan, stderr);
   if (!report) return tl::unexpected(report.error());
   return drawing::put_report(measure::json_of(*report), measure::text_of(*report),
@@ -43,18 +43,18 @@ Result<int> frames(FramesArguments& arguments) {
 cli::Command lab_frames_command() {
   const auto a = std::make_shared<FramesArguments>();
   return {.name = "frames",
-          .help = "Frames a second of the open exhibit, and how soon a drag is on the screen",
+          .help = "Measure frames per second, and how soon a drag is on the screen",
           .examples =
               "Example: onggi lab frames --json frames.json --plot frames.svg\n"
               "         onggi lab frames --size 1080x1920 --seconds 5",
           .options = {{"--size", &a->size, "Only this WIDTHxHEIGHT [1280x720, then 1920x1080]"},
                       {.name = "--seconds",
                        .field = &a->plan.seconds,
-                       .help = "Of each screen at each size [15]",
+                       .help = "Seconds for each screen at each size [15]",
                        .least = 2.0,
                        .most = 600.0},
                       {"--counts", &a->plan.only_loads,
-                       "Only what a frame asks of the graphics, and no times"},
+                       "Count only what a frame asks of the graphics, without times"},
                       {"--json", &a->json, "Write the figures as JSON (- for standard output)"},
                       {"--plot", &a->plot, "Draw them into this PNG or SVG"},
                       {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},

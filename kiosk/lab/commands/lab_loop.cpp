@@ -42,11 +42,11 @@ Result<int> loop(const LoopArguments& arguments) {
 cli::Command lab_loop_command() {
   const auto a = std::make_shared<LoopArguments>();
   return {.name = "loop",
-          .help = "How stiff a force a device bears: hand, device and clay in a closed loop",
+          .help = "Measure how stiff a force a device can render, in a closed loop with the hand",
           .examples =
               "Example: onggi lab loop --json loop.json --plot loop.svg\n"
               "         onggi lab loop --write config/devices/onggi_hid.toml\n"
-              "Exit: 0 what ships is stable and passive on every device with 1.5 to spare, 1 not.",
+              "Exit: 0 if every device is stable and passive with a margin of 1.5, 1 if not.",
           .options = {{"--json", &a->json, "Write every loop as JSON (- for standard output)"},
                       {"--plot", &a->plot, "Draw them into this PNG or SVG"},
                       {"--write", &a->write,

@@ -36,11 +36,11 @@ Result<std::vector<double>> moments_of(const std::string& list) {
     const double value = std::strtod(part.c_str(), &end);
     const bool rising = moments.empty() || value > moments.back();
     if (*end != '\0' || !(value >= 5 && value <= 600) || !rising)
-      return problem("--seconds " + list, "It is no list of rising seconds, each 5 to 600.",
+      return problem("--seconds " + list, "This is not a list of rising seconds, each 5 to 600.",
                      "Write 30,60,90,120.");
     moments.push_back(value);
   }
-  if (moments.empty()) return problem("--seconds", "It names no moment.", "Write 30,60,90,120.");
+  if (moments.empty()) return problem("--seconds", "The list is empty.", "Write 30,60,90,120.");
   return moments;
 }
 
@@ -48,9 +48,8 @@ Result<int> naive(NaiveArguments& arguments) {
   const auto moments = moments_of(arguments.seconds);
   if (!moments) return tl::unexpected(moments.error());
   if (arguments.pointer != "mouse" && arguments.pointer != "finger")
-    return problem("--pointer " + arguments.pointer,
-                   "Naive hands hold a mouse or touch with a finger.",
-                   "Say --pointer mouse or --pointer finger.");
+    return problem("--pointer " + arguments.pointer, "Unknown --pointer.",
+                   "Use --pointer mouse or --pointer finger.");
   const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   measure::NaivePlan plan = arguments.plan;
@@ -70,36 +69,38 @@ Result<int> naive(NaiveArguments& arguments) {
 
 cli::Command lab_naive_command() {
   const auto a = std::make_shared<NaiveArguments>();
-  return {.name = "naive",
-          .help = "What people who never threw make of the shelf: points, roughness, when handsome",
-          .examples =
-              "Example: onggi lab naive --json naive.json\n"
-              "         onggi lab naive --vessels moon_jar,tea_bowl --seeds 5 --pointer finger\n"
-              "         onggi lab naive --scene config/scenes/studio.toml --seconds 90 --careful\n"
-              "The real screens and clay, not drawn; four seconds a visit. onggi visit --script "
-              "naive draws one.",
-          .options = {{.name = "--seeds",
-                       .field = &a->plan.seeds,
-                       .help = "Visits of each vessel [20]",
-                       .least = 1,
-                       .most = 10000},
-                      {.name = "--first",
-                       .field = &a->plan.first,
-                       .help = "Seed of the first [1]",
-                       .least = 0},
-                      {"--seconds", &a->seconds, "When pots are judged [30,60,90,120]"},
-                      {"--pointer", &a->pointer, "mouse or finger [mouse]"},
-                      {"--vessels", &a->vessels, "Some of the shelf, with commas [all]"},
-                      {"--scene", &a->plan.scene, "A scene's TOML instead of the exhibit's"},
-                      {"--careful", &a->plan.careful, "Also the script's hand, once a vessel"},
-                      {.name = "--threads",
-                       .field = &a->plan.threads,
-                       .help = "Visits at a time [1]",
-                       .least = 1,
-                       .most = 256},
-                      {"--json", &a->json, "Write every visit as JSON (- for standard output)"},
-                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
-          .run = [a] { return naive(*a); }};
+  return {
+      .name = "naive",
+      .help = "Measure what beginners throw: points, roughness, and how soon it looks good",
+      .examples =
+          "Example: onggi lab naive --json naive.json\n"
+          "         onggi lab naive --vessels moon_jar,tea_bowl --seeds 5 --pointer finger\n"
+          "         onggi lab naive --scene config/scenes/studio.toml --seconds 90 --careful\n"
+          "It uses the real screens and clay without drawing, 4 s a visit. onggi visit --script "
+          "naive draws a visit.",
+      .options = {{.name = "--seeds",
+                   .field = &a->plan.seeds,
+                   .help = "Visits for each vessel [20]",
+                   .least = 1,
+                   .most = 10000},
+                  {.name = "--first",
+                   .field = &a->plan.first,
+                   .help = "Seed of the first [1]",
+                   .least = 0},
+                  {"--seconds", &a->seconds, "When pots are judged [30,60,90,120]"},
+                  {"--pointer", &a->pointer, "mouse or finger [mouse]"},
+                  {"--vessels", &a->vessels, "Some of the shelf, with commas [all]"},
+                  {"--scene", &a->plan.scene, "A scene's TOML instead of the exhibit's"},
+                  {"--careful", &a->plan.careful,
+                   "Also run the script's hand, once for each vessel"},
+                  {.name = "--threads",
+                   .field = &a->plan.threads,
+                   .help = "Visits at a time [1]",
+                   .least = 1,
+                   .most = 256},
+                  {"--json", &a->json, "Write every visit as JSON (- for standard output)"},
+                  {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+      .run = [a] { return naive(*a); }};
 }
 
 }  // namespace onggi::laboratory

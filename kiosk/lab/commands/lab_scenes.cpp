@@ -52,13 +52,13 @@ Result<int> scenes(const ScenesArguments& arguments) {
 cli::Command lab_scenes_command() {
   const auto a = std::make_shared<ScenesArguments>();
   return {.name = "scenes",
-          .help = "The curators' page: what each scene simulates and why, costs, and gives",
+          .help = "Write the curators' page: what each scene simulates, costs and gives",
           .examples =
               "Example: onggi lab scenes --commit $(git rev-parse --short HEAD) -o scenes.md\n"
               "Naive hands for 90 s and the script's hand throw the whole shelf in each.",
           .options = {{.name = "--seeds",
                        .field = &a->seeds,
-                       .help = "Naive visits of each vessel [2]",
+                       .help = "Naive visits for each vessel [2]",
                        .least = 1,
                        .most = 1000},
                       {.name = "--threads",
@@ -66,9 +66,9 @@ cli::Command lab_scenes_command() {
                        .help = "Visits at a time [1]",
                        .least = 1,
                        .most = 256},
-                      {"--commit", &a->commit, "What the program was built from, for the page"},
+                      {"--commit", &a->commit, "The commit of this build, for the page"},
                       {"-o", &a->out, "Write the page there [standard output]"},
-                      {"--config", &a->config, "The exhibit whose shelf is thrown"}},
+                      {"--config", &a->config, "The exhibit with the shelf to throw"}},
           .run = [a] { return scenes(*a); }};
 }
 

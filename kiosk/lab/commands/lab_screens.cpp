@@ -43,8 +43,8 @@ Result<void> look_at_vessel(exhibit::Kiosk& kiosk, const ScreensArguments& argum
   for (std::size_t i = 0; i < cards.size(); ++i)
     if (cards[i].vessel->id == arguments.vessel) card = static_cast<int>(i);
   if (cards.empty() || cards[static_cast<std::size_t>(card)].vessel->id != arguments.vessel)
-    return problem("--vessel " + arguments.vessel, "No such vessel is on the shelf.",
-                   "Name one of " + kiosk.exhibit().shelf.string() + ".");
+    return problem("--vessel " + arguments.vessel, "The shelf has no vessel with this name.",
+                   "Name a vessel in " + kiosk.exhibit().shelf.string() + ".");
   return measure::draw_contact_sheets(
       kiosk, [&](const auto& see) { return measure::look_at_every_screen(kiosk, card, see); },
       plans, arguments.out, arguments.full, say_state);
@@ -60,8 +60,8 @@ Result<void> look_at_missions(exhibit::Kiosk& kiosk, const ScreensArguments& arg
 Result<int> look(const ScreensArguments& arguments) {
   std::error_code error;
   if (arguments.out.empty() || (fs::create_directories(arguments.out, error), error))
-    return problem("--out " + arguments.out, "It is no folder, and none can be made there.",
-                   "Name a folder that may be written.");
+    return problem("--out " + arguments.out, "This folder does not exist and cannot be created.",
+                   "Name a writable folder.");
   const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
   exhibit::KioskOptions options;
@@ -93,18 +93,18 @@ Result<int> look(const ScreensArguments& arguments) {
 cli::Command lab_screens_command() {
   const auto a = std::make_shared<ScreensArguments>();
   return {.name = "screens",
-          .help = "Every screen in every size, language and comfort, at full size and on sheets",
+          .help = "Draw every screen in every size, language and comfort setting",
           .examples =
               "Example: onggi lab screens --out /tmp/screens --full\n"
-              "Some minutes without a GPU, --full a quarter of an hour. Ends with an error "
+              "It takes minutes without a GPU, and 15 minutes with --full. It fails "
               "where words\ndo not fit.",
           .options = {{.name = "--out",
                        .field = &a->out,
                        .help = "Folder for the contact sheets",
                        .required = true},
-                      {"--full", &a->full, "Each picture too, as OUT/SIGHT/NN_STATE.jpg"},
-                      {"--missions", &a->missions, "The missions alone"},
-                      {"--vessel", &a->vessel, "Of the shelf, to be thrown [moon_jar]"},
+                      {"--full", &a->full, "Also write each picture, as OUT/SIGHT/NN_STATE.jpg"},
+                      {"--missions", &a->missions, "Draw only the missions"},
+                      {"--vessel", &a->vessel, "The vessel to throw, from the shelf [moon_jar]"},
                       {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
           .run = [a] { return look(*a); }};
 }

@@ -42,24 +42,23 @@ Result<int> sound(const SoundArguments& arguments) {
 
 cli::Command lab_sound_command() {
   const auto a = std::make_shared<SoundArguments>();
-  return {
-      .name = "sound",
-      .help = "How soon a touch is heard; and what the studio sounds like, to hear and to look at",
-      .examples =
-          "Example: onggi lab sound --seconds 3600 --json sound.json\n"
-          "         onggi lab sound --wav studio.wav --plot studio.png\n"
-          "A touch is timed from the clay to the sound card. With --wav or --plot nothing is "
-          "timed,\nunless --json asks for it. SDL_AUDIODRIVER=dummy does without a card.",
-      .options = {{.name = "--seconds",
-                   .field = &a->plan.seconds,
-                   .help = "Of touches [60]",
-                   .least = 1.0,
-                   .most = 86400.0},
-                  {"--seed", &a->plan.seed, "Of when the finger comes and goes [1]"},
-                  {"--json", &a->json, "Write the figures as JSON (- for standard output)"},
-                  {"--wav", &a->wav, "Write 17 s of all sounds into this WAV"},
-                  {"--plot", &a->plot, "Draw them into this PNG or SVG: pitch over time"}},
-      .run = [a] { return sound(*a); }};
+  return {.name = "sound",
+          .help = "Measure how soon a touch is heard, or record and draw the studio's sounds",
+          .examples =
+              "Example: onggi lab sound --seconds 3600 --json sound.json\n"
+              "         onggi lab sound --wav studio.wav --plot studio.png\n"
+              "It times a touch from the clay to the sound card. With --wav or --plot nothing is "
+              "timed,\nunless --json asks for it. SDL_AUDIODRIVER=dummy works without a card.",
+          .options = {{.name = "--seconds",
+                       .field = &a->plan.seconds,
+                       .help = "Seconds of touches [60]",
+                       .least = 1.0,
+                       .most = 86400.0},
+                      {"--seed", &a->plan.seed, "Seed of the touches [1]"},
+                      {"--json", &a->json, "Write the figures as JSON (- for standard output)"},
+                      {"--wav", &a->wav, "Write 17 s of all sounds into this WAV"},
+                      {"--plot", &a->plot, "Draw them into this PNG or SVG: pitch over time"}},
+          .run = [a] { return sound(*a); }};
 }
 
 }  // namespace onggi::laboratory

@@ -50,45 +50,45 @@ Result<int> soak(SoakArguments& arguments) {
 
 cli::Command soak_command() {
   const auto a = std::make_shared<SoakArguments>();
-  return {
-      .name = "soak",
-      .help = "Let scripted visitors come and go, and watch memory and the 1 kHz loop",
-      .examples =
-          "Example: onggi soak --minutes 10 --window 1280x720\n"
-          "         onggi soak --hours 72 --json soak.json --plot soak.svg\n"
-          "With --hours the time between visits is skipped, and what befalls a kiosk that nobody "
-          "looks\nat is put in for real: helpers that die, a full disk, a folder that is "
-          "gone, an exhibit\nthat is changed and broken. Only what lies in --out is touched. "
-          "Ten visits take a minute.\nExit: 0 nothing was lost, and nothing grew; 1 something.",
-      .options = {{.name = "--minutes",
-                   .field = &a->plan.minutes,
-                   .help = "How long [10]",
-                   .least = 0.1,
-                   .most = 1e5},
-                  {.name = "--pace",
-                   .field = &a->plan.pace,
-                   .help = "Of the hands, 0.25 to 4 [3]",
-                   .least = 0.25,
-                   .most = 4.0},
-                  {.name = "--hours",
-                   .field = &a->hours,
-                   .help = "Of the museum's clock, skipping the time between visits",
-                   .least = 0.5,
-                   .most = 1e4},
-                  {.name = "--visits-an-hour",
-                   .field = &a->days.visits_an_hour,
-                   .help = "With --hours [6]",
-                   .least = 0.5,
-                   .most = 60.0},
-                  {"--json", &a->json, "With --hours: every quarter of an hour as JSON"},
-                  {"--plot", &a->plot, "With --hours: draw them into this PNG or SVG"},
-                  {"--script", &a->plan.script, "What the hands do [follow]"},
-                  {"--by-device", &a->plan.by_device,
-                   "A device that is plugged in moves the hand, not a script"},
-                  {"--out", &a->out, "Where its keepsakes go [keepsakes/soak]"},
-                  {"--window", &a->window, "WIDTHxHEIGHT [1280x720]"},
-                  {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
-      .run = [a] { return soak(*a); }};
+  return {.name = "soak",
+          .help = "Run scripted visitors one after another, and watch memory and the 1 kHz loop",
+          .examples =
+              "Example: onggi soak --minutes 10 --window 1280x720\n"
+              "         onggi soak --hours 72 --json soak.json --plot soak.svg\n"
+              "With --hours the time between visits is skipped, and the troubles of an unattended "
+              "kiosk "
+              "\nhappen for real: helpers that die, a full disk, a folder that is "
+              "gone, an exhibit\nthat is changed and broken. It changes only files in --out. "
+              "Ten visits take a minute.\nExit: 0 if nothing was lost and nothing grew, else 1.",
+          .options = {{.name = "--minutes",
+                       .field = &a->plan.minutes,
+                       .help = "Minutes to run [10]",
+                       .least = 0.1,
+                       .most = 1e5},
+                      {.name = "--pace",
+                       .field = &a->plan.pace,
+                       .help = "Speed of the hands, 0.25 to 4 [3]",
+                       .least = 0.25,
+                       .most = 4.0},
+                      {.name = "--hours",
+                       .field = &a->hours,
+                       .help = "Hours of the museum's clock, skipping the time between visits",
+                       .least = 0.5,
+                       .most = 1e4},
+                      {.name = "--visits-an-hour",
+                       .field = &a->days.visits_an_hour,
+                       .help = "Seed, with --hours [6]",
+                       .least = 0.5,
+                       .most = 60.0},
+                      {"--json", &a->json, "With --hours: write every quarter of an hour as JSON"},
+                      {"--plot", &a->plot, "With --hours: draw them into this PNG or SVG"},
+                      {"--script", &a->plan.script, "What the hands do [follow]"},
+                      {"--by-device", &a->plan.by_device,
+                       "Let a plugged-in device move the hand, not a script"},
+                      {"--out", &a->out, "Folder for the keepsakes [keepsakes/soak]"},
+                      {"--window", &a->window, "WIDTHxHEIGHT [1280x720]"},
+                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
+          .run = [a] { return soak(*a); }};
 }
 
 }  // namespace onggi::laboratory

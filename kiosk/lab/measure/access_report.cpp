@@ -306,7 +306,7 @@ Result<std::string> with_table(const std::string& page, const std::string& table
         "the page",
         "It has no place for the table: a line \"<!-- The table is written by onggi lab access "
         "--page. -->\", and after it \"<!-- end of the table -->\".",
-        "Put both where the table is to stand.");
+        "Add both lines where the table belongs.");
   return page.substr(0, begin) + table + page.substr(end);
 }
 

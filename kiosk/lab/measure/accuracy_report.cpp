@@ -239,7 +239,7 @@ std::string words_of(const lab::Recommendation& r) {
     text += line(" No grid keeps within %.0f %% of the tick here: this machine is too slow.",
                  1e2 * lab::kTickBudget);
   else if (!r.fine_enough)
-    text += " A finer one would be felt or seen, and has no time here.";
+    text += " A finer one would feel or look better, but it is too slow here.";
   else
     text += " Nobody can tell it from a finer one by a device, by two fingers or by its force.";
   return text;

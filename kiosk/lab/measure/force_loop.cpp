@@ -288,7 +288,7 @@ Result<lab::StiffnessLimit> write_stiffness_limit(const std::filesystem::path& f
   const auto kind = std::ranges::find_if(
       kinds, [&](const device::KindInfo& info) { return info.id == file.stem().string(); });
   if (kind == kinds.end() || !kind->force)
-    return problem(file.string(), "It is not named after a device that pushes.",
+    return problem(file.string(), "Its name is not that of a force device.",
                    "Name config/devices/onggi_hid.toml or config/devices/polhem.toml.");
   const auto bytes = files::read_file(file, std::size_t{1} << 20);
   if (!bytes)
@@ -302,9 +302,9 @@ Result<lab::StiffnessLimit> write_stiffness_limit(const std::filesystem::path& f
   if (!(limit.allowed >= lab::kSoftestCoupling))
     return problem(
         file.string(),
-        words("A device with this [body] bears %.1f N/m, which is no force to feel.",
+        words("A device with this [body] can render only %.1f N/m, too little to feel.",
               limit.allowed),
-        "Give it more damping, or a shorter way to the wire, and measure its [body] anew.");
+        "Give it more damping, or a shorter way to the wire, and measure its [body] again.");
   const std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   const std::string made = with_limit(
       text, words("%s = %-12.1f # N/m, derived from [body] by onggi lab loop --write; run it again "

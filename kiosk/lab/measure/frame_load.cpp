@@ -89,7 +89,7 @@ Result<std::vector<FrameLoad>> measure_load(const FrameLoadPlan& plan) {
     if (auto good = counted.frame(false, &visitor); !good) return tl::unexpected(good.error());
     if (counted.now() - asked > kToWheel)
       return problem("the exhibit", "Its wheel was not reached within two minutes.",
-                     "Look into its log.", 1);
+                     "Read its log.", 1);
   }
   if (auto good = counted.frames(plan.naive, &visitor); !good) return tl::unexpected(good.error());
   if (auto good = count("throwing", &visitor); !good) return tl::unexpected(good.error());

@@ -203,8 +203,8 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
     if (auto good = visitor.step(files::monotonic_seconds()); !good)
       return tl::unexpected(good.error());
     if (files::monotonic_seconds() - asked > kReachedBy)
-      return problem("the exhibit", "Its wheel was not reached within a minute.",
-                     "Look into its log.", 1);
+      return problem("the exhibit", "Its wheel was not reached within a minute.", "Read its log.",
+                     1);
   }
   say("throwing");
   if (auto warm = watched.observe("", kWarmUp, &visitor); !warm)

@@ -118,8 +118,8 @@ void judge(TimingReport& report) {
         static_cast<double>(std::max<std::uint64_t>(1, phase.timing.wake_us.total()));
     if (wake > kWakeAllowed) {
       std::snprintf(text, sizeof text,
-                    "%s: one wake in a thousand is over %.0f us late, and %.0f is what a hand "
-                    "forgives. Give the loop real-time priority, a processor of its own "
+                    "%s: one wake in a thousand is over %.0f us late, but the limit is %.0f us. "
+                    "Give the loop real-time priority, a processor of its own "
                     "(isolcpus), and a kernel with PREEMPT_RT if that is not enough.",
                     phase.name.c_str(), wake, kWakeAllowed);
       why.emplace_back(text);

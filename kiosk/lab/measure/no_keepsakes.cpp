@@ -15,8 +15,8 @@ Result<NoKeepsakes> NoKeepsakes::make() {
   std::string name = (fs::temp_directory_path(error) / "onggi-measure-XXXXXX").string();
   if (!error && mkdtemp(name.data()) == nullptr) error.assign(errno, std::generic_category());
   if (!error) return NoKeepsakes(name);
-  return problem(name, "A folder for what is measured cannot be made: " + error.message() + ".",
-                 "Make room there, or let TMPDIR name a folder that can be written.", 1);
+  return problem(name, "A temporary folder cannot be created: " + error.message() + ".",
+                 "Free some space there, or set TMPDIR to a writable folder.", 1);
 }
 
 NoKeepsakes::NoKeepsakes(NoKeepsakes&& other) noexcept

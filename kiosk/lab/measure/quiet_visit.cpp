@@ -191,8 +191,9 @@ Result<int> QuietVisits::card_of(const std::string& vessel) const {
     ids.push_back(card.vessel->id);
   }
   const std::string nearest = nearest_name(vessel, ids);
-  return problem("--vessels " + vessel, "The shelf has no such vessel.",
-                 nearest.empty() ? "Run onggi check for what it has." : "Write " + nearest + ".");
+  return problem(
+      "--vessels " + vessel, "The shelf has no such vessel.",
+      nearest.empty() ? "Run onggi check to list its vessels." : "Write " + nearest + ".");
 }
 
 Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed,
@@ -263,7 +264,7 @@ Result<AidedOutcome> QuietVisits::aided(const Aim& aim, double pace, Act&& act) 
       assistant.input(event, walk.visit(), kPxPerMm, walk.now);
     if (said) out.said.push_back(std::move(*said));
     if (walk.now - begun > kTooLong)
-      return problem("the visit to " + aim.card->vessel->id, "It is not over after an hour.",
+      return problem("the visit to " + aim.card->vessel->id, "It did not end within an hour.",
                      "Report it.", 1);
   }
   assistant.look(walk.visit(), walk.shown, walk.now);
@@ -294,7 +295,7 @@ Result<AidedOutcome> QuietVisits::with_mission(const std::string& id, Make&& mak
   for (const screens::MissionCard& one : missions.cards())
     if (one.mission->id == id)
       return make(Aim{missions.card(one.card, cards()), &missions, one.mission});
-  return problem("the mission " + id, "It is none that can be played.", "Run onggi check.");
+  return problem("the mission " + id, "This mission cannot be played.", "Run onggi check.");
 }
 
 Result<AidedOutcome> QuietVisits::blind(const Aim& aim, int strokes) const {
@@ -312,8 +313,8 @@ Result<AidedOutcome> QuietVisits::blind(const Aim& aim, int strokes) const {
                          return visitor.step(now);
                        });
   if (!visitor.lost().empty())
-    return problem("the visit", "Nobody said where \"" + visitor.lost() + "\" is.", "Report it.",
-                   1);
+    return problem("the visit", "No spoken text says where \"" + visitor.lost() + "\" is.",
+                   "Report it.", 1);
   return outcome;
 }
 

@@ -94,7 +94,7 @@ Result<BillLine> line_of(const char* name, const char* part_of, const Worked& wh
 
 Result<SceneBill> bill_of(const std::string& name, const SceneDef& def, int passes) {
   if (def.paper)
-    return problem(name, "This scene runs on the printed model, which has no effect to pay for.",
+    return problem(name, "This scene runs on the printed model, which has no effects.",
                    "Name a scene with effects.");
   SceneBill bill;
   bill.scene = name;

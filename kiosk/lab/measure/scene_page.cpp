@@ -76,7 +76,7 @@ Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE*
     const std::filesystem::path file = *root / "config/scenes" / (preset.name + ".toml");
     const auto bytes = files::read_file(file, kMostText);
     if (!bytes)
-      return problem(file.string(), "It cannot be read.", "Look at its rights and its size.");
+      return problem(file.string(), "It cannot be read.", "Check its permissions and its size.");
     SceneEntry scene;
     scene.name = preset.name;
     scene.words = words_of_scene({bytes->begin(), bytes->end()});

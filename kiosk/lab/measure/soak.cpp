@@ -89,10 +89,9 @@ Result<int> soak(const SoakPlan& plan) {
       "ticks lost\n",
       visits, plan.minutes, grown, static_cast<unsigned long long>(lost));
   if (visits == 0)
-    return problem("soak", "No visit came to its end in that time.",
-                   "Let it run longer: --minutes 10.", 1);
+    return problem("soak", "No visit ended in that time.", "Let it run longer: --minutes 10.", 1);
   if (grown > kGrowthAllowed)
-    return problem("soak", "Memory goes on growing.",
+    return problem("soak", "Memory keeps growing.",
                    "Run it under valgrind --tool=massif to see where.", 1);
   return lost == 0 ? 0 : 1;
 }

@@ -294,7 +294,8 @@ Result<SoakReport> SoakDays::run() {
   // The museum's own site is left alone: a copy of it is changed and broken.
   const fs::path own = files::site_exhibit(plan_.config);
   if (own.empty())
-    return problem(plan_.config.string(), "It lies in no site: config and content side by side.",
+    return problem(plan_.config.string(),
+                   "It is not in a site, which has config and content side by side.",
                    "Give --config the exhibit.toml of a site.");
   const fs::path from = own.parent_path().parent_path(), site = plan_.folder / "site";
   std::error_code failed;

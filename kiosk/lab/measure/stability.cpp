@@ -174,23 +174,23 @@ std::string text_of(const StabilityTally& tally) {
 
 Result<StabilityTally> read_tally(const std::string& text, const std::string& name) {
   const auto wrong = [&](const char* what) {
-    return problem(name, what, "Remove the file to begin anew, or choose another --seed.");
+    return problem(name, what, "Remove the file to start again, or choose another --seed.");
   };
   std::istringstream lines(text);
   std::string line;
   if (!std::getline(lines, line) || line != kHead)
-    return wrong("It is not the progress of a run of this program.");
+    return wrong("It is not a progress file of this program.");
   StabilityTally tally;
   std::string seed, trials, ticks;
   if (!(lines >> seed >> tally.seed >> trials >> tally.trials >> ticks >> tally.ticks) ||
       seed != "seed" || trials != "trials" || ticks != "ticks")
-    return wrong("Its counts make no sense.");
+    return wrong("Its counts are inconsistent.");
   StabilityFind find;
   for (std::string word; lines >> word;) {
     if (word != "found" || !(lines >> find.trial) || !std::getline(lines, line) ||
         !std::getline(lines, find.invariant) || !std::getline(lines, find.what) ||
         !std::getline(lines, find.replay))
-      return wrong("What it found makes no sense.");
+      return wrong("Its findings are inconsistent.");
     tally.finds.push_back(find);
   }
   return tally;
@@ -204,15 +204,15 @@ Result<StabilityTally> measure_stability(const StabilityPlan& plan, std::FILE* t
     const auto read = files::read_file(file, kLongestProgress);
     if (!read)
       return problem(file.string(), "Its progress cannot be read. " + read.error().reason,
-                     "Remove it to begin anew, or choose another --seed.");
+                     "Remove it to start again, or choose another --seed.");
     const auto kept = read_tally(
         std::string(reinterpret_cast<const char*>(read->data()), read->size()), file.string());
     if (!kept) return tl::unexpected(kept.error());
     if (kept->seed != plan.seed)
-      return problem(file.string(), "It is the progress of another seed.",
+      return problem(file.string(), "The file belongs to another seed.",
                      "Give it the name of its seed again, or remove it.");
     tally = *kept;
-    std::fprintf(told, "Goes on from trial %llu, %.3g ticks.\n",
+    std::fprintf(told, "Continues from trial %llu, %.3g ticks.\n",
                  static_cast<unsigned long long>(tally.trials), static_cast<double>(tally.ticks));
   }
   if (auto good = keep(plan, tally); !good) return tl::unexpected(good.error());
@@ -281,7 +281,7 @@ Result<std::string> check_replay(const Replay& replay) {
   if (const auto breach = watch.whole(*scene))
     return problem("the end", std::string(lab::name_of(breach->invariant)) + ": " + breach->what,
                    "engine/docs/stability.md says what must hold.", 1);
-  return std::to_string(replay.ticks.size()) + " ticks, and everything held after each.";
+  return std::to_string(replay.ticks.size()) + " ticks; every check passed after each.";
 }
 
 files::Json json_of(const StabilityTally& tally) {

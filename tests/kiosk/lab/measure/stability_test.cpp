@@ -95,14 +95,14 @@ TEST(StabilityNight, RefusesProgressThatIsNoneAndAnotherSeeds) {
     EXPECT_FALSE(tally) << text;
     return tally ? Problem{} : tally.error();
   };
-  EXPECT_NE(put("").what.find("not the progress"), std::string::npos);
-  EXPECT_NE(put("onggi stability, trials of kind 0\n").what.find("not the progress"),
+  EXPECT_NE(put("").what.find("not a progress file"), std::string::npos);
+  EXPECT_NE(put("onggi stability, trials of kind 0\n").what.find("not a progress file"),
             std::string::npos);
   StabilityTally tally;
   tally.seed = 6;
   EXPECT_NE(put(text_of(tally)).what.find("another seed"), std::string::npos);
   const std::string good = text_of(tally);
-  EXPECT_NE(put(good.substr(0, good.size() - 8)).what.find("make no sense"), std::string::npos);
+  EXPECT_NE(put(good.substr(0, good.size() - 8)).what.find("are inconsistent"), std::string::npos);
 }
 
 TEST(StabilityNight, OneTrialAloneIsWhatItIsAmongTheOthersAndKeepsNoProgress) {
