@@ -17,7 +17,7 @@ namespace {
 CLI::Option* add_field(CLI::App& to, const Option& option, bool* field) {
   return to.add_flag(option.name, *field, option.help);
 }
-/// Every comparison with "nan" is false, so no range keeps it out.
+/// A comparison with "nan" is always false, so a range check lets it pass.
 std::string not_finite(const std::string& text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -47,7 +47,7 @@ void add_option(CLI::App& to, const Option& option) {
   if (option.hidden) added->group("");
 }
 
-/// Where a command writes to, in its options' order.
+/// The outputs of a command, in the order of its options.
 std::vector<files::Output*> outputs_of(const Command& command) {
   std::vector<files::Output*> outputs;
   for (const Option& option : command.options)
@@ -56,7 +56,7 @@ std::vector<files::Output*> outputs_of(const Command& command) {
   return outputs;
 }
 
-/// `chosen` becomes the innermost command that was named.
+/// Sets `chosen` to the innermost command that was named.
 void describe(CLI::App& app, const Command& command, const Command*& chosen, bool& force) {
   app.footer(command.examples);
   for (const Command& below : command.commands)
@@ -73,7 +73,7 @@ void describe(CLI::App& app, const Command& command, const Command*& chosen, boo
   });
 }
 
-/// A report that cannot be written is told before the minutes that it takes, not after.
+/// Check outputs before the work starts: a report can take minutes, and an error should come first.
 Result<void> check_outputs(const std::vector<files::Output*>& outputs, bool force) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (force) outputs[i]->force();
@@ -104,7 +104,7 @@ int run_command_line(const Command& program, const std::string& version, int arg
                      const char* const* argv) {
   CLI::App app{program.help, program.name};
   app.set_version_flag("--version", program.name + " " + version);
-  // As --version does: before it is asked which command was meant.
+  // Handle --manual like --version, before a command is required.
   app.add_option_function<std::string>("--manual",
                                        [&program, &version](const std::string& day) {
                                          std::string page = man_page(program, version, day);

@@ -8,8 +8,8 @@ namespace onggi::cli {
 
 namespace {
 
-/// Text as man(7) prints it: a backslash and a hyphen that is typed are escaped, and no line is
-/// taken for a request.
+/// Escapes text for man(7): typed hyphens and backslashes are escaped, and no line is read as a
+/// request.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -26,7 +26,7 @@ std::string escaped(const std::string& text) {
 
 bool is_positional(const Option& option) { return option.name.front() != '-'; }
 
-/// "FILE" for what takes a value; a flag takes none.
+/// "FILE" for an option that takes a value; a flag takes none.
 std::string value_of(const Option& option) {
   struct Word {
     std::string operator()(std::string*) const { return "TEXT"; }

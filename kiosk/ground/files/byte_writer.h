@@ -10,8 +10,7 @@
 
 namespace onggi::files {
 
-/// Puts the bytes of a binary file one after the other, lowest byte of a number first, on every
-/// machine alike. Allocates.
+/// Writes the bytes of a binary file, little-endian on every machine. Allocates.
 class ByteWriter {
  public:
   explicit ByteWriter(std::size_t expected = 0) { bytes_.reserve(expected); }
@@ -29,7 +28,7 @@ class ByteWriter {
   void append(std::span<const std::byte> bytes) {
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
   }
-  /// Fills up with `with` to a whole multiple of `step` bytes.
+  /// Pads with `with` to a multiple of `step` bytes.
   void pad(std::size_t step, char with) {
     while (bytes_.size() % step != 0) bytes_.push_back(static_cast<std::byte>(with));
   }

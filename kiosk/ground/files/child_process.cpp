@@ -52,8 +52,8 @@ tl::expected<ChildProcess, int> ChildProcess::start(const std::string& program,
   int error = 0;
   const Descriptor nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC));
   if (!nowhere.open()) error = errno;
-  // Numbers above 2 are certain: with a standard descriptor closed, ours could be 0 to 2
-  // themselves.
+  // Use only numbers above 2: if a standard descriptor is closed, a new pipe end could get the
+  // number 0, 1 or 2.
   std::array<Descriptor, 3> high;
   const std::array<int, 3> wanted{streams.in, streams.out, streams.err};
   for (std::size_t i = 0; i < 3 && error == 0; ++i) {

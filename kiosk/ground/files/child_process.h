@@ -11,27 +11,27 @@
 
 namespace onggi::files {
 
-/// Both ends of a pipe or socket pair: ours does not block, neither outlives an exec by accident.
+/// Both ends of a pipe or socket pair. Our end does not block; both close on exec.
 struct Channel {
   Descriptor ours, theirs;
-  /// What we write goes through a socket: send() can leave SIGPIPE out, write() cannot.
+  /// Uses a socket for writing: send() can suppress SIGPIPE, write() cannot.
   bool open_for_writing();
   bool open_for_reading();
 };
 
-/// A child until it has been waited for: killed and waited for on every way out. The one way in
-/// which the kiosk starts another program.
+/// A child process that is always killed and waited for when this object goes. Every program that
+/// the kiosk starts is started here.
 class ChildProcess {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Where its standard streams lead; -1: nowhere.
+  /// Descriptors of its standard streams; -1: none.
   struct Streams {
     int in = -1, out = -1, err = -1;
   };
-  /// Starts `program` (a path, or a name to be found in PATH) with `arguments`. It inherits nothing
-  /// but its three streams and the environment, no blocked or ignored signal. Changes no signal of
-  /// this process, and stops no thread of it, as a fork would. errno's value where it cannot.
+  /// Starts `program` (a path, or a name in PATH) with `arguments`. The child inherits only its
+  /// three streams and the environment, with no signal blocked or ignored. Unlike fork(), this
+  /// stops no thread and changes no signal of this process. Returns errno's value on failure.
   static tl::expected<ChildProcess, int> start(const std::string& program,
                                                const std::vector<std::string>& arguments,
                                                const Streams& streams);
@@ -39,14 +39,14 @@ class ChildProcess {
   ChildProcess& operator=(ChildProcess&&) = delete;
   ~ChildProcess();
 
-  /// Sends it `signal` (one that ends it) and waits; what has not ended within `patience` seconds
-  /// is killed.
+  /// Sends `signal` (one that ends it) and waits. Kills the child if it has not ended within
+  /// `patience` seconds.
   void end(int signal, double patience = 60.0);
-  /// True once it has ended; false at `deadline`.
+  /// Waits until the child ends (true) or until `deadline` (false).
   bool wait_until(Clock::time_point deadline);
-  /// Seconds of processor time that it has had so far; 0 once it has been waited for.
+  /// Processor time of the child, s; 0 after it was waited for.
   double processor_seconds() const;
-  /// As waitpid() tells it, once it has ended.
+  /// The status from waitpid(), after the child ended.
   int status() const { return status_; }
 
  private:

@@ -22,7 +22,7 @@ std::optional<std::time_t> time_of_stamp(std::string_view stamp) {
   std::tm local{};
   if (::strptime(std::string(stamp).c_str(), "%Y-%m-%d_%H%M%S", &local) == nullptr)
     return std::nullopt;
-  local.tm_isdst = -1;  // mktime is to find out
+  local.tm_isdst = -1;  // let mktime decide
   return std::mktime(&local);
 }
 

@@ -13,7 +13,7 @@ namespace onggi::files {
 
 namespace {
 
-// gcc and clang tell of sanitizers each in its way.
+// gcc and clang announce sanitizers in different ways.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;
 #elif defined(__has_feature)
@@ -23,7 +23,7 @@ constexpr bool kSanitized = false;
 #endif
 
 const char* farewell = "";
-std::size_t farewell_length = 0;  // a signal's handler counts nothing
+std::size_t farewell_length = 0;  // a signal handler must not call strlen
 
 void say_that_time_is_over(int) {
   const ssize_t written = write(STDERR_FILENO, farewell, farewell_length);

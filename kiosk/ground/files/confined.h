@@ -5,11 +5,11 @@
 
 namespace onggi::files {
 
-/// From inside a helper (helper_process.h) that reads what nobody made in particular: no more than
-/// this memory and processor time from now on, no file but the three streams, no core. When its
-/// time is over it ends with exit 1 and `words` on standard error, not with a bare kill. `words`
-/// stay where they are. Ends the process (exit 1) where the system sets no such limits. Under a
-/// sanitizer, whose shadow is larger than any memory, only time is limited.
+/// Call this inside a helper (helper_process.h) that reads untrusted files. It limits memory and
+/// processor time from now on, and allows no file beyond the three streams and no core dump. When
+/// the time is over the process prints `words` to standard error and exits with 1. `words` must
+/// stay valid. Exits with 1 if the system cannot set the limits. Under a sanitizer, whose shadow
+/// memory is larger than any limit, only time is limited.
 void confine(unsigned long memory_mib, unsigned long seconds, const char* words);
 
 /// All of standard input.

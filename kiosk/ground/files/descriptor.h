@@ -9,7 +9,7 @@
 
 namespace onggi::files {
 
-/// A file descriptor, closed on every way out; -1 is none.
+/// A file descriptor that closes itself; -1 means none.
 class Descriptor {
  public:
   explicit Descriptor(int fd = -1) : fd_(fd) {}
@@ -21,15 +21,15 @@ class Descriptor {
   ~Descriptor() { close(); }
   int get() const { return fd_; }
   bool open() const { return fd_ >= 0; }
-  /// Closes and says whether the disk took everything: some only tell now. True where none is open.
+  /// Closes the descriptor. False if the disk reports an error now, which some do only at close.
+  /// True if none is open.
   bool close() { return fd_ < 0 || ::close(std::exchange(fd_, -1)) == 0; }
 
  private:
   int fd_;
 };
 
-/// Writes all of `bytes` to `fd`, however often the system takes only a part. False, with errno,
-/// where it does not.
+/// Writes all of `bytes` to `fd`, in several parts if needed. False, with errno set, on failure.
 inline bool write_all(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd, bytes.data(), bytes.size());

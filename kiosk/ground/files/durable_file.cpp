@@ -23,13 +23,14 @@ fs::path folder_of(const fs::path& file) {
 
 bool sync(int fd) {
   while (::fsync(fd) != 0) {
-    if (errno == EINVAL || errno == ENOTSUP) return true;  // a disk that knows no fsync here
+    // This file system has no fsync for folders.
+    if (errno == EINVAL || errno == ENOTSUP) return true;
     if (errno != EINTR) return false;
   }
   return true;
 }
 
-/// A new or renamed name outlasts a power cut only once its folder is synced.
+/// A new or renamed name survives a power cut only after its folder is synced.
 Result<void> sync_folder(const fs::path& folder) {
   const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!fd.open() || !sync(fd.get())) {
@@ -38,8 +39,8 @@ Result<void> sync_folder(const fs::path& folder) {
   return {};
 }
 
-/// The new file is whose the old one was, and as open to others: root may write for the museum's
-/// user. Who may not give files away keeps the file as their own.
+/// Keeps owner and permissions of the old file, so that root can write for the museum's user. A
+/// user who cannot change the owner keeps the file as their own.
 void keep_rights(int fd, const struct stat& before) {
   const bool given = ::fchown(fd, before.st_uid, before.st_gid) == 0;
   ::fchmod(fd, before.st_mode & (given ? 07777 : 0777));
@@ -114,7 +115,7 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
   struct stat before {};
   const bool there = ::lstat(file.c_str(), &before) == 0;
   if (there && S_ISLNK(before.st_mode)) {
-    // The link stays, and what it leads to is written: whoever laid it wants it so.
+    // Write to the link's target and keep the link: somebody set up the link on purpose.
     std::error_code lost;
     const fs::path target = fs::canonical(file, lost);
     if (lost)
@@ -129,8 +130,8 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
                    "Name a file.", 1);
 
   const fs::path folder = folder_of(file);
-  // In the same folder, as a rename is whole only within one disk; with a name of its own, so that
-  // two writers never share it.
+  // The temporary file is in the same folder, because rename() is atomic only within one disk. Its
+  // name is unique, so that two writers never share it.
   static std::atomic<unsigned> count{0};
   const fs::path temporary =
       folder / ("." + file.filename().string() + "." + std::to_string(::getpid()) + "-" +

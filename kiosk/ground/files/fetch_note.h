@@ -9,23 +9,23 @@
 
 namespace onggi::files {
 
-/// That somebody opened a keepsake on a phone. Whoever answers phones leaves it, and whoever counts
-/// visits takes it up: two programs that meet in a folder. It says which day and no more; `id` is
-/// random, leads to no keepsake, and is there so that none is counted twice.
+/// A note that somebody opened a keepsake on a phone. The web server leaves the note in a folder,
+/// and the visit counter collects it. It holds only the day. `id` is random and leads to no
+/// keepsake; it prevents counting a note twice.
 struct FetchNote {
   std::string id;   ///< 26 letters and digits.
-  std::string day;  ///< Where the kiosk stands: "2026-05-04".
+  std::string day;  ///< The local day: "2026-05-04".
   friend bool operator==(const FetchNote&, const FetchNote&) = default;
 };
 
-/// Is `id` one that a note may have?
+/// True for 26 letters or digits.
 bool is_fetch_id(std::string_view id);
-/// Leaves the note in `folder`, made where it is missing; one of this id that is there stays.
-/// Problem (exit 1) where the disk refuses, exit 2 where that is no id. Blocks; any thread.
+/// Writes the note into `folder`, which is created if missing. An existing note with this id stays.
+/// Problem: exit 1 if the disk refuses, exit 2 if the id is invalid. Blocks; any thread.
 Result<void> leave_fetch_note(const std::filesystem::path& folder, const FetchNote& note);
-/// The notes in `folder`, at most `most`; what is none is passed over. Blocks; any thread.
+/// The notes in `folder`, at most `most`; other files are ignored. Blocks; any thread.
 std::vector<FetchNote> fetch_notes(const std::filesystem::path& folder, std::size_t most);
-/// Removes a note that has been counted. What cannot be removed is counted no second time.
+/// Removes a counted note. A note that cannot be removed is not counted again.
 void remove_fetch_note(const std::filesystem::path& folder, const FetchNote& note);
 
 }  // namespace onggi::files

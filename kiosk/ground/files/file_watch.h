@@ -7,20 +7,20 @@
 
 namespace onggi::files {
 
-/// Tells that files of some folders have changed, once they have come to rest: editors and copies
-/// take several steps to one change. Linux's inotify; nothing is read. One thread.
+/// Reports changed files in some folders after the changes have settled, because editors and copies
+/// need several steps for one change. Uses Linux's inotify and reads no file. One thread.
 class FileWatch {
  public:
-  /// A change is over when nothing more has come for so many seconds.
+  /// A change is over after this many seconds without another event.
   static constexpr double kSettle = 1.0;
 
-  /// The files right in these folders; one that is not there is passed over. Where the system has
-  /// no watch left to give, fewer are watched.
+  /// Watches the files directly in these folders; a missing folder is skipped. Fewer are watched if
+  /// the system has no watches left.
   explicit FileWatch(const std::vector<std::filesystem::path>& folders);
 
-  /// True once for each change that is over. `now` in seconds, never going back. Never waits.
+  /// True once for each finished change. `now` is in seconds and never goes back. Never waits.
   bool changed(double now);
-  /// A change is going on, and changed() will tell of it.
+  /// True while a change has begun and changed() has not reported it.
   bool pending() const { return last_ >= 0.0; }
   /// How many folders are watched.
   int watched() const { return watched_; }
@@ -28,7 +28,7 @@ class FileWatch {
  private:
   files::Descriptor inotify_;
   int watched_ = 0;
-  double last_ = -1.0;  ///< When the last step of a change came; below 0: none is going on.
+  double last_ = -1.0;  ///< Time of the last event; below 0: no change is going on.
 };
 
 }  // namespace onggi::files

@@ -20,13 +20,12 @@ namespace {
 
 using Clock = ChildProcess::Clock;
 
-constexpr int kLook = 100;                // ms between two looks at how it gets on
-constexpr std::size_t kLastWords = 2000;  // of standard error that a Problem carries
+constexpr int kLook = 100;                // ms between two checks of its progress
+constexpr std::size_t kLastWords = 2000;  // bytes of standard error in a Problem
 
 enum class Talk { done, late, too_much, broken };
 
-/// Tells a helper that hangs from one that has to wait for its turn on a busy machine: by the
-/// processor time it has had.
+/// Tells a hung helper from one that waits for its turn on a busy machine, by its processor time.
 class Patience {
  public:
   Patience(const ChildProcess& child, double seconds)
@@ -43,13 +42,14 @@ class Patience {
   }
 
  private:
-  static constexpr double kStill = 1e-3;  // of the patience: less work than that is none
+  // Share of the patience; less work than this counts as none.
+  static constexpr double kStill = 1e-3;
   const ChildProcess& child_;
   double seconds_, seen_ = 0;
   Clock::time_point seen_at_;
 };
 
-/// Writes head and body, reads out and err, until the helper has closed both.
+/// Writes head and body, and reads out and err, until the helper has closed both.
 Talk talk(Descriptor& in, Descriptor& out, Descriptor& err, std::span<const std::byte> head,
           std::span<const std::byte> body, std::size_t most_bytes, Patience& patience,
           std::vector<std::byte>& output, std::string& words) {
@@ -67,7 +67,7 @@ Talk talk(Descriptor& in, Descriptor& out, Descriptor& err, std::span<const std:
       const ssize_t n = ::send(in.get(), head.data(), head.size(), MSG_NOSIGNAL);
       if (n > 0) head = head.subspan(static_cast<std::size_t>(n));
       if (n < 0 && errno != EAGAIN && errno != EINTR) {
-        head = body = {};  // it has stopped listening: what it says about that comes on err
+        head = body = {};  // it stopped reading; the reason comes on err
       }
     }
     const auto take = [&](Descriptor& from, short revents) -> std::span<const std::byte> {

@@ -10,23 +10,23 @@
 
 namespace onggi::files {
 
-/// A program that is to do a piece of work for us.
+/// A program that does one piece of work for the kiosk.
 struct Helper {
   std::string program{};  ///< A path, or a name to be found in PATH.
   std::vector<std::string> arguments{};
-  std::string head{};                    ///< What it is given on standard input,
-  std::span<const std::uint8_t> body{};  ///< and what after that.
-  /// Seconds of work until it is killed; and as many in which it gets no work done at all. On a
-  /// machine that is busy otherwise it may take as long as it needs.
+  std::string head{};                    ///< Sent to its standard input first,
+  std::span<const std::uint8_t> body{};  ///< and this after it.
+  /// The helper is killed after this many seconds of processor time, or after as many seconds
+  /// without progress. On a busy machine it may take longer in total.
   double timeout_s = 20.0;
-  std::size_t most_bytes = 1u << 20;  ///< That it may write.
-  const char* answer = "answer";      ///< What it writes is one: "picture".
+  std::size_t most_bytes = 1u << 20;  ///< Largest output allowed.
+  const char* answer = "answer";      ///< What its output is called in a Problem: "picture".
 };
 
-/// Starts it, gives it head and body, and takes what it writes to standard output until it ends; it
-/// is always waited for. Blocks; not for the main thread of an open exhibit. Problem (exit 1):
-/// cannot be started, works for over `timeout_s` or stands still so long (killed then), ends with
-/// another status than 0 (its last words on standard error are in the Problem), or writes more than
+/// Starts the helper, sends head and body, collects its standard output until it ends, and always
+/// waits for it. Blocks, so do not call it on the main thread of an open exhibit. Problem (exit 1):
+/// it cannot be started, it works or hangs longer than `timeout_s` (it is then killed), its exit
+/// status is not 0 (the Problem quotes the end of its standard error), or it writes more than
 /// `most_bytes`.
 Result<std::vector<std::byte>> run_helper(const Helper& helper);
 

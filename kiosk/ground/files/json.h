@@ -11,8 +11,8 @@
 
 namespace onggi::files {
 
-/// A value that is to be written as JSON: reports, and the heads of files. Objects keep the order
-/// in which their members were named. Reading JSON is its reader's business.
+/// A value to write as JSON: reports, and the heads of files. Objects keep the order in which their
+/// members were added. Write-only.
 class Json {
  public:
   using Member = std::pair<std::string, Json>;  ///< Key and value.
@@ -36,13 +36,13 @@ class Json {
     return out;
   }
 
-  /// Of an object: the member `key`, which is put at the end where it is new.
+  /// The member `key` of an object; a new member is added at the end.
   Json& operator[](const std::string& key);
-  /// Of a list.
+  /// Appends to a list.
   void push_back(Json value);
 
-  /// Lines indented by `indent` spaces a level; below 0: all on one line. Text that is no UTF-8 is
-  /// mended. Numbers as short as they read back.
+  /// Indents by `indent` spaces a level; below 0: all on one line. Invalid UTF-8 is repaired.
+  /// Numbers have the fewest digits that read back as the same value.
   std::string text(int indent = 2) const;
 
  private:

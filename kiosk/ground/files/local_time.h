@@ -6,28 +6,28 @@
 
 namespace onggi::files {
 
-/// `at` as a clock on the wall of this machine's time zone shows it, in strftime's `format`, 63
-/// bytes at most ("" beyond). Any thread.
+/// `at` in this machine's time zone, in strftime's `format`; at most 63 bytes, "" if longer. Any
+/// thread.
 std::string local_time(std::time_t at, const char* format);
 
-/// What calendar and clock on the wall of this machine's time zone show.
+/// Local calendar date and time of day.
 struct LocalMoment {
-  int year = 2026, month = 1, day = 1;  ///< As they are said: 1..12, 1..31.
+  int year = 2026, month = 1, day = 1;  ///< As people say them: 1..12, 1..31.
   int minute = 0;                       ///< After midnight, 0..1439.
 };
 /// Any thread.
 LocalMoment local_moment(std::time_t at);
 
-/// A clock that shows an earlier year is wrong: a battery was flat. No onggi is as old.
+/// A clock that shows an earlier year is wrong (an empty battery), because no onggi is older.
 inline constexpr int kFirstYear = 2026;
 
-/// "2026-05-04", as visits are counted by.
+/// "2026-05-04": visits are counted by this day.
 inline constexpr const char* kDay = "%Y-%m-%d";
-/// "2026-05-04_141503", as folders and files are named: the order of names is that of time.
+/// "2026-05-04_141503": names of folders and files, which then sort by time.
 inline constexpr const char* kStamp = "%Y-%m-%d_%H%M%S";
 
-/// Whether `text` begins as `pattern` says, in which a 9 stands for any digit, and goes on after
-/// it: "9999-99-99_" of what kStamp named. Any thread.
+/// True if `text` begins like `pattern` and has more after it; a 9 in the pattern stands for any
+/// digit. "9999-99-99_" matches names made with kStamp. Any thread.
 bool begins_like(std::string_view text, std::string_view pattern);
 
 }  // namespace onggi::files

@@ -7,7 +7,8 @@
 
 namespace onggi::files {
 
-/// Main thread and workers only; never the 1 kHz loop. Lines go to standard error with the time.
+/// Writes a line with the time to standard error. Main thread and workers only; never the 1 kHz
+/// loop.
 void log_line(const std::string& line);
 void log_problem(const Problem& p);
 void log_problems(const std::vector<Problem>& problems);

@@ -33,7 +33,7 @@ void keep_heap_small() noexcept {
 
 int lock_memory() noexcept {
   rlimit limit{};
-  // Below an unlimited limit a later allocation anywhere would fail: then it is not for us.
+  // With a finite limit a later allocation anywhere would fail, so do not lock.
   if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return EPERM;
   const int error = lock_all();
   memory_locked.store(error == 0);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands under a name, links followed.
+/// The file behind a name, links followed.
 struct Standing {
   bool there = false;
   struct stat info {};
@@ -76,9 +76,9 @@ Result<void> check_new(const std::string& where) {
   return {};
 }
 
-/// A device or a pipe: written to as it stands, never replaced.
+/// Writes to a device or a pipe, which is never replaced.
 Result<void> write_to_stream(const std::string& where, std::span<const std::byte> bytes) {
-  // O_NONBLOCK: a pipe that nobody reads would be waited for without end.
+  // Without O_NONBLOCK, opening a pipe that has no reader would wait forever.
   const Descriptor out(::open(where.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (!out.open() && errno == ENXIO)
     return problem(where, "No program reads from this pipe.", "Start the reading program first.");

@@ -8,46 +8,48 @@
 
 namespace onggi::files {
 
-/// A place that a command was told to write to: --json, --csv, --plot, -o. What it never does:
-/// - replace anything but a regular file: a device or a pipe is written to, a link is followed, and
-///   a disk, a folder or a socket is refused;
-/// - replace a file that this run has read (note_read()), or that is of another kind than is
-///   written, unless it is forced; an empty file is of every kind;
-/// - make a folder.
-/// A regular file is replaced durably (write_durably()).
+/// The target of --json, --csv, --plot or -o. A regular file is replaced durably (write_durably()),
+/// a device or a pipe is written to, and a link is followed. It never
+///
+/// - replaces a disk, a folder or a socket;
+///
+/// - replaces a file that this run has read (note_read()), or, unless forced, a file of another
+/// kind; an empty file is of every kind;
+///
+/// - creates a folder.
 class Output {
  public:
   enum class Kind {
     json,
     csv,
-    picture,  ///< An SVG where the name ends in ".svg", else a PNG.
+    picture,  ///< An SVG if the name ends in ".svg", else a PNG.
     glb,
     wav,
-    archive,  ///< What gzip has packed.
+    archive,  ///< Anything packed by gzip.
   };
 
   explicit Output(Kind kind, std::string where = "") : kind_(kind), where_(std::move(where)) {}
 
-  /// As typed: a file's name; "-" for standard output; empty for nowhere.
+  /// As typed: a file name; "-" for standard output; empty for no output.
   std::string& where() { return where_; }
   const std::string& where() const { return where_; }
   bool wanted() const { return !where_.empty(); }
-  /// What is written goes where std::cout goes, which is then no place for a summary: "-", or the
-  /// very file or pipe that standard output is.
+  /// True if the output goes to standard output, by "-" or because it is the same file or pipe. A
+  /// summary must then not go there.
   bool to_stdout() const;
-  /// A file of another kind may be replaced. One that was read may not.
+  /// Allows replacing a file of another kind, but not a file that was read.
   void force() { forced_ = true; }
 
-  /// Whether it could be written now, before the work of minutes begins. Problem: 2 for what the
-  /// command line should not have named, 1 for what the disk does not allow. Writes nothing.
+  /// Checks, before minutes of work begin, that it could be written now. Problem: exit 2 for a
+  /// wrong name on the command line, 1 for what the disk does not allow. Writes nothing.
   Result<void> check() const;
 
-  /// Writes all of `bytes`; where that is nowhere, nothing. Problem as check(), and 1 where the
-  /// disk or the reader does not take them. Blocks; any thread.
+  /// Writes all of `bytes`; nothing if there is no output. Problems as in check(), and exit 1 if
+  /// the disk or the reader does not take the bytes. Blocks; any thread.
   Result<void> write(std::span<const std::byte> bytes) const;
   Result<void> write(const std::string& text) const;
 
-  /// Whether both would be one file, or both standard output: devices may be written to twice.
+  /// True if both are the same file, or both standard output. Two outputs may share a device.
   bool clashes_with(const Output& other) const;
 
  private:

@@ -14,7 +14,7 @@ constexpr std::size_t kHead = 4096;
 
 bool is_report(const std::string& text) {
   using Json = nlohmann::json;
-  // What lies deeper is read and let go, as only the uppermost keys tell a glTF.
+  // Drop deeper values, because the top keys are enough to recognise a glTF.
   const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= 1; };
   const Json json = Json::parse(text, shallow, false);
   return !json.is_discarded() && !(json.is_object() && json.contains("asset"));
@@ -31,7 +31,7 @@ std::ptrdiff_t commas(std::string_view line) {
   return n;
 }
 
-/// Text whose whole lines have all as many commas as the first, which has one at least.
+/// True if all whole lines have the same number of commas, at least one.
 bool is_table(std::string_view head) {
   const auto unprintable = [](unsigned char c) {
     return c < 0x20 && c != '\n' && c != '\r' && c != '\t';

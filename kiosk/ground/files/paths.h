@@ -11,18 +11,18 @@ namespace onggi::files {
 /// then at or above the current folder.
 Result<std::filesystem::path> program_root();
 
-/// `given` (a folder: exhibit.toml in it). When empty, config/exhibit.toml of the site that the
-/// current folder stands in, at or above it; else of program_root().
+/// `given`, or exhibit.toml in it if it is a folder. If `given` is empty: config/exhibit.toml of
+/// the site at or above the current folder, else of program_root().
 Result<std::filesystem::path> exhibit_file(const std::string& given);
 
-/// config/exhibit.toml of the site that `path` lies in; empty where it lies in none.
+/// config/exhibit.toml of the site that contains `path`; empty if no site does.
 std::filesystem::path site_exhibit(const std::filesystem::path& path);
 
-/// Where the languages of the exhibit `file` lie: content/languages of its own site, else of the
-/// program's. Empty where neither has any.
+/// The language folder of the exhibit `file`: content/languages of its own site, else of the
+/// program. Empty if neither has one.
 std::filesystem::path language_folder(const std::filesystem::path& file);
 
-/// Where visits are counted: beside the keepsakes that lie in `folder`.
+/// The file of visit counts, beside the keepsakes in `folder`.
 std::filesystem::path store_file(const std::filesystem::path& folder);
 
 }  // namespace onggi::files

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ReadFault::Kind;
 
-// O_NONBLOCK: opening a pipe without a writer must not wait for one.
+// Without O_NONBLOCK, opening a pipe that has no writer would wait.
 constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 constexpr std::size_t kPiece = 65536;
 
@@ -35,7 +35,7 @@ tl::expected<Bytes, ReadFault> read_open(const Descriptor& file, std::size_t mos
   note_read(info);
   const auto size = static_cast<std::size_t>(info.st_size);
   if (size > most) return tl::unexpected(ReadFault{Kind::too_large, size, ""});
-  // A byte more than it says it has: a file that is still being written is read to its end.
+  // Ask for one byte more than the size, so that a growing file is read to its end.
   Bytes bytes(size + 1);
   std::size_t got = 0;
   for (;;) {
@@ -71,7 +71,7 @@ std::string percent_decoded(const std::string& uri) {
   return out;
 }
 
-/// Parts between slashes; empty where the path could leave its folder.
+/// The parts between slashes; empty if the path could leave its folder.
 std::vector<std::string> inner_parts(const std::string& path) {
   std::vector<std::string> parts;
   if (path.empty() || path.front() == '/' || path.find('\0') != std::string::npos ||
@@ -88,7 +88,7 @@ std::vector<std::string> inner_parts(const std::string& path) {
   return parts;
 }
 
-/// Beneath `folder`, step by step, so that nobody can put a link in between.
+/// Opens step by step beneath `folder`, so that nobody can insert a link on the way.
 Descriptor open_beneath(const std::filesystem::path& folder,
                         const std::vector<std::string>& parts) {
   Descriptor at(::open(folder.empty() ? "." : folder.c_str(), kFlags | O_DIRECTORY));

@@ -4,8 +4,8 @@
 
 namespace onggi::files {
 
-/// Which files this run of the program has read, by device and inode, so that a link or another
-/// name is known too. read_file() and read_beneath() note them; Output asks. Any thread.
+/// Remembers by device and inode which files this run has read, so that a link or another name is
+/// recognised. read_file() and read_beneath() record them; Output asks. Any thread.
 void note_read(const struct stat& file);
 bool was_read(const struct stat& file);
 

@@ -14,7 +14,7 @@ fs::path plain(const fs::path& file) {
 }  // namespace
 
 std::optional<std::string> stamp_of(const fs::path& file) {
-  std::error_code gone;  // an editor's own files come and go
+  std::error_code gone;  // an editor's temporary files come and go
   if (!fs::is_regular_file(file, gone)) return {};
   const auto size = fs::file_size(file, gone);
   if (gone) return {};

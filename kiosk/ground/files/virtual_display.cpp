@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kStartTimeoutMs = 10'000;
 
-// The number that Xvfb writes once it is ready to be connected to; empty if none came.
+// Reads the display number that Xvfb writes when it is ready; empty if none came.
 std::string read_display(const Descriptor& from) {
   std::string text;
   for (;;) {
@@ -37,8 +37,9 @@ Result<std::unique_ptr<VirtualDisplay>> VirtualDisplay::ensure(int width, int he
   if (!said.open_for_reading())
     return problem("Xvfb", "No pipe could be opened to it.", "Close other programs and try again.",
                    1);
-  // setpriv (of util-linux, which every Debian has) lets the kernel end the server when we die in
-  // whatever way; should that be before it has, the server finds its pipe closed and ends itself.
+  // setpriv (from util-linux, part of every Debian) lets the kernel end the server when this
+  // process dies in any way. If it dies before setpriv is ready, the server finds its pipe closed
+  // and ends itself.
   auto server =
       ChildProcess::start("setpriv",
                           {"--pdeathsig", "TERM", "Xvfb", "-displayfd", "1", "-screen", "0",
@@ -55,7 +56,7 @@ Result<std::unique_ptr<VirtualDisplay>> VirtualDisplay::ensure(int width, int he
 }
 
 VirtualDisplay::~VirtualDisplay() {
-  // An X server that is told to end just as it falls asleep sleeps on, for ten minutes.
+  // If SIGTERM arrives just as the X server falls asleep, it sleeps on for ten minutes.
   server_.end(SIGTERM, 2.0);
   unsetenv("DISPLAY");
 }

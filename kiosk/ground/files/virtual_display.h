@@ -7,9 +7,9 @@
 
 namespace onggi::files {
 
-/// An X server without a screen (Xvfb), for scripted visits where there is no display. Sets DISPLAY
-/// while it lives; ends the server when destroyed, and the server ends by itself should the thread
-/// that started it die.
+/// An X server without a screen (Xvfb), for scripted visits on machines without a display. Sets
+/// DISPLAY while it lives and ends the server when destroyed. The server also ends if the thread
+/// that started it dies.
 class VirtualDisplay {
  public:
   /// Nothing to do (nullptr) when DISPLAY or WAYLAND_DISPLAY is set. Problem when Xvfb is missing

@@ -55,7 +55,7 @@ TomlReader::TomlReader(TomlReader&&) noexcept = default;
 bool TomlReader::ok() const { return impl_->ok; }
 const std::vector<Problem>& TomlReader::problems() const { return impl_->problems; }
 std::vector<Problem> TomlReader::problems_since(const std::vector<Problem>& before) const {
-  // By what they say: a new one stands between the old ones, where its line is.
+  // Compare by their text: new Problems are inserted between old ones, in line order.
   std::vector<Problem> out;
   for (const Problem& p : impl_->problems)
     if (std::none_of(before.begin(), before.end(), [&p](const Problem& old) {
@@ -155,7 +155,7 @@ std::string TomlReader::Table::Impl::right_name(const std::string& wrong) const 
   if (const std::string near = nearest_name(wrong, asked); !near.empty()) {
     return "Did you mean " + near + "?";
   }
-  // The right name in the wrong place: a key that slipped under another [table].
+  // The key may belong to another table, for example after it slipped under a wrong [table].
   for (const auto& [other_path, other] : file->tables) {
     if (other.get() == this) continue;
     if (std::find(other->asked.begin(), other->asked.end(), wrong) == other->asked.end()) continue;

@@ -21,33 +21,32 @@ struct OutlinePoint {
   friend bool operator==(const OutlinePoint&, const OutlinePoint&) = default;
 };
 
-/// Reads one TOML file table by table and remembers what was wrong where: wrong keys (with the
-/// nearest right one), types, ranges, missing keys. The only way into TOML for every room: toml++
-/// stays behind it. Allocates; one thread at a time.
+/// Reads one TOML file table by table and notes wrong keys (with the nearest right one), types,
+/// ranges and missing keys, with their place. Every room reads TOML through this class, which hides
+/// toml++. Allocates; one thread at a time.
 class TomlReader {
  public:
   /// Parses; a syntax error or unreadable file becomes the only Problem and ok() is false.
   /// Files over 4 MiB and anything but regular files are refused.
   explicit TomlReader(const std::filesystem::path& file);
-  /// The same of a text in memory; `name` is what its Problems call it.
+  /// The same for a text in memory; its Problems call it `name`.
   static TomlReader of_text(const std::string& text, const std::string& name);
   ~TomlReader();
   TomlReader(TomlReader&&) noexcept;
 
   bool ok() const;
-  /// One table of the file. Valid while the reader lives. An absent one reads nothing and notes
-  /// nothing but what require() and complain() are asked to.
+  /// One table of the file. Valid while the reader lives. An absent table reads nothing and notes
+  /// only what require() and complain() ask for.
   class Table {
    public:
     bool present() const;
-    /// Is `key` written in this table, whatever its type?
+    /// True if this table has `key`, of any type.
     bool has(std::string_view key) const;
-    /// Is `key` written in this table as a table of its own ([key], or key.other = ...)?
+    /// True if this table has `key` as a table ([key], or key.other = ...).
     bool has_table(std::string_view key) const;
-    /// Each reads `key` into `out` if it is there and good; notes a Problem if not good (and leaves
-    /// `out` alone). True if read.
-    /// `low` and `high` are included; `unit` is for the Problem's words ("s", "metres"). A whole
-    /// number is a number; nan and inf are not.
+    /// Each function reads `key` into `out` and returns true if the key is present and valid. If it
+    /// is invalid, it notes a Problem and leaves `out` alone. `low` and `high` are included; `unit`
+    /// is for the Problem's text ("s", "metres"). A whole number is a number; nan and inf are not.
     bool number(std::string_view key, double& out, double low, double high,
                 std::string_view unit = {});
     bool integer(std::string_view key, int& out, int low, int high, std::string_view unit = {});
@@ -59,8 +58,8 @@ class TomlReader {
     bool pairs(std::string_view key, std::vector<std::pair<double, double>>& out);
     /// An array of [radius, height] or [radius, height, "corner"].
     bool points(std::string_view key, std::vector<OutlinePoint>& out);
-    /// Notes a Problem at `key`'s value (or at the table, where `key` is absent or ""). `what` and
-    /// `remedy` are whole sentences and are kept as they are.
+    /// Notes a Problem at `key`'s value, or at the table if `key` is absent or "". `what` and
+    /// `remedy` are whole sentences and are used unchanged.
     void complain(std::string_view key, std::string what, std::string remedy);
     /// The same at element `index` of the list `key`.
     void complain_at(std::string_view key, std::size_t index, std::string what, std::string remedy);
@@ -72,8 +71,8 @@ class TomlReader {
     Table child(std::string_view name);
     /// Every [[name]] below this one, in file order; none where absent.
     std::vector<Table> children(std::string_view name);
-    /// Notes a Problem for every key that nobody asked for, naming the nearest that was asked for.
-    /// Call it when all keys have been asked for.
+    /// Notes a Problem for every key that the program did not ask for, with the nearest known key.
+    /// Call it after all keys were asked for.
     void finish();
 
    private:
@@ -85,9 +84,9 @@ class TomlReader {
 
   /// In file order. Every `where` is "file:line:column", or "file" where it could not be read.
   const std::vector<Problem>& problems() const;
-  /// Those that problems() did not have yet when it was `before`.
+  /// The Problems that are not in `before`, an earlier copy of problems().
   std::vector<Problem> problems_since(const std::vector<Problem>& before) const;
-  /// Keys that are present and were asked for, tables not counted.
+  /// Number of keys that are present and were asked for, without tables.
   int keys_checked() const;
 
  private:

@@ -24,7 +24,7 @@ struct TomlReader::Impl {
     return name + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
   }
   void note(Place at, std::string what, std::string remedy) {
-    if (!ok) return;  // what could not be parsed has said so already
+    if (!ok) return;  // the parser has already reported the error
     const auto after = std::upper_bound(places.begin(), places.end(), at);
     problems.insert(problems.begin() + (after - places.begin()),
                     Problem{where(at), std::move(what), std::move(remedy)});
@@ -44,7 +44,7 @@ struct TomlReader::Table::Impl {
   std::string full(std::string_view key) const {
     return path.empty() ? std::string(key) : path + "." + std::string(key);
   }
-  /// The value of `key`, or null. Remembers that it was asked for.
+  /// The value of `key`, or null. Records that it was asked for.
   const TomlNode* ask(std::string_view key) {
     const TomlNode* value = node == nullptr ? nullptr : find(*node, key);
     if (std::find(asked.begin(), asked.end(), key) == asked.end()) {
@@ -64,7 +64,7 @@ struct TomlReader::Table::Impl {
                   std::string remedy);
   void out_of_range(std::string_view key, const TomlNode& value, double low, double high,
                     std::string_view unit, const std::string& remedy);
-  /// The list at `key`; notes a Problem where something else stands.
+  /// The list at `key`; notes a Problem if the value is not a list.
   const TomlNode::List* ask_list(std::string_view key, const std::string& wanted,
                                  const std::string& remedy);
   /// What to write instead of the key `wrong`, as a sentence.

@@ -5,6 +5,71 @@
 #include "kiosk/ground/files/read_file.h"
 
 namespace onggi::toml {
+namespace {
+
+constexpr int kLongestChain = 16;
+
+bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
+/// The position after the string that begins at `i`; the end of its line, or of `text`, if it is
+/// not closed.
+std::size_t behind_string(const std::string& text, std::size_t i) {
+  const char quote = text[i];
+  const bool escapes = quote == '"';
+  const bool multi = text.compare(i, 3, std::string(3, quote)) == 0;
+  i += multi ? 3 : 1;
+  while (i < text.size()) {
+    if (text[i] == '\n' && !multi) return i;  // an unclosed string; the parser will report it
+    if (escapes && text[i] == '\\' && text.compare(i + 1, 1, "\n") != 0) {
+      i += 2;
+    } else if (multi ? text.compare(i, 3, std::string(3, quote)) == 0 : text[i] == quote) {
+      i += multi ? 3 : 1;
+      // Up to two more quotes belong to the string: """He said "go"""".
+      for (int extra = 0; multi && extra < 2 && i < text.size() && text[i] == quote; ++extra) ++i;
+      return i;
+    } else {
+      ++i;
+    }
+  }
+  return text.size();
+}
+
+/// "file:line:column" of byte `at`; columns count letters.
+std::string place_in(const std::string& text, std::size_t at, const std::string& file_name) {
+  const std::size_t start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
+  const auto begin = text.begin(), there = begin + static_cast<std::ptrdiff_t>(at);
+  const auto line = 1 + std::count(begin, there, '\n');
+  const auto column =
+      1 + std::count_if(begin + static_cast<std::ptrdiff_t>(start), there,
+                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+  return file_name + ":" + std::to_string(line) + ":" + std::to_string(column);
+}
+
+/// The bytes of the UTF-8 letter at `i`; 0 where there is none.
+std::size_t letter_size(const std::string& text, std::size_t i) {
+  const auto lead = static_cast<unsigned char>(text[i]);
+  const std::size_t size = lead >= 0xF0 && lead < 0xF5 ? 4
+                           : lead >= 0xE0              ? 3
+                           : lead >= 0xC2              ? 2
+                                                       : 0;
+  if (lead >= 0xF5 || size == 0 || i + size > text.size()) return 0;
+  for (std::size_t k = 1; k < size; ++k)
+    if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return 0;
+  return size;
+}
+
+/// \UXXXXXXXX for the letter of `size` bytes at `i`.
+std::string escape_of(const std::string& text, std::size_t i, std::size_t size) {
+  std::uint32_t point = static_cast<unsigned char>(text[i]) & (0xFFu >> (size + 1));
+  for (std::size_t k = 1; k < size; ++k)
+    point = point << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
+  char out[11];
+  std::snprintf(out, sizeof out, "\\U%08X", point);
+  return out;
+}
+
+}  // namespace
+
 Result<std::string> read_toml_text(const std::filesystem::path& file) {
   using Kind = files::ReadFault::Kind;
   const std::string name = file.string();

@@ -1,6 +1,6 @@
 #include "kiosk/ground/toml/toml_tree.h"
 
-#include <cstdint>  // the next headers use its names unasked
+#include <cstdint>  // toml++ uses its names without including it
 
 // Compiled in here, whatever the package offers: its library asserts and throws where we want a
 // Problem. Without NDEBUG an assertion of toml++ is TOML_ASSERT and nothing else: with NDEBUG it

@@ -19,31 +19,31 @@ struct Place {
 /// A value of a TOML file and where it stands.
 struct TomlNode {
   struct Member;
-  using Table = std::vector<Member>;  ///< In the order of their keys.
+  using Table = std::vector<Member>;  ///< Sorted by key.
   using List = std::vector<TomlNode>;
-  struct Date {};  ///< A date or a time: nothing here asks for one.
+  struct Date {};  ///< A date or a time; no setting uses one.
   std::variant<Date, bool, std::int64_t, double, std::string, List, Table> value;
   Place place;
 
-  /// nullptr where it is something else.
+  /// nullptr if it has another type.
   template <class T>
   const T* as() const {
     return std::get_if<T>(&value);
   }
-  /// [[name]]: a list of one table or more, and of nothing else.
+  /// True for [[name]]: a list of one or more tables and nothing else.
   bool is_list_of_tables() const;
 };
 
 struct TomlNode::Member {
   std::string key;
-  Place place;  ///< Of the key.
+  Place place;  ///< Position of the key.
   TomlNode value;
 };
 
 /// The value of `key`, or nullptr.
 const TomlNode* find(const TomlNode::Table& table, std::string_view key);
 
-/// The table that `text`, the file `name`, holds. Problem with line and column where it is no TOML.
+/// Parses `text`, the file `name`. Problem with line and column if it is not TOML.
 Result<TomlNode::Table> parse_toml(const std::string& text, const std::string& name);
 
 }  // namespace onggi::toml
