@@ -14,8 +14,8 @@ std::string host_of(const std::string& address) {
   return address.substr(kHttps.size(), end == std::string::npos ? end : end - kHttps.size());
 }
 
-/// Labels of letters, digits and hyphens, at least two: a name that is looked up in the world, and
-/// neither a machine of this house nor a bare number.
+/// True for at least two labels of letters, digits and hyphens: a public host name, not a local
+/// machine or a bare number.
 bool is_host(const std::string& host) {
   std::size_t begin = 0, labels = 0;
   bool letter = false;

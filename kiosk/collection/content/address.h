@@ -5,16 +5,17 @@
 
 namespace onggi::content {
 
-/// Bytes of the longest address: a square code of it still has modules that a phone tells apart.
+/// Longest address, bytes: phones can still read the modules of its QR code.
 inline constexpr std::size_t kLongestAddress = 200;
 
-/// What keeps a phone from opening `address` as a page on the web, as a sentence; "" where nothing
-/// does: https, a host with a dot, no name or password before it, at most kLongestAddress letters
-/// of ASCII without spaces, quotes and control characters. Allocates.
+/// Why a phone cannot open `address` as a web page, as a sentence; "" if it can: https, a host with
+/// a dot, no name or password before it, at most kLongestAddress ASCII letters without spaces,
+/// quotes and control characters. Allocates.
 std::string fault_of_address(const std::string& address);
 
-/// A good address as a person reads and types it: without https://, www. and a last slash. One of
-/// more than 40 letters is its host alone, which can be typed and leads to the museum at least.
+/// A good address in the form that people read and type: without https://, www. and a last slash.
+/// If it has more than 40 letters, only the host, which can be typed and leads at least to the
+/// museum.
 std::string short_address(const std::string& address);
 
 }  // namespace onggi::content

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pack or a loose file, and what it is called on the shelf.
+/// A pack or a loose file, and its name on the shelf.
 struct Entry {
   std::string id;
   fs::path path;
@@ -74,7 +74,7 @@ std::vector<Entry> entries_of(const fs::path& shelf, std::error_code& error) {
     if (loose.size() == 1) loose[0].id = path.filename().string();
     out.insert(out.end(), loose.begin(), loose.end());
   }
-  // a.glb beside a.gltf or a folder a: each keeps a name of its own.
+  // a.glb beside a.gltf or a folder a: each keeps its own name.
   std::stable_sort(out.begin(), out.end(),
                    [](const Entry& a, const Entry& b) { return a.id < b.id; });
   for (std::size_t i = 1; i < out.size(); ++i)
@@ -82,7 +82,7 @@ std::vector<Entry> entries_of(const fs::path& shelf, std::error_code& error) {
   return out;
 }
 
-/// Folders of a shelf that brought it nothing.
+/// Folders of a shelf that contain no vessel.
 std::vector<fs::path> empty_folders(const fs::path& shelf, const std::vector<Entry>& entries) {
   std::vector<fs::path> out;
   std::error_code ignored;
@@ -103,7 +103,7 @@ Problem no_shelf(const fs::path& folder, const std::error_code& error) {
 
 std::string mm(double metres) { return std::to_string(std::lround(1000.0 * metres)) + " mm"; }
 
-/// What the drawing and the published sizes say of each other and of the mesh.
+/// Compares the drawing, the published sizes and the mesh.
 void check_sizes(const fs::path& toml, const Pack& pack, const Vessel& vessel, ShelfCheck& check) {
   const Dimensions d = dimensions(vessel.extracted.profile);
   if (pack.true_height > 0.0 && pack.true_diameter > 0.0 &&
@@ -129,7 +129,7 @@ void check_pack(const fs::path& folder, const LoadOptions& options,
     check.keys_checked += drawing.keys_checked;
     check.problems.insert(check.problems.end(), drawing.problems.begin(), drawing.problems.end());
   }
-  if (!read.problems.empty()) return;  // load_vessel would say the first of them again
+  if (!read.problems.empty()) return;  // load_vessel would repeat the first of them
   const auto vessel = load_vessel(folder, options);
   if (!vessel) {
     check.problems.push_back(vessel.error());
@@ -238,7 +238,7 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
       check.problems.push_back(vessels.error());
       continue;
     }
-    // A document was looked at for the scan that it names.
+    // A document was read to find the scan that it names.
     if (vessels->front().file != entry.path) check.files.push_back(vessels->front().file);
     for (const Vessel& vessel : *vessels) check.ids.push_back(vessel.id);
   }

@@ -9,25 +9,26 @@
 
 namespace onggi::content {
 
-/// A shelf: what loaded, and what did not with the reason. Never throws; a broken pack is left off.
+/// A shelf: the vessels that loaded, and the others with the reason. Never throws; a broken pack is
+/// left off.
 struct Catalogue {
   std::vector<Vessel> vessels;
   std::vector<Problem> problems;
   const Vessel* find(const std::string& id) const;
 };
 
-/// Told of each entry of a shelf as it is read, from any thread but one at a time.
+/// Receives each entry of a shelf as it is read, from any thread but one call at a time.
 class ShelfWatcher {
  public:
   virtual ~ShelfWatcher() = default;
-  /// Entry `at` of `total`, in the order of their ids, is about to be read.
+  /// Entry `at` of `total`, sorted by id, is about to be read.
   virtual void begins(std::size_t at, std::size_t total, const std::string& id) = 0;
-  /// What was in it, or why it cannot be used.
+  /// Its vessels, or why it cannot be used.
   virtual void has_read(std::size_t at, Result<std::vector<Vessel>> read) = 0;
 };
 
-/// Reads a folder's entries on as many threads as there are processors, and tells `watcher` of
-/// each. A folder that cannot be listed is the Problem.
+/// Reads a folder's entries on as many threads as there are processors, and tells `watcher` about
+/// each. Problem if the folder cannot be listed.
 Result<void> read_shelf(const std::filesystem::path& folder, ShelfWatcher& watcher,
                         const settings::ReaderLimits& limits = {});
 
@@ -39,8 +40,8 @@ Catalogue open_shelf(const std::filesystem::path& folder,
                      void (*progress)(int, int, const std::string&, void*) = nullptr,
                      void* user = nullptr, const settings::ReaderLimits& limits = {});
 
-/// What check_shelf() looked at, and everything wrong with it: also what the kiosk would open all
-/// the same, such as a label of more than 100 words or a size that contradicts the drawing.
+/// What check_shelf() checked, and everything wrong with it, including faults that the kiosk
+/// tolerates, such as a label of more than 100 words or a size that contradicts the drawing.
 struct ShelfCheck {
   std::vector<Problem> problems;
   std::vector<std::string> ids;              ///< Of the vessels, good or not.
@@ -48,8 +49,8 @@ struct ShelfCheck {
   int keys_checked = 0;
 };
 
-/// Checks a shelf, one pack, or one GLB/glTF file. Labels have to be in `languages` (read_pack()).
-/// Asked to `stop`, it leaves out the vessels that it has not come to.
+/// Checks a shelf, one pack, or one GLB/glTF file. Labels must exist in `languages` (read_pack()).
+/// After a `stop`, it skips the remaining vessels.
 ShelfCheck check_shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {},
                        const std::vector<std::string>& languages = {}, std::stop_token stop = {});
 

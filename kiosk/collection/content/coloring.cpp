@@ -17,7 +17,7 @@ Coloring Coloring::part(std::size_t first, std::size_t count) const {
 
 namespace {
 
-/// The pixel at `place` of `count`, 1 being the whole side.
+/// The pixel at `place` (1 is the whole side) of `count`.
 std::size_t pixel_of(float place, int count, Coloring::Wrap wrap) {
   double at = place;
   if (wrap == Coloring::Wrap::repeat) at -= std::floor(at);

@@ -10,17 +10,17 @@
 
 namespace onggi::content {
 
-/// A vessel without colours of its own, linear: fired clay.
+/// Colour of a vessel without colours of its own: fired clay, linear.
 inline constexpr std::array<float, 3> kClayColor{0.62f, 0.44f, 0.31f};
 
-/// The colours that a scan brings with it, beside its mesh. Empty: it has one colour, or none.
+/// The colours of a scan, beside its mesh. Empty if it has one colour or none.
 struct Coloring {
   enum class Wrap : std::uint8_t { repeat, clamp, mirror };
   struct Picture {
     std::shared_ptr<const textures::TexturePixels> pixels;
     Wrap across = Wrap::repeat, down = Wrap::repeat;
   };
-  std::vector<Picture> pictures;  ///< 255 at the most.
+  std::vector<Picture> pictures;  ///< At most 255.
   /// Of each position: its colour, sRGB, which is also laid over its picture (as light times
   /// light);
   std::vector<std::array<std::uint8_t, 3>> colors;
@@ -31,12 +31,12 @@ struct Coloring {
   std::vector<std::uint8_t> picture;
 
   bool empty() const { return colors.empty(); }
-  /// Of a run of the positions alone.
+  /// The colouring of a run of the positions.
   Coloring part(std::size_t first, std::size_t count) const;
 };
 
-/// Its colour at every position as linear light, 0..1, the picture's nearest pixel where it has
-/// one: what of it a mesh can carry alone. Empty where `coloring` is.
+/// The colour at every position as linear light, 0..1, from the nearest pixel of a picture: what a
+/// mesh without pictures can carry. Empty if `coloring` is.
 std::vector<std::array<float, 3>> baked(const Coloring& coloring);
 
 /// sRGB of linear light, clamped to 0..1, and back (IEC 61966-2-1).

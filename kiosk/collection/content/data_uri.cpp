@@ -7,14 +7,14 @@ namespace onggi::content {
 namespace {
 
 constexpr std::string_view kScheme = "data:", kCoding = ";base64,";
-/// A media type and its parameters are shorter.
+/// Longest media type with its parameters, bytes.
 constexpr std::size_t kLongestHead = 256;
 
 std::string_view head_of(std::span<const unsigned char> text) {
   return {reinterpret_cast<const char*>(text.data()), std::min(text.size(), kLongestHead)};
 }
 
-/// Where the base64 begins; 0 where it is no data URI.
+/// Start of the base64; 0 if `text` is not a data URI.
 std::size_t payload_at(std::span<const unsigned char> text) {
   const std::string_view head = head_of(text);
   if (!head.starts_with(kScheme)) return 0;
@@ -32,8 +32,8 @@ int six_bits(unsigned char c) {
   return c == '=' ? 64 : -1;
 }
 
-/// The character at `at`, which moves behind it: one that JSON escaped is unescaped. 0 for an
-/// escape that cannot stand for base64.
+/// Reads the character at `at` and moves `at` behind it, undoing JSON's escapes. 0 for an escape
+/// that base64 cannot contain.
 unsigned char next(std::span<const unsigned char> text, std::size_t& at) {
   const unsigned char c = text[at++];
   if (c != '\\') return c;

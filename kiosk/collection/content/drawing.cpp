@@ -15,7 +15,8 @@ namespace {
 using toml::OutlinePoint;
 using Table = toml::TomlReader::Table;
 
-constexpr double kThinnest = 1.0;    ///< mm: thinner was never thrown, and no clay grid carries it.
+/// Mm: no thinner wall was thrown, and no clay grid can hold one.
+constexpr double kThinnest = 1.0;
 constexpr double kLargest = 2000.0;  ///< mm
 constexpr std::size_t kMostPoints = 500;
 
@@ -32,7 +33,7 @@ struct Drawn {
   double rounding = 0.0;
 };
 
-/// What must hold for each outline by itself. True if it may be joined to the other.
+/// Checks each outline by itself. True if it can be joined to the other.
 bool check_points(Table& root, const std::string& key, const std::vector<OutlinePoint>& points) {
   const std::size_t count = points.size();
   if (count < 2 || count > kMostPoints) {
@@ -137,13 +138,13 @@ std::vector<Vec2> underside(const Drawn& d) {
 Outline outline_of(const Drawn& d, const std::vector<OutlinePoint>& points, bool level_end) {
   std::vector<Knot> knots;
   for (const OutlinePoint& p : points) knots.push_back({{p.radius, p.height}, p.corner});
-  // A 150th of the vessel is finer than the eye sees in its outline on a screen.
+  // A 150th of the vessel is finer than the eye can see in its outline on a screen.
   double size = 0.0;
   for (const OutlinePoint& p : d.outer) size = std::max({size, p.radius, p.height});
   return d.smooth ? smooth_outline(knots, size / 150.0, level_end) : straight_outline(knots);
 }
 
-/// Walls that cross or nearly touch, named at the drawn point next to the place.
+/// Finds walls that cross or nearly touch, and names the nearest drawn point.
 bool check_walls(Table& root, const std::vector<Vec2>& under, const Outline& outer,
                  const Outline& inner) {
   for (const auto& [key, chain] : {std::pair{"outer", &outer}, std::pair{"inner", &inner}})
@@ -172,7 +173,7 @@ bool check_walls(Table& root, const std::vector<Vec2>& under, const Outline& out
 Section section_of(const Drawn& d, const std::vector<Vec2>& under, const Outline& outer,
                    const Outline& inner) {
   std::vector<Vec2> wall = outer.points, cavity = inner.points;
-  // Both edges of the rim are rounded; a rounding of half the width or more makes it half round.
+  // Both edges of the rim are rounded; a rounding of half the width or more gives a half-round rim.
   const Vec2 edge = wall.back(), mouth = cavity.front();
   const double width = length(mouth - edge);
   const double rounding = std::min(d.rounding, 0.4999 * width);

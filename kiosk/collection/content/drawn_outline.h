@@ -30,9 +30,9 @@ Outline smooth_outline(const std::vector<Knot>& knots, double link, bool level_e
 /// The same points joined by straight lines.
 Outline straight_outline(const std::vector<Knot>& knots);
 
-/// Where chain `b` comes nearer to chain `a` than `least`, or crosses it: the chain point of b at
-/// the narrowest place, and the distance (0 = crossing). Chain points of b nearer than `skip` along
-/// b to its start are left out, as walls meet at the rim.
+/// The chain point of `b` where it comes nearer to chain `a` than `least`, or crosses it, and the
+/// distance there (0 = crossing). Points of `b` nearer than `skip` along b to its start are
+/// ignored, because the walls meet at the rim.
 struct Narrow {
   std::size_t point = 0;
   double distance = 0.0;

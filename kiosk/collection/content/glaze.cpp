@@ -50,7 +50,7 @@ void read_share(Table& table, const std::string& key, double most, float& out) {
   if (table.number(key, value, 0.0, most)) out = static_cast<float>(value);
 }
 
-/// Words by language; those of `languages` are asked for where `needed`.
+/// Texts by language; if `needed`, all of `languages` are required.
 bool read_words(Table& glaze, const std::string& key, const std::vector<std::string>& languages,
                 bool needed, std::map<std::string, std::string>& out) {
   Table words = glaze.child(key);
@@ -72,7 +72,7 @@ bool read_words(Table& glaze, const std::string& key, const std::vector<std::str
   return !out.empty();
 }
 
-/// False where the glaze cannot be shown.
+/// False if the glaze cannot be shown.
 bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& glaze) {
   table.require("id", "Write a short name of letters, digits and _: id = \"celadon\".");
   bool good = table.text("id", glaze.id);
@@ -89,7 +89,7 @@ bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& 
     table.require(key, std::string("Write a colour: ") + key + " = \"#9DB5A0\".");
   good = read_color(table, "body", look.body) && good;
   good = read_color(table, "glass", look.glass) && good;
-  // Slip and band are there where their colour is.
+  // Slip and band exist if their colour is written.
   if (!read_color(table, "slip", look.slip)) look.slip_cover = 0.0f;
   read_share(table, "slip_cover", 1.0, look.slip_cover);
   read_share(table, "brushed", 1.0, look.brushed);

@@ -18,7 +18,7 @@ constexpr int kUnsignedShort = 5123, kFloat = 5126, kUnsignedInt = 5125, kArrayB
 using files::Json;
 
 Json json_of(const GlbMaterial& material) {
-  // Four digits are more than an eye tells apart, and the same on every machine.
+  // Four digits are finer than the eye, and they are the same on every machine.
   const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
   return Json::object(
       {{"name", material.name},
@@ -75,7 +75,7 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     for (const auto& c : colors) {
       for (const float v : c)
         bin.u16(static_cast<std::uint16_t>(std::lround(65535.0f * std::clamp(v, 0.0f, 1.0f))));
-      bin.u16(65535);  // opaque; elements begin at whole multiples of four bytes
+      bin.u16(65535);  // opaque; elements are aligned to four bytes
     }
     view(from, kArrayBuffer);
   }
@@ -98,7 +98,7 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     const bool last = part + 1 == parts.size();
     return (last ? mesh.triangles.size() : parts[part + 1].first) - parts[part].first;
   };
-  // The first part's indices come before the colours, the other parts' after.
+  // The first part's indices come before the colours, the others' after.
   const auto indices = [&](std::size_t part) {
     Json accessor = Json::object({{"bufferView", normals ? 2 : 1},
                                   {"componentType", kUnsignedInt},
@@ -141,7 +141,7 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
        {"buffers", Json::list({Json::object({{"byteLength", bin.size()}})})}});
 
   files::ByteWriter json;
-  // Text that is not UTF-8 is mended rather than refused: the pot matters more than its name.
+  // Repair text that is not UTF-8 instead of refusing it: the pot matters more than its name.
   json.text(document.text(-1));
   json.pad(4, ' ');
   bin.pad(4, '\0');

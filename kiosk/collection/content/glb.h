@@ -13,26 +13,26 @@ namespace onggi::content {
 /// glTF 2.0, section 4.4: "glTF", and the two chunks that a GLB may have.
 inline constexpr std::uint32_t kGlbMagic = 0x46546C67, kGlbJson = 0x4E4F534A, kGlbBin = 0x004E4942;
 
-/// What a written GLB's surface is. The default: a red stoneware clay, unglazed.
+/// The surface of a written GLB. Default: a red stoneware clay, unglazed.
 struct GlbMaterial {
   std::string name = "clay";
   std::array<float, 3> color{0.342f, 0.162f, 0.078f};  ///< Linear, 0..1.
   float roughness = 0.9f;                              ///< 0..1
 };
 
-/// The triangles of a GLB from `first` on, as far as the next part's.
+/// The triangles of a GLB from `first` up to the next part's.
 struct GlbPart {
   std::size_t first = 0;
   GlbMaterial material;
 };
 
-/// A GLB of one mesh with one material; `title`, `copyright` go into the asset. Where `colors` is
-/// not empty it has one a position, linear, 0..1, and they are written as COLOR_0. Deterministic
-/// bytes.
+/// A GLB of one mesh with one material; `title` and `copyright` go into the asset. `colors` is
+/// empty or has one colour a position, linear, 0..1, written as COLOR_0. The bytes are
+/// deterministic.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const GlbMaterial& material = {},
                                  const std::vector<std::array<float, 3>>& colors = {});
-/// The same with a material for each of `parts`, the first of which begins at 0.
+/// The same with one material for each of `parts`; the first part begins at 0.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const std::vector<GlbPart>& parts,
                                  const std::vector<std::array<float, 3>>& colors = {});

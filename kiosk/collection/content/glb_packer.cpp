@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Of a PNG, JPEG, WebP or KTX2 by its first bytes.
+/// The media type of a PNG, JPEG, WebP or KTX2, from its first bytes.
 std::string mime_of(std::span<const std::byte> bytes) {
   switch (bytes.empty() ? 0 : std::to_integer<int>(bytes[0])) {
     case 0x89:
@@ -42,7 +42,7 @@ class Packer {
     json kept = json::array({json::object()});
     for (const json& buffer : document["buffers"]) {
       const std::string uri = uri_of(buffer);
-      if (uri.empty()) {  // the fallback of compressed views: it has no bytes
+      if (uri.empty()) {  // the fallback of compressed views has no bytes
         moved_.push_back({kept.size(), 0});
         kept.push_back(buffer);
         continue;
@@ -107,9 +107,9 @@ class Packer {
     return object["uri"].get<std::string>();
   }
 
-  /// Where in the BIN chunk what `uri` names now begins; it goes to its end.
+  /// Start of the data behind `uri` in the BIN chunk; it goes to the chunk's end.
   Result<std::size_t> read_in(const std::string& uri) {
-    // Compressed floats want to begin at whole multiples of their size.
+    // Align compressed floats to their size.
     bin_.pad(8, '\0');
     const std::size_t at = bin_.size();
     if (const auto data = data_behind(uri, container_)) {
@@ -143,7 +143,7 @@ class Packer {
   std::size_t left_;
   files::ByteWriter bin_;
   std::vector<std::pair<std::size_t, std::size_t>>
-      moved_;  ///< Of each buffer its new one, and where.
+      moved_;  ///< The new buffer of each buffer, and the offset in it.
 };
 
 }  // namespace

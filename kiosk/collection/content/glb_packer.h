@@ -9,10 +9,10 @@
 
 namespace onggi::content {
 
-/// The glTF of JSON in `file` as one GLB: what it names beside it and in data URIs comes into its
-/// BIN chunk, all else (materials, extensions, names) is as it was. A picture that cannot be read
-/// keeps its name. Problem: a buffer that cannot be read, or `file` is no glTF within `limits`.
-/// Allocates three times the file and what it names.
+/// Packs the glTF in `file` into one GLB: files beside it and data URIs go into the BIN chunk, and
+/// everything else (materials, extensions, names) stays unchanged. A picture that cannot be read
+/// keeps its name. Problem: a buffer cannot be read, or `file` is not a glTF within `limits`.
+/// Allocates three times the size of the file and the files that it names.
 Result<std::vector<std::byte>> pack_glb(const std::filesystem::path& file,
                                         const settings::ReaderLimits& limits);
 

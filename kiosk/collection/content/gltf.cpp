@@ -14,7 +14,7 @@ namespace onggi::content {
 
 namespace {
 
-/// Column-major, as glTF writes it.
+/// Column-major, like glTF.
 using Matrix = std::array<double, 16>;
 constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
@@ -103,7 +103,7 @@ class Gatherer {
   GltfReader reader_;
   GltfColors colors_;
   GltfModel out_;
-  std::vector<std::size_t> parents_;  ///< Of each part, its parent part.
+  std::vector<std::size_t> parents_;  ///< The parent of each part.
   std::size_t corners_ = 0;           ///< Read so far, kept or not.
   std::vector<std::size_t> triangles_of_material_;
   std::size_t skipped_ = 0;
@@ -179,7 +179,8 @@ Result<void> Gatherer::add_part(int node, const std::string& name, int mesh, con
   return {};
 }
 
-/// A last-in, first-out walk finishes all below a node before its neighbour: runs without gaps.
+/// A last-in, first-out walk finishes everything below a node before its neighbour, so each part is
+/// one gapless run.
 void Gatherer::close_parts() {
   for (std::size_t i = out_.parts.size(); i-- > 0;)
     if (parents_[i] != kNone) {
@@ -276,8 +277,8 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
     data = std::move(*read);
   }
   const std::size_t count = data.positions.size();
-  // Corners are counted as they are read: a node that shows a mesh once more costs its time again,
-  // even where nothing of it is kept.
+  // Count corners as they are read: a node that shows a mesh again costs its time again, even if
+  // nothing is kept.
   corners_ += data.indices.size();
   if (count + out_.mesh.positions.size() > static_cast<std::size_t>(limits_.vertices) ||
       corners_ / 3 > static_cast<std::size_t>(limits_.triangles))
@@ -290,7 +291,7 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
           "a triangle names vertex " + std::to_string(i) + " of " + std::to_string(count) + ".",
           "Export the vessel again; a glTF validator shows the place.");
 
-  // A mirroring transform turns triangles inside out; their corners change places to mend it.
+  // A mirroring transform turns triangles inside out; swapping corners repairs that.
   const Vec3 a = column(world, 0), b = column(world, 1), c = column(world, 2), t = column(world, 3);
   const bool mirrored = dot(a, cross(b, c)) < 0.0;
   const Vec3 na = cross(b, c), nb = cross(c, a), nc = cross(a, b);  // inverse transpose, scaled

@@ -14,31 +14,32 @@
 
 namespace onggi::content {
 
-/// A node of the scene and what hangs below it: a run of the model's vertices and triangles.
+/// A node of the scene with everything below it: a run of the model's vertices and triangles.
 struct GltfPart {
   int node = 0;       ///< Its index in the file.
-  std::string name;   ///< Its own, else its mesh's; may be empty.
-  bool mesh = false;  ///< It carries a surface itself.
+  std::string name;   ///< The node's name, else its mesh's; may be empty.
+  bool mesh = false;  ///< The node itself has a surface.
   std::size_t first_position = 0, positions = 0, first_triangle = 0, triangles = 0;
-  std::size_t own_positions = 0, own_triangles = 0;  ///< Of the node alone: the first of those.
+  /// The share of the node alone; they come first.
+  std::size_t own_positions = 0, own_triangles = 0;
 };
 
-/// What a glTF file holds that Onggi uses: one mesh of all nodes in world space, the file's own
+/// The part of a glTF file that Onggi uses: one mesh of all nodes in world space, in the file's
 /// axes.
 struct GltfModel {
   TriangleMesh mesh;
-  std::vector<GltfPart> parts;  ///< Every node that brings triangles, parents before children.
+  std::vector<GltfPart> parts;  ///< Every node with triangles, parents before children.
   std::array<float, 3> base_color{0.8f, 0.8f, 0.8f};  ///< Linear, of the largest material.
-  bool colored = false;  ///< The file gives that colour; not where it is a picture.
-  Coloring coloring;     ///< Of the mesh's positions, where the file has more than that colour.
+  bool colored = false;  ///< The file gives that colour and no picture for it.
+  Coloring coloring;     ///< Colours of the mesh's positions, if the file has more than one colour.
   GltfCredit credit;
   std::vector<std::string> warnings;
 };
 
-/// Reads a GLB or glTF of nobody's making in particular. tinygltf behind our own file access
-/// (beneath the file's folder only, regular files, size caps), JSON size, depth and number of
-/// values checked first, unknown required extensions refused by name, every accessor checked.
-/// Allocates in proportion to the file, and never beyond `limits`.
+/// Reads an untrusted GLB or glTF. Files are opened by our own code (beneath the file's folder
+/// only, regular files, size limits). JSON size, depth and number of values are checked first,
+/// unknown required extensions are refused by name, and every accessor is checked. Allocates in
+/// proportion to the file, never beyond `limits`.
 Result<GltfModel> read_gltf(const std::filesystem::path& file,
                             const settings::ReaderLimits& limits = {});
 

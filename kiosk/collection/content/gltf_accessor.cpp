@@ -11,10 +11,10 @@ namespace onggi::content {
 
 namespace {
 
-constexpr float kMostOfALook = 1e6f;  // colours and places in pictures: a wilder one is no number
+constexpr float kMostOfALook = 1e6f;  // larger colours and picture coordinates count as damage
 constexpr std::size_t kMostFromNothing = 1u << 20;
-/// meshopt's codecs spend at least two bits on each byte of sixteen vertices, and a byte on each
-/// triangle or index: a claim of more than this many bytes for one is no compression.
+/// meshopt's codecs spend at least two bits on each byte of sixteen vertices, and one byte on each
+/// triangle or index. A claim of more bytes than this for each encoded byte cannot be true.
 constexpr std::size_t kMostDense = 64;
 
 tl::unexpected<Problem> unsound(const std::string& where, std::string what) {
@@ -75,12 +75,12 @@ std::uint32_t as_index(const unsigned char* at, int type) {
   return load<std::uint32_t>(at);
 }
 
-/// `count` elements of `size` bytes, `stride` apart, from `offset`: do they lie within `bytes`?
+/// True if `count` elements of `size` bytes, `stride` apart, from `offset`, lie within `bytes`.
 bool fits(std::span<const unsigned char> bytes, std::size_t offset, std::size_t stride,
           std::size_t size, std::size_t count) {
   if (count == 0) return true;
   if (size > bytes.size() || offset > bytes.size() - size) return false;
-  // count and stride are bounded by the caller, so the product cannot wrap in 64 bits.
+  // The caller bounds count and stride, so the product cannot wrap in 64 bits.
   return stride * (count - 1) <= bytes.size() - size - offset;
 }
 
@@ -88,8 +88,8 @@ std::string place(const std::string& where, int accessor) {
   return where + ", accessor " + std::to_string(accessor);
 }
 
-/// Calls `make_room()` once all figures are known to be sound, then `store(element, pointer)` for
-/// every element, sparse ones last.
+/// Calls `make_room()` once all numbers are checked, then `store(element, pointer)` for every
+/// element, sparse ones last.
 template <class MakeRoom, class Store>
 Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int index,
                           std::size_t components, const std::string& here, MakeRoom&& make_room,
@@ -130,7 +130,7 @@ Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int 
       !fits(*places, index_offset, index_size, index_size, sparse_count) ||
       !fits(*values, value_offset, size, size, sparse_count))
     return unsound(here, "its sparse part does not fit into its buffer views.");
-  if (accessor.bufferView < 0) make_room();  // all zero but for the sparse part
+  if (accessor.bufferView < 0) make_room();  // all zero, except for the sparse part
   for (std::size_t i = 0; i < sparse_count; ++i) {
     const std::uint32_t at =
         as_index(places->data() + index_offset + i * index_size, sparse.indices.componentType);
@@ -142,7 +142,7 @@ Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int 
   return {};
 }
 
-/// What must hold before any byte of an accessor is looked at.
+/// Checks an accessor before any of its bytes are read.
 Result<void> check(const tinygltf::Model& model, int index, int type, std::size_t most,
                    const std::string& here) {
   if (index < 0 || static_cast<std::size_t>(index) >= model.accessors.size())
@@ -156,7 +156,7 @@ Result<void> check(const tinygltf::Model& model, int index, int type, std::size_
   if (accessor.count > most)
     return unsound(here, "it claims " + std::to_string(accessor.count) +
                              " elements, but the limit is " + std::to_string(most) + ".");
-  // Elements of no buffer view cost the file nothing, and are all zero but for a sparse part.
+  // Elements without a buffer view cost the file nothing; they are zero except for a sparse part.
   if (accessor.bufferView < 0 && accessor.count > kMostFromNothing)
     return unsound(here,
                    "it claims " + std::to_string(accessor.count) + " elements but has no data.");

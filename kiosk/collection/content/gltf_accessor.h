@@ -10,9 +10,9 @@
 
 namespace onggi::content {
 
-/// The one way to numbers in a glTF file: every index, offset, stride, count and range is checked
-/// before a byte is read. Decodes EXT_meshopt_compression, sparse accessors, and the small integers
-/// of KHR_mesh_quantization. Keeps decoded views; the document must outlive it.
+/// Reads all numbers of a glTF file: every index, offset, stride, count and range is checked before
+/// a byte is read. Decodes EXT_meshopt_compression, sparse accessors, and the small integers of
+/// KHR_mesh_quantization. Keeps decoded views. The document must outlive the reader.
 class GltfReader {
  public:
   GltfReader(const GltfDocument& document, const settings::ReaderLimits& limits)
@@ -29,11 +29,11 @@ class GltfReader {
   Result<std::vector<std::uint32_t>> indices(int accessor, const std::string& where);
   /// The bytes of a buffer view, decoded if it was compressed. Valid as long as this reader.
   Result<std::span<const unsigned char>> view(int index, const std::string& where);
-  /// Warns where the numbers from `low` to `high` do not lie within what `accessor` declares, by
+  /// Warns if the numbers from `low` to `high` lie outside the declared bounds of `accessor` by
   /// more than `slack` of its extent.
   void check_bounds(int accessor, const std::array<double, 3>& low,
                     const std::array<double, 3>& high, double slack);
-  /// What is to be said of the file, once for all of its accessors.
+  /// Warnings about the file, one of each kind for all accessors.
   std::vector<std::string> warnings() const;
 
  private:

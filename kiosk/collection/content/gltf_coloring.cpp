@@ -10,7 +10,7 @@
 namespace onggi::content {
 namespace {
 
-constexpr std::size_t kMostCoats = 255;  // what a byte of Coloring::picture can tell apart
+constexpr std::size_t kMostCoats = 255;  // a byte of Coloring::picture can hold no more
 
 /// The accessor of an attribute; -1: none.
 int accessor_of(const tinygltf::Primitive& primitive, const std::string& attribute) {
@@ -71,14 +71,15 @@ void GltfColors::add(const tinygltf::Primitive& primitive, const DecodedPrimitiv
       lay(places_, run.first, places);
     else
       note("TEXCOORD_" + std::to_string(set), "these picture coordinates cannot be read.");
-    // Zero places would show one pixel on all of it; a tint without its picture is no colour of it.
+    // Zero coordinates would show one pixel everywhere, and a tint without its picture is not its
+    // colour.
     if (places.size() != count) run = {run.first, count, -1, false};
   }
   runs_.push_back(run);
 }
 
-/// Decodes all pictures; of each material its place in `out.pictures` plus one, 0: none wanted, -1:
-/// it cannot be had.
+/// Decodes all pictures. For each material: its place in `out.pictures` plus one, 0 if it wants
+/// none, -1 if the picture cannot be read.
 std::vector<int> GltfColors::decode(GltfReader& reader, Coloring& out) {
   std::vector<int> of_material(document_.materials.size(), 0);
   std::vector<bool> needed(document_.pictures.size(), false);
@@ -187,7 +188,7 @@ Coloring GltfColors::finish(GltfReader& reader, std::vector<std::string>& warnin
                    std::all_of(out.colors.begin(), out.colors.end(),
                                [&](const auto& c) { return c == out.colors.front(); }) &&
                    std::none_of(runs_.begin(), runs_.end(), [](const Run& r) { return r.colored; });
-  // One colour is told exactly by GltfModel::base_color.
+  // GltfModel::base_color already holds a single colour.
   if (one) return {};
   return out;
 }

@@ -15,18 +15,18 @@ struct Primitive;
 namespace onggi::content {
 
 /// Gathers the colours of a file's primitives, in the order of their positions, and decodes the
-/// pictures that they name. Whatever is wrong with a colour leaves the vessel whole: it is noted
-/// once a file. Where a picture should have been the surface is clay; a COLOR_0 is left out.
+/// named pictures. A faulty colour never makes the vessel fail: the fault is noted once a file. A
+/// part without its picture is shown as clay; a faulty COLOR_0 is ignored.
 class GltfColors {
  public:
   GltfColors(const GltfDocument& document, const settings::ReaderLimits& limits)
       : document_(document), limits_(limits) {}
 
-  /// The next `count` positions are `primitive`'s. COLOR_0 and TEXCOORD_n come from `draco` where
+  /// The next `count` positions belong to `primitive`. COLOR_0 and TEXCOORD_n come from `draco` if
   /// it is not nullptr, else from `reader`.
   void add(const tinygltf::Primitive& primitive, const DecodedPrimitive* draco, std::size_t count,
            GltfReader& reader);
-  /// All that was added; empty where it is one colour. Starts a process where there are pictures.
+  /// Everything that was added; empty if it is one colour. Starts a process if there are pictures.
   Coloring finish(GltfReader& reader, std::vector<std::string>& warnings);
 
  private:
@@ -35,7 +35,7 @@ class GltfColors {
     int material = -1;
     bool colored = false;  ///< By its vertices.
   };
-  enum class Left { clay, without };  ///< How its part is shown then.
+  enum class Left { clay, without };  ///< How its part is then shown.
   void note(const std::string& what, const std::string& why, Left left = Left::clay);
   std::vector<int> decode(GltfReader& reader, Coloring& out);
 

@@ -49,8 +49,8 @@ Result<Chunks> split(const std::string& name, const files::Bytes& bytes) {
   return out;
 }
 
-/// Copies JSON without its data URIs, and counts it, before any parser with a stack or a heap meets
-/// it.
+/// Copies JSON without its data URIs and counts its values, before a parser can use up stack or
+/// heap.
 class JsonSieve {
  public:
   JsonSieve(const std::string& name, const files::Bytes& bytes, ByteRange text,
@@ -85,7 +85,7 @@ class JsonSieve {
   }
 
  private:
-  /// From one quote to behind the other, or to the end where there is none.
+  /// Reads from one quote to behind the other, or to the end if there is none.
   Result<void> string(GltfContainer& out) {
     const std::size_t from = at_ + 1;
     std::size_t to = from;

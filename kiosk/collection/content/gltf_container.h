@@ -20,9 +20,9 @@ struct ByteRange {
   }
 };
 
-/// A glTF file taken apart. What is large stays where it is, in the file's bytes: the BIN chunk
-/// where it is a GLB that has one, and data URIs, in whose place `json` has the string
-/// "data:#0", "data:#1", ... by their place in `data`.
+/// A glTF file split into its parts. Large data stays in the file's bytes: the BIN chunk of a GLB,
+/// if any, and data URIs. `json` holds "data:#0", "data:#1", ... in their place, by index in
+/// `data`.
 struct GltfContainer {
   std::string json;
   std::optional<ByteRange> bin;
@@ -30,15 +30,15 @@ struct GltfContainer {
 };
 
 /// glTF 2.0, section 4.4: header, a JSON chunk, an optional BIN chunk, others skipped; or JSON
-/// alone. The JSON, data URIs not counted, is within the limits' size, depth and number of values:
-/// no parser has met it yet, and no more of it than allowed was copied.
+/// alone. Checks the JSON, without data URIs, against the limits' size, depth and number of values
+/// before any parser sees it, and copies no more than allowed.
 Result<GltfContainer> split_gltf(const std::string& name, const files::Bytes& bytes,
                                  const settings::ReaderLimits& limits);
 
-/// Which data URI of the container stands behind `uri`; none where it is a file's name.
+/// The data URI that `uri` stands for; none if `uri` is a file name.
 std::optional<std::size_t> data_behind(const std::string& uri, const GltfContainer& container);
 
-/// The Problem of a file that is not what it should be.
+/// The Problem of a damaged or wrong file.
 tl::unexpected<Problem> broken_gltf(const std::string& name, std::string what);
 
 }  // namespace onggi::content

@@ -16,7 +16,7 @@ using json_words::member;
 using json_words::page_of;
 using nlohmann::json;
 
-/// The packet that the asset names, else the first.
+/// The packet that the asset names, else the first one.
 const json* xmp_packet(const json& document) {
   const json* all = member(document, "extensions");
   const json* xmp = all == nullptr ? nullptr : member(*all, "KHR_xmp_json_ld");
@@ -73,7 +73,7 @@ std::string GltfCredit::line() const {
   std::string out;
   if (!title.empty() && !creator.empty()) out = "“" + title + "” by " + creator;
   if (out.empty()) out = creator;
-  // What the copyright says already is not said twice.
+  // Skip the creator if the copyright already names them.
   if (!copyright.empty() && (out.empty() || copyright != creator))
     out += (out.empty() ? "" : ". ") + copyright;
   return out;

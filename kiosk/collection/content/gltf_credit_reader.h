@@ -6,8 +6,8 @@
 
 namespace onggi::content {
 
-/// Reads whom to thank from a glTF's JSON, whatever else is in it. Texts are cut at 1000 bytes, and
-/// control characters become spaces.
+/// Reads the credit from a glTF's JSON and ignores everything else. Texts are cut at 1000 bytes,
+/// and control characters become spaces.
 GltfCredit read_credit(const nlohmann::json& document);
 
 }  // namespace onggi::content

@@ -23,7 +23,7 @@ using nlohmann::json;
 
 bool starts_with(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
-/// What can be left aside without changing the shape, and what is understood.
+/// True for extensions that Onggi reads, or can ignore without changing the shape.
 bool can_do_without_or_knows(const std::string& extension) {
   static const std::array<const char*, 3> kKnown{"KHR_mesh_quantization", "EXT_meshopt_compression",
 #ifdef ONGGI_HAS_DRACO
@@ -80,7 +80,7 @@ std::optional<std::array<double, 3>> triple(const json* list) {
   return out;
 }
 
-/// Where the accessors of three numbers say that their elements lie.
+/// Notes the bounds that accessors of three numbers declare.
 void note_bounds(const json& doc, GltfDocument& out) {
   const json* accessors = member(doc, "accessors");
   std::size_t odd = 0, first_odd = 0;
@@ -94,14 +94,14 @@ void note_bounds(const json& doc, GltfDocument& out) {
     else if (odd++ == 0)
       first_odd = i;
   }
-  // One line a file: a scan in pieces has hundreds of accessors, all by the same exporter.
+  // One line a file: a scan in pieces has hundreds of accessors from the same exporter.
   if (odd > 0)
     out.warnings.push_back("The bounds declared for accessor " + std::to_string(first_odd) +
                            (odd > 1 ? " and " + std::to_string(odd - 1) + " more" : "") +
                            " are not three numbers each; the data is used as it is.");
 }
 
-/// Notes what the extensions say, which tinygltf does not act upon.
+/// Reads the extensions that tinygltf ignores.
 void note_compression(const json& doc, GltfDocument& out) {
   constexpr auto kAbsent = static_cast<std::size_t>(-1);
   constexpr int kMostSets = 8;
@@ -157,7 +157,7 @@ void note_compression(const json& doc, GltfDocument& out) {
   }
 }
 
-/// Keeps of each object in the list `key` only the named members.
+/// Keeps only the named members of each object in the list `key`.
 void keep(json& doc, const char* key, std::initializer_list<const char*> wanted) {
   const auto list = doc.find(key);
   if (list == doc.end() || !list->is_array()) return;
@@ -170,10 +170,9 @@ void keep(json& doc, const char* key, std::initializer_list<const char*> wanted)
   }
 }
 
-/// The document cut down to what is used. Every buffer becomes one byte within the file: the
-/// accessor reader looks into our own copies, and tinygltf need not hold a second one. So nothing
-/// is left that names a file, and tinygltf, whose ways to files differ from version to version,
-/// opens none.
+/// Cuts the document down to the used parts. Every buffer becomes one byte inside the file, because
+/// the accessor reader uses our own copies and tinygltf need not hold a second one. No file name is
+/// left, so tinygltf, which opens files differently from version to version, opens none.
 json cut_down(const json& doc, std::size_t buffers) {
   json out = json::object();
   for (const char* key :
@@ -190,7 +189,7 @@ json cut_down(const json& doc, std::size_t buffers) {
   if (out.contains("meshes") && out["meshes"].is_array())
     for (json& mesh : out["meshes"]) {
       if (!mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
-      // The accessors of a Draco primitive have no bytes of their own, and tinygltf asks for them.
+      // tinygltf requires bytes for the accessors of a Draco primitive, which have none.
       for (json& primitive : mesh["primitives"])
         if (const json* all = member(primitive, "extensions");
             all != nullptr && member(*all, "KHR_draco_mesh_compression") != nullptr) {
@@ -237,7 +236,7 @@ Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
     } else if (i == 0 && container.bin) {
       bytes = container.bin->in(out.file);
     }
-    // Without uri or chunk it is the fallback of compressed views, which is never read.
+    // A buffer without uri or chunk is the fallback of compressed views, which is never read.
     if (bytes.size() < wanted && !(uri.empty() && !(i == 0 && container.bin)))
       return too_few(bytes.size());
     bytes = bytes.first(std::min(bytes.size(), wanted));

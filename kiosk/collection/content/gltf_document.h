@@ -32,59 +32,59 @@ struct MeshoptView {
 struct DracoPrimitive {
   int view = -1;
   int position = -1, normal = -1, color = -1;  ///< Attribute ids inside the Draco data.
-  std::map<int, int> places;                   ///< The same, of TEXCOORD_n by n.
-  std::set<int> normalized;  ///< The n whose accessor says that whole numbers are shares.
-  int accessor = -1;         ///< That declares the positions' bounds.
+  std::map<int, int> places;                   ///< The same for TEXCOORD_n, by n.
+  std::set<int> normalized;  ///< The n whose accessor says that integers are normalised.
+  int accessor = -1;         ///< The accessor that declares the positions' bounds.
 };
 
-/// What a material says of its colour, and where its picture lies on the surface.
+/// The colour of a material, and how its picture lies on the surface.
 struct GltfMaterial {
   std::array<float, 3> factor{1, 1, 1};  ///< Linear, 0..1.
-  bool textured = false;                 ///< Its colour is a picture,
-  int picture = -1;                      ///< this one of GltfDocument::pictures; -1: none it has.
-  int coordinates = 0;                   ///< TEXCOORD_n
-  std::array<double, 6> placed{1, 0, 0, 0, 1, 0};  ///< Rows that take (u, v, 1) into the picture.
+  bool textured = false;                 ///< The colour is a picture:
+  int picture = -1;     ///< its index in GltfDocument::pictures; -1: it is missing.
+  int coordinates = 0;  ///< TEXCOORD_n
+  std::array<double, 6> placed{1, 0, 0, 0, 1, 0};  ///< Rows that map (u, v, 1) into the picture.
   Coloring::Wrap across = Coloring::Wrap::repeat, down = Coloring::Wrap::repeat;
 };
 
-/// What a file brings beyond these is noted, and not read.
+/// Pictures beyond this number are noted but not read.
 constexpr std::size_t kMostPictures = 64;
 
-/// A picture, still as it was written.
+/// A picture in its encoded form.
 struct GltfPicture {
-  std::string name;  ///< The file's for it.
+  std::string name;  ///< Its name in the file.
   int view = -1;     ///< Its buffer view; -1: it is in `bytes`.
   std::span<const unsigned char> bytes;
-  std::string fault;  ///< Why it cannot be had; "" where it can.
+  std::string fault;  ///< Why it cannot be read; "" if it can.
 };
 
-/// A glTF 2.0 file whose JSON has been measured, whose required extensions are known, whose buffers
-/// are in memory, and which tinygltf has parsed. Indices and ranges inside are still unchecked.
+/// A glTF 2.0 file after these checks: JSON size measured, required extensions known, buffers in
+/// memory, parsed by tinygltf. Indices and ranges inside are still unchecked.
 struct GltfDocument {
   GltfDocument() = default;
-  GltfDocument(GltfDocument&&) = default;  // a copy's buffers would be the original's
+  GltfDocument(GltfDocument&&) = default;  // a copy's spans would point into the original
   GltfDocument& operator=(GltfDocument&&) = default;
 
   std::string name;  ///< For Problems.
   std::shared_ptr<tinygltf::Model> model;
-  files::Bytes file;                 ///< The file itself,
-  std::vector<files::Bytes> beside;  ///< and those that it names.
-  /// Of these, what each buffer has; empty for a meshopt fallback.
+  files::Bytes file;                 ///< The file itself
+  std::vector<files::Bytes> beside;  ///< and the files that it names.
+  /// The bytes of each buffer; empty for a meshopt fallback.
   std::vector<std::span<const unsigned char>> buffers;
   std::map<int, MeshoptView> meshopt;
   std::map<std::pair<int, int>, DracoPrimitive> draco;  ///< By (mesh, primitive).
   std::vector<GltfMaterial> materials;
-  std::vector<GltfPicture> pictures;  ///< That a material's colour is.
+  std::vector<GltfPicture> pictures;  ///< The pictures that materials use as colour.
   struct Bounds {
     std::array<double, 3> low{}, high{};
   };
-  std::map<int, Bounds> bounds;  ///< Declared, by accessor, in the numbers as they are stored.
+  std::map<int, Bounds> bounds;  ///< Declared bounds by accessor, in stored numbers.
   GltfCredit credit;
   std::vector<std::string> warnings;
 };
 
-/// Only geometry and nodes are handed on: images, textures, skins, animations, cameras and extras
-/// are cut out before tinygltf sees the JSON, and it opens no file of its own.
+/// Passes only geometry and nodes to tinygltf: images, textures, skins, animations, cameras and
+/// extras are removed before, so tinygltf opens no file.
 Result<GltfDocument> open_gltf(const std::filesystem::path& file,
                                const settings::ReaderLimits& limits);
 

@@ -14,7 +14,7 @@ namespace onggi::content {
 
 namespace {
 
-/// The most that a whole number of `type` can be; 1 of any other.
+/// The largest value of the integer type `type`; 1 for any other type.
 float most_of(draco::DataType type) {
   switch (type) {
     case draco::DT_INT8:
@@ -34,9 +34,9 @@ float most_of(draco::DataType type) {
   }
 }
 
-/// The first N components of an attribute that has no more than `most`. `shares`: whole numbers are
-/// shares of the most they can be (glTF 2.0, section 3.6.2.2). Exporters tell glTF's accessor that,
-/// and seldom Draco.
+/// The first N components of an attribute that has at most `most`. `shares`: integers are
+/// normalised (glTF 2.0, section 3.6.2.2), which exporters write into glTF's accessor and seldom
+/// into Draco.
 template <std::size_t N>
 bool copy_attribute(const draco::Mesh& mesh, int id, std::vector<std::array<float, N>>& out,
                     bool shares = false, int most = N) {

@@ -10,16 +10,16 @@
 
 namespace onggi::content {
 
-/// Vertices and triangles of a primitive as its codec gave them.
+/// Vertices and triangles of a primitive, decoded.
 struct DecodedPrimitive {
   std::vector<std::array<float, 3>> positions, normals;
-  std::vector<std::array<float, 3>> colors;  ///< Linear; empty where there are none.
-  bool colors_fault = false;                 ///< There are some, and they cannot be read.
-  std::vector<std::array<float, 2>> places;  ///< In the picture; the same.
+  std::vector<std::array<float, 3>> colors;  ///< Linear; empty if there are none.
+  bool colors_fault = false;                 ///< There are colours, but they cannot be read.
+  std::vector<std::array<float, 2>> places;  ///< Picture coordinates; empty if there are none.
   std::vector<std::uint32_t> indices;        ///< Triangles.
 };
 
-/// KHR_draco_mesh_compression, with the places of TEXCOORD_`set`; a Problem with a remedy where the
+/// Decodes KHR_draco_mesh_compression with the coordinates of TEXCOORD_`set`. Problem if the
 /// program was built without Draco.
 Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
                                       const DracoPrimitive& primitive, int set,

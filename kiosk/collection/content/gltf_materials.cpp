@@ -20,7 +20,7 @@ const json& within(const json& object, const char* key) {
   return found == object.end() ? kNothing : *found;
 }
 
-/// Element `index` of the list `key`; nothing where there is none.
+/// Element `index` of the list `key`; null JSON if there is none.
 const json& element(const json& object, const char* key, int index) {
   static const json kNothing;
   const json& list = within(object, key);
@@ -40,7 +40,7 @@ double number_in(const json& list, std::size_t index, double otherwise) {
              : otherwise;
 }
 
-/// Which of a texture's pictures is decoded: by its place in "images", -1 none.
+/// The index in "images" of the picture to decode for a texture; -1: none.
 int image_of(const json& texture) {
   const json& all = within(texture, "extensions");
   const int webp = index_in(within(all, "EXT_texture_webp"), "source");
@@ -77,7 +77,7 @@ class Pictures {
            std::size_t most, GltfDocument& out)
       : document_(document), folder_(folder), container_(container), left_(most), out_(out) {}
 
-  /// The picture's place in out.pictures, read when it is first asked for.
+  /// The index of the picture in out.pictures; reads it at the first call.
   int of_image(int image) {
     const auto [found, fresh] = known_.try_emplace(image, static_cast<int>(out_.pictures.size()));
     if (fresh) out_.pictures.push_back(read(image));
@@ -103,7 +103,8 @@ class Pictures {
     }
     if (const auto data = data_behind(uri, container_)) {
       const auto text = std::exchange(container_.data[*data], {}).in(out_.file);
-      // One byte more than is left tells a picture that is too large from one that just fits.
+      // Ask for one byte more than is left, to tell a picture that is too large from one that just
+      // fits.
       const auto decoded = decode_data_uri(text, std::min(left_ + 1, most_bytes_in(text)));
       if (!decoded || decoded->empty())
         picture.fault = "its data within the file cannot be decoded";

@@ -8,13 +8,13 @@
 
 namespace onggi::content {
 
-/// Fills `out.materials` and, of the pictures that they need, `out.pictures`: base colours alone
-/// (metallic-roughness, KHR_materials_pbrSpecularGlossiness's diffuse one), with the place in the
-/// picture (KHR_texture_transform) and its sampler's wraps. Of a texture's several pictures
-/// EXT_texture_webp's is taken, else its own, else KHR_texture_basisu's. Data URIs are decoded in
-/// their own place, files are read beneath `folder`, together `limits.file_mb` and
-/// kMostPictures at the most, none where `limits.texture_px` is 0; a picture that cannot be had has
-/// its reason in `fault`. Nothing here makes a file unsound. Allocates.
+/// Fills `out.materials`, and `out.pictures` with the pictures that they need: only base colours
+/// (metallic-roughness, or the diffuse one of KHR_materials_pbrSpecularGlossiness), with their
+/// place in the picture (KHR_texture_transform) and the sampler's wraps. If a texture has several
+/// pictures, EXT_texture_webp's comes first, then its own, then KHR_texture_basisu's. Data URIs are
+/// decoded in place and files are read beneath `folder`, together at most `limits.file_mb` and
+/// kMostPictures; none if `limits.texture_px` is 0. A picture that cannot be read has the reason in
+/// `fault`. A fault here never makes the file invalid. Allocates.
 void read_materials(const nlohmann::json& document, const std::filesystem::path& folder,
                     GltfContainer& container, const settings::ReaderLimits& limits,
                     GltfDocument& out);

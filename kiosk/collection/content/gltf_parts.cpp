@@ -22,7 +22,7 @@ Extent extent_of(const GltfModel& model, const GltfPart& part) {
   return out;
 }
 
-/// Boxes that touch hold pieces of one thing: a handle on its jar, a cup on its saucer.
+/// Touching boxes belong to one thing: a handle and its jar, a cup and its saucer.
 bool touch(const Extent& a, const Extent& b) {
   for (std::size_t k = 0; k < 3; ++k)
     if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
@@ -79,7 +79,7 @@ std::vector<const GltfPart*> separate_objects(const GltfModel& model) {
   std::vector<Extent> extents;
   for (const GltfPart* part : parts) extents.push_back(extent_of(model, *part));
 
-  // One group after another is drawn into the first, as long as something touches it.
+  // Merge groups into the first one while any of them touches it.
   std::vector<bool> joined(parts.size(), false);
   std::vector<std::size_t> edge{0};
   joined[0] = true;

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The list `key` of `object`; an empty one where there is none.
+/// The list `key` of `object`; empty if there is none.
 const json& list_of(const json& object, const char* key) {
   static const json kEmpty = json::array();
   if (!object.is_object()) return kEmpty;

@@ -8,10 +8,10 @@
 
 namespace onggi::content {
 
-/// What a glTF parser reads past without a word, and what would then be another vessel. A Problem,
-/// by name: a transform with too few or too many numbers, a sparse part of less than one element.
-/// Noted in `warnings`, once a file each: a scene that is not there, meshes that are morphed.
-/// `name` is the file's, for the Problem. Allocates.
+/// Finds faults that a glTF parser silently ignores and that would change the vessel. Problem, by
+/// name: a transform with a wrong count of numbers, a sparse part without elements. Noted in
+/// `warnings`, once a file each: a missing scene, morphed meshes. `name` is the file's name in the
+/// Problem. Allocates.
 Result<void> check_slips(const std::string& name, const nlohmann::json& document,
                          std::vector<std::string>& warnings);
 

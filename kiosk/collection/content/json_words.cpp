@@ -54,7 +54,7 @@ std::string words_of(const json& value, int depth) {
       const json* language = member(entry, "@language");
       const std::string one = words_of(entry, depth + 1);
       if (language != nullptr && language->is_string()) {
-        // The same text in several languages, not several texts.
+        // The list holds one text in several languages, not several texts.
         if (language->get<std::string>().rfind("en", 0) == 0) return one;
         if (all.empty()) all = one;
       } else if (!one.empty()) {

@@ -7,7 +7,7 @@ namespace onggi::content {
 
 namespace {
 
-/// The first way in which the braces of `text` do not pair up; empty if they do.
+/// The first fault in the pairing of braces in `text`; empty if there is none.
 std::string brace_fault(const std::string& text) {
   bool open = false;
   for (const char c : text) {
@@ -96,7 +96,7 @@ std::string Language::say(const std::string& key,
       out += text[i];
       continue;
     }
-    // A place that nobody fills stays visible, so that a test or a reader notices it.
+    // A placeholder without a value stays visible, so that a test or a reader notices it.
     const auto place = places.find(text.substr(i + 1, close - i - 1));
     if (place == places.end())
       out += text.substr(i, close - i + 1);

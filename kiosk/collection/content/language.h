@@ -11,23 +11,23 @@ namespace onggi::content {
 
 struct LanguageRead;
 
-/// The words of one language, content/languages/<code>.toml: `code`, `name`, `right_to_left`,
-/// `decimal`, and a flat table [text] of key = "text", where {name} marks a place to fill.
+/// The texts of one language, content/languages/<code>.toml: `code`, `name`, `right_to_left`,
+/// `decimal`, and a flat table [text] of key = "text", where {name} is a placeholder.
 class Language {
  public:
   /// The language, or the first Problem of check_language().
   static Result<Language> read(const std::filesystem::path& file);
   const std::string& code() const { return code_; }
-  const std::string& name() const { return name_; }  ///< In itself: "한국어".
+  const std::string& name() const { return name_; }  ///< In the language itself: "한국어".
   bool right_to_left() const { return right_to_left_; }
-  /// What stands before tenths: "." as it comes, or ",".
+  /// The decimal separator: "." or ",".
   const std::string& decimal() const { return decimal_; }
-  /// The text of `key` with {places} filled. A missing key gives "[key]" and is a test failure; a
-  /// place that is not given stays as it is written.
+  /// The text of `key` with its placeholders filled. A missing key gives "[key]", which fails a
+  /// test. A placeholder without a value stays as written.
   std::string say(const std::string& key,
                   const std::map<std::string, std::string>& places = {}) const;
   bool has(const std::string& key) const;
-  /// The names of the places in the text of `key`, sorted, each once.
+  /// The names of the placeholders in the text of `key`, sorted, without repeats.
   std::vector<std::string> places(const std::string& key) const;
   std::vector<std::string> keys() const;
 
@@ -38,11 +38,11 @@ class Language {
   std::map<std::string, std::string> texts_;
 };
 
-/// A language and everything found wrong in its file, with line and column.
+/// A language, and everything wrong in its file, with line and column.
 struct LanguageRead {
   Language language;
-  std::vector<Problem> problems;  ///< What keeps it from being spoken.
-  std::vector<Problem> advice;    ///< Where it does not say what the program says in English.
+  std::vector<Problem> problems;  ///< Faults that make it unusable.
+  std::vector<Problem> advice;    ///< Differences from the program's English.
   int keys_checked = 0;
 };
 LanguageRead check_language(const std::filesystem::path& file);

@@ -31,7 +31,7 @@ const Texts& english() {
 
 std::string last_part(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-/// Of the keys that are missing, the one that `wrong` was probably to be; empty for none.
+/// The missing key that `wrong` was probably meant to be; empty if none.
 std::string meant_by(const std::string& wrong, const std::vector<std::string>& missing) {
   if (const std::string near = nearest_name(wrong, missing); !near.empty()) return near;
   std::vector<std::string> same;

@@ -7,24 +7,24 @@
 
 namespace onggi::content {
 
-/// content/languages/en.toml, as the program was built with it: the keys that it says, and the
-/// places that it fills in each.
+/// content/languages/en.toml as it was at build time: the keys and placeholders that the program
+/// uses.
 extern const char* const kEnglishToml;
 
-/// The text of one key, and where it is written.
+/// The text of one key, and its place in the file.
 struct WrittenText {
-  std::string key;  ///< Whole: "attract.begin".
+  std::string key;  ///< Full key: "attract.begin".
   std::string words;
-  toml::TomlReader::Table table;  ///< That it stands in,
-  std::string name;               ///< under this name.
+  toml::TomlReader::Table table;  ///< The table that holds it,
+  std::string name;               ///< and its name there.
 };
 
-/// The names of the places in `words`, {name} each, sorted, each once.
+/// The names of the {name} placeholders in `words`, sorted, without repeats.
 std::vector<std::string> places_in(const std::string& words);
 
-/// Notes with the reader of `text`, the table [text], each way in which `written` is not what the
-/// program says: a key that is missing, with the English to translate; one that it never says, with
-/// the right one where that is near or stands elsewhere; a place that is missing or never filled.
+/// Notes in the reader of `text`, the table [text], each difference between `written` and the
+/// program's texts: a missing key, with the English to translate; an unknown key, with the right
+/// one if it is near or in another place; a placeholder that is missing or unknown.
 void compare_with_english(toml::TomlReader::Table text, std::vector<WrittenText>& written);
 
 }  // namespace onggi::content

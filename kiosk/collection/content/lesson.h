@@ -16,7 +16,7 @@ enum class HandsDrawn : std::uint8_t { around, inside, up, along, rim, wire };
 inline constexpr std::array<std::string_view, 6> kHandsDrawn{"around", "inside", "up",
                                                              "along",  "rim",    "wire"};
 
-/// What a visitor has done when a step is over.
+/// What a visitor has done when a step is complete.
 enum class DoneWhen : std::uint8_t { touched, opened, raised, shaped, rim, cut };
 inline constexpr std::array<std::string_view, 6> kDoneWhen{"touched", "opened", "raised",
                                                            "shaped",  "rim",    "cut"};
@@ -24,17 +24,18 @@ inline constexpr std::array<std::string_view, 6> kDoneWhen{"touched", "opened", 
 /// One step of a lesson.
 struct LessonStep {
   std::string id;                            ///< "centre"; letters, digits and _; 1..40 of them.
-  std::map<std::string, std::string> words;  ///< By language: a sentence or two.
+  std::map<std::string, std::string> words;  ///< Words by language: a sentence or two.
   HandsDrawn hands = HandsDrawn::around;
   DoneWhen until = DoneWhen::touched;
-  double after = 15.0;  ///< s after which it steps aside, done or not: 3..120.
+  double after = 15.0;  ///< s after which the step goes away, done or not: 3..120.
 
-  /// In `language`, else in the first there is.
+  /// The words in `language`, else in the first language.
   const std::string& words_in(const std::string& language) const;
 };
 
 inline constexpr std::size_t kMostSteps = 12;
-inline constexpr std::size_t kMostStepLetters = 120;  ///< Of a step's words: read at a glance.
+/// Longest text of a step, so that it can be read at a glance.
+inline constexpr std::size_t kMostStepLetters = 120;
 
 /// The steps of a file and everything found wrong in it, with line and column.
 struct LessonRead {
@@ -43,9 +44,9 @@ struct LessonRead {
   int keys_checked = 0;
 };
 
-/// Reads content/lessons/NAME.toml: a [[step]] each (kiosk/docs/curators.md), with words in every
-/// one of `languages`. A step without id or words is left out; what is no good besides keeps its
-/// default. A file without steps is a lesson of none.
+/// Reads content/lessons/NAME.toml, a [[step]] each (kiosk/docs/curators.md), with words in all of
+/// `languages`. A step without id or words is left out; other invalid values get their default. A
+/// file without steps is an empty lesson.
 LessonRead read_lesson(const std::filesystem::path& file,
                        const std::vector<std::string>& languages = {});
 

@@ -9,20 +9,20 @@
 
 namespace onggi::content {
 
-/// A picture that turns is drawn thirty times a second, without a GPU too: so many triangles are no
-/// more than its grain, and cost a fifth of a frame.
+/// A turning picture is drawn thirty times a second, also without a GPU. This many triangles are as
+/// fine as its pixels and take a fifth of a frame.
 inline constexpr std::size_t kTurningTriangles = 24000;
 
-/// Fewer triangles over the positions of a mesh.
+/// A mesh with fewer triangles over the same positions.
 struct LighterMesh {
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Empty: its own are few.
-  /// They span seams: colours at the corners are still good, places in pictures are not.
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Empty if the mesh already has few.
+  /// True if triangles cross seams: colours at the corners are still right, picture coordinates are
+  /// not.
   bool coarse = false;
 };
 
-/// What looks like `mesh`, of at most `most` triangles. Where seams or loose corners keep it from
-/// being thinned well, it is thinned coarsely. Allocates; any thread; some 0.5 s a million
-/// triangles.
+/// Reduces `mesh` to at most `most` triangles with the same look. If seams or loose corners prevent
+/// good thinning, it is thinned coarsely. Allocates; any thread; about 0.5 s a million triangles.
 LighterMesh lighter(const TriangleMesh& mesh, std::size_t most = kTurningTriangles);
 
 }  // namespace onggi::content

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a reading may take beside what its file needs by its size: MiB, seconds of the processor.
+/// Limits of the reader beyond what the file's size needs: MiB, and seconds of processor time.
 constexpr std::size_t kMemoryMib = 768, kMemoryTimesFile = 12, kMostMemoryMib = 6144;
 constexpr int kSeconds = 2, kSecondsMib = 1, kMostSeconds = 20;
 

@@ -2,10 +2,10 @@
 //
 //   onggi-mesh ENDING VERTICES TRIANGLES MEMORY_MIB SECONDS < file > parts
 //
-// Assimp was never written for files of nobody's making in particular, so it has a process of its
-// own: with no more memory and time than it is given, no file but its three streams, and no
-// importer but these three. What it writes is told in mesh_parts.h; the kiosk checks every number
-// of it. Exit 0, also where the file is refused; 1 with the reason on standard error.
+// Assimp was not written for untrusted files, so it has its own process with limited memory and
+// time, no file but its three streams, and only these three importers. mesh_parts.h describes its
+// output; the kiosk checks every number in it. Exit 0, also if the file is refused; 1 with the
+// reason on standard error.
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -25,7 +25,7 @@ namespace {
 
 using onggi::content::MeshPart;
 
-/// An OBJ names further files, and Assimp opens whatever it is told to: here is none.
+/// An OBJ can name further files, and Assimp would open them. This class opens none.
 class NoFiles : public Assimp::IOSystem {
  public:
   bool Exists(const char*) const override { return false; }
@@ -34,7 +34,7 @@ class NoFiles : public Assimp::IOSystem {
   void Close(Assimp::IOStream*) override {}
 };
 
-/// Importers that guess by a file's first bytes would read a hundred formats.
+/// Importers that guess by a file's first bytes would try a hundred formats.
 void leave_only(Assimp::Importer& importer, const std::string& ending) {
   std::vector<Assimp::BaseImporter*> others;
   for (std::size_t i = 0; i < importer.GetImporterCount(); ++i)
@@ -43,7 +43,7 @@ void leave_only(Assimp::Importer& importer, const std::string& ending) {
   for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);
 }
 
-/// What Assimp says, without the name that it gives to a file without one.
+/// Assimp's message without the file name that Assimp invents.
 std::string without_its_name(std::string words) {
   const auto name = words.find("$$$___magic___$$$");
   if (name == std::string::npos) return words;
@@ -51,14 +51,14 @@ std::string without_its_name(std::string words) {
   return words.replace(name, end == std::string::npos ? end : end - name, "this file");
 }
 
-/// A colour's share of the most, as scanners write it: a display's, not light.
+/// A colour channel as scanners write it: a display value, not light.
 std::uint8_t eight_bits(float share) {
   const float whole = 255.0f * share + 0.5f;
   return whole > 0.0f ? static_cast<std::uint8_t>(whole < 255.0f ? whole : 255.0f)
                       : std::uint8_t{0};
 }
 
-/// The triangles of one node's meshes; their colours where each of them has some.
+/// The triangles of one node's meshes, and their colours if all of them have some.
 MeshPart part_of(const aiScene& scene, const aiNode& node) {
   MeshPart part;
   bool colored = node.mNumMeshes > 0;
@@ -133,7 +133,7 @@ int main(int count, char** words) {
     std::fputs("usage: onggi-mesh ENDING VERTICES TRIANGLES MEMORY_MIB SECONDS", stderr);
     return 1;
   }
-  // Assimp runs in circles on some damaged files.
+  // Assimp loops forever on some damaged files.
   onggi::files::confine(std::strtoul(words[4], nullptr, 10), std::strtoul(words[5], nullptr, 10),
                         "reading the file takes longer than allowed");
   try {

@@ -20,7 +20,7 @@ void put_size(std::vector<std::byte>& out, std::size_t size) {
   put(out, &narrow, sizeof narrow);
 }
 
-/// Takes from the front what is there, and remembers where there was too little.
+/// Reads from the front, and remembers if there was too little.
 class Front {
  public:
   explicit Front(std::span<const std::byte> bytes) : rest_(bytes) {}

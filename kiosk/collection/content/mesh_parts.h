@@ -19,15 +19,15 @@ struct MeshPart {
   std::vector<std::array<std::uint8_t, 3>> colors{};  ///< sRGB; empty, or one a position.
 };
 
-/// How onggi-mesh answers, in this machine's own byte order: "ONGP", how many parts, and for each
-/// the sizes of its name, positions, triangles and colours and then those themselves; or "ONGE" and
-/// why not. Sizes are 32 bits. Allocates.
+/// The answer of onggi-mesh, in this machine's byte order: "ONGP", the number of parts, and for
+/// each part the sizes of its name, positions, triangles and colours, then those themselves; or
+/// "ONGE" and the reason. Sizes have 32 bits. Allocates.
 std::vector<std::byte> parts_bytes(const std::vector<MeshPart>& parts);
 std::vector<std::byte> refusal_bytes(const std::string& why);
 
-/// Reads that back, believing nothing: every size is held against what is there, every index
-/// against its positions. Problem, by `name`, for a refusal and for an answer that is none.
-/// Allocates in proportion to `bytes`.
+/// Reads that answer without trusting it: every size is checked against the bytes, and every index
+/// against its positions. Problem, by `name`, for a refusal or an invalid answer. Allocates in
+/// proportion to `bytes`.
 Result<std::vector<MeshPart>> parts_of(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace onggi::content

@@ -28,7 +28,7 @@ bool lies_near(const std::vector<Vec2>& chain, std::size_t first, std::size_t la
   return true;
 }
 
-/// The chain without the points that a straight link between their neighbours replaces.
+/// The chain without points that lie on a straight link between their neighbours.
 Section thinned(const Section& section) {
   std::vector<Vec2> chain;
   double size = 0.0;
@@ -53,7 +53,7 @@ Section thinned(const Section& section) {
 TriangleMesh turned(const Drawing& drawing) { return revolve(thinned(drawing.section), kSectors); }
 
 std::vector<std::byte> make_glb(const Drawing& drawing) {
-  // Credits the drawing's figures, not the vessel's owner, who had no part in the model.
+  // Credits the drawing's source, not the vessel's owner, who did not make the model.
   return write_glb(turned(drawing), drawing.title, "Drawn from: " + drawing.source);
 }
 

@@ -68,7 +68,7 @@ void read_labels(toml::TomlReader::Table& root, PackRead& read) {
   labels.finish();
 }
 
-/// A page that no phone opens is left off the label, and the vessel stays on the shelf.
+/// Removes addresses that a phone cannot open from the label; the vessel stays on the shelf.
 void keep_good_addresses(toml::TomlReader::Table& root, Pack& pack) {
   const auto keep = [](toml::TomlReader::Table& table, std::string& address) {
     const std::string fault = fault_of_address(address);
@@ -129,7 +129,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.text("credit", pack.credit);
   root.text("licence", pack.licence);
   root.text("address", pack.address);
-  // A key without words is no answer; require() has named one that is not there at all.
+  // require() reports only missing keys, so report empty ones here.
   for (const auto& [key, text] : {std::pair{"licence", &pack.licence}, {"credit", &pack.credit}})
     if (root.has(key) && is_blank(*text))
       root.complain(key, std::string(key) + " is empty.",

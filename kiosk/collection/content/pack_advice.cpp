@@ -8,14 +8,14 @@ namespace {
 
 using Table = toml::TomlReader::Table;
 
-/// What is written where nobody knows, and no visitor should read.
+/// True for placeholder words such as "not known", which no visitor should read.
 bool is_no_answer(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text == kLicenceNotKnown || text == "todo" || text == "tbd" || text == "?";
 }
 
-/// Asks for `key` of `table`, called `name`, where it is missing, empty or no answer.
+/// Asks for `key` of `table`, called `name`, if it is missing, empty or a placeholder.
 void ask(Table& table, const char* key, const std::string& name, const std::string& text,
          const std::string& remedy) {
   if (!table.has(key))

@@ -8,18 +8,18 @@
 
 namespace onggi::content {
 
-/// A visitor reads a label of this length in under a minute, standing.
+/// A standing visitor reads a label of this length in under a minute.
 inline constexpr int kMostLabelWords = 100;
 
 /// Words between spaces, as a reader counts them.
 int count_words(const std::string& text);
 
-/// Nothing but spaces, or nothing.
+/// True if `text` is empty or has only spaces.
 bool is_blank(const std::string& text);
 
-/// Notes with the reader of `root`, a vessel.toml, what is still to be written until its label is
-/// whole: true size, museum, source, licence, and a label with every part in each of `languages`
-/// (none given: in one of any). Also what stands there and should not: "not known", a long text.
+/// Notes in the reader of `root`, a vessel.toml, what its label still needs: true size, museum,
+/// source, licence, and a complete label in each of `languages` (if empty, in any one). Also
+/// reports what should not be there: "not known", a text that is too long.
 void ask_for_the_rest(toml::TomlReader::Table root, const Pack& pack,
                       const std::vector<std::string>& languages);
 

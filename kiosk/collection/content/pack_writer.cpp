@@ -23,7 +23,7 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
-/// `key = "value"`, or that line as a comment with an example where nothing is known.
+/// `key = "value"`, or a comment line with an example if the value is not known.
 std::string line(const char* key, const std::string& value, const char* example) {
   if (value.empty()) return std::string("# ") + key + " = " + quoted(example) + "\n";
   return std::string(key) + " = " + quoted(value) + "\n";
@@ -41,7 +41,7 @@ double srgb(float linear) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
 }
 
-/// A label with what is known in that language; in English what the file says otherwise, too.
+/// The label in that language; the English one also gets the facts without a language.
 std::string label_toml(const Vessel& vessel, const std::string& language) {
   const bool english = language == "en";
   const GltfCredit nothing;
@@ -83,7 +83,7 @@ std::string pack_toml(const Vessel& vessel) {
   out += line("institution", vessel.given.institution, "The museum that has it");
   out += line("accession", vessel.given.accession, "Its number there");
   out += line("source", vessel.source, "Where the figures are published");
-  // Where somebody put a scan is seldom the museum's page: it is offered, not taken.
+  // A scan's address is seldom the museum's page, so it is only suggested in a comment.
   const bool page = fault_of_address(vessel.given.source).empty();
   out += line("address", vessel.address.empty() ? vessel.given.address : vessel.address,
               page ? vessel.given.source.c_str() : "https://the.museum/its-page-on-this-vessel");

@@ -6,8 +6,8 @@
 
 namespace onggi::content {
 
-/// A vessel.toml for `vessel`, filled in as far as its file tells, with what is left to the curator
-/// in comments.
+/// A vessel.toml for `vessel`, filled in as far as its file allows, with comments for what the
+/// curator must add.
 std::string pack_toml(const Vessel& vessel);
 
 }  // namespace onggi::content

@@ -27,7 +27,7 @@ std::string word(const json& object, const char* key) {
   return value != nullptr && value->is_string() ? value->get<std::string>() : "";
 }
 
-/// The members of a list; none of anything else.
+/// The elements of a list; empty for anything else.
 std::vector<const json*> each(const json* list) {
   std::vector<const json*> out;
   if (list != nullptr && list->is_array())
@@ -50,12 +50,12 @@ bool is_manifest(const json& doc) {
 
 // ---- which file
 
-/// A model as a document names it.
+/// A model that a document names.
 struct Named {
   std::string name;    ///< An address or a relative name.
-  std::string ending;  ///< By its media type, where the name has none; may be empty.
-  int rank = 0;        ///< The higher, the finer.
-  int vessel = 0;      ///< What a IIIF Choice has of one vessel is the same number.
+  std::string ending;  ///< From its media type if the name has no ending; may be empty.
+  int rank = 0;        ///< Higher is finer.
+  int vessel = 0;      ///< The same number for all models of one vessel in a IIIF Choice.
 };
 
 std::string ending_of_type(const std::string& format) {
@@ -74,7 +74,7 @@ bool is_on_the_web(const std::string& name) {
   return name.find("://") != std::string::npos || name.rfind("//", 0) == 0;
 }
 
-/// The last part of an address, with an ending.
+/// The last part of an address, with its ending.
 std::string file_of_address(const Named& named) {
   std::string name = named.name.substr(0, named.name.find_first_of("?#"));
   name = name.substr(name.find_last_of('/') + 1);
@@ -82,8 +82,9 @@ std::string file_of_address(const Named& named) {
   return name;
 }
 
-/// The models that `node` of a IIIF manifest paints: whatever holds a body, and its sources.
-/// `vessel`: of a Choice that it lies in; below 0: each is another. `known`: the names in `out`.
+/// Collects the models that `node` of a IIIF manifest paints: everything with a body, and its
+/// sources. `vessel`: the number of the Choice that contains it; below 0: each is a vessel of its
+/// own. `known`: the names already in `out`.
 void painted(const json& node, int depth, std::vector<Named>& out, std::set<std::string>& known,
              int vessel = -1) {
   if (depth > 24) return;
@@ -107,7 +108,7 @@ void painted(const json& node, int depth, std::vector<Named>& out, std::set<std:
       painted(*inside, depth + 1, out, known, vessel);
 }
 
-/// What a manifest, and each of its canvases, offers beside the pictures that it shows.
+/// Collects what a manifest, and each canvas, offers besides the pictures.
 void offered(const json& node, int depth, std::vector<Named>& out, std::set<std::string>& known) {
   if (const json* rendering = json_words::member(node, "rendering"))
     painted(*rendering, 0, out, known);
@@ -143,7 +144,7 @@ std::vector<Named> models_of_voyager(const json& model) {
   return out;
 }
 
-/// Where `named` lies, or why it cannot be taken.
+/// The path of `named`, or why it cannot be used.
 Result<fs::path> found(const fs::path& document, const Named& named) {
   const std::string shown = json_words::tidy(named.name.substr(0, 120));
   if (is_on_the_web(named.name)) {
@@ -158,9 +159,9 @@ Result<fs::path> found(const fs::path& document, const Named& named) {
   return find_vessel_file_beneath(document.parent_path(), named.name, document.string());
 }
 
-// ---- what it says
+// ---- its texts
 
-/// IIIF's metadata: the value whose label is one of `labels`, in lower case.
+/// The value of IIIF metadata whose label is one of `labels`, in lower case.
 std::string metadata(const json& doc, std::initializer_list<const char*> labels) {
   for (const char* wanted : labels)
     for (const json* pair : each(doc, "metadata")) {
@@ -173,7 +174,7 @@ std::string metadata(const json& doc, std::initializer_list<const char*> labels)
   return "";
 }
 
-/// IIIF texts may hold a little HTML: its words alone. A "<" that begins no tag is a word's own.
+/// Removes the little HTML that IIIF texts may hold. A "<" that begins no tag stays.
 std::string without_tags(const std::string& text) {
   std::string out;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -280,7 +281,7 @@ Problem several_models(const fs::path& file, std::size_t count) {
           "Name the vessel's GLB itself."};
 }
 
-/// The first of `models` that is there, else what is wrong with the best of them.
+/// The first of `models` that exists, else the Problem of the best one.
 Result<fs::path> first_found(const fs::path& file, const std::vector<Named>& models) {
   if (models.empty()) return tl::unexpected(no_model(file.string()));
   Result<fs::path> first = found(file, models.front());

@@ -8,26 +8,26 @@
 
 namespace onggi::content {
 
-/// What a museum publishes beside a scan: a IIIF Presentation manifest (4.0, a Scene; 3.0, a Canvas
-/// or `rendering`) or a Smithsonian document (Voyager's SVX, document.json).
+/// A document that a museum publishes beside a scan: a IIIF Presentation manifest (4.0, a Scene;
+/// 3.0, a Canvas or `rendering`) or a Smithsonian document (Voyager's SVX, document.json).
 struct ScanDocument {
   std::filesystem::path model;  ///< The scan, a regular file beneath the document's folder.
-  double unit = 0.0;            ///< Metres in one of its units; 0: the document does not say.
-  GltfCredit credit;            ///< What the document says of the vessel.
+  double unit = 0.0;            ///< Metres in one of its units; 0: not given.
+  GltfCredit credit;            ///< Credit and labels from the document.
 };
 
-/// Does the file's name end as a document's does, .json?
+/// True if the file name ends in .json.
 bool is_document_ending(const std::filesystem::path& file);
 
-/// Is `file` a JSON file that says it is one of those? Reads no more than 64 MiB, and nothing that
-/// does not end in .json.
+/// True for a JSON file that is one of these documents. Reads at most 64 MiB, and only files that
+/// end in .json.
 bool is_scan_document(const std::filesystem::path& file);
 
-/// Reads it, within the limits of a glTF's JSON. The model lies beneath its own folder, by a
-/// relative name; of an address on the web only the file of that name beside the document is taken,
-/// since the kiosk opens nothing of a network. Of several qualities the finest that is there.
-/// Problem, with its remedy, for anything else: no model, several vessels, a model that is not
-/// there. The document's turning of the model is not used: which way is up is found from the shape.
+/// Reads the document within the JSON limits of a glTF. The model must be beneath the document's
+/// folder, by a relative name. For a web address, only a file of that name beside the document is
+/// used, because the kiosk opens nothing from a network. Of several qualities, the finest that
+/// exists is used. Problem for anything else: no model, several vessels, a missing model. The
+/// document's rotation is ignored: the upright direction is found from the shape.
 Result<ScanDocument> read_scan_document(const std::filesystem::path& file,
                                         const settings::ReaderLimits& limits);
 

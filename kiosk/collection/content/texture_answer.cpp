@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kLongestWhy = 200;
 
-/// Takes numbers and runs of bytes from the front; whole() tells whether all were there.
+/// Reads numbers and runs of bytes from the front; whole() tells whether all were there.
 template <class Byte>
 class Taken {
  public:

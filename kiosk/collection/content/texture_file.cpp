@@ -11,8 +11,8 @@ namespace onggi::content {
 namespace {
 
 constexpr unsigned kFewSide = 1024, kManySide = 512, kFew = 4;  // the shelf's picture has 480 x 600
-/// Of decoding, beside the pictures as they are: MiB, bytes a pixel of the largest that is let in
-/// (a progressive JPEG keeps every coefficient), seconds of the processor for all of them.
+/// Limits for decoding beyond the pictures themselves: MiB, bytes a pixel of the largest picture (a
+/// progressive JPEG keeps every coefficient), seconds of processor time for all of them.
 constexpr std::size_t kTextureMib = 256, kBytesAPixel = 10;
 constexpr int kTextureSeconds = 20;
 

@@ -10,10 +10,10 @@
 
 namespace onggi::content {
 
-/// Decodes a file's pictures by the helper program onggi-texture, which lies beside this one and
-/// has its own memory and time; each comes with 1024 pixels a side at the most, fewer where there
-/// are many. The Problem is of all of them: the helper could not be had, or did not end well.
-/// Blocks; starts a process where there is a picture. Allocates.
+/// Decodes a file's pictures with the helper program onggi-texture beside this program, which has
+/// its own memory and time. Each picture is reduced to at most 1024 pixels a side, fewer if there
+/// are many. Problem for all of them if the helper could not start or failed. Blocks; starts a
+/// process if there is a picture. Allocates.
 Result<std::vector<textures::Decoded>> read_textures(
     const std::vector<std::span<const std::uint8_t>>& pictures,
     const settings::ReaderLimits& limits);

@@ -2,10 +2,10 @@
 //
 //   onggi-texture MOST_SIDE WANTED_SIDE MEMORY_MIB SECONDS < pictures > pixels
 //
-// The pictures in a scan are of nobody's making in particular, so they are decoded in a process of
-// their own, with no more memory and time than it is given and no file but its three streams. What
-// it writes is told in texture_answer.h; the kiosk checks every number of it. Exit 0, also where
-// pictures are refused; 1 with the reason on standard error.
+// The pictures in a scan are untrusted, so they are decoded in their own process with limited
+// memory and time and no file but its three streams. texture_answer.h describes its output; the
+// kiosk checks every number in it. Exit 0, also if pictures are refused; 1 with the reason on
+// standard error.
 
 #include <cstdio>
 #include <cstdlib>

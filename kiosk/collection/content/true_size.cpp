@@ -8,13 +8,13 @@ namespace onggi::content {
 
 namespace {
 
-/// What a wheel has held: from a toy dish to a storage jar, metres.
+/// Sizes of thrown vessels, from a toy dish to a storage jar, metres.
 constexpr double kLeastHeight = 0.004, kMostHeight = 2.0;
 constexpr double kLeastWidest = 0.010, kMostWidest = 1.5;
-/// From a flat dish to a stem.
+/// Height and width ratios, from a flat dish to a stem.
 constexpr double kFlattest = 40.0, kSlimmest = 25.0;
-/// The larger of height and width that a guess may give, the likeliest, and what is shown where
-/// there is no guess.
+/// For a guess, in metres: the range of the larger of height and width, the likeliest value, and
+/// the size shown if no guess is possible.
 constexpr double kLeastUsual = 0.04, kMostUsual = 0.8, kLikely = 0.2, kShown = 0.3;
 
 std::string figures(double value) {

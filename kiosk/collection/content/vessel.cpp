@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file's mesh, turned so that its axis is y and its foot stands at 0, times `scale`.
+/// The file's mesh, turned so that its axis is y and its foot is at 0, times `scale`.
 TriangleMesh upright(const TriangleMesh& mesh, const ExtractedProfile& found, double scale) {
   const extraction::AxisFrame f = extraction::axis_frame(found.axis_origin, found.axis_direction);
   TriangleMesh out;
@@ -52,16 +52,16 @@ std::string metres(double value) {
   return text;
 }
 
-/// What is known before the file is read: `vessel` has what the pack says.
+/// What is known before the file is read: `vessel` has the pack's values.
 struct Order {
   Vessel vessel;
   ToldSize told;
-  std::optional<std::array<float, 3>> color;  ///< Of the pack.
-  GltfCredit document;                        ///< What a document that names the file says.
+  std::optional<std::array<float, 3>> color;  ///< From the pack.
+  GltfCredit document;                        ///< Credit from a document that names the file.
   LoadOptions options;
 };
 
-/// The vessel that `mesh` is, all but its size.
+/// The vessel in `mesh`, without its size.
 Result<Vessel> measured(const Order& order, const GltfModel& model, const NamedPart& named,
                         const TriangleMesh& mesh, const std::string& name) {
   Vessel vessel = order.vessel;
@@ -76,7 +76,7 @@ Result<Vessel> measured(const Order& order, const GltfModel& model, const NamedP
   if (vessel.credit.empty()) vessel.credit = vessel.given.line();
   if (vessel.licence.empty()) vessel.licence = vessel.given.licence;
   if (vessel.source.empty()) vessel.source = vessel.given.source;
-  // A museum's own document says which page is the museum's; a scan of anyone's may say anything.
+  // Trust only a museum's own document for the museum's page; a scan may name any page.
   if (vessel.address.empty()) vessel.address = order.document.address;
   if (model.colored) vessel.color = model.base_color;
   vessel.coloring =
@@ -125,7 +125,7 @@ void name_nodes(Vessel& vessel, const GltfModel& model, const NamedPart& whole) 
   }
 }
 
-/// "a", "b" ... of the parts that carry a surface, a dozen at most.
+/// "a", "b" ... for the parts with a surface, at most twelve.
 std::string names_of(const std::vector<const GltfPart*>& parts) {
   constexpr std::size_t kMost = 12;
   std::string names;
@@ -134,7 +134,7 @@ std::string names_of(const std::vector<const GltfPart*>& parts) {
   return names + (parts.size() > kMost ? " ..." : "");
 }
 
-/// `problem` of a whole file, with what its objects are called where it has several.
+/// `problem` of a whole file, with the names of its objects if it has several.
 Problem with_nodes(Problem problem, const GltfModel& model) {
   std::vector<const GltfPart*> parts;
   for (const GltfPart& part : model.parts)
@@ -184,7 +184,7 @@ Result<Vessel> load_named(const Order& order, const GltfModel& model) {
                  "Name one of these nodes: " + names_of(parts) + ".");
 }
 
-/// Letters, digits and _ of a node's name, for an id.
+/// The letters, digits and _ of a node's name, for an id.
 std::string plain(const std::string& name) {
   std::string out;
   for (const char c : name) {
@@ -212,7 +212,7 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   for (const GltfPart* part : objects) {
     NamedPart named{part, Reach::all};
     auto vessel = measured(order, model, named, mesh_of(model, *part, named.reach), called(*part));
-    if (!vessel && part->own_triangles < part->triangles) {  // without its bail, say
+    if (!vessel && part->own_triangles < part->triangles) {  // without its bail, for example
       named.reach = Reach::alone;
       vessel = measured(order, model, named, mesh_of(model, *part, named.reach), called(*part));
     }
@@ -222,7 +222,7 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
     }
     vessel->node = called(*part);
     vessel->id += "_" + plain(vessel->node);
-    // So that a pack made of it reads the same.
+    // A pack made from it then reads the same part.
     if (named.reach == Reach::all && part->own_triangles < part->triangles) vessel->node += "/*";
     for (const Vessel& other : out)
       if (other.id == vessel->id) vessel->id += "_" + std::to_string(part->node);
@@ -234,7 +234,7 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   if (!others.empty())
     out.front().extracted.warnings.push_back(
         "The file also holds objects that are not vessels: " + others + ".");
-  // A set was modelled in one unit, which its largest piece tells.
+  // A set uses one unit, which its largest piece shows.
   FileSize largest;
   for (const Vessel& v : out) {
     const FileSize own = size_of(v);
@@ -283,7 +283,7 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
 }
 
 Result<Order> order_of(const fs::path& path, const LoadOptions& options) {
-  // "pack/" names the folder as "pack" does.
+  // Treat "pack/" like "pack".
   const fs::path named = path.filename().empty() ? path.parent_path() : path;
   std::error_code ignored;
   if (fs::exists(named / "vessel.toml", ignored)) return order_of_pack(named, options);
@@ -326,7 +326,8 @@ Label Vessel::label(const std::string& language) const {
                : in != given.titles.end() ? in->second
                                           : title_of(!given.title.empty() ? given.title : id);
   made.culture = given.culture;
-  if (!given.culture.empty()) made.date = given.date;  // of a document; a scan's own is the scan's
+  // From a document; a scan's date is the scan's own.
+  if (!given.culture.empty()) made.date = given.date;
   return made;
 }
 
@@ -348,7 +349,7 @@ Result<std::vector<Vessel>> load_vessels(const fs::path& path, const LoadOptions
     if (!order) return tl::unexpected<Problem>(order.error());
     const auto model = read_mesh_file(order->vessel.file, options.limits);
     if (!model) return tl::unexpected<Problem>(model.error());
-    // One label, size and number cannot be those of ten vessels: a pack names its object.
+    // One label, size and number cannot be right for ten vessels, so a pack must name its object.
     if (order->options.node.empty() && order->vessel.labels.empty())
       if (const auto objects = separate_objects(*model); !objects.empty())
         return load_each(*order, *model, objects);

@@ -18,60 +18,59 @@
 
 namespace onggi::content {
 
-/// What the label says, in one language.
+/// The label in one language.
 struct Label {
   std::string title;      ///< "Moon jar"
   std::string culture;    ///< "Korea, Joseon dynasty"
   std::string date;       ///< "18th century"
   std::string made;       ///< How it was made, one sentence.
   std::string text;       ///< At most 100 words.
-  std::string credit;     ///< The whole credit line in this language; empty: Vessel::credit.
+  std::string credit;     ///< The full credit line in this language; empty: Vessel::credit.
   std::string address{};  ///< The museum's page in this language, good (content/address.h), or "".
 };
 
 /// A vessel on the shelf: the mesh for its picture, the profile for its outline and score.
 struct Vessel {
-  std::string id;              ///< Folder or file name, without its ending.
+  std::string id;              ///< Folder or file name without its ending.
   std::filesystem::path file;  ///< The GLB or glTF.
-  std::string node;            ///< The object of that file; empty: all of it.
+  std::string node;            ///< The node of that file; empty: the whole file.
   struct Node {
     std::string name;
     std::size_t triangles = 0;
   };
-  std::vector<Node> nodes;              ///< That carry its surface.
+  std::vector<Node> nodes;              ///< The nodes of its surface.
   std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
-  GltfCredit given;                     ///< What the file says of itself.
+  GltfCredit given;                     ///< What the file says about itself.
   std::string credit, licence, source;
-  std::string address;       ///< The museum's page, good; a label may have one of its own.
-  double true_height = 0.0;  ///< Metres, by the TOML's height or diameter; 0: not told.
+  std::string address;       ///< The museum's page, valid; a label may have its own.
+  double true_height = 0.0;  ///< Metres, from the TOML's height or diameter; 0: not given.
   SizeFrom size_from = SizeFrom::file;
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
-  LighterMesh turning;         ///< Of it, for a picture that turns.
-  ExtractedProfile extracted;  ///< Its profile in metres; the axis as the file has it, file units.
-  double unit = 1.0;           ///< Metres that one unit of the file was taken for.
+  LighterMesh turning;         ///< A reduced `mesh`, for a turning picture.
+  ExtractedProfile extracted;  ///< Its profile in metres; its axis in the file's axes and units.
+  double unit = 1.0;           ///< Metres in one unit of the file, as used.
   std::array<float, 3> color = kClayColor;  ///< Linear base colour for its picture,
-  Coloring coloring;  ///< and the colours of `mesh`'s positions, in its stead where there are any.
+  Coloring coloring;  ///< or, if there are any, the colours of `mesh`'s positions.
 
-  /// The label in `language`, else English, else one made of the file's name; with the vessel's
-  /// address where it has none of its own.
+  /// The label in `language`, else in English, else one made from the file's name; with the
+  /// vessel's address if the label has none.
   Label label(const std::string& language) const;
 };
 
-/// How a vessel's file is to be read. What a pack's TOML says goes before `node`, and `up` before
-/// what it says.
+/// How to read a vessel's file. A pack's TOML overrides `node`; `up` overrides the TOML.
 struct LoadOptions {
-  std::string id;    ///< On the shelf; empty: the file's or folder's name.
-  std::string node;  ///< Name or number of the node that is the vessel; empty: all of the file.
-  std::optional<Vec3> up;  ///< In the file's axes; absent: decided from the shape.
+  std::string id;    ///< Id on the shelf; empty: the file's or folder's name.
+  std::string node;  ///< Name or number of the node that is the vessel; empty: the whole file.
+  std::optional<Vec3> up;  ///< In the file's axes; absent: found from the shape.
   settings::ReaderLimits limits;
 };
 
-/// One vessel: a pack folder, or a GLB/glTF file. A file of several objects that stand apart is a
-/// Problem that lists them, unless one is named.
+/// Loads one vessel: a pack folder, or a GLB/glTF file. If a file holds several separate objects
+/// and none is named, the Problem lists them.
 Result<Vessel> load_vessel(const std::filesystem::path& path, const LoadOptions& options = {});
 
-/// The same, but every object of a file of several that is a vessel, each with its own id
-/// ("tea_set_cup"). At least one, or a Problem.
+/// Loads every object of a file that is a vessel, each with its own id ("tea_set_cup"). At least
+/// one, or a Problem.
 Result<std::vector<Vessel>> load_vessels(const std::filesystem::path& path,
                                          const LoadOptions& options = {});
 

@@ -8,7 +8,7 @@ using Kind = files::ReadFault::Kind;
 
 std::string mib(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
-/// What is told of a file that was opened and is not what it should be.
+/// The Problem of a file that was opened but is wrong.
 Problem not_read(const std::string& name, const files::ReadFault& fault, std::size_t most) {
   if (fault.kind == Kind::too_large)
     return {name, "it has " + mib(fault.size) + ", but the limit is " + mib(most) + ".",

@@ -9,15 +9,16 @@
 
 namespace onggi::content {
 
-/// files::read_file() of a vessel's file; what keeps it from being read in words for its curator.
+/// Reads a vessel's file with files::read_file(); its Problems are worded for curators.
 Result<files::Bytes> read_vessel_file(const std::filesystem::path& file, std::size_t most);
 
-/// files::read_beneath() of what the vessel's file `name` asks for; the same.
+/// Reads a file that the vessel's file `name` asks for, with files::read_beneath(); the same
+/// Problems.
 Result<files::Bytes> read_vessel_file_beneath(const std::filesystem::path& folder,
                                               const std::string& uri, std::size_t most,
                                               const std::string& name);
 
-/// Where that file lies, for a reader of its own; by the same rules.
+/// The path of that file, for a reader that opens it itself; the same rules apply.
 Result<std::filesystem::path> find_vessel_file_beneath(const std::filesystem::path& folder,
                                                        const std::string& uri,
                                                        const std::string& name);

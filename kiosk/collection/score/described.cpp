@@ -11,12 +11,13 @@ namespace {
 
 using settings::Mission;
 
-constexpr double kHalfVolume = 0.25;  // of what was asked: half of the points are lost there
-constexpr double kHalfBound = 0.125;  // likewise beyond a bound
-constexpr double kNearEnough = 0.03;  // of what was asked: nothing to try
-constexpr double kPerfect = 97.0;     // points from which on nothing is to be tried
+// Share of the wanted volume at which half of the points are lost.
+constexpr double kHalfVolume = 0.25;
+constexpr double kHalfBound = 0.125;  // share of a bound at which half of the points are lost
+constexpr double kNearEnough = 0.03;  // share of the wanted figure: no advice below it
+constexpr double kPerfect = 97.0;     // points from which on there is no advice
 
-/// How far `figure` is out of its bounds, of the bound that it misses: below 0 too small.
+/// How far `figure` is outside its bounds, as a share of the bound; below 0: too small.
 double beyond(double figure, const std::optional<Mission::Described::Bounds>& bounds) {
   if (!bounds) return 0.0;
   if (figure < bounds->least) return figure / bounds->least - 1.0;
@@ -24,7 +25,7 @@ double beyond(double figure, const std::optional<Mission::Described::Bounds>& bo
   return 0.0;
 }
 
-/// As the likeness of outlines is worth: flat near nothing, half at `half`.
+/// Falls like the likeness of outlines: flat near 0, one half at `half`.
 double worth_of(double off, double half) {
   const double x = std::abs(off) / half;
   return 1.0 / (1.0 + x * x * x);
@@ -39,7 +40,7 @@ Off off(const Mission::Described& wanted, const Figures& made) {
 }
 
 std::string litres(double volume) {
-  // Hundredths; the screens put the language's own sign between.
+  // In hundredths; the screens insert the language's decimal separator.
   return std::to_string(std::lround(volume * 1e5));
 }
 std::string whole_mm(double metres) { return std::to_string(std::lround(metres * 1e3)); }

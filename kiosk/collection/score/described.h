@@ -6,29 +6,29 @@
 
 namespace onggi::score {
 
-/// What of a pot a description speaks of. Metres and m^3.
+/// The figures of a pot that a description uses. Metres and m^3.
 struct Figures {
-  double volume = 0;  ///< That it holds (ClayView::capacity).
+  double volume = 0;  ///< Its capacity (ClayView::capacity).
   double height = 0;
   double mouth = 0;  ///< Outer diameter at the rim.
   friend bool operator==(const Figures&, const Figures&) = default;
 };
-/// Of a pot that holds `volume`; `made` may be empty.
+/// The figures of a pot that holds `volume`; `made` may be empty.
 Figures figures_of(const Profile& made, double volume);
 
-/// Of what is asked: the figure that is furthest from it, for who works on it. As a key of the
-/// languages: mission.more, mission.less, mission.wider, mission.closer, mission.taller,
-/// mission.lower, or mission.close where each is near.
+/// The figure that is furthest from the wanted one, as a language key for the visitor at work:
+/// mission.more, mission.less, mission.wider, mission.closer, mission.taller, mission.lower, or
+/// mission.close if all are near.
 std::string most_off(const settings::Mission::Described& wanted, const Figures& made);
 
-/// Each figure beside what was asked, as keys of the languages: Score::asked.
+/// Each figure beside the wanted one, as language keys: Score::asked.
 std::vector<Remark> asked_of(const settings::Mission::Described& wanted, const Figures& made);
 
-/// A pot against figures, without any vessel: 100 points where it holds what was asked and keeps
-/// within its bounds, half of them where its volume is a quarter off, or a bound missed by an
-/// eighth, and each multiplies the others. `Score::asked` has each figure beside what was asked,
-/// `try_next` what lacks most, nothing above 97 points. Its `measures` are of `made` alone, against
-/// itself. The same bits on every machine. Allocates.
+/// Judges a pot by figures, without a vessel: 100 points if it holds the wanted volume and keeps
+/// within its bounds. Half of the points are lost if the volume is a quarter off, or if a bound is
+/// missed by an eighth; the factors multiply. `Score::asked` has each figure beside the wanted one,
+/// and `try_next` has the largest fault, nothing above 97 points. Its `measures` compare `made`
+/// with itself. The same bits on every machine. Allocates.
 Score judge_described(const settings::Mission::Described& wanted, const Figures& figures,
                       const Profile& made, const settings::Rubric& rubric = {});
 

@@ -11,9 +11,9 @@
 namespace onggi::score {
 namespace {
 
-/// Even steps along the outline; the wall's points between are finer on no scan worth its name.
+/// Even steps along the outline; no good scan has finer points in its wall.
 constexpr int kSteps = 512;
-/// Heights at which the wall is taken: a scan's ripple below them is no direction of the wall.
+/// Heights at which the wall is sampled, so that a scan's ripple between them gives no direction.
 constexpr int kHeights = 128;
 
 using Directions = std::array<double, kSteps>;

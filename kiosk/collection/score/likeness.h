@@ -18,12 +18,13 @@ namespace onggi::score {
 /// Allocates; the same bits on every machine.
 double turning_apart(const Profile& a, const Profile& b);
 
-/// The same as a likeness of vessels with each other, 0..100: 100 for the same shape, 50 where the
-/// outlines run 45 degrees apart, and never level, so that unlike vessels are more or less unlike.
-/// A visitor's points (judge()) say how near an answer came, and are 0 for most pairs.
+/// The same as a likeness of two vessels, 0..100: 100 for the same shape, 50 if the outlines run 45
+/// degrees apart. It never levels off, so that unlike vessels can still be ranked. A visitor's
+/// points (judge()) measure how near an answer came; they are 0 for most pairs.
 double likeness(const Profile& a, const Profile& b);
 
-/// Which of `among` is most like `to` and at least kAlikeEnough so: the first of those that are
+/// The vessel of `among` that is most like `to`, at least kAlikeEnough; the first of equals; none
+/// if no vessel is. Null and `to` itself are skipped. Allocates.
 /// equally so; nothing where none is. Null and `to` itself are passed over. Allocates.
 inline constexpr double kAlikeEnough = 65.0;
 std::optional<std::size_t> most_alike(const Profile& to, std::span<const Profile* const> among);

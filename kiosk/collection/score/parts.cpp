@@ -8,16 +8,15 @@ namespace onggi::score {
 
 namespace {
 
-/// Percent, as people say them: a fiftieth, a thirtieth ... half ... nine tenths, and kFar: "far".
-constexpr int kFar = 100;
-constexpr int kParts[] = {2, 3, 5, 7, 10, 12, 17, 20, 25, 33, 40, 50, 60, 67, 75, 90, kFar};
+/// Percentages that have names: a fiftieth, a thirtieth ... half ... as much again.
+constexpr int kParts[] = {2, 3, 5, 7, 10, 12, 17, 20, 25, 33, 40, 50, 60, 67, 75, 90, 100};
 
 bool ends_with(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() &&
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// The length of the vessel that the remark's own is a part of.
+/// The length of the vessel that the remark compares with.
 double whole_of(const std::string& key, const Dimensions& target) {
   for (const char* along : {"_high", "_low", ".tall", ".short"})
     if (ends_with(key, along)) return target.height;

@@ -9,31 +9,32 @@ namespace onggi::score {
 
 namespace {
 
-/// Below this share of the vessel's size a visitor does not see a difference side by side.
+/// Visitors do not see a smaller difference side by side, as a share of the vessel's size.
 constexpr double kAlike = 0.025;
 constexpr double kOutlineAlike = 0.95;
 constexpr double kWallAlike = 0.85;
 constexpr double kWallUneven = 0.75;
 constexpr std::size_t kMost = 3;
-/// A named part is the largest difference where it is as much as this share of the worst place's.
+/// A named part counts as the largest difference from this share of the worst place on.
 constexpr double kAsMuch = 0.9;
-/// And where that place lies at the part, within this much of the height, this share is enough.
+/// If the worst place is at the part, within this share of the height, this smaller share is
+/// enough.
 constexpr double kAtPart = 0.08, kAsMuchThere = 0.6;
-/// A neck is a neck where it is this much narrower than the lip over it.
+/// A neck must be this much narrower than the lip above it.
 constexpr double kNeck = 0.97;
-/// A way in that lacks this share of the vessel's own is as good as shut.
+/// An opening that lacks this share of the vessel's own counts as closed.
 constexpr double kShut = 0.75;
-/// A belly this near to the rim is the mouth.
+/// A belly this near the rim counts as the mouth.
 constexpr double kMouthHeight = 0.93;
 
-/// One thing that callipers measure: its name, and made minus wanted in metres.
+/// One measure of callipers: its name, and made minus wanted in metres.
 struct Feature {
   const char* name;
   double difference;
   const char* more;  ///< Ending of the remark's key where `difference` is above 0...
   const char* less;  ///< ...and below.
   double weight;
-  double place;  ///< Height of it on the target, metres.
+  double place;  ///< Its height on the target, metres.
 };
 
 std::vector<Feature> features(const Measures& m) {
@@ -42,7 +43,7 @@ std::vector<Feature> features(const Measures& m) {
   const bool bellied = target.belly_height < kMouthHeight * target.height;
   if (bellied) {
     out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0, target.belly_height});
-    // Where the belly is hardly one, its height says little.
+    // If there is hardly a belly, its height means little.
     const double pronounced =
         std::min(1.0, 4.0 * (target.belly - std::max(target.foot, target.mouth)) / target.belly);
     out.push_back({"belly", made.belly_height - target.belly_height, "high", "low",
@@ -57,19 +58,19 @@ std::vector<Feature> features(const Measures& m) {
 
 bool narrow_inside(const Measures& m) { return m.opening_lacking > kOpenEnough; }
 bool shut(const Measures& m) { return m.opening_lacking > kShut; }
-/// How much narrower the way in is, about, as a diameter at the mouth, m.
+/// How much narrower the opening is, roughly, as a diameter at the mouth, m.
 double opening_apart(const Measures& m) {
   return m.opening_lacking * m.target.opening * m.target.mouth;
 }
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
 
-/// A place on the wall, 1 to 99: at 0 and at 100 percent there is a foot and a rim.
+/// A place on the wall, 1 to 99 percent: 0 is the foot and 100 the rim.
 std::string percent_of_height(double at) {
   return std::to_string(std::clamp(std::lround(100.0 * at), 1L, 99L));
 }
 
-/// The part that a remark is about: "mouth" of "difference.mouth_wide" and of "alike.mouth".
+/// The part of a remark: "mouth" for "difference.mouth_wide" and "alike.mouth".
 std::string part_of(const std::string& key) {
   const std::string ending = key.substr(key.find('.') + 1);
   return ending.substr(0, ending.find('_'));
@@ -103,9 +104,9 @@ std::vector<Remark> alike(const Measures& m, bool scale_free) {
     found.push_back({1.0, {"alike.outline", {{"percent", whole(100.0 * m.outline_overlap)}}}});
   for (const Feature& f : features(m)) {
     const double apart = std::abs(f.difference) / size;
-    // A mouth that nothing goes through is not right, however wide it looks.
+    // A closed mouth is not right, even if its outside is.
     if (std::string(f.name) == "mouth" && narrow_inside(m)) continue;
-    // The height of the belly is only ever something to try.
+    // The height of the belly is only advice, never praise.
     if (apart <= kAlike && std::string(f.more) == "wide")
       found.push_back({1.0 - apart, {std::string("alike.") + f.name, {}}});
   }
@@ -133,7 +134,8 @@ std::optional<Remark> largest_difference(const Measures& m, bool scale_free, dou
   const std::vector<Feature> parts = features(m);
   const Feature* largest = nullptr;
   for (const Feature& f : parts) {
-    // How high the belly sits counts where there is one to speak of, and it is out by more.
+    // The height of the belly counts only if there is a real belly, and if it is the larger
+    // difference.
     const bool height = std::string(f.more) == "high";
     const bool there =
         f.difference * m.common_firm_sign > 0.0 &&
@@ -147,8 +149,8 @@ std::optional<Remark> largest_difference(const Measures& m, bool scale_free, dou
                     (largest->difference > 0.0 ? largest->more : largest->less),
                 largest->difference);
 
-  // A part is only ever said to be out by what callipers find at it. What lies beside a part, a lip
-  // that is rounded otherwise above a mouth of the right width, is a place on the wall.
+  // Name a part only for the difference that callipers find there. A difference beside a part, such
+  // as a rounder lip above a right mouth, is named by its place on the wall.
   auto remark = told(m.common_firm_sign > 0.0 ? "wide" : "narrow", worst);
   if (remark) remark->places["percent"] = percent_of_height(m.common_firm_at);
   return remark;
@@ -172,7 +174,7 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
     found.push_back(
         {std::abs(taller) / size,
          {taller > 0.0 ? "remark.tall" : "remark.short", {{"mm", std::to_string(mm(taller))}}}});
-  // A pot that nothing goes into comes before all else.
+  // A closed pot comes before everything else.
   if (shut(m))
     found.push_back({1.0, {"remark.opening_shut", {}}});
   else if (narrow_inside(m))
@@ -184,7 +186,7 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
         {0.05 * (1.0 - m.made.wall_evenness),
          {"remark.wall_uneven", {{"percent", whole(100.0 * (1.0 - m.made.wall_evenness))}}}});
 
-  // The place where the outlines are furthest apart, unless a named part already says as much.
+  // The place where the outlines are furthest apart, unless a named part already covers it.
   const double worst = 2.0 * m.common_firm * m.target.height;
   double named = 0.0;
   for (const Ranked& r : found) named = std::max(named, r.rank);

@@ -12,18 +12,18 @@ namespace onggi::score {
 namespace {
 
 /// 1 at 0, 0.5 at `half`, falling steadily; flat near 0, where nobody sees a difference. A rational
-/// function, so that it has the same bits everywhere.
+/// function gives the same bits everywhere.
 double worth(double distance, double half) {
   const double x = distance / half;
   return 1.0 / (1.0 + x * x * x);
 }
 
-/// What is left of all points when one measure has taken its share.
+/// The share of the points that remains after one measure.
 double after(const settings::Rubric::Part& part, double distance) {
   return 1.0 - part.share + part.share * worth(distance, part.half);
 }
 
-/// The most that an outline can have that is `worst` away somewhere: falls from 100 through the
+/// The most points for an outline that is `worst` away at one place: falls from 100 through the
 /// rubric's points at its limit.
 double most_with(double worst, const settings::Rubric::Worst& rubric) {
   const double x = worst / rubric.limit;
@@ -47,7 +47,7 @@ double points_of(const Measures& m, const Profile& target, bool scale_free,
   left *= after(rubric.opening, std::max(0.0, m.opening_lacking - kOpenEnough));
   if (!scale_free)
     left *= after(rubric.height, std::abs(m.made.height - m.target.height) / m.target.height);
-  // A wall need not be more even than the vessel's own, where that is known at all.
+  // A wall need not be more even than the vessel's own, if that is known.
   if (target.inner_wall == InnerWall::measured && m.target.wall_evenness > 0.0)
     left *= after(rubric.wall, std::max(0.0, 1.0 - m.made.wall_evenness / m.target.wall_evenness));
   return std::min(left, most_with(m.outline_worst_firm, rubric.worst));

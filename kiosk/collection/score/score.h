@@ -38,32 +38,31 @@ struct Remark {
   std::map<std::string, std::string> places;  ///< {"mm", "8"}
 };
 
-/// Every key that judge() can give, so that a language can be checked for all of them.
+/// Every key that judge() can return, so that each language can be checked for all of them.
 std::vector<std::string> remark_keys();
 
-/// What a pot is worth as an answer to a vessel.
+/// The score of a pot as an answer to a vessel.
 struct Score {
   double points = 0;  ///< 0..100
   int stars = 0;      ///< 1..5
   Measures measures;
   std::vector<Remark> alike;      ///< What is alike, best first; one to three.
-  std::optional<Remark> largest;  ///< The largest difference; absent where there is none of 1 mm.
+  std::optional<Remark> largest;  ///< The largest difference; absent if all are under 1 mm.
   std::vector<Remark> try_next;  ///< What to try, largest difference first; none to three, and none
                                  ///< above 97 points.
-  /// Of a pot that answers a description (described.h) each figure beside what was asked, and
-  /// nothing is alike: mission.holds {litres} {wanted}, in hundredths of a litre; mission.height
-  /// and mission.mouth {mm} {least} {most}.
+  /// For a pot that answers a description (described.h), each figure beside the wanted one:
+  /// mission.holds {litres} {wanted}, in hundredths of a litre; mission.height and mission.mouth
+  /// {mm} {least} {most}. `alike` is then empty.
   std::vector<Remark> asked{};
 };
 
-/// One to five, as `rubric` has its steps.
+/// One to five stars, by the steps of `rubric`.
 int stars_of(double points, const settings::Rubric& rubric);
 
-/// What `rubric` makes of the measures; its size_counts is not asked, `scale_free` is. Both
-/// profiles valid, metres. `true_scale` is true metres for one metre of `target` (1 / the workspace
-/// scale), so that remarks speak of the real vessel; 0 where its true size is not known: then they
-/// speak in parts. Deterministic: the same bits on every
-/// machine. Allocates.
+/// Scores the measures by `rubric`; `scale_free` replaces its size_counts. Both profiles must be
+/// valid, metres. `true_scale` is true metres for one metre of `target` (1 / the workspace scale),
+/// so that remarks speak of the real vessel; 0 if its true size is not known: then they give parts.
+/// The same bits on every machine. Allocates.
 Score judge(const Profile& target, const Profile& made, bool scale_free = true,
             double true_scale = 1.0, const settings::Rubric& rubric = {});
 

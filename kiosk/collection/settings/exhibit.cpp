@@ -27,7 +27,7 @@ std::size_t letters(const std::string& text) {
   }));
 }
 
-/// One line of words that is shown to visitors.
+/// Reads one line of text that visitors see.
 bool read_line(Table& table, const std::string& key, const std::string& name, std::string& out) {
   std::string text;
   if (!table.text(key, text)) return false;
@@ -109,8 +109,8 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   }
   table.finish();
   if (table.present() && !titles.empty()) out = titles;
-  // Languages without a title of their own show the English one, else that of the first of them
-  // that has one, never nothing.
+  // A language without a title shows the English one, else the first language's, so a title is
+  // never empty.
   std::string other = spoken(out, "en");
   if (!out.contains("en"))
     for (auto code = languages.rbegin(); code != languages.rend(); ++code)
@@ -118,7 +118,7 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   for (const std::string& code : languages) out.try_emplace(code, other);
 }
 
-/// Reads a path and takes it from `folder`; what is not good leaves the default. True if good.
+/// Reads a path relative to `folder`; an invalid one leaves the default. True if valid.
 bool read_path(Table& table, const std::string& key, const fs::path& folder, fs::path& out) {
   std::string text;
   bool good = false;
@@ -135,7 +135,7 @@ bool read_path(Table& table, const std::string& key, const fs::path& folder, fs:
     }
   }
   out = (folder / out).lexically_normal();
-  if (!out.has_filename()) out = out.parent_path();  // "a/b/" and "a/b" are one folder
+  if (!out.has_filename()) out = out.parent_path();  // "a/b/" and "a/b" are the same folder
   return good;
 }
 
@@ -172,7 +172,7 @@ void read_shelf_and_scene(Table& root, const fs::path& folder, Exhibit& exhibit)
   }
 }
 
-/// Without the key there is a lesson where its file is.
+/// If the key is absent, the default lesson is used when its file exists.
 void read_lesson_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
   const bool named = root.has("lesson");
   fs::path lesson = "../content/lessons/first_minute.toml";
@@ -187,7 +187,7 @@ void read_lesson_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
         "no lesson, use a file without steps.");
 }
 
-/// Likewise missions.
+/// If the key is absent, the default missions are used when their file exists.
 void read_missions_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
   const bool named = root.has("missions");
   fs::path missions = "../content/missions.toml";
@@ -201,7 +201,7 @@ void read_missions_of(Table& root, const fs::path& folder, Exhibit& exhibit) {
                   "the key.");
 }
 
-/// Reads the rubric too; without the key and without the file the defaults stand.
+/// Reads the rubric; without the key and without the file the defaults apply.
 void read_rubric_of(Table& root, const fs::path& folder, ExhibitRead& read) {
   const bool named = root.has("rubric");
   read_path(root, "rubric", folder, read.exhibit.rubric_file);
@@ -301,7 +301,8 @@ void read_network(Table& table, Exhibit::Phone& phone) {
 }
 
 void read_phone(Table table, Exhibit::Phone& phone) {
-  constexpr std::size_t kLongest = 100;  // a code that a phone reads off the screen
+  // Short enough for a code that a phone reads off the screen.
+  constexpr std::size_t kLongest = 100;
   std::string address;
   if (table.text("address", address) && !address.empty()) {
     while (address.ends_with("/")) address.pop_back();

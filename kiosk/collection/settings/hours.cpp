@@ -16,7 +16,7 @@ const Hours::Spans& spans_of(const Hours& hours, const Date& date) {
   char full[24];
   std::snprintf(full, sizeof full, "%04d-%02u-%02u", static_cast<int>(date.year()),
                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
-  // This year's word goes before every year's.
+  // An exception for this year overrides one for every year.
   for (const char* name : {full + 0, full + 5})
     if (const auto at = hours.exceptions.find(name); at != hours.exceptions.end())
       return at->second;
@@ -70,7 +70,7 @@ bool read_spans(const std::string& text, Hours::Spans& spans) {
 
 bool is_date(const std::string& text) {
   const bool every_year = text.size() == 5;
-  // A leap year has every date.
+  // Check against a leap year, which has every date.
   const std::string full = every_year ? "2028-" + text : text;
   int year = 0, used = 0;
   unsigned month = 0, day = 0;

@@ -32,7 +32,7 @@ void read_hours(Table table, Hours& hours) {
   Hours::Spans usual = open;
   read_spans_at(table, "every_day", usual);
   for (std::size_t day = 0; day < kWeek.size(); ++day) {
-    // Hours that cannot be read keep nobody out.
+    // Hours that cannot be read do not close the museum.
     hours.week[day] = table.has(kWeek[day]) ? open : usual;
     read_spans_at(table, kWeek[day], hours.week[day]);
     if (table.present() && !table.has(kWeek[day]) && !all_days)

@@ -5,8 +5,9 @@
 
 namespace onggi::settings {
 
-/// [hours] of exhibit.toml: "10:00-18:00" or "closed" by day of the week, every_day, and exceptions
-/// by date. Complains of what is missing or cannot be read, which keeps nobody out. Allocates.
+/// Reads [hours] of exhibit.toml: "10:00-18:00" or "closed" by day of the week, every_day, and
+/// exceptions by date. Notes Problems for missing or invalid hours, which never close the museum.
+/// Allocates.
 void read_hours(toml::TomlReader::Table table, Hours& hours);
 
 }  // namespace onggi::settings

@@ -33,7 +33,7 @@ std::string joined_names(std::span<const std::string_view> names) {
   return all;
 }
 
-/// False where nobody could be told of the mission.
+/// False if no visitor could read what the mission is.
 bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
                const std::vector<std::string>& languages, std::map<std::string, std::string>& out) {
   MissionTable words = mission.child(key);
@@ -65,7 +65,7 @@ bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
   return !out.empty();
 }
 
-/// One of `names`; false where it is none, or not there.
+/// Reads one of `names`; false if it is missing or unknown.
 template <class Choice, std::size_t kCount>
 bool read_one_of(MissionTable& mission, const std::string& key, const std::string& what,
                  const std::array<std::string_view, kCount>& names, Choice& out) {
@@ -161,8 +161,8 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
   table.boolean("on", mission.on);
   good = read_said(table, "title", kMostTitleLetters, languages, mission.title) && good;
   good = read_said(table, "about", kMostAboutLetters, languages, mission.about) && good;
-  if (!read_kind(table, mission.kind)) return false;  // What else it may say hangs on that.
-  // What is off may name vessels that a museum took from its shelf.
+  if (!read_kind(table, mission.kind)) return false;  // the other keys depend on the kind
+  // A mission that is off may name vessels that are no longer on the shelf.
   const std::vector<std::string> there = mission.on ? shelf : std::vector<std::string>();
   switch (mission.kind) {
     case Mission::Kind::today:

@@ -8,26 +8,28 @@
 
 namespace onggi::settings {
 
-/// What likeness is worth: config/rubric.toml, a museum's policy. kiosk/docs/score.md explains it.
+/// How likeness becomes points: config/rubric.toml, a museum's choice. kiosk/docs/score.md explains
+/// it.
 struct Rubric {
-  /// One measure: at most `share` of the points hang on it, and half of that share is lost where
+  /// One measure: at most `share` of the points depend on it, and half of that share is lost if
   /// made and wanted are `half` apart.
   struct Part {
     double share = 0.0;  ///< 0..1
-    double half = 1.0;   ///< In the measure's own terms, below; > 0.
+    double half = 1.0;   ///< In the measure's own unit, below; > 0.
     friend bool operator==(const Part&, const Part&) = default;
   };
   Part outline{1.0, 0.036};  ///< RMS distance of the outlines / size.
   Part volume{0.10, 0.50};   ///< 1 - volume in both / volume in either.
-  Part belly{0.05, 0.06};    ///< Difference of radii / size, and so the next three.
+  Part belly{0.05, 0.06};    ///< Difference of radii / size; the next three likewise.
   Part mouth{0.05, 0.06};
   Part neck{0.05, 0.06};
   Part foot{0.05, 0.06};
   Part curvature{0.05, 25.0};  ///< RMS difference of turning, degrees.
-  Part opening{0.50, 0.30};  ///< What the way in lacks of the vessel's own beyond 0.15; 0.85: shut.
-  Part wall{0.05, 0.40};     ///< Evenness lacking / the vessel's own.
-  Part height{0.30, 0.10};   ///< Difference / the vessel's own, where size counts.
-  /// An outline that is `limit` of the height away anywhere has at most `points` of 100.
+  /// Share of the vessel's opening that is missing, beyond 0.15; 0.85: closed.
+  Part opening{0.50, 0.30};
+  Part wall{0.05, 0.40};    ///< Missing evenness / the vessel's own.
+  Part height{0.30, 0.10};  ///< Difference / the vessel's own, if size counts.
+  /// An outline that is `limit` of the height away at one place has at most `points` of 100.
   struct Worst {
     double limit = 0.05, points = 89.9;
     friend bool operator==(const Worst&, const Worst&) = default;
@@ -43,7 +45,7 @@ struct RubricRead {
   int keys_checked = 0;
 };
 
-/// Reads a rubric. On problems `rubric` holds every value that was good, and defaults elsewhere.
+/// Reads a rubric. On problems `rubric` holds every valid value, and defaults elsewhere.
 RubricRead read_rubric(const std::filesystem::path& file);
 
 }  // namespace onggi::settings

@@ -18,7 +18,7 @@ using Table = toml::TomlReader::Table;
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
-/// Reads fields without a range: ranges are the engine's, and validate() alone knows them.
+/// Reads fields without checking ranges, because only the engine's validate() knows them.
 class SceneReader {
  public:
   SceneReader(toml::TomlReader& reader, SceneDef& def) : root_(reader.root()), def_(def) {}
@@ -55,8 +55,8 @@ class SceneReader {
 
   bool auto_quality() const { return auto_quality_; }
 
-  /// Asks the engine until it has nothing more to say; each field it refuses is told at its line
-  /// and goes back to its default.
+  /// Asks the engine until it finds nothing more; each refused field is reported at its line and
+  /// gets its default.
   void check() {
     for (;;) {
       const Result<void> good = validate(def_);
@@ -82,7 +82,7 @@ class SceneReader {
   void read_fields(Def& def) {
     each_field<Def>([&](const auto& field) { value(field.key, def.*(field.value)); });
   }
-  /// A clay by name; a number that is written beside it has the last word.
+  /// Reads a clay by name; numbers written beside it override it.
   void read_body(KilnDef& kiln) {
     std::string name;
     if (!table_.text("body", name)) return;
@@ -102,7 +102,7 @@ class SceneReader {
         "body", "\"" + name + "\" is not a known clay body.",
         nearest.empty() ? "Write one of " + listed + "." : "Did you mean " + nearest + "?");
   }
-  /// The tools that lie there, by name; all where the scene names none. The order is the engine's.
+  /// Reads the tools by name; all if the scene names none. The engine sets their order.
   void read_to_hand() {
     std::vector<std::string> named;
     if (!table_.texts("to_hand", named)) return;
@@ -134,7 +134,7 @@ class SceneReader {
     fields();
     table_.finish();
   }
-  /// The table's presence is the effect's presence: SceneDef's own default does not count.
+  /// An effect is on if its table is written, whatever SceneDef's default is.
   template <class Def, class Fields>
   void read_effect(const std::string& name, std::optional<Def>& effect, const Fields& fields) {
     effect.reset();
@@ -142,7 +142,7 @@ class SceneReader {
       if (table_.present()) fields(effect.emplace());
     });
   }
-  /// As if the table had not been written.
+  /// Treats the table as not written.
   template <class Def>
   void leave_out(const std::string& name, std::optional<Def>& effect) {
     std::erase_if(put_back_,
@@ -171,10 +171,10 @@ class SceneReader {
     root_.child(problem.where.substr(0, dot)).complain(key, problem.what, problem.remedy);
   }
 
-  /// Puts `field` back to its default; where the file does not write it, every field of its table:
-  /// what contradicts the default is one of those. False where there is nothing to put back.
+  /// Resets `field` to its default. If the file does not write it, resets every field of its table,
+  /// because one of those contradicts the default. False if there is nothing to reset.
   bool put_back(const std::string& field) {
-    // An effect that needs another which is not there: the field is the effect itself.
+    // An effect that needs another effect: the field is the effect itself.
     if (field.find('.') == std::string::npos) {
       bool found = false;
       each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {

@@ -5,8 +5,8 @@
 
 namespace onggi::settings {
 
-/// Of a curator's words by language: those of `language`, else the English ones, which most
-/// visitors read, else the first there are; "" where there are none.
+/// The text in `language`, else in English, which most visitors read, else in the first language;
+/// "" if there is none.
 const std::string& spoken(const std::map<std::string, std::string>& words,
                           const std::string& language);
 

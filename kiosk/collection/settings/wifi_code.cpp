@@ -4,7 +4,7 @@ namespace onggi::settings {
 
 namespace {
 
-/// A letter that means something in the code is said to be a letter.
+/// Escapes letters that have a meaning in the code.
 std::string plain(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -26,7 +26,7 @@ class Huffman {
  public:
   static constexpr int kLongest = 16;
 
-  /// Of each symbol the length of its code, 0: none. False where they are no code.
+  /// Takes the code length of each symbol, 0: none. False if they form no valid code.
   bool make(const std::vector<std::uint8_t>& lengths) {
     count_.fill(0);
     for (const std::uint8_t length : lengths) ++count_[length];
@@ -44,7 +44,7 @@ class Huffman {
     return true;
   }
 
-  /// The next symbol; `good` becomes false where the bits are of none.
+  /// Reads the next symbol; sets `good` to false if the bits match none.
   std::uint32_t next(BitReader& in, bool& good) const {
     std::uint32_t code = 0, first = 0, index = 0;
     for (std::size_t l = 1; l <= kLongest; ++l) {
@@ -102,7 +102,7 @@ struct Endpoint {
 /// Sixteen values of 0 to 3, rows from the top, two bits each from the left.
 using Selector = std::array<std::uint8_t, 4>;
 
-/// What all levels of a picture share.
+/// Data that all levels of a picture share.
 struct Codebooks {
   std::vector<Endpoint> endpoints;
   std::vector<Selector> selectors;
@@ -160,7 +160,8 @@ bool read_tables(Bytes bytes, Codebooks& out) {
   return !in.past();
 }
 
-/// "ETC1S VLC Decoding Procedure": groups of `bits`, and one more that tells of a further group.
+/// "ETC1S VLC Decoding Procedure": groups of `bits`, each with one more bit that announces another
+/// group.
 std::uint32_t variable(BitReader& in, int bits) {
   std::uint32_t out = 0;
   for (int at = 0; at < 32; at += bits) {
@@ -326,8 +327,7 @@ Decoded decode_basis_lz(Bytes global, std::size_t images, std::size_t image, Byt
   out.height = height;
   const std::size_t across = static_cast<std::size_t>(width + 3) / 4,
                     down = static_cast<std::size_t>(height + 3) / 4;
-  // Long runs cost no bits, so that a few bytes may be a whole picture; what it takes is bounded by
-  // its sides.
+  // Long runs cost no bits, so a few bytes can be a whole picture; its sides limit the memory.
   out.rgb.resize(std::size_t{3} * static_cast<std::size_t>(width) *
                  static_cast<std::size_t>(height));
   Slice slice(books, level.subspan(from, size), across);

@@ -6,8 +6,8 @@
 
 namespace onggi::textures {
 
-/// Takes bits from the front, lowest bit of a byte first. Behind the end there are zeros, and
-/// past() tells of it.
+/// Reads bits from the front, lowest bit of a byte first. Beyond the end it returns zeros, and
+/// past() is true.
 class BitReader {
  public:
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -17,7 +17,7 @@ class BitReader {
     ++at_;
     return out;
   }
-  /// `count` of up to 32.
+  /// Reads `count` bits, at most 32.
   std::uint32_t bits(int count) {
     std::uint32_t out = 0;
     for (int i = 0; i < count; ++i) out |= bit() << i;

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
-// jpeglib.h wants FILE and size_t before it.
+// jpeglib.h needs FILE and size_t before it.
 #include <jerror.h>
 #include <jpeglib.h>
 #include <png.h>
@@ -25,8 +25,8 @@ TexturePixels canvas(std::size_t width, std::size_t height) {
   return out;
 }
 
-/// libpng's and libjpeg's way out of a fault is longjmp: nothing with a destructor is made between
-/// setjmp() and it, all of that lies in the object.
+/// libpng and libjpeg report faults with longjmp, so no object with a destructor is made between
+/// setjmp() and it; all of those are members.
 class PngFile {
  public:
   explicit PngFile(std::span<const std::uint8_t> bytes) : rest_(bytes) {
@@ -40,7 +40,7 @@ class PngFile {
 
   bool head() {
     if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_set_user_limits(png_, 0x7fffffff, 0x7fffffff);  // ours are told in our words
+    png_set_user_limits(png_, 0x7fffffff, 0x7fffffff);  // we check and report our own limits
     png_set_read_fn(png_, this, read);
     png_read_info(png_, info_);
     return true;
@@ -126,7 +126,7 @@ class JpegFile {
   const std::string& fault() const { return fault_; }
 
  private:
-  static constexpr int kMostScans = 100;  // a progressive one of a camera has ten
+  static constexpr int kMostScans = 100;  // a camera's progressive file has ten
 
   static void fail(j_common_ptr file) {
     auto& self = *static_cast<JpegFile*>(file->client_data);
@@ -135,8 +135,8 @@ class JpegFile {
     self.fault_ = words;
     longjmp(self.back_, 1);
   }
-  /// libjpeg goes on in grey where data is missing or wrong, with a warning alone. Bytes too many
-  /// between two parts are harmless, and scanners write them.
+  /// libjpeg fills missing or wrong data with grey and only warns. Extra bytes between two parts
+  /// are harmless, and scanners write them.
   static void note(j_common_ptr file, int level) {
     if (level >= 0 || file->err->msg_code == JWRN_EXTRANEOUS_DATA ||
         file->err->msg_code == JWRN_ADOBE_XFORM)
@@ -168,8 +168,8 @@ std::optional<std::string> fault_of_size(std::uint64_t width, std::uint64_t heig
 }
 
 Decoded decode_png(std::span<const std::uint8_t> bytes, unsigned most_side) {
-  // The first chunk has the size, behind eight bytes of mark and eight of its own; libpng would
-  // unpack texts and profiles before it tells.
+  // The first chunk has the size, after eight bytes of signature and eight of its own. libpng would
+  // unpack texts and profiles before it gives the size.
   const auto side = [&bytes](std::size_t at) {
     std::uint64_t out = 0;
     for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) out = out << 8 | bytes[at + i];

@@ -16,7 +16,7 @@ double light_of(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-/// The light of each of the 256 values, and of what lies between two.
+/// The light of each of the 256 values, and of the values between.
 struct LightTable {
   std::array<float, 256> light{};
   std::array<float, 255> between{};

@@ -9,20 +9,19 @@
 
 namespace onggi::textures {
 
-/// What is allowed of a picture, and how much of it is wanted.
+/// Limits for a picture, and the wanted size.
 struct TextureLimits {
   unsigned most_side = 8192;    ///< Pixels; a larger one is refused by its header.
   unsigned wanted_side = 1024;  ///< Pixels; a larger one is shrunk to it.
 };
 
-/// Decodes a PNG, JPEG, WebP or KTX2 by its first bytes, whatever it is called. As glTF 2.0,
-/// section 3.8.2, asks: colour profiles, gamma and turns written in the picture are not used.
-/// Transparency is left out, animated pictures and CMYK are refused. Memory: about ten bytes a
-/// pixel of the file. Damage is told, never shown as a picture. Meant for a process of its own;
-/// allocates.
+/// Decodes a PNG, JPEG, WebP or KTX2, recognised by its first bytes. As glTF 2.0, section 3.8.2,
+/// requires, colour profiles, gamma and rotations in the picture are ignored. Transparency is
+/// ignored; animated pictures and CMYK are refused. Memory: about ten bytes a pixel of the file.
+/// Damage is an error and never shown as a picture. Meant for a process of its own; allocates.
 Decoded decode_texture(std::span<const std::uint8_t> bytes, const TextureLimits& limits);
 
-/// Every `k` x `k` pixels become one, their mean as light: the smallest `k` with which no side is
+/// Averages every `k` x `k` pixels as light into one, with the smallest `k` for which no side is
 /// longer than `wanted_side`.
 TexturePixels shrunk(TexturePixels pixels, unsigned wanted_side);
 

@@ -8,8 +8,7 @@
 namespace onggi::textures {
 namespace {
 
-/// How a mode's endpoints are packed: a whole number of bits, and below 3 or 5 of those another
-/// digit.
+/// How a mode packs its endpoints: a whole number of bits, and perhaps a digit in base 3 or 5.
 struct Range {
   int bits;
   std::uint32_t base;  ///< 3 trits, 5 quints, 1 neither.
@@ -17,7 +16,7 @@ struct Range {
 constexpr Range k12{2, 3}, k16{4, 1}, k32{5, 1}, k40{3, 5}, k48{4, 3}, k160{5, 5}, k192{6, 3},
     k256{8, 1};
 
-/// The nineteen modes: the code that a block begins with, and what is in it.
+/// The nineteen modes: a block's first code, and its content.
 struct Mode {
   std::uint32_t code;
   int code_bits, hint_bits, weight_bits;
@@ -39,7 +38,7 @@ constexpr std::array<Mode, 19> kModes{{
     {0x09, 4, 15, 5, k32, 3, 1, 1},
 }};
 
-/// The seeds of ASTC's partitions that a block may name: of two subsets, of mode 7's two, of three.
+/// The ASTC partition seeds that a block can name: for two subsets, for mode 7's two, for three.
 constexpr std::array<std::uint16_t, 30> kTwo{28,  20,  16,  29,  91,  9,   107, 72,  149, 204,
                                              50,  114, 496, 17,  78,  39,  252, 828, 43,  156,
                                              116, 210, 476, 273, 684, 359, 246, 195, 694, 524};
@@ -110,8 +109,8 @@ int share(std::uint32_t weight, int bits) {
   return static_cast<int>(out > 32 ? out + 1 : out);
 }
 
-/// `count` numbers: first their digits, five trits in 8 bits or three quints in 7, fewer in fewer;
-/// then their bits.
+/// Reads `count` numbers: first their digits, five trits in 8 bits or three quints in 7, fewer in
+/// fewer; then their bits.
 void read_endpoints(BitReader& in, Range range, int count, std::array<std::uint8_t, 18>& out) {
   constexpr std::array<int, 6> kTritBits{0, 2, 4, 5, 7, 8};
   constexpr std::array<int, 4> kQuintBits{0, 3, 5, 7};
@@ -147,7 +146,8 @@ std::optional<std::array<std::uint8_t, 48>> uastc_block(std::span<const std::uin
     for (std::size_t i = 3; i < out.size(); ++i) out[i] = out[i - 3];
     return out;
   }
-  in.skip(static_cast<std::size_t>(mode.hint_bits));  // for other formats of graphics cards
+  // Only for conversion to other graphics formats.
+  in.skip(static_cast<std::size_t>(mode.hint_bits));
 
   std::array<std::size_t, 16> subset{};
   if (mode.subsets > 1) {
@@ -162,13 +162,13 @@ std::optional<std::array<std::uint8_t, 48>> uastc_block(std::span<const std::uin
     for (std::uint32_t i = 0; i < 16; ++i)
       subset[i] = static_cast<std::size_t>(subset_of(seed, i % 4, i / 4, mode.subsets));
   }
-  // Which channel the second weights are of.
+  // The channel of the second weights.
   std::size_t second = 4;
   if (mode.planes == 2) second = mode.channels == 2 ? 3 : in.bits(2);
 
   std::array<std::uint8_t, 18> ends{};
   read_endpoints(in, mode.range, 2 * mode.channels * mode.subsets, ends);
-  // A subset's first texel has a weight below one half: its highest bit is not written.
+  // A subset's first weight is below one half, so its highest bit is not written.
   std::array<bool, 3> met{};
   const auto channels = static_cast<std::size_t>(mode.channels);
   for (std::size_t i = 0; i < 16; ++i) {
@@ -179,7 +179,7 @@ std::optional<std::array<std::uint8_t, 48>> uastc_block(std::span<const std::uin
       weights[p] = share(in.bits(bits), mode.weight_bits);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t at = 2 * (channels * subset[i] + (channels == 2 ? 0 : k));
-      // Eight bits as sixteen, as the format has it for a display's values.
+      // Eight bits as sixteen, which the format defines for display values.
       const int low = ends[at] << 8 | 0x80, high = ends[at + 1] << 8 | 0x80;
       const int w = weights[k == second ? 1 : 0];
       out[3 * i + k] = static_cast<std::uint8_t>(((low * (64 - w) + high * w + 32) / 64) >> 8);

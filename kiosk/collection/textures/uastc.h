@@ -9,9 +9,8 @@
 
 namespace onggi::textures {
 
-/// Sixteen pixels of a UASTC LDR 4x4 block, row by row, 3 bytes each; none of a block that no
-/// encoder writes. After the UASTC texture specification: ASTC's endpoints and weights, packed its
-/// own way.
+/// Decodes a UASTC LDR 4x4 block to sixteen pixels, row by row, 3 bytes each; none for an invalid
+/// block. After the UASTC texture specification: ASTC's endpoints and weights in its own packing.
 std::optional<std::array<std::uint8_t, 48>> uastc_block(std::span<const std::uint8_t, 16> block);
 
 /// A whole picture: (width + 3) / 4 x (height + 3) / 4 blocks, row by row.
