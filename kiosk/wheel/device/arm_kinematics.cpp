@@ -8,7 +8,7 @@ namespace onggi::device {
 
 namespace {
 
-/// How far body `n` turns for its motor's turn, with the sense in which it does.
+/// Body `n`'s turn for one turn of its motor, with its sign.
 double ratio(const ArmDef& arm, std::size_t n) {
   return (arm.aligned[n] ? -1.0 : 1.0) * arm.capstan[n] / arm.body[n];
 }
@@ -32,7 +32,7 @@ Vec3 arm_position(const ArmDef& arm, const ArmAngles& at) noexcept {
 std::array<double, 3> arm_currents(const ArmDef& arm, const ArmAngles& at, Vec3 force) noexcept {
   const double ca = std::cos(at[0]), sa = std::sin(at[0]);
   const double reach = arm.length[1] * std::sin(at[1]) + arm.length[2] * std::sin(at[2]);
-  // Columns of the Jacobian: how the handle moves with each angle.
+  // Columns of the Jacobian: the handle's motion for each angle.
   const Vec3 a{-sa * reach, ca * reach, 0.0};
   const double b_out = arm.length[1] * std::cos(at[1]), c_out = arm.length[2] * std::cos(at[2]);
   const Vec3 b{ca * b_out, sa * b_out, -arm.length[1] * std::sin(at[1])};

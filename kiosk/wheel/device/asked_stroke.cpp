@@ -10,19 +10,20 @@ namespace {
 
 constexpr double kAskStep = 0.002;  // m between the heights of a path
 constexpr double kOverFloor = 0.006,
-                 kUnderRim = 0.0015;               // m over the floor and under the rim: no stroke
-constexpr double kAskOut = 0.009, kAskIn = 0.004;  // m of a stroke on its way to the outline
-constexpr double kAskOutMore = 0.003, kAskInMore = 0.002;  // m of one that leaves it
-constexpr double kAtIt = 0.0004;                           // m: the wall is at the outline
-constexpr double kAskSpeed = 0.025, kEvenSpeed = 0.018;    // m/s
-constexpr double kSqueeze = 0.75;                          // of the wall's thickness, pulled up
-constexpr double kLeastWeight = 0.02;  // of a weight: farther out a stroke does nothing
+                 kUnderRim = 0.0015;  // m over the floor and under the rim without strokes
+constexpr double kAskOut = 0.009, kAskIn = 0.004;          // m of a stroke towards the outline
+constexpr double kAskOutMore = 0.003, kAskInMore = 0.002;  // m of a stroke beyond the outline
+constexpr double kAtIt = 0.0004;  // m: closer than this the wall counts as at the outline
+constexpr double kAskSpeed = 0.025, kEvenSpeed = 0.018;  // m/s
+constexpr double kSqueeze = 0.75;  // share of the wall's thickness, when pulled up
+// Share of the largest weight below which a stroke does nothing
+constexpr double kLeastWeight = 0.02;
 
 constexpr std::array<double, 5> kMiddles{0.08, 0.29, 0.5, 0.71, 0.92};
 
-/// m outwards; `left`: m of this kind's way that the part still has to the outline.
+/// m outwards; `left`: m that the part still lacks to the outline in this direction.
 double asked_step(Ask ask, double off, double left) {
-  const bool on = left <= kAtIt;  // All of it is there: whoever asks goes on.
+  const bool on = left <= kAtIt;  // the part is at the outline, so the visitor wants more
   if (ask == Ask::widen) return on ? kAskOutMore : std::clamp(off, 0.0, kAskOut);
   if (ask == Ask::narrow) return on ? -kAskInMore : std::clamp(off, -kAskIn, 0.0);
   return 0;
@@ -38,7 +39,7 @@ double weight_of(WallPart part, double share) {
   if (part == WallPart::all) return 1;
   const auto n = static_cast<std::size_t>(part);
   const bool below = share < kMiddles[n];
-  // The lowest part goes down to the wheel and the highest up to the rim.
+  // The lowest part reaches down to the wheel, the highest up to the rim.
   if (below ? n == 0 : n + 1 == kMiddles.size()) return 1;
   const double next = kMiddles[below ? n - 1 : n + 1];
   const double t = std::clamp((share - kMiddles[n]) / (next - kMiddles[n]), 0.0, 1.0);

@@ -4,7 +4,7 @@
 
 namespace onggi::device {
 
-/// A stroke as somebody asks for it who does not draw it: what the hands do,
+/// A stroke that a visitor chooses by button instead of drawing it: what the hands do,
 enum class Ask : std::uint8_t {
   open,    ///< The hand inside makes the whole wall thinner and wider.
   widen,   ///< Both hands bring the wall outwards,
@@ -14,19 +14,19 @@ enum class Ask : std::uint8_t {
 };
 inline constexpr int kAsks = 5;
 
-/// and where. Each part of the wall fades into its neighbours, so that no stroke leaves a ledge;
-/// the weights of the five parts add up to 1 at every height.
+/// and where. Each part of the wall fades into its neighbours, so that no stroke leaves a ledge.
+/// The weights of the five parts add up to 1 at every height.
 enum class WallPart : std::uint8_t { foot, low, middle, high, rim, all };
 inline constexpr int kWallParts = 6;
-/// Where the part is strongest, as a share of the height; `all`: 0.5.
+/// Height at which the part is strongest, as a share of the total; `all`: 0.5.
 double middle_of(WallPart part);
-/// 0..1 of `part` at `share` of the height.
+/// Weight of `part`, 0..1, at `share` of the height.
 double weight_of(WallPart part, double share);
 
-/// The stroke on `clay` as it stands: 9 mm outwards or 4 mm inwards at the most, and no farther
-/// than to where `target` runs, until all of the part is there: from then on 3 and 2 mm. A wall too
-/// thick for two hands to bring outwards is opened first. No path where there is nothing to be gone
-/// along. Pure; allocates.
+/// The stroke for the current `clay`: at most 9 mm outwards or 4 mm inwards, and not beyond
+/// `target`'s outline. When all of the part is at the outline, 3 and 2 mm beyond it. A wall that is
+/// too thick for two hands is opened first. The path is empty if nothing can be done. Pure;
+/// allocates.
 Stroke asked_stroke(const ClayView& clay, const Profile& target, Ask ask, WallPart part);
 
 }  // namespace onggi::device

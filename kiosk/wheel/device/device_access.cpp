@@ -10,7 +10,7 @@ namespace onggi::device {
 
 std::string udev_rule(const HidListing& listing) {
   char text[160];
-  // The kernel names a HID device BUS:VENDOR:PRODUCT.NUMBER, by cable and by radio alike.
+  // The kernel names a HID device BUS:VENDOR:PRODUCT.NUMBER, both by cable and by Bluetooth.
   std::snprintf(text, sizeof text,
                 "SUBSYSTEM==\"hidraw\", KERNELS==\"*:%04X:%04X.*\", GROUP=\"onggi\", MODE=\"0660\"",
                 listing.vendor, listing.product);
@@ -29,7 +29,7 @@ std::optional<Problem> access_problem(const HidListing& listing) {
                        "--subsystem-match=hidraw, and add the kiosk's user to the group: sudo "
                        "usermod -aG onggi $USER. Then log in again.",
                    1};
-  // Listed by something that has no file of its own there: whoever opens it knows.
+  // A device without a file under /dev/: only opening it can tell.
   if (why == ENOENT && listing.path.rfind("/dev/", 0) != 0) return std::nullopt;
   return Problem{listing.path, std::string("It cannot be used: ") + std::strerror(why) + ".",
                  "Unplug it, plug it in again, and run onggi devices.", 1};

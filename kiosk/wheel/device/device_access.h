@@ -7,11 +7,11 @@
 
 namespace onggi::device {
 
-/// What keeps this program from using the device at `listing`, with the exact remedy; nothing where
-/// it may be read and written. Asks the system, opens nothing.
+/// Why this program cannot use the device at `listing`, with the exact remedy; nothing if it can
+/// read and write it. Asks the system and opens nothing.
 std::optional<Problem> access_problem(const HidListing& listing);
 
-/// The line of config/udev/70-onggi-hid.rules that lets the group onggi use it.
+/// The line of config/udev/70-onggi-hid.rules that gives the group onggi access to it.
 std::string udev_rule(const HidListing& listing);
 
 }  // namespace onggi::device

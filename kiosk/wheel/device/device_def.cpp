@@ -3,7 +3,7 @@
 namespace onggi::device {
 
 namespace {
-/// So that a handle reaches from beyond the axis to the widest wall, and from wheel to rim.
+/// The handle then reaches from beyond the axis to the widest wall, and from the wheel to the rim.
 constexpr Vec3 kHandleHome{0.06, 0.10, 0.02};
 }  // namespace
 
@@ -11,7 +11,8 @@ DeviceDef default_def(DeviceKind kind) {
   DeviceDef def;
   switch (kind) {
     case DeviceKind::polhem:
-      // x towards the visitor, y to the right, z up. A thousand places a second need no smoothing.
+      // x towards the visitor, y to the right, z up. A thousand positions a second need no
+      // smoothing.
       def.axes = {{{1, 1.0}, {2, 1.0}, {0, 1.0}}};
       def.smoothing = 0.0;
       def.home = kHandleHome;
@@ -23,7 +24,7 @@ DeviceDef default_def(DeviceKind kind) {
       break;
     case DeviceKind::dual_sense:
       def.speed = 0.10;
-      def.dead = 0.12;  // Sticks do not come back to the middle by themselves.
+      def.dead = 0.12;  // Sticks do not return exactly to the middle.
       break;
     case DeviceKind::space_mouse:
     case DeviceKind::surface_dial:

@@ -11,7 +11,7 @@ namespace {
 
 using Table = toml::TomlReader::Table;
 
-// Colgate's b > K (T / 2 + delay T), with what onggi lab loop keeps in hand (engine/lab).
+// Colgate's b > K (T / 2 + delay T), with the margin of onggi lab loop (engine/lab).
 constexpr double kTick = 0.001, kMarginInFile = 1.5, kRounding = 1.01;
 
 /// "x", "+y" or "-z".
@@ -54,7 +54,7 @@ void read_place(Table& root, const char* key, Vec3& out, double most) {
                   "Write right, up and towards the visitor in mm: [60, 100, 20].");
 }
 
-/// Nobody types a limit in: one that theory does not bear out is none.
+/// Rejects a hand-typed limit that is above the theory's.
 void check_limit(Table table, device::DeviceDef& def) {
   if (!def.stiffness_limit) return;
   const double bears = def.own_damping() / ((0.5 + def.body.delay) * kTick);

@@ -14,8 +14,8 @@ struct DeviceRead {
   int keys_checked = 0;
 };
 
-/// Reads how one kind of device is used: config/devices/KIND.toml. On problems `def` holds every
-/// value that was good, and those of `usual` elsewhere. config/README.md tells the keys.
+/// Reads how a device kind is used: config/devices/KIND.toml. On problems `def` holds every valid
+/// value, and those of `usual` elsewhere. config/README.md lists the keys.
 DeviceRead read_device(const std::filesystem::path& file, const device::DeviceDef& usual);
 
 }  // namespace onggi::device

@@ -39,16 +39,16 @@ const KindInfo& info_of(DeviceKind kind) { return kKinds[static_cast<std::size_t
 std::optional<DeviceKind> kind_of(const HidListing& l) {
   const bool puck = (l.vendor == 0x256f && has(kConnexion, l.product)) ||
                     (l.vendor == 0x046d && has(kLogitech, l.product));
-  // A receiver or a cabled one lists keyboards and mice beside the puck.
+  // A receiver or a cabled puck also lists keyboards and mice.
   if (puck) return is(l, 1, 8) ? std::optional(DeviceKind::space_mouse) : std::nullopt;
-  // The dial lists a keyboard's and a multi-axis controller's collection beside the dial's own.
+  // The dial also lists a keyboard collection and a multi-axis collection.
   if (l.vendor == 0x045e && l.product == 0x091b)
     return is(l, 1, 0x0e) ? std::optional(DeviceKind::surface_dial) : std::nullopt;
   if (l.vendor == 0x054c && l.product == 0x0ce6)
     return is(l, 1, 5) ? std::optional(DeviceKind::dual_sense) : std::nullopt;
   if (is(l, 0xff00, 1)) return DeviceKind::onggi_hid;
-  // Numbers that any Teensy may have; the driver waits for what only an arm says. A Teensy lists a
-  // serial emulation beside its raw HID.
+  // Any Teensy may have these numbers; the driver waits for an answer that only an arm gives. A
+  // Teensy lists a serial emulation beside its raw HID.
   if ((l.vendor == 0x16c0 && l.product == 0x0486 && !is(l, 0xffc9, 4)) ||
       (l.vendor == 0x1234 && l.product == 0x0006))
     return DeviceKind::polhem;

@@ -45,7 +45,7 @@ void DeviceWatch::look() {
     }
     open(listing, *kind);
   }
-  // What was unplugged may be told of again when it returns.
+  // An unplugged device may be reported again when it returns.
   std::erase_if(told_, [&here](const std::string& path) { return !here.contains(path); });
 }
 

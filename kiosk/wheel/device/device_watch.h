@@ -15,26 +15,27 @@
 
 namespace onggi::device {
 
-/// Sees devices come: lists what is plugged in every second, and opens what has a driver. Only it
-/// lists and opens, on one thread, as hidapi 0.13 wants it. That a device goes, its link sees.
+/// Finds new devices: lists the plugged-in ones every second, and opens those with a driver. Only
+/// this class lists and opens, on one thread, as hidapi 0.13 requires. A device's link notices its
+/// removal.
 class DeviceWatch {
  public:
   using Define = std::function<DeviceDef(DeviceKind)>;
 
-  /// By hand there is no thread, and look() is called instead. `define` says how a kind is used,
-  /// on the watch's thread.
+  /// With Turning::by_hand there is no thread, and the caller calls look(). `define` gives the
+  /// settings of a kind, on the watch's thread.
   DeviceWatch(std::unique_ptr<HidBus> bus, HidLink::Turning turning, Define define);
   ~DeviceWatch();
   DeviceWatch(const DeviceWatch&) = delete;
   DeviceWatch& operator=(const DeviceWatch&) = delete;
 
-  /// Main's: links that have begun since the last call.
+  /// Main thread: links that have begun since the last call.
   std::vector<std::unique_ptr<HidLink>> arrived();
-  /// Main's: the link of `path` is gone; what is plugged in there now is new.
+  /// Main thread: the link of `path` is gone; a device there now counts as new.
   void gone(const std::string& path);
-  /// Main's: what keeps a device from being used, once for as long as it is there.
+  /// Main thread: why devices cannot be used, once for each time one is plugged in.
   std::vector<Problem> problems();
-  /// Where it has no thread: looks once, now.
+  /// Without a thread: looks once, now.
   void look();
 
  private:
@@ -44,9 +45,9 @@ class DeviceWatch {
   std::unique_ptr<HidBus> bus_;
   HidLink::Turning turning_;
   Define define_;
-  std::set<std::string> told_;  ///< The watch's own: paths that could not be used.
+  std::set<std::string> told_;  ///< Watch's thread only: paths that could not be used.
 
-  std::mutex mutex_;  ///< For what follows.
+  std::mutex mutex_;  ///< Guards the members below.
   std::condition_variable stop_soon_;
   std::set<std::string> open_;
   std::vector<std::unique_ptr<HidLink>> arrived_;

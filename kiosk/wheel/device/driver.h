@@ -9,36 +9,37 @@
 
 namespace onggi::device {
 
-/// What its link lets a driver say.
+/// What a link passes to its driver for the next output.
 struct Saying {
-  bool may_push = false;  ///< A person holds it, and nothing is wrong.
-  Vec3 force;             ///< From the gate, N, the device's frame; zero unless it is armed.
+  bool may_push = false;  ///< A person holds it, and there is no fault.
+  Vec3 force;             ///< From the force gate, N, the device's frame; zero unless it is armed.
   double cap = 0;         ///< N
   double damping = 0;     ///< N s/m
-  FeelWish wish;          ///< For devices that tremble and buzz.
+  FeelWish wish;          ///< For devices that vibrate and buzz.
   std::int64_t now_ns = 0;
 };
 
-/// One device's protocol: bytes to a sample, wishes to bytes. Called by its link's thread alone
-/// (begin() and end() while there is none). Nothing after begin() allocates or throws.
+/// One device's protocol: converts bytes to samples, and force requests to bytes. Only its link's
+/// thread calls it (begin() and end() run without that thread). After begin(), nothing allocates or
+/// throws.
 class Driver {
  public:
   virtual ~Driver() = default;
-  /// Shakes hands, and leaves the device without force. False: it is not what its numbers say.
+  /// Does the handshake, and leaves the device without force. False: it is not the expected device.
   virtual bool begin(HidPort& port) = 0;
-  /// One report into `sample`: place or deflection, buttons, dial, what a hand sensor says.
+  /// Reads one report into `sample`: position or deflection, buttons, dial, hand sensor.
   virtual Heard take(Report report, DeviceSample& sample) noexcept = 0;
-  /// What to write now; empty: nothing. Good until the next call.
+  /// The next output; empty: nothing. Valid until the next call.
   virtual Report say(const Saying& saying) noexcept = 0;
-  /// No force, no light, no trembling.
+  /// Stops force, light and vibration.
   virtual void end(HidPort& port) noexcept = 0;
-  /// It has a sensor for a hand: sample.held is its own word.
+  /// It has a hand sensor, so it sets sample.held itself.
   virtual bool feels_hand() const noexcept { return false; }
-  /// It does not answer to what it was sent.
+  /// It does not answer to output.
   virtual bool deaf() const noexcept { return false; }
-  /// What it says of itself, for lists: "5.0 N, firmware 1.2". Empty where it says nothing.
+  /// Its own description, for lists: "5.0 N, firmware 1.2". May be empty.
   virtual std::string says() const { return {}; }
-  /// The most that it can push, N, where it says so.
+  /// Its largest force, N, if it reports one.
   virtual std::optional<double> greatest_force() const noexcept { return std::nullopt; }
 };
 

@@ -7,23 +7,23 @@
 
 namespace onggi::device {
 
-/// What a hand at a force device may feel.
+/// Limits for the force on a person's hand.
 struct ForceLimits {
   double cap = 0.0;          ///< N, >= 0.
-  double slew = 600.0;       ///< N/s, > 0: of every change but the end.
-  double engage_time = 0.5;  ///< s, > 0: from nothing to all.
+  double slew = 600.0;       ///< N/s, > 0: for every change except the stop.
+  double engage_time = 0.5;  ///< s, > 0: from zero to full force.
 };
 
-/// Last before the wire, always on: the engine's guard with the device's own limits, and an end
-/// that is at once. A fault makes the force zero in this very step (no slew: a hand that is let go
-/// of is not pushed), and then it engages anew, from a small wish and from nothing. One thread. No
-/// allocation, no throw.
+/// The last stage before the cable, always on: the engine's guard with the device's own limits, and
+/// an immediate stop. A fault makes the force zero in the same step, without slew, so that a
+/// released handle is not pushed. Then it engages again, when the wanted force is small and
+/// starting from zero. One thread. No allocation, no throw.
 class ForceGate {
  public:
-  /// `wanted` N, `seconds` since the last step (cut to 5 ms). `fault`: as seen by the caller; the
-  /// gate adds not_a_number. Gives what may go on the wire.
+  /// `wanted` N, `seconds` since the last step (cut to 5 ms). `fault`: seen by the caller; the gate
+  /// adds not_a_number. Returns the force for the cable.
   Vec3 step(Vec3 wanted, double seconds, const ForceLimits& limits, LinkFault& fault) noexcept;
-  /// Zero now, and engage anew: not armed yet, unplugged, at the end.
+  /// Zero now, then engage again: when not armed, unplugged, or at the end.
   void cut() noexcept { guard_ = {}; }
   Vec3 force() const noexcept { return guard_.force(); }
 
@@ -31,7 +31,7 @@ class ForceGate {
   force::Guard guard_;
 };
 
-/// `force` shortened to whole millinewtons, towards zero, so that rounding never passes a cap.
+/// `force` in whole millinewtons, rounded towards zero so that it never exceeds a limit.
 Vec3 whole_millinewtons(Vec3 force) noexcept;
 
 }  // namespace onggi::device

@@ -5,7 +5,7 @@
 namespace onggi::device {
 
 namespace {
-constexpr double kApart = 0.02;  // m between two fingers that squeeze nothing yet
+constexpr double kApart = 0.02;  // m between two fingers that do not squeeze yet
 }
 
 void GhostFinger::begin(Stroke stroke, double sign, PointerLead& hands, const ClayView& clay) {
@@ -20,7 +20,7 @@ void GhostFinger::begin(Stroke stroke, double sign, PointerLead& hands, const Cl
   if (stroke_->squeeze < 1) hands.pinch(Vec2{sign_ * (at_.x - kApart), at_.y}, clay);
 }
 
-// A second finger beside the first squeezes the wall between the hands.
+// Put a second finger beside the first, which squeezes the wall between the hands.
 void GhostFinger::drag(PointerLead& hands, const ClayView& clay) {
   hands.drag({sign_ * at_.x, at_.y});
   if (stroke_->squeeze < 1)

@@ -7,21 +7,21 @@
 
 namespace onggi::device {
 
-/// Draws a stroke for PointerLead as a visitor's finger would, so that hands which show something
-/// do what a visitor's hands can do, by the same way. Main thread.
+/// Draws a stroke for PointerLead as a visitor's finger would, so that demonstrations use the same
+/// way as visitors. Main thread.
 class GhostFinger {
  public:
-  static constexpr double kRest = 0.35;  ///< s on the clay before it goes and after it came.
+  static constexpr double kRest = 0.35;  ///< s of rest on the clay before and after the stroke.
 
-  /// Goes down where the stroke begins, at `sign` (+1 right of the axis, -1 left) of the pot.
+  /// Touches the start of the stroke, at `sign` (+1 right of the axis, -1 left) of the pot.
   void begin(Stroke stroke, double sign, PointerLead& hands, const ClayView& clay);
-  /// Once a frame, before PointerLead::follow: draws on. Lifts at the stroke's end.
+  /// Once a frame, before PointerLead::follow: draws on. Lifts at the end of the stroke.
   void draw(double dt, PointerLead& hands, const ClayView& clay);
-  /// Lifts where it is; the hands come off at once.
+  /// Lifts here; the hands leave the clay at once.
   void stop(PointerLead& hands);
 
   bool down() const { return stroke_.has_value(); }
-  /// What it draws; nothing while it is up.
+  /// The current stroke; nothing while the finger is up.
   const std::optional<Stroke>& stroke() const { return stroke_; }
 
  private:
@@ -29,7 +29,7 @@ class GhostFinger {
 
   std::optional<Stroke> stroke_;
   double sign_ = 1, waits_ = 0;
-  std::size_t next_ = 0;  ///< Of the path.
+  std::size_t next_ = 0;  ///< Next point of the path.
   Vec2 at_;
 };
 

@@ -4,22 +4,22 @@
 
 namespace onggi::device {
 
-/// One tool in the world: where a visitor's hand is, and the force it is to feel. While it is
-/// attached to the wheel the loop thread alone calls it, and no call may lock, allocate, log or
-/// throw. Made and destroyed by the main thread (loop::PotterHost).
+/// One tool in the world: reads a visitor's hand, and receives the force for it. While it is
+/// attached to the wheel, only the loop thread calls it, and no call may lock, allocate, log or
+/// throw. The main thread makes and destroys it (loop::PotterHost).
 class HandDevice {
  public:
   virtual ~HandDevice() = default;
   /// The tool now, `dt` seconds after the last read. Studio frame, metres.
   virtual HandInput read(double dt) noexcept = 0;
-  /// What the last tick gave back; nothing where the hand is not at the clay. Devices without force
+  /// The result of the last tick; empty if the hand is not at the clay. Devices without force
   /// ignore it.
   virtual void feel(const HandFeedback& feedback) noexcept = 0;
-  /// How old the newest news from it is, s; below 0 where it has none of its own.
+  /// Age of its newest report, s; below 0 if it has no reports.
   virtual double age() const noexcept { return -1.0; }
-  /// It has no hand of its own, and goes where lead() says.
+  /// True if it has no hand of its own and follows lead().
   virtual bool led() const noexcept { return false; }
-  /// Where the screens would have it. Only devices that follow a finger or keys have an ear for it.
+  /// The target that the screens set. Only devices that follow a finger or keys use it.
   virtual void lead(const HandInput& /*target*/) noexcept {}
 };
 

@@ -8,14 +8,14 @@ namespace onggi::device {
 
 namespace {
 
-constexpr double kFurthestOut = 0.25;  // m from the axis: clear of any clay.
+constexpr double kFurthestOut = 0.25;  // m from the axis: clear of all clay
 constexpr double kHighest = 0.45;      // m
-constexpr double kGoesHome = 3.0;      // s after which a puck begins anew.
-constexpr double kPickedUp = 0.75;     // rad/s: more than a shaken table does.
-constexpr double kTilted = 0.1;        // rad/s of a hand that is at it already.
-constexpr double kStale = 0.1;         // s: a puck that is pushed speaks every 16 ms at the most.
+constexpr double kGoesHome = 3.0;      // s after which a puck starts at home again
+constexpr double kPickedUp = 0.75;     // rad/s: more than from a shaken table
+constexpr double kTilted = 0.1;        // rad/s, for a hand that is already in use
+constexpr double kStale = 0.1;         // s: a pushed puck reports at least every 16 ms
 
-/// Nothing within `dead`, then from nothing to 1: gently at first.
+/// 0 within `dead`, then rising to 1, gently at first.
 double shaped(double value, double dead) {
   const double size = std::fabs(value);
   if (!(size > dead)) return 0.0;
@@ -33,7 +33,7 @@ Vec3 towards(Vec3 from, Vec3 to, double time, double dt) {
 }
 
 Vec3 turned(Vec3 v, Vec3 by) {
-  // First order, then as long as before: a tick turns it by thousandths.
+  // First-order rotation, then back to the old length: a tick turns it by thousandths.
   const Vec3 to = v + cross(by, v);
   return (1.0 / length(to)) * to;
 }
@@ -45,14 +45,13 @@ HidHand::HidHand(std::shared_ptr<HidLink> link, bool left_handed)
       def_(link_->def()),
       home_(def_.home),
       pushes_(info_of(link_->kind()).force) {
-  // A tool that goes `scale` times as far as the handle pulls that much harder for it.
+  // A tool that moves `scale` times as far as the handle pulls that much harder for it.
   limits_.stiffness = def_.coupling() / def_.scale;
   limits_.mass = def_.body.mass / def_.scale;
   limits_.own_damping = def_.own_damping() / def_.scale;
   limits_.max_force = link_->cap();
   limits_.delay = def_.body.delay;
-  // The mirror image of what the right hand has: where it begins, and what of the workspace is the
-  // middle. The device's own right stays right.
+  // Mirror the start position and the middle of the workspace. The device's own right stays right.
   if (left_handed) {
     home_.x = -home_.x;
     def_.middle.x = -def_.middle.x;
@@ -67,7 +66,7 @@ Vec3 HidHand::handle_place(double dt) noexcept {
   const Vec3 mapped = home_ + def_.scale * (to_studio(def_, place) - def_.middle) + slipped_;
   const bool clutch = (sample_.buttons & kClutch) != 0;
   if (clutch || clutched_) {
-    // The tool stays where it was; what the handle does meanwhile is what it slips.
+    // Hold the tool; what the handle moves meanwhile becomes the clutch's offset.
     slipped_ = slipped_ + at_ - mapped;
     clutched_ = clutch;
     return at_;
@@ -96,7 +95,7 @@ Vec3 HidHand::glide(double dt) noexcept {
 }
 
 void HidHand::turn_tool(double dt, HandInput& hand) noexcept {
-  // A puck is twisted as fast as the tool is to turn; what is tilted itself turns it as it turns.
+  // A puck's twist sets the speed of turning; a tilted device turns the tool with it.
   const Vec3 speed = def_.turn_speed * to_studio(def_, shaped(sample_.twist, 2.0 * def_.dead)) +
                      to_studio(def_, sample_.turning);
   if (speed != Vec3{} && rested_ <= 0.0) {
@@ -147,7 +146,7 @@ void HidHand::feel(const HandFeedback& feedback) noexcept {
   Vec3 force = share * feedback.force;
   if (pushes_) {
     force = used_ && !clutched_ ? haptics_.feel(feedback.touch, share, limits_) : Vec3{};
-    // The gate is told: it ends the force at once, and counts.
+    // The gate gets it anyway: it stops the force at once, and counts the fault.
     if (!is_finite(feedback.touch.push)) force = feedback.touch.push;
   }
   wish_.force = to_device(def_, force);

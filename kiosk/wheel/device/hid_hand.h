@@ -10,22 +10,23 @@
 
 namespace onggi::device {
 
-/// A visitor's hand at a HID device, the loop's half: samples to where the tool is, the clay's
-/// force to a wish. A handle's place is mapped from its workspace to the vessel, with a clutch
-/// where that is too small, and the tool hangs on it by the coupling that the device bears; a puck
-/// or stick is how fast the tool goes, and a puck that is let go of lifts it.
+/// The loop's side of a visitor's hand at a HID device: samples become the tool's position, and the
+/// clay's force becomes a request. A handle's position is mapped from its workspace to the vessel,
+/// with a clutch if the workspace is too small. The tool hangs on the handle by the stiffest
+/// coupling that the device can bear. A puck or stick sets the tool's speed, and a released puck
+/// lifts the tool.
 class HidHand final : public HandDevice {
  public:
-  /// `left_handed`: it begins on the other side of the wheel.
+  /// `left_handed`: it starts on the other side of the wheel.
   explicit HidHand(std::shared_ptr<HidLink> link, bool left_handed = false);
   HandInput read(double dt) noexcept override;
   void feel(const HandFeedback& feedback) noexcept override;
   double age() const noexcept override;
 
   HidLink& link() { return *link_; }
-  /// Anybody's: it moves the hand now.
+  /// Any thread: it moves the hand now.
   bool in_use() const { return moves_.load(std::memory_order_relaxed); }
-  /// Main's: the visitor's share of the force, 0 (off) .. 1.
+  /// Main thread: the visitor's share of the force, 0 (off) .. 1.
   void share(double of_force) { share_.store(of_force, std::memory_order_relaxed); }
 
  private:
@@ -46,9 +47,9 @@ class HidHand final : public HandDevice {
   std::atomic<double> share_{1.0};
   std::atomic<bool> moves_{false};
   Vec3 at_;       ///< The hand, or a puck's tool, as last read.
-  Vec3 tool_;     ///< What hangs on a hand that feels.
-  Vec3 speed_;    ///< Of a puck's tool, m/s.
-  Vec3 slipped_;  ///< What the clutch has added, metres.
+  Vec3 tool_;     ///< The tool on a force device.
+  Vec3 speed_;    ///< Speed of a puck's tool, m/s.
+  Vec3 slipped_;  ///< Offset from the clutch, metres.
   Vec3 handle_;   ///< HandInput::handle, once it was turned.
   double roll_ = 0.0;
   double rested_ = 1e9;  ///< s since a puck was last touched.

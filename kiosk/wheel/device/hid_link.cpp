@@ -14,8 +14,9 @@ namespace onggi::device {
 namespace {
 
 constexpr int kWaitMs = 2;
-constexpr int kMostAtOnce = 64;    // Reports: what the system's queue holds.
-constexpr int kLinkPriority = 76;  // Just above the loop: its work is short, and the force's last.
+constexpr int kMostAtOnce = 64;  // reports: the size of the system's queue
+// Just above the loop: the work is short, and the force depends on it
+constexpr int kLinkPriority = 76;
 constexpr std::int64_t kSayAgainNs = 10'000'000;
 
 std::int64_t monotonic_ns() noexcept {
@@ -79,7 +80,7 @@ LinkStatus HidLink::status() noexcept {
 void HidLink::run() {
   sched_param parameter{};
   parameter.sched_priority = kLinkPriority;
-  // Where it is not permitted it goes on as any thread; the loop's own line tells staff.
+  // Without permission it runs as an ordinary thread; the loop's own line tells staff.
   pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
   while (!stop_.load(std::memory_order_relaxed) && turn(kWaitMs)) {
   }
@@ -107,7 +108,7 @@ bool HidLink::turn(int timeout_ms) noexcept {
   return !sample_.lost;
 }
 
-/// Takes in all that waits, so that the newest report wins.
+/// Reads all waiting reports, so that the newest wins.
 LinkFault HidLink::listen(int timeout_ms) noexcept {
   std::array<std::uint8_t, 128> bytes{};
   LinkFault fault = LinkFault::none;
@@ -166,11 +167,11 @@ void HidLink::answer(LinkFault fault, std::int64_t now) noexcept {
     }
     saying.may_push = ready && fault == LinkFault::none;
   } else if (fault != LinkFault::none) {
-    saying.wish.contact = false;  // Nothing trembles for clay that nobody can vouch for.
+    saying.wish.contact = false;  // do not vibrate for clay after a fault
     saying.wish.strength = 0.0;
   }
   said_.force = saying.may_push ? saying.force : Vec3{};
-  // At most one word for each report, but an end is not kept waiting.
+  // Send at most one output for each report, but send a stop at once.
   const bool speak = news_ || fault != LinkFault::none || now - answered_ns_ > kSayAgainNs;
   const Report report = speak ? driver_->say(saying) : Report{};
   if (speak) answered_ns_ = now;

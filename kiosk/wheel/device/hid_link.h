@@ -14,16 +14,16 @@
 
 namespace onggi::device {
 
-/// How a link is doing, for screens, lists and logs.
+/// The state of a link, for screens, lists and logs.
 struct LinkStatus {
   DeviceSample sample;
   Vec3 force;                                       ///< As last written, N, the device's frame.
   std::array<std::uint64_t, kLinkFaults> faults{};  ///< By LinkFault.
-  bool asks_to_be_held = false;  ///< A force device that nobody took since it was plugged in.
-  bool in_fault = false;         ///< Now.
+  bool asks_to_be_held = false;  ///< A force device that nobody has held since it was plugged in.
+  bool in_fault = false;         ///< There is a fault now.
 };
 
-/// What a link is made of.
+/// The parts of a link.
 struct LinkParts {
   std::unique_ptr<HidPort> port;
   DeviceKind kind = DeviceKind::space_mouse;
@@ -31,15 +31,15 @@ struct LinkParts {
   DeviceDef def;
 };
 
-/// One device while it is plugged in: a thread of its own reads it, keeps the newest report, passes
-/// the wish through the gate and writes. Or it is turned by hand, a tick at a time, for wheels that
-/// are (loop::SteppedPotter). Made and destroyed on the main thread, and then the device is at
-/// rest. Each call says whose thread it belongs to.
+/// Runs one device while it is plugged in: its own thread reads reports, keeps the newest, passes
+/// the force request through the gate and writes. Or the caller turns it by hand, one tick at a
+/// time, like loop::SteppedPotter. Made and destroyed on the main thread, with the device at rest.
+/// Each call says which thread may use it.
 class HidLink {
  public:
   enum class Turning : std::uint8_t { by_thread, by_hand };
 
-  /// Shakes hands. Null where the device is not what its numbers say, or does not answer.
+  /// Does the handshake. Null if it is not the expected device or does not answer.
   static std::unique_ptr<HidLink> begin(LinkParts parts, Turning turning);
   ~HidLink();
   HidLink(const HidLink&) = delete;
@@ -49,27 +49,29 @@ class HidLink {
   const HidListing& listing() const { return listing_; }
   const DeviceDef& def() const { return def_; }
   const std::string& says() const { return says_; }
-  /// What may be felt: the device's cap, or its own word where that is less. N.
+  /// Largest force, N: the setting, or the device's own limit if that is less.
   double cap() const { return limits_.cap; }
 
-  /// Loop's: the newest sample, if it is new; a wish in place of the last.
+  /// Loop thread: gets the newest sample, if there is a new one; puts a request in place of the
+  /// last.
   bool newest(DeviceSample& sample) noexcept { return samples_.take(sample); }
   void wish(FeelWish wish) noexcept;
-  /// Loop's, by hand alone: `dt` seconds pass, and the device gets a turn.
+  /// Loop thread, by hand only: `dt` seconds pass, and the device has a turn.
   void pump(double dt) noexcept;
-  /// Anybody's: how often its thread has had a turn; a thread that hangs in its cable has none.
+  /// Any thread: the turns of its thread so far; a thread that hangs in a call to its device has
+  /// none.
   std::uint64_t turns() const noexcept { return turns_.load(std::memory_order_relaxed); }
-  /// Anybody's: the link's clock, ns.
+  /// Any thread: the link's clock, ns.
   std::int64_t time_ns() const noexcept { return now_ns(); }
   bool by_hand() const noexcept { return turning_ == Turning::by_hand; }
 
-  /// Main's: the screens move. Once it was called, it must be called every half second.
+  /// Main thread: the screens run. After the first call, it must follow every half second.
   void heartbeat() noexcept { heartbeat_ns_.store(now_ns(), std::memory_order_relaxed); }
-  /// Main's.
+  /// Main thread.
   LinkStatus status() noexcept;
 
-  static constexpr double kStall = 0.010;      ///< s without news from a force device.
-  static constexpr double kStuck = 0.010;      ///< s without a wish.
+  static constexpr double kStall = 0.010;      ///< s without a report from a force device.
+  static constexpr double kStuck = 0.010;      ///< s without a request from the loop.
   static constexpr double kFrozen = 0.5;       ///< s without a heartbeat.
   static constexpr double kStandstill = 0.05;  ///< s without a turn.
   static constexpr double kJump = 0.02;        ///< m between two reports.
@@ -94,7 +96,7 @@ class HidLink {
   std::string says_;
   ForceLimits limits_;
 
-  // Its thread's.
+  // The link's thread only.
   DeviceSample sample_;
   FeelWish wish_;
   ForceGate gate_;
@@ -103,14 +105,14 @@ class HidLink {
   LinkStatus said_;
   std::int64_t turned_ns_ = 0, answered_ns_ = 0;
   bool news_ = false;
-  bool taken_ = false;  ///< Somebody held it since it was plugged in.
+  bool taken_ = false;  ///< Somebody has held it since it was plugged in.
 
   Mailbox<DeviceSample> samples_;
   Mailbox<FeelWish> wishes_;
   Mailbox<LinkStatus> statuses_;
-  LinkStatus seen_;  ///< Main's.
+  LinkStatus seen_;  ///< Main thread only.
   std::atomic<std::int64_t> heartbeat_ns_{-1};
-  std::atomic<std::int64_t> turned_time_ns_{0};  ///< The clock where it is turned by hand.
+  std::atomic<std::int64_t> turned_time_ns_{0};  ///< The clock if it is turned by hand.
   std::atomic<std::uint64_t> turns_{0};
   std::atomic<bool> stop_{false};
   std::thread thread_;

@@ -9,7 +9,7 @@ namespace onggi::device {
 
 namespace {
 
-/// As UTF-8, without what does not belong in a line.
+/// As UTF-8, without control characters.
 std::string text_of(const wchar_t* wide) {
   std::string out;
   for (; wide != nullptr && *wide != L'\0' && out.size() < 120; ++wide) {
@@ -56,7 +56,8 @@ class HidapiPort final : public HidPort {
 class HidapiBus final : public HidBus {
  public:
   HidapiBus() { hid_init(); }
-  // No hid_exit(): a port may outlive the bus, and the process' end frees the rest.
+  // hid_exit() is not called: a port may outlive the bus, and the end of the process frees the
+  // rest.
   std::vector<HidListing> list() override {
     std::vector<HidListing> all;
     hid_device_info* const first = hid_enumerate(0, 0);

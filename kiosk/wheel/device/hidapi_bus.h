@@ -4,7 +4,7 @@
 
 namespace onggi::device {
 
-/// hidapi's devices. Nothing else in the house calls that library.
+/// The devices of hidapi. No other file calls that library.
 std::unique_ptr<HidBus> hidapi_bus();
 
 }  // namespace onggi::device

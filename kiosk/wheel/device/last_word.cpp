@@ -14,7 +14,7 @@ std::terminate_handler before = nullptr;
 
 [[noreturn]] void let_go_and_end() noexcept {
   end_all_forces();
-  // Links turn every 2 ms; this thread may be any but theirs.
+  // Links run every 2 ms, and this thread is not one of theirs.
   const timespec wait{0, static_cast<long>(kLastWord * 1e9)};
   nanosleep(&wait, nullptr);
   if (before != nullptr) before();

@@ -7,22 +7,22 @@
 
 namespace onggi::device {
 
-/// The newest value from one thread to one other. Neither ever waits, whatever the priorities of
-/// the two: three places, of which the writer has one, the reader one, and the third is swapped
-/// with an exchange. What was not read in time is gone.
+/// Passes the newest value from one thread to another. Neither side ever waits, whatever the
+/// priorities: of three slots the writer owns one and the reader one, and they swap the third with
+/// an atomic exchange. A value that was not read in time is lost.
 template <class T>
 class Mailbox {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  /// Writer's.
+  /// Writer's thread.
   void put(const T& value) noexcept {
     places_[mine_] = value;
     mine_ =
         between_.exchange(static_cast<std::uint8_t>(mine_ | kFresh), std::memory_order_acq_rel) &
         kPlace;
   }
-  /// Reader's. True when `value` was renewed.
+  /// Reader's thread. True if `value` was renewed.
   bool take(T& value) noexcept {
     if ((between_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     yours_ = between_.exchange(yours_, std::memory_order_acq_rel) & kPlace;
@@ -33,8 +33,8 @@ class Mailbox {
  private:
   static constexpr std::uint8_t kPlace = 3, kFresh = 4;
   std::array<T, 3> places_{};
-  std::uint8_t mine_ = 0;   ///< Writer's alone.
-  std::uint8_t yours_ = 1;  ///< Reader's alone.
+  std::uint8_t mine_ = 0;   ///< Writer's thread only.
+  std::uint8_t yours_ = 1;  ///< Reader's thread only.
   std::atomic<std::uint8_t> between_{2};
 };
 

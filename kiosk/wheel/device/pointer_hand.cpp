@@ -7,7 +7,7 @@
 namespace onggi::device {
 
 namespace {
-// s: on a pot that is not round a tool is clear for part of a turn, and presses all the same.
+// s: on an uneven pot a tool is clear for part of a turn, but is still pressing.
 constexpr double kStillPressing = 0.3;
 constexpr double kComingOff = 0.01;  // m/s away from the wall
 }  // namespace
@@ -15,7 +15,7 @@ constexpr double kComingOff = 0.01;  // m/s away from the wall
 void PointerHand::lead(const HandInput& target) noexcept {
   target_ = target;
   if (target.active) return;
-  // A hand that is nowhere (a fault, and told as one) has nothing to come off from.
+  // A hand at an invalid position (a reported fault) has nothing to come off from.
   const bool somewhere = std::isfinite(at_.x + at_.y + at_.z);
   if (down_ && somewhere && pressed_ago_ < kStillPressing) leaving_ = def_.letting_go;
   down_ = false;
@@ -49,11 +49,12 @@ HandInput PointerHand::read(double dt) noexcept {
   leaving_ = 0;
   if (!std::exchange(down_, true)) {
     at_ = target_.position;
-    pressed_ago_ = 0;  // It is set down on the clay.
+    pressed_ago_ = 0;  // it is set down on the clay
     return held_ = hand;
   }
-  // Implicit Euler of x' = (target - x) / settle_time: no overshoot at any dt, and no exp, so the
-  // same bits on every machine. First order is enough: the pointer itself is only good to a pixel.
+  // Implicit Euler of x' = (target - x) / settle_time: no overshoot at any dt, and without exp, so
+  // the bits are the same on every machine. First order is enough, because the pointer itself is
+  // only accurate to a pixel.
   Vec3 move = (target_.position - at_) * (dt / (def_.settle_time + dt));
   const auto within = [](double value, double limit) { return std::clamp(value, -limit, limit); };
   const double away = axis_distance(at_);

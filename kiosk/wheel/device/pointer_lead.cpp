@@ -6,9 +6,9 @@
 namespace onggi::device {
 
 namespace {
-constexpr double kLeastSpread = 0.01;  // m on the pot: two fingers beside each other
+constexpr double kLeastSpread = 0.01;  // m on the pot: two fingers side by side
 constexpr double kFurthest = 0.25;     // m from the axis: clear of any clay
-constexpr double kSettingDown = 0.3;   // s: clay is met at any moment
+constexpr double kSettingDown = 0.3;   // s: the hands must meet clay by then
 
 double seconds_to(double reach, double height, double press, double rise) {
   return std::max(std::abs(reach) / press, std::abs(height) / rise);
@@ -117,7 +117,7 @@ void PointerLead::go_along(double seconds, double press, double rise) {
   }
 }
 
-/// A stroke is over: on along the wall, out of the clay. False once they are.
+/// After the stroke: continues along the wall and out of the clay. False when done.
 bool PointerLead::come_out(const ClayView& clay, double dt) {
   if (!easing_) {
     if (upwards_ == 0 || hold_.solid(clay, at_.height)) return false;

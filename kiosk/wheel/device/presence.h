@@ -6,13 +6,13 @@
 
 namespace onggi::device {
 
-/// Is a hand at a handle that has no sensor for one? Somebody is who moves it; nobody has been for
-/// a while once it stays where it is. One thread.
+/// Guesses whether a hand holds a handle without a sensor: yes if the handle moves, no after it has
+/// been still for a while. One thread.
 class Presence {
  public:
-  static constexpr double kTaken = 0.004;   ///< m: no handle at rest wanders so far,
-  static constexpr double kStill = 0.0005;  ///< m: nor does a hand stay within that
-  static constexpr double kLeft = 20.0;     ///< s: for so long.
+  static constexpr double kTaken = 0.004;   ///< m: a handle at rest never drifts this far,
+  static constexpr double kStill = 0.0005;  ///< m: and a hand never stays within this
+  static constexpr double kLeft = 20.0;     ///< s: for this long.
 
   void look(Vec3 place, std::int64_t now_ns) noexcept {
     if (!known_ || length(place - around_) > (held_ ? kStill : kTaken)) {

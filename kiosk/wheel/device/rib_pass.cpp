@@ -6,7 +6,7 @@
 namespace onggi::device {
 
 namespace {
-constexpr double kLook = 0.002;  // m between the heights at which the wall is looked at
+constexpr double kLook = 0.002;  // m between the sampled heights of the wall
 constexpr double kMostLean = 1.5;
 
 double outer(const ClayView& clay, double height) {

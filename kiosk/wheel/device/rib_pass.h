@@ -6,17 +6,17 @@
 
 namespace onggi::device {
 
-/// A straight rib laid along the outside of a wall and drawn up it: leaning as the wall leans, it
-/// takes off what stands out between the two places that bear it, and leaves hollows alone. Reads
-/// the clay as it stands. Main thread; allocates nothing.
+/// Draws a straight rib up the outside of a wall, leaning like the wall: it removes bumps between
+/// the two places that carry it, and leaves hollows. Reads the current clay. Main thread; allocates
+/// nothing.
 class RibPass {
  public:
   static constexpr double kRise = 0.012;   ///< m/s
-  static constexpr double kDeep = 0.0003;  ///< m: so far it presses at the most.
-  static constexpr double kClear = 0.006;  ///< m off the wall it sets in and comes away,
+  static constexpr double kDeep = 0.0003;  ///< m: largest press.
+  static constexpr double kClear = 0.006;  ///< m off the wall where it starts and ends,
   static constexpr double kAway = 0.008;   ///< m/s there.
 
-  /// `tool`: HandInput::tool of a flat rib of this length and thickness, m.
+  /// `tool`: HandInput::tool of a flat rib with this length and thickness, m.
   RibPass(std::uint8_t tool, double length, double thickness)
       : tool_(tool), length_(length), thickness_(thickness) {}
 

@@ -6,22 +6,23 @@
 namespace onggi::device {
 
 namespace {
-constexpr double kStep = 0.002;                 // m between the heights that are looked at
-constexpr double kFoot = 0.006;                 // m over the floor where strokes begin
-constexpr double kIn = 0.004;                   // m that a stroke narrows at the most
-constexpr double kFirst = 0.003, kRamp = 0.35;  // m that a stroke begins with at the foot, m a m
-constexpr double kBlend = 0.018;     // m of height over which a stroke sets in, to either side
+constexpr double kStep = 0.002;  // m between the sampled heights
+constexpr double kFoot = 0.006;  // m over the floor where strokes begin
+constexpr double kIn = 0.004;    // m that a stroke narrows at most
+// M allowed at the foot, and how it grows with height (m a m)
+constexpr double kFirst = 0.003, kRamp = 0.35;
+constexpr double kBlend = 0.018;     // m of height, up and down, over which a stroke sets in
 constexpr double kQuick = 0.03;      // m/s along a wall that is far off,
 constexpr double kSlow = 0.018;      // and along one that is nearly there
 constexpr double kNearly = 0.003;    // m
-constexpr double kSoftEdge = 0.006;  // m of height to either side over which that sets in
-constexpr double kEvening = 0.0015;  // m that the last stroke moves a wall at the most
-constexpr double kMargin = 0.0015;   // m of wall under the rim that no stroke goes over
+constexpr double kSoftEdge = 0.006;  // m of height, up and down, over which that sets in
+constexpr double kEvening = 0.0015;  // m that the last stroke moves a wall at most
+constexpr double kMargin = 0.0015;   // m of wall under the rim that no stroke touches
 
 // Two hands that hold a wall this thick do not bring it anywhere as one: it is opened first, down
 // to what is left then.
 constexpr double kThick = 0.016, kOpened = 0.008;  // m
-constexpr double kRimLeft = 0.004;                 // m of a lip that no hand inside goes over
+constexpr double kRimLeft = 0.004;                 // m of a lip that no inside hand reaches
 constexpr double kHandsRoom = 0.012;               // m over the floor, for the hand inside
 
 struct Off {
@@ -54,7 +55,7 @@ std::optional<Stroke> opening_stroke(const ClayView& clay, const Profile& target
     const double in = clay.radius_at(h, WallSide::inside);
     const double out = clay.radius_at(h, WallSide::outside);
     const double face = wanted_radius(clay, target, h);
-    // Where a wall opens as a whole, its ring keeps its clay, and the outer face goes along.
+    // If the wall opens as a whole, its ring keeps its clay, so the outer face moves too.
     const double along = std::sqrt(std::max(0.0, face * face - (out * out - in * in)));
     const double goal = std::min(std::min(out, face) - kOpened, along);
     const double deep = std::clamp(goal - in, 0.0, widens);
@@ -84,15 +85,15 @@ std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, d
   Stroke stroke;
   stroke.kind = sum > 0 ? Stroke::Kind::belly : Stroke::Kind::collar;
   stroke.speed = most > kNearly ? kQuick : kSlow;
-  // The same share of its way for every height, so that a wall half-way to a shoulder is no steeper
-  // than the shoulder: were each height to go as far as it may, the neck would be there first, and
-  // stand on a step.
+  // Use the same share for every height, so that a wall half-way to a shoulder is no steeper than
+  // the shoulder. If each height went as far as it may, the neck would arrive first and stand on a
+  // step.
   double share = 1;
   for (std::size_t n = first; n <= last; ++n)
     share =
         std::min(share, (all[n].off > 0 ? widens : kIn) / std::max(std::abs(all[n].off), kNearly));
   for (std::size_t n = first; n <= last; ++n) {
-    // Over the foot, which stays, a stroke sets in little by little.
+    // Above the foot, which stays, a stroke sets in gradually.
     const double most_here = kFirst + kRamp * (all[n].height - all.front().height);
     stroke.path.push_back(
         {all[n].now + std::clamp(share * all[n].off, -most_here, most_here), all[n].height});
@@ -110,7 +111,7 @@ Profile rolled(const Profile& target, double radius) {
     return std::sqrt(std::max(0.0, radius * radius - n * n * step * step));
   };
   const auto outer = [&](int n) { return out.points[static_cast<std::size_t>(n)].outer; };
-  // Its middle's way, beyond foot and rim too.
+  // The middle's way, also beyond foot and rim.
   std::vector<double> middle;
   for (int n = -reach; n < count + reach; ++n) {
     double far = 0;
@@ -130,8 +131,8 @@ Profile rolled(const Profile& target, double radius) {
 Stroke last_stroke(const ClayView& clay, const Profile& target) {
   Stroke stroke;
   stroke.speed = kSlow;
-  // Drawn out over a hand's breadth: where the wall is off by more on one side of a height, the
-  // edge of what this stroke may do would stand as a ledge.
+  // Smooth over a hand's breadth: if the wall is off by more on one side of a height, the limit of
+  // this stroke would leave a ledge.
   const std::vector<Off> all = differences(clay, target);
   const auto reach = static_cast<std::size_t>(kSoftEdge / kStep);
   for (std::size_t n = 0; n < all.size(); ++n) {
@@ -139,7 +140,7 @@ Stroke last_stroke(const ClayView& clay, const Profile& target) {
     double deep = 0;
     for (std::size_t m = from; m <= to; ++m)
       deep += std::clamp(all[m].off, -kEvening, kEvening) / static_cast<double>(to - from + 1);
-    // As every stroke, it sets in over the foot.
+    // Like every stroke, it sets in above the foot.
     const double most_here = kRamp * (all[n].height - all.front().height);
     stroke.path.push_back({all[n].now + std::clamp(deep, -most_here, most_here), all[n].height});
   }

@@ -6,9 +6,9 @@
 namespace onggi::device {
 
 namespace {
-constexpr int kHeights = 64;         // from the lowest place of the tool's middle to the highest
-constexpr double kLowest = 0.2;      // of its radius: half of it stays clear of the wheel head
-constexpr double kTrimLook = 0.001;  // m
+constexpr int kHeights = 64;     // from the lowest to the highest position of the tool's middle
+constexpr double kLowest = 0.2;  // share of its radius: half of it stays clear of the wheel head
+constexpr double kTrimLook = 0.001;                     // m
 constexpr double kTrimClear = 0.005, kTrimAway = 0.02;  // m off the clay, m/s there
 constexpr double kTrimUp = 0.06;                        // m/s, clear
 constexpr double kEnough = 0.0008;                      // m
@@ -50,7 +50,8 @@ void TrimPass::next_pass(const ClayView& clay, const Profile& target) {
     const double touch =
         centre(h, [&](double at) { return clay.radius_at(at, WallSide::outside); });
     const double want = centre(h, [&](double at) { return target.outer_at(at); });
-    // Clear of what is the target's already: a loop that is only to touch takes a little each time.
+    // Stay clear of the target's own clay: a loop that should only touch still takes a little each
+    // time.
     const double over = touch - want;
     const double taken = over > kEnough ? over : over + (over / kEnough - 1) * kSpared;
     was_[n] = touch - std::clamp(taken, -kSpared, kDeep);
@@ -80,7 +81,7 @@ void TrimPass::follow(const ClayView& clay, const Profile& target, double dt) {
     clear_ = std::min(kTrimClear, clear_ + kTrimAway * dt);
     if (clear_ == kTrimClear) stage_ = Stage::rising;
   } else {
-    // Along the foot: a bowl's wall hangs over the straight way up.
+    // Go along the foot, because a bowl's wall hangs over the straight way up.
     height_ = std::min(top_, height_ + kTrimUp * dt);
     if (height_ == top_) next_pass(clay, target);
   }

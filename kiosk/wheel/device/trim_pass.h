@@ -7,17 +7,18 @@
 
 namespace onggi::device {
 
-/// A round trimmer drawn down the foot of a pot from outside, again and again, as deep as clay
-/// comes away at once, until the foot is the target's. The foot is solid: two hands cannot shape
-/// it. Never cuts within the target. Reads the clay as it stands. Main thread; allocates nothing.
+/// Draws a round trimmer down the foot of a pot from outside, again and again, until the foot
+/// matches the target; each pass is as deep as clay can come away. Two hands cannot shape the foot,
+/// because it is solid. Never cuts into the target. Reads the current clay. Main thread; allocates
+/// nothing.
 class TrimPass {
  public:
   static constexpr double kDown = 0.016;   ///< m/s along the foot.
-  static constexpr double kDeep = 0.0025;  ///< m that a pass takes at the most.
+  static constexpr double kDeep = 0.0025;  ///< m that a pass removes at most.
   static constexpr double kAbove = 0.006;  ///< m over the floor where a pass begins.
   static constexpr int kMostPasses = 12;
 
-  /// `tool`: HandInput::tool of a disc or ball of this radius, m.
+  /// `tool`: HandInput::tool of a disc or ball with this radius, m.
   TrimPass(std::uint8_t tool, double radius) : tool_(tool), radius_(radius) {}
 
   void begin(const ClayView& clay, const Profile& target);
@@ -39,8 +40,8 @@ class TrimPass {
   Stage stage_ = Stage::off;
   int passes_ = 0;
   double height_ = 0, top_ = 0, clear_ = 0;
-  double at_ = 0;        ///< Of the tool's middle, m from the axis.
-  double was_[64] = {};  ///< Where it would touch as the pass began, by height.
+  double at_ = 0;        ///< The tool's middle, m from the axis.
+  double was_[64] = {};  ///< Where it would touch at the start of the pass, by height.
 };
 
 }  // namespace onggi::device

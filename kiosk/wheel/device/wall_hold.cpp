@@ -6,16 +6,16 @@
 namespace onggi::device {
 
 namespace {
-constexpr double kPassing = 1.1;     // of its radius: a hand goes through a mouth
-constexpr double kBelowRim = 0.002;  // m: hands that hold a wall stay on it
-constexpr double kFloat = 0.3;       // of its radius: the middle of a ball above wheel or floor
-constexpr double kSpare = 0.001;     // m about a finger inside
-// m between two hands: no less than they can hold, no more than they reach round.
+constexpr double kPassing = 1.1;     // of its radius: the width that a hand needs in a mouth
+constexpr double kBelowRim = 0.002;  // m: hands that hold a wall stay this far below its rim
+constexpr double kFloat = 0.3;    // of its radius: height of a ball's middle above wheel or floor
+constexpr double kSpare = 0.001;  // m of space around a finger inside
+// m between two hands: smallest and largest gap that they can hold.
 constexpr double kLeastGap = 0.003, kMostGap = 0.06;
-// m up and down over which the wall's slant is taken: a groove is no slant.
+// m up and down over which the wall's slant is measured, so that a groove does not count as slant.
 constexpr double kSpan = 0.01;
-// m up and down over which its thickness is taken: where hands thin it as they rise, the thickness
-// just there, which they are changing, would draw them to and fro.
+// m up and down over which its thickness is measured. Rising hands change the thickness at their
+// own height, and measuring only there would make them swing.
 constexpr double kThickSpan = 0.012;
 constexpr double kSteepest = 2.5;  // run over rise: flatter walls have no inside and outside
 
@@ -24,16 +24,16 @@ double mean_radius(const ClayView& clay, double height) {
          (clay.radius_at(height, WallSide::outside) + clay.radius_at(height, WallSide::inside));
 }
 
-/// The slant at which a ball of `radius` that touches square on lies `room` off the level.
+/// The slant at which a ball of `radius` that touches squarely is `room` off the level.
 double slant_within(double room, double radius) {
   const double sine = std::clamp(room / radius, 0.0, 0.99);
   return sine / std::sqrt(1 - sine * sine);
 }
 }  // namespace
 
-/// Both faces about `height`, means over kThickSpan up and down.
+/// Both faces around `height`, means over kThickSpan up and down.
 WallHold::Faces WallHold::seen(const ClayView& clay, double height) {
-  constexpr int kLooks = 4;  // to either side
+  constexpr int kLooks = 4;  // to each side
   Faces mean;
   for (int n = -kLooks; n <= kLooks; ++n) {
     const double at = std::clamp(height + n * kThickSpan / kLooks, clay.floor_top() + kSpare,
@@ -74,8 +74,9 @@ double WallHold::face(const ClayView& clay, double height) const {
   return clay.radius_at(height, grip_ == Grip::inside ? WallSide::inside : WallSide::outside);
 }
 
-/// Run over rise of the wall about `height`; near the rim no steeper than keeps both hands from
-/// lying down on it, and at a foot that widens downwards the inner one from the floor.
+/// Slope of the wall (run over rise) around `height`. Near the rim it is limited so that the hands
+/// do not lie down on it; at a foot that widens downwards, so that the inner hand stays off the
+/// floor.
 double WallHold::slope(const ClayView& clay, double height) const {
   const double low = std::max(clay.floor_top(), height - kSpan);
   const double high = std::min(clay.rim_height() - kSpare, height + kSpan);
@@ -94,7 +95,7 @@ WallHold::Hands WallHold::stand(const ClayView& clay, double reach, double heigh
                                 double wall) const {
   const Faces faces = seen(clay, height);
   const double thick = faces.outer - faces.inner;
-  // Were both to go inwards, a thick wall would close its bore: rings keep their clay.
+  // If both hands went inwards, a thick wall would close its bore, because rings keep their clay.
   const double collared =
       std::max(std::min(thick, kThick), thick - std::max(0.0, faces.outer - reach));
   const double asked = wall > 0 ? std::min(thick, std::max(wall, thick - kBite)) : collared;

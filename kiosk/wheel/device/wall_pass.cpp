@@ -10,7 +10,7 @@ void WallPass::remember(const WallHold& hold, const ClayView& clay) {
   const double rim = clay.rim_height();
   for (std::size_t n = 0; n < kLooks; ++n) {
     const double height = rim * static_cast<double>(n) / (kLooks - 1);
-    // As far up as down, so that a wall which leans is seen where it is.
+    // Sample as far up as down, so that a leaning wall is measured at the right place.
     const double seen = std::min({kSeen, height, rim - height});
     double sum = 0;
     for (int k = -kBeside; k <= kBeside; ++k) sum += hold.face(clay, height + seen * k / kBeside);
@@ -35,7 +35,7 @@ void WallPass::ease_out() {
 }
 
 bool WallPass::out() const {
-  constexpr double kNoMark = 0.0005;  // m: so shallow a print has no edge
+  constexpr double kNoMark = 0.0005;  // m: a shallower print has no edge
   return eased_ >= std::min(kOut, 2 * std::abs(leaving_)) || std::abs(leaving_) < kNoMark;
 }
 
@@ -54,7 +54,7 @@ void WallPass::go(const WallHold& hold, const ClayView& clay, double height, dou
     asked_ = depth_ = 0;
   }
   if (up_ * way > 0 || std::abs(way) > kBack) turn_ = height;
-  // By share of the height: a wall that is pulled up takes its places along.
+  // Use the share of the height, because a wall that is pulled up takes its places along.
   const double place = (kLooks - 1) * std::clamp(height / clay.rim_height(), 0.0, 1.0);
   const auto below = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(below);

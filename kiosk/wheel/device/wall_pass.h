@@ -8,47 +8,48 @@
 
 namespace onggi::device {
 
-/// How far hands move a wall in one pass, as potters open and collar a pot: pass by pass, and no
-/// deeper than soft clay follows without a ridge, wherever the pointer is meanwhile. They ease into
-/// the clay along their way and, let go of, out of it: a hand that comes to its depth on the spot
-/// leaves a step. Where they come back over what they have just worked, to and fro, they even it.
-/// Who lingers at a height presses on. Remembers the wall as it stood when the pass began; nothing
-/// is known here of any target. Allocates nothing; main thread.
+/// Limits how far hands move a wall in one pass, as potters open and collar a pot: pass by pass, no
+/// deeper than soft clay follows without a ridge, wherever the pointer is. Hands ease into the clay
+/// along their way, and out of it when released, because reaching the depth on the spot leaves a
+/// step. When they return over what they have just worked, they even it. Hands that stay at a
+/// height press on. Remembers the wall at the start of the pass and knows no target. Allocates
+/// nothing; main thread.
 class WallPass {
  public:
-  /// m that a pass moves the face at the most, where the wall is thin; and one that comes back over
-  /// it.
+  /// m that a pass moves the face at most if the wall is thin; and m for a pass back over it.
   static constexpr double kDeepest = 0.009, kEvening = 0.002;
-  /// Of the wall's thickness, where that is more, and m at the most: a lump is opened in large
-  /// steps, a wall that is thin already is worked gently.
+  /// The limit as a share of the wall's thickness, if that is more, and the largest limit, m: a
+  /// lump is opened in large steps, a thin wall is worked gently.
   static constexpr double kOfThickness = 1.8, kMost = 0.020;
-  /// m/s by which hands that stay at a height press on, once they have stayed for kStay / kPressOn:
-  /// a stroke that turns back slowly would dent the wall there. Along the wall they use it up.
+  /// m/s at which hands that stay at a height press on, after they have stayed for kStay /
+  /// kPressOn: without that pause, a stroke that turns back slowly would dent the wall. Moving
+  /// along the wall uses the allowance up.
   static constexpr double kPressOn = 0.01, kStay = 0.003;
-  /// m up and down over which the wall is seen: a hand carries no ridge along.
+  /// m up and down over which the wall is averaged, so that a hand carries no ridge along.
   static constexpr double kSeen = 0.020;
-  /// m back down, or up again, that are another pass and no tremble.
+  /// m of reverse motion that count as a new pass and not as a tremble.
   static constexpr double kBack = 0.006;
-  /// Depth for each way along the wall, m/s of it beside that, and the way and time, m and s, over
-  /// which it changes: a drawn line's corners, and a finger's tremble, are wider than that or none.
+  /// Depth for each metre along the wall, m/s of depth beside that, and the way and time, m and s,
+  /// over which it changes: corners of a drawn line are wider than that, and a finger's tremble is
+  /// narrower.
   static constexpr double kSlope = 0.5, kDeeper = 0.02, kSoftWay = 0.010, kSoftTime = 0.15;
-  /// m of way in which hands that are let go of come out of the clay: twice their depth, at most.
+  /// m of way in which released hands come out of the clay: at most twice their depth.
   static constexpr double kOut = 0.020;
 
-  /// Hands take hold of `clay` at `height`, m: a first pass.
+  /// Takes hold of `clay` at `height`, m, and starts the first pass.
   void begin(const WallHold& hold, const ClayView& clay, double height);
-  /// They are at `height` now, `dt` s after the last time, and the face is wanted `reach` from the
-  /// axis, m.
+  /// The hands are at `height` now, `dt` s after the last call, and the face should be `reach` from
+  /// the axis, m.
   void go(const WallHold& hold, const ClayView& clay, double height, double reach, double dt);
-  /// From now on they only come out of the clay as they go along it, however they are wanted.
+  /// From now on the hands only come out of the clay as they move along it.
   void ease_out();
-  /// They have, or had nothing to come out of.
+  /// True when they are out, or had nothing to come out of.
   bool out() const;
-  /// How far from the axis the worked face is to be by now, m.
+  /// Wanted radius of the worked face now, m.
   double reach() const { return stood_.radius + depth_; }
-  /// How far from the axis it comes in this pass where `reach` is wanted, m.
+  /// The radius that this pass can reach if `reach` is wanted, m.
   double within(double reach) const;
-  /// Passes that came back, since begin().
+  /// Passes that went back, since begin().
   int backs() const { return backs_; }
 
  private:

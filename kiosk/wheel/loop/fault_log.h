@@ -8,11 +8,11 @@
 
 namespace onggi::loop {
 
-/// What staff should know of FaultBits: each kind is told once a pot, however often it comes. Main
+/// Turns FaultBits into log lines for staff: one line a kind and pot, however often it comes. Main
 /// thread.
 class FaultLog {
  public:
-  /// Once a frame: a line for each kind that is new.
+  /// Once a frame: a line for each new kind.
   std::vector<std::string> news(const LoopStatus& status);
 
  private:

@@ -5,14 +5,14 @@
 
 namespace onggi::loop {
 
-/// How often each length of time came, in microseconds: exact to 32 us, then 32 steps an octave
-/// (some 3 %), to a second and more. Plain counts, 2.7 kB; the same bits on every machine.
+/// Counts durations in microseconds: exact to 32 us, then 32 steps an octave (about 3 %), up to
+/// over a second. Plain counts, 2.7 kB; the same bits on every machine.
 class Histogram {
  public:
   static constexpr int kBins = 32 + 15 * 32 + 1;
 
   Histogram() = default;
-  /// As counted elsewhere; `most` us.
+  /// From counts made elsewhere; `most` us.
   Histogram(const std::array<std::uint32_t, kBins>& counts, double most) noexcept;
   void add(double us) noexcept {
     ++counts_[static_cast<std::size_t>(bin_of(us))];
@@ -21,13 +21,13 @@ class Histogram {
   }
   std::uint64_t total() const noexcept { return total_; }
   double most() const noexcept { return most_; }  ///< us
-  /// The length, us, that this share (0..1) of all did not exceed: a bin's upper end, no more than
-  /// most(). 0 where there is none.
+  /// The duration, us, that this share (0..1) of all did not exceed: a bin's upper end, at most
+  /// most(). 0 if it is empty.
   double quantile(double share) const noexcept;
   const std::array<std::uint32_t, kBins>& counts() const noexcept { return counts_; }
-  /// What came after `earlier`, which this one was before. Its most() is a bin's upper end.
+  /// The counts since `earlier`, an older copy of this one. Its most() is a bin's upper end.
   Histogram since(const Histogram& earlier) const noexcept;
-  /// Of a bin, us.
+  /// Upper end of a bin, us.
   static double upper_end(int bin) noexcept;
   static int bin_of(double us) noexcept;
 

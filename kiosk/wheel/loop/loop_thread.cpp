@@ -17,7 +17,7 @@ namespace onggi::loop {
 
 namespace {
 
-constexpr int kPriority = 75;  // Above everything of the desktop, below the kernel's own threads.
+constexpr int kPriority = 75;  // above everything of the desktop, below the kernel's own threads
 
 std::int64_t now_ns() noexcept {
   timespec t{};
@@ -33,8 +33,8 @@ void sleep_until(std::int64_t ns) noexcept {
 
 void flush_denormals() noexcept {
 #if defined(__SSE2__)
-  // FTZ and DAZ. The engine snaps tiny presses to zero itself, so results do not depend on this; it
-  // only keeps a stray denormal from costing a hundred cycles.
+  // FTZ and DAZ. The engine sets tiny presses to zero itself, so results do not depend on this; it
+  // only prevents a stray denormal from costing a hundred cycles.
   _mm_setcsr(_mm_getcsr() | 0x8040u);
 #endif
 }

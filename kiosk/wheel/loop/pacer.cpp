@@ -32,8 +32,8 @@ double Pacer::wake(std::int64_t now_ns) noexcept {
     deadlines_.lost_ticks += static_cast<std::uint64_t>((owed_ - kForgiven) / kTick);
     owed_ = kForgiven;
   }
-  // Whole milliseconds only: wakes jitter by microseconds, and a dt that jittered along would make
-  // every tick of a replay different. A wake a little early still makes a tick; the debt evens out.
+  // Use whole milliseconds only: wakes jitter by microseconds, and a dt with that jitter would make
+  // every tick of a replay different. A slightly early wake still makes a tick; the debt evens out.
   const double whole = std::floor(owed_ / kTick + 1e-9) * kTick;
   const double dt = std::clamp(whole, kTick, kLongest);
   owed_ -= dt;
@@ -43,7 +43,7 @@ double Pacer::wake(std::int64_t now_ns) noexcept {
 void Pacer::done(std::int64_t now_ns) noexcept {
   tick_us_ = static_cast<double>(now_ns - woke_ns_) * 1e-3;
   deadlines_.worst_tick_us = std::max(deadlines_.worst_tick_us, tick_us_);
-  // Skip the wakes that have passed: their time is already owed or paid.
+  // Skip wakes in the past: their time is already owed or paid.
   wake_at_ += kTickNs;
   if (wake_at_ <= now_ns) wake_at_ += (now_ns - wake_at_ + kTickNs) / kTickNs * kTickNs;
 }

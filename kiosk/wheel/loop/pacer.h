@@ -6,10 +6,9 @@
 
 namespace onggi::loop {
 
-/// Turns the moments at which the loop woke into ticks. A late wake makes one longer tick, of 5 ms
-/// at the most; what is still owed is paid by the ticks after, so that the clay's time keeps up
-/// with the visitor's. Only a stand-still of over a quarter second is given up, and counted. Plain
-/// arithmetic.
+/// Turns the loop's wake times into ticks. A late wake makes one longer tick of at most 5 ms; later
+/// ticks pay the rest, so that the clay's time keeps up with the visitor's. Only a pause of over a
+/// quarter second is dropped, and counted. Plain arithmetic.
 class Pacer {
  public:
   static constexpr double kTick = 1e-3;
@@ -18,14 +17,14 @@ class Pacer {
 
   /// Begins at `now_ns` (CLOCK_MONOTONIC).
   void begin(std::int64_t now_ns) noexcept;
-  /// The loop woke at `now_ns`, and was to wake at wake_at(). Gives the dt to step, seconds, > 0.
+  /// The loop woke at `now_ns`, and should have at wake_at(). Returns the dt to step, seconds, > 0.
   double wake(std::int64_t now_ns) noexcept;
   /// When to wake next, ns.
   std::int64_t wake_at() const noexcept { return wake_at_; }
-  /// The step took until `now_ns`.
+  /// The step ended at `now_ns`.
   void done(std::int64_t now_ns) noexcept;
 
-  /// Several wakes in a row, the last of them too, missed a whole tick.
+  /// True if several wakes in a row, including the last, missed a whole tick.
   bool strained() const noexcept { return in_a_row_ >= kSeveral; }
   /// How late the last wake was, and how long its tick took, us.
   double wake_us() const noexcept { return wake_us_; }

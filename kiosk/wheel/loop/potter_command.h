@@ -12,10 +12,10 @@ namespace onggi::loop {
 
 struct Pot;
 
-/// What the main thread asks of the loop, a type for each kind. Pots and scripts belong to whoever
-/// holds the command; devices stay the host's.
+/// The main thread's requests to the loop, one type a kind. A pot or script belongs to the holder
+/// of its command; devices stay the host's.
 namespace command {
-struct Put {  ///< On the wheel; what was there goes back.
+struct Put {  ///< Puts a pot on the wheel; the old one is returned.
   Pot* pot = nullptr;
 };
 struct GiveBack {};
@@ -48,7 +48,7 @@ struct Restore {};
 struct Pause {
   bool on = false;
 };
-struct Show {};  ///< The pot on the wheel is shown: no visitor's device works on it.
+struct Show {};  ///< The pot is only shown: no visitor's device works on it.
 struct ClearFaults {
   std::uint32_t which = 0;
 };

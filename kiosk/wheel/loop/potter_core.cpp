@@ -10,10 +10,10 @@ constexpr std::size_t kCommandDepth = 256;
 constexpr std::size_t kReturnDepth = 512;
 constexpr std::size_t kRecordDepth = 16384;
 constexpr int kRowsPerTick = 16;
-// s in which a hand that comes off slowly (PointerHand) is off: a fresh lump, or a stroke taken
-// back, is no clay that it was at.
+// s that a slowly leaving hand (PointerHand) needs to be off. After a fresh lump or an undo, the
+// hand was not at this clay.
 constexpr double kOff = 0.4;
-constexpr double kCalmDown = 0.05;  // s from all of a force to none while ticks come late,
+constexpr double kCalmDown = 0.05;  // s from full force to none while ticks are late,
 constexpr double kCalmUp = 0.5;     // s and back.
 
 bool is_hand(int hand) { return hand >= 0 && hand < kMaxHands; }
@@ -58,7 +58,7 @@ void PotterCore::lift_hands() noexcept {
 
 void PotterCore::apply(const command::Put& wish) noexcept {
   hand_back({std::exchange(pot_, wish.pot), std::exchange(script_, nullptr), nullptr});
-  // A pot that was only lent comes back as it was; a new one finds the hands lifted and empty.
+  // A lent pot returns unchanged; a new one finds the hands lifted and empty.
   if (status_.scene_serial == pot_->serial) return;
   lift_hands();
   taken_ = {};
@@ -108,7 +108,7 @@ void PotterCore::apply(const command::Take& wish) noexcept {
 void PotterCore::apply(const command::Pause& wish) noexcept {
   paused_ = wish.on;
   if (!paused_) return;
-  // Nobody works on a pot that rests.
+  // No hand works on a paused pot.
   status_.hand = {};
   status_.feedback.hand = {};
 }
@@ -128,13 +128,13 @@ void PotterCore::read_hands(double dt, Hands& hands) noexcept {
     const Attached& attached = devices_[n];
     const HandInput read = attached.device->read(dt);
     device_age_ = std::max(device_age_, attached.device->age());
-    // A hand that screens lead may be at work where nobody is.
+    // A hand that the screens lead may work with nobody there.
     const bool visitors = !attached.device->led();
     status_.hands_taken = status_.hands_taken || (read.active && visitors);
-    // Somebody who leans on a device while a pot is shown is not moved by it.
+    // A visitor's device does not move a pot that is only shown.
     if (shown_ && visitors) continue;
     const auto h = static_cast<std::size_t>(attached.hand);
-    // Of several for one hand the last that came and is in use has the word.
+    // If several devices share a hand, the last one that came and is in use leads.
     if (!read.active && hands.hand[h].active) continue;
     hands.hand[h] = read;
     leads_[h] = attached.device;
@@ -160,7 +160,7 @@ void PotterCore::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept 
 
 void PotterCore::take_commands() noexcept {
   Command command;
-  // What a command displaces must find room on the way back, so that nothing is ever lost or
+  // Everything that a command replaces must fit into the return queue, so that nothing is lost or
   // deleted here.
   while (returned_.size_approx() < kReturnDepth && commands_.try_dequeue(command))
     std::visit([this](const auto& wish) { apply(wish); }, command);
@@ -172,7 +172,7 @@ void PotterCore::step(double dt) noexcept {
   if (script_ != nullptr) {
     script_time_ += dt;
     hands = script_->at(script_time_, pot_->scene.clay());
-    leads_ = {};  // Nobody feels what a script presses.
+    leads_ = {};  // nobody feels a script's forces
   } else {
     asked_.renew = asked_.restore = false;
   }
@@ -193,7 +193,7 @@ void PotterCore::tick(double dt) noexcept {
   if (pot_ != nullptr && !paused_) {
     step(dt);
   } else {
-    // A hand that moves is a visitor who is there, and must not go on feeling clay that it left.
+    // A moving hand means that a visitor is there, and it must stop feeling clay that it left.
     if (script_ == nullptr) read_hands(dt, status_.hands);
     feel({});
   }

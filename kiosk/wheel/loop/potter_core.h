@@ -18,29 +18,27 @@
 
 namespace onggi::loop {
 
-/// Everything that belongs to one pot while it is on the wheel. Made and destroyed on the main
-/// thread.
+/// Everything that belongs to one pot on the wheel. Made and destroyed on the main thread.
 struct Pot {
   Pot(Scene made, std::uint32_t number);
 
   Scene scene;
   std::uint32_t serial;
   RowChannel rows;
-  std::unique_ptr<WetRows> wet;                       ///< Where rows have a wetness of their own.
-  moodycamel::ReaderWriterQueue<TickRecord> records;  ///< Loop to main; 16 s deep.
-  std::uint64_t dropped_records = 0;                  ///< Loop's; read once the pot is back.
+  std::unique_ptr<WetRows> wet;                       ///< Present if rows have their own wetness.
+  moodycamel::ReaderWriterQueue<TickRecord> records;  ///< Loop to main thread; 16 s deep.
+  std::uint64_t dropped_records = 0;  ///< Loop thread's; read after the pot returns.
 };
 
-/// What the loop side is done with, for the main thread to keep or destroy.
+/// What the loop returns, for the main thread to keep or destroy.
 struct Returned {
   Pot* pot = nullptr;
   Script* script = nullptr;
   device::HandDevice* device = nullptr;
 };
 
-/// The wheel as the loop thread knows it: takes commands, reads the hands or the script, steps the
-/// scene, publishes rows and records. No lock, no allocation, no throw in any call but the
-/// destructor.
+/// The loop thread's side of the wheel: takes commands, reads the hands or the script, steps the
+/// scene, publishes rows and records. No call but the destructor locks, allocates or throws.
 class PotterCore {
  public:
   static constexpr std::size_t kMostDevices = 8;
@@ -50,18 +48,18 @@ class PotterCore {
   PotterCore(const PotterCore&) = delete;
   PotterCore& operator=(const PotterCore&) = delete;
 
-  /// Main thread. False when the queue is full (256 commands wait): the loop stands still.
+  /// Main thread. False if the queue is full (256 commands wait), because the loop has stopped.
   bool send(const Command& command) noexcept { return commands_.try_enqueue(command); }
-  /// Main thread: the next thing the loop has handed back.
+  /// Main thread: the next object that the loop has returned.
   bool take_returned(Returned& out) noexcept { return returned_.try_dequeue(out); }
 
-  /// Loop side: applies the commands that wait.
+  /// Loop side: applies the waiting commands.
   void take_commands() noexcept;
   /// Loop side: take_commands(), then one tick of `dt` seconds.
   void tick(double dt) noexcept;
-  /// Loop side: ticks came too late several times in a row. Forces go down until they do no more.
+  /// Loop side: several ticks in a row came too late. Forces fade out until that ends.
   void strained(bool late) noexcept { strained_ = late; }
-  /// Loop side: age of the newest report that the last tick took, s; below 0 where there is none.
+  /// Loop side: age of the newest report in the last tick, s; below 0 if there is none.
   double device_age() const noexcept { return device_age_; }
   /// Loop side.
   LoopStatus status() const noexcept { return status_; }
@@ -98,12 +96,12 @@ class PotterCore {
   Pot* pot_ = nullptr;
   Script* script_ = nullptr;
   double script_time_ = 0;
-  std::array<Attached, kMostDevices> devices_{};  ///< In the order in which they came.
+  std::array<Attached, kMostDevices> devices_{};  ///< In order of arrival.
   std::size_t attached_ = 0;
-  std::array<device::HandDevice*, kMaxHands> leads_{};  ///< Whose word the last tick took.
+  std::array<device::HandDevice*, kMaxHands> leads_{};  ///< The devices that led in the last tick.
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
-  double off_ = 0;  ///< s for which all hands stay off the clay that was just laid.
-  Hands asked_;     ///< Wheel, water and the one-tick wishes; hands come from the devices.
+  double off_ = 0;  ///< s for which all hands stay off freshly laid clay.
+  Hands asked_;     ///< Wheel, water and the one-tick requests; hands come from the devices.
   bool paused_ = false;
   bool shown_ = false;
   bool strained_ = false;

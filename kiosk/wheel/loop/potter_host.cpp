@@ -18,9 +18,8 @@ PotterHost::~PotterHost() = default;
 
 bool PotterHost::send(const Command& command) {
   if (core_.send(command)) return true;
-  // A full queue means that the loop has stood still for 256 wishes. Where the hand is to go is
-  // then dropped (the next frame knows better); everything else waits for room, a second at the
-  // most.
+  // A full queue means that the loop has stopped for 256 commands. A hand's target is then dropped,
+  // because the next frame sends a newer one. Everything else waits for space, at most a second.
   if (std::holds_alternative<command::Lead>(command)) return false;
   for (int i = 0; i < static_cast<int>(patience_ * 1000); ++i) {
     let_loop_turn();
@@ -80,7 +79,7 @@ void PotterHost::note_records(Pot& pot) {
 
 int PotterHost::collect() {
   take_returned();
-  if (lent_) put_back();  // It came back after with_scene() had given up waiting.
+  if (lent_) put_back();  // it came back after with_scene() had stopped waiting
   int count = 0;
   if (current_ != nullptr) {
     note_records(*current_);
@@ -96,7 +95,7 @@ int PotterHost::collect() {
 
 bool PotterHost::settle() {
   const bool settled = with_scene([this](Scene& scene) {
-    // What is on its way is older than what the scene has.
+    // Queued rows are older than the scene's.
     lent_->rows.take_into(view_.clay);
     take_rest_into(view_.clay, scene);
   });

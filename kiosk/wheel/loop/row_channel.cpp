@@ -12,8 +12,8 @@ struct Changed {
   bool shaped = false;
 };
 
-/// The next changed row from `from` on and then round, those with new radii before those that only
-/// moved; -1 when none is left.
+/// The next changed row from `from` on, then from the start; rows with new radii come before rows
+/// that only moved. -1: none is left.
 Changed next_changed(Scene& scene, int from) noexcept {
   for (const bool shaped : {true, false}) {
     const auto take = [&](int first) {
@@ -43,13 +43,13 @@ void RowChannel::publish(Scene& scene, int most) noexcept {
   const Clay& clay = scene.clay();
   for (int n = 0; n < most; ++n) {
     Row* buffer = nullptr;
-    if (!free_.try_dequeue(buffer)) return;  // The main thread is behind; the rows stay marked.
-    // Go on where the last tick stopped, or a row that changes all the time would starve those
-    // above.
+    if (!free_.try_dequeue(buffer)) return;  // the main thread is behind; the rows stay marked
+    // Continue where the last tick stopped; otherwise a row that changes all the time would starve
+    // those above.
     const Changed changed = next_changed(scene, next_);
     buffer->row = changed.row;
     if (changed.row < 0) {
-      // Only the main thread may put into free_, so an unused buffer goes the long way round.
+      // Only the main thread may put into free_, so an unused buffer travels through full_.
       full_.try_enqueue(buffer);
       asked_.store(false, std::memory_order_relaxed);
       next_ = 0;

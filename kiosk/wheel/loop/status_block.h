@@ -8,9 +8,9 @@
 
 namespace onggi::loop {
 
-/// One value written by one thread and read whole by another, without a lock on the writer's side:
-/// a sequence lock over atomic words (Boehm 2012, "Can seqlocks get along with programming language
-/// memory models?"). A reader tries again when the writer was in between.
+/// One value that one thread writes and another reads as a whole, without a lock on the writer's
+/// side: a sequence lock over atomic words (Boehm 2012, "Can seqlocks get along with programming
+/// language memory models?"). A reader tries again if the writer interfered.
 template <class T>
 class StatusBlock {
   static_assert(std::is_trivially_copyable_v<T>);

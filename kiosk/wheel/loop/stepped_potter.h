@@ -4,7 +4,7 @@
 
 namespace onggi::loop {
 
-/// A wheel that turns only when told: the same core as the 1 kHz thread, stepped 1 ms at a time on
+/// A wheel that turns only on request: the same core as the 1 kHz thread, stepped 1 ms at a time on
 /// the calling thread. Scripted visits use it, so that the same visit gives the same bits at any
 /// speed.
 class SteppedPotter final : public PotterHost {

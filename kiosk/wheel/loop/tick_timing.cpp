@@ -4,7 +4,7 @@ namespace onggi::loop {
 
 void LiveHistogram::add(double us) noexcept {
   auto& count = counts_[static_cast<std::size_t>(Histogram::bin_of(us))];
-  // One writer: no need of a locked addition.
+  // There is one writer, so a locked addition is not needed.
   count.store(count.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   if (us > most_.load(std::memory_order_relaxed)) most_.store(us, std::memory_order_relaxed);
 }

@@ -7,19 +7,19 @@
 
 namespace onggi::loop {
 
-/// How well the loop keeps time: what each wake, tick and device had, since the loop began.
+/// The loop's timing since it began: every wake, tick and device.
 struct LoopTiming {
-  Histogram wake_us;     ///< From when it was to wake until it did.
-  Histogram compute_us;  ///< Of a tick.
-  Histogram device_us;   ///< Age of a device's newest report as a tick took it.
+  Histogram wake_us;     ///< Delay of a wake.
+  Histogram compute_us;  ///< Duration of a tick.
+  Histogram device_us;   ///< Age of a device's newest report when a tick took it.
 };
 
-/// A histogram that one thread adds to while any other may look. Neither waits; no allocation.
+/// A histogram that one thread adds to while others read. Neither waits; no allocation.
 class LiveHistogram {
  public:
-  /// Its thread's.
+  /// Its own thread.
   void add(double us) noexcept;
-  /// Anybody's: every count as it is at some moment of the call.
+  /// Any thread: every count at some moment during the call.
   Histogram look() const noexcept;
 
  private:

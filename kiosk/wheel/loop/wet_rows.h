@@ -10,14 +10,14 @@
 
 namespace onggi::loop {
 
-/// How wet the clay is at even heights, from the loop thread to the main thread. Only a pot whose
-/// rows have a wetness of their own has one. Neither side waits: every height is a number for
-/// itself.
+/// Passes the wetness of the clay at even heights from the loop thread to the main thread. Only a
+/// pot whose rows have their own wetness has one. Neither side waits: every height is an
+/// independent number.
 class WetRows {
  public:
   static constexpr int kHeights = 64;  ///< From foot to rim, each in the middle of its share.
 
-  /// Loop thread, once a tick: renews one height, the next in turn. No allocation.
+  /// Loop thread, once a tick: updates one height, in turn. No allocation.
   void publish(const Scene& scene) noexcept {
     const Clay& clay = scene.clay();
     const double height = clay.rim_height() * (next_ + 0.5) / kHeights;

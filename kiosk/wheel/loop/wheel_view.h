@@ -5,9 +5,8 @@
 
 namespace onggi::loop {
 
-/// The wheel as it is looked at: what the loop has published, renewed once a frame
-/// (PotterHost::collect). Screens, picture, score and keepsake read this and nothing else of the
-/// clay and the hands. Main thread only.
+/// The published state of the wheel, updated once a frame (PotterHost::collect). Screens, picture,
+/// score and keepsake read only this about the clay and the hands. Main thread only.
 struct WheelView {
   ClayView clay;
   LoopStatus status;  ///< In the same state as the clay's rows, or newer.

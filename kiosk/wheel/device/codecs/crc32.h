@@ -7,7 +7,7 @@
 namespace onggi::device {
 
 /// CRC-32 of IEEE 802.3 (reflected, 0xEDB88320, inverted at both ends) over `bytes`. `before`: the
-/// check so far, for bytes that come in parts. No allocation.
+/// result so far, for bytes in several parts. No allocation.
 std::uint32_t crc32(Report bytes, std::uint32_t before = 0) noexcept;
 
 }  // namespace onggi::device

@@ -7,7 +7,7 @@
 
 namespace onggi::device::dual_sense {
 
-/// A bit of State::buttons, in the order of the report's bytes; the direction pad apart.
+/// Bits of State::buttons, in the order of the report's bytes; the direction pad is separate.
 enum Button : std::uint32_t {
   kSquare = 1u << 4,
   kCross = 1u << 5,
@@ -30,22 +30,22 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
-/// How it is connected, which decides what its reports look like.
+/// The connection, which decides the format of reports.
 enum class Bus : std::uint8_t { usb, bluetooth };
 
-/// Takes one report into `state`: 01 of 64 bytes by cable, 31 (hex) of 78 by Bluetooth, whose
-/// CRC-32 is seeded with A1. The short Bluetooth report 01 of 10 bytes says nothing. Pure.
+/// Reads one report into `state`: 01 of 64 bytes by cable, 31 (hex) of 78 by Bluetooth, whose
+/// CRC-32 is seeded with A1. The short Bluetooth report 01 of 10 bytes is ignored. Pure.
 Heard read(Report report, Bus bus, State& state) noexcept;
 
-/// An output report and how much of it there is.
+/// An output report and its length.
 struct Output {
   std::array<std::uint8_t, 78> bytes{};
   std::size_t size = 0;
   Report report() const { return Report(bytes).first(size); }
 };
 
-/// Both motors, 0 still .. 255: the slow one in the left grip, the quick one in the right.
-/// `sequence`, 0..15, counts a Bluetooth controller's reports. CRC-32 seeded with A2. Pure.
+/// Both motors, 0 off .. 255: the slow one in the left grip, the fast one in the right. `sequence`,
+/// 0..15, counts a Bluetooth controller's reports. CRC-32 seeded with A2. Pure.
 Output rumble(Bus bus, std::uint8_t slow, std::uint8_t quick, std::uint8_t sequence) noexcept;
 
 }  // namespace onggi::device::dual_sense

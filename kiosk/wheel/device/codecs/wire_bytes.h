@@ -6,10 +6,10 @@
 
 namespace onggi::device {
 
-/// The bytes of one report, its id first where it has one.
+/// The bytes of one report, with its id first if it has one.
 using Report = std::span<const std::uint8_t>;
 
-/// Little-endian figures at `at`; the caller has looked at the length. No allocation.
+/// Little-endian numbers at `at`; the caller has checked the length. No allocation.
 constexpr std::uint16_t u16_at(Report bytes, std::size_t at) {
   return static_cast<std::uint16_t>(bytes[at] | bytes[at + 1] << 8);
 }
@@ -38,11 +38,11 @@ constexpr void put_i32(std::span<std::uint8_t> bytes, std::size_t at, std::int32
   put_u32(bytes, at, static_cast<std::uint32_t>(value));
 }
 
-/// What a codec makes of a report.
+/// The result of reading a report.
 enum class Heard : std::uint8_t {
-  news,     ///< It was read, and says something.
-  nothing,  ///< A report that is none of ours, or says nothing new: an old one, a battery's.
-  broken    ///< Too short, or its check is wrong: what the device sends cannot be trusted.
+  news,     ///< It was read and has new data.
+  nothing,  ///< A foreign report, or one without new data: an old one, a battery's.
+  broken    ///< Too short, or a wrong checksum: the device's data cannot be trusted.
 };
 
 }  // namespace onggi::device

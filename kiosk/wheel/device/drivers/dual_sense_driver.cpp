@@ -11,14 +11,14 @@ namespace onggi::device {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kBetween = 10 * kMs;  // Its motors follow no quicker, and radio is shared.
-constexpr std::int64_t kTap = 40 * kMs;      // What a first touch feels like.
+constexpr std::int64_t kBetween = 10 * kMs;  // its motors are no faster, and Bluetooth is shared
+constexpr std::int64_t kTap = 40 * kMs;      // length of the vibration at a first touch
 constexpr std::uint8_t kTapStrength = 160;
 constexpr double kStrongest = 200.0;
-constexpr double kFullForce = 3.0;  // N that make it tremble all it does.
+constexpr double kFullForce = 3.0;  // N at full vibration
 constexpr double kDegree = portable::kPi / 180.0;
-constexpr double kStillTurn = 3.0 * kDegree;          // rad/s; below that the hand is only alive.
-constexpr double kGyro = 2000.0 / 32768.0 * kDegree;  // rad/s, of an uncalibrated count.
+constexpr double kStillTurn = 3.0 * kDegree;          // rad/s; a held hand is never stiller
+constexpr double kGyro = 2000.0 / 32768.0 * kDegree;  // rad/s for one uncalibrated count
 
 double stick(std::uint8_t value) { return std::clamp((value - 127.5) / 127.5, -1.0, 1.0); }
 
@@ -43,7 +43,7 @@ std::uint32_t buttons_of(std::uint32_t raw) {
 }  // namespace
 
 bool DualSenseDriver::begin(HidPort& port) {
-  // By radio it sends ten bytes only, until somebody asks for its calibration.
+  // By Bluetooth it sends only ten bytes until its calibration is read.
   std::array<std::uint8_t, 64> calibration{};
   port.feature(0x05, calibration);
   return true;
@@ -67,7 +67,7 @@ Report DualSenseDriver::say(const Saying& saying) noexcept {
       static_cast<std::uint8_t>(saying.wish.contact ? std::lround(kStrongest * share) : 0);
   const bool tap = touching_ && saying.now_ns - touched_ns_ < kTap;
   const std::uint8_t quick = tap ? kTapStrength : std::uint8_t{0};
-  // Small changes are not felt; stillness always is.
+  // Small changes are not felt, but a full stop is.
   const bool still = slow == 0 && quick == 0;
   const bool same = quick == quick_ && (still ? slow_ == 0 : std::abs(slow - slow_) < 4);
   if (same || (!still && saying.now_ns - said_ns_ < kBetween)) return {};

@@ -6,7 +6,8 @@
 namespace onggi::device {
 
 /// A game controller: the left stick moves the tool in the plane of the picture, the right one
-/// towards and away, tilting it turns the tool, and it trembles as hard as the clay pushes.
+/// towards and away from the visitor, and tilting turns the tool. It vibrates as hard as the clay
+/// pushes.
 class DualSenseDriver final : public Driver {
  public:
   explicit DualSenseDriver(bool bluetooth)

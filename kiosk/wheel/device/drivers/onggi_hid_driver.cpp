@@ -9,10 +9,10 @@ using onggi_hid::Mode;
 namespace {
 
 constexpr std::int64_t kMillisecond = 1'000'000;
-constexpr std::int64_t kOffAgain = 50 * kMillisecond;  // Said again, should one have been lost.
+constexpr std::int64_t kOffAgain = 50 * kMillisecond;  // repeated in case one was lost
 constexpr std::int64_t kArmAgain = 5 * kMillisecond;
-constexpr std::uint16_t kBehind = 4;     // Outputs that may be on their way.
-constexpr std::uint16_t kPatience = 12;  // Outputs unanswered until it counts as deaf.
+constexpr std::uint16_t kBehind = 4;     // outputs that may be in transit
+constexpr std::uint16_t kPatience = 12;  // unanswered outputs until it counts as deaf
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace onggi::device {
 /// A home-built force device, kiosk/docs/onggi-hid.md.
 class OnggiHidDriver final : public Driver {
  public:
-  /// It must answer feature 03 as version 1 does. Says off, which begins the count.
+  /// It must answer feature 03 as version 1 does. Sends off, which starts the count.
   bool begin(HidPort& port) override;
   Heard take(Report report, DeviceSample& sample) noexcept override;
   Report say(const Saying& saying) noexcept override;
@@ -24,7 +24,7 @@ class OnggiHidDriver final : public Driver {
 
   onggi_hid::Feature feature_;
   onggi_hid::Input input_;
-  bool heard_ = false;            ///< An input came.
+  bool heard_ = false;            ///< An input has arrived.
   std::uint16_t sequence_ = 0;    ///< Of the last output.
   std::uint16_t unanswered_ = 0;  ///< Outputs since an input echoed one of the newest.
   onggi_hid::Mode mode_ = onggi_hid::Mode::off;

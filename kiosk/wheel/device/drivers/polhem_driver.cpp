@@ -13,7 +13,7 @@ bool PolhemDriver::begin(HidPort& port) {
   std::array<std::uint8_t, 128> bytes{};
   polhem::Input input;
   for (int n = 0; n < kTries; ++n) {
-    // It speaks only when it is spoken to.
+    // It answers only after an output.
     if (!port.write(polhem::currents({}, 0))) return false;
     const int size = port.read(bytes, kTryMs);
     if (size < 0) return false;
@@ -33,7 +33,7 @@ Heard PolhemDriver::take(Report report, DeviceSample& sample) noexcept {
   at_ = arm_angles(arm_, {input.encoder[0], input.encoder[1], input.encoder[2]});
   sample.has_place = true;
   sample.place = arm_position(arm_, at_);
-  // It needs no arming of its own; while it asks where it stands its place is not to be trusted.
+  // It needs no arming. While it asks for calibration, its position cannot be trusted.
   sample.armed = !asks_;
   return heard;
 }

@@ -5,12 +5,12 @@
 
 namespace onggi::device {
 
-/// Polhem and WoodenHaptics: counts to a place, a force to currents, both made here. Not verified
-/// on hardware. The firmware cuts the motors 0.5 s after the last word.
+/// Polhem and WoodenHaptics: converts counts to a position and a force to currents. Not tested on
+/// hardware. The firmware stops the motors 0.5 s after the last output.
 class PolhemDriver final : public Driver {
  public:
   explicit PolhemDriver(const ArmDef& arm) : arm_(arm) {}
-  /// Its numbers are any Teensy's: it must answer to a report without current as an arm does.
+  /// Any Teensy has its numbers, so it must answer like an arm to a report without current.
   bool begin(HidPort& port) override;
   Heard take(Report report, DeviceSample& sample) noexcept override;
   Report say(const Saying& saying) noexcept override;
@@ -19,7 +19,7 @@ class PolhemDriver final : public Driver {
  private:
   ArmDef arm_;
   ArmAngles at_{};
-  bool asks_ = false;  ///< To be told where it stands.
+  bool asks_ = false;  ///< It asks for calibration.
   std::array<std::uint8_t, polhem::kOutputSize> bytes_{};
 };
 

@@ -3,7 +3,7 @@
 namespace onggi::device {
 
 bool SpaceMouseDriver::begin(HidPort& port) {
-  port.write(space_mouse::light(true));  // Not every model has one.
+  port.write(space_mouse::light(true));  // not every model has a light
   return true;
 }
 

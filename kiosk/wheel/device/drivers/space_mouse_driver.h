@@ -5,7 +5,7 @@
 
 namespace onggi::device {
 
-/// A puck: its deflection is how fast the tool moves. Lit while it is in use.
+/// A puck: its deflection sets the tool's speed. Its light is on while it is in use.
 class SpaceMouseDriver final : public Driver {
  public:
   bool begin(HidPort& port) override;

@@ -8,7 +8,7 @@
 namespace onggi::device {
 
 bool SurfaceDialDriver::begin(HidPort& port) {
-  // Whoever had it before may have left it coarser, and it remembers that over its sleep.
+  // Another program may have set a coarser step, which the dial remembers while it sleeps.
   std::array<std::uint8_t, 16> feature{};
   const int size = port.feature(0x01, feature);
   const Report said = Report(feature).first(static_cast<std::size_t>(std::clamp(size, 0, 16)));

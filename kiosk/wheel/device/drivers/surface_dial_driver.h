@@ -5,7 +5,7 @@
 
 namespace onggi::device {
 
-/// A dial for the wheel: its turn makes it quicker or slower, a click is Enter.
+/// A dial for the wheel: turning it changes the wheel's speed, a click is Enter.
 class SurfaceDialDriver final : public Driver {
  public:
   bool begin(HidPort& port) override;
