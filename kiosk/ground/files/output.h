@@ -10,12 +10,9 @@ namespace onggi::files {
 
 /// The target of --json, --csv, --plot or -o. A regular file is replaced durably (write_durably()),
 /// a device or a pipe is written to, and a link is followed. It never
-///
 /// - replaces a disk, a folder or a socket;
-///
 /// - replaces a file that this run has read (note_read()), or, unless forced, a file of another
 /// kind; an empty file is of every kind;
-///
 /// - creates a folder.
 class Output {
  public:
