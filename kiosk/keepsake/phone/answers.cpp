@@ -32,7 +32,7 @@ const PageFile kPageFiles[] = {{"/page.js", "text/javascript; charset=utf-8", k_
                                {"/page.css", "text/css; charset=utf-8", k_page_css},
                                {"/page.svg", "image/svg+xml", k_page_svg}};
 
-/// The value of `name` in what stands behind a '?'.
+/// The value of `name` in the text after a '?'.
 std::string asked_for(std::string_view query, std::string_view name) {
   while (!query.empty()) {
     const auto end = std::min(query.find('&'), query.size());
@@ -60,7 +60,7 @@ Answer Answers::to(const Ask& ask) const {
     return {.status = probe->status,
             .type = std::string(probe->type),
             .body = std::string(probe->body)};
-  // Whatever is asked, all passes are looked through: how long it takes tells nothing.
+  // Compare all passes for every request, so that the time of an answer tells nothing.
   const auto mark = std::min(target.find('?'), target.size());
   const std::string_view path = target.substr(0, mark);
   const std::string_view rest =
@@ -71,7 +71,7 @@ Answer Answers::to(const Ask& ask) const {
   const std::int64_t now = clock_();
   const auto pass = passes_.find(rest.substr(0, slash), now);
   if (!pass) return nothing_here(ask);
-  // The page speaks as the visit did, unless another language is asked for.
+  // Use the visit's language unless the request asks for another.
   const PhoneWords* own = languages_.liked(ask.languages);
   const PhoneWords* words =
       languages_.of(asked_for(target.substr(std::min(mark + 1, target.size())), "lang"));

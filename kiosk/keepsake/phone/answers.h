@@ -10,29 +10,29 @@
 
 namespace onggi::phone {
 
-/// What a phone asks for.
+/// A phone's request.
 struct Ask {
   std::string method, target;  ///< "GET", "/k/TOKEN"
   std::string languages{};     ///< Accept-Language
 };
 
-/// What it gets.
+/// The answer to it.
 struct Answer {
   int status = 404;
   std::string type = "text/html; charset=utf-8";
   std::string body{};
-  std::string file_name{};  ///< Not empty: to be saved under this name.
+  std::string file_name{};  ///< If not empty: the file is saved under this name.
 };
 
-/// The visitor's page and what belongs to it:
-///   GET  /k/TOKEN               the page: postcard, pot that turns, what to take, delete; in the
+/// The visitor's page and its files:
+///   GET  /k/TOKEN               the page: postcard, turning pot, downloads, delete; in the
 ///                               visit's language, or that of ?lang=CODE
 ///   GET  /k/TOKEN/postcard.jpg, turning.gif, pot.glb, pot.stl
-///   POST /k/TOKEN/delete        every copy goes, at once
+///   POST /k/TOKEN/delete        removes every copy at once
 ///   GET  /page.js, .css, .svg   the same for everybody
-///   GET  /generate_204 ...      what a phone asks of a network that it has joined (probes.h)
-/// Whatever else is asked, a wrong, an expired and a deleted token too, gets one and the same
-/// answer. Knows no socket. One thread.
+///   GET  /generate_204 ...      network checks of phones (probes.h)
+/// All other requests, also with a wrong, expired or deleted token, get the same answer. Uses no
+/// socket. One thread.
 class Answers {
  public:
   /// `clock` gives s since 1970.
@@ -41,7 +41,7 @@ class Answers {
       : passes_(std::move(passes)), clock_(std::move(clock)), languages_(std::move(languages)) {}
 
   Answer to(const Ask& ask) const;
-  /// At least once a minute: says that phones are answered, and passes that have expired go.
+  /// Call it at least once a minute: records that the server runs, and removes expired passes.
   void look_after() const {
     passes_.serve();
     passes_.forget(clock_());

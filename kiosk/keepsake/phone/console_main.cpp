@@ -65,8 +65,8 @@ onggi::Result<int> give(const Arguments& a) {
   return 0;
 }
 
-/// The languages of the exhibit whose keepsakes these are, else those beside the program or above
-/// it: where it was built, and where it is installed.
+/// The languages of the keepsakes' exhibit, else those beside or above the program, in the build
+/// folder or where it is installed.
 std::filesystem::path languages_for(const std::filesystem::path& keepsakes) {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();

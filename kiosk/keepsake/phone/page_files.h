@@ -2,8 +2,8 @@
 
 namespace onggi::phone {
 
-/// From kiosk/keepsake/phone/page/, and the English words, in the program so that it needs no file
-/// beside it.
+/// Files of kiosk/keepsake/phone/page/ and the English words, compiled in so that the program needs
+/// no file.
 extern const char* const k_page_js;
 extern const char* const k_page_css;
 extern const char* const k_page_svg;

@@ -33,7 +33,7 @@ PhoneWords words_of(toml::TomlReader& reader) {
   return words;
 }
 
-/// The language of `file`; a Problem where it cannot be spoken.
+/// Reads the language of `file`; Problem if it cannot be used.
 Result<PhoneWords> read_words(const fs::path& file, const PhoneWords& english) {
   toml::TomlReader reader(file);
   PhoneWords words = words_of(reader);

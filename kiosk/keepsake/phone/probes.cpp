@@ -14,10 +14,10 @@ constexpr std::string_view kFirefox =
     "content=\"0;url=https://support.mozilla.org/kb/captive-portal\"/>";
 
 constexpr Probe kProbes[] = {
-    {"/hotspot-detect.html", 200, "text/html", kApple},        // iOS, macOS
-    {"/library/test/success.html", 200, "text/html", kApple},  // before iOS 7
-    {"/generate_204", 204, "", ""},                            // Android, ChromeOS
-    {"/gen_204", 204, "", ""},                                 // Android, in its second try
+    {"/hotspot-detect.html", 200, "text/html", kApple},                 // iOS, macOS
+    {"/library/test/success.html", 200, "text/html", kApple},           // before iOS 7
+    {"/generate_204", 204, "", ""},                                     // Android, ChromeOS
+    {"/gen_204", 204, "", ""},                                          // Android, second try
     {"/connecttest.txt", 200, "text/plain", "Microsoft Connect Test"},  // Windows 10 and 11
     {"/ncsi.txt", 200, "text/plain", "Microsoft NCSI"},                 // Windows 7 and 8
     {"/success.txt", 200, "text/plain", "success\n"},                   // Firefox

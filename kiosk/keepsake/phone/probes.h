@@ -4,17 +4,17 @@
 
 namespace onggi::phone {
 
-/// What a phone, tablet or computer asks a network that it has just joined, and the answer that
-/// tells it that all is well. Without it, it would go back to another network, or open a page that
-/// asks to log in: behind the kiosk's own access point there is nothing to log in to.
+/// A device's check of a network that it has just joined, and the answer that makes it accept the
+/// network. Without the answer it would go back to another network, or show a login page, which the
+/// kiosk's access point does not have.
 struct Probe {
   std::string_view path;  ///< "/generate_204"
   int status;             ///< 200, or 204 with an empty body
   std::string_view type;
-  std::string_view body;  ///< To the byte.
+  std::string_view body;  ///< Exact bytes.
 };
 
-/// The probe that asks for `target`, whatever stands behind a '?'; null where it is none.
+/// The probe for `target`, ignoring text after a '?'; null if it is not a probe.
 const Probe* probe_of(std::string_view target);
 
 }  // namespace onggi::phone

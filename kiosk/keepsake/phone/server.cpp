@@ -72,7 +72,7 @@ class Call : public std::enable_shared_from_this<Call> {
     response_.keep_alive(false);
     response_.body() = std::move(given.body);
     response_.prepare_payload();
-    // RFC 9110, 8.6: an answer without content says no length, and phones compare.
+    // RFC 9110, 8.6: an answer without content has no length, and phones check that.
     if (given.status == 204) response_.erase(http::field::content_length);
     stream_.expires_after(kPatience);
     http::async_write(stream_, response_,
@@ -103,7 +103,7 @@ struct Server::Inside {
   void accept() {
     acceptor.async_accept([this](error_code error, Tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
-      // One too many is hung up on: it may ask again.
+      // Close a connection beyond the limit; the phone can ask again.
       if (!error && open < kMostAtOnce)
         std::make_shared<Call>(std::move(socket), answers, open)->begin();
       accept();

@@ -10,20 +10,20 @@
 
 namespace onggi::phone {
 
-/// Answers phones over HTTP/1.1 on one thread: small requests, no keeping alive, ten seconds for
-/// each, and 64 at once at most. Writes no log of who asked.
+/// Answers phones over HTTP/1.1 on one thread: small requests, no keep-alive, at most ten seconds
+/// each and 64 at once. Writes no log of requests.
 class Server {
  public:
-  /// Listens at `address` (an IP of this machine's) and `port` (0: any that is free). Problem, exit
-  /// 1, where it cannot.
+  /// Listens at `address` (an IP of this machine) and `port` (0: any free one). Problem, exit 1, if
+  /// it cannot.
   static Result<std::unique_ptr<Server>> listen(const std::string& address, std::uint16_t port,
                                                 const Answers& answers);
   ~Server();
 
   std::uint16_t port() const;
-  /// Answers until stop(). `minutely` is called once a minute, and at the start.
+  /// Answers until stop(). Calls `minutely` at the start and once a minute.
   void run(const std::function<void()>& minutely);
-  /// Any thread, or a signal.
+  /// Any thread, or a signal handler.
   void stop();
 
  private:

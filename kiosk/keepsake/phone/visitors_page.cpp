@@ -4,7 +4,7 @@ namespace onggi::phone {
 
 namespace {
 
-/// A museum's words are text, whatever is in them.
+/// Escapes a museum's words, so that they are always text and never markup.
 std::string safe(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -64,7 +64,7 @@ std::string visitors_page(const std::string& token, const PhoneWords& w, const P
           "\" width=\"1500\" height=\"2100\">" + link("postcard.jpg", "postcard") +
           (turning ? link("turning.gif", "turning") : "") + link("pot.glb", "model") +
           link("pot.stl", "print") + "<p>" + safe(w["until"]) +
-          // Asked twice without a script too.
+          // The visitor must confirm, also without a script.
           "</p><details><summary>" + safe(w["delete"]) +
           "</summary><form method=\"post\" action=\"" + at + "/delete?lang=" + safe(w.code) +
           "\"><p>" + safe(w["sure"]) + "</p><button>" + safe(w["yes"]) +

@@ -6,8 +6,8 @@
 
 namespace onggi::phone {
 
-/// The page of `token`, whole, in `words`. It offers every other language, `own` (the phone's, may
-/// be null) first and on top; and the picture that turns, where there is one.
+/// The whole page of `token` in `words`. It offers every other language, first `own` (the phone's,
+/// may be null), and the turning picture if there is one.
 std::string visitors_page(const std::string& token, const PhoneWords& words, const PhoneWords* own,
                           const PhoneLanguages& languages, bool turning);
 /// A page of one sentence: `key` of [text.phone].

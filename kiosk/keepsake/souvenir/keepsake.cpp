@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostOfOneName = 99;
 
-/// A pass that is taken back unless its keepsake is kept.
+/// A pass that is taken back unless its keepsake is saved.
 class GivenPass {
  public:
   explicit GivenPass(const fs::path& folder) : passes_(folder) {}
@@ -26,7 +26,7 @@ class GivenPass {
   }
   GivenPass(const GivenPass&) = delete;
   GivenPass& operator=(const GivenPass&) = delete;
-  /// Its token; "" where the disk refuses: the keepsake is kept whether or not a phone gets it.
+  /// Its token; "" if the disk refuses, because the keepsake is saved with or without a phone page.
   std::string give(const std::string& visit, const ByPhone& phone) {
     const auto pass =
         passes_.give(visit, std::time(nullptr), phone.hours, phone.language, phone.token);
@@ -41,13 +41,13 @@ class GivenPass {
   std::optional<Pass> pass_;
 };
 
-/// A name that neither a visit nor one in the making has, its .partial folder made.
+/// Finds a name that no visit and no unfinished visit has, and creates its .partial folder.
 Result<std::string> take_name(const fs::path& folder, const std::string& wanted) {
   for (int i = 1; i <= kMostOfOneName; ++i) {
     const std::string name = i == 1 ? wanted : wanted + "_" + std::to_string(i);
     std::error_code error;
     if (fs::symlink_status(folder / name, error).type() != fs::file_type::not_found) continue;
-    // create_directory is the one step that two writers cannot both win.
+    // create_directory is atomic: of two writers only one succeeds.
     if (fs::create_directory(folder / (name + kPartial), error)) return name;
     if (error) {
       return tl::unexpected(
@@ -67,7 +67,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     return problem(keepsake.name, "A visit's name begins with its date and time.",
                    "This is a fault of the program: report it with the log.", 1);
   }
-  // Encode first: what fails here has not touched the disk.
+  // Encode first, so that a failure here has not touched the disk.
   auto png = encoding::encode(keepsake.phone ? keepsake.phone->card : keepsake.postcard,
                               encoding::Format::png, keepsake.caption);
   if (!png) return tl::unexpected(png.error());
@@ -117,7 +117,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
   }
   partial.keep();
   given.keep();
-  // This visit is kept, whatever becomes of others.
+  // This visit is saved even if others cannot be tidied.
   (void)tidy(folder, limits, *name);
   return files;
 }

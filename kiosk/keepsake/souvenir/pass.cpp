@@ -36,7 +36,7 @@ bool is_token(std::string_view text) {
          text.find_first_not_of(kLetters) == std::string_view::npos;
 }
 
-/// Every letter is looked at, whichever the first wrong one is.
+/// Compares every letter, wherever the first difference is.
 bool same(std::string_view token, std::string_view asked, std::size_t& looked_at) {
   unsigned differ = token.size() == asked.size() ? 0u : 1u;
   for (std::size_t n = 0; n < token.size(); ++n, ++looked_at) {
@@ -57,7 +57,7 @@ std::vector<std::string> tokens_in(const fs::path& folder) {
   return tokens;
 }
 
-/// A language's code: what is none is not passed on.
+/// True for a language code; anything else is not passed on.
 bool is_code(const std::string& text) {
   return text.size() <= kLongestCode &&
          text.find_first_not_of(
@@ -96,7 +96,7 @@ Result<Pass> Passes::give(const std::string& visit, std::int64_t now, double hou
     return problem(token, "This is not a valid token.", "Let the program make the token.");
   Pass pass{token, visit, now, now + static_cast<std::int64_t>(hours * 3600.0),
             is_code(language) ? language : std::string()};
-  // A keepsake is fetched once, whichever of its passes leads to it.
+  // Count a keepsake once, whichever of its passes is used.
   for (const std::string& other : tokens_in(folder()))
     if (const auto given = read(other); given && given->visit == visit) {
       pass.counted = given->counted;
@@ -124,7 +124,7 @@ std::optional<Pass> Passes::read(const std::string& token) const {
   Pass pass;
   pass.token = token;
   if (!std::getline(in, pass.visit) || !(in >> pass.from >> pass.until)) return {};
-  // One that an older onggi gave ends here.
+  // Files of an older onggi end here.
   std::string rest;
   std::getline(in, rest);
   if (!std::getline(in, pass.language) || !is_code(pass.language)) pass.language.clear();
@@ -136,8 +136,8 @@ std::optional<Pass> Passes::read(const std::string& token) const {
 std::optional<Pass> Passes::find(std::string_view token, std::int64_t now, Work* work) const {
   const std::vector<std::string> all = tokens_in(folder());
   Work done;
-  // A wrong token has some pass read, as one that has expired has its own: always the same one for
-  // the same token, so that asking again finds it as warm.
+  // For a wrong token, read some pass, as for an expired one. It is always the same pass for the
+  // same token, so that a second request finds it equally warm.
   const std::size_t other = all.empty() ? 0 : std::hash<std::string_view>{}(token) % all.size();
   std::string found = all.empty() ? std::string() : all[other];
   bool right = false;
@@ -174,7 +174,7 @@ bool Passes::has_file(const Pass& pass, const char* name) const {
 Result<void> Passes::remove_all_of(const Pass& pass) const {
   const fs::path visit = keepsakes_ / pass.visit;
   std::error_code error;
-  // Renamed first, so that a power cut leaves a leftover that tidying removes, and no half visit.
+  // Rename first, so that a power cut leaves a leftover for tidying and not half a visit.
   fs::path going = visit;
   going += kPartial;
   if (fs::is_directory(going, error)) fs::remove_all(going, error);
@@ -184,7 +184,7 @@ Result<void> Passes::remove_all_of(const Pass& pass) const {
     return problem(visit.string(),
                    "A visitor's keepsake could not be removed: " + error.message() + ".",
                    "Remove it, and make the folder writable.", 1);
-  // The passes go last: until all is gone the visitor can ask again.
+  // Remove the passes last: until everything is gone the visitor can ask again.
   for (const std::string& token : tokens_in(folder())) {
     const auto other = read(token);
     if (other && other->visit == pass.visit) fs::remove(folder() / token, error);
@@ -199,7 +199,7 @@ void Passes::take_back(const Pass& pass) const {
 
 void Passes::note_fetched(const Pass& pass, std::int64_t now) const {
   if (pass.counted.empty()) return;
-  // A note that the disk does not take is one that is not counted; the visitor has the page.
+  // If the disk refuses the note, the page is not counted, but the visitor has it.
   static_cast<void>(files::leave_fetch_note(
       fetched(), {pass.counted, files::local_time(static_cast<std::time_t>(now), files::kDay)}));
 }

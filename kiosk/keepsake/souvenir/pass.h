@@ -10,65 +10,64 @@
 
 namespace onggi::souvenir {
 
-/// A visitor's way to a keepsake by phone, for a time.
+/// A visitor's temporary access to a keepsake by phone.
 struct Pass {
-  std::string token;       ///< kTokenLetters letters that nobody guesses.
+  std::string token;       ///< kTokenLetters letters that cannot be guessed.
   std::string visit;       ///< The folder of the keepsake.
-  std::int64_t from = 0;   ///< s since 1970, by this machine's clock,
-  std::int64_t until = 0;  ///< and not at it any more.
-  std::string language{};  ///< Code of the visit's; "": not known.
-  bool whole = true;       ///< Its keepsake; false: being written, or being removed.
-  std::string counted{};   ///< Under what its fetching is counted: files::FetchNote::id.
+  std::int64_t from = 0;   ///< Valid in [from, until), Unix seconds by this machine's clock:
+  std::int64_t until = 0;  ///< not valid any more at `until`.
+  std::string language{};  ///< Language code of the visit; "": not known.
+  bool whole = true;       ///< Its keepsake is complete; false: being written or removed.
+  std::string counted{};   ///< Id under which a fetch is counted: files::FetchNote::id.
 };
 
-/// The passes to the keepsakes of one folder, a small file each in `phone` below it. They are files
-/// so that whoever gives them (the kiosk) and whoever takes them (a process that a network reaches)
-/// need not know each other. Any thread; each call reads the disk.
+/// The passes to the keepsakes of one folder, each a small file in the subfolder `phone`. The kiosk
+/// writes them and the web process reads them; they share only the folder. Any thread; each call
+/// reads the disk.
 class Passes {
  public:
-  /// 128 bits of the system's randomness, five to a letter; none that is mistaken for another.
+  /// 128 bits of the system's randomness, five a letter; similar letters are not used.
   static constexpr std::size_t kTokenLetters = 26;
 
   explicit Passes(std::filesystem::path keepsakes) : keepsakes_(std::move(keepsakes)) {}
 
-  /// What a token is made of, before anybody has a pass of it. Problem, exit 1: no randomness.
+  /// A new token, without a pass yet. Problem, exit 1: no randomness.
   static Result<std::string> new_token();
-  /// A new pass to `visit` for `hours`, of `token` (none: a new one), for somebody who speaks
-  /// `language`. Problem, exit 1, where the disk refuses; exit 2 where that is no visit's name or
-  /// no token.
+  /// Creates a pass to `visit` for `hours`, with `token` (empty: a new one) and the visitor's
+  /// `language`. Problem: exit 1 if the disk refuses, exit 2 for an invalid visit name or token.
   Result<Pass> give(const std::string& visit, std::int64_t now, double hours,
                     const std::string& language = {}, std::string token = {}) const;
-  /// What find() did, for tests.
+  /// The work of find(), for tests.
   struct Work {
-    std::size_t letters = 0;  ///< Compared,
-    std::size_t files = 0;    ///< and read.
+    std::size_t letters = 0;  ///< Letters compared,
+    std::size_t files = 0;    ///< and files read.
     friend bool operator==(const Work&, const Work&) = default;
   };
-  /// The pass of this token that is good at `now`. The same work is done for every token: all
-  /// passes are compared, each letter of each, and one is read, be it that of another token. A
-  /// clock that was set back by more than a day ends a pass too.
+  /// The pass of this token if it is valid at `now`. Every token causes the same work: all letters
+  /// of all passes are compared, and one pass is read, perhaps that of another token. A pass also
+  /// ends if the clock was set back by more than a day.
   std::optional<Pass> find(std::string_view token, std::int64_t now, Work* work = nullptr) const;
-  /// A file of its keepsake, one of souvenir's; nothing where it is not there.
+  /// A file of its keepsake, one of souvenir's; nothing if it is missing.
   std::optional<std::string> file_of(const Pass& pass, const char* name) const;
-  /// It is there. It may come later than the others.
+  /// True if the file exists. It may come later than the others.
   bool has_file(const Pass& pass, const char* name) const;
-  /// Removes the keepsake, all of it, and every pass to it. Problem, exit 1, where some is left:
-  /// then the pass is good, and it may be asked for again.
+  /// Removes the whole keepsake and every pass to it. Problem, exit 1, if some of it is left; the
+  /// pass is then still valid, so the visitor can try again.
   Result<void> remove_all_of(const Pass& pass) const;
-  /// A visitor opened the page: it is left in fetched() for whoever counts, once a keepsake.
+  /// Records in fetched() that a visitor opened the page, once a keepsake, for the visit counter.
   void note_fetched(const Pass& pass, std::int64_t now) const;
   /// The folder of those notes (files::fetch_notes()).
   std::filesystem::path fetched() const { return folder() / "fetched"; }
-  /// Takes back a pass that was given for nothing.
+  /// Removes a pass whose keepsake was not saved.
   void take_back(const Pass& pass) const;
-  /// Whoever answers phones says so here at least once a minute, and that it ends.
+  /// The web process calls this at least once a minute, and when it ends.
   void serve() const;
   void end_serving() const;
-  /// It said so less than kSilent seconds ago: phones find somebody.
+  /// True if serve() was called less than kSilent seconds ago, so that phones get an answer.
   bool served(std::int64_t now) const;
   static constexpr std::int64_t kSilent = 150;
-  /// Removes the passes that are good no more, and those whose keepsake has gone; not of one that
-  /// is just being written.
+  /// Removes expired passes and those without a keepsake, except for a keepsake that is being
+  /// written.
   void forget(std::int64_t now) const;
 
  private:

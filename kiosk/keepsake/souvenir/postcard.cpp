@@ -20,13 +20,13 @@ namespace {
 
 // One grid for the whole card, in pixels of 1500 x 2100.
 constexpr float kMargin = 120;
-constexpr Rect kPot{220, 250, 1060, 1090};  ///< The pot stands in it, air all round.
+constexpr Rect kPot{220, 250, 1060, 1090};  ///< Area of the pot, with space all round.
 constexpr float kTitleTop = 1560, kHighestTitle = 1400, kTitleGap = 10;
 constexpr float kCircle = 30, kStarsGap = 26;
 constexpr float kSectionWidth = 250, kSectionHeight = 290;
 constexpr float kFoot = kPostcardHeight - kMargin;
-// Square codes and their quiet zones: 17 mm, and 25 mm for the one that is scanned with a phone in
-// the other hand, or off another screen, where the card is 127 mm wide.
+// QR codes with their quiet zones: 17 mm, and 25 mm for the visitor's own code, which is scanned
+// with a phone in the other hand, or off another screen, where the card is 127 mm wide.
 constexpr float kCode = 200, kOwnCode = 290;
 constexpr float kCaption = 22, kCaptionAir = 12;
 
@@ -41,16 +41,15 @@ view::TextStyle type(Face face, float px, const std::string& language) {
   return style;
 }
 
-/// Where a card is read from. What is laid out from the left is put from the right; what has no
-/// side (a code, a drawing) is moved and not mirrored.
+/// The reading side of a card. The layout is mirrored for right-to-left; a code or a drawing is
+/// moved and not mirrored.
 class Side {
  public:
   explicit Side(bool right_to_left) : from_right_(right_to_left) {}
   float x(float left, float width) const {
     return from_right_ ? kPostcardWidth - left - width : left;
   }
-  /// A line that begins at the card's beginning, whatever script it is in: a Latin credit under
-  /// Arabic words too.
+  /// A line aligned to the reading side in every script, also a Latin credit under Arabic words.
   std::string line(const std::string& words) const {
     // Right-to-left mark, and the words isolated in their own direction (Unicode UAX 9).
     return from_right_ ? "\u200f\u2068" + words + "\u2069" : words;
@@ -62,10 +61,10 @@ class Side {
 
 struct Setting {
   float height = 0;
-  std::optional<Text> text;  ///< At the card's top; nothing where there are no words.
+  std::optional<Text> text;  ///< Its place on the card; nothing if there are no words.
 };
 
-/// `words` set `width` wide from the margin, smaller where they would take more than `most` lines.
+/// Sets `words` `width` wide from the margin, smaller if they would take more than `most` lines.
 Setting set(const std::string& words, view::TextStyle style, Color color, float width, int most,
             const Side& side, const view::TextMeasure& measure) {
   if (words.empty()) return {};
@@ -81,7 +80,7 @@ Setting set(const std::string& words, view::TextStyle style, Color color, float 
   return {size.height, Text{{side.x(kMargin, width), 0, width, size.height}, line, style, color}};
 }
 
-/// Puts what was set at `top`; gives the top of what comes below.
+/// Places the text at `top` and returns the top of what comes below.
 float put(view::Frame& card, Setting setting, float top) {
   if (setting.text) {
     setting.text->box.y = top;
@@ -90,7 +89,7 @@ float put(view::Frame& card, Setting setting, float top) {
   return top + setting.height;
 }
 
-/// A square code with its words below, centred.
+/// A QR code with its words below, centred.
 struct CodeBlock {
   CodeBlock(const std::string& address, float wanted_px, const std::string& words,
             const std::string& language, const view::TextMeasure& measure)
@@ -103,7 +102,7 @@ struct CodeBlock {
     caption->style.align = Align::centre;
     caption->box.h = std::ceil(measure.measure(words, caption->style, caption->box.w).height);
   }
-  /// Of code, quiet zone and words. Without words the code's ink ends on the foot's line.
+  /// Top of code, quiet zone and words. Without words the code's ink ends on the foot's line.
   float top() const {
     const auto quiet = static_cast<float>(view::SquareCode::kQuiet * code.module(wanted));
     return kFoot - width + (caption ? -caption->box.h : quiet);
@@ -121,8 +120,8 @@ struct CodeBlock {
   std::optional<Text> caption{};
 };
 
-/// A vessel as it is drawn in the field: the wall in section on the left of its axis, the outside
-/// on the right, foot and rim ruled across.
+/// Draws a vessel like an archaeologist: the wall in section on the left of its axis, the outside
+/// on the right, foot and rim as straight lines.
 class SectionDrawing {
  public:
   SectionDrawing(view::Frame& card, const Profile& made, const Profile& target, const Side& side)
@@ -163,7 +162,7 @@ class SectionDrawing {
     }
     card_.items.push_back(Line{right, {ink}, 2});
     card_.items.push_back(Line{inner, {ink}, 2});
-    // Rim and foot are ruled, the axis divides section and view.
+    // Rule rim and foot; the axis separates section and view.
     card_.items.push_back(Line{{at(-p.outer_at(top), top), at(p.outer_at(top), top)}, {ink}, 2});
     card_.items.push_back(Line{{at(-p.outer_at(0), 0), at(p.outer_at(0), 0)}, {ink}, 2});
     card_.items.push_back(Line{{at(0, 0), at(0, top)}, {ink}, 1.5f});
@@ -176,7 +175,7 @@ class SectionDrawing {
     return {axis_ + static_cast<float>(x * scale_), ground_ - static_cast<float>(h * scale_)};
   }
 
-  /// Cut clay is black. Laid as strips of two pixels, each from the outside to the inside.
+  /// Cut clay is black: strips of two pixels, each from the outside to the inside.
   void fill_wall(const Profile& p, Color ink) {
     const auto strips = static_cast<int>(std::ceil(p.height() * scale_ / 2));
     for (int i = 0; i < strips; ++i) {
@@ -212,8 +211,8 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   pot.wheel = false;
   card.pot = pot;
 
-  // At the foot beside the small print: the codes, and in the corner the drawing of what was made
-  // over the pale outline of what it answers.
+  // Beside the small print at the foot: the codes, and in the corner the drawing of the pot over
+  // the pale outline of its vessel.
   const Side side(words.right_to_left);
   const float width = kPostcardWidth - 2 * kMargin;
   const bool both = !words.address.empty() && !words.phone.empty();
@@ -224,7 +223,7 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   const float code_left = own_left - museum.width;
   own.put_at(card, side.x(own_left, own.width));
   museum.put_at(card, side.x(code_left, museum.width));
-  float beside_top = kFoot;  // What stands beside the words begins here.
+  float beside_top = kFoot;  // top of what is beside the words
   for (const CodeBlock* block : {&own, &museum})
     if (!block->code.empty()) beside_top = std::min(beside_top, block->top());
   if (made.points.size() >= 2 && target.points.size() >= 2) {
@@ -250,8 +249,8 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
                               view::kFaintInk});
   }
 
-  // Title and vessel under the pot, nearer to it where what is below needs the room. The title has
-  // the card's width, and the vessel what is left beside drawing and codes.
+  // Title and vessel are under the pot, nearer to it if the space below is needed. The title has
+  // the card's width, and the vessel the space left by drawing and codes.
   Setting title =
       set(words.title, type(Face::serif, 78, words.language), view::kInk, width, 2, side, measure);
   Setting vessel = set(words.vessel, type(Face::sans, 38, words.language), view::kFaintInk,
@@ -262,7 +261,7 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   const float under = put(card, std::move(title), std::clamp(room, kHighestTitle, kTitleTop)) + 10;
   const float y = put(card, std::move(vessel), under);
 
-  // Five circles, as many filled as there are stars.
+  // Five circles, one filled for each star.
   for (int i = 0; i < 5; ++i) {
     const float left = kMargin + static_cast<float>(i) * kCircle * 1.6f;
     const Rect circle{side.x(left, kCircle), y + kStarsGap, kCircle, kCircle};

@@ -11,9 +11,10 @@ namespace {
 
 using Point = std::array<float, 3>;
 
-/// Metres with y up to millimetres with z up: a quarter turn about x, which keeps outside outside.
+/// Metres with y up to millimetres with z up: a quarter turn about x, which keeps the outside
+/// outside.
 Point to_printer(const Point& p) {
-  // Adding 0 makes -0 into 0: equal places become equal bytes.
+  // Adding 0 turns -0 into 0, so that equal positions have equal bytes.
   return {p[0] * 1000.0f + 0.0f, -p[2] * 1000.0f + 0.0f, p[1] * 1000.0f + 0.0f};
 }
 
@@ -27,7 +28,7 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
     n[k] = edge(a, b, i) * edge(a, c, j) - edge(a, b, j) * edge(a, c, i);
   }
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  if (!(length > 0.0)) return {0, 0, 0};  // a sliver: slicers then work it out themselves
+  if (!(length > 0.0)) return {0, 0, 0};  // a sliver: slicers compute it themselves
   return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length),
           static_cast<float>(n[2] / length)};
 }
@@ -47,13 +48,13 @@ std::vector<std::byte> write_stl(const TriangleMesh& mesh, const std::string& ti
     const std::array<Point, 3> face{to_printer(mesh.positions[triangle[0]]),
                                     to_printer(mesh.positions[triangle[1]]),
                                     to_printer(mesh.positions[triangle[2]])};
-    // Where a wall closes on the axis two corners are one point: no surface, and slicers complain.
+    // Where a wall closes on the axis, two corners are one point: no area, and slicers complain.
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) continue;
     faces.push_back(face);
   }
 
   files::ByteWriter out(kHeader + 4 + kTriangle * faces.size());
-  // Never "solid" first: readers take that for the text form of STL.
+  // The header must not begin with "solid": readers would take it for the text form of STL.
   std::string header = "Onggi, mm, z up: " + title;
   std::size_t end = std::min(header.size(), kHeader);
   while (end < header.size() && (static_cast<unsigned char>(header[end]) & 0xC0) == 0x80) --end;

@@ -9,7 +9,7 @@
 namespace onggi::souvenir {
 
 /// Binary STL in millimetres, z up, outside facing outwards, as slicers expect. Triangles without
-/// a surface are left out. The same mesh gives the same bytes.
+/// area are left out. The same mesh gives the same bytes.
 std::vector<std::byte> write_stl(const TriangleMesh& mesh, const std::string& title);
 
 }  // namespace onggi::souvenir

@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFewest = 4;  // every so manieth picture, where all are too many
+constexpr int kFewest = 4;  // if all are too many, use every n-th picture, up to this n
 
-/// Every `nth` of its pictures, in the same time.
+/// Every `nth` of its pictures, with the same duration.
 encoding::Turning sparser(const encoding::Turning& all, int nth) {
   encoding::Turning some{all.width, all.height, (all.frames + nth - 1) / nth, all.seconds, {}};
   const std::size_t size = all.rgba.size() / static_cast<std::size_t>(std::max(all.frames, 1));
@@ -47,7 +47,7 @@ Result<fs::path> add_turning(const fs::path& visit, std::span<const std::byte> g
   if (fs::symlink_status(visit, error).type() != fs::file_type::directory)
     return problem(visit.string(), "The keepsake was deleted before its turning picture was made.",
                    "Nothing needs doing: somebody or the quota deleted it.", 1);
-  // Made beside the visit, under the name that whoever deletes it removes too.
+  // Made beside the visit, under a name that deleting the visit removes too.
   PartialFolder making(fs::path(visit) += kPartial);
   if (!fs::create_directory(making.path(), error)) {
     const fs::path there = making.path();
@@ -58,7 +58,7 @@ Result<fs::path> add_turning(const fs::path& visit, std::span<const std::byte> g
     return tl::unexpected(written.error());
   if (auto moved = files::rename_durably(making.path() / kTurning, visit / kTurning); !moved)
     return tl::unexpected(moved.error());
-  // This picture is kept, whatever becomes of others.
+  // This picture is saved even if others cannot be tidied.
   (void)tidy(visit.parent_path(), limits, visit.filename().string());
   return visit / kTurning;
 }

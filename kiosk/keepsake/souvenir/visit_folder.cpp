@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 120;
 constexpr auto kLeftoverAge = std::chrono::hours(1);
-// Before it there was no onggi: an earlier date is that of a clock that was wrong.
+// The year of the first onggi: an earlier date comes from a wrong clock.
 constexpr const char* kFirst = "2026";
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -31,7 +31,8 @@ bool is_plain(char c) {
          c == '_';
 }
 
-/// Only what save() writes: its files, or what a power cut left of one (".postcard.png.12-3.part").
+/// True for files that save() writes, or parts of one that a power cut left
+/// (".postcard.png.12-3.part").
 bool is_ours(const std::string& file) {
   constexpr std::array<std::string_view, 8> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
                                                   kReplay,      kSmall,        kShown,  kTurning};
@@ -46,8 +47,7 @@ struct Visit {
   std::uintmax_t bytes = 0;
 };
 
-/// True where `folder` is a real folder (no link) that holds nothing but our files; adds up
-/// `bytes`.
+/// True if `folder` is a real folder (no link) with only our files; adds up `bytes`.
 bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
   std::error_code error;
   if (fs::symlink_status(folder, error).type() != fs::file_type::directory) return false;
@@ -60,12 +60,12 @@ bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
   return !error;
 }
 
-/// Renamed first, so that a power cut in the middle leaves a leftover, not half a visit.
+/// Renames first, so that a power cut leaves a leftover and not half a visit.
 Result<void> remove_visit(const fs::path& folder) {
   fs::path going = folder;
   going += kPartial;
   std::error_code error;
-  // What a power cut left of its turning picture is in the way.
+  // A power cut may have left a part of its turning picture there.
   std::uintmax_t bytes = 0;
   if (holds_only_ours(going, bytes)) fs::remove_all(going, error);
   fs::rename(folder, going, error);
@@ -76,9 +76,9 @@ Result<void> remove_visit(const fs::path& folder) {
                  "Make the folder writable for onggi, or remove it.", 1);
 }
 
-/// When the days of the visit in `folder` begin, as in a name: by its own, or, where a clock that
-/// was years back gave it that, when a tidying by a clock that is right first came upon it. That
-/// one leaves its time on the folder.
+/// The date from which the visit in `folder` ages, as in a name: its own date, or, if a wrong clock
+/// gave it a date years back, the time when a tidying with a right clock first saw it. That tidying
+/// leaves its time on the folder.
 std::string begin_of(const fs::path& folder, std::time_t now) {
   const std::string name = folder.filename().string();
   if (name >= kFirst) return name;
@@ -92,8 +92,8 @@ std::string begin_of(const fs::path& folder, std::time_t now) {
   return files::local_time(now, files::kStamp);
 }
 
-/// A visit whose days began before this is older than `days`. "" where none is, for all we know:
-/// after a leap of the clock nothing goes by its age until the clock is believed.
+/// Visits dated before this are older than `days`. "" if nothing may be removed by age: also after
+/// a jump of the clock, until the clock is trusted again.
 std::string oldest_begin(int days, const std::vector<Visit>& visits, std::time_t now) {
   if (days <= 0) return {};
   std::vector<std::time_t> times;
@@ -104,8 +104,8 @@ std::string oldest_begin(int days, const std::vector<Visit>& visits, std::time_t
   return files::local_time(now - days * kDayLength, files::kStamp);
 }
 
-/// A .partial that no writer is still at: over an hour old. One from the future (a clock that was
-/// set back) waits until the clock has caught up.
+/// True for a .partial folder that no writer uses: over an hour old. One from the future (the clock
+/// was set back) waits until the clock has caught up.
 bool is_leftover(const fs::path& folder) {
   std::error_code error;
   const auto changed = fs::last_write_time(folder, error);
@@ -121,7 +121,7 @@ std::string visit_name(std::string_view wanted) {
   std::string name(wanted.substr(0, kLongestName));
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !is_plain(c); }, '_');
-  // Never the name of a folder in the making.
+  // Never use the name of an unfinished folder.
   while (name.ends_with(kPartial)) name[name.size() - std::string_view(kPartial).size()] = '_';
   return name;
 }
@@ -143,7 +143,7 @@ Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const st
     }
   }
 
-  // Names begin with the time, so the order of names is the order of visits.
+  // Names begin with the time, so they sort by time.
   std::sort(visits.begin(), visits.end(),
             [](const Visit& a, const Visit& b) { return a.folder < b.folder; });
   const std::string oldest = oldest_begin(limits.days, visits, now);

@@ -15,22 +15,22 @@ inline constexpr const char* kPotGlb = "pot.glb";
 inline constexpr const char* kPotStl = "pot.stl";
 inline constexpr const char* kReplay = "visit.onggi";
 inline constexpr const char* kSmall = "small.jpg";  ///< The pot alone, for the gallery,
-inline constexpr const char* kShown = "pot.txt";    ///< and what is said of it there.
+inline constexpr const char* kShown = "pot.txt";    ///< and its facts for the gallery.
 
-/// The pot from all round; comes after the others, or not at all.
+/// The pot from all sides; added later than the others, or not at all.
 inline constexpr const char* kTurning = "turning.gif";
 
-/// Behind the name of a folder that is being written or removed.
+/// Ending of a folder that is being written or removed.
 inline constexpr const char* kPartial = ".partial";
 
-/// Does `name` begin as visits do: "2026-05-04_141503_" and at least one character more?
+/// True if `name` begins like a visit's: "2026-05-04_141503_" and at least one more character.
 bool is_visit_name(std::string_view name);
 
-/// `wanted` as a folder's name: letters, digits, '.', '-' and '_' stay, all else becomes '_'; 120
-/// bytes at most. "" if it does not begin as visits do.
+/// `wanted` as a folder name: letters, digits, '.', '-' and '_' stay, everything else becomes '_';
+/// at most 120 bytes. "" if it does not begin like a visit's name.
 std::string visit_name(std::string_view wanted);
 
-/// A folder that goes away with everything in it unless it is kept.
+/// A folder that is removed with its content unless it is kept.
 class PartialFolder {
  public:
   explicit PartialFolder(std::filesystem::path path) : path_(std::move(path)) {}

@@ -61,7 +61,8 @@ Database Database::open(const std::filesystem::path& file, Mode mode) {
   database.db_.reset(db);
   if (!database.note(code)) return database;
   sqlite3_extended_result_codes(db, 1);
-  // Exclusive before the log: then no second connection can begin, and no shared memory is needed.
+  // Lock exclusively before using the log: no second connection can then begin, and no shared
+  // memory is needed.
   if (mode == Mode::own)
     database.run(
         "PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL;"

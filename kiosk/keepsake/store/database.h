@@ -11,37 +11,38 @@ struct sqlite3_stmt;
 
 namespace onggi::store {
 
-/// What SQLite says of a failure, as far as it matters for what to do next.
+/// The kinds of SQLite failure that need different reactions.
 enum class Trouble : std::uint8_t {
   none,
-  damaged,     ///< What is in the file is no database, or not the one that was written.
-  unfit,       ///< A database, but a table or a column is not there, or is another one.
-  in_use,      ///< Another program has it.
+  damaged,     ///< The file is not a database, or is damaged.
+  unfit,       ///< A database with a missing or different table or column.
+  in_use,      ///< Another program uses it.
   unwritable,  ///< A full or read-only disk, no permission, a failed write.
   other,
 };
 
 /// One connection to one SQLite file. No exceptions: the first failure stays in trouble(), whatever
-/// succeeds or fails after it (a rollback, say), until retry(). Any one thread; every call may wait
-/// for the disk.
+/// succeeds or fails after it (a rollback, for example), until retry(). One thread; every call may
+/// wait for the disk.
 class Database {
  public:
   enum class Mode : std::uint8_t {
-    own,   ///< Made where it is missing; write-ahead log, durable at each commit, and nobody else
-           ///< gets in: two connections to one such file can damage it (SQLite before 3.51.3).
-    read,  ///< Must be there, and nobody may be writing it: a copy.
+    /// Created if missing; write-ahead log, durable at each commit, and exclusive: two connections
+    /// to one such file can damage it (SQLite before 3.51.3).
+    own,
+    read,  ///< Must exist and must not be written by anyone: a copy.
   };
   static Database open(const std::filesystem::path& file, Mode mode);
 
   Trouble trouble() const { return trouble_; }
-  /// SQLite's own words for it.
+  /// SQLite's message for it.
   const std::string& message() const { return message_; }
-  /// Forgets a trouble that may have passed. Damage does not pass.
+  /// Forgets a trouble that may have passed. Damage stays.
   void retry();
 
-  /// Statements that give no rows, one after the other. False: see trouble().
+  /// Runs statements that return no rows. False: see trouble().
   bool run(const std::string& sql);
-  /// The first figure that `sql` gives; nothing where it gives none or fails.
+  /// The first number that `sql` returns; nothing if there is none or on failure.
   std::optional<std::int64_t> number(const std::string& sql);
 
  private:
@@ -61,16 +62,16 @@ class Statement {
  public:
   Statement(Database& database, const std::string& sql);
 
-  /// The next parameter, from the first on; after reset() from the first again.
+  /// Sets the next parameter, starting with the first; after reset() from the first again.
   Statement& bind(std::int64_t value);
   Statement& bind(double value);
   Statement& bind(const std::string& value);
   Statement& bind(const std::optional<double>& value);
-  /// True where there is a row. False at the end and on a failure: see done().
+  /// True if there is a row. False at the end and on a failure: see done().
   bool step();
-  /// It came to its end without a failure.
+  /// True if it ended without a failure.
   bool done() const { return done_; }
-  /// For the next row of parameters.
+  /// Resets for the next set of parameters.
   void reset();
 
   /// Column `n`, from 0, of the row.

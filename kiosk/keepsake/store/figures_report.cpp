@@ -86,13 +86,13 @@ std::string put_table(const PublishedStatistics::Lines& table, const char* title
   return text;
 }
 
-/// An exhibit without missions need not be told that nobody chose one.
+/// False for an exhibit without missions, which needs no line that nobody chose one.
 bool any_named(const PublishedStatistics::Lines& table) {
   return table.too_few || std::any_of(table.lines.begin(), table.lines.end(),
                                       [](const Line& line) { return !line.name.empty(); });
 }
 
-/// Nothing where no phone ever fetched: most kiosks have none to fetch with.
+/// Empty if no phone ever fetched a keepsake: most kiosks have no phone page.
 std::string fetched_words(const PublishedStatistics& s) {
   if (!s.fetched) return ", and too few to show were opened on a phone";
   if (*s.fetched == 0) return {};

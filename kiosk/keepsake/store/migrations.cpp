@@ -7,7 +7,7 @@ namespace onggi::store {
 
 namespace {
 
-// Each was shipped: never change one, add the next.
+// All of these have shipped: never change one, add the next.
 constexpr std::array<const char*, 6> kSteps{
     // 1: visits. `left` is a word of SQL.
     R"sql(
@@ -53,19 +53,19 @@ CREATE INDEX keepsakes_by_age ON keepsakes (kept_at);
     R"sql(
 CREATE TABLE settings (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 )sql",
-    // 4: visits once, and nothing beside them: a second copy outlived what was forgotten, keepsakes
-    // go by the dates in their names, and no setting was ever kept here.
+    // 4: only visits. A second copy outlived deleted visits, keepsakes age by the dates in their
+    // names, and no setting was ever stored here.
     R"sql(
 DROP TABLE IF EXISTS outbox;
 DROP TABLE IF EXISTS keepsakes;
 DROP TABLE IF EXISTS settings;
 )sql",
-    // 5: keepsakes that were opened on a phone. The id is random and of nothing else.
+    // 5: keepsakes that were opened on a phone. The id is random and belongs to nothing else.
     R"sql(
 CREATE TABLE fetches (id TEXT PRIMARY KEY, day TEXT NOT NULL) WITHOUT ROWID;
 CREATE INDEX fetches_by_day ON fetches (day);
 )sql",
-    // 6: what the visitor had chosen to do: the id of a mission, or nothing.
+    // 6: the visitor's task: a mission's id, or nothing.
     R"sql(
 ALTER TABLE visits ADD COLUMN mission TEXT NOT NULL DEFAULT '';
 )sql"};

@@ -19,28 +19,28 @@ std::optional<std::int64_t> told(std::int64_t count) {
   return is_few(count) ? std::nullopt : std::optional(count);
 }
 
-/// A share is told where neither those who have it nor those who have not are few.
+/// A share may be published only if both groups, with and without it, are large enough.
 bool is_share_told(const Cell& cell, Share share) {
   return !is_few(cell.*share) && !is_few(cell.visits - cell.*share);
 }
 
-/// Counts of people that are left out, whose sum anybody can have: does it tell one of them? Where
-/// there are no more people than counts, and none is a nought, each is one.
+/// Some counts of people are suppressed, but their sum is known: does it reveal one of them? If
+/// there are no more people than counts, and no count is zero, each is one.
 bool gives_away(std::int64_t together, std::int64_t number, std::int64_t least) {
   return number > 0 && (number < 2 || together < least || together <= number);
 }
 
-/// A table, and what of each line is left out.
+/// A table, and what is suppressed in each line.
 struct Screened {
   explicit Screened(const Table& of)
       : table(&of), visits(of.cells.size()), kept(visits), judged(visits), unnamed(visits) {}
   const Cell& cell(std::size_t n) const { return table->cells[n]; }
   const Table* table;
   std::vector<bool> visits, kept, judged;
-  std::vector<bool> unnamed;  ///< Not even that there is such a line.
+  std::vector<bool> unnamed;  ///< Even the line's name is suppressed.
 };
 
-/// Lines whose visits add up to a figure that is told.
+/// Screens lines whose visits add up to a published figure.
 void screen_visits(Screened& s, const Lines& lines) {
   std::vector<std::int64_t> counts;
   std::vector<bool> seeds;
@@ -60,9 +60,10 @@ void screen_visits(Screened& s, const Lines& lines) {
   for (const std::size_t n : lines) s.visits[n] = s.unnamed[n] = true;
 }
 
-/// Of lines whose shares add up to that of `whole`: left out with its line, where it is not to be
-/// told, and then of the smallest lines, until what is left out is about enough who have it and
-/// enough who have not. Of nobody, or of all, it is told of every line by telling the whole.
+/// Screens lines whose shares add up to that of `whole`. A share is suppressed with its line or if
+/// it may not be published, then for the smallest lines, until the suppressed ones together have
+/// enough people with and without it. If nobody or everybody has it, publishing the whole reveals
+/// every line.
 void screen_share(const Screened& s, std::vector<bool>& out, const Lines& lines, Share share,
                   const Cell& whole, bool whole_told) {
   for (const std::size_t n : lines)
@@ -89,7 +90,7 @@ void screen_share(const Screened& s, std::vector<bool>& out, const Lines& lines,
 
 struct Whole {
   const Cell* cell;
-  bool visits, kept, judged;  ///< Told.
+  bool visits, kept, judged;  ///< Published.
 };
 
 void screen(Screened& s, const Lines& lines, const Whole& whole) {
@@ -107,7 +108,7 @@ Screened* table_named(std::vector<Screened>& all, std::string_view table) {
   return nullptr;
 }
 
-/// The days of a month add up to the month, and months to all.
+/// The days of a month add up to the month, and the months to the total.
 void screen_days(Screened& days, const Screened& months) {
   for (std::size_t m = 0; m < months.table->cells.size(); ++m) {
     Lines lines;
@@ -117,8 +118,8 @@ void screen_days(Screened& days, const Screened& months) {
   }
 }
 
-/// Line `name` of two tables is of the same visits: two lines, one figure. True where one was told
-/// and the other was not.
+/// Line `name` is about the same visits in both tables, so both must be shown or both suppressed.
+/// True if one of them changed.
 bool join(Screened* one, Screened* other, const std::string& name) {
   bool changed = false;
   if (one == nullptr || other == nullptr) return false;
@@ -137,8 +138,8 @@ bool join(Screened* one, Screened* other, const std::string& name) {
   return changed;
 }
 
-/// Whoever leaves at a fault is whose visit a fault ended; a pot that answers a description is
-/// called by it among the vessels too.
+/// A visit that a fault ended also counts as left at the fault screen; a pot that answers a
+/// description appears under the same name among the vessels.
 bool join_same(std::vector<Screened>& all) {
   bool changed = join(table_named(all, "left"), table_named(all, "ended"), "fault");
   Screened* const missions = table_named(all, "mission");
@@ -186,7 +187,7 @@ PublishedStatistics::Lines lines_of(const Screened& s) {
     to.push_back(line_of(s.cell(n), !s.visits[n], !s.kept[n], !s.judged[n]));
     lines.left_out += s.visits[n] ? 1 : 0;
   }
-  // By name: their place among the others would tell which has more.
+  // Sort by name: their position would tell which has more.
   std::sort(hidden.begin(), hidden.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });
   lines.lines.insert(lines.lines.end(), hidden.begin(), hidden.end());
@@ -227,7 +228,7 @@ PublishedStatistics publish(const Statistics& s) {
   const Whole all{&s.all, !is_few(s.all.visits), is_share_told(s.all, &Cell::kept),
                   is_share_told(s.all, &Cell::judged)};
   p.all = line_of(s.all, all.visits, all.kept, all.judged);
-  // Who fetched is of those who kept. More than these are of keepsakes from days before.
+  // Fetched keepsakes belong to kept ones, unless there are more: then some are from earlier days.
   if (all.visits && all.kept && !is_few(s.fetched) && !is_few(s.all.kept - s.fetched))
     p.fetched = s.fetched;
   if (all.visits) {

@@ -26,7 +26,7 @@ constexpr std::pair<const char*, const char*> kTables[] = {
 
 constexpr const char* kSums =
     "count(*), total(kept), total(active_s), count(likeness), total(likeness)";
-// Without an end: every day is after "" and before a letter.
+// Open ends: every day is after "" and before a letter.
 constexpr const char* kOf = " FROM visits WHERE day >= ? AND day <= ? AND active_s >= ?";
 
 class Reader {
@@ -62,7 +62,7 @@ class Reader {
     return out;
   }
 
-  /// The mean of the middle two where their number is even.
+  /// The mean of the middle two if their number is even.
   std::optional<double> median(std::int64_t visits) {
     if (visits == 0) return std::nullopt;
     Statement rows = ask("active_s", " ORDER BY active_s LIMIT " + std::to_string(2 - visits % 2) +
@@ -121,7 +121,7 @@ Result<Statistics> read_statistics(const std::string& file, const std::string& f
     return problem(file, "There is no store of visits.",
                    "The first visit creates it beside the keepsakes. Name another store with "
                    "--store FILE.");
-  // No report is written over it.
+  // Note the file as read, so that no report overwrites it.
   struct stat read {};
   if (stat(file.c_str(), &read) == 0) files::note_read(read);
   const CopyFolder folder;

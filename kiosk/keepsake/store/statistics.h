@@ -10,13 +10,13 @@
 
 namespace onggi::store {
 
-/// One line of a table: the visits that have `name` in common.
+/// One line of a table: the visits with the same `name`.
 struct Cell {
   std::string name;
   std::int64_t visits = 0;
-  std::int64_t kept = 0;    ///< Of them with a keepsake.
-  double active_s = 0.0;    ///< All of theirs.
-  std::int64_t judged = 0;  ///< Of them with a pot that was called done,
+  std::int64_t kept = 0;    ///< Visits with a keepsake.
+  double active_s = 0.0;    ///< Sum over its visits.
+  std::int64_t judged = 0;  ///< Visits with a pot that was called done,
   double likeness = 0.0;    ///< and the sum of its likeness, 0..100.
   friend bool operator==(const Cell&, const Cell&) = default;
 };
@@ -27,28 +27,28 @@ struct Table {
   std::vector<Cell> cells;
 };
 
-/// All figures of some days, exactly as counted: not for anybody outside (PublishedStatistics).
+/// All figures of some days, exactly as counted. Not for publication (PublishedStatistics).
 struct Statistics {
-  std::string from, to;  ///< Local days, both counted; "": without that end.
+  std::string from, to;  ///< Local days, both included; "": open end.
   std::int64_t brief =
-      0;     ///< Touches shorter than kBrief, which are no visit and count nowhere else.
-  Cell all;  ///< Of every visit; without a name.
-  std::int64_t pots = 0;  ///< Lumps begun.
+      0;     ///< Touches shorter than kBrief, which are not visits and count nowhere else.
+  Cell all;  ///< The total over all visits; without a name.
+  std::int64_t pots = 0;  ///< Pots begun.
   double throwing_s = 0.0;
-  std::int64_t fetched = 0;        ///< Keepsakes that were opened on a phone on those days.
-  std::optional<double> median_s;  ///< Of a visit's active time; nothing where there is no visit.
+  std::int64_t fetched = 0;        ///< Keepsakes opened on a phone on those days.
+  std::optional<double> median_s;  ///< Median active time of a visit; absent without visits.
   std::vector<Table> tables;
 
   static constexpr double kBrief = 3.0;  ///< s
 };
 
-/// Reads the visits of `from` .. `to`. Each table is by visits, most first, months, days and hours
-/// in their order. Problem: the file is not what a store writes.
+/// Reads the visits of `from` .. `to`. Tables are sorted by visits, most first; months, days and
+/// hours by time. Problem: the file is not a valid store.
 Result<Statistics> read_statistics(Database& database, const std::string& from,
                                    const std::string& to);
 
-/// Reads the same out of the store at `file`, which another onggi may be writing at the time: from
-/// a copy of it, made anew until it is whole. Problem: there is none, or no whole copy was had.
+/// Reads the same from the store at `file`, which another onggi may be writing, through a copy that
+/// is repeated until it is complete. Problem: there is no store, or no complete copy was possible.
 Result<Statistics> read_statistics(const std::string& file, const std::string& from,
                                    const std::string& to);
 

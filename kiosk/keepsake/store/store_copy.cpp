@@ -12,8 +12,8 @@ namespace onggi::store {
 
 namespace {
 
-/// By what a change of a file is seen. The log's header has a number that is new each time the log
-/// is begun anew, which size and time of a short one need not tell.
+/// The signs of a changed file. The log's header has a number that changes whenever the log
+/// restarts, which size and time of a short log may not show.
 struct Looks {
   std::uintmax_t size = 0;
   fs::file_time_type time;

@@ -5,14 +5,14 @@
 
 namespace onggi::store {
 
-/// A folder of its own under the system's temporary one, gone with the object.
+/// A folder of its own in the system's temporary folder, removed with the object.
 class CopyFolder {
  public:
   CopyFolder();
   ~CopyFolder();
   CopyFolder(const CopyFolder&) = delete;
   CopyFolder& operator=(const CopyFolder&) = delete;
-  /// Empty where none could be made.
+  /// Empty if it could not be created.
   const std::filesystem::path& path() const { return path_; }
 
  private:
@@ -20,8 +20,8 @@ class CopyFolder {
 };
 
 /// Copies a store that another program may be writing, with its log, to `to`, as both were at one
-/// moment. False where they changed meanwhile or could not be read: copy anew. Blocks.
-/// `meanwhile` is called between the two files, for tests.
+/// moment. False if they changed meanwhile or could not be read: copy again. Blocks. Tests use
+/// `meanwhile`, which is called between the two files.
 bool copy_still(const std::filesystem::path& file, const std::filesystem::path& to,
                 const std::function<void()>& meanwhile = {});
 

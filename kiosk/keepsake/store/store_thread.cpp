@@ -116,8 +116,8 @@ bool StoreThread::open() {
   return true;
 }
 
-/// The file, which turned out damaged. Not left to open(): a check of it may not find what an
-/// access met. False: it stays where it is, which is said.
+/// Sets the damaged file aside. open() could not do this, because its check may miss the damage
+/// that an access met. False: the file stays, which is reported.
 bool StoreThread::set_aside() {
   store_.reset();
   const auto aside = VisitStore::set_aside(file_, stamp());
@@ -135,7 +135,7 @@ void StoreThread::forget() {
   const std::time_t now = files::wall_now();
   const std::time_t oldest = now - static_cast<std::time_t>(months_) * 30 * 24 * 3600;
   const std::string day = files::local_time(oldest, files::kDay);
-  // A clock that is ten years ahead for an hour must not cost three years of visits.
+  // A clock that is ten years ahead for an hour must not delete three years of visits.
   const Result<bool> leapt = opened ? store_->clock_leapt(now) : Result<bool>(false);
   if (leapt && *leapt) return;
   if (opened)
@@ -148,13 +148,13 @@ void StoreThread::forget() {
   if (auto good = VisitStore::forget_aside(file_, day); !good) say(good.error());
 }
 
-/// Notes stay until they are in the store: what the disk does not take now is there next time.
+/// Notes stay until they are in the store, so what the disk refuses now is tried again.
 void StoreThread::gather() {
   if (fetched_.empty()) return;
   const std::vector<files::FetchNote> notes = files::fetch_notes(fetched_, kMostNotes);
   if (notes.empty() || !open()) return;
   if (auto good = store_->add_fetches(notes); !good) {
-    // Damage that is found so is set aside as a visit's would be.
+    // Damage found here sets the file aside, as for a visit.
     if (store_->trouble() == Trouble::damaged)
       set_aside();
     else
@@ -164,8 +164,8 @@ void StoreThread::gather() {
   for (const files::FetchNote& note : notes) files::remove_fetch_note(fetched_, note);
 }
 
-/// What could be written is taken out of `visits`. A file that turns out damaged is set aside, and
-/// they go into the one that is begun in its place.
+/// Removes the written ones from `visits`. If the file turns out to be damaged, it is set aside,
+/// and they go into the new one.
 void StoreThread::write(std::deque<VisitRecord>& visits) {
   for (int attempt = 0; attempt < 2 && !visits.empty(); ++attempt) {
     if (!open()) return;

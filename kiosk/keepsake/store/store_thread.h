@@ -17,20 +17,19 @@
 
 namespace onggi::store {
 
-/// The store on a thread of its own, so that no frame waits for its disk. What is handed over is
-/// kept in memory until it is on the disk: up to kMost, tried again with what comes next; then the
-/// oldest is dropped, and the log says how many.
+/// Runs the store on its own thread, so that no frame waits for its disk. Visits stay in memory
+/// until they are on the disk: up to kMost, tried again with the next one; then the oldest is
+/// dropped, and the log tells how many.
 class StoreThread {
  public:
   static constexpr std::size_t kMost = 10'000;
   static constexpr std::chrono::hours kDaily{24};
   static constexpr std::chrono::seconds kGather{60};
-  static constexpr std::size_t kMostNotes = 1000;  ///< Taken up at once.
+  static constexpr std::size_t kMostNotes = 1000;  ///< Collected at once.
 
-  /// `months` (of 30 days) that a visit is counted, and that a damaged file lies aside, before it
-  /// is forgotten; 0: for ever. That is seen to at the start and every `forget`.
-  /// What phones fetched is taken up from the notes in `fetched` (files::fetch_notes()) at the
-  /// start, every `gather` and at the end; "": from nowhere.
+  /// `months` (of 30 days): how long a visit is counted and a damaged file is kept; 0: forever.
+  /// Checked at the start and every `forget`. Phones' notes in `fetched` (files::fetch_notes()) are
+  /// collected at the start, every `gather` and at the end; "": none.
   StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget = kDaily,
               std::filesystem::path fetched = {}, std::chrono::milliseconds gather = kGather);
   /// As end().
@@ -38,14 +37,14 @@ class StoreThread {
   StoreThread(const StoreThread&) = delete;
   StoreThread& operator=(const StoreThread&) = delete;
 
-  /// Main's: never waits for the disk.
+  /// Main thread: adds a visit. Never waits for the disk.
   void visit(VisitRecord visit);
-  /// Main's: what staff should know, a Problem once.
+  /// Main thread: what staff should know, each Problem once.
   std::vector<Problem> remarks();
-  /// Waits until the file was opened and all that was handed over has been tried.
+  /// Waits until the file was opened and every visit was tried.
   void finish();
-  /// Tries once more what the disk has not taken, and ends the thread: what it does not take now is
-  /// lost, and how many they are is among remarks(). Nothing is handed over after it.
+  /// Tries the remaining visits once more and ends the thread. Visits that fail now are lost, and
+  /// their number is among remarks(). Add nothing after it.
   void end();
 
  private:
@@ -64,11 +63,13 @@ class StoreThread {
   const std::chrono::milliseconds forget_every_;
   const std::filesystem::path fetched_;
   const std::chrono::milliseconds gather_every_;
-  std::optional<VisitStore> store_;  ///< Its thread's, as what follows.
-  std::set<std::string> said_;       ///< Since a visit was last counted: a trouble is said once.
-  std::size_t dropped_ = 0;          ///< Visits since then.
+  /// This and the following members belong to the store's thread.
+  std::optional<VisitStore> store_;
+  /// Reported since a visit was last counted, so that each trouble is reported once.
+  std::set<std::string> said_;
+  std::size_t dropped_ = 0;  ///< Visits dropped since then.
 
-  std::mutex mutex_;  ///< Of what follows; held for a swap, never over a write.
+  std::mutex mutex_;  ///< Guards the members below; held for a swap, never during a write.
   std::condition_variable wake_, idle_;
   std::deque<VisitRecord> visits_;
   std::vector<Problem> remarks_;

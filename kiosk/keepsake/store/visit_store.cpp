@@ -40,7 +40,7 @@ Problem problem_of(const fs::path& file, const std::string& what, const Database
   return {file.string(), what + ": " + words + ".", "Play goes on. Please report it.", 1};
 }
 
-/// A file that cannot be read to its end, or lacks what its version has.
+/// True if the file cannot be read to its end, or lacks tables of its version.
 bool is_damaged(Database& database) {
   if (database.trouble() == Trouble::damaged) return true;
   if (database.trouble() != Trouble::none) return false;
@@ -58,7 +58,7 @@ bool is_whole(Database& database) {
       .has_value();
 }
 
-/// What was read of the file says that it is no store, rather than that the disk did not let us.
+/// True if the file's content shows that it is not a store; false if the disk refused to read it.
 bool is_no_store(Trouble trouble) {
   return trouble == Trouble::none || trouble == Trouble::damaged || trouble == Trouble::unfit;
 }
@@ -179,7 +179,7 @@ Result<void> VisitStore::add_fetches(std::span<const files::FetchNote> notes) {
   database_.retry();
   const auto written = [&] {
     if (!database_.run("BEGIN IMMEDIATE")) return false;
-    // One that could not be removed after it was counted comes again.
+    // A note that could not be removed after counting comes again.
     Statement fetch(database_, "INSERT OR IGNORE INTO fetches (id, day) VALUES (?,?)");
     for (const files::FetchNote& note : notes) {
       fetch.bind(note.id).bind(note.day);
@@ -196,7 +196,7 @@ Result<void> VisitStore::add_fetches(std::span<const files::FetchNote> notes) {
 
 Result<bool> VisitStore::clock_leapt(std::int64_t now) {
   database_.retry();
-  // Of times that lie close together two tell as much as all of them.
+  // Of times close together, two are enough.
   std::vector<std::time_t> times;
   Statement near(database_,
                  "SELECT max(start) FROM visits WHERE start <= ?1 UNION ALL "
@@ -218,7 +218,7 @@ Result<void> VisitStore::forget_before(const std::string& day) {
     rows.step();
     gone = gone && rows.done();
   }
-  // What was deleted is still in the log, until that is emptied.
+  // Deleted data is still in the log until the log is emptied.
   if (gone && database_.run("PRAGMA wal_checkpoint(TRUNCATE)")) return {};
   return failed("Old visits could not be deleted");
 }

@@ -14,38 +14,37 @@
 
 namespace onggi::store {
 
-/// The kiosk's own file of visits. Any one thread; each call may wait for the disk, so no frame
-/// makes it (StoreThread).
+/// The kiosk's file of visits. One thread; each call may wait for the disk, so frames do not call
+/// it (StoreThread).
 class VisitStore {
  public:
-  /// Opens `file`, making it and its folder where they are missing, and brings it forward from any
-  /// former version. A file that is damaged, or is no store, is set aside (set_aside), said in
-  /// `remarks`, and a new one begun, with a new epoch. Problem, exit 1: the disk does not allow it,
-  /// another onggi has it, or a newer onggi made it; the file is left as it is.
+  /// Opens `file`, creating it and its folder if missing, and migrates it from any former version.
+  /// A damaged file, or one that is not a store, is set aside (set_aside) and reported in
+  /// `remarks`, and a new one with a new epoch is started. Problem, exit 1: the disk refuses,
+  /// another onggi uses it, or a newer onggi made it; the file is unchanged.
   static Result<VisitStore> open(const std::filesystem::path& file, const std::string& stamp,
                                  std::vector<Problem>& remarks);
 
-  /// Renames `file`, which nobody has open, to FILE.damaged-`stamp`, with its log. What staff
-  /// should know of it, or the Problem, exit 1, that it cannot be renamed.
+  /// Renames `file`, which must be closed, to FILE.damaged-`stamp`, with its log. Returns the
+  /// message for staff, or the Problem, exit 1, that it cannot be renamed.
   static Result<Problem> set_aside(const std::filesystem::path& file, const std::string& stamp);
-  /// Removes what was set aside with a stamp (files::kStamp) before the local `day`; no other file.
+  /// Removes files set aside with a stamp (files::kStamp) before the local `day`, and no others.
   /// Problem, exit 1: one of them cannot be removed.
   static Result<void> forget_aside(const std::filesystem::path& file, const std::string& day);
 
-  /// Somebody removed or replaced the file: what is written now goes nowhere.
+  /// True if somebody removed or replaced the file, so that writing to it is lost.
   bool taken_away() const;
-  /// files::clock_leapt of the visits' beginnings, at `now`, s since 1970.
+  /// files::clock_leapt for the visits' start times, at `now`, s since 1970.
   Result<bool> clock_leapt(std::int64_t now);
-  /// All of `visits` in one transaction: all or none is kept.
+  /// Adds all of `visits` in one transaction: all or none.
   Result<void> add(std::span<const VisitRecord> visits);
-  /// Keepsakes that were opened on a phone, each once however often it is handed over; all of
-  /// `notes` or none.
+  /// Adds keepsakes that were opened on a phone, each only once; all of `notes` or none.
   Result<void> add_fetches(std::span<const files::FetchNote> notes);
-  /// Visits that began before the local `day`, and fetches before it, are forgotten: nothing of
-  /// them is left in the file or its log.
+  /// Deletes visits and fetches before the local `day`, also from the file's free space and its
+  /// log.
   Result<void> forget_before(const std::string& day);
 
-  /// What the last call failed by; damage stays.
+  /// Why the last call failed; damage stays.
   Trouble trouble() const { return database_.trouble(); }
 
  private:
@@ -54,10 +53,10 @@ class VisitStore {
 
   std::filesystem::path file_;
   Database database_;
-  std::uint64_t inode_ = 0;  ///< What is at `file_` if nobody took it away.
+  std::uint64_t inode_ = 0;  ///< Inode of `file_`, unless somebody removed it.
 };
 
-/// A newer onggi's file: `version`, and what to do.
+/// The Problem of a newer onggi's file with `version`, and the remedy.
 Problem newer_store(const std::filesystem::path& file, std::int64_t version,
                     const std::string& remedy, int exit_code);
 
