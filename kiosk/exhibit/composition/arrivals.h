@@ -8,9 +8,8 @@
 
 namespace onggi::exhibit {
 
-/// Entries of a shelf between the threads that read them and the one that shows them. They are
-/// shown in the order of their ids, but no vessel waits longer than kPatience for one that is slow
-/// to read: the slow one then comes last.
+/// Passes entries of a shelf from the reading threads to the main thread. Entries come in the order
+/// of their ids, but no vessel waits longer than kPatience for a slow one, which then comes last.
 class Arrivals : public content::ShelfWatcher {
  public:
   static constexpr double kPatience = 2.0;  ///< Seconds.
@@ -18,16 +17,16 @@ class Arrivals : public content::ShelfWatcher {
 
   void begins(std::size_t at, std::size_t total, const std::string& id) override;
   void has_read(std::size_t at, Read read) override;
-  /// Nothing more will be read.
+  /// No more entries will be read.
   void finish();
 
   struct Progress {
     int done = 0, total = 0;
   };
   Progress progress() const;
-  /// What may be shown from `now` on, in seconds of any clock that runs forwards; each entry once.
+  /// The entries to show at `now`, in seconds of a clock that runs forwards; each once.
   std::vector<Read> take(double now);
-  /// Everything was read and taken.
+  /// True if every entry was read and taken.
   bool over() const;
 
  private:
@@ -35,7 +34,7 @@ class Arrivals : public content::ShelfWatcher {
   std::map<std::size_t, Read> waiting_;
   std::vector<bool> taken_;
   std::size_t next_ = 0, read_ = 0, total_ = 0;
-  double since_ = -1.0;  // when something began to wait for an earlier entry
+  double since_ = -1.0;  // when an entry began to wait for an earlier one
   bool finished_ = false;
 };
 

@@ -9,23 +9,23 @@
 
 namespace onggi::exhibit {
 
-/// Who does not see the screen, or has one switch, is attended to here: events go to the visit
-/// through the assistant, and what it says to the voice. Main thread.
+/// Handles input and speech for blind and one-switch visitors: passes events through the assistant
+/// to the visit, and its words to the voice. Main thread.
 class Attendant {
  public:
   using Heard = std::function<void(const access::Utterance&)>;
-  /// `voice`: there is one, as long as a visitor wants it; a scripted visit has none.
+  /// `voice`: speak aloud if a visitor wants it; scripted visits do not.
   Attendant(const settings::Exhibit& exhibit, bool voice);
 
   void input(const view::InputEvent& event, screens::Visit& visit, int width, int height,
              double now);
-  /// Once a frame that has been made, before it is drawn.
+  /// Call once for each finished frame, before it is drawn.
   void frame(screens::Visit& visit, view::Frame& frame, double now);
-  /// What one switch stands on: ids of controls.
+  /// The controls that the one switch offers now, by id.
   const std::vector<std::string>& shown() const { return assistant_.scan().shown(); }
-  /// As Assistant's.
+  /// Same as Assistant's.
   bool sings() { return assistant_.sings(); }
-  /// Hears what is said, voice or not.
+  /// Sets a listener for the spoken words, with or without a voice.
   void listen(Heard heard) { heard_ = std::move(heard); }
 
  private:

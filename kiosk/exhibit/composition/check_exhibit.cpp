@@ -26,7 +26,7 @@ namespace {
 
 void note(CheckReport& report, int keys, std::vector<Problem> problems) {
   report.keys += keys;
-  // A file that two others lead to is read twice, and told of once.
+  // If two files lead to a third, it is read twice but reported once.
   for (Problem& p : problems)
     if (std::none_of(report.problems.begin(), report.problems.end(), [&p](const Problem& known) {
           return known.where == p.where && known.what == p.what;
@@ -69,7 +69,7 @@ void check_lesson(CheckReport& report, const fs::path& file,
   add(report, file, lesson.keys_checked, std::move(lesson.problems));
 }
 
-/// `exhibit`: that they are of, null where it is not known; `shelf`: the ids there.
+/// `exhibit`: the missions' exhibit, null if not known; `shelf`: the ids there.
 void check_missions(CheckReport& report, const fs::path& file,
                     const std::vector<std::string>& languages,
                     const settings::Exhibit* exhibit = nullptr,
@@ -108,7 +108,7 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
   add(report, file, read.keys_checked, std::move(read.problems));
   std::error_code ignored;
   if (fs::is_regular_file(exhibit.rubric_file, ignored)) look(report, exhibit.rubric_file);
-  // What is missing has been named by read_exhibit; here goes what is there.
+  // read_exhibit has reported missing files; check the existing ones.
   std::set<fs::path> scenes{exhibit.scene};
   for (const auto& [vessel, scene] : exhibit.vessel_scenes) scenes.insert(scene);
   for (const fs::path& scene : scenes)
@@ -143,7 +143,7 @@ bool is_scene_table(const std::string& key) {
   return found;
 }
 
-// Tells by what only one kind of file has; an exhibit where nothing tells.
+// Recognise the kind by keys that only one kind has; an exhibit by default.
 void check_toml(CheckReport& report, const fs::path& file,
                 const std::vector<std::string>& languages) {
   toml::TomlReader reader(file);
@@ -174,7 +174,8 @@ void check_toml(CheckReport& report, const fs::path& file,
   }
 }
 
-/// Those of the exhibit `config`, else of the site that `path` lies in; none where there is none.
+/// Languages of the exhibit `config`, else of the site that contains `path`; empty if there is
+/// none.
 std::vector<std::string> languages_for(const fs::path& path, const std::string& config) {
   std::error_code ignored;
   fs::path file = files::site_exhibit(path);

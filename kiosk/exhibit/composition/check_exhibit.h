@@ -9,9 +9,9 @@
 
 namespace onggi::exhibit {
 
-/// What a check went through, and everything it found.
+/// Everything that a check read, and everything that it found.
 struct CheckReport {
-  std::vector<std::filesystem::path> files;  ///< Each that was looked at, in order, once.
+  std::vector<std::filesystem::path> files;  ///< Each file that was read, in order, once.
   int keys = 0, vessels = 0, languages = 0;
   std::vector<Problem> problems;
 
@@ -19,12 +19,12 @@ struct CheckReport {
   std::string summary() const;
 };
 
-/// Checks what `path` names: an exhibit and all that it leads to (scene, languages, shelf with
-/// every pack), or a single scene, language, drawing, vessel or shelf. Empty: the exhibit `config`
-/// (exhibit_file(), so that of the folder one stands in). Labels of vessels have to be in the
-/// languages of `config`, where that is given, else of the exhibit of the site that `path` lies in.
-/// A Problem only when there is nothing at `path`. Of an exhibit, asked to `stop`, the vessels that
-/// it has not come to are left out. Allocates; reads files.
+/// Checks `path`: an exhibit and everything that it leads to (scene, languages, shelf with every
+/// pack), or a single scene, language, drawing, vessel or shelf. Empty: the exhibit `config`
+/// (exhibit_file(), so the one in the current folder). Labels must exist in the languages of
+/// `config` if given, else of the exhibit of the site that contains `path`. Problem only if `path`
+/// does not exist. After a `stop`, the remaining vessels of an exhibit are skipped. Allocates;
+/// reads files.
 Result<CheckReport> check_path(const std::string& path, const std::string& config = "",
                                const std::stop_token& stop = {});
 

@@ -8,13 +8,13 @@
 
 namespace onggi::exhibit {
 
-/// Where the exhibit says how a kind of device is used: devices/KIND.toml beside its own file.
+/// The exhibit's file for a kind of device: devices/KIND.toml beside exhibit.toml.
 std::filesystem::path device_file(const settings::Exhibit& exhibit, device::DeviceKind kind);
 
-/// What that file says, or the kind's usual where there is none.
+/// The settings in that file, or the kind's defaults if there is none.
 device::DeviceRead device_of(const settings::Exhibit& exhibit, device::DeviceKind kind);
 
-/// Reads all of them now, logs what is wrong, and answers from then on, on any thread.
+/// Reads all of them now, logs Problems, and returns a lookup for any thread.
 device::DeviceWatch::Define defined_devices(const settings::Exhibit& exhibit);
 
 }  // namespace onggi::exhibit

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBetweenLooks = 1.0;   // s
 constexpr double kBetweenBuzzes = 0.4;  // s
-constexpr double kNotch = 0.2618;       // rad of a dial for a step of the wheel's speed: 15 degrees
+constexpr double kNotch = 0.2618;  // rad of a dial for one step of the wheel's speed: 15 degrees
 
 constexpr std::pair<std::uint32_t, Key> kKeys[] = {
     {device::kSide, Key::side},     {device::kWater, Key::water}, {device::kFaster, Key::faster},
@@ -40,8 +40,7 @@ InputEvent key_event(InputEvent::Kind kind, Key key) {
   return event;
 }
 
-/// A hand's device is turned by every tick of the wheel; one without a hand gets its milliseconds
-/// here.
+/// A hand's device turns with every tick of the wheel; turn one without a hand here.
 void turn_through(device::HidLink& link, double seconds) {
   constexpr double kTurn = 1e-3;
   for (; seconds > 0.5 * kTurn; seconds -= kTurn) link.pump(kTurn);
@@ -138,7 +137,7 @@ void HandDevices::share(double of_force) {
     if (used.hand != nullptr) used.hand->share(share_ * options_.force);
 }
 
-/// A dial that lies under the other hand says when the first one meets clay.
+/// Buzzes a dial, which lies under the other hand, when the first hand touches clay.
 void HandDevices::buzz_at_a_touch(double now) {
   bool touching = false;
   const loop::LoopStatus& status = potter_.view().status;

@@ -12,12 +12,12 @@
 
 namespace onggi::exhibit {
 
-/// The hand devices of the kiosk while they are plugged in: gives each a hand of the wheel, or the
-/// wheel, turns dials and buttons into input, and tells what came and went. Main thread.
+/// The plugged-in hand devices of the kiosk: gives each one a hand of the wheel or the wheel's
+/// speed, turns dials and buttons into input, and reports arrivals and removals. Main thread.
 class HandDevices {
  public:
   struct Options {
-    bool by_hand = false;  ///< The wheel is turned by hand, and devices with it.
+    bool by_hand = false;  ///< The wheel is stepped by hand, and the devices with it.
     bool left_handed = false;
     double force = 1.0;  ///< The exhibit's share, 0 (off) .. 1.
   };
@@ -25,24 +25,24 @@ class HandDevices {
               device::DeviceWatch::Define define, const Options& options);
   ~HandDevices();
 
-  /// Once a frame: what dials and buttons did.
+  /// Call once a frame; returns the input from dials and buttons.
   std::vector<view::InputEvent> frame(double now);
   /// The visitor's share of the exhibit's force, 0 (off) .. 1, from now on.
   void share(double of_force);
-  /// Goes up, at most by one a frame, when each device in use has had a turn since it last did: one
-  /// that hangs holds it, and then the kiosk cannot let go of that device either.
+  /// Counts frames in which every device thread ran. It stops when one hangs, so the watchdog
+  /// restarts the kiosk.
   std::uint64_t moves() const { return moves_; }
-  /// What visitors are told.
+  /// News for visitors.
   const screens::DeviceNews& news() const { return news_; }
-  /// What staff should know, a line each, once.
+  /// Messages for staff, each once.
   std::vector<std::string> remarks();
   std::vector<Problem> problems() { return watch_.problems(); }
 
  private:
   struct InUse {
     std::shared_ptr<device::HidLink> link;
-    device::HidHand* hand = nullptr;  ///< Attached; null for a dial, or where both hands are taken.
-    int index = -1;                   ///< The hand that it is.
+    device::HidHand* hand = nullptr;  ///< Attached; null for a dial, or if both hands are taken.
+    int index = -1;                   ///< Index of that hand.
     std::uint64_t turns = 0;          ///< HidLink::turns(), as of the last moves().
     std::uint32_t buttons = 0;
     double dial = 0.0;
@@ -63,7 +63,7 @@ class HandDevices {
   screens::DeviceNews news_;
   std::vector<std::string> remarks_;
   double looked_at_ = -1.0, buzzed_at_ = -1.0, last_frame_ = 0.0;
-  double share_ = 1.0;  ///< The visitor's.
+  double share_ = 1.0;  ///< The visitor's share.
   bool touching_ = false;
   std::uint64_t moves_ = 0;
   std::uint32_t buzzes_ = 0;

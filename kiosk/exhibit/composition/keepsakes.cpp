@@ -13,8 +13,8 @@ namespace onggi::exhibit {
 
 namespace {
 
-/// Waits for `other` and lets go of it. A future keeps what its task holds, and so one that is
-/// waited for by the next would keep everything since the program began.
+/// Waits for `other` and releases it. A future keeps its task's data, so a chain of futures would
+/// keep everything since the start of the program.
 template <class T>
 void wait_out(std::shared_future<T>& other) {
   if (other.valid()) other.wait();
@@ -43,7 +43,7 @@ std::string Keepsakes::token() const {
 }
 
 int Keepsakes::save(souvenir::Keepsake keepsake) {
-  // Each save waits for the one before: two at once would each count the quota without the other.
+  // Each save waits for the one before: two at once would each check the quota without the other.
   std::shared_future<Finished> before;
   if (!saving_.empty()) before = saving_.back();
   const int ticket = ++tickets_;

@@ -16,45 +16,45 @@ namespace onggi::exhibit {
 
 /// Saves keepsakes on a worker, one at a time in order, so that the screen never waits for a disk,
 /// and tidies their folder (souvenir::tidy) at once, at each save and every kTidy. A save that has
-/// begun is finished even when the program ends. A turning picture follows its save and is waited
-/// for by no other. Main thread.
+/// begun is finished even when the program ends. The GIF is added after its save; later saves do
+/// not wait for it. Main thread.
 class Keepsakes {
  public:
   static constexpr double kTidy = 24 * 3600.0;  ///< s
 
-  /// With `phone_hours` over 0 phones may fetch a keepsake for so long.
+  /// If `phone_hours` is over 0, phones may fetch a keepsake for that long.
   Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
             double phone_hours = 0.0);
   ~Keepsakes();
 
-  /// A token for the next keepsake, for its postcard's code; "" where no phone may fetch it or none
-  /// is answered now.
+  /// A token for the next keepsake's QR code; "" if phones may not fetch it or nobody answers them
+  /// now.
   std::string token() const;
-  /// Begins a save; the ticket (> 0) names it in finished().
+  /// Begins a save; returns its ticket (> 0) for finished().
   int save(souvenir::Keepsake keepsake);
 
   struct Finished {
     int ticket = 0;
     Result<souvenir::KeepsakeFiles> outcome;
   };
-  /// The oldest save that has come to an end, once each.
+  /// The oldest finished save, each once.
   std::optional<Finished> finished();
   bool busy() const { return !saving_.empty(); }
-  /// Adds `turning` to the keepsake that `ticket`'s save made, once it is made; to none, where it
+  /// Adds `turning` to the keepsake of `ticket`'s save after that succeeds; does nothing if it
   /// failed.
   void add(int ticket, encoding::Turning turning, encoding::Caption caption);
   struct Added {
     int ticket = 0;
     Result<std::filesystem::path> outcome;  ///< The file.
   };
-  /// The next turning picture that has come to an end, once each.
+  /// The next finished turning picture, each once.
   std::optional<Added> added();
   bool adding() const { return !adding_.empty(); }
   /// Waits for all saves and turning pictures that have begun.
   void wait() const;
   /// Once a frame. `now` in seconds on a clock that never goes back.
   void look(double now);
-  /// What the last tidying could not do; once.
+  /// The Problem of the last tidying, once.
   std::optional<Problem> untidy();
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -64,13 +64,13 @@ class Keepsakes {
   double phone_hours_;
   int tickets_ = 0;
   std::vector<std::shared_future<Finished>> saving_;
-  /// The last save, which finished() may have told already: its turning picture comes later.
+  /// The last save, even after finished() returned it: its turning picture comes later.
   std::pair<int, std::shared_future<Finished>> last_save_;
   std::vector<std::future<Added>> adding_;
   std::mutex folder_in_use_;  ///< One worker at a time writes there; pictures are encoded before.
   std::shared_future<Result<void>> tidying_;
   std::optional<double> tidied_at_;
-  bool told_ = false;  ///< What tidying_ came to.
+  bool told_ = false;  ///< The result of tidying_ was reported.
 };
 
 }  // namespace onggi::exhibit

@@ -21,7 +21,7 @@ int number_of(const files::LocalMoment& day) {
   return (day.year * 100 + day.month) * 100 + day.day;
 }
 
-/// As a vessel, but nobody's: it has the mission's name and no words of its own.
+/// A vessel for the mission, with the mission's name and no label.
 content::Vessel jar_vessel(const Mission& mission, Profile jar) {
   content::Vessel vessel;
   vessel.id = mission.id;
@@ -31,8 +31,8 @@ content::Vessel jar_vessel(const Mission& mission, Profile jar) {
   return vessel;
 }
 
-/// A vessel that it names and that is not on the shelf; "" where all are. Of one that is off no
-/// reader asked.
+/// A vessel that it names but that is not on the shelf; "" if all are. The reader did not check
+/// missions that are off.
 std::string missing_from(const std::vector<std::string>& shelf, const Mission& mission) {
   std::vector<std::string> named = mission.vessels;
   if (!mission.vessel.empty()) named.push_back(mission.vessel);
@@ -91,7 +91,7 @@ void Missions::look(const std::vector<screens::ShelfCard>& shelf, bool complete,
                     bool nobody_is_here, const Able& able) {
   if (!complete || shelf.empty() || !exhibit_.missions) return;
   const files::LocalMoment now = files::local_moment(wall_());
-  // Before the first look nobody has seen them, so none is pulled away from anybody.
+  // Before the first look nobody has seen the missions, so they may change at any time.
   if (read_ && (!nobody_is_here || (number_of(now) == day_ && able == able_))) return;
   if (!std::exchange(read_, true)) read(shelf);
   day_ = number_of(now);
@@ -145,7 +145,7 @@ void Missions::add(const Mission& mission, const std::vector<screens::ShelfCard>
   card.mission = &mission;
   switch (mission.kind) {
     case Mission::Kind::today:
-      break;  // It is another every day.
+      break;  // it changes every day
     case Mission::Kind::eyes_closed:
     case Mission::Kind::two_hands:
       card.card = place_of(mission.vessel, shelf);

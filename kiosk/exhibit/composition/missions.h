@@ -17,43 +17,43 @@
 
 namespace onggi::exhibit {
 
-/// Which of `vessels` (at least one) a day is given to: one after the other, a day each, so that
-/// every kiosk of an exhibit has the same, and each comes as often.
+/// Which of `vessels` (at least one) is today's: one a day in turn, so that every kiosk of an
+/// exhibit shows the same, and each comes equally often.
 std::size_t of_the_day(const files::LocalMoment& day, std::size_t vessels);
 
-/// One pot that answers what `mission` describes, on the wheel of `scene`. Problem: there is none.
+/// A pot that answers `mission`'s description, on the wheel of `scene`. Problem: there is none.
 Result<Profile> jar_for(const settings::Mission& mission, const SceneDef& scene);
 
-/// What some missions cannot do without.
+/// Capabilities that some missions need.
 struct Able {
-  bool sound = true;        ///< A sound card plays, and the exhibit is not silent.
-  bool two_fingers = true;  ///< The glass tells two fingers apart.
+  bool sound = true;        ///< A sound card works, and the exhibit is not silent.
+  bool two_fingers = true;  ///< The screen can follow two fingers.
   friend bool operator==(const Able&, const Able&) = default;
 };
 
-/// Why `mission` is not offered by a kiosk that can do so much; empty: it is.
+/// Why a kiosk with these capabilities does not offer `mission`; empty: it does.
 std::string why_not(const settings::Mission& mission, const Able& able);
 
-/// The missions that are on, as the screens know them: which vessel today's is, and one pot that
-/// answers each description. Main thread; stays where it is, since screens look at it.
+/// The missions that are on, for the screens, with today's vessel, and a pot that answers each
+/// description. Main thread; not movable, because screens point at it.
 class Missions {
  public:
   static constexpr const char* kEvery = "*";
-  /// `switched_on`: the id of one that is on whatever its file says, or kEvery of them; empty:
-  /// none. `wall`: the clock on the wall. All outlive it.
+  /// `switched_on`: id of a mission that is on whatever its file says, or kEvery; empty: none.
+  /// `wall`: the wall clock. All arguments outlive it.
   Missions(const settings::Exhibit& exhibit, const Scenes& scenes,
            std::function<std::time_t()> wall, std::string switched_on = {});
 
-  /// Once a frame. With the whole shelf they are there; on another day today's is another, and
-  /// those that need what has come or gone come and go with it, while nobody is here. Logs what
-  /// cannot be played, and why; the others are on all the same.
+  /// Call once a frame. The missions are ready when the shelf is complete. While nobody is here, a
+  /// new day changes today's vessel, and missions come and go with the capabilities that they need.
+  /// Logs missions that cannot be played, and why; the others are still on.
   void look(const std::vector<screens::ShelfCard>& shelf, bool complete, bool nobody_is_here,
             const Able& able = {});
-  /// Draws the next missing picture, and follows those of the shelf; false when none is missing.
+  /// Draws the next missing picture, and copies those of the shelf; false when none is missing.
   bool draw_next_picture(render::Renderer& renderer);
   /// In the order of their file.
   const std::vector<screens::MissionCard>& cards() const { return cards_; }
-  /// A card of the shelf `shelf`, or a mission's own; null where there is none.
+  /// A card of the shelf `shelf`, or a mission's own; null if there is none.
   const screens::ShelfCard* card(int index, const std::vector<screens::ShelfCard>& shelf) const;
 
  private:
@@ -67,10 +67,11 @@ class Missions {
   std::function<std::time_t()> wall_;
   std::string switched_on_;
   bool read_ = false;
-  int day_ = 0;                                      ///< As year, month and day in one.
-  std::vector<settings::Mission> missions_;          ///< All good ones of the file.
-  std::deque<content::Vessel> jars_;                 ///< Stay where they are: cards point at them.
-  std::vector<screens::MissionCard> every_, cards_;  ///< That are on, and that are offered.
+  int day_ = 0;                              ///< Year, month and day in one number.
+  std::vector<settings::Mission> missions_;  ///< All valid ones of the file.
+  std::deque<content::Vessel> jars_;         ///< Not movable: cards point at them.
+  /// Those that are on, and those that are offered.
+  std::vector<screens::MissionCard> every_, cards_;
   Able able_;
 };
 

@@ -6,7 +6,7 @@ bool Night::look(double now, const files::LocalMoment& wall, bool nobody, bool t
   if (touched) touched_at_ = now;
   const bool open = wall.year < files::kFirstYear || hours_.open_at(wall);
   const bool awake = touched_at_ && now - *touched_at_ < kAwake;
-  // A visitor who is here at closing time is not interrupted.
+  // Do not interrupt a visitor at closing time.
   dark_ = !open && nobody && !awake;
   return dark_;
 }

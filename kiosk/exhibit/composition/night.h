@@ -8,19 +8,19 @@
 
 namespace onggi::exhibit {
 
-/// When the kiosk is dark: outside of the museum's hours, once nobody is here. The clock on the
-/// wall may jump as it will: it is asked anew each time, and waits are on a clock that never goes
-/// back. One that is years off tells nothing, and then the kiosk is open.
+/// Decides when the kiosk is dark: outside the museum's hours, when nobody is here. The wall clock
+/// may jump: it is read again each time, and waits use a clock that never goes back. If the wall
+/// clock is years off, the kiosk stays open.
 class Night {
  public:
-  /// Out of hours a touch wakes for so long, s: whoever cleans sees what it is, and a museum whose
-  /// clock is wrong still has a kiosk.
+  /// Outside the hours a touch wakes the screen for this long, s: cleaners see what it is, and a
+  /// museum with a wrong clock still has a kiosk.
   static constexpr double kAwake = 300.0;
 
   explicit Night(settings::Hours hours) : hours_(std::move(hours)) {}
 
-  /// Once a frame; `now` in s on the clock that never goes back. `nobody`: no visit is under way.
-  /// `touched`: somebody touched something since the last call. True when it is dark from now on.
+  /// Call once a frame; `now` in s on a clock that never goes back. `nobody`: there is no visit.
+  /// `touched`: somebody touched something since the last call. True if it is dark from now on.
   bool look(double now, const files::LocalMoment& wall, bool nobody, bool touched);
   bool dark() const { return dark_; }
 

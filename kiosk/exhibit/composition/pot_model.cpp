@@ -12,7 +12,7 @@ namespace onggi::exhibit {
 std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
                                  const std::string& surface, const std::string& title,
                                  const std::string& copyright) {
-  // 1. The factor, in the digits that are written.
+  // 1. The factor, rounded as written.
   std::array<float, 3> factor{1e-4f, 1e-4f, 1e-4f};
   for (const view::SkinPoint& point : skin)
     for (std::size_t k = 0; k < 3; ++k) factor[k] = std::max(factor[k], point.color[k]);
@@ -23,7 +23,7 @@ std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<vie
     colors.push_back(
         {point.color[0] / factor[0], point.color[1] / factor[1], point.color[2] / factor[2]});
 
-  // 2. Triangles that are as rough stand together.
+  // 2. Group triangles of equal roughness.
   struct Coat {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     double roughness = 0;

@@ -20,16 +20,16 @@ namespace {
 
 constexpr double kLookAgain = 5.0;  // s
 
-/// Without line and column: an edit above moves what stays as wrong as it was.
+/// Without line and column, because an edit above moves an old Problem.
 std::string name_of(const Problem& problem) {
   return problem.where.substr(0, problem.where.find(':')) + ": " + problem.what;
 }
 
-/// The folders of all that the exhibit leads to. Never the keepsakes': there something changes with
-/// every visitor.
+/// The folders of all files that the exhibit uses. Not the keepsakes', which change with every
+/// visitor.
 std::vector<fs::path> folders_of(const fs::path& file) {
   const settings::Exhibit exhibit = settings::read_exhibit(file).exhibit;
-  // The site's own too: its config/ may be a link that is laid anew, or get another in its place.
+  // Watch the site's folder too: its config/ may be a link that changes, or may be replaced.
   std::set<fs::path> folders = {files::site_exhibit(file).parent_path().parent_path(),
                                 file.parent_path(),
                                 exhibit.rubric_file.parent_path(),
@@ -61,13 +61,13 @@ Reload::Reload(fs::path exhibit, Shown shown)
   open_ = files::stamps_in(folders);
 }
 
-// The check is waited for: for a vessel at most, and not for the whole shelf.
+// Wait for the check, which stops after the current vessel.
 Reload::~Reload() { stop_.request_stop(); }
 
 void Reload::begin_check() {
-  wanted_ = false;  // until what lies there now is known
+  wanted_ = false;  // until the current files are known
   check_ = std::async(std::launch::async, [file = exhibit_.string(), stop = stop_.get_token()] {
-    setpriority(PRIO_PROCESS, 0, 19);  // this thread alone: a visitor's picture comes first
+    setpriority(PRIO_PROCESS, 0, 19);  // only this thread: a visitor's picture comes first
     auto folders = folders_of(file);
     auto before = files::stamps_in(folders);
     auto report = check_path("", file, stop);
@@ -98,20 +98,20 @@ void Reload::look(double now) {
 
 void Reload::take(const Checked& checked, double now) {
   if (!checked.report) {
-    // The exhibit is away: the old watch knows where it was.
+    // The exhibit is missing; the old watch knows its place.
     const std::string trouble = to_text(checked.report.error());
     if (std::exchange(trouble_, trouble) != trouble) files::log_problem(checked.report.error());
     look_again_at_ = now + kLookAgain;
     return;
   }
   trouble_.clear();
-  // The folders may be others now; but a change that the old watch saw begin is its to tell.
+  // The folders may have changed, but the old watch still reports a change that it saw begin.
   if (!files_->pending()) files_ = std::make_unique<files::FileWatch>(checked.folders);
-  // What else lies in the folders is nobody's.
+  // Other files in the folders do not matter.
   const auto& files = checked.report->files;
   seen_ = files::of_files(checked.before, files);
   if (seen_ != files::of_files(checked.after, files)) {
-    look_again_at_ = now + kLookAgain;  // they changed while they were read: at rest, then
+    look_again_at_ = now + kLookAgain;  // they changed during the check, so wait until they settle
     return;
   }
   if (!checked_) open_ = files::of_files(open_, files);
@@ -140,8 +140,8 @@ void Reload::judge(const CheckReport& report, double now) {
 
 bool Reload::new_to_visitors(const Problem& problem) const {
   const std::string name = name_of(problem);
-  // What was wrong with the museum's other files before another was shown is not known: a vessel
-  // that cannot be read is left out, as at every start.
+  // The earlier Problems of the museum's other files are not known. A vessel that cannot be read is
+  // left out, as at every start.
   if (stands_in_) return name.starts_with(exhibit_.string() + ":");
   return known_.count(name) == 0;
 }
@@ -153,8 +153,7 @@ void Reload::refuse(const CheckReport& report, double now) {
   for (const Problem& problem : report.problems)
     if (new_to_visitors(problem)) files::log_problem(problem);
   refused_ = found_;
-  // A copy may have come to its end between the check and the watch: what is still as wrong then
-  // is.
+  // A copy may have ended between the check and the watch: keep only Problems that still exist.
   look_again_at_ = now + kLookAgain;
 }
 

@@ -14,34 +14,34 @@
 
 namespace onggi::exhibit {
 
-/// Notices that the files of the museum's exhibit have changed (exhibit, scenes, devices, shelf,
-/// languages, glazes, lesson, missions), and checks them, as `onggi check` does, before anybody
-/// opens them. One for the process: it goes on while the exhibit is opened anew. Files are read on
-/// a worker; look() never waits for one. Main thread.
+/// Notices changed files of the museum's exhibit (exhibit, scenes, devices, shelf, languages,
+/// glazes, lesson, missions), and checks them like `onggi check` before they are opened. One for
+/// the process: it continues while the exhibit is reopened. A worker reads files; look() never
+/// waits for it. Main thread.
 class Reload {
  public:
-  /// What is on the screen from now on.
+  /// The exhibit on the screen from now on.
   enum class Shown {
-    this_one,  ///< `exhibit`, as it lies on the disk now: what is wrong with it now is known.
-    another,   ///< A safer one: `exhibit` is taken up once it has changed and its own file is good.
+    this_one,  ///< `exhibit` as it is on the disk; its current Problems are known.
+    another,   ///< A safer one: `exhibit` is taken when it has changed and its own file is valid.
   };
-  /// `exhibit` is the museum's exhibit.toml; made before it is opened.
+  /// `exhibit` is the museum's exhibit.toml. Create it before that is opened.
   Reload(std::filesystem::path exhibit, Shown shown);
   ~Reload();
 
-  /// Once a frame, while the shelf need not be read besides; `now` in seconds, never going back.
-  /// Logs what a change broke: what is open goes on as it was.
+  /// Call once a frame, except while the shelf is being read; `now` in seconds, never going back.
+  /// Logs what a change broke; the open exhibit then stays.
   void look(double now);
-  /// A change has come to rest on the disk, and it broke nothing that was good before.
+  /// True if a change has settled and broke nothing that worked before.
   bool wanted() const;
-  /// It is what is opened now.
+  /// The changed exhibit is opened now.
   void taken_up();
 
  private:
   struct Checked {
     Result<CheckReport> report;
     std::vector<std::filesystem::path> folders;
-    files::Stamps before, after;  ///< What stood in them as the check began, and as it ended.
+    files::Stamps before, after;  ///< File stamps when the check began, and when it ended.
   };
 
   void begin_check();
@@ -51,18 +51,18 @@ class Reload {
   bool new_to_visitors(const Problem& problem) const;
 
   std::filesystem::path exhibit_;
-  bool stands_in_;  ///< Another than `exhibit_` is open.
+  bool stands_in_;  ///< An exhibit other than `exhibit_` is open.
   std::unique_ptr<files::FileWatch> files_;
   std::stop_source stop_;
   std::future<Checked> check_;
-  files::Stamps open_;  ///< Of what is open; before the first check, of all that lay there,
-  files::Stamps seen_;  ///< and of what was checked last.
-  std::set<std::string> known_;    ///< Problems of what is open,
-  std::set<std::string> found_;    ///< of what was checked last,
-  std::set<std::string> refused_;  ///< and of the change last refused.
-  std::string trouble_;            ///< Why the last check could not be made; "" where it could.
+  files::Stamps open_;  ///< Stamps of the open exhibit; before the first check, of all files there,
+  files::Stamps seen_;  ///< and of the last check.
+  std::set<std::string> known_;    ///< Problems of the open exhibit,
+  std::set<std::string> found_;    ///< of the last check,
+  std::set<std::string> refused_;  ///< and of the last refused change.
+  std::string trouble_;            ///< Why the last check failed; "" if it did not.
   bool checked_ = false, wanted_ = false, again_ = true;
-  double look_again_at_ = -1.0;  ///< Below 0: not before something changes.
+  double look_again_at_ = -1.0;  ///< Below 0: not before a change.
 };
 
 }  // namespace onggi::exhibit

@@ -14,10 +14,10 @@
 namespace onggi::exhibit {
 namespace {
 
-constexpr double kAway = 0.5;          // m from the axis and the wheel: any tool has room there
+constexpr double kAway = 0.5;          // m from the axis and the wheel: every tool has space there
 constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
 
-/// In the order in which a pot needs them; the wire last, as it ends the throwing.
+/// In the order of throwing; the wire comes last, because it ends it.
 std::size_t place_in_tray(std::string_view tool) {
   constexpr std::string_view kOrder[] = {"palm",       "fingertip",    "sponge", "flat_rib",
                                          "curved_rib", "loop_trimmer", "needle"};
@@ -156,7 +156,7 @@ settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
                         ? "Write the name of its folder on the shelf, or remove the line."
                         : "Did you mean " + nearest + "?");
   }
-  std::vector<std::string> shown;  // "follow", and those that show an effect
+  std::vector<std::string> shown;  // "follow", and scripts that show an effect
   for (const ScriptInfo& script : scripts())
     if (script.needs.target || !script.shows.empty()) shown.emplace_back(script.name);
   auto attract = root.child("attract");

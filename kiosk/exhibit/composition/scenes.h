@@ -14,32 +14,31 @@
 
 namespace onggi::exhibit {
 
-/// How the clay behaves for each vessel of an exhibit, what attract mode shows of it, and what pots
-/// may be glazed with. Main
-/// thread; stays where it is, since screens look at its glazes.
+/// The clay of each vessel of an exhibit, what attract mode shows of it, and the glazes. Main
+/// thread; not movable, because screens point at its glazes.
 class Scenes {
  public:
-  /// Reads the exhibit's scene, those of single vessels, and the glazes where a scene has a kiln.
-  /// Problems are logged, and what they leave is used.
+  /// Reads the exhibit's scene, those of single vessels, and the glazes if a scene has a kiln.
+  /// Problems are logged, and the rest is used.
   explicit Scenes(const settings::Exhibit& exhibit);
   ~Scenes();
   Scenes(const Scenes&) = delete;
   Scenes& operator=(const Scenes&) = delete;
 
-  /// Scenes with quality = "auto" get the grid that is remembered for this machine in `folder`;
-  /// those without one are given to a thread in the background, one by one.
+  /// Scenes with quality = "auto" get the grid that `folder` remembers for this machine; a
+  /// background thread finds the others one by one.
   void tune(const std::filesystem::path& folder, const tuning::TunePlan& plan = {});
-  /// Takes up what that thread has found since, for the next pot, and remembers it. Never waits.
+  /// Takes grids that the thread has found, for the next pot, and saves them. Never waits.
   void take_up_tuned();
 
-  /// Of the vessel called `id` on the shelf; with the exhibit's share of force.
+  /// The scene of vessel `id` on the shelf, with the exhibit's share of force.
   const SceneDef& of(const std::string& id) const;
-  /// What the screens meet of it.
+  /// The part of it that the screens need.
   screens::Wheel wheel_of(const std::string& id) const;
   const std::vector<content::Glaze>& glazes() const { return glazes_; }
 
  private:
-  // A scene whose grid is to be found here.
+  // A scene whose grid must be found here.
   struct ToTune {
     SceneDef* def;
     std::filesystem::path file, memory;
@@ -49,7 +48,7 @@ class Scenes {
 
   SceneDef exhibits_;
   std::map<std::string, SceneDef> vessels_;
-  std::vector<ToTune> to_tune_;  // the first is being looked for, while tuner_ is there
+  std::vector<ToTune> to_tune_;  // the first is in work while tuner_ exists
   std::unique_ptr<tuning::BackgroundTuner> tuner_;
   std::string machine_;
   tuning::TunePlan plan_;
@@ -57,8 +56,8 @@ class Scenes {
   std::vector<std::string> attract_scripts_;
 };
 
-/// What the exhibit names and nobody knows: vessels in [vessel_scenes] that are not on the shelf,
-/// whose vessels are `ids`, and scripts in [attract]. In file order.
+/// Unknown names in the exhibit: vessels in [vessel_scenes] that are not among the shelf's `ids`,
+/// and scripts in [attract]. In file order.
 settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
                                     const std::vector<std::string>& ids);
 

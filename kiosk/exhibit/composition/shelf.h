@@ -13,9 +13,8 @@
 
 namespace onggi::exhibit {
 
-/// The shelf while it is being opened and after: vessels read on a worker and shown as they come,
-/// their pictures drawn on the main thread one at a time, so that the first pot turns before the
-/// last vessel is read.
+/// The shelf, during and after loading: a worker reads vessels, which appear as they come. The main
+/// thread draws one picture at a time, so that the first pot turns before the last vessel is read.
 class Shelf {
  public:
   /// Starts reading `path` (a shelf folder, a pack, or a single GLB/glTF) on a worker.
@@ -26,19 +25,19 @@ class Shelf {
 
   Arrivals::Progress progress() const { return arrivals_.progress(); }
 
-  /// Takes what has been read into cards(), which only grows, at its end; logs what did not load.
-  /// Call once a frame; `now` in seconds. True once there is a vessel, or nothing more to come.
+  /// Moves loaded vessels to the end of cards(), which only grows, and logs what did not load. Call
+  /// once a frame; `now` in seconds. Returns true when a vessel is ready or loading has finished.
   bool look(double now);
-  /// Nothing more will come, and what was wrong is all in problems().
+  /// True if loading has finished; problems() is then complete.
   bool complete() const { return complete_; }
   /// Waits until complete().
   void wait();
   const std::vector<screens::ShelfCard>& cards() const { return cards_; }
   const std::vector<Problem>& problems() const { return problems_; }
 
-  /// Draws the next missing picture; false when none is missing.
+  /// Draws the next missing picture; false if none is missing.
   bool draw_next_picture(render::Renderer& renderer);
-  /// As large as a card has it.
+  /// In the size of a card.
   static view::PictureId draw_picture(render::Renderer& renderer, const content::Vessel& vessel);
 
  private:
@@ -47,7 +46,7 @@ class Shelf {
   const Scenes& scenes_;
   Arrivals arrivals_;
   std::future<void> reading_;
-  std::deque<content::Vessel> vessels_;  // stay where they are: cards point at them
+  std::deque<content::Vessel> vessels_;  // not movable: cards point at them
   std::vector<Problem> problems_;
   std::vector<screens::ShelfCard> cards_;
   bool complete_ = false;

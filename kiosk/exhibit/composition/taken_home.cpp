@@ -20,7 +20,7 @@ void shrink(TriangleMesh& mesh, double size) {
     for (float& x : at) x *= static_cast<float>(size);
 }
 
-/// The pot alone, as the gallery shows it.
+/// The pot alone, for the gallery.
 view::Frame small_picture(const Profile& made, const std::optional<view::Glazing>& glazing) {
   constexpr int kWidth = 240, kHeight = 300;
   view::Frame frame;
@@ -65,7 +65,7 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
     return problem("the wheel", "The clay did not come back from the wheel in time.",
                    "If this happens again, look for a stuck 1 kHz loop in the log.", 1);
   souvenir::Keepsake& keepsake = taken.keepsake;
-  // The pot rests since it was called done: the view has every row of it.
+  // The wheel has paused since the pot was called done, so the view has every row.
   ClayMesh pot = faced_mesh_of(potter.view().clay);
   if (potter.dropped_records() == 0) keepsake.replay = potter.replay(kept.state_hash, kept.glaze);
 
@@ -77,9 +77,9 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
                                         {"mm", std::to_string(std::lround(1000 * kept.height))}});
     glazing = view::Glazing{glaze->look, fired_in->coat};
   }
-  // A pot that answers a description has no vessel under its own section.
+  // A pot that answers a description has no vessel under its section.
   const Profile& target = screens::mission_of_own(request.card) >= 0 ? request.made : card.target;
-  // The picture is drawn from the rows on the wheel, and a picture has no size.
+  // Draw the picture from the rows on the wheel, because a picture shows no size.
   const auto draw = [&] {
     return renderer.draw_offscreen(
         souvenir::compose_postcard(words, request.made, target, renderer.measure(), glazing));
@@ -94,7 +94,7 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
                       card.vessel->id, request.score.stars};
   keepsake.name = files::local_time(files::wall_now(), files::kStamp) + '_' + card.vessel->id;
   keepsake.caption = {words.title, exhibit.credit, words.vessel};
-  // The surface is read where the clay was thrown; what the kiln shrank is the model.
+  // Read the surface at thrown size; the model has the fired size.
   const std::vector<view::SkinPoint> skin = renderer.read_skin(pot, glazing);
   keepsake.pot = std::move(pot.mesh);
   shrink(keepsake.pot, size);

@@ -11,7 +11,8 @@ namespace onggi::exhibit {
 
 namespace {
 
-/// 0 at a picture's edge .. 1 from a tenth of its width on: its plaster goes over into the page's.
+/// 0 at a picture's edge .. 1 from a tenth of its width on: the picture's plaster blends into the
+/// page's.
 double cover(int at, int size, int width) {
   const double in = std::min(1.0, (std::min(at, size - 1 - at) + 0.5) / (0.1 * width));
   return in * in * (3 - 2 * in);
@@ -33,7 +34,7 @@ view::Image image_of(const textures::TexturePixels& pixels) {
   return image;
 }
 
-/// Each that can be read: all in one go, and where the helper came to its end, one by one.
+/// Reads all pictures at once; if the helper fails, one by one.
 std::vector<std::optional<view::Image>> decoded(const TodaysPots::Encoded& pictures,
                                                 const TodaysPots::Reader& read) {
   std::vector<std::optional<view::Image>> out(pictures.size());

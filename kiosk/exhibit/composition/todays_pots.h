@@ -19,36 +19,36 @@
 
 namespace onggi::exhibit {
 
-/// The pots that were kept today, for the gallery: looked for in the folder of keepsakes every
-/// kLook, so that one that is deleted, expired or beyond the quota is gone from it at once, and all
-/// of them at midnight. Folder and pictures are read on a worker, each picture once, by the helper
-/// onggi-texture; on the main thread one picture a frame goes to the renderer.
+/// Today's pots for the gallery. It reads the folder of keepsakes every kLook, so that a pot that
+/// is deleted, expired or over the quota disappears at once, and all of them at midnight. A worker
+/// reads folder and pictures, each picture once, with the helper onggi-texture; the main thread
+/// sends one picture a frame to the renderer.
 class TodaysPots {
  public:
   static constexpr double kLook = 1.0;       ///< s
-  static constexpr std::size_t kMost = 120;  ///< The newest; a picture takes 0.4 MB.
+  static constexpr std::size_t kMost = 120;  ///< The newest ones; a picture takes 0.4 MB.
 
   using Encoded = std::vector<std::span<const std::uint8_t>>;
-  /// The pixels of each; a Problem where the helper that reads them did not end well.
+  /// Reads the pixels of each; Problem if the helper failed.
   using Reader = std::function<Result<std::vector<textures::Decoded>>(const Encoded&)>;
 
-  /// `wall`: the clock on the wall. `read`: by the helper, asked on a worker; one picture that ends
-  /// it takes no other with it.
+  /// `wall`: the wall clock. `read`: reads pictures with the helper, on a worker; one bad picture
+  /// does not affect the others.
   TodaysPots(std::filesystem::path folder, std::function<std::time_t()> wall,
              Reader read = by_helper)
       : folder_(std::move(folder)), wall_(std::move(wall)), read_(std::move(read)) {}
   ~TodaysPots();
 
-  /// Once a frame. `now` in s on a clock that never goes back. `wait`: for the worker, and for all
-  /// pictures at once (a stepped kiosk).
+  /// Call once a frame. `now` in s on a clock that never goes back. `wait`: for the worker and all
+  /// pictures (a stepped kiosk).
   void look(double now, render::Renderer& renderer, bool wait = false);
-  /// The next look is due at once: something was kept.
+  /// Looks again at once, because a pot was kept.
   void hurry() { looked_at_ = -kLook; }
-  /// Newest first; stays where it is.
+  /// Newest first; not movable.
   const std::vector<screens::TodaysPot>& pots() const { return pots_; }
 
  private:
-  /// What a worker found, and of those that had no picture yet what it looks like; none: damaged.
+  /// A worker's result: the pots, and the new pictures; absent: damaged.
   struct Found {
     std::vector<souvenir::KeptPot> pots;
     std::map<std::string, view::Image> pictures;  ///< By visit and revision.

@@ -37,7 +37,7 @@ std::optional<TurningPot::Drawn> TurningPot::draw(const ClayView& clay,
   encoding::Turning& turning = drawn_.turning;
   frame_.pot->clay_angle = step_ * turning.frames;
   const view::Image picture = renderer.draw_offscreen(frame_);
-  // 26 MB: growing by doubling takes 41, and copies them while frames are due.
+  // 26 MB: growing by doubling would take 41 and copy them during frames.
   turning.rgba.reserve(kPictures * picture.rgba.size());
   turning.rgba.insert(turning.rgba.end(), picture.rgba.begin(), picture.rgba.end());
   if (++turning.frames < kPictures) return std::nullopt;

@@ -10,21 +10,21 @@
 
 namespace onggi::exhibit {
 
-/// Draws a pot that was kept from all round, a picture a frame of the kiosk's, so that no frame
-/// takes long while its visitor looks at the postcard. The pot turns the way that its wheel did,
-/// before the studio's plaster, and the last picture leads into the first. Nobody waits for it: it
-/// ends without a word when the clay on the wheel becomes another. Main thread.
+/// Draws a kept pot from all sides, one picture a frame of the kiosk, so that no frame takes long
+/// while the visitor looks at the postcard. The pot turns like its wheel, in front of the studio's
+/// plaster, and the last picture leads into the first. It stops silently when a new pot is started.
+/// Main thread.
 class TurningPot {
  public:
   static constexpr int kPictures = 40;
   static constexpr double kTurn = 4.0;  ///< s
   static constexpr int kSide = 400;     ///< Pixels.
 
-  /// Begins anew, with the pot of `made` as `clay` has it; `ticket` is its save's. `left_handed`:
-  /// so is its visitor, whose wheel turned the other way.
+  /// Starts again with the pot of `made`, whose clay is `clay`; `ticket` is its save's.
+  /// `left_handed`: the wheel turned the other way.
   void begin(int ticket, const encoding::Caption& caption, const Profile& made,
              const std::optional<view::Glazing>& glazing, const ClayView& clay, bool left_handed);
-  /// One more picture of it; after the last one all of them, once.
+  /// Draws one more picture; after the last one returns all of them, once.
   struct Drawn {
     int ticket = 0;
     encoding::Caption caption;
@@ -38,7 +38,7 @@ class TurningPot {
   Drawn drawn_;
   view::Frame frame_;
   std::uint64_t clay_ = 0;  ///< ClayView::change() of the pot.
-  double step_ = 0;         ///< From one picture to the next, rad.
+  double step_ = 0;         ///< Between two pictures, rad.
 };
 
 }  // namespace onggi::exhibit

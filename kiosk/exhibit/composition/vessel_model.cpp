@@ -4,7 +4,7 @@ namespace onggi::exhibit {
 
 namespace {
 
-/// The same without pictures: each corner in the colour that it has in its own.
+/// The same without pictures: each corner has its picture's colour.
 content::Coloring at_corners(const content::Coloring& coloring) {
   content::Coloring out;
   for (const auto& light : content::baked(coloring))

@@ -5,8 +5,8 @@
 
 namespace onggi::exhibit {
 
-/// Shows `renderer` the vessel of `card` at the size in which it is thrown, to turn beside the pot,
-/// with as few triangles as that takes (content::kTurningTriangles). Main thread.
+/// Gives `renderer` the vessel of `card` at its size on the wheel, to turn beside the pot, with few
+/// triangles (content::kTurningTriangles). Main thread.
 void show_vessel(render::Renderer& renderer, const screens::ShelfCard& card);
 
 }  // namespace onggi::exhibit

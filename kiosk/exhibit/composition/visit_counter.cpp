@@ -46,7 +46,7 @@ void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::strin
   visit.reached = screens::name_of(notes.reached);
   visit.left = screens::name_of(notes.left);
   visit.ended = screens::name_of(notes.end);
-  // To the tenth: finer is nobody's figure.
+  // To the tenth; nobody needs it finer.
   visit.active_s = std::round(10.0 * notes.active_s) / 10.0;
   visit.throwing_s = std::round(10.0 * notes.throwing_s) / 10.0;
   visit.pots = notes.pots;

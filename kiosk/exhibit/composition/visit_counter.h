@@ -12,24 +12,23 @@
 
 namespace onggi::exhibit {
 
-/// Has visits counted: what the screens noted, with the names of things and the time of day. A
-/// visit whose keepsake is still being saved waits for it. Main thread; no call but
-/// finish() waits for a disk.
+/// Records visits: the screens' notes, with names and the time of day. A visit whose keepsake is
+/// still being saved waits for that. Main thread; only finish() waits for a disk.
 class VisitCounter {
  public:
-  /// `fetched`: where phones' fetches are noted (souvenir::Passes::fetched()); "": nowhere.
+  /// `fetched`: folder of phones' notes (souvenir::Passes::fetched()); "": none.
   VisitCounter(const std::filesystem::path& file, const settings::Exhibit& exhibit,
                const std::filesystem::path& fetched = {});
 
-  /// `vessel`: its name on the shelf, "" where none was chosen. `ticket`: of the visitor's last
-  /// save; 0: nothing was to be kept.
+  /// `vessel`: its id on the shelf, "" if none was chosen. `ticket`: the visitor's last save; 0:
+  /// none.
   void visit_over(const screens::VisitNotes& notes, const std::string& vessel, int ticket);
-  /// A save has ended, before its visit did or after.
+  /// A save has ended, before or after its visit.
   void saved(const Keepsakes::Finished& save);
-  /// The end: counts visits whose keepsakes never came without them, and waits for the disk. How
-  /// many it did not take is among remarks(). Nothing is counted after it.
+  /// The end: counts visits still waiting as without a keepsake, and waits for the disk. remarks()
+  /// then tells how many the disk refused. Add nothing after it.
   void finish();
-  /// What staff should know, once.
+  /// Messages for staff, each once.
   std::vector<Problem> remarks() { return store_.remarks(); }
 
  private:
@@ -37,8 +36,8 @@ class VisitCounter {
 
   std::string scene_;
   std::map<std::string, std::string> vessel_scenes_;
-  std::map<int, bool> saved_;                  ///< By ticket: whether it was kept.
-  std::map<int, store::VisitRecord> waiting_;  ///< Likewise: visits that are over.
+  std::map<int, bool> saved_;                  ///< By ticket: whether the keepsake was saved.
+  std::map<int, store::VisitRecord> waiting_;  ///< By ticket: visits that are over.
   store::StoreThread store_;
 };
 

@@ -12,24 +12,24 @@
 
 namespace onggi::exhibit {
 
-/// The exhibit's languages in its order, `first` (a code) moved to the front unless empty. Those
-/// that cannot be read are logged; a Problem when none is left or `first` is not among them.
+/// The exhibit's languages in its order, with `first` (a code) at the front unless empty.
+/// Unreadable ones are logged; Problem if none is left or `first` is not among them.
 Result<std::vector<content::Language>> read_languages(const settings::Exhibit& exhibit,
                                                       const std::string& first);
 
-/// The language of `code`, else the first.
+/// The language with `code`, else the first.
 const content::Language& language_of(const std::vector<content::Language>& languages,
                                      const std::string& code);
 
-/// Where a phone finds the keepsake of `token`.
+/// The web address of the keepsake of `token`.
 std::string phone_address(const settings::Exhibit& exhibit, const std::string& token);
 
-/// What the postcard says, in `language`, dated today.
+/// The postcard's words in `language`, dated today.
 souvenir::PostcardWords postcard_words(const content::Language& language,
                                        const content::Label& label, int stars,
                                        const settings::Exhibit& exhibit);
 
-/// What stands on the screen while a large shelf is read: a sentence, and how far it is.
+/// The loading screen of a large shelf: a sentence, and the progress.
 view::Frame make_opening_frame(const content::Language& language, int width, int height, int done,
                                int total);
 

@@ -14,10 +14,10 @@ using view::Key;
 
 namespace {
 
-constexpr int kOpenings = 2;              // strokes with which any pot begins
-constexpr double kStrokePatience = 30.0;  // s for a stroke to end by itself
+constexpr int kOpenings = 2;              // every pot begins with this many opening strokes
+constexpr double kStrokePatience = 30.0;  // s for a stroke to end
 constexpr int kMostTabs = 60;
-// What is said where there is nothing more to be done by strokes.
+// The spoken texts that mean that strokes can do no more.
 constexpr std::array<const char*, 3> kNear{"stroke.all_near", "mission.close", "mission.lower"};
 
 bool begins_with(const std::string& text, const std::string& name) {
@@ -132,14 +132,14 @@ std::vector<InputEvent> BlindVisitor::step(double now) {
   pressed_at_ = now;
   const std::vector<std::string> wanted = plan_.wanted();
   if (wanted.empty()) {
-    // A stroke is told of when it is done; else one asks.
+    // A finished stroke is announced; otherwise ask for one.
     if (waits_since_ < 0) waits_since_ = now;
     if (plan_.strokes() > 0 && now - waits_since_ < kStrokePatience) return {};
     waits_since_ = now;
     return press(Key::tell);
   }
   for (const std::string& name : wanted) {
-    // A page is said with the control that the keys are on at its end.
+    // A page is read aloud and ends with its focused control.
     const auto last = on_.rfind(". ");
     if (!begins_with(on_, name) &&
         (last == std::string::npos || !begins_with(on_.substr(last + 2), name)))
@@ -191,7 +191,7 @@ std::vector<InputEvent> SwitchVisitor::step(const screens::Reading& reading,
         std::find(shown.begin(), shown.end(), control->id) == shown.end())
       continue;
     if (shown.size() == 1 && name != plan_.instead()) plan_.chosen(name);
-    shown_since_ = now + 10 * kReaction;  // Not again before something else is shown.
+    shown_since_ = now + 10 * kReaction;  // not again before the screen changes
     shown_ = {"-"};
     ++presses_;
     return {event(InputEvent::Kind::pointer_down, Key::none),

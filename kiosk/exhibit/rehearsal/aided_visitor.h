@@ -12,27 +12,27 @@
 
 namespace onggi::rehearsal {
 
-/// What a visitor wants who makes a whole visit by names: a vessel or a mission, strokes where the
-/// pot is told to be off or to want one, a glaze, the keepsake. How they come to a name is
-/// BlindVisitor's and SwitchVisitor's.
+/// The plan of a visitor who makes a whole visit by names: a vessel or a mission, strokes where the
+/// pot is said to be off, a glaze, the keepsake. BlindVisitor and SwitchVisitor reach the names in
+/// their own ways.
 class VisitPlan {
  public:
-  /// `vessel`, or `mission`, and `glaze` by the names that the screens have for them. The pot is
-  /// called done when it is close everywhere, or after `strokes`.
+  /// `vessel`, or `mission`, and `glaze`, by their names on the screens. The pot is called done
+  /// when it is close everywhere, or after `strokes`.
   struct Of {
     std::string vessel, mission, glaze;
   };
   VisitPlan(const content::Language& language, Of of, int strokes);
 
-  /// Names of controls, any of which is the next; none: there is something to be waited for.
+  /// Names of the controls that may come next; empty: wait.
   std::vector<std::string> wanted() const;
-  /// Leads to where they may be, if they are nowhere: a name.
+  /// The name that leads there if none of them is on the screen.
   std::string instead() const { return language_->say("choose.next"); }
-  /// `name` was chosen.
+  /// `name` was activated.
   void chosen(const std::string& name);
-  /// Of the pot; true where it was understood.
+  /// Hears a text about the pot; true if it was understood.
   bool told(const std::string& text);
-  /// At the wheel, and how the pot differs is not known.
+  /// True at the wheel while the pot's difference is not known.
   bool wonders() const { return step_ == Step::pot && !difference_; }
   bool over() const { return step_ == Step::over; }
   int strokes() const { return strokes_; }
@@ -47,23 +47,23 @@ class VisitPlan {
     device::WallPart part;
     device::Ask ask;
   };
-  std::optional<Wish> difference_;  ///< What is to be done about it.
+  std::optional<Wish> difference_;  ///< The next stroke.
   bool part_set_ = false, evened_ = false;
 };
 
-/// Hears, has keys and sees nothing: knows what is said and nothing else. A key held begins; then
-/// it is Tab until the right name is heard, and Enter.
+/// A visitor who hears, has keys and sees nothing, so it knows only what is spoken. It holds a key
+/// to begin, then presses Tab until it hears the right name, and Enter.
 class BlindVisitor {
  public:
   static constexpr double kPace = 0.5;  ///< s between two keys.
-  /// `hold`: s that the exhibit asks a key to be held.
+  /// `hold`: s that the exhibit requires for holding a key.
   BlindVisitor(VisitPlan plan, double hold) : plan_(std::move(plan)), hold_(hold) {}
   void hear(const access::Utterance& said, double now);
-  /// What is pressed now.
+  /// The key that it presses now.
   std::vector<view::InputEvent> step(double now);
   const VisitPlan& plan() const { return plan_; }
   int presses() const { return presses_; }
-  /// It finds no way on: the name that is nowhere.
+  /// It is stuck: this name was never heard.
   const std::string& lost() const { return lost_; }
 
  private:
@@ -73,17 +73,17 @@ class BlindVisitor {
   double hold_;
   double began_at_ = -1, pressed_at_ = 0, waits_since_ = -1;
   bool begun_ = false;
-  std::string on_;  ///< The control that was heard last.
+  std::string on_;  ///< The last control that it heard.
   int tabs_ = 0, presses_ = 0;
   std::string lost_;
 };
 
-/// Sees, and has one switch: a touch anywhere, and no more.
+/// A visitor who sees and has one switch: a touch anywhere.
 class SwitchVisitor {
  public:
-  static constexpr double kReaction = 0.25;  ///< s from what is shown to the press.
+  static constexpr double kReaction = 0.25;  ///< s from seeing a choice to pressing.
   SwitchVisitor(VisitPlan plan, double hold) : plan_(std::move(plan)), hold_(hold) {}
-  /// `shown`: what the switch stands on.
+  /// `shown`: the controls that the switch offers.
   std::vector<view::InputEvent> step(const screens::Reading& reading,
                                      const std::vector<std::string>& shown, double now);
   const VisitPlan& plan() const { return plan_; }

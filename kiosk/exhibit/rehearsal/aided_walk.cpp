@@ -16,7 +16,7 @@ namespace {
 constexpr int kAidedTicks = 20;         // of 1 ms: 50 frames a second
 constexpr double kFadedIn = 1.2;        // s until a screen has faded in
 constexpr double kAidedTooLong = 3600;  // s of visit
-constexpr double kAttractSeen = 1.0;    // s that attract is looked at
+constexpr double kAttractSeen = 1.0;    // s on the attract screen
 }  // namespace
 
 Result<std::vector<access::Utterance>> walk_aided(
@@ -73,7 +73,7 @@ Result<std::vector<access::Utterance>> walk_aided(
     if (!blind.lost().empty())
       return problem("the visit", "No spoken text says where \"" + blind.lost() + "\" is.",
                      "This is a fault of the program: please report it.", 1);
-    // The keepsake is on its way; who would leave now?
+    // The keepsake is being saved, so stay.
     const bool waits =
         screen == ScreenId::keepsake && !(kiosk.doing().kept && kiosk.doing().kept->saved);
     if (now > kAttractSeen && !waits)

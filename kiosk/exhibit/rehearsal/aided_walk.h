@@ -9,19 +9,19 @@
 
 namespace onggi::rehearsal {
 
-/// A whole visit in the real program by somebody who hears and has keys (blind), or sees and has
-/// one switch: see aided_visitor.h.
+/// A whole visit in the real program by a visitor who hears and has keys (blind), or who sees and
+/// has one switch: see aided_visitor.h.
 struct AidedWalk {
   bool blind = true;
-  int card = 0;           ///< Of the shelf.
-  int mission = -1;       ///< Instead, of those that are on.
-  int glaze = 0;          ///< Of the exhibit's, where the scene has a kiln.
-  int strokes = 24;       ///< After which the pot is called done, if it is not close before.
-  bool realtime = false;  ///< At a visitor's speed.
+  int card = 0;           ///< On the shelf.
+  int mission = -1;       ///< Instead of a card: index among the missions that are on.
+  int glaze = 0;          ///< Index in the exhibit's glazes, if the scene has a kiln.
+  int strokes = 24;       ///< The pot is called done after this many, or earlier if it is close.
+  bool realtime = false;  ///< At a real visitor's speed.
 };
 
-/// Frames until the visitor is back at attract with the keepsake safe. `passed(name)` when a screen
-/// is worth a picture, once a name. Gives all that was said. Problem where there is no way on.
+/// Runs frames until the visitor is back at attract and the keepsake is saved. Calls `passed(name)`
+/// once for each screen worth a picture. Returns all spoken texts. Problem if the visitor is stuck.
 Result<std::vector<access::Utterance>> walk_aided(
     exhibit::Kiosk& kiosk, const AidedWalk& how,
     const std::function<void(const std::string&)>& passed);

@@ -9,11 +9,12 @@ using view::InputEvent;
 
 namespace {
 
-// Pixels a second of a stroke on a screen 1280 wide: careful, as usual, and in a hurry.
+// Stroke speed on a screen 1280 wide, pixels a second: careful, usual, hurried.
 constexpr double kSpeeds[] = {60, 150, 400};
-constexpr double kEase = 0.25;     // s from rest to full speed, and back
-constexpr double kTremor = 9.0;    // Hz
-constexpr double kReadHint = 1.5;  // s from a hint for the other side to the touch of its button
+constexpr double kEase = 0.25;   // s from rest to full speed, and back
+constexpr double kTremor = 9.0;  // Hz
+// S between a hint for the other side and the touch of its button
+constexpr double kReadHint = 1.5;
 
 InputEvent event(InputEvent::Kind kind, double x, double y) {
   InputEvent e;
@@ -28,7 +29,7 @@ InputEvent event(InputEvent::Kind kind, double x, double y) {
 NaiveHands::NaiveHands(std::uint64_t seed, double seconds, Pointer pointer)
     : random_(seed * 0x9e3779b97f4a7c15ULL + 1), pointer_(pointer), seconds_(seconds) {
   side_ = random_.uniform() < 0.8 ? 1.0 : -1.0;
-  wait_until_ = random_.uniform(0.5, 2.5);  // Before the first touch one looks.
+  wait_until_ = random_.uniform(0.5, 2.5);  // People look before the first touch.
 }
 
 double NaiveHands::hand_speed() {
@@ -73,7 +74,7 @@ void NaiveHands::begin_stroke(std::vector<Point> path, double speed) {
 void NaiveHands::trace(const screens::Sight& sight, double from, double to) {
   std::vector<Point> path;
   constexpr int kPoints = 40;
-  // Nobody begins quite on the line, nor ends there.
+  // Strokes do not begin or end exactly on the line.
   const double aside = random_.uniform(-4, 4) * scale_;
   for (int i = 0; i <= kPoints; ++i) {
     Point p = line_at(sight, from + (to - from) * i / kPoints);
@@ -130,7 +131,7 @@ void NaiveHands::choose(const screens::Sight& sight) {
   const double height = sight.target->height();
   const double u = random_.uniform();
   if (random_.uniform() < 0.12) side_ = -side_;
-  // The first thing everybody does is to follow the line.
+  // Almost everybody first follows the line.
   if (strokes_ < 2 || u < 0.42) {
     const bool up = random_.uniform() < 0.6;
     const bool whole = strokes_ < 2 || random_.uniform() < 0.5;
@@ -145,7 +146,7 @@ void NaiveHands::choose(const screens::Sight& sight) {
   if (u < 0.70) return push(sight, at, sight.hint.press ? sight.hint.press->inward : true);
   if (u < 0.80) return poke(sight, at);
   if (u < 0.92) return scrub(sight, at);
-  wait_until_ = last_ + random_.uniform(1.0, 3.0);  // Stops to look.
+  wait_until_ = last_ + random_.uniform(1.0, 3.0);  // pauses to look
 }
 
 NaiveHands::Point NaiveHands::on_path(double along) const {
@@ -162,7 +163,7 @@ NaiveHands::Point NaiveHands::on_path(double along) const {
   return path_.back();
 }
 
-/// A tremor of some pixels' tenths about a slow wandering off.
+/// A tremor of some tenths of a pixel on top of a slow drift.
 NaiveHands::Point NaiveHands::tremble(double dt) {
   const double size = (pointer_ == Pointer::finger ? 1.6 : 0.7) * scale_;
   const double wide = (pointer_ == Pointer::finger ? 5.0 : 2.5) * scale_;
@@ -205,7 +206,7 @@ NaiveHands::Move NaiveHands::step(double now, const screens::Sight& sight, int w
       wrong_side_since_ = now;
     if (other && now - wrong_side_since_ > kReadHint && random_.uniform() < 0.7) {
       wrong_side_since_ = -1;
-      wait_until_ = now + random_.uniform(0.6, 1.2);  // The way to the button and back.
+      wait_until_ = now + random_.uniform(0.6, 1.2);  // the way to the button and back
       move.control = in ? "throw.inside" : "throw.outside";
       return move;
     }

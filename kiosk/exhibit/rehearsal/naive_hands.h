@@ -10,24 +10,24 @@
 
 namespace onggi::rehearsal {
 
-/// Somebody's hands who never threw a pot, on a screen: what they see are the pot, the line to meet
-/// and the hint; what they do are strokes in pixels. Nothing of the engine is known here. Written
-/// from how people move: a stroke begins and ends slowly (Flash & Hogan 1985), trembles with some 9
-/// Hz (physiological tremor, Stiles 1976), wanders off the line and cuts corners (Accot & Zhai
-/// 1997). Deterministic in the seed. Main thread.
+/// The hands of a beginner at a screen. They see the pot, the line to meet and the hint, and they
+/// make strokes in pixels. They know nothing of the engine. The model follows research on movement:
+/// a stroke begins and ends slowly (Flash & Hogan 1985), trembles at about 9 Hz (physiological
+/// tremor, Stiles 1976), drifts off the line and cuts corners (Accot & Zhai 1997). Deterministic in
+/// the seed. Main thread.
 class NaiveHands {
  public:
-  /// What they hold. A finger is shakier, hides what it touches, and is lifted more often.
+  /// The pointer. A finger is shakier, hides what it touches, and is lifted more often.
   enum class Pointer { mouse, finger };
-  /// `seconds`: until they call the pot done, 5 to 600.
+  /// `seconds`: when they call the pot done, 5 to 600.
   NaiveHands(std::uint64_t seed, double seconds, Pointer pointer);
 
   struct Move {
     std::vector<view::InputEvent> events;  ///< In order, for this frame.
-    std::string control;                   ///< To be touched afterwards; empty for none.
+    std::string control;                   ///< The control to touch afterwards; empty for none.
   };
-  /// What is done in the frame at `now`, in seconds since they began; rising. `width`: of the
-  /// screen, px, by which what they move is scaled (speeds are said for 1280).
+  /// The actions in the frame at `now`, in seconds since they began; rising. `width` of the screen,
+  /// px, scales their motion (speeds are for 1280).
   Move step(double now, const screens::Sight& sight, int width);
   bool done() const { return done_; }
 
@@ -50,9 +50,9 @@ class NaiveHands {
   Random random_;
   Pointer pointer_;
   double seconds_, last_ = 0, side_ = 1, scale_ = 1;
-  double wait_until_ = 0;         ///< Looking on until then.
-  double wrong_side_since_ = -1;  ///< The hint has asked for the other side since then.
-  std::vector<Point> path_;       ///< Of the stroke under way; empty for none.
+  double wait_until_ = 0;         ///< They only look until then.
+  double wrong_side_since_ = -1;  ///< Since when the hint has asked for the other side.
+  std::vector<Point> path_;       ///< The current stroke; empty for none.
   double length_ = 0, along_ = 0, speed_ = 0;
   bool down_ = false, done_ = false;
   Point shake_{}, shake_speed_{}, wander_{};

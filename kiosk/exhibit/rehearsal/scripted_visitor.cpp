@@ -11,10 +11,10 @@ namespace onggi::rehearsal {
 using screens::ScreenId;
 
 namespace {
-constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one.
-constexpr double kSurprise = 1.5;                   // s before one touches what is offered.
-constexpr double kWorked = 0.004;     // m off the lump: that is smooth too, and nobody's pot.
-constexpr double kKeepTimeout = 5.0;  // s of visit in which a save has to have begun.
+constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one
+constexpr double kSurprise = 1.5;     // s of surprise before touching the offered button
+constexpr double kWorked = 0.004;     // m off the lump: the lump is smooth too, but it is no pot
+constexpr double kKeepTimeout = 5.0;  // s of visit within which a save must begin
 }  // namespace
 
 ScriptedVisitor::ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan,
@@ -24,7 +24,7 @@ ScriptedVisitor::ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan,
 Result<void> ScriptedVisitor::touch(const std::string& control) {
   auto rect = way_to(kiosk_.visit(), control);
   if (rect)
-    then_ = control;  // The next frame has it.
+    then_ = control;  // the next frame touches it
   else
     rect = kiosk_.visit().control(control);
   if (!rect)
@@ -92,12 +92,12 @@ Result<void> ScriptedVisitor::on_choose() {
                                               : "choose.card." + std::to_string(plan_.card);
   if (!label_open_) {
     if (!kiosk_.visit().control(card)) {
-      entered_ = now_;  // The next page fades in.
+      entered_ = now_;  // the next page fades in
       return touch("choose.next");
     }
     pass("choose");
     label_open_ = true;
-    entered_ = now_;  // Linger on the label as on a screen.
+    entered_ = now_;  // look at the label like at a screen
     return touch(card);
   }
   if (touched_) return {};
@@ -117,7 +117,7 @@ Result<void> ScriptedVisitor::on_naive(double now) {
   }
   const auto sight = kiosk_.visit().sight();
   if (!sight) {
-    // It fell or tore: one is surprised, and takes the way back that is offered.
+    // The pot fell or tore: the visitor is surprised, then takes the offered way back.
     if (troubled_at_ < 0) troubled_at_ = now;
     if (now - troubled_at_ < kSurprise) return {};
     troubled_at_ = -1;
@@ -179,7 +179,7 @@ Result<void> ScriptedVisitor::on_throw(double now) {
     half_shown_ = true;
     pass("throw");
   }
-  // The hands are real input: a visitor who throws is not idle.
+  // The hands are real input, so a throwing visitor is not idle.
   view::InputEvent moved;
   moved.kind = view::InputEvent::Kind::pointer_move;
   kiosk_.visit().input(moved, now);
@@ -214,7 +214,7 @@ double ScriptedVisitor::progress() const {
   return status.script_done ? 1.0 : std::min(0.999, status.script_progress);
 }
 
-/// Chooses, looks on while it is in the fire, and again when it is out.
+/// Chooses a glaze, waits while the pot is in the fire, and again when it is out.
 Result<void> ScriptedVisitor::on_kiln() {
   if (touched_) return {};
   if (!half_shown_) {
@@ -238,16 +238,16 @@ Result<void> ScriptedVisitor::on_keepsake() {
   if (touched_) return {};
   const exhibit::KeptVisit* const kept = kiosk_.doing().kept;
   if (!kept || !kept->saved) {
-    // A save that is at work ends by itself, well or not, however slow the machine.
+    // A running save always ends, however slow the machine is.
     if (!kiosk_.doing().saving && now_ - entered_ > kKeepTimeout)
       return problem("the keepsake", "The kiosk is not saving it.",
                      "This is a fault of the program: please report it.", 1);
     return {};
   }
-  // Who takes all home waits for the picture that follows, too.
+  // A visitor who takes everything waits for the turning picture too.
   if (kiosk_.doing().turning) return {};
   if (!kept_seen_) {
-    kept_seen_ = true;  // One more linger, so that the words about it are on the screen.
+    kept_seen_ = true;  // stay once more, so that its words are on the screen
     entered_ = now_;
     return {};
   }

@@ -13,48 +13,48 @@
 
 namespace onggi::rehearsal {
 
-/// A visitor who needs no person: touches the screens' own controls, lets a script move the hands,
-/// and keeps the picture. One step a frame, after Kiosk::frame().
+/// A visitor without a person: touches the screens' own controls, lets a script move the hands, and
+/// saves the keepsake. One step a frame, after Kiosk::frame().
 class ScriptedVisitor {
  public:
   struct Naive {
-    double seconds = 90;  ///< Until the pot is called done, 5 to 600.
+    double seconds = 90;  ///< When the pot is called done, 5 to 600.
     NaiveHands::Pointer pointer = NaiveHands::Pointer::mouse;
   };
   struct Plan {
     std::string script = "follow";
     std::optional<Naive> naive;  ///< Instead of the script: strokes on the screen, by the seed.
-    bool two = false;            ///< Likewise: strokes of two visitors, a finger each.
-    int card = 0;                ///< Of the shelf.
-    int mission = -1;            ///< Instead: of the missions that are on.
-    int glaze = 0;               ///< Of the exhibit's, where the scene has a kiln.
+    bool two = false;            ///< Instead of the script: strokes of two visitors, a finger each.
+    int card = 0;                ///< On the shelf.
+    int mission = -1;            ///< Instead of a card: index among the missions that are on.
+    int glaze = 0;               ///< Index in the exhibit's glazes, if the scene has a kiln.
     std::uint64_t seed = 1;
-    double pace = 1.0;    ///< Of the script.
-    double linger = 2.0;  ///< Seconds spent looking at each screen.
-    /// Who moves the hands: the script itself in the loop; or as VisitorsHand does; or a device
-    /// alone, at which the visitor looks on for `watch` seconds.
+    double pace = 1.0;    ///< The script's.
+    double linger = 2.0;  ///< Seconds at each screen.
+    /// What moves the hands: the script in the loop; or VisitorsHand; or only a device, while the
+    /// visitor looks on for `watch` seconds.
     enum class Hand : std::uint8_t { script, pointer, device, device_alone } hand = Hand::script;
     double watch = 30.0;
   };
-  /// Of a naive visitor's pot: as it was called done, and when it first was one to be proud of:
-  /// handsome, and 4 mm off the lump that it came from.
+  /// A naive visitor's pot: when it was called done, and when it first looked good, which means
+  /// handsome and 4 mm off the original lump.
   struct Looks {
     Smoothness end;
-    std::optional<double> handsome_at;  ///< s since the first look at the wheel.
+    std::optional<double> handsome_at;  ///< s since the wheel's first frame.
   };
-  /// `passed(name)` is called at the moment a screen is worth a picture, once a name.
+  /// Calls `passed(name)` once for each screen worth a picture.
   ScriptedVisitor(exhibit::Kiosk& kiosk, Plan plan, std::function<void(const std::string&)> passed);
 
-  /// After the frame at `now`; gives input to the visit. Problem when the visit stands where no
-  /// visitor would be left: a fault, a control that is missing, a keepsake that could not be kept.
+  /// Call after the frame at `now`; sends input to the visit. Problem if the visit is stuck: a
+  /// fault, a missing control, a keepsake that could not be saved.
   Result<void> step(double now);
-  /// Back at attract with the keepsake safe.
+  /// True at attract with the keepsake saved.
   bool done() const { return done_; }
-  /// The visitor's hands are at work.
+  /// True while the visitor's hands work.
   bool throwing() const { return playing_; }
-  /// How far, 0 to 1.
+  /// Progress, 0 to 1.
   double progress() const;
-  /// Nothing before a naive visitor's pot is done.
+  /// Absent before a naive visitor's pot is done.
   const std::optional<Looks>& looks() const { return looks_; }
 
  private:
@@ -75,16 +75,16 @@ class ScriptedVisitor {
   Plan plan_;
   std::function<void(const std::string&)> passed_;
   screens::ScreenId screen_ = screens::ScreenId::attract;
-  std::string then_;  ///< A control to be touched in the next frame.
+  std::string then_;  ///< The control to touch in the next frame.
   double entered_ = -1, now_ = 0, moved_at_ = 0;
-  std::unique_ptr<VisitorsHand> hand_;  ///< Null where the loop plays the script.
+  std::unique_ptr<VisitorsHand> hand_;  ///< Null if the loop plays the script.
   bool label_open_ = false, playing_ = false, half_shown_ = false, touched_ = false,
        kept_seen_ = false;
   bool done_ = false;
   std::optional<NaiveHands> hands_;
   std::optional<TwoVisitors> two_;
   std::optional<Looks> looks_;
-  Profile lump_;  ///< As it lay on the wheel.
+  Profile lump_;  ///< The fresh lump.
   double looked_at_ = 0, troubled_at_ = -1;
 };
 

@@ -14,7 +14,7 @@ constexpr std::array<const char*, device::kWallParts> kParts{"foot", "low", "mid
                                                              "high", "rim", "all"};
 constexpr std::array<const char*, device::kAsks> kAsks{"open", "widen", "narrow", "pull", "even"};
 
-/// The number that stands for {mm} or {percent}, where `text` has the words around it.
+/// The number in place of {mm} or {percent} in `text`.
 std::optional<int> figure_in(const std::string& text, const content::Language& language,
                              const std::string& key, const std::string& place) {
   constexpr const char* kMark = "\x01";

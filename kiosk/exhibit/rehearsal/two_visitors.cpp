@@ -9,7 +9,7 @@ using view::InputEvent;
 
 namespace {
 
-constexpr double kWall = 0.007;              // m, as they would have it
+constexpr double kWall = 0.007;              // m, the wall that they want
 constexpr double kFrom = 0.1, kUpTo = 0.97;  // of the pot's height
 
 InputEvent finger_at(InputEvent::Kind kind, int finger, const screens::Sight& sight, double radius,
@@ -40,7 +40,7 @@ std::vector<InputEvent> TwoVisitors::step(double now, const screens::Sight& sigh
   const double share = works ? in_turn / kStroke : 1.0;
   const double height = (kFrom + (kUpTo - kFrom) * share) * sight.made->height();
   const double outer = sight.target->outer_at(height);
-  // A stroke goes half of what is left to it: neither visitor tears at the wall.
+  // A stroke covers half of the remaining way, so that neither visitor tears the wall.
   const auto towards = [](double from, double to) { return from + 0.5 * (to - from); };
   const double outside = towards(sight.made->outer_at(height), outer);
   const double inside = towards(sight.made->inner_at(height), std::max(outer - kWall, 0.012));

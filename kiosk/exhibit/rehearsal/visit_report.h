@@ -12,14 +12,13 @@
 namespace onggi::rehearsal {
 
 /// JSON of a kept visit: {vessel, score, stars, measures, state_hash, ticks, screens[], files[]}.
-/// Lengths in metres; state_hash as 16 hexadecimal digits.
-/// A naive visitor's has {naive: {roughness, ledge, handsome_at}} beside: metres, and seconds or
-/// null.
+/// Lengths in metres; state_hash as 16 hexadecimal digits. A naive visitor's also has {naive:
+/// {roughness, ledge, handsome_at}}: metres, and seconds or null.
 files::Json visit_report(const exhibit::KeptVisit& kept,
                          const std::vector<std::filesystem::path>& screens,
                          const std::optional<ScriptedVisitor::Looks>& looks = std::nullopt);
 
-/// The same for a person: what it scored and where the postcard lies.
+/// A summary for people: the score, and the place of the postcard.
 std::string visit_summary(const exhibit::KeptVisit& kept);
 
 /// All measures: lengths in metres, distances of the outlines as shares of the

@@ -7,7 +7,7 @@ bool VisitorsHand::step(double dt, loop::PotterHost& potter) {
   const auto look = [&](double t) {
     return potter.with_scene([&](Scene& scene) { hands = script_->at(t, scene.clay()); });
   };
-  // The script waits in the moment before the tool goes down again.
+  // The script pauses just before the tool goes down again.
   const double next = time_ + dt;
   if (!look(next)) return false;
   bool active = false;

@@ -7,16 +7,16 @@
 
 namespace onggi::rehearsal {
 
-/// Throws what a script throws the way a person does: from frame to frame, by the pointer, or only
-/// with wheel and water while a device moves the hand. Between strokes it takes its time, as
-/// somebody does who carries a tool over. Main thread.
+/// Performs a script like a person: frame by frame with the pointer, or only wheel and water while
+/// a device moves the hand. It takes time between strokes, as people do when they move a tool. Main
+/// thread.
 class VisitorsHand {
  public:
   enum class By : std::uint8_t { pointer, device };
   static constexpr double kCarry = 2.4;  ///< s from one stroke to the next.
 
   VisitorsHand(std::unique_ptr<Script> script, By by) : script_(std::move(script)), by_(by) {}
-  /// Once a frame, `dt` seconds after the last. False where the wheel did not answer.
+  /// Call once a frame, `dt` seconds after the last. False if the wheel did not answer.
   bool step(double dt, loop::PotterHost& potter);
   double progress() const { return time_ / script_->duration(); }
   bool done() const { return time_ >= script_->duration(); }

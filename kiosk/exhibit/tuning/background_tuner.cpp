@@ -10,7 +10,7 @@ BackgroundTuner::BackgroundTuner(std::string name, SceneDef def, TunePlan plan) 
   plan.give_up = [this] { return stop_.load(); };
   thread_ =
       std::thread([this, name = std::move(name), def = std::move(def), plan = std::move(plan)] {
-        // On Linux that is this thread's alone.
+        // On Linux this affects only this thread.
         setpriority(PRIO_PROCESS, 0, 19);
         found_ = tune(name, def, plan);
         done_ = true;

@@ -9,17 +9,17 @@
 
 namespace onggi::tuning {
 
-/// Looks for a scene's grid on a thread of its own, with the least claim to the processor, while
-/// the exhibit goes on. Main thread.
+/// Finds a scene's grid on its own thread with the lowest priority, while the exhibit runs. Main
+/// thread.
 class BackgroundTuner {
  public:
   BackgroundTuner(std::string name, SceneDef def, TunePlan plan = {});
-  /// Gives up, and waits for the measurement that it is at: a second or so.
+  /// Stops, and waits for the current measurement: about a second.
   ~BackgroundTuner();
   BackgroundTuner(const BackgroundTuner&) = delete;
   BackgroundTuner& operator=(const BackgroundTuner&) = delete;
 
-  /// What was found, once; none while it is still looking. Never waits.
+  /// The result, once; absent while it is searching. Never waits.
   std::optional<Result<TunedGrid>> take();
 
  private:

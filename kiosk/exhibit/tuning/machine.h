@@ -4,10 +4,10 @@
 
 namespace onggi::tuning {
 
-/// The processor's name and how many cores there are: "AMD EPYC, 2 cores".
+/// The processor's name and the number of cores: "AMD EPYC, 2 cores".
 std::string machine_name();
 
-/// Microseconds that the calling thread has worked: what else the machine does is not in it.
+/// Processor time of the calling thread, microseconds; other work of the machine does not count.
 double thread_us();
 
 }  // namespace onggi::tuning

@@ -9,17 +9,17 @@
 
 namespace onggi::tuning {
 
-/// A visitor's scene on any grid, against its own finest self: a finger and both hands on its wall
-/// (lab::scene_works). What no second program can work, since it has effects, is compared with
-/// itself.
+/// Runs a visitor's scene on any grid and compares it with its own finest grid: a finger, and both
+/// hands on its wall (lab::scene_works). A scene with effects has no independent reference, so it
+/// is compared with itself.
 class SceneBench {
  public:
-  /// Works the scene on `rows` rows with ticks of `tick` s: seconds of work. Problem where it is
-  /// none.
+  /// Simulates the scene on `rows` rows with ticks of `tick` s: seconds of work. Problem if it is
+  /// invalid.
   static Result<SceneBench> create(const std::string& name, const SceneDef& def, int rows,
                                    double tick);
-  /// A row for each work at 1 kHz on `grid` (rows, sectors), timed `passes` times (at least once):
-  /// of each tick the least counts.
+  /// A row for each work at 1 kHz on `grid` (rows, sectors), timed `passes` times (at least once);
+  /// each tick counts with its shortest time.
   Result<std::vector<lab::AccuracyRow>> rows(std::array<int, 2> grid, int passes) const;
 
  private:

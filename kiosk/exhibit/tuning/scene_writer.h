@@ -7,13 +7,13 @@
 
 namespace onggi::tuning {
 
-/// The text of a scene's TOML with another grid: clay.rows and clay.sectors are written anew with
-/// `note` as a comment, quality = "auto" is taken out, and every other byte stays. A [clay] that is
-/// not there is put at the end.
+/// The text of a scene's TOML with another grid: replaces clay.rows and clay.sectors, with `note`
+/// as a comment, removes quality = "auto", and keeps every other byte. A missing [clay] is added at
+/// the end.
 std::string with_grid(const std::string& toml, int rows, int sectors, const std::string& note);
 
-/// Writes it into `file` durably, and reads it back: a Problem where the file is no scene, before
-/// or (exit 1) after, and then the file is as it was.
+/// Writes it into `file` durably, and reads it back. Problem if the file is not a scene before, or
+/// (exit 1) after; it is then unchanged.
 Result<void> write_grid(const std::filesystem::path& file, int rows, int sectors,
                         const std::string& note);
 

@@ -9,7 +9,7 @@
 namespace onggi::tuning {
 namespace {
 
-// A light press, two hands, and a deep fast throw: the one that asks most of a grid.
+// A light press, two hands, and a deep fast throw, which needs the finest grid.
 constexpr std::array<const char*, 3> kScripts{"press", "collar", "throw"};
 
 // Whatever a grid is measured by.
