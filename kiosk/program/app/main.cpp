@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
   }
   onggi::files::keep_heap_small();
   onggi::device::end_forces_on_terminate();
-  // A helper that dies while we write to it, or a file that may not grow, is an error to report and
-  // not a reason to end.
+  // If a helper dies while we write to it, or a file may not grow, report an error instead of
+  // ending.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   return onggi::cli::run_command_line(onggi::commands::onggi_command(), ONGGI_VERSION, argc, argv);

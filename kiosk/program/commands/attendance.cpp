@@ -17,7 +17,7 @@ namespace onggi::commands {
 
 namespace {
 
-/// systemd gives a service folders of its own by these names; several are apart by colons.
+/// systemd gives a service its folders in these variables; several are separated by colons.
 std::optional<fs::path> folder_given(const char* name) {
   const char* value = std::getenv(name);
   if (value == nullptr || *value == '\0') return {};
@@ -42,7 +42,7 @@ std::optional<exhibit::KioskOptions> Attendance::safer(const exhibit::KioskOptio
   const auto good = watch::last_good(state_);
   if (!ledger_.safe()) {
     const settings::Problems wrong = problems_of(museums.config);
-    // Where the last good one has problems too, the kiosk has shown that it can live with them.
+    // If the last good one has problems too, the kiosk has shown that it can run with them.
     if (wrong.empty() || !good || !problems_of(good->exhibit).empty()) return {};
     files::log_problems(wrong);
     files::log_line("The last good exhibit is shown until you fix this.");

@@ -10,28 +10,28 @@
 
 namespace onggi::commands {
 
-/// A run of the kiosk as a service, which nobody attends: systemd's watchdog is fed, crashes are
-/// counted, and an exhibit that crashes or is broken gives way to the last one that was good.
+/// Runs the kiosk as a systemd service: feeds the watchdog, counts crashes, and replaces an exhibit
+/// that crashes or is broken with the last good one.
 class Attendance {
  public:
-  /// Where a service keeps its state (systemd's StateDirectory); none where this is no service.
+  /// The service's state folder (systemd's StateDirectory); empty if not started by systemd.
   static std::optional<std::filesystem::path> state_folder();
 
   explicit Attendance(std::filesystem::path state);
 
-  /// What to show instead of the museum's exhibit, if anything: after too many crashes, or where
-  /// it was broken while the machine was off, the last one that was good. After crashes, mouse and
-  /// touch only, the program's own exhibit where none is kept, and that too where the last good one
-  /// crashed as often. Says so in the log.
+  /// The exhibit to show instead of the museum's, if any: the last good one after too many crashes,
+  /// or if the museum's was broken while the machine was off. After crashes there are only mouse
+  /// and touch. The program's own exhibit is shown if no good one is saved, or if that one crashed
+  /// as often. Writes this to the log.
   std::optional<exhibit::KioskOptions> safer(const exhibit::KioskOptions& museums);
-  /// Before `config` is opened: what lies there now is what may become the last good one, unless it
+  /// Call before `config` is opened: its current files may become the last good exhibit, unless it
   /// only `stands_in` for the museum's.
   void opens(const std::filesystem::path& config, bool stands_in);
-  /// The kiosk is open. Again after each reload.
+  /// The kiosk is open. Call again after each reload.
   void shows(const exhibit::Kiosk& kiosk);
-  /// Once a frame.
+  /// Call once a frame.
   void look(exhibit::Kiosk& kiosk);
-  /// It ends because it was asked to.
+  /// The kiosk ends on request.
   void end();
 
  private:
@@ -39,8 +39,8 @@ class Attendance {
   watch::RunLedger ledger_;
   std::unique_ptr<watch::Keeper> keeper_;
   watch::Shown shown_;    ///< As opens() found it.
-  watch::Health health_;  ///< Of the kiosk that is open,
-  watch::Health before_;  ///< and the counts of those before it in this run.
+  watch::Health health_;  ///< Health of the open kiosk,
+  watch::Health before_;  ///< and the counts of the kiosks before it in this run.
 };
 
 }  // namespace onggi::commands

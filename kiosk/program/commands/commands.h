@@ -4,7 +4,7 @@
 
 namespace onggi::commands {
 
-/// The program: it opens the exhibit, and has all the others.
+/// The program: it opens the exhibit, and contains all other commands.
 cli::Command onggi_command();
 
 cli::Command run_command();
@@ -18,12 +18,12 @@ cli::Command report_command();
 cli::Command devices_command();
 cli::Command setup_command();
 
-/// Of `onggi vessel`.
+/// Subcommands of `onggi vessel`.
 cli::Command make_command();
 cli::Command inspect_command();
 cli::Command import_command();
 
-/// Of `onggi lab`, in the museum's program.
+/// Subcommands of `onggi lab`, in the museum's program.
 cli::Command tune_command();
 
 }  // namespace onggi::commands

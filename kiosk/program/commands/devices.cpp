@@ -20,7 +20,7 @@ std::string hex(std::uint16_t number) {
   return text;
 }
 
-/// What the kiosk would do with it, as things are plugged in now: hands are given out in turn.
+/// What the kiosk would do with it now: hands are assigned in order.
 std::string use_of(const device::KindInfo& info, int& hands) {
   if (!info.hand) return std::string(info.use);
   if (++hands > kMaxHands) return "is not used: both hands have a device already";
@@ -62,7 +62,7 @@ void print(const Found& found) {
 Result<int> devices(const files::Output& json) {
   std::vector<Found> all;
   int hands = 0, others = 0;
-  // Nothing is opened: a kiosk that runs has these devices in use.
+  // Open nothing, because a running kiosk uses these devices.
   for (const device::HidListing& listing : device::hidapi_bus()->list()) {
     const auto kind = device::kind_of(listing);
     if (!kind) {

@@ -37,8 +37,8 @@ Result<void> check_id(const std::string& id) {
                  "Write one such as moon_jar.");
 }
 
-/// The vessel's file as it came, where it is a GLB whole; a whole glTF with all that it names; else
-/// its surface alone with its colours, since a pack holds one file.
+/// The vessel's file: unchanged if it is a complete GLB; a complete glTF with all its files; else
+/// only its surface with its colours, because a pack holds one file.
 Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole) {
   const settings::ReaderLimits limits;
   if (whole) {

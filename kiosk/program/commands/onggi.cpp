@@ -3,7 +3,7 @@
 namespace onggi::commands {
 
 namespace {
-/// What a museum needs of the laboratory. Its other commands are in onggi-lab (lab_program.h).
+/// The part of the laboratory that a museum needs. Other commands are in onggi-lab (lab_program.h).
 cli::Command lab_command() {
   return {.name = "lab",
           .help = "Measure this machine (all but tune need the package onggi-lab)",
@@ -13,7 +13,7 @@ cli::Command lab_command() {
 }  // namespace
 
 cli::Command onggi_command() {
-  // The same options with and without the word "run": a kiosk is started by its bare name.
+  // The same options with and without the word "run", because a kiosk is started by its bare name.
   const cli::Command run = run_command();
   return {.name = "onggi",
           .help = "Onggi: throw pots on a virtual wheel, in a museum.",

@@ -26,8 +26,8 @@ struct RunArguments {
 
 enum class Ending { asked_to, reload };
 
-/// The exhibit of `options`, the museum's or one that `stands_in` for it, until it is asked to end,
-/// or the museum's has changed and no visitor is here.
+/// Runs the exhibit of `options` (the museum's, or one that `stands_in` for it) until somebody asks
+/// it to end, or until the museum's has changed and no visitor is here.
 Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in,
                             exhibit::Reload& reload, Attendance* attendance) {
   if (attendance != nullptr) attendance->opens(options.config, stands_in);
@@ -42,7 +42,7 @@ Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in
       files::log_line("First picture " +
                       std::to_string(static_cast<int>(files::since_exec_seconds() * 1000)) +
                       " ms after the start of the program.");
-    // Not before: the shelf is read once already.
+    // Start watching only now, because the shelf was just read.
     if (!(*kiosk)->shelf().complete()) continue;
     reload.look(files::monotonic_seconds());
     if (reload.wanted() && (*kiosk)->doing().nobody_is_here) return Ending::reload;

@@ -28,7 +28,7 @@ struct ScoreArguments {
   bool size_counts = false;
 };
 
-/// The rubric that was named, else config/rubric.toml of the program, else the one built in.
+/// The named rubric, else config/rubric.toml of the program, else the built-in one.
 Result<settings::Rubric> rubric_for(const std::string& named) {
   fs::path file = named;
   if (named.empty()) {
@@ -92,11 +92,11 @@ Json report_of(const Shape& target, const Shape& pot, const score::Score& score,
        {"try_next", list(score.try_next)}});
 }
 
-/// In millimetres of the vessel itself, of which a metre on the wheel stands for `true_scale`.
+/// Prints millimetres of the real vessel; a metre on the wheel is `true_scale` metres of it.
 void print_summary(const Shape& target, const Shape& pot, const score::Score& score,
                    double true_scale, const content::Language& words) {
   const Measures& m = score.measures;
-  // What has no known size is told in parts of its height.
+  // Without a known size, print shares of the height.
   const bool known = target.true_size;
   const double each = known ? 1000.0 * true_scale : 100.0 / m.target.height;
   const double high = each * m.target.height;
@@ -141,7 +141,7 @@ Result<int> compare_files(const ScoreArguments& arguments) {
   if (!words) return tl::unexpected(words.error());
 
   const bool size_counts = arguments.size_counts || rubric->size_counts;
-  // A kept pot was thrown, and judged, against the vessel at a size that a hand can reach.
+  // A kept pot was thrown and scored against the vessel at a size that hands can reach.
   const double scale = pot->kind == "replay" ? workspace_scale(target->profile) : 1.0;
   const score::Score score =
       score::judge(scaled(target->profile, scale), pot->profile, !size_counts,

@@ -28,7 +28,7 @@ Result<Shape> read_vessel(const fs::path& path, const std::string& node) {
   return shape;
 }
 
-/// A drawing goes the same way as the mesh that is made of it, so that both give the same profile.
+/// Process a drawing like its mesh, so that both give the same profile.
 Result<Shape> read_drawing_shape(const fs::path& path) {
   const auto drawing = content::read_drawing(path);
   if (!drawing) return tl::unexpected(drawing.error());

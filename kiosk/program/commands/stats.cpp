@@ -32,7 +32,7 @@ Result<void> check_day(const std::string& option, const std::string& day) {
   return problem(option + " " + day, "This is not a valid date.", "Write it as 2026-05-31.");
 }
 
-/// Visits a day, or a month where there are too many days to name; what is left out is a gap.
+/// Visits per day, or per month if there are too many days; suppressed counts are gaps.
 drawing::Plot plot_of(const store::PublishedStatistics& s) {
   constexpr std::size_t kMostDays = 45;
   std::string step = "day";
@@ -82,7 +82,7 @@ Result<int> stats(const StatsArguments& arguments) {
   const auto counted = store::read_statistics(*file, arguments.from, arguments.to);
   if (!counted) return tl::unexpected(counted.error());
   const store::PublishedStatistics told = store::publish(*counted);
-  // Before the words: what cannot be written is told first.
+  // Write files before printing, so that an error comes first.
   if (auto good = arguments.csv.write(store::csv_of(told)); !good)
     return tl::unexpected(good.error());
   const std::string words =

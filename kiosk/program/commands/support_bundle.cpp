@@ -63,7 +63,7 @@ std::string machine_text() {
   if (uname(&system) == 0)
     out << system.sysname << ' ' << system.release << ' ' << system.machine << '\n';
   out << lines_of("/etc/os-release", {"PRETTY_NAME="});
-  // The first processor stands for all.
+  // The first processor is enough.
   std::istringstream processors(lines_of("/proc/cpuinfo", {"model name"}));
   std::string first;
   std::getline(processors, first);
@@ -73,14 +73,14 @@ std::string machine_text() {
   return out.str();
 }
 
-/// Every TOML in the exhibit's own folder, which is all that a museum writes there.
+/// Every TOML directly in the exhibit's folder, where a museum's own files are.
 void add_configuration(const fs::path& config, std::vector<BundlePart>& parts) {
   std::error_code error;
   std::vector<fs::path> all;
   const fs::path folder = config.parent_path().empty() ? fs::path(".") : config.parent_path();
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
        at.increment(error)) {
-    // Keepsakes may lie below it, and so may anything.
+    // Do not go deeper: keepsakes or other things may lie below.
     if (at->is_directory(error) &&
         (at.depth() >= 2 || files::begins_like(at->path().filename().string(), "9999-99-99_")))
       at.disable_recursion_pending();
@@ -121,8 +121,7 @@ std::string counts_text(const fs::path& keepsakes) {
   return store::words_of(store::publish(*counted));
 }
 
-/// How long the name of a keepsake is that begins at `at` of `line`, which goes on after it; 0:
-/// none does.
+/// Length of a keepsake's name at `at` of `line`; 0: there is none.
 std::size_t keepsake_at(const std::string& line, std::size_t at) {
   static constexpr std::string_view kShape = "9999-99-99_999999";
   if (!files::begins_like(std::string_view(line).substr(at), kShape)) return 0;
@@ -153,7 +152,7 @@ std::string without_visitors(const std::string& text) {
       told += "KEEPSAKE";
       at += name;
     }
-    // The line's own time would tell when it was made.
+    // Leave out the line's time, which would tell when the keepsake was made.
     if (keepsake && line.find("Kept ") != std::string::npos) continue;
     out += told;
   }

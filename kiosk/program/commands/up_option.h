@@ -7,10 +7,10 @@
 
 namespace onggi::commands {
 
-/// The option --up, which tries another up than the one that was found, as `up =` does.
+/// The option --up, which sets the upright direction instead of finding it, like `up =`.
 cli::Option up_option(std::string& word);
 
-/// Takes what stands there into `options`; nothing for an empty word, a Problem for no axis.
+/// Parses the option into `options`; does nothing for an empty word. Problem if it is not an axis.
 Result<void> take_up(const std::string& word, content::LoadOptions& options);
 
 }  // namespace onggi::commands

@@ -30,7 +30,7 @@ namespace onggi::commands {
 
 namespace {
 
-// 25 frames a second of visit where a script moves the hands; 50 where strokes on the screen do.
+// 25 frames a second of visit if a script moves the hands; 50 for strokes on the screen.
 constexpr int kScriptTicks = 40, kStrokeTicks = 20;
 constexpr double kTick = 0.001;       // s
 constexpr double kFilmSeconds = 5.0;  // between the pictures of a film
@@ -45,8 +45,7 @@ struct VisitArguments {
   bool realtime = false;
 };
 
-/// The vessel named: a file of its own makes a shelf of one, an id is looked up on the exhibit's
-/// shelf.
+/// Finds the named vessel: a file makes a shelf of one, an id is looked up on the exhibit's shelf.
 struct Choice {
   std::optional<fs::path> shelf;
   std::string id;
@@ -65,7 +64,7 @@ Result<int> find_card(const exhibit::Kiosk& kiosk, exhibit::Shelf& shelf, const 
   const auto& cards = shelf.cards();
   const fs::path searched = choice.shelf.value_or(kiosk.exhibit().shelf);
   if (cards.empty()) {
-    // A single file that was refused has its own reason; a shelf without any vessel has not.
+    // A single refused file has its own reason; a shelf without vessels has none.
     if (choice.id.empty() && !shelf.problems().empty())
       return tl::unexpected(shelf.problems().front());
     return problem(searched.string(), "No vessel there could be opened.",
@@ -86,7 +85,7 @@ Result<int> find_card(const exhibit::Kiosk& kiosk, exhibit::Shelf& shelf, const 
       (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + ("There are: " + all + "."));
 }
 
-/// Which of those that are on; -1: none is wanted.
+/// Index among the missions that are on; -1: none is wanted.
 Result<int> find_mission(const exhibit::Kiosk& kiosk, const std::string& id) {
   if (id.empty()) return -1;
   const auto& cards = kiosk.missions().cards();
@@ -120,7 +119,7 @@ Result<int> find_glaze(const exhibit::Kiosk& kiosk, const std::string& id) {
                              : "There are: " + all + ".");
 }
 
-/// Keeps the pictures of the screens passed, encoded once the visit is over.
+/// Collects the pictures of the passed screens, and encodes them after the visit.
 class ScreenAlbum {
  public:
   ScreenAlbum(exhibit::Kiosk& kiosk, fs::path folder) : kiosk_(kiosk), folder_(std::move(folder)) {}
@@ -154,7 +153,7 @@ class ScreenAlbum {
   std::vector<Page> pages_;
 };
 
-/// Frames until the visitor is done; prints how far the throwing is.
+/// Runs frames until the visitor is done; prints the progress of the throwing.
 Result<void> walk(exhibit::Kiosk& kiosk, rehearsal::ScriptedVisitor& visitor, int ticks,
                   bool realtime, ScreenAlbum* film, int& first_tick) {
   const double begun = files::monotonic_seconds();
@@ -177,7 +176,7 @@ Result<void> walk(exhibit::Kiosk& kiosk, rehearsal::ScriptedVisitor& visitor, in
       const int tenth = static_cast<int>(visitor.progress() * 10);
       if (tenth != printed) std::cerr << "throwing: " << (printed = tenth) * 10 << " %\n";
     }
-    // A save runs on a worker: give it wall time, or the visit's clock would outrun it.
+    // A save runs on a worker: give it wall time, or the visit's clock would run ahead of it.
     if (kiosk.doing().saving || kiosk.doing().turning)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (realtime)
@@ -191,7 +190,7 @@ bool aided(const VisitArguments& arguments) {
   return arguments.script == kBlind || arguments.script == kSwitch;
 }
 
-/// Without eyes or with one switch; what was said goes to OUT/said.txt.
+/// A visitor without sight or with one switch; the spoken words go to OUT/said.txt.
 Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int card, int mission,
                   int glaze, ScreenAlbum& album) {
   rehearsal::AidedWalk how;
@@ -209,7 +208,7 @@ Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int ca
                               std::as_bytes(std::span(lines)));
 }
 
-/// What can be known to be wrong before a visit of a minute begins.
+/// Checks the arguments before a visit of a minute begins.
 Result<void> check(const VisitArguments& arguments) {
   if (arguments.vessel.empty() == arguments.mission.empty())
     return problem("--vessel", "Use --vessel or --mission, not both.",
@@ -234,7 +233,7 @@ Result<void> check(const VisitArguments& arguments) {
   if (arguments.script == kNaive || aided(arguments)) return {};
   const auto names = script_names();
   if (std::find(names.begin(), names.end(), arguments.script) == names.end()) {
-    // make_script has the words for it.
+    // make_script has the message for it.
     auto script = make_script(arguments.script, {});
     if (!script) return tl::unexpected(script.error());
   }
@@ -302,7 +301,7 @@ Result<int> visit(const VisitArguments& arguments) {
           ? walk(kiosk, arguments, *card, *mission, *glaze, album)
           : walk(kiosk, visitor, naive || plan.two ? kStrokeTicks : kScriptTicks,
                  arguments.realtime, arguments.film.empty() ? nullptr : &film, first_tick);
-  // The pictures are wanted most of all when something went wrong.
+  // Write the pictures also after a failure, when they are needed most.
   const auto pages = album.write();
   if (!walked) return tl::unexpected(walked.error());
   if (!pages) return tl::unexpected(pages.error());

@@ -25,7 +25,7 @@ std::string line_of(const Step& step) {
          '\t' + step.from.string() + '\n';
 }
 
-/// A line that is not one of ours is passed over: what it stands for cannot be taken back.
+/// Ignore unknown lines: their changes cannot be undone.
 std::vector<Step> remembered(const System& system) {
   std::vector<Step> steps;
   const auto bytes = files::read_file(system.at(kChanges), kMostOfChanges);
@@ -86,7 +86,8 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
       return problem(desktop.filename().string(),
                      "A desktop starts with this machine and would hold its screen.",
                      "Run: sudo onggi setup --replace-desktop", 1);
-    // Debian starts its desktops by this name alone: most of their units cannot be enabled.
+    // Debian starts its desktops only through this name, because most of their units cannot be
+    // enabled.
     steps.push_back({Kind::unlink, kDesktop, desktop, "the kiosk replaces the desktop"});
   }
   steps.push_back({Kind::enable, "onggi-display.service", {}, "the screen"});
@@ -112,7 +113,7 @@ Result<SetupReport> set_up(const SetupOptions& options) {
     const auto change = apply(step, options.system, options.dry);
     if (!change) return tl::unexpected(change.error());
     (change->changed ? report.changed : report.stayed).push_back(change->told);
-    // A tree that was there already is the museum's from now on too.
+    // A tree that was already there now belongs to the museum too.
     if (options.dry || !(change->changed || step.kind == Step::Kind::tree)) continue;
     changed.push_back(step);
     if (auto good = remember(changed, options.system); !good) return tl::unexpected(good.error());

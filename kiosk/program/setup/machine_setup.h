@@ -9,38 +9,38 @@
 
 namespace onggi::setup {
 
-/// Where the museum's own exhibit lies on a machine that was set up.
+/// The museum's own exhibit on a machine that was set up.
 inline constexpr const char* kSite = "/srv/onggi";
-/// What setup changed on it, for taking it back: a line a step, its fields apart by tabs.
-/// Root's own folder: who runs the kiosk must not say what root takes back.
+/// The changes that setup made, for undoing them: a line a step, fields separated by tabs. It is in
+/// root's own folder, because the kiosk's user must not control what root undoes.
 inline constexpr const char* kChanges = "/var/lib/onggi-setup/changed";
 
 struct SetupOptions {
   System system{};
   std::filesystem::path data = "/usr/share/onggi";  ///< On the system: config/, content/, system/.
-  bool dry = false;                                 ///< Say what would change, and change nothing.
-  bool replace_desktop = false;  ///< A display manager no longer starts with the machine.
+  bool dry = false;                                 ///< Report the changes without making them.
+  bool replace_desktop = false;  ///< Stop a display manager from starting with the machine.
 };
 
-/// What setup found and did, in order.
+/// The results of a setup, in order.
 struct SetupReport {
-  std::vector<std::string> changed;  ///< One line a change,
-  std::vector<std::string> stayed;   ///< and one for what was so already or was left.
+  std::vector<std::string> changed;  ///< One line for each change,
+  std::vector<std::string> stayed;   ///< and one for each thing that was already right or was kept.
 };
 
-/// The steps from a bare Debian with the package to a kiosk: the museum's own exhibit, the
-/// screen, the log's bound, the place in node_exporter, the units. Problem (exit 1) where a desktop
-/// would hold the screen and may not be replaced.
+/// The steps from a bare Debian with the package to a kiosk: the museum's own exhibit, the screen,
+/// the log's limit, the file for node_exporter, the units. Problem (exit 1) if a desktop holds the
+/// screen and may not be replaced.
 Result<std::vector<Step>> kiosk_steps(const SetupOptions& options);
 
-/// Takes all of kiosk_steps(), in order, and remembers what changed in kChanges before the next. A
-/// step that fails ends it; a second setup goes on from there. What it gave the museum once, or
-/// found there, it does not give again: a vessel that was taken off the shelf stays off. Problem
-/// (exit 1) without root's rights, and those of apply(). Blocks; any thread.
+/// Runs all of kiosk_steps() in order, and records each change in kChanges before the next step.
+/// Stops at a failed step; a second setup continues from there. It does not give the museum
+/// anything twice: a vessel that was taken off the shelf stays off. Problem (exit 1) without
+/// root's rights, and those of apply(). Blocks; any thread.
 Result<SetupReport> set_up(const SetupOptions& options);
 
-/// Takes back what set_up() remembers, last first, and forgets it; `dry` only tells.
-/// Problem (exit 2) where nothing is remembered.
+/// Undoes the changes that set_up() recorded, last first, and clears the record; `dry` only
+/// reports. Problem (exit 2) if nothing is recorded.
 Result<SetupReport> undo_setup(const System& system, bool dry = false);
 
 }  // namespace onggi::setup

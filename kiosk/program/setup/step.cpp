@@ -22,7 +22,8 @@ namespace onggi::setup {
 namespace {
 
 constexpr std::size_t kMostOfAFile = std::size_t{1} << 30;
-constexpr auto kPatience = std::chrono::seconds(60);  // systemctl waits for the units it starts
+// Systemctl waits for the units that it starts
+constexpr auto kPatience = std::chrono::seconds(60);
 
 struct Owner {
   uid_t user;
@@ -37,8 +38,8 @@ std::optional<unsigned> number_in(const std::string& text) {
   return number;
 }
 
-/// Of the user onggi, from the system's own list: it need not be the one that runs here. A line
-/// without its numbers is no user.
+/// The ids of the user onggi, from the target system's list, which may not be this machine's. A
+/// line without numbers is ignored.
 std::optional<Owner> kiosk_user(const System& system) {
   std::ifstream users(system.at("/etc/passwd"));
   for (std::string line; std::getline(users, line);) {
@@ -87,7 +88,7 @@ Result<Change> make_folder(const Step& step, const System& system, bool dry) {
   return Change{true, told};
 }
 
-/// `from` itself where it is a file, else every regular file below it.
+/// `from` itself if it is a file, else every regular file below it.
 Result<std::vector<fs::path>> files_of(const fs::path& from) {
   std::error_code error;
   if (fs::is_regular_file(from, error)) return std::vector{from};
@@ -185,7 +186,7 @@ Result<bool> enabled(const Step& step, const System& system) {
   return *status == 0;
 }
 
-enum class Now { no, yes };  ///< Whether the unit is started, or ended, at once.
+enum class Now { no, yes };  ///< Whether to start or stop the unit at once.
 
 Result<Change> enable(const Step& step, const System& system, bool on, Now now, bool dry) {
   const auto is = enabled(step, system);
@@ -226,7 +227,7 @@ Result<Change> put_back(const Step& step, const System& system, bool dry) {
   return Change{true, step.to.string() + ": put back"};
 }
 
-/// A unit that went with its package holds up nobody who takes the rest back.
+/// If a unit was removed with its package, undoing the rest continues.
 Result<Change> take_unit_back(const Step& step, const System& system, bool on, bool dry) {
   const auto change = enable(step, system, on, system.runs() ? Now::yes : Now::no, dry);
   if (change || !on) return change;

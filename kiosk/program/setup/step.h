@@ -8,48 +8,47 @@
 
 namespace onggi::setup {
 
-/// The system that becomes a kiosk: this one, or an image of one under a folder.
+/// The system to set up: this one, or an image of one in a folder.
 struct System {
   std::filesystem::path root = "/";
-  /// Where `path` of that system lies on this one.
+  /// The path on this machine of `path` on that system.
   std::filesystem::path at(const std::filesystem::path& path) const {
     return root / path.relative_path();
   }
-  /// It is the one that runs here, with systemd: its services can be started and ended.
+  /// True for this running machine with systemd: its services can be started and stopped.
   bool runs() const;
 };
 
-/// One thing that setup brings about.
+/// One change that setup makes.
 struct Step {
   enum class Kind {
-    folder,   ///< `to` exists and belongs to the user onggi.
-    tree,     ///< The file, or every file of the folder, `from` is at `to`; what is there stays.
-    link,     ///< `to` is a symbolic link to `from`; where something else is, that stays.
-    unlink,   ///< The symbolic link `to` to `from` is gone.
-    enable,   ///< The unit `to` starts with the machine.
-    disable,  ///< The unit `to` does not.
+    folder,  ///< `to` exists and belongs to the user onggi.
+    tree,    ///< Copies the file, or every file of the folder, `from` to `to`; existing files stay.
+    link,    ///< Makes `to` a symbolic link to `from`; anything else there stays.
+    unlink,  ///< Removes the symbolic link `to` to `from`.
+    enable,  ///< Starts the unit `to` with the machine.
+    disable,  ///< Stops starting the unit `to` with the machine.
   };
   Kind kind = Kind::folder;
   std::filesystem::path to;      ///< A path of the system; a unit's name.
-  std::filesystem::path from{};  ///< Of tree, link and unlink: a path of the system.
+  std::filesystem::path from{};  ///< For tree, link and unlink: a path of the system.
   std::string why{};             ///< "the exhibit, yours to change"
-  bool needs_folder = false;     ///< Of link: left out where the folder of `to` is not there.
+  bool needs_folder = false;     ///< For link: skipped if the folder of `to` is missing.
 };
 
-/// What a step came to.
+/// The result of a step.
 struct Change {
-  bool changed = false;  ///< False: it was so already, or stayed for a reason that `told` names.
-  std::string told;      ///< One line for whoever set the machine up.
+  bool changed = false;  ///< False: it was already so, or it was kept for a reason in `told`.
+  std::string told;      ///< One line for the person who runs setup.
 };
 
-/// Brings `step` about, or says what it would do when `dry`. Problem (exit 1) where the disk, the
-/// rights or systemctl refuse. Blocks; any thread.
+/// Makes the change, or reports it if `dry`. Problem (exit 1) if the disk, the permissions or
+/// systemctl refuse. Blocks; any thread.
 Result<Change> apply(const Step& step, const System& system, bool dry);
 
-/// Takes back what apply() changed, where it is still as apply() left it; what has been changed
-/// since stays, and so does what belongs to the museum (folder and tree) and what cannot be taken
-/// back any more (a unit that is gone). On a system that runs, a unit is ended, or started, at
-/// once. `dry` only tells.
+/// Undoes a change of apply(), if the system is still as apply() left it. Later changes stay, and
+/// so do the museum's files (folder and tree) and changes that cannot be undone (a removed unit).
+/// On a running system, units are stopped or started at once. `dry` only reports.
 Result<Change> take_back(const Step& step, const System& system, bool dry);
 
 }  // namespace onggi::setup

@@ -10,13 +10,13 @@ namespace {
 
 class Metrics {
  public:
-  Metrics() { text_ << std::fixed; }  // a day of running is no 8.6e+04
+  Metrics() { text_ << std::fixed; }  // a day of running must not print as 8.6e+04
   template <class Value>
   void put(const char* name, const char* type, const char* help, Value value) {
     text_ << "# HELP " << name << ' ' << help << "\n# TYPE " << name << ' ' << type << '\n'
           << name << ' ' << value << '\n';
   }
-  /// A label's value may hold no quote, backslash or new line.
+  /// A label's value must not hold a quote, backslash or new line.
   void put_version(const std::string& version) {
     text_ << "# HELP onggi_info The program's version.\n# TYPE onggi_info gauge\n"
           << "onggi_info{version=\"" << version << "\"} 1\n";

@@ -14,18 +14,19 @@ namespace onggi::watch {
 
 namespace {
 
-/// systemd waits for the whole of WatchdogSec; fed at a third, one lost datagram harms nothing.
+/// systemd waits for all of WatchdogSec. Feeding at a third of it survives one lost datagram.
 constexpr double kFeedShare = 1.0 / 3.0;
-/// A part that stands for half of it is stuck, and is found so within WatchdogSec and a half.
+/// A part that has stopped for half of it is stuck, so a hang is found within one and a half
+/// WatchdogSec.
 constexpr double kPatienceShare = 0.5;
-constexpr double kPatience = 5.0;  // where no systemd waits
+constexpr double kPatience = 5.0;  // without systemd
 constexpr const char* kTrial = ".trial";
 
 std::span<const std::byte> as_bytes(const std::string& text) {
   return std::as_bytes(std::span(text));
 }
 
-/// A process can be well over a disk that is not.
+/// The process may be healthy while the disk is not, so test the disk.
 Result<void> trial_write(const fs::path& folder) {
   if (auto made = files::make_folder(folder); !made) return made;
   return files::write_durably(folder / kTrial, as_bytes("a trial\n"));
@@ -69,7 +70,7 @@ void Keeper::look(const Moves& moves, const Health& health, double now) {
     fed_ = now;
     Service::alive();
   }
-  // The thread may hold the lock for a copy of a few bytes, never for the disk.
+  // The thread holds the lock only to copy a few bytes, never during disk work.
   const std::lock_guard lock(mutex_);
   health_ = health;
   now_ = now - began_;
@@ -115,9 +116,9 @@ void Keeper::keep_if_good(const Shown& shown, double now, double shown_for) {
   if (now - tried_to_keep_ < options_.trial_every) return;
   tried_to_keep_ = now;
   const auto kept = keep_last_good(shown.site, shown.files, shown.keepsakes, options_.state);
-  if (kept && !*kept) return;  // a change that is not taken up: it may be mended, or taken back
+  if (kept && !*kept) return;  // a change that reload refused: it may be fixed or undone
   if (!kept) {
-    // Tried again with the next trial write; told once.
+    // Tried again with the next trial write; reported once.
     const std::string why = to_text(kept.error());
     if (std::exchange(not_kept_, why) != why) remark(why);
     return;

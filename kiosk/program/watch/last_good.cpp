@@ -20,7 +20,7 @@ namespace onggi::watch {
 namespace {
 
 constexpr const char* kName = "last_good";
-constexpr const char* kList = "files.txt";  // written last: a copy without it is not whole
+constexpr const char* kList = "files.txt";  // written last: a copy without it is incomplete
 constexpr const char* kKeepsakes = "keepsakes.txt";
 constexpr std::size_t kMostOfAList = 16u << 20;
 
@@ -29,7 +29,7 @@ struct Listed {
   std::string line;
 };
 
-/// In order.
+/// Sorted.
 Result<std::vector<Listed>> list(const fs::path& site) {
   std::vector<Listed> files;
   std::error_code error;
@@ -59,7 +59,7 @@ std::string text_of(const fs::path& file) {
   return bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
 }
 
-/// Thousands of small files are on the disk sooner by one call than by one each.
+/// One sync for thousands of small files is faster than one for each.
 Result<void> sync_disk_of(const fs::path& folder) {
   const files::Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.get() < 0 || ::syncfs(opened.get()) != 0)
@@ -105,7 +105,7 @@ Result<bool> keep_last_good(const fs::path& site, const std::string& files,
       return tl::unexpected(reason);
     }
   }
-  // What changed under the copy is not what was shown.
+  // If files changed during the copy, it is not what visitors saw.
   if (const auto now = files_of(site); !now || *now != files) {
     fs::remove_all(fresh, error);
     return false;
@@ -113,7 +113,7 @@ Result<bool> keep_last_good(const fs::path& site, const std::string& files,
   if (auto synced = sync_disk_of(fresh); !synced) return tl::unexpected(synced.error());
   if (auto written = files::write_durably(fresh / kList, bytes_of(text)); !written)
     return tl::unexpected(written.error());
-  // Between the two steps there is none: then the program's own exhibit stands in.
+  // Between the two steps there is no copy; the program's own exhibit would then be used.
   fs::remove_all(kept, error);
   if (auto moved = files::rename_durably(fresh, kept); !moved) return tl::unexpected(moved.error());
   return true;

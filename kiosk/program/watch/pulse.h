@@ -5,23 +5,22 @@
 
 namespace onggi::watch {
 
-/// What has to go on while the exhibit is open, as counts that only grow.
+/// Counts that must keep growing while the exhibit is open.
 struct Moves {
-  std::uint64_t frames = 0;   ///< Pictures made.
-  std::uint64_t ticks = 0;    ///< Times that the wheel's loop woke.
-  std::uint64_t devices = 0;  ///< Turns of the hand devices' threads: the least of them.
+  std::uint64_t frames = 0;   ///< Frames drawn.
+  std::uint64_t ticks = 0;    ///< Wakes of the wheel's loop.
+  std::uint64_t devices = 0;  ///< Turns of the hand devices' threads: the smallest count.
 };
 
-/// Whether all of them go on. A process whose threads stand must not look alive.
+/// Checks that all counts grow, because a process with a stuck thread must not look alive.
 class Pulse {
  public:
-  /// A part that has not moved for `patience` seconds stands.
+  /// A count that has not grown for `patience` seconds means a stuck part.
   explicit Pulse(double patience) : patience_(patience) {}
 
-  /// `now` in seconds on a clock that never goes back. True while every part moves. No allocation.
+  /// `now` in seconds on a clock that never goes back. True while every part runs. No allocation.
   bool beats(const Moves& moves, double now);
-  /// "the wheel's loop", "the picture", "a hand device", or "" while all move: as of the last
-  /// beats().
+  /// "the wheel's loop", "the picture", "a hand device", or "" if all ran at the last beats().
   std::string standing() const;
 
  private:

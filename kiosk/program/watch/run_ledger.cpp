@@ -48,8 +48,8 @@ Result<void> RunLedger::begin() {
 Result<void> RunLedger::lasted(double seconds) {
   if (steady_ || seconds < kSteady) return {};
   steady_ = true;
-  // Whatever ends it from here on, it is no crash at the start. crashes() stays: what this run
-  // shows, it goes on showing.
+  // Whatever ends the run from here on, it is not a crash at the start. crashes() stays, because
+  // this run keeps showing the same exhibit.
   return write(false, 0);
 }
 

@@ -6,31 +6,29 @@
 
 namespace onggi::watch {
 
-/// How the last runs of the exhibit ended, in a file that outlasts a crash and a power cut. It goes
-/// by the order of runs and by how long they lasted, and never by the wall clock, which may be
-/// years off after a flat battery.
+/// How the last runs of the exhibit ended, in a file that survives a crash and a power cut. It uses
+/// the order and length of runs, never the wall clock, which may be years off after a flat battery.
 class RunLedger {
  public:
-  /// So many runs in a row that ended by a crash, none of them over kSteady seconds long, are no
-  /// accident: the exhibit is at fault.
+  /// This many crashes in a row, each within kSteady seconds, mean that the exhibit is at fault.
   static constexpr int kMostCrashes = 4;
   static constexpr double kSteady = 150.0;
 
-  /// In `folder`, which is made where it is not there. A file that is missing or damaged begins
-  /// anew: play matters more than its past.
+  /// In `folder`, which is created if missing. A missing or damaged file starts again, because
+  /// running matters more than history.
   explicit RunLedger(std::filesystem::path folder);
 
-  /// This run begins. One before it that did not say ended() is a crash. Problem (exit 1) where the
-  /// disk refuses; the count is right all the same.
+  /// Call when this run begins. A previous run without ended() counts as a crash. Problem (exit 1)
+  /// if the disk refuses; the count is still right.
   Result<void> begin();
-  /// It has gone on for `seconds`; past kSteady the crashes before it are forgotten. Writes once.
+  /// The run has lasted `seconds`; beyond kSteady, earlier crashes are cleared. Writes once.
   Result<void> lasted(double seconds);
-  /// It ends because it was asked to.
+  /// The run ends on request.
   Result<void> ended();
 
   /// Crashes in a row before this run.
   int crashes() const { return crashes_; }
-  /// This run is to show an exhibit that is known to be good.
+  /// True if this run should show the last good exhibit.
   bool safe() const { return crashes_ >= kMostCrashes; }
 
  private:

@@ -4,14 +4,13 @@
 
 namespace onggi::watch {
 
-/// What systemd is told of this process (sd_notify). All of it does nothing where no systemd
-/// started it, so that a kiosk in a window needs none. Any thread; a datagram on a socket, which
-/// waits only for a systemd that takes none at all.
+/// Messages to systemd (sd_notify). Without systemd they do nothing, so a kiosk in a window needs
+/// none. Any thread; sends a datagram, which waits only if systemd accepts none.
 class Service {
  public:
-  /// Seconds within which systemd wants to hear alive(); 0 where it does not.
+  /// Seconds within which systemd expects alive(); 0 if it does not.
   static double watchdog_s();
-  /// Visitors may come.
+  /// The kiosk is ready for visitors.
   static void ready();
   static void alive();
   /// One line for `systemctl status`.
