@@ -16,8 +16,8 @@ using Kind = InputEvent::Kind;
 
 namespace {
 
-constexpr double kStill = 10.0;   // mm that a finger may go while it is held
-constexpr double kCorner = 25.0;  // mm of the screen's corner in which a touch asks
+constexpr double kStill = 10.0;   // mm that a held finger may move
+constexpr double kCorner = 25.0;  // mm of the screen's corner that answer a touch
 
 std::string control_at(const Visit& visit, float x, float y) {
   const auto all = visit.controls();
@@ -26,7 +26,7 @@ std::string control_at(const Visit& visit, float x, float y) {
   return {};
 }
 
-/// A dark ring in a light one: seen on whatever lies below.
+/// A dark ring inside a light one, visible on any background.
 void ring(view::Frame& frame, const view::Rect& rect, float px) {
   const auto around = [&](float out, float line, view::Color color) {
     frame.items.push_back(
@@ -52,14 +52,14 @@ void Assistant::watch_hold(const InputEvent& event, const Visit& visit, double p
     if (std::hypot(event.x - held_->x, event.y - held_->y) > kStill * px_per_mm) held_.reset();
   } else if ((event.kind == Kind::pointer_down && event.finger == 0) ||
              (event.kind == Kind::key_down && !event.repeat)) {
-    // At the wheel a finger or an arrow that stays down is at work.
+    // At the wheel a finger or an arrow key that stays down is at work.
     const bool one_switch = visit.shown_on().one_switch && visit.screen() != ScreenId::attract;
     if (hold_ > 0 && !one_switch && visit.screen() != ScreenId::throwing)
       held_ = Hold{now, event.x, event.y, key};
   }
 }
 
-/// Read aloud, and when it is held on, one switch.
+/// Turns speech on, and after more holding the one switch.
 void Assistant::held(Visit& visit, double now) {
   if (!held_) return;
   const auto shown = visit.shown_on();
@@ -87,7 +87,7 @@ void Assistant::ask(Visit& visit, double now) {
   visit.activate("", now);
 }
 
-/// What a finger comes to is said; down on it again and up, it is chosen.
+/// Says the control under a finger; a second touch that lifts on it chooses it.
 void Assistant::explore(const InputEvent& event, Visit& visit, double px_per_mm, double now) {
   if (on_pot_ || event.finger != 0) {
     if (event.kind == Kind::pointer_up && event.finger == 0) on_pot_ = false;
@@ -112,7 +112,7 @@ void Assistant::explore(const InputEvent& event, Visit& visit, double px_per_mm,
       return visit.focus_on(on, now);
     case Kind::pointer_up:
       if (const std::string was = std::exchange(armed_, {}); !was.empty() && was == on) {
-        explored_.clear();  // What comes in its place has to be heard first.
+        explored_.clear();  // its replacement must be heard first
         visit.activate(was, now);
       }
       return;
@@ -137,7 +137,7 @@ void Assistant::input(const InputEvent& event, Visit& visit, double px_per_mm, d
     if (!shown.spoken) return visit.activate("comfort.spoken", now);
     return ask(visit, now);
   }
-  // A finger that is held for it presses nothing when it lifts.
+  // A finger that was held for this presses nothing when it lifts.
   if (!key && shown.spoken && !(held_ && held_->reached > 0))
     return explore(event, visit, px_per_mm, now);
   if (!key && shown.spoken) return;

@@ -13,22 +13,22 @@
 
 namespace onggi::access {
 
-/// Stands between a visitor and the visit for whoever does not see the screen or has one switch.
-/// Without either it hands everything on as it came. Knows no voice, clock or window. Main thread.
+/// Sits between the visitor and the visit, for people who cannot see the screen or use one switch.
+/// Without either it passes everything on unchanged. Knows no voice, clock or window. Main thread.
 class Assistant {
  public:
   /// `hold`: Exhibit::Access::hold_to_speak.
   explicit Assistant(double hold) : hold_(hold) {}
 
-  /// An event of the window. Handed on to the visit, or: of one switch a press; of a visitor to
-  /// whom is read, a finger that explores. `px_per_mm` of the screen.
+  /// Handles an event of the window: passes it to the visit, or, with one switch, counts it as a
+  /// press, or, with speech, explores with the finger. `px_per_mm` of the screen.
   void input(const view::InputEvent& event, screens::Visit& visit, double px_per_mm, double now);
-  /// Once a frame, when it has been made: what the switch stands on is drawn over it.
+  /// Call once for each finished frame: draws the ring of the one switch over it.
   void look(screens::Visit& visit, view::Frame& frame, double now);
-  /// Once, when it was asked how the pot differs and that has been said: now it may be heard as
-  /// pitch, too.
+  /// True once after the pot's difference was asked for and spoken: it may now be played as pitch
+  /// too.
   bool sings() { return std::exchange(sings_, false); }
-  /// What is to be said now; at most one thing a frame.
+  /// The next utterance; at most one a frame.
   std::optional<Utterance> take();
   void ended(std::uint64_t id) { narrator_.ended(id); }
   const Scan& scan() const { return scan_; }
@@ -49,14 +49,14 @@ class Assistant {
     double since = 0;
     float x = 0, y = 0;
     bool key = false;
-    int reached = 0;  ///< 1: it is read aloud; 2: one switch.
+    int reached = 0;  ///< 1: speech is on; 2: one switch too.
   };
   std::optional<Hold> held_;
-  std::string explored_;  ///< What a finger came to last.
-  std::string armed_;     ///< What a finger came down on for the second time.
+  std::string explored_;  ///< The last control under a finger.
+  std::string armed_;     ///< The control that a finger touched for the second time.
   int asked_ = 0;
   bool song_waits_ = false, sings_ = false;
-  bool on_pot_ = false;  ///< It is on the clay.
+  bool on_pot_ = false;  ///< The finger is on the clay.
 };
 
 }  // namespace onggi::access

@@ -14,7 +14,7 @@ namespace {
 constexpr int kNewsWeight = 1, kDoneWeight = 2, kWarningWeight = 3;
 constexpr double kALetter = 0.08, kAWideLetter = 0.25, kAtLeast = 1.5;  // s of speech
 
-/// Without its figures: a countdown is one sentence, however often it counts.
+/// Removes numbers, so that a countdown is one sentence however often it counts.
 std::string unfigured(const std::string& sentence) {
   std::string out;
   for (const char c : sentence)
@@ -38,7 +38,7 @@ const Control* find(const Reading& reading, const std::string& id) {
   return nullptr;
 }
 
-/// On every screen: says nothing of which it is.
+/// Words that are on every screen, and so do not tell which screen it is.
 bool standing(const std::string& id) {
   return id == "back" || id == "help" || id == "comfort" || id.starts_with("language");
 }
@@ -69,7 +69,7 @@ std::string Narrator::focus(const Reading& reading, const std::vector<std::strin
   return on != nullptr ? spoken(*on, *reading.language) : std::string();
 }
 
-/// What makes one be said again: its name and whether it is on. What else is so of it, changes.
+/// The part of a control whose change is announced: its name and whether it is on.
 std::string Narrator::standing_of(const Reading& reading,
                                   const std::vector<std::string>& shown) const {
   if (reading.one_switch) {
@@ -111,7 +111,7 @@ Narrator::Wish Narrator::wish(const Reading& reading, const std::vector<std::str
   if (turned || std::exchange(again_, false)) {
     place_ = place;
     again_ = false;
-    under_way_ = 0;  // What was being said is of a page that has gone.
+    under_way_ = 0;  // the page of that utterance is gone
     controls_.clear();
     for (const Control& c : reading.controls) controls_.insert(c.id);
     sentences_.clear();
@@ -127,14 +127,14 @@ Narrator::Wish Narrator::wish(const Reading& reading, const std::vector<std::str
   for (const Control& c : reading.controls) controls_.insert(c.id);
   if (!first.empty()) return {first, kDoneWeight};
   if (asked || (stopped && !reading.differences.empty())) {
-    news(reading, now);  // It is said by this.
+    news(reading, now);  // this utterance tells it too
     news_at_ = now;
     return {joined(reading.differences), kDoneWeight};
   }
   if (const std::string standing = standing_of(reading, shown); standing != focus_) {
     focus_ = standing;
-    // A switch goes on by itself: its rows end nothing that the visitor asked for, and are not said
-    // over hands at work.
+    // A switch moves on by itself: its rows do not interrupt an answer to the visitor, and are not
+    // spoken while hands work.
     const bool passing = reading.one_switch && shown.size() != 1;
     const bool heavier = under_way_ != 0 && now < until_ && weight_ > kNewsWeight;
     if (passing && (reading.working || heavier)) return {};

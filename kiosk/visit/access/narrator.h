@@ -10,27 +10,25 @@
 
 namespace onggi::access {
 
-/// What is said of what is on the screen, and when: a page when it comes, the control that the
-/// keyboard or the switch is on, how the pot differs when a stroke is done or somebody asks, and
-/// news, no more often than every four seconds. Nothing twice while nothing changed, nothing in
-/// attract. Knows no voice, clock or visit. Main thread.
+/// Decides what is spoken of the screen, and when: a page when it appears, the control of the
+/// keyboard or the switch, the pot's difference after a stroke or on request, and news at most
+/// every four seconds. Nothing is repeated without a change, and nothing is spoken in attract.
+/// Knows no voice, clock or visit. Main thread.
 class Narrator {
  public:
-  static constexpr double kNews = 4.0;    ///< s between two pieces of news.
-  static constexpr double kCount = 10.0;  ///< s between two words of a countdown.
+  static constexpr double kNews = 4.0;    ///< s between two news items.
+  static constexpr double kCount = 10.0;  ///< s between two announcements of a countdown.
 
-  /// Once a frame. `shown`: what one switch stands on, ids of controls; none without it.
+  /// Call once a frame. `shown`: ids of the controls that the one switch offers; empty without it.
   std::optional<Utterance> look(const screens::Reading& reading,
                                 const std::vector<std::string>& shown, double now);
-  /// Somebody asks where they are: the page is said again.
+  /// The visitor asks where they are: speaks the page again.
   void again() { again_ = true; }
-  /// Something is being said, as far as one knows.
+  /// True while something is probably being spoken.
   bool speaks(double now) const { return under_way_ != 0 && now < until_; }
-  /// A visitor is still holding: says first that holding on brings one switch.
-  void hold_on() { hold_on_ = true; }
-  /// The voice has said it, or ended it.
+  /// The voice has finished or dropped it.
   void ended(std::uint64_t id);
-  /// The visitor has gone.
+  /// The visitor has left.
   void forget() { *this = Narrator(said_); }
   explicit Narrator(std::uint64_t said = 0) : said_(said) {}
 
@@ -48,17 +46,17 @@ class Narrator {
   std::string news(const screens::Reading& reading, double now);
 
   std::uint64_t said_ = 0;
-  std::string place_;                ///< Screen, what lies over it, and language.
-  std::set<std::string> controls_;   ///< Of the page that was said.
-  std::set<std::string> sentences_;  ///< That were said of it; figures left out.
-  std::string focus_;                ///< standing_of() what was said.
+  std::string place_;                ///< Screen, overlay and language.
+  std::set<std::string> controls_;   ///< Controls of the page that was spoken.
+  std::set<std::string> sentences_;  ///< Sentences that were spoken of it, without numbers.
+  std::string focus_;                ///< The standing_of() that was spoken.
   int asked_ = 0;
   bool begun_ = false, again_ = false, working_ = false, hold_on_ = false;
   double news_at_ = -100, counted_at_ = -100;
-  std::string waiting_;  ///< News that found something weightier being said.
+  std::string waiting_;  ///< News that waits because something more important was being spoken.
   std::uint64_t under_way_ = 0;
   int weight_ = 0;
-  double until_ = -1;  ///< When it is over at the latest, if nobody says so.
+  double until_ = -1;  ///< Latest end, if no voice reports one.
 };
 
 }  // namespace onggi::access

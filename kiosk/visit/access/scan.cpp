@@ -10,7 +10,7 @@ namespace onggi::access {
 using screens::Control;
 using screens::Reading;
 
-/// Other things can be chosen than before.
+/// True if the choices have changed.
 bool Scan::changed(const Reading& reading) {
   std::vector<std::string> ids;
   for (const Control& control : reading.controls) ids.push_back(control.id);
@@ -22,7 +22,7 @@ bool Scan::changed(const Reading& reading) {
   screen_ = std::move(screen);
   rows_ = screens::rows_of(reading.controls, reading.language->right_to_left());
   row_ = item_ = 0;
-  // What only came or went beside it takes nobody away from where they are.
+  // If only other controls came or went, keep the current place.
   const auto row_with = [&](const std::string& id) {
     return std::find_if(rows_.begin(), rows_.end(), [&](const auto& row) {
       return std::any_of(row.begin(), row.end(),
@@ -74,7 +74,7 @@ void Scan::look(const Reading& reading, double now) {
 std::optional<std::string> Scan::press(const Reading& reading, double now) {
   if (now - pressed_at_ < kTremble) return std::nullopt;
   pressed_at_ = now;
-  if (changed(reading)) {  // What was shown is not there any more: nothing is meant.
+  if (changed(reading)) {  // The choices have changed, so the press does not count.
     fresh_ = true;
     show(reading, now);
     return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<std::string> Scan::press(const Reading& reading, double now) {
   }
   const Control& chosen = reading.controls[rows_[row_][in_row_ ? item_ : 0]];
   in_row_ = false;
-  // What is set leads on to the next row; whatever does something, back to where one begins.
+  // After a setting continue with the next row; after an action start again.
   if (chosen.on)
     row_ = (row_ + 1) % rows_.size();
   else

@@ -8,32 +8,33 @@
 
 namespace onggi::access {
 
-/// One switch for everything: the rows of what can be chosen are shown in turn, a press of the
-/// switch goes into the row that is shown, and then its items come in turn, until one is pressed or
-/// none was for two rounds. Knows no clock, window or visit. Main thread.
+/// One switch for everything: the rows of controls are offered in turn. A press enters the offered
+/// row, then its items are offered in turn, until a press chooses one or two rounds pass. Knows no
+/// clock, window or visit. Main thread.
 class Scan {
  public:
-  /// The first of a row, and the first row, stay half as long again: who pressed must come to rest.
+  /// The first item of a row, and the first row, stay half as long again, because the visitor needs
+  /// time after a press.
   static constexpr double kFirst = 1.5;
-  /// s after a press in which another is a tremble.
+  /// s after a press during which another press counts as a tremble.
   static constexpr double kTremble = 0.2;
   static constexpr int kRounds = 2;
 
-  /// Once a frame: `reading` as it stands, which says how long each stays.
+  /// Call once a frame with the current `reading`, which sets how long each item stays.
   void look(const screens::Reading& reading, double now);
-  /// The switch; gives the control that was chosen with it.
+  /// The switch was pressed; returns the chosen control.
   std::optional<std::string> press(const screens::Reading& reading, double now);
-  /// What is shown now: a row's controls, or one.
+  /// The offered controls: a row's, or one.
   const std::vector<std::string>& shown() const { return shown_; }
   bool in_a_row() const { return in_row_; }
-  /// Begins anew with the row in which the keyboard would.
+  /// Starts again with the row where the keyboard would start.
   void restart() { ids_.clear(); }
 
  private:
   void show(const screens::Reading& reading, double now);
   bool changed(const screens::Reading& reading);
 
-  std::vector<std::string> ids_;  ///< Of what is stepped through.
+  std::vector<std::string> ids_;  ///< Ids of the controls in the current rows.
   std::vector<std::vector<std::size_t>> rows_;
   std::vector<std::string> shown_;
   std::string screen_;

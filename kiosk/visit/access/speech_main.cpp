@@ -1,6 +1,6 @@
-// onggi-speech: says what it is told, by speech-dispatcher. A program of its own, since
-// libspeechd's calls block for as long as its server likes. Lines come on standard input and go to
-// standard output, as kiosk/visit/access/voice_link.h has them; it ends when its input does.
+// onggi-speech speaks through speech-dispatcher. It is a program of its own because libspeechd's
+// calls block for as long as its server likes. Lines come on standard input and go to standard
+// output, as described in kiosk/visit/access/voice_link.h. It ends when its input ends.
 
 #include <libspeechd.h>
 #include <signal.h>
@@ -19,8 +19,8 @@
 namespace {
 
 std::mutex g_writing;
-std::map<std::size_t, std::uint64_t> g_ids;  // speech-dispatcher's number of a message: ours
-std::set<std::size_t> g_over;                // over before it was known whose it is
+std::map<std::size_t, std::uint64_t> g_ids;  // speech-dispatcher's message number: our id
+std::set<std::size_t> g_over;                // ended before their id was known
 
 void tell(const std::string& line) {
   const std::string whole = line + '\n';
@@ -28,7 +28,7 @@ void tell(const std::string& line) {
   std::fflush(stdout);
 }
 
-/// From libspeechd's thread: a message is over, said to its end or not.
+/// On libspeechd's thread: a message ended, completely or not.
 void on_end(std::size_t message, std::size_t, SPDNotificationType) {
   const std::lock_guard lock(g_writing);
   const auto ours = g_ids.find(message);
@@ -40,12 +40,12 @@ void on_end(std::size_t message, std::size_t, SPDNotificationType) {
   g_ids.erase(ours);
 }
 
-/// ISO 639: what voices call a language that the exhibit's files call otherwise.
+/// ISO 639: the names that voices use for some of the exhibit's language codes.
 std::string also(const std::string& language) { return language == "zh" ? "cmn" : language; }
 
 bool speaks(SPDConnection* voice, const std::string& language) {
   SPDVoice** all = spd_list_synthesis_voices(voice);
-  if (all == nullptr) return true;  // A synthesiser that lists none has its own idea of it.
+  if (all == nullptr) return true;  // a synthesiser that lists none may still speak it
   const std::string stem = language.substr(0, language.find('-'));
   bool found = false;
   for (SPDVoice** one = all; *one != nullptr && !found; ++one) {
@@ -66,7 +66,7 @@ void say(SPDConnection* voice, std::map<std::string, bool>& spoken, const std::s
   }
   spd_cancel(voice);
   spd_set_language(voice, language.c_str());
-  // Without the lock: the thread that brings the answer may be in on_end().
+  // Without the lock, because the thread that brings the answer may be in on_end().
   const int message = spd_say(voice, SPD_TEXT, words.c_str());
   const std::lock_guard lock(g_writing);
   tell("taken " + id);
@@ -79,7 +79,7 @@ void say(SPDConnection* voice, std::map<std::string, bool>& spoken, const std::s
 }  // namespace
 
 int main() {
-  // Its input ends with the exhibit, but who hangs in a call does not read it.
+  // Input ends with the exhibit, but a process that hangs in a call does not read it.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   char* error = nullptr;
   SPDConnection* voice =

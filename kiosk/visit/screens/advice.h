@@ -5,10 +5,10 @@
 
 namespace onggi::screens {
 
-/// What to do next, as a key of the languages, and where on the pot, if anywhere.
+/// The next thing to do, as a language key, and its place on the pot, if any.
 struct Hint {
   std::string key;
-  std::string place;  ///< Key of the place named in it; may be empty.
+  std::string place;  ///< Key of the named place; may be empty.
   struct Press {
     double height = 0;  ///< Metres above the wheel.
     bool inward = true;

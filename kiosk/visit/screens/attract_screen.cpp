@@ -13,14 +13,14 @@ using view::Face;
 
 namespace {
 
-constexpr double kRest = 7.0;       // s that a finished pot is shown, with its name.
+constexpr double kRest = 7.0;       // s that a finished pot is shown with its name
 constexpr double kNameFade = 1.2;   // s
-constexpr double kGallery = 10.0;   // s that today's pots are shown between two,
-constexpr double kLookedAt = 60.0;  // and after the last touch of who looks at them.
+constexpr double kGallery = 10.0;   // s that today's pots are shown between two pots,
+constexpr double kLookedAt = 60.0;  // and after the last touch of a visitor who looks at them
 
-/// A pot is thrown by a potter's hands; its name fades in at the end; then the next vessel. Between
-/// them now and then what clay does, by script, with a line that says it; and the pots that were
-/// kept today, after each or when they are asked for.
+/// A potter's hands throw a pot; its name fades in at the end; then the next vessel follows. Now
+/// and then a script shows an effect of clay, with a line about it. Today's pots are shown after
+/// each pot or on request.
 class Attract final : public Screen {
  public:
   explicit Attract(Desk& d) : Screen(d), gallery_(d) {}
@@ -33,7 +33,8 @@ class Attract final : public Screen {
     if (shows_ == Shows::gallery) gallery_.press(control);
   }
   void back() override { turn_to(Shows::pot); }
-  /// Who asked for today's pots may move them and touch them; else any touch begins.
+  /// A visitor who asked for today's pots can move and touch them; otherwise any touch begins a
+  /// visit.
   bool begins_with(const std::string& control) const override {
     return shows_ != Shows::gallery ? control != "attract.gallery" : control == "attract.begin";
   }
@@ -94,7 +95,7 @@ class Attract final : public Screen {
     column.space(t.gap);
     column.text(desk.say("attract.lead"), t.body);
 
-    // Room for the name is kept whether or not it shows, so that nothing moves when it does.
+    // Reserve space for the name at all times, so that nothing moves when it appears.
     if (!asked_) return;
     if (!follows()) {
       column.space(t.gap * (page.where().portrait ? 1.5f : 3.0f));
@@ -121,7 +122,7 @@ class Attract final : public Screen {
     desk.attract_card = (desk.attract_card + 1) % desk.cards();
     const Wheel& wheel = desk.shelf_card(desk.attract_card)->wheel;
     script_ = wheel.shown[desk.attract_turn++ % wheel.shown.size()];
-    // Where clay is kept a pot's height has to be planned for; there the script throws it.
+    // If clay keeps its volume, the pot's height needs planning, so the script throws it.
     show_.reset();
     if (follows() && !wheel.keeps_clay) show_.emplace(wheel, desk.screen().left_handed);
     desk.start_pot(desk.attract_card, true, show_ ? "" : script_);
@@ -150,7 +151,7 @@ class Attract final : public Screen {
   PotPicture picture_;
   GalleryPage gallery_;
   Shows shows_ = Shows::pot;
-  double seen_at_ = 0;  ///< When the gallery was turned to, or last touched.
+  double seen_at_ = 0;  ///< When the gallery was opened or last touched.
   view::Camera camera_;
   std::optional<Demonstration> show_;
   std::string script_ = "follow";

@@ -6,7 +6,7 @@
 
 namespace onggi::screens {
 
-/// A pot that throws itself until somebody comes. `desk` outlives it.
+/// A pot that throws itself until a visitor comes. `desk` outlives it.
 std::unique_ptr<Screen> make_attract(Desk& desk);
 
 }  // namespace onggi::screens

@@ -11,10 +11,10 @@ using view::Rect;
 
 namespace {
 
-constexpr float kPeek = 0.5f;       // of a card: what is seen of the column that comes next
-constexpr float kSlip = 5.0f / 15;  // of the least touch target: a finger that goes less taps
-constexpr float kNarrowest = 9.5f;  // em: of a card on a shelf that is longer than the screen
-constexpr float kLegible = 0.9f;    // of a card on the screen: from here on its words come
+constexpr float kPeek = 0.5f;       // of a card: the visible part of the next column
+constexpr float kSlip = 5.0f / 15;  // of the least touch target: a finger that moves less taps
+constexpr float kNarrowest = 9.5f;  // em: card width on a shelf longer than the screen
+constexpr float kLegible = 0.9f;    // of a card on the screen: from here on its words appear
 
 }  // namespace
 
@@ -62,7 +62,7 @@ bool CardShelf::drag(const view::InputEvent& e, const Page& page) {
     const bool ran = scroll_.moving();
     finger_ = Finger{e.x, e.x, scroll_.at(), desk_.now, 0, ran};
     if (ran) scroll_.hold();
-    return ran;  // Who stops it means no vessel.
+    return ran;  // a touch that stops the shelf chooses no vessel
   }
   if (e.kind == Kind::pointer_up) tapped_ = finger_.has_value();
   if (!finger_) return false;
@@ -112,9 +112,8 @@ int CardShelf::in_front() const {
   return std::clamp(seen ? wanted_ : scroll_.first() * rows_, 0, std::max(0, cards_.count() - 1));
 }
 
-/// How fast the finger takes the shelf along: of the last tenth of a second or so, for what came
-/// before is not what it was thrown with. A frame at a time: of one frame all events have one
-/// time.
+/// Speed of the finger that moves the shelf, over about the last tenth of a second, because earlier
+/// motion is not the throw. It works by frames, because all events of one frame have the same time.
 void CardShelf::watch_finger() {
   const double dt = desk_.now - finger_->since;
   if (dt <= 0) return;
@@ -128,15 +127,14 @@ void CardShelf::lay_out(Page& page, Column& column) {
   if (cards_.count() == 0) return;
   column.into_reach();
   const TypeScale& t = page.type();
-  // How many cards stand beside one another follows from the type; how many rows, from what is
-  // left.
+  // The type size sets how many cards stand side by side; the remaining height sets the rows.
   const float gap = t.body * 1.2f, margin = t.margin;
   const Rect whole = column.rest();
   const float narrowest = t.body * (page.where().portrait ? 10.5f : 11.0f);
   int columns = std::clamp(static_cast<int>((whole.w + gap) / (narrowest + gap)), 1,
                            std::max(1, cards_.count()));
   float width = (whole.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-  // No word of a card is broken: rather fewer stand beside one another.
+  // Never break a word of a card; use fewer columns instead.
   const auto too_wide = [&](float cards) {
     Page trial = page;
     words_of_all(trial, cards);
@@ -153,7 +151,7 @@ void CardShelf::lay_out(Page& page, Column& column) {
   rows_ = rows_in(whole.h);
   std::optional<Foot> foot;
   if (rows_ * columns < cards_.count()) {
-    // It goes on beyond the screen's edge, where the next column peeks in.
+    // The shelf continues beyond the screen's edge, where the next column is partly visible.
     const float least = kNarrowest * t.body;
     columns = std::max(1, static_cast<int>((whole.w + margin - kPeek * least) / (least + gap)));
     const auto peeking = [&](int abreast) {
@@ -167,7 +165,7 @@ void CardShelf::lay_out(Page& page, Column& column) {
     rows_ = rows_in(column.rest().h);
   }
   const int all = (cards_.count() + rows_ - 1) / rows_;
-  // Few vessels on a tall screen: fewer rows with larger pictures.
+  // For few vessels on a tall screen, use fewer rows with larger pictures.
   if (all <= columns) rows_ = (cards_.count() + columns - 1) / columns;
   scroll_.bound(std::max(all <= columns ? columns : all, 1), columns);
   if (const int wanted = std::exchange(shown_, wanted_); wanted != wanted_)
@@ -270,8 +268,8 @@ CardShelf::Foot CardShelf::foot_room(Page& page, Column& column) const {
   return foot;
 }
 
-/// A line of which the heavy part is on the screen, the same in words, and the way for who does
-/// not swipe.
+/// A scroll bar with its heavy part for the visible cards, the same in words, and buttons for
+/// visitors who do not swipe.
 void CardShelf::draw_foot(Page& page, const Foot& foot) const {
   const TypeScale& t = page.type();
   const Rect whole = page.where().page;

@@ -13,7 +13,7 @@ using view::Rect;
 
 namespace {
 
-/// The shelf, and over it the label of the vessel that was touched.
+/// The shelf, with the label of the touched vessel over it.
 class Choose final : public Screen, private CardShelf::Cards {
  public:
   explicit Choose(Desk& d)
@@ -67,7 +67,7 @@ class Choose final : public Screen, private CardShelf::Cards {
 
  private:
   bool open() const { return label_.card() != -1; }
-  // Missions stand before the vessels.
+  // Missions come before the vessels.
   int place_of(int card, int mission) const {
     return mission >= 0 ? mission : card < 0 ? 0 : desk.missions() + card;
   }
@@ -77,7 +77,7 @@ class Choose final : public Screen, private CardShelf::Cards {
     if (!control.starts_with(card)) return std::nullopt;
     return desk.missions() + std::stoi(control.substr(card.size()));
   }
-  /// Of the shelf or a mission's, what stands at `place`.
+  /// The card at `place`, from the shelf or a mission.
   int card_at(int place) const {
     return place < desk.missions() ? desk.mission_card(place).card : place - desk.missions();
   }
@@ -116,7 +116,7 @@ class Choose final : public Screen, private CardShelf::Cards {
     shelf_.lay_out(page, column);
   }
 
-  /// Title in cobalt; of a vessel culture and date, of a mission that it is one, and its vessel.
+  /// Title in cobalt; then a vessel's culture and date, or the word for a mission and its vessel.
   float words(Page& page, int index, const Rect& at, float opacity) const override {
     const TypeScale& t = page.type();
     const content::Label label = desk.label(card_at(index));

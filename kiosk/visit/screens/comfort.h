@@ -8,12 +8,12 @@
 
 namespace onggi::screens {
 
-/// What a visitor has chosen of how the exhibit is shown, for this visit: each as the exhibit has
-/// it until it is chosen otherwise.
+/// The visitor's display choices for this visit; each starts as the exhibit has it.
 class Comfort {
  public:
   struct Choice {
-    const char* name;  ///< Control "comfort.NAME"; words "comfort.NAME" and "comfort.NAME_is".
+    /// Control "comfort.NAME"; language keys "comfort.NAME" and "comfort.NAME_is".
+    const char* name;
     bool settings::Exhibit::Screen::*of;
   };
   static constexpr std::array<Choice, 7> kChoices{
@@ -24,10 +24,10 @@ class Comfort {
        {"reduced_motion", &settings::Exhibit::Screen::reduced_motion},
        {"spoken", &settings::Exhibit::Screen::spoken},
        {"one_switch", &settings::Exhibit::Screen::one_switch}}};
-  /// Controls "comfort.volume.0" (silent) .. of all that the exhibit allows.
+  /// Controls "comfort.volume.0" (silent) up to the exhibit's full volume.
   static constexpr int kLoudest = 4;
 
-  /// `exhibit` with what was chosen in its place.
+  /// `exhibit` with the visitor's choices.
   settings::Exhibit::Screen applied(settings::Exhibit::Screen exhibit) const {
     for (std::size_t i = 0; i < kChoices.size(); ++i)
       if (chosen_[i]) exhibit.*kChoices[i].of = *chosen_[i];
@@ -35,13 +35,12 @@ class Comfort {
     if (pace_ > 0) exhibit.scan_seconds = pace_;
     return exhibit;
   }
-  /// How loud, 0..kLoudest: all, unless the exhibit is silent as it comes.
+  /// Volume step, 0..kLoudest; full unless the exhibit starts silent.
   int volume(const settings::Exhibit::Screen& exhibit) const {
     return volume_.value_or(exhibit.silent ? 0 : kLoudest);
   }
   static std::string volume_control(int step) { return "comfort.volume." + std::to_string(step); }
-  /// Turns the choice that `control` names to its other state, or the volume to a step of it; false
-  /// for other controls.
+  /// Switches the choice named by `control`, or sets the volume's step; false for other controls.
   bool press(const std::string& control, const settings::Exhibit::Screen& exhibit) {
     const settings::Exhibit::Screen now = applied(exhibit);
     for (const double way : {-1.0, 1.0})
@@ -63,7 +62,7 @@ class Comfort {
   }
 
   static constexpr const char *kFaster = "comfort.faster", *kSlower = "comfort.slower";
-  /// s of the switch's steps to choose from.
+  /// The switch speeds to choose from, s.
   static constexpr std::array<double, 8> kPaces{0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0};
 
  private:
@@ -73,7 +72,7 @@ class Comfort {
       if ((pace - now) * way > 1e-6 && (best == now || (pace - best) * way < 0)) best = pace;
     return best;
   }
-  double pace_ = 0;  ///< 0: as the exhibit has it.
+  double pace_ = 0;  ///< 0: the exhibit's value.
   std::array<std::optional<bool>, kChoices.size()> chosen_{};
   std::optional<int> volume_;
 };

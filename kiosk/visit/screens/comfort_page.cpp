@@ -17,13 +17,13 @@ using view::Rect;
 namespace {
 
 constexpr float kExplaining = 1.25f;  // of a line
-constexpr float kTwoAbreast = 36.0f;  // em: from here on a page holds two columns of choices
+constexpr float kTwoAbreast = 36.0f;  // em: from here on a page has two columns of choices
 
 std::string control_of(const Comfort::Choice& choice) {
   return std::string("comfort.") + choice.name;
 }
 
-/// "1.5 s" of the switch's steps.
+/// "1.5 s", a switch speed.
 std::string pace(const Desk& desk, double seconds) {
   const long tenths = std::lround(10 * seconds);
   std::string number = std::to_string(tenths / 10);
@@ -45,8 +45,8 @@ std::vector<Comfort::Choice> offered(const Page& page, const Desk& desk) {
   return all;
 }
 
-/// How loud: a cell for silence with its word, then bars that grow, filled as far as it is loud.
-/// Each cell can be touched.
+/// Volume: a cell for silence with its word, then rising bars, filled up to the chosen one. Each
+/// cell can be touched.
 class VolumeSteps {
  public:
   VolumeSteps(Page& page, const Desk& desk)
@@ -96,8 +96,8 @@ class VolumeSteps {
   float cell_ = 0;
 };
 
-/// A choice: its name and what it does, and at the far end the switch, or the volume. A switch's
-/// row can be touched all over.
+/// A choice: its name and explanation, and at the far end the switch or the volume. The whole row
+/// of a switch can be touched.
 class ChoiceRow {
  public:
   ChoiceRow(Page& page, const Desk& desk, const std::string& id, std::optional<bool> on,
@@ -129,7 +129,7 @@ class ChoiceRow {
   }
 
   float height() const { return height_; }
-  /// A word of it is longer than its line.
+  /// True if one of its words is longer than its line.
   bool too_wide() const { return too_wide_; }
 
   void draw(const Rect& at) const {
@@ -194,7 +194,7 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   std::vector<ChoiceRow> rows;
   std::vector<float> heights;  // of the lines
   float all = 0;
-  // Where names and what they do have no room, names say enough, and can be read.
+  // If names and explanations do not fit, show only names, which are enough and stay legible.
   for (const auto& [explained, air] : {std::pair(true, 1.6f), {false, 1.6f}, {false, 0.5f}}) {
     between = air * t.gap;
     rows.clear();
@@ -211,7 +211,7 @@ void lay_out_comfort(Page& page, const Desk& desk) {
     if (fits && all <= rest.h) break;
     if (air < 1) page.overflowed();
   }
-  // From the foot up: whoever reaches no higher needs them most.
+  // From the foot up: visitors with low reach need these most.
   float y = rest.y + rest.h - all;
   for (std::size_t line = 0; line < lines; ++line) {
     for (std::size_t i = line; i < rows.size(); i += lines) {

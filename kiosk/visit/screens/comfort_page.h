@@ -7,12 +7,12 @@
 
 namespace onggi::screens {
 
-/// What a visitor may have otherwise, each with a line of what it does and a switch: over any
-/// screen. Low reach is left out where all of the screen is in reach, and the volume where there is
-/// no sound.
+/// The Comfort page over any screen: the visitor's choices, each with a line of explanation and a
+/// switch. Low reach is left out if the whole screen is in reach, and the volume if there is no
+/// sound.
 void lay_out_comfort(Page& page, const Desk& desk);
 
-/// Where the keyboard begins on it.
+/// The control where the keyboard starts.
 std::string first_comfort();
 
 }  // namespace onggi::screens

@@ -13,19 +13,19 @@
 
 namespace onggi::screens {
 
-/// A potter throws a vessel for all to see, with the hands that a visitor has: wets the clay,
-/// brings the wall to the outline stroke by stroke between both hands, trims the foot, goes over it
-/// all slowly, lays a rib to it, and draws the wire under it. Each stroke is planned on the pot as
-/// it then stands. Tools that the scene lacks are left out. Main thread.
+/// A potter throws a vessel for visitors to watch, with the hands that they also have: wets the
+/// clay, brings the wall to the outline stroke by stroke between both hands, trims the foot,
+/// smooths it slowly, uses a rib, and cuts it off with the wire. Each stroke is planned on the
+/// current pot. Tools that the scene lacks are skipped. Main thread.
 class Demonstration {
  public:
-  /// Left-handed potters work at the left of the axis, and their wheel turns the other way.
+  /// Left-handed potters work on the left of the axis, and their wheel turns the other way.
   Demonstration(const Wheel& wheel, bool left_handed);
 
-  /// Once a frame, once the pot is on the wheel. `right`: as PointerLead::input.
+  /// Call once a frame while the pot is on the wheel. `right`: as in PointerLead::input.
   void update(double dt, const loop::WheelView& wheel, const Profile& target, Vec3 right,
               loop::PotterCommands& potter);
-  /// The hands come off the clay and the sponge away; the next update() goes on.
+  /// Takes the hands off the clay and the sponge away; the next update() continues.
   void let_go(loop::PotterCommands& potter);
   bool done() const { return stage_ == Stage::done; }
 
@@ -46,11 +46,11 @@ class Demonstration {
   std::optional<device::RibPass> rib_;
   std::optional<device::TrimPass> trimmer_;
   std::optional<WireCut> wire_;
-  Profile worked_;  ///< The target as the hands can leave it.
+  Profile worked_;  ///< The target as the hands can make it.
   double side_;     ///< +1 right of the axis, -1 left.
   Stage stage_ = Stage::wet;
-  double for_ = 0;    ///< s in the stage, or since the last stroke.
-  double turns_ = 0;  ///< rad/s, as the wheel was last asked.
+  double for_ = 0;    ///< s in this stage, or since the last stroke.
+  double turns_ = 0;  ///< rad/s, the last requested wheel speed.
   int strokes_ = 0;
   bool water_ = false;
 };

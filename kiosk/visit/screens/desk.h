@@ -13,8 +13,8 @@
 
 namespace onggi::screens {
 
-/// What the screens of one visit share: the world, the newest status, what is asked of the program,
-/// and all that is known of the visitor, which forget() drops.
+/// Shared state of a visit's screens: the world, the newest status, requests to the program, and
+/// everything about the visitor, which forget() drops.
 class Desk {
  public:
   explicit Desk(const VisitWorld& w) : world(w) {}
@@ -24,29 +24,29 @@ class Desk {
   FaultNote fault_note;
   double now = 0;
   std::deque<Request> requests;
-  std::optional<ScreenId> next;  ///< Where to go once the present call is over.
+  std::optional<ScreenId> next;  ///< The screen to go to after the current call.
   bool turned = false;           ///< The same screen now shows another picture: cross-fade.
 
-  NoteTaker notes;                                 ///< What may be counted of the visit.
-  VisitNotes::End leaves = VisitNotes::End::back;  ///< How it ends, if it does now.
+  NoteTaker notes;                                 ///< Takes the visit's countable notes.
+  VisitNotes::End leaves = VisitNotes::End::back;  ///< How the visit ends, if it ends now.
 
-  /// Of the visitor.
+  /// About the visitor.
   std::size_t language = 0;
-  int card = -1;                          ///< Of the shelf, or own_card().
-  int mission = -1;                       ///< Of the world's, if one was chosen.
-  std::optional<score::Figures> figures;  ///< Of the pot that answers a description, as it stands.
+  int card = -1;                          ///< On the shelf, or own_card().
+  int mission = -1;                       ///< Index in the world's missions, if one was chosen.
+  std::optional<score::Figures> figures;  ///< Current figures of a pot that answers a description.
   Profile made;
   score::Score score;
   ForceSlider force;
   Comfort comfort;
-  std::size_t lesson_step = 0;  ///< Of the exhibit's lesson: the one that comes next, or is shown.
-  int glaze = -1;               ///< Chosen of its kiln's; -1: none yet.
+  std::size_t lesson_step = 0;  ///< The current or next step of the exhibit's lesson.
+  int glaze = -1;               ///< Index in the kiln's glazes; -1: not chosen yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
-  std::string kept_as, kept_at;  ///< By name, and for a phone.
+  std::string kept_as, kept_at;  ///< The keepsake's name, and its address for a phone.
   view::PictureId postcard = 0;
 
-  int attract_card = -1;         ///< Of the exhibit: goes round the shelf, visitors or not.
-  std::size_t attract_turn = 0;  ///< Likewise, round what is shown.
+  int attract_card = -1;         ///< The exhibit's: goes round the shelf, with or without visitors.
+  std::size_t attract_turn = 0;  ///< The exhibit's: goes round the scripts.
 
   void go(ScreenId id) { next = id; }
   void forget();
@@ -57,59 +57,58 @@ class Desk {
     return words().say(key, places);
   }
   std::string title() const;
-  /// The exhibit's, as this visitor has chosen to have it.
+  /// The exhibit's screen with the visitor's choices.
   settings::Exhibit::Screen screen() const { return comfort.applied(world.exhibit->screen); }
   bool still() const { return screen().reduced_motion; }
   bool mirrored() const { return screen().left_handed != words().right_to_left(); }
 
   int cards() const { return static_cast<int>(world.shelf->size()); }
-  /// Of the shelf, or a mission's own.
+  /// A card of the shelf, or a mission's own.
   const ShelfCard* shelf_card(int index) const;
   content::Label label(int index) const;
-  /// Of the visitor's vessel, or of attract's.
+  /// The scene of the visitor's vessel, or of attract's.
   const Wheel& wheel() const;
 
   int missions() const;
   const MissionCard& mission_card(int index) const;
-  /// What the visitor has chosen to do; null: a vessel of the shelf, and that is all.
+  /// The visitor's mission; null: only a vessel from the shelf.
   const settings::Mission* on() const;
-  /// What the pot is to measure, where there is no vessel to be met.
+  /// The wanted figures, if there is no vessel to copy.
   const settings::Mission::Described* described() const;
-  /// The pot is thrown by ear.
+  /// True if the pot is thrown with the screen hidden.
   bool eyes_closed() const { return does(settings::Mission::Kind::eyes_closed); }
-  /// Two visitors throw it, a hand each.
+  /// True if two visitors throw it, a hand each.
   bool two_hands() const { return does(settings::Mission::Kind::two_hands); }
-  /// Whose hand is which of the two visitors', as a key of the languages.
+  /// Language key that tells which hand belongs to which of the two visitors.
   std::string halves() const {
     const bool keys = two_hands() && on()->second == settings::Mission::Second::keys;
     return keys ? "mission.halves_keys" : "mission.halves";
   }
-  /// What stands over the pot: the vessel's name, or the mission's.
+  /// The title over the pot: the vessel's or the mission's name.
   std::string heading() const;
-  /// And over what it came to: "Inspired by: Moon jar".
+  /// The title over the result: "Your answer to: Moon jar".
   std::string answer() const;
-  /// A remark in the visitor's language, litres with its own decimal sign.
+  /// A remark in the visitor's language, with litres in its decimal notation.
   std::string said(const score::Remark& remark) const;
 
-  /// The pot on the wheel, which rests, is the visitor's answer to `card`.
+  /// Remembers the pot on the wheel, which is paused, as the visitor's answer to `card`.
   void judge(const ShelfCard& card);
-  /// Asks for the keepsake, once for a pot and its glaze.
+  /// Requests the keepsake, once for each pot and glaze.
   void keep_pot();
-  /// Asks for a fresh lump; until it is on the wheel, pot_ready() is false.
+  /// Requests a fresh lump; pot_ready() is false until it is on the wheel.
   void start_pot(int index, bool scripted, const std::string& script = "follow");
   bool pot_ready() const { return !awaited_; }
   double pot_since() const { return pot_since_; }
-  /// What goes before any hint, as a key of the languages: a fault, then news of a device. Empty:
-  /// nothing.
+  /// Language key of the notice that replaces the hint: a fault, else device news; empty if none.
   const std::string& note() const;
-  /// Once a frame: what the wheel has come to.
+  /// Call once a frame: reads the state of the wheel.
   void look();
 
  private:
   bool does(settings::Mission::Kind kind) const { return on() != nullptr && on()->kind == kind; }
 
-  int kept_glaze_ = -1;                   ///< As it was last asked for.
-  std::optional<std::uint32_t> awaited_;  ///< Serial of the pot that is to be replaced.
+  int kept_glaze_ = -1;                   ///< The glaze of the last request.
+  std::optional<std::uint32_t> awaited_;  ///< Serial of the pot that is being replaced.
   double pot_since_ = 0;
 };
 

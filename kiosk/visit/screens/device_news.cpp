@@ -5,7 +5,7 @@
 namespace onggi::screens {
 
 namespace {
-constexpr double kNewsTold = 6.0;  // s: long enough to look up and read a sentence
+constexpr double kNewsTold = 6.0;  // s: time to look up and read a sentence
 
 constexpr const char* kLost = "throw.device_lost";
 constexpr const char* kHold = "throw.device_hold";
@@ -38,7 +38,7 @@ void DeviceNews::update(double now, bool hold) {
     key_ = std::exchange(next_, {});
     told_at_ = now;
   }
-  // One that came back is asked for until somebody takes it; the first time its own words are
+  // A device that returned is announced until somebody holds it; the first time its own words are
   // enough.
   if (hold && again_) {
     key_ = kHold;

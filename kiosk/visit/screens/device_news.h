@@ -8,32 +8,32 @@
 
 namespace onggi::screens {
 
-/// What visitors are told of the devices under their hands: that one came or went, and that a force
-/// device plugged in anew asks to be held. Kind words for a few seconds; play goes on meanwhile.
+/// News for visitors about the devices under their hands: one was plugged in or removed, or a new
+/// force device must be held. Shown for a few seconds while play goes on.
 class DeviceNews {
  public:
   void came(device::DeviceKind kind, bool force);
   void went(device::DeviceKind kind);
-  /// Once a frame. `hold`: one asks to be held before it pushes.
+  /// Call once a frame. `hold`: a device must be held before it pushes.
   void update(double now, bool hold);
 
-  /// Of the languages: what to say now. Empty: nothing.
+  /// Language key of the current news; empty: none.
   const std::string& key() const { return key_; }
-  /// Once a frame: what moves the first hand, and whether any device pushes.
+  /// Call once a frame: the device of the first hand, and whether any device pushes.
   void use(std::optional<device::DeviceKind> first_hand, bool pushes);
-  /// Of the languages: which device is in use. Empty: a finger, or nothing.
+  /// Language key of the device in use; empty: a finger, or none.
   const std::string& in_use() const { return in_use_; }
-  /// Its kind's name: "space_mouse". Empty likewise.
+  /// Its kind's name: "space_mouse"; empty: a finger, or none.
   const std::string& hand() const { return hand_; }
-  /// A device that pushes is plugged in.
+  /// True if a device that pushes is plugged in.
   bool pushes() const { return pushes_; }
-  /// Every key of key() that there can be, for reserving room.
+  /// Every possible result of key(), for reserving space.
   static std::vector<std::string> keys();
 
  private:
   std::string key_, next_, in_use_, hand_;
   double told_at_ = 0.0;
-  bool had_force_ = false;  ///< A force device was here before,
+  bool had_force_ = false;  ///< There was a force device before,
   bool pushes_ = false;
   bool again_ = false;  ///< and one has come back since.
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPixelEvery = 150.0;  // s
 constexpr float kFarthest = 12.0f;     // pixels
-// The golden section: the way over the square comes back to no place that it was just at.
+// The golden section, so that the path over the square does not repeat a recent place.
 constexpr double kSlower = 1.618;
 
 /// 0, 1 .. most .. 0 .. -most .. 0, and so on.

@@ -5,13 +5,13 @@
 namespace onggi::screens {
 
 namespace {
-constexpr double kTold = 6.0;  // s: long enough to look up and read a sentence
+constexpr double kTold = 6.0;  // s: time to look up and read a sentence
 
 struct Words {
   std::uint32_t bit;
   const char* key;
 };
-// What a hand feels comes before what it does, and that before the wheel.
+// The felt fault comes first, then the hand's motion, then the wheel.
 constexpr Words kWords[] = {{kFaultForce, "throw.fault_force"},
                             {kFaultInput, "throw.fault_hand"},
                             {kFaultTime, "throw.fault_time"}};

@@ -9,15 +9,16 @@
 
 namespace onggi::screens {
 
-/// What the wheel had to put right beneath the visitor's hand (FaultBit), told in kind words for a
-/// few seconds. What is told is forgotten at the wheel, so that it is told again should it return.
+/// Tells visitors in kind words, for a few seconds, that the wheel had to correct something under
+/// their hand (FaultBit). A shown fault is acknowledged at the wheel, so that a repeat is shown
+/// again.
 class FaultNote {
  public:
-  /// Once a frame.
+  /// Call once a frame.
   void update(const loop::LoopStatus& status, double now, loop::PotterCommands& potter);
-  /// Of the languages: what to say now. Empty: nothing.
+  /// Language key of the current message; empty: none.
   const std::string& key() const { return key_; }
-  /// Every key that there can be, for reserving room.
+  /// Every possible key, for reserving space.
   static std::vector<std::string> keys();
 
  private:

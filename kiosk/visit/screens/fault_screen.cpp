@@ -8,7 +8,7 @@ using view::Face;
 
 namespace {
 
-/// Kind words for the visitor; what happened stands in the log for staff.
+/// Kind words for the visitor; the cause is in the log for staff.
 class Fault final : public Screen {
  public:
   using Screen::Screen;

@@ -6,7 +6,7 @@
 
 namespace onggi::screens {
 
-/// Kind words where the exhibit cannot go on. `desk` outlives it.
+/// Kind words if the exhibit cannot continue. `desk` outlives it.
 std::unique_ptr<Screen> make_fault(Desk& desk);
 
 }  // namespace onggi::screens

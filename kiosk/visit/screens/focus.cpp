@@ -40,7 +40,7 @@ std::string step_focus(const std::vector<Control>& controls, const std::string& 
         break;
     }
     if (along < 2.0f) continue;
-    // Left and right keep to the row while there is anything in it.
+    // Left and right stay in the row while it has another control there.
     const bool level = direction == Direction::left || direction == Direction::right;
     const bool elsewhere = level && std::abs(across) > 0.25f * (at->rect.h + c.rect.h);
     const float cost = along + 2.0f * std::abs(across) + (elsewhere ? kAnotherRow : 0.0f);

@@ -9,18 +9,17 @@ namespace onggi::screens {
 
 enum class Direction { up, down, left, right };
 
-/// The control that an arrow leads to from `from`: the nearest one that way, counting sideways
-/// distance double; where none lies that way, the next (right, down) or the one before (left, up)
-/// in reading order, round and round, so that every control can be reached with one arrow alone.
-/// Empty when there are no controls.
+/// The control that an arrow reaches from `from`: the nearest one in that direction, with sideways
+/// distance counted double. If there is none, the next (right, down) or previous (left, up) one in
+/// reading order, cyclically, so that one arrow reaches every control. Empty if there are no
+/// controls.
 std::string step_focus(const std::vector<Control>& controls, const std::string& from,
                        Direction direction);
 
-/// `controls` in rows as they stand on the page, from the top down, each in the order in which it
-/// is read. Indices.
+/// `controls` in rows from the top of the page down, each in reading order. Indices.
 std::vector<std::vector<std::size_t>> rows_of(const std::vector<Control>& controls,
                                               bool right_to_left);
-/// And one after the other, as Tab goes.
+/// The same as one list, in the order of Tab.
 std::vector<Control> in_reading_order(const std::vector<Control>& controls, bool right_to_left);
 
 }  // namespace onggi::screens

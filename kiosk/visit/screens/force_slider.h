@@ -9,17 +9,17 @@ namespace onggi::screens {
 
 class Desk;
 
-/// How much of the clay's force a visitor would feel: all, three quarters ... and off. Only where a
-/// device that pushes is plugged in. Each visitor begins with all of what the exhibit allows.
+/// The share of the clay's force that a visitor feels: all, three quarters ... and off. Shown only
+/// if a force device is plugged in. Each visitor starts with the exhibit's full force.
 class ForceSlider {
  public:
   static constexpr int kSteps = 4;
 
   /// The visitor's share, 0 (off) .. 1.
   double share() const { return static_cast<double>(step_) / kSteps; }
-  /// "throw.softer", how much, "throw.stronger"; empty where no device pushes.
+  /// "throw.softer", the share, "throw.stronger"; empty if no device pushes.
   std::vector<Button> buttons(const Desk& desk) const;
-  /// A touch on one of them. False for any other control.
+  /// Handles a touch on one of them. False for other controls.
   bool press(const std::string& control);
 
  private:

@@ -8,16 +8,16 @@
 namespace onggi::screens {
 
 /// Today's pots, the newest first: small pictures with the vessel's name and the likeness, on a
-/// shelf that goes along with a finger.
+/// shelf that moves with a finger.
 class GalleryPage final : private CardShelf::Cards {
  public:
   explicit GalleryPage(const Desk& desk) : desk_(desk), shelf_(desk, *this, "gallery") {}
 
-  /// There is a pot to be seen; else nothing is said of a gallery anywhere.
+  /// True if there is a pot to show; otherwise no screen mentions the gallery.
   bool any() const { return count() > 0; }
-  /// The button that leads to it, named `id`.
+  /// The button that opens it, named `id`.
   Button way(const std::string& id) const;
-  /// Over the whole page; `onward` are the buttons at its foot, over Back and Help.
+  /// Fills the whole page; `onward` are buttons at its foot, over Back and Help.
   void lay_out(Page& page, const std::vector<Button>& onward, bool with_back);
 
   void update(double dt) { shelf_.update(dt); }
@@ -25,7 +25,7 @@ class GalleryPage final : private CardShelf::Cards {
   bool drag(const view::InputEvent& e, const Page& page) { return shelf_.drag(e, page); }
   void pointer(const view::InputEvent& e) { shelf_.pointer(e); }
   void let_go() { shelf_.let_go(); }
-  /// From the newest on.
+  /// Starts with the newest.
   void begin() { shelf_.begin(); }
 
  private:

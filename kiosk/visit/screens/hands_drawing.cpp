@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::vector<std::pair<float, float>>;
 
-// A slip of paper, 1 by 1 from the top left; what stands on it is mirrored about 0.5.
+// The drawing's area is 1 by 1 from the top left; its content is mirrored around 0.5.
 class Slip {
  public:
   Slip(Page& page, const view::Rect& box)
@@ -33,8 +33,8 @@ class Slip {
     for (auto& [x, y] : other) x = 1 - x;
     line(other, color, thick);
   }
-  // A mitten whose fingertips are at (x, y) and point along (along_x, along_y), of unit length; the
-  // thumb on its left, or on its right.
+  // A mitten with fingertips at (x, y) that point along the unit vector (along_x, along_y), with
+  // the thumb on its left or right.
   void hand(float x, float y, float along_x, float along_y, float thumb) {
     constexpr std::pair<float, float> kMitten[] = {
         {-0.30f, -0.06f}, {-0.17f, -0.075f}, {-0.06f, -0.06f}, {-0.01f, -0.03f}, {0.0f, 0.0f},
@@ -57,7 +57,7 @@ class Slip {
   }
   void wheel() { line({{0.14f, 0.93f}, {0.86f, 0.93f}}, view::kFaintInk, 1.6f); }
   void cylinder() { both({{0.5f, 0.90f}, {0.33f, 0.90f}, {0.33f, 0.36f}}, view::kFaintInk, 1.6f); }
-  // A jar, and where its belly stands.
+  // A jar, and the place of its belly.
   void jar() {
     both({{0.5f, 0.90f},
           {0.37f, 0.90f},

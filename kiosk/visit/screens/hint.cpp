@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kPlaces[] = {"place.foot", "place.low",  "place.belly", "place.middle",
                                    "place.neck", "place.high", "place.rim"};
 
-/// The part of `target` that a potter would name at `h`.
+/// The potters' name for the part of `target` at `h`.
 const char* place_at(const Profile& target, double h) {
   const double share = h / target.height();
   const Dimensions d = dimensions(target);
@@ -33,11 +33,11 @@ struct Difference {
   double height = 0, off = 0;
 };
 
-/// The height where the clay is furthest from the target and something can be done about it.
+/// The height where the clay is furthest from the target and can still be changed.
 Difference worst(const HintInput& in) {
   constexpr int kSteps = 48, kReach = 2;
   const double height = std::min(in.target->height(), in.made->height());
-  // Below this the pot is solid: no tool can press it outwards.
+  // Below this the pot is solid, so no tool can press it outwards.
   const double floor = in.made->floor_height() + in.tool_radius;
   Difference found;
   for (int i = kReach; i <= kSteps - kReach; ++i) {
@@ -101,7 +101,7 @@ const Hint& HintLine::update(double now, const HintInput& in) {
     shown_.press = newest.press;
     return shown_;
   }
-  // A wheel that stands still is said at once.
+  // Say at once that the wheel is not turning.
   if (now - since_ < 2.0 && newest.key != "hint.wheel_still") return shown_;
   shown_ = std::move(newest);
   since_ = now;

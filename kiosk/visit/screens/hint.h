@@ -16,21 +16,20 @@ struct HintInput {
   bool wheel_turns = true;
   device::Grip grip = device::Grip::both;
   bool touched = false;       ///< The visitor has touched this pot.
-  bool dry_too_long = false;  ///< Long rubbed without water.
+  bool dry_too_long = false;  ///< It was rubbed too long without water.
   double tool_radius = 0.008;
-  std::string
-      described{};  ///< Where figures are asked for, and no outline: the hint that they give.
+  std::string described{};  ///< If figures are wanted instead of an outline: their hint.
 };
 
-/// The most useful hint for what is true now. Pure.
+/// The most useful hint for the current state. Pure.
 Hint next_hint(const HintInput& in);
 
-/// Every hint in the words of the desk, for reserving room.
+/// Every hint in the desk's language, for reserving space.
 std::vector<std::string> all_hints(const Desk& desk);
 std::string words_of(const Hint& hint, const Desk& desk);
 
-/// Shows one hint at a time: looks four times a second, and keeps each at least two seconds, so
-/// that a sentence can be read before it changes.
+/// Shows one hint at a time: checks four times a second, and keeps each hint at least two seconds,
+/// so that people can read it.
 class HintLine {
  public:
   const Hint& update(double now, const HintInput& in);

@@ -2,8 +2,7 @@
 
 namespace onggi::screens {
 
-/// Notices that nobody is there. Any input, at any time, starts the wait anew, as often as it
-/// comes.
+/// Notices that nobody is there. Any input restarts the wait, at any time.
 class IdleWatch {
  public:
   enum class Word { none, warn, over };

@@ -15,7 +15,7 @@ using view::Rect;
 
 namespace {
 
-/// The postcard, large, and where it is kept; from there today's pots.
+/// The postcard, large, and the name under which it is kept; a button leads to today's pots.
 class Keepsake final : public Screen {
  public:
   explicit Keepsake(Desk& d) : Screen(d), gallery_(d) {}
@@ -61,7 +61,7 @@ class Keepsake final : public Screen {
       case Desk::Kept::kept:
         column.text(desk.say("keepsake.kept"), t.body);
         column.space(t.gap);
-        // Date and time stay in their order among words from the right, too.
+        // Date and time keep their order inside right-to-left text too.
         column.text(
             desk.words().right_to_left() ? "\u2066" + desk.kept_as + "\u2069" : desk.kept_as,
             t.body, Face::sans, view::kFaintInk);
@@ -91,8 +91,8 @@ class Keepsake final : public Screen {
     desk.turned = true;
   }
 
-  /// For a phone, where one can reach it: in the museum's network the page, behind the kiosk's own
-  /// access point first the network and then the page.
+  /// The QR codes, if phones can reach the page: in the museum's network only the page's; with the
+  /// kiosk's own access point first the network's, then the page's.
   void lay_out_codes(Column& column) {
     const auto& phone = desk.world.exhibit->phone;
     const std::string network =
@@ -109,7 +109,7 @@ class Keepsake final : public Screen {
       column.text(desk.say("keepsake.phone"), t.body);
       return put_code(page, page_code_, column.rest());
     }
-    // One beside the other in the order that they are read, and both on one line.
+    // Side by side in reading order, with their words on one line.
     const view::Rect room = column.rest();
     const float half = (room.w - t.gap) / 2;
     float words_high = 0;
@@ -135,7 +135,7 @@ class Keepsake final : public Screen {
     const view::SquareCode* code;
   };
 
-  /// At the top of `room`, where its words begin. Its own quiet zone is air enough.
+  /// Placed at the top of `room`, where its words begin; its quiet zone is enough space.
   static void put_code(Page& page, const view::SquareCode& code, const Rect& room) {
     const float wanted = page.type().body * 7, side = code.width(wanted);
     if (side > room.h || side > room.w) return page.overflowed();
@@ -143,11 +143,11 @@ class Keepsake final : public Screen {
   }
 
   GalleryPage gallery_;
-  bool open_ = false;                          ///< The gallery is shown.
-  std::string coded_;                          ///< What the codes are of.
-  view::SquareCode page_code_, network_code_;  ///< Reckoned once for a page.
+  bool open_ = false;                          ///< The gallery is open.
+  std::string coded_;                          ///< The texts of the codes.
+  view::SquareCode page_code_, network_code_;  ///< Computed once for each page.
 
-  /// A card of 5:7 lying on the plaster: a soft shadow laid in films, no frame.
+  /// A card of 5:7 on the plaster, with a soft shadow of several layers and no frame.
   void lay_out_card(Page& page) const {
     const Rect room = page.where().pot;
     const float h = std::min(room.h, room.w * 1.4f), w = h / 1.4f;

@@ -6,7 +6,7 @@
 
 namespace onggi::screens {
 
-/// The postcard, and where it is kept. `desk` outlives it.
+/// The postcard, and the name under which it is kept. `desk` outlives it.
 std::unique_ptr<Screen> make_keepsake(Desk& desk);
 
 }  // namespace onggi::screens

@@ -14,12 +14,12 @@ using view::Face;
 
 namespace {
 
-constexpr double kGlazeShowSpeed = 1.2;  // rad/s: a glaze is looked at from all sides.
-constexpr double kDryTime = 4.0;         // s; an impatient visitor's pot dries in a fifth of it.
+constexpr double kGlazeShowSpeed = 1.2;  // rad/s: the visitor sees the glaze from all sides
+constexpr double kDryTime = 4.0;         // s; an impatient visitor's pot dries in a fifth of it
 constexpr double kFireTime = 6.0;        // s
 constexpr double kReglazeTime = 2.4;     // s
 constexpr double kTextFade = 0.5;        // s
-// Of the firing: the heat is at its height here, and the glaze comes as it goes.
+// Times in the firing: the heat is highest here, and the glaze appears as it falls.
 constexpr double kHottest = 0.4, kGlazeFrom = 0.3, kGlazeTo = 0.95;
 
 double smooth(double x) {
@@ -36,7 +36,7 @@ view::Color display(const content::LinearColor& c) {
 }
 
 /// The pot dries, gets the glaze that the visitor chooses, and comes out smaller. Another choice
-/// glazes it anew. Nothing here has to be waited for.
+/// glazes it again. The visitor never has to wait.
 class KilnScreen final : public Screen {
  public:
   explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.wheel().kiln), shown_(desk.glaze) {
@@ -90,7 +90,7 @@ class KilnScreen final : public Screen {
   }
 
   void lay_out(Page& page) override {
-    // What was thrown stays as a line, so that the eye sees what the words say.
+    // Keep the thrown size as a line, so that the eye sees the shrinkage in the text.
     if (dried_ > 0.05) draw_ghost(page, picture_.camera(page), desk.made, {});
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
@@ -105,7 +105,8 @@ class KilnScreen final : public Screen {
     column.foot_buttons(glaze_buttons());
     column.foot_space(t.gap);
 
-    if (!desk.screen().larger_text) {  // What is needed goes before what has been said.
+    // The controls are more important than text that was already spoken
+    if (!desk.screen().larger_text) {
       column.text(desk.answer(), t.body, Face::sans, view::kFaintInk);
       column.space(t.gap * 0.5f);
     }
@@ -142,7 +143,7 @@ class KilnScreen final : public Screen {
   }
   void back() override { desk.go(ScreenId::result); }
 
-  /// A touch on the pot says that it has been seen enough of.
+  /// A touch on the pot skips ahead.
   void pointer(const view::InputEvent& e, const Page&) override {
     if (e.kind == view::InputEvent::Kind::pointer_down && desk.glaze >= 0) finish();
   }
@@ -167,7 +168,7 @@ class KilnScreen final : public Screen {
     return row;
   }
 
-  /// All is as it will be.
+  /// Shows the final state at once.
   void finish() {
     dried_ = 1;
     if (desk.glaze < 0) return;
@@ -178,7 +179,7 @@ class KilnScreen final : public Screen {
   std::string shrank() const {
     const double before = 1000 * desk.made.height(), left = kiln_.fired_size;
     const auto whole = [](double x) { return std::to_string(std::lround(x)); };
-    // To a tenth, and no tenth where there is none: 12.5, 10.
+    // One decimal, unless it is zero: 12.5, 10.
     const std::string percent = hundredths(10 * std::lround(1000 * (1 - left)), desk.words());
     return desk.say(
         "kiln.shrank",
@@ -190,7 +191,7 @@ class KilnScreen final : public Screen {
     return static_cast<float>(smooth((desk.now - since) / kTextFade));
   }
 
-  /// Room for the longest words that may come, so that none has to be set smaller when it does.
+  /// Reserve space for the longest later text, so that it need not be set smaller.
   void keep_room(Page& page, const view::Rect& room) const {
     const TypeScale& t = page.type();
     float most = 0;

@@ -6,7 +6,7 @@
 
 namespace onggi::screens {
 
-/// The pot dries and gets its glaze. Only where the scene has a kiln. `desk` outlives it.
+/// The pot dries and gets its glaze. Only if the scene has a kiln. `desk` outlives it.
 std::unique_ptr<Screen> make_kiln(Desk& desk);
 
 }  // namespace onggi::screens

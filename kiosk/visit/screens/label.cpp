@@ -8,7 +8,7 @@ namespace onggi::screens {
 
 namespace {
 
-/// Chinese and Japanese ends of a sentence, three bytes each and no space after them.
+/// Chinese and Japanese sentence ends, three bytes each, without a space after them.
 constexpr std::array<const char*, 3> kWideStops{"\u3002", "\uFF01", "\uFF1F"};
 
 bool ends_wide(const std::string& words) {
@@ -68,7 +68,7 @@ std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>
     return page.size(words, style, width).height;
   };
   std::vector<LabelPart> parts(1);
-  float used = 0;  // By the whole paragraphs of the last part.
+  float used = 0;  // height of the last part's whole paragraphs
   for (const std::string& paragraph : paragraphs) {
     std::string words;
     for (const std::string& sentence : sentences(paragraph)) {

@@ -9,30 +9,30 @@
 
 namespace onggi::screens {
 
-/// "Korea, Joseon dynasty, 18th century": what of it is there, as `language` lists it.
+/// "Korea, Joseon dynasty, 18th century": the available parts as a list in `language`.
 std::string label_line(const content::Label& label, const content::Language& language);
 
-/// Metres as centimetres with one decimal where it is not a whole number: "30.5", in German "30,5".
+/// Metres as centimetres, with one decimal if it is not zero: "30.5", in German "30,5".
 std::string centimetres(double metres, const content::Language& language);
 
-/// "0.93" of 93, "0.9" of 90, "1" of 100; in German "0,93".
+/// "0.93" for 93, "0.9" for 90, "1" for 100; in German "0,93".
 std::string hundredths(long number, const content::Language& language);
 
-/// One sentence after the other; of two, with what the writing has between them.
+/// Joins sentences, with the separator of their script.
 std::string joined(const std::string& words, const std::string& sentence);
 
-/// Paragraphs that go on one page.
+/// Paragraphs of one page.
 using LabelPart = std::vector<std::string>;
 
 /// Pixels between paragraphs of `style`.
 float paragraph_gap(const view::TextStyle& style);
 
-/// `paragraphs` (empty ones left out) broken between sentences into parts that each fit `box`. At
+/// Breaks `paragraphs` (empty ones left out) between sentences into parts that each fit `box`. At
 /// least one part; a single sentence that does not fit makes the page overflow.
 std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
                                       const view::TextStyle& style, const view::Rect& box);
 
-/// Sentences of a text, each with the space after it left off.
+/// Sentences of a text, without the space after each.
 std::vector<std::string> sentences(const std::string& text);
 
 }  // namespace onggi::screens

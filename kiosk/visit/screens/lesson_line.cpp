@@ -11,12 +11,12 @@ using content::DoneWhen;
 using content::LessonStep;
 
 namespace {
-constexpr double kTouch = 1.0;        // s on the clay that count as having done so
+constexpr double kTouch = 1.0;        // s on the clay that count as done
 constexpr double kRimShare = 0.9;     // of the pot's height: from here on it is the rim
 constexpr double kRaised = 1.0 / 3;   // of the pot's height, in one stroke
 constexpr double kStrokeEnds = 0.4;   // s off the clay
 constexpr double kShapedShare = 0.5;  // of the heights are on the line
-constexpr double kLook = 0.25;        // s between two looks at the outline
+constexpr double kLook = 0.25;        // s between two checks of the outline
 constexpr double kCut = 0.99;         // of the section
 
 double share_on_line(const Profile& made, const Profile& target) {
@@ -31,7 +31,7 @@ double share_on_line(const Profile& made, const Profile& target) {
 }  // namespace
 
 const LessonStep* LessonLine::shown(const Desk& desk) {
-  // It is of an outline that is seen and met by both of one's hands.
+  // It needs a visible outline and both hands of one visitor.
   if (desk.on() != nullptr && desk.on()->kind != settings::Mission::Kind::today) return nullptr;
   const auto* lesson = desk.world.lesson;
   return lesson != nullptr && desk.lesson_step < lesson->size() ? &(*lesson)[desk.lesson_step]

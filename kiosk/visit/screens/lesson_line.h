@@ -6,16 +6,16 @@
 
 namespace onggi::screens {
 
-/// The exhibit's lesson as one visitor is led through it: a step is shown until the visitor has
-/// done it or its time is up. What was done before its step came is not asked for. Where the
-/// visitor stands in it is the desk's, so that no step comes twice however often the wheel is left.
+/// Leads one visitor through the exhibit's lesson: a step is shown until the visitor has done it or
+/// its time is up. A step that was done earlier is skipped. The desk keeps the position, so that no
+/// step comes twice when the visitor leaves the wheel and returns.
 class LessonLine {
  public:
-  /// Once a frame with the pot on the wheel. `alone`: the hands are the visitor's own.
+  /// Call once a frame with the pot on the wheel. `alone`: the visitor's own hands work.
   void update(Desk& desk, double dt, const Profile* target, const Profile& made, bool alone);
-  /// The step to be shown now; null where there is none, or none any more.
+  /// The step to show now; null if there is none or the lesson is over.
   static const content::LessonStep* shown(const Desk& desk);
-  /// The visitor wants none of it.
+  /// The visitor skips the lesson.
   static void skip(Desk& desk);
 
  private:
@@ -25,12 +25,12 @@ class LessonLine {
   }
   void note(content::DoneWhen what) { done_ |= 1u << static_cast<unsigned>(what); }
 
-  std::uint32_t done_ = 0;                        ///< Bits by DoneWhen, of this stay at the wheel.
+  std::uint32_t done_ = 0;  ///< Bits by DoneWhen, since the visitor came to the wheel.
   double touched_ = 0, inside_ = 0, at_rim_ = 0;  ///< s so far.
-  double lowest_ = -1;  ///< Where the stroke under way began to rise, m; below 0: none is.
-  double apart_ = 0;    ///< s since the clay was last met.
+  double lowest_ = -1;  ///< Height at which the current stroke began to rise, m; below 0: none.
+  double apart_ = 0;    ///< s since the last contact with clay.
   double in_step_ = 0;  ///< s that the step has been shown.
-  double looked_ = 0;   ///< s since the outline was looked at.
+  double looked_ = 0;   ///< s since the outline was checked.
 };
 
 }  // namespace onggi::screens

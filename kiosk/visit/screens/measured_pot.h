@@ -7,20 +7,19 @@
 
 namespace onggi::screens {
 
-/// What the pot on the wheel measures, while it is to answer a description: looked at twice a
-/// second, so that its figures can be read. They are the desk's; there where nothing is described,
-/// nothing happens.
+/// Measures the pot on the wheel twice a second, slowly enough to read, if it should answer a
+/// description. The desk keeps the figures. Without a description it does nothing.
 class MeasuredPot {
  public:
   static constexpr double kLook = 0.5;  ///< s
 
-  /// Once a frame; `made` may be empty.
+  /// Call once a frame; `made` may be empty.
   void update(Desk& desk, const Profile& made);
-  /// "It holds 0.62 l of 1 l." and the bounds that are asked for; nothing where nothing is known.
+  /// "It holds 0.62 l of 1 l." and the wanted bounds; empty if nothing is known.
   static std::vector<std::string> sentences(const Desk& desk);
-  /// As a key of the languages what would bring it nearer; "": nothing is described.
+  /// Language key of the next advice; "": there is no description.
   static std::string hint(const Desk& desk);
-  /// Every key that hint() can give.
+  /// Every possible result of hint().
   static const std::vector<std::string>& hints();
 
  private:

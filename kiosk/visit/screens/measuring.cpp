@@ -12,7 +12,7 @@ view::TextMeasure::Size Measuring::operator()(const std::string& words,
                 static_cast<double>(style.line_height), static_cast<double>(width));
   std::string key = head + style.language + '\n' + words;
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
-  // Countdowns and speeds make new words for months: start over rather than grow.
+  // Countdowns and speeds make new words for months, so clear the cache instead of growing it.
   if (known_.size() > 2000) known_.clear();
   return known_[std::move(key)] = measure_.measure(words, style, width);
 }

@@ -7,7 +7,7 @@
 
 namespace onggi::screens {
 
-/// Remembers what was measured: a screen sets the same words again sixty times a second.
+/// Caches text sizes, because a screen sets the same words sixty times a second.
 class Measuring {
  public:
   explicit Measuring(const view::TextMeasure& measure) : measure_(measure) {}

@@ -6,12 +6,12 @@ namespace onggi::screens {
 
 namespace {
 
-// A wall that tore for its thinness comes back a little once the hand is gone: an eighth of a press
-// is elastic in the exhibit's scenes.
+// A wall that tore because it was thin springs back a little when the hand leaves: in the exhibit's
+// scenes an eighth of a press is elastic.
 constexpr double kSprungBack = 1.25;
 
-// How long the wheel may take to lay a step back, seconds: 8192 elements a tick for each face,
-// twice over (engine/scene/scene.cpp), and what the clay's own settling takes.
+// Longest time for the wheel to undo a step, s: 8192 elements a tick for each face, twice
+// (engine/scene/scene.cpp), plus the settling of the clay.
 double patience(const ClayView& clay) { return 0.1 + 4e-3 * clay.rows() * clay.sectors() / 8192.0; }
 
 }  // namespace
@@ -21,9 +21,9 @@ Mishap MishapWatch::seen(const Desk& desk) const {
   const Feedback& felt = desk.status.feedback;
   if (felt.fallen) return Mishap::fell;
   if (!felt.torn) return Mishap::none;
-  // Why it tore is told once, as it was then.
+  // Give the cause of a tear once, as it was then.
   if (now_ == Mishap::tore_thin || now_ == Mishap::tore_wide) return now_;
-  // The status may be ahead of the rows that it speaks of.
+  // The status may be newer than the rows.
   const auto wall = desk.world.wheel->clay.torn_wall();
   if (!wall) return Mishap::none;
   return *wall < kSprungBack * desk.wheel().tear_thickness ? Mishap::tore_thin : Mishap::tore_wide;

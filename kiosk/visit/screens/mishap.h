@@ -4,20 +4,20 @@
 
 namespace onggi::screens {
 
-/// What went wrong with the clay, as the visitor is told: a pot that fell, or a wall that tore. A
-/// fall goes before a tear.
+/// A fault of the clay that the visitor is told about: a pot that fell, or a wall that tore. A fall
+/// comes before a tear.
 enum class Mishap { none, fell, tore_thin, tore_wide };
 
-/// Watches the pot on the wheel for a mishap, and leads back to before it.
+/// Watches the pot on the wheel for a mishap, and undoes it on request.
 class MishapWatch {
  public:
-  /// Once a frame. True when what is to be told has changed.
+  /// Call once a frame. True if the message has changed.
   bool update(Desk& desk);
   Mishap now() const { return now_; }
   explicit operator bool() const { return now_ != Mishap::none; }
-  /// Asks for the last step back; after a tear for as many as it takes until the wall is whole.
+  /// Requests one undo; after a tear as many as are needed for a whole wall.
   void go_back(Desk& desk);
-  /// The visitor goes on from here.
+  /// The visitor continues without undoing.
   void stay() { going_back_ = false; }
 
  private:

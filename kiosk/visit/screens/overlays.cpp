@@ -9,7 +9,7 @@ using view::Face;
 
 namespace {
 constexpr float kHelpLine = 0.52f * 55,
-                kHelpKeys = 12;  // em: of a line, and at the least beside it
+                kHelpKeys = 12;  // em: of a line, and at least beside it
 }  // namespace
 
 std::vector<Button> language_buttons(const Desk& desk) {
@@ -56,7 +56,7 @@ void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& 
   column.foot_space(t.gap);
   column.text(desk.say("help.title"), t.title, Face::serif);
   column.space(t.gap);
-  // Keys stand beside what there is to do where both have no room below each other.
+  // Keys stand beside the other text if both do not fit below each other.
   const view::Rect room = column.rest();
   const float width = std::min(room.w, kHelpLine * t.body), aside = 2 * t.body;
   const auto height = [&](const std::string& words) {
@@ -88,7 +88,7 @@ void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double coun
   column.space(t.gap);
   column.text(desk.say("idle.countdown", {{"seconds", std::to_string(seconds)}}), t.lead);
   column.space(t.gap);
-  // The same as a line that grows shorter.
+  // The same as a line that gets shorter.
   const view::Rect rest = column.rest();
   const auto share = static_cast<float>(std::clamp(seconds_left / countdown, 0.0, 1.0));
   const float thick = std::max(2.0f, t.body * 0.12f);

@@ -11,7 +11,7 @@ using view::Face;
 using view::Rect;
 
 namespace {
-// Pango rounds to its own units; a line measured to the pixel must not break for that.
+// Pango rounds to its own units, and a line measured to the pixel must not break because of that.
 constexpr float kSlack = 4.0f;
 constexpr float kButtonLine = 1.2f;
 }  // namespace
@@ -264,7 +264,7 @@ void Column::foot_buttons(const std::vector<Button>& row, const std::string& cap
 }
 
 std::size_t Column::abreast(const std::vector<Button>& cells) const {
-  // Wide enough for the words in one line; the last resort breaks them.
+  // Wide enough for the words in one line; break them only as a last resort.
   float widest = 0;
   for (const Button& cell : cells) widest = std::max(widest, page_.size(cell, box_.w).width);
   const float gap = page_.type().gap;

@@ -6,8 +6,8 @@
 namespace onggi::screens {
 
 namespace {
-/// One step of an exponential approach with time constant `tau`, which arrives where nobody sees
-/// the rest.
+/// One step of an exponential approach with time constant `tau`, which ends when the rest is
+/// invisible.
 double eased(double from, double to, double dt, double tau) {
   const double next = to + (from - to) * std::exp(-dt / tau);
   return std::abs(next - to) < 2e-5 ? to : next;
@@ -22,7 +22,7 @@ void PotPicture::update(const Desk& desk, double dt, const Profile* target, bool
     made_at_ = desk.now;
   }
 
-  // Room for the target and for the clay as wide as it has become.
+  // Space for the target and for the current width of the clay.
   double height = made_.height(), radius = made_.points.empty() ? 0.0 : made_.max_radius();
   if (target != nullptr && !target->points.empty()) {
     height = std::max(height, target->height());
@@ -34,8 +34,8 @@ void PotPicture::update(const Desk& desk, double dt, const Profile* target, bool
     height_ = eased(height_, height, dt, 0.5);
     radius_ = eased(radius_, std::max(radius, radius_ * 0.97), dt, 0.5);
   }
-  // A bat as a potter would choose it, a little wider than pot and lump; it stays for the pot's
-  // life.
+  // A bat a little wider than pot and lump, as a potter would choose; it stays for the life of the
+  // pot.
   if (fresh || wheel_radius_ == 0) wheel_radius_ = std::clamp(1.35 * radius, 0.09, 0.175);
   serial_ = desk.status.scene_serial;
 
@@ -84,13 +84,13 @@ view::Camera PotPicture::frame(const Page& page) const {
       right = std::max(right, at->first);
     }
     if (!front || i == 24) return camera;
-    // All of the head is on the screen, and none of it under the words.
+    // The whole wheel head is on the screen, and none of it under the words.
     bool clear = left >= where.all.x && right <= where.all.x + where.all.w;
     if (!where.portrait)
       clear = clear &&
               (where.mirrored ? right <= where.words.x : left >= where.words.x + where.words.w);
     if (clear && front->second <= foot) return camera;
-    // Smaller: in portrait from below, so that the rim stays where it was.
+    // Shrink, in portrait from below, so that the rim keeps its place.
     const float w = box.w * 0.97f, h = box.h * 0.97f;
     box = {box.x + (box.w - w) / 2, where.portrait ? box.y : box.y + (box.h - h) / 2, w, h};
   }
@@ -98,7 +98,7 @@ view::Camera PotPicture::frame(const Page& page) const {
 
 void PotPicture::show_round(const Desk& desk, double dt, double speed) {
   if (desk.still()) return;
-  constexpr double kSlowing = 20.0;  // rad/s^2: as a wheel's motor does
+  constexpr double kSlowing = 20.0;  // rad/s^2: like a wheel's motor
   if (!turn_speed_) turn_speed_ = desk.status.feedback.wheel_speed;
   *turn_speed_ += std::clamp(speed - *turn_speed_, -kSlowing * dt, kSlowing * dt);
   turned_ = std::remainder(turned_ + *turn_speed_ * dt, 2 * 3.14159265358979);

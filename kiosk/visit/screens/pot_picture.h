@@ -8,20 +8,20 @@
 
 namespace onggi::screens {
 
-/// The pot on the wheel as a screen pictures it: camera, hands, cut-away. Everything eases; nothing
-/// jumps unless motion is reduced, and then it is simply there.
+/// The picture of the pot on the wheel: camera, hands, cut-away. Everything moves smoothly, unless
+/// motion is reduced; then it changes at once.
 class PotPicture {
  public:
   /// `target` may be nullptr. `hold` keeps the camera still (a finger is on the clay).
   void update(const Desk& desk, double dt, const Profile* target, bool cut, bool hold);
-  /// A pot that rests is shown from all sides: wheel and pot turn before the eye, from the speed
-  /// that the wheel had to `speed` (rad/s, positive to the visitor's right hand).
+  /// Shows a resting pot from all sides: wheel and pot turn, from the wheel's last speed to `speed`
+  /// (rad/s, positive towards the visitor's right hand).
   void show_round(const Desk& desk, double dt, double speed);
   /// Shadows fall away from the words.
   view::PotView view(const Desk& desk, const Page& page) const;
-  /// The pot as large as its place allows, with the wheel head clear of the words.
+  /// Makes the pot as large as its place allows, with the wheel head clear of the words.
   view::Camera camera(const Page& page) const;
-  /// The clay as it is now, at most some 8 times a second. Empty before the first pot.
+  /// The outline of the clay, updated at most about 8 times a second. Empty before the first pot.
   const Profile& made() const { return made_; }
 
  private:
@@ -32,14 +32,14 @@ class PotPicture {
   std::uint32_t serial_ = 0;
   double height_ = 0, radius_ = 0, wheel_radius_ = 0;
   double cut_ = 0, shown_ = 0;
-  /// The camera as last found, and of what: the search takes a third of a frame's work.
+  /// The last camera and its input: searching takes a third of a frame's work.
   struct Framed {
     std::array<double, 14> of{};
     view::Camera camera;
   };
   mutable std::optional<Framed> framed_;
-  double turned_ = 0;                 ///< By show_round(), rad,
-  std::optional<double> turn_speed_;  ///< and how fast, rad/s.
+  double turned_ = 0;                 ///< Turned by show_round(), rad,
+  std::optional<double> turn_speed_;  ///< and its speed, rad/s.
 };
 
 }  // namespace onggi::screens

@@ -10,24 +10,24 @@
 
 namespace onggi::screens {
 
-/// What the visitor has before them, as plain values: what is said aloud, what a switch steps
-/// through, and what a test reads, are these and nothing else.
+/// The content of the screen as plain values: speech, the one switch and tests read only this.
 struct Reading {
   ScreenId screen = ScreenId::attract;
-  std::string over;                             ///< "help", "comfort", "idle", or nothing.
+  std::string over;                             ///< "help", "comfort", "idle", or empty.
   const content::Language* language = nullptr;  ///< Outlives the visit.
-  std::vector<std::string> words;  ///< What is written, from the top down, but for controls.
-  std::vector<Control> controls;   ///< In the order in which they are read.
-  std::string first;               ///< The control where a keyboard begins; may be none.
-  std::string focus;               ///< The one that it is on; may be none.
-  bool spoken = false, one_switch = false;  ///< As this visitor has chosen, or the screen is dark.
-  bool unasked = false;  ///< It is spoken though nobody chose so: how to be read to is not told.
-  double scan_seconds = 1.5;  ///< From one item of the switch to the next.
+  std::vector<std::string> words;               ///< The text from the top down, without controls.
+  std::vector<Control> controls;                ///< In reading order.
+  std::string first;  ///< The control where a keyboard starts; may be empty.
+  std::string focus;  ///< The control that has the keyboard; may be empty.
+  /// The visitor's choices; also true if the screen is dark.
+  bool spoken = false, one_switch = false;
+  bool unasked = false;  ///< Speech is on although nobody chose it, so its own help is not spoken.
+  double scan_seconds = 1.5;  ///< Time for each item of the switch.
 
   /// At the wheel.
-  bool working = false;                  ///< Hands are on the clay.
-  int asked = 0;                         ///< How often it was asked where the pot differs,
-  std::vector<std::string> differences;  ///< and where it does, in words, worst first.
+  bool working = false;                  ///< Hands touch the clay.
+  int asked = 0;                         ///< How often the visitor asked where the pot differs,
+  std::vector<std::string> differences;  ///< and the differences in words, worst first.
 };
 
 }  // namespace onggi::screens

@@ -13,12 +13,12 @@ using view::Face;
 
 namespace {
 
-constexpr std::size_t kMostRemarks = 2;  // Of each kind: more is not read.
-constexpr double kAlone = 0.5;           // rad/s that a pot turns before the eye
+constexpr std::size_t kMostRemarks = 2;  // of each kind: people do not read more
+constexpr double kAlone = 0.5;           // rad/s of a pot that turns for show
 constexpr const char* kTurn = "result.turn";
 
-/// Stars and words: what is alike, what to try; and the vessel beside the pot. Of a description,
-/// what the pot measures, and the pot alone. What stands there is turned by whoever looks at it.
+/// Stars and words: what is alike, what to try; and the vessel beside the pot. For a description,
+/// the pot's figures, and the pot alone. Visitors can turn the pots.
 class Result final : public Screen {
  public:
   explicit Result(Desk& d) : Screen(d) {
@@ -109,7 +109,7 @@ class Result final : public Screen {
 
   PotPicture picture_;
   Turntable table_;
-  std::optional<SideBySide> both_;  ///< None where no vessel was to be met.
+  std::optional<SideBySide> both_;  ///< Absent if there was no vessel to copy.
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace onggi::screens {
 
-/// One screen of the visit. Lays itself out anew for every frame from what the desk knows.
+/// One screen of the visit. It lays itself out for every frame from the desk's state.
 class Screen {
  public:
   explicit Screen(Desk& d) : desk(d) {}
@@ -22,47 +22,47 @@ class Screen {
   virtual ScreenId id() const = 0;
   virtual void lay_out(Page& page) = 0;
   virtual std::optional<view::PotView> pot(const Page&) { return std::nullopt; }
-  /// It is dark, with words alone, and what is on it is told by sound too.
+  /// True if it is dark with only words, and sound tells its content too.
   virtual bool dark() const { return false; }
-  /// A control of its own was pressed.
+  /// One of its own controls was pressed.
   virtual void press(const std::string& control) = 0;
-  /// A finger went down on a control; press() follows when it is lifted there.
+  /// A finger went down on a control; press() follows if it lifts there.
   virtual void hold(const std::string& /*control*/) {}
   virtual void back() = 0;
-  /// Attract: a touch on `control` (none: "") begins a visit.
+  /// Attract: a touch on `control` (or nowhere: "") begins a visit.
   virtual bool begins_with(const std::string& /*control*/) const { return true; }
-  /// Where the keyboard begins.
+  /// The control where the keyboard starts.
   virtual std::string first_focus() const = 0;
 
   virtual void update(double /*dt*/) {}
-  /// A pointer that is on no control, or was grabbed by grab().
+  /// A pointer that is on no control, or was taken by grab().
   virtual void pointer(const view::InputEvent&, const Page&) {}
-  /// Any pointer event before the controls get it; true when it belongs to a finger that drags, and
-  /// what it went down on is then not pressed.
+  /// Sees any pointer event before the controls. True if it belongs to a dragging finger; the
+  /// control under its start is then not pressed.
   virtual bool drag(const view::InputEvent&, const Page&) { return false; }
-  /// Where an arrow leads from the control `from`, if the screen knows better than that it is the
-  /// nearest that way: a control that the next page will have. Empty: it does not.
+  /// The control that an arrow reaches from `from`, if that is not the nearest one: a control of
+  /// the next page. Empty: the nearest.
   virtual std::string step(const std::string& /*from*/, Direction) { return {}; }
-  /// Before focus and buttons get it; true when used up.
+  /// Sees a key before focus and buttons; true if it was used.
   virtual bool key(view::Key, bool /*repeat*/) { return false; }
-  /// The keys are another visitor's than the pointer, which takes nothing from them.
+  /// Keyboard and pointer belong to two visitors; pointer input does not clear keyboard focus.
   virtual bool keys_are_anothers() const { return false; }
-  /// The screen is left, or something lies over it: hands off the clay.
+  /// The screen is left or covered: takes the hands off the clay.
   virtual void let_go() {}
-  /// The visitor has chosen otherwise on the Comfort page: what was told to the wheel is told anew.
+  /// The visitor changed something on the Comfort page: sends the wheel its settings again.
   virtual void comforted() {}
-  /// Of a screen with a pot to be worked.
+  /// For a screen with a pot to work on.
   virtual std::optional<Sight> sight() const { return std::nullopt; }
-  /// Of a screen with a pot to be worked: Reading has it.
+  /// State of the pot for Reading; only the throwing screen has one.
   struct PotTold {
     bool working = false;
     int asked = 0;
     std::vector<std::string> differences;
   };
   virtual std::optional<PotTold> told() const { return std::nullopt; }
-  /// Of "help.NAME" in the languages.
+  /// Language key "help.NAME".
   std::string help_key() const { return "help." + std::string(name_of(id())); }
-  /// What Help says of it, but for its keys: a paragraph each.
+  /// Its Help text without its keys, in paragraphs.
   virtual std::vector<std::string> help() const { return {desk.say(help_key())}; }
 
  protected:

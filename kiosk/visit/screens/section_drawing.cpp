@@ -10,11 +10,11 @@ namespace onggi::screens {
 namespace {
 
 constexpr int kDrawnHeights = 96;
-constexpr float kTone = 0.22f;  // of the ink, on the vessel's cut wall
+constexpr float kTone = 0.22f;  // of the ink, for the vessel's cut wall
 
 float unit_of(const Page& page) { return page.type().body / 25.0f; }
 
-/// Where a drawing stands: metres from the axis and above the foot, to pixels.
+/// Position of a drawing: converts metres from the axis and above the foot to pixels.
 struct Paper {
   float axis = 0, foot = 0;
   double scale = 1;
@@ -40,7 +40,7 @@ Points outline(const Paper& paper, const Profile& p) {
   return line;
 }
 
-/// The inner wall of the left half, from the rim to the floor's middle.
+/// The inner wall of the left half, from the rim to the middle of the floor.
 Points inside(const Paper& paper, const Profile& p) {
   Points line;
   const double floor = p.floor_height();

@@ -2,36 +2,35 @@
 
 namespace onggi::screens {
 
-/// How a shelf that is wider than the screen moves under a finger: in columns, the first at 0.
-/// Held, it goes where the finger goes, beyond its ends a third as far; let go, it runs on as fast
-/// as it was going, loses way, and comes to rest with a whole column in front. Main thread; no
-/// clock.
+/// Motion of a shelf that is wider than the screen, under a finger: in columns, the first at 0.
+/// Held, it follows the finger, beyond its ends at a third of the way. Released, it continues at
+/// its speed, slows down, and stops with a whole column in front. Main thread; no clock.
 class ShelfScroll {
  public:
-  /// The shelf has `columns`, of which `shown` stand whole on the screen.
+  /// The shelf has `columns`, of which `shown` fit whole on the screen.
   void bound(int columns, int shown);
-  /// Which column stands in front, a part of one while it moves.
+  /// The front column, with a fraction while it moves.
   double at() const { return at_; }
-  /// Which will, once it rests.
+  /// The front column after it stops.
   int first() const { return to_; }
   int shown() const { return shown_; }
   int columns() const { return columns_; }
   bool longer_than_the_screen() const { return columns_ > shown_; }
   bool at_the_end() const { return to_ >= last(); }
-  /// So that one sees it, or held.
+  /// True if its motion is visible, or it is held.
   bool moving() const { return held_ || at_ - to_ > kSeen || to_ - at_ > kSeen; }
 
-  /// A finger stops it where it is.
+  /// A finger stops it.
   void hold();
-  /// It moved it by so many columns, positive onward.
+  /// The finger moved it by this many columns, positive onward.
   void drag(double columns);
-  /// And let go at so many columns a second.
+  /// The finger released it at this many columns a second.
   void release(double speed);
-  /// Onward by so many columns, as far as there are any.
+  /// Moves on by this many columns, up to its ends.
   void step(int columns);
-  /// Is there at once, with `column` among what is shown.
+  /// Jumps so that `column` is visible.
   void show(int column);
-  /// Seconds pass; `still`: it is there at once.
+  /// Seconds pass; `still`: it jumps to its goal.
   void update(double dt, bool still);
 
  private:

@@ -9,28 +9,28 @@
 
 namespace onggi::screens {
 
-/// "Show me": the next stroke on the visitor's own pot, by the visitor's own two hands, led by
-/// nobody's finger. It is a stroke like any other: recorded, and taken back like any. It goes on to
-/// its end unless it is pressed again, or the pot is touched.
+/// "Show me": makes the next stroke on the visitor's own pot with the visitor's two hands. The
+/// stroke is recorded and can be undone like any other. It continues to its end unless the button
+/// is pressed again or the pot is touched.
 class ShowMe {
  public:
-  static constexpr double kHold = 0.6;  ///< s: pressed longer, it ends when it is let go.
+  static constexpr double kHold = 0.6;  ///< s: pressed longer, it ends on release.
 
-  /// The button goes down: the stroke begins, or ends.
+  /// The button goes down: starts or ends the stroke.
   void hold(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
-  /// The button comes up, or was pressed by a key.
+  /// The button was released, or pressed by a key.
   void press(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
-  /// Once a frame, before PointerLead::follow.
+  /// Call once a frame, before PointerLead::follow.
   void draw(double dt, device::PointerLead& hands, const ClayView& clay);
-  /// A stroke that was asked for by name begins, instead of the one under way.
+  /// Starts a stroke that was asked for by name, instead of the current one.
   void make(device::Stroke stroke, const ClayView& clay, double side, device::PointerLead& hands);
   /// The visitor takes over.
   void stop(device::PointerLead& hands);
 
-  /// As it stands now; `away`: nothing can be shown.
+  /// The button's state; `away`: nothing can be shown.
   Button button(const Desk& desk, bool away) const;
   bool showing() const { return finger_.down(); }
-  /// Of the stroke under way: "show.open", "show.belly", "show.collar", "show.smooth".
+  /// Language key of the current stroke: "show.open", "show.belly", "show.collar", "show.smooth".
   std::string key() const;
   content::HandsDrawn drawing() const;
   static constexpr const char* kKeys[] = {"show.open", "show.belly", "show.collar", "show.smooth"};
@@ -40,8 +40,8 @@ class ShowMe {
 
   device::GhostFinger finger_;
   double held_since_ = -1;  ///< s, by the desk's clock; below 0: the button is up.
-  bool asked_ = false;      ///< The stroke under way was asked for by name.
-  bool ended_ = false;      ///< It was pressed to end a stroke.
+  bool asked_ = false;      ///< The current stroke was asked for by name.
+  bool ended_ = false;      ///< The press ended a stroke.
 };
 
 }  // namespace onggi::screens

@@ -11,22 +11,22 @@ using view::Rect;
 
 namespace {
 
-constexpr double kTurning = 0.5;  // rad/s: once round in a dozen seconds
-// Of a picture's height, beside the pot's own: its mouth is an ellipse.
+constexpr double kTurning = 0.5;  // rad/s: one turn in about twelve seconds
+// Of a picture's height, added to the pot's, because its mouth is an ellipse.
 constexpr double kEllipse = 0.5;
-constexpr float kPicturesShare = 0.6f;  // of the height, where the drawing stands below
+constexpr float kPicturesShare = 0.6f;  // of the height, if the drawing is below
 constexpr double kWholeTurn = 6.283185307179586;
 
-/// As large as its room holds it, pixels a metre.
+/// Largest scale that fits its space, pixels a metre.
 double scale_in(float width, float height, double tall, double radius) {
   return std::min(static_cast<double>(width) / (2 * radius),
                   static_cast<double>(height) / (tall + kEllipse * radius));
 }
 
-/// All that is beside the words, or above them.
+/// The whole area beside the words, or above them.
 Rect room_of(const Regions& where, float gap) {
   Rect room = where.page;
-  // A finger turns what stands there: in portrait by its lower part.
+  // A finger turns the pots; in portrait it touches their lower part.
   if (where.reach > 0 && !where.portrait) {
     const float low = std::max(where.reach + gap - room.y, 0.0f);
     room.y += low;
@@ -82,7 +82,7 @@ SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const 
   const auto of_scale = [&](double scale, float most) {
     return std::min(most, static_cast<float>(scale * (height_ + kEllipse * radius_)));
   };
-  // Three abreast, or two over the drawing: whichever shows them larger.
+  // Three side by side, or two over the drawing: whichever shows them larger.
   const float third = (room.w - 4 * gap) / 3, half = (room.w - 2 * gap) / 2;
   const float names3 = names_height(page, desk, third), names2 = names_height(page, desk, half);
   const float high3 = room.h - names3, high2 = kPicturesShare * (room.h - names2 - gap);
@@ -99,14 +99,14 @@ SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const 
       abreast ? 0.0f
               : std::min(room.h - tall - names - gap, static_cast<float>(at.scale * height_));
   const float all = tall + names + (abreast ? 0.0f : below + gap);
-  // Where an upright page goes on above what is in reach, the drawing stands up there: pots are
-  // turned by a finger.
+  // If a portrait page extends above the reach, put the drawing up there, because visitors turn the
+  // pots by finger.
   const bool low = page.where().portrait && page.where().reach > 0, drawing_over = low && !abreast;
   const float top = low ? room.y + room.h - tall - names : room.y + (room.h - all) / 2;
   const auto column = [&](int n) {
     return Rect{room.x + static_cast<float>(n) * (width + 2 * gap), top, width, tall};
   };
-  // The drawing stands beside the words, where no shadow falls.
+  // The drawing is beside the words, where no shadow falls.
   const bool drawing_first = abreast && !shadows_fall_left;
   const int first = drawing_first ? 1 : 0, second = first + 1;
   at.vessel = column(page.right_to_left() ? second : first);
@@ -138,7 +138,7 @@ void SideBySide::lay_out(Page& page, const Desk& desk) {
   const Places at = places(page, desk);
   half_turn_ = at.vessel.w;
   const float left = std::min(at.vessel.x, at.pot.x);
-  // A frame round both stays off the lines under them.
+  // The frame around both keeps clear of the lines under them.
   room_ = {left, at.pot.y, std::max(at.vessel.x, at.pot.x) + at.pot.w - left,
            at.pot.h - 0.5f * page.type().gap};
   pot_at_ = view::frame_pot(page.width(), page.height(), at.pot, height_, radius_);

@@ -10,44 +10,44 @@
 
 namespace onggi::screens {
 
-/// How far a part of the pot is off, as a mean over the part: positive too wide. m of diameter, on
-/// the wheel.
+/// Difference of a part of the pot, as a mean over the part: positive is too wide. m of diameter,
+/// on the wheel.
 struct PartOff {
   device::WallPart part = device::WallPart::middle;
   double off = 0;
-  bool near = true;  ///< Within what is called alike.
+  bool near = true;  ///< Within the range that counts as alike.
 };
-/// Of the five parts, from the foot up, `made` on the wheel, m, against the card's target. `made`
-/// may be empty: then all are near. Nothing where there is no card.
+/// The differences of the five parts, from the foot up, between `made` on the wheel, m, and the
+/// card's target. If `made` is empty, all are near. Empty if there is no card.
 std::vector<PartOff> parts_off(const ShelfCard* card, const Profile& made);
 
-/// Strokes for a visitor who does not draw: buttons for where, and for what the hands shall do
-/// there, and one that tells where the pot differs. Whatever a stroke asked for so does, it does by
-/// the visitor's own two hands.
+/// Strokes for a visitor who does not draw: buttons for the place and for the action of the hands
+/// there, and one that tells where the pot differs. The visitor's own two hands make the stroke.
 ///   Controls: "throw.part.N" (WallPart), "throw.ask.N" (Ask), "throw.tell".
 class StrokeBoard {
  public:
-  /// This visitor has one: it comes with "Read aloud" and with "One switch".
+  /// True if this visitor has the board: it comes with "Read aloud" and "One switch".
   static bool wanted(const Desk& desk);
   static constexpr const char* kFirst = "throw.part.2";
 
-  /// Takes one of its controls; gives the stroke that is to be made, once one was asked for.
+  /// Handles one of its controls; returns the stroke when one was asked for.
   std::optional<device::Ask> press(const std::string& control);
   device::WallPart part() const { return part_; }
   /// A stroke was asked for.
   bool begun() const { return begun_; }
-  /// How often it was asked where the pot differs.
+  /// How often the visitor asked where the pot differs.
   int asked() const { return asked_; }
 
-  /// From the foot of `column` up; before everything else of the page the sentence: what is being
-  /// done, or how the pot differs where that was asked, or else `hint`. `way`: to the drawer.
+  /// Laid out from the foot of `column` up. Its sentence comes before everything else on the page:
+  /// the current action, or the pot's difference after a question, or else `hint`. `way`: to the
+  /// drawer.
   void lay_out(Column& column, const Desk& desk, const std::vector<Button>& ways,
                const std::vector<PartOff>& parts, bool working, const std::string& hint) const;
-  /// Of a pot that is to answer a description, what would bring it nearer: the stroke and its part
-  /// by the names of their buttons. "" where nothing is described or known.
+  /// Advice for a pot that should answer a description: the stroke and its part, by the names of
+  /// their buttons. "" if there is no description, or nothing is known.
   static std::string advice(const Desk& desk);
-  /// The whole pot in words, worst part first: at most `most` sentences. One that is to answer a
-  /// description: what it measures, and advice().
+  /// The whole pot in words, worst part first: at most `most` sentences. For a description: its
+  /// figures, and advice().
   static std::vector<std::string> told(const Desk& desk, const std::vector<PartOff>& parts,
                                        std::size_t most = 2);
 

@@ -10,10 +10,10 @@ namespace onggi::screens {
 /// Pixels.
 using Points = std::vector<std::pair<float, float>>;
 
-/// A line of `width` pixels on a pale halo, which tells it from whatever lies under it.
+/// A line of `width` pixels on a pale halo, which is visible on any background.
 void draw_stroke(Page& page, const Points& points, view::Color color, float width);
 
-/// The same cut into dashes of `dash` pixels with as much between them.
+/// The same as dashes of `dash` pixels with equal gaps.
 void draw_dashes(Page& page, const Points& points, view::Color color, float width, float dash);
 
 }  // namespace onggi::screens

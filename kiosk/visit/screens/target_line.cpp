@@ -18,7 +18,8 @@ struct Run {
   Points points;
 };
 
-/// How far `made` is outside `target` about height `h`: a mean over a finger's breadth, so that
+/// How far `made` is outside `target` around height `h`: a mean over a finger's breadth, so that
+/// throwing lines do not make the line flicker.
 /// throwing lines do not make the ghost flicker.
 double beyond(const Profile& made, const Profile& target, double h) {
   if (made.points.empty()) return 0.0;

@@ -6,16 +6,16 @@
 namespace onggi::screens {
 
 /// The target as a thin line at both silhouettes, in the plane through the axis that faces the
-/// camera. Where `made` is too wide: warm, solid and stronger; too narrow: cool and dashed; near
+/// camera. Where `made` is too wide: warm, solid and stronger; too narrow: cool and dashed; close
 /// enough: thin. `made` may be empty.
 void draw_ghost(Page& page, const view::Camera& camera, const Profile& target, const Profile& made);
 
-/// An arrow at `height` on the right of `target`'s outline: `inward` presses towards the axis from
-/// outside, else outwards from inside.
+/// An arrow at `height` on the right of `target`'s outline: with `inward` from outside towards the
+/// axis, else from inside outwards.
 void draw_press(Page& page, const view::Camera& camera, const Profile& target, double height,
                 bool inward);
 
-/// How far `made` may be from `target`'s outer radius and still be called alike, metres.
+/// How far `made` may be from `target`'s outer radius and still count as alike, metres.
 double tolerance(const Profile& target);
 
 }  // namespace onggi::screens

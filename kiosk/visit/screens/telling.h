@@ -4,16 +4,16 @@
 
 namespace onggi::screens {
 
-/// The one sentence beside the pot and the small drawing of the hands that goes with it: news of a
-/// fault or a device before what is being shown, before the lesson's step, before the hint. The
-/// room that the longest sentence takes is kept, so that no control moves under a finger.
+/// The one sentence beside the pot, with a small drawing of the hands: a fault or device news comes
+/// first, then "Show me", the lesson's step, the hint. Space for the longest sentence is reserved,
+/// so that no control moves under a finger.
 void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint);
 
-/// How high the longest of those sentences is, `width` pixels wide.
+/// Height of the longest of those sentences, `width` pixels wide.
 float longest_telling(const Page& page, const Desk& desk, float width);
-/// What of the words' width the drawing takes: upright it stands beside the sentence.
+/// Share of the words' width for the drawing: in portrait it is beside the sentence.
 float telling_drawing(const Page& page);
-/// And of the room under the sentence, at the least, across.
+/// In landscape, the least space under the sentence.
 float telling_below(const Page& page);
 
 }  // namespace onggi::screens

@@ -18,7 +18,7 @@ using view::Face;
 
 namespace {
 
-constexpr float kPotAbove = 0.4f;         // of the shorter side of what is in reach
+constexpr float kPotAbove = 0.4f;         // of the shorter side of the reach
 constexpr float kMostUsed = 4.0f / 3.0f;  // of the least touch target: 20 mm
 constexpr float kColumn = 0.3f, kLargerColumn = 0.42f, kWidestColumn = 0.5f;  // of the width
 
@@ -31,17 +31,17 @@ Button tools_button(const Desk& desk, const ThrowingControls& now) {
   for (std::size_t n = 1; n <= desk.wheel().tools.size(); ++n)
     if (const std::string name = ToolTray::name_of(desk, n); name.size() > longest.size())
       longest = name;
-  // What is in the hand is seen where another is taken up.
+  // Show the held tool, because a visitor chooses another one here.
   const bool tool = now.held > 0;
   return {kToolsWay, tool ? ToolTray::name_of(desk, now.held) : closed,
           tool ? Look::solid : Look::outline, longest};
 }
 
-/// The ways to all else, or back from it.
+/// The buttons to the drawers, or back.
 std::vector<Button> ways(const Desk& desk, const ThrowingControls& now) {
   if (now.drawer != Drawer::closed) return {{kCloseWay, desk.say(kCloseWay), Look::solid}};
   std::vector<Button> both{{kWheelWay, desk.say(kWheelWay), Look::outline}};
-  // Of two visitors with bare hands neither has anything to choose.
+  // Two visitors with bare hands have nothing to choose.
   if (!desk.wheel().tools.empty() || !desk.two_hands())
     both.insert(both.begin(), tools_button(desk, now));
   for (Button& way : both) way.tight = true;
@@ -64,33 +64,32 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
         desk.status.can_restore);
   } else {
     add("throw.water", "throw.water", now.water ? Look::solid : Look::outline, true, now.water);
-    // Its place is kept, but where nobody is ever shown anything.
+    // Reserve its place, unless the exhibit never shows anything.
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
       add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
   }
   add("throw.done", "throw.done", happened ? Look::outline : Look::solid, true);
-  // What comes and goes stands last, and its place is kept.
+  // Items that come and go are last, in a reserved place.
   if (!happened) add("throw.restore", "throw.restore", Look::outline, now.restore);
   column.foot_grid(cells, page.type().target * kMostUsed, page.where().mirrored);
   column.foot_space(page.type().gap);
 }
 
-/// What stands at the foot of the page: the way to all else, or back from it, and what any screen
-/// has.
+/// The foot of the page: the drawers' buttons, or back, and the buttons of every screen.
 void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
   const std::vector<Button> on = ways(desk, now);
   std::vector<Button> row = standing_buttons(desk, true);
-  if (now.board && now.drawer == Drawer::closed) {  // There they stand among the strokes.
+  if (now.board && now.drawer == Drawer::closed) {  // the board has them among the strokes
     column.foot_buttons(row);
     column.foot_space(column.page().type().gap);
     return;
   }
-  // There one row holds it all.
+  // One row holds everything there.
   if (column.page().where().portrait) row.insert(row.begin(), on.begin(), on.end());
   column.foot_buttons(row);
   column.foot_space(column.page().type().gap);
   if (column.page().where().portrait) return;
-  // As wide as those over them, where both have room.
+  // As wide as those above, if both fit.
   if (column.abreast(on) == 2)
     column.foot_grid(on, column.page().type().target, column.page().where().mirrored);
   else
@@ -98,7 +97,7 @@ void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.foot_space(column.page().type().gap);
 }
 
-/// The vessel, and at the far end the way out of the lesson; and what moves the hand.
+/// The vessel's name, and at the far end the skip of the lesson; and the device in use.
 void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
   Page& page = column.page();
   const TypeScale& t = page.type();
@@ -129,7 +128,7 @@ void heading(Column& column, const Desk& desk, const ThrowingControls& now) {
     page.button(skip,
                 {from_right ? at.x : at.x + at.w - skip_size.width, at.y, skip_size.width, height});
   column.space(height);
-  // What else was asked is said by the hint, where it is off.
+  // The hint gives the other wanted figures if they are off.
   if (const auto figures = MeasuredPot::sentences(desk); !figures.empty())
     column.text(figures.front(), t.body);
   if (desk.two_hands()) column.text(desk.say(desk.halves()), t.body);
@@ -148,7 +147,7 @@ void tell_mishap(Column& column, const Desk& desk, Mishap what) {
   column.text(desk.say(what == Mishap::tore_thin ? "throw.torn_thin" : "throw.torn_wide"), t.body);
 }
 
-/// A row of a drawer, with what it is of before it or, in a narrow column, over it.
+/// A row of a drawer, with its caption before it or, in a narrow column, above it.
 void drawer_row(Column& column, const std::string& caption, const std::vector<Button>& row,
                 float captions) {
   const TypeScale& t = column.page().type();
@@ -215,8 +214,8 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.check();
 }
 
-/// Beside strokes by buttons. News go before the hint. The lesson is of hands that draw, and so are
-/// hints of where to press: here the part is named that differs most, or what is advised.
+/// Besides strokes by buttons. News come before the hint. The lesson and the press hints are for
+/// hands that draw; here the sentence names the most different part, or the advice.
 std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
   if (!desk.note().empty()) return desk.say(desk.note());
   if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
@@ -225,8 +224,8 @@ std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hin
   return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();
 }
 
-/// What is left at the least between head and foot of `box`, whatever happens: below 0 it is too
-/// low. Nothing where something stands out of reach.
+/// Least free height between head and foot of `box`; below 0: the page is too low. Nothing if
+/// something is out of reach.
 std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk& desk,
                              const ThrowingControls& now) {
   bool reached = true;
@@ -313,7 +312,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
   Regions r = page.where();
   const view::Rect& all = r.all;
   const float margin = page.type().margin;
-  // Strokes by buttons touch no pot: it stands above what is in reach, where that has room.
+  // Strokes by buttons need no touch on the pot, so it goes above the reach if there is space.
   const bool above = r.reach > 0 && StrokeBoard::wanted(desk) &&
                      all.y - margin > kPotAbove * std::min(all.w, all.h);
   if (above) {
@@ -325,7 +324,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     const view::Rect endless{0, page.where().reach, r.page.w, kEndless};
     const float high = kEndless - left_in(endless, page, desk, now).value_or(0);
     r.words = {r.page.x, r.page.y + r.page.h - high, r.page.w, high};
-    // Less than this and it is no pot to work on: the words are set smaller instead.
+    // A smaller pot cannot be worked on, so shrink the words instead.
     if (!above && r.words.y < all.y + 0.45f * all.h) page.overflowed();
     if (above && r.words.y < r.reach) page.overflowed();
     const float top = above ? std::max(margin, r.words.y - r.page.w) : all.y + margin;
@@ -338,7 +337,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
   r.words.w = std::round(all.w * (wider ? kWidestColumn : wide ? kLargerColumn : kColumn));
   r.words.x = all.x + margin;
   const float left = r.words.x + r.words.w + margin;
-  // The axis on the vertical third, or in the middle of what is left where that lies farther out.
+  // The axis is on the vertical third, or in the middle of the free space if that is farther out.
   const float axis = std::max(all.x + all.w * 2 / 3, (left + all.x + all.w) / 2);
   const float half = std::min(axis - left, all.x + all.w - axis);
   r.pot = {axis - half, all.y + margin, 2 * half, all.h - margin * 3.0f};
@@ -347,7 +346,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     r.pot.x = 2 * all.x + all.w - r.pot.x - r.pot.w;
   }
   page.divide(r);
-  // Whatever is to be said, and whichever drawer is open, the pot stays where it is.
+  // The pot keeps its place, whatever the sentence and whichever drawer is open.
   if (left_in(r.words, page, desk, now).value_or(-2) < -1) page.overflowed();
 }
 

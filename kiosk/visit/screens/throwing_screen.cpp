@@ -29,7 +29,7 @@ using view::Key;
 
 namespace {
 
-constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside.
+constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
 
 /// The wheel, the clay and the visitor's hand.
 class Throwing final : public Screen {
@@ -45,14 +45,14 @@ class Throwing final : public Screen {
 
   void update(double dt) override {
     if (serial_ != desk.status.scene_serial && desk.pot_ready()) {
-      // A new pot finds the wheel standing, and one that was called done has rested.
+      // A new pot needs a standing wheel; a pot that was called done was paused.
       serial_ = desk.status.scene_serial;
       desk.world.potter->pause(false);
       speed_.send(desk);
       desk.world.potter->water(water_.wet());
     }
     if (done_) return finish();
-    // Cut free, by whatever wire: there is nothing more to throw.
+    // The pot is cut off, so the throwing is over.
     if (desk.status.feedback.cut_free >= 1 && !cut_off_) return finish();
     if (cut_off_) draw_wire(dt);
     look_for_mishaps();
@@ -80,7 +80,7 @@ class Throwing final : public Screen {
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
     measured_.update(desk, picture_.made());
-    // Of the pot that stood there before nothing is to be said.
+    // Say nothing about the previous pot.
     if (desk.pot_ready())
       hint_.update(desk.now, {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
                               dry_ > 20.0, desk.wheel().tool_radius, MeasuredPot::hint(desk)});
@@ -92,8 +92,8 @@ class Throwing final : public Screen {
   }
   bool dark() const override { return desk.eyes_closed(); }
 
-  /// A mission says itself what is to be done. Of a line nothing, where none is seen; of two hands
-  /// nothing, where each is somebody's.
+  /// A mission explains itself. Do not mention the line if it is hidden, or both hands if each
+  /// belongs to a visitor.
   std::vector<std::string> help() const override {
     const settings::Mission* mission = desk.on();
     std::vector<std::string> all;
@@ -201,7 +201,7 @@ class Throwing final : public Screen {
   }
 
   void pointer(const InputEvent& e, const Page& page) override {
-    // Of two visitors the one who is among the buttons stays there.
+    // With two visitors, the one at the buttons stays there.
     if (!hands_.two()) menu_ = false;
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     const bool down = e.kind == InputEvent::Kind::pointer_down;
@@ -209,8 +209,8 @@ class Throwing final : public Screen {
       if (page.where().words.contains(e.x, e.y)) return;
       if (!menu_) open_drawer(Drawer::closed);
       mishap_.stay();
-      // Hands that still finish a stroke would go to the next through the pot; of two visitors the
-      // other one's go on.
+      // Hands that still finish a stroke would cross the pot to the next one; with two visitors the
+      // other hand continues.
       hands_.two() ? show_.stop(hands_.lead()) : let_go();
     }
     if (show_.showing()) return;
@@ -236,8 +236,8 @@ class Throwing final : public Screen {
         break;
     }
     if (by_buttons()) return false;
-    // The hand works on the column's far side, where the pot is clear of the words; of two visitors
-    // the one inside works on the left.
+    // The hand works on the side away from the words, where the pot is clear; with two visitors the
+    // inside hand works on the left.
     const double left = hands_.two() ? -1.0 : key_sign(), notch = WheelHands::kNotch;
     if (key == Key::enter) return menu_ = true;
     if (key == Key::up || key == Key::down)
@@ -258,13 +258,13 @@ class Throwing final : public Screen {
 
   std::optional<PotTold> told() const override {
     if (mishap_) return std::nullopt;
-    // With eyes closed every stroke asks how the pot differs.
+    // With eyes closed, every stroke asks how the pot differs.
     const int asked = board_.asked() + (dark() ? strokes_ : 0);
     return PotTold{working(), asked, StrokeBoard::told(desk, parts())};
   }
 
  private:
-  /// The keys move among buttons, and not the hand.
+  /// The keys move among buttons instead of moving the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
   bool working() const { return show_.showing() || hands_.active() || cut_off_; }
   std::vector<PartOff> parts() const {
@@ -285,7 +285,7 @@ class Throwing final : public Screen {
     for (int n = 0; n < kMaxHands; ++n)
       desk.world.potter->hand(n, hands[static_cast<std::size_t>(n)]);
   }
-  /// The outline to be met, where a hand may work towards it.
+  /// The target outline, if a hand may work towards it.
   const Profile* aim() const {
     const ShelfCard* card = desk.shelf_card(desk.card);
     return card != nullptr && desk.pot_ready() && !mishap_ && !cut_off_ ? &card->target : nullptr;
@@ -293,11 +293,11 @@ class Throwing final : public Screen {
   void hold_with(Grip grip) {
     grip_ = grip;
     if (grip == Grip::both) take_up(0);
-    // Inside a closed wall nobody sees a hand that works alone.
+    // A hand that works alone inside a closed wall is invisible.
     if (!cut_chosen_) cut_ = grip_ == Grip::inside;
     let_go();
   }
-  /// A tool is one hand's.
+  /// A tool needs one hand.
   Grip grip() const { return held_ > 0 && grip_ == Grip::both ? Grip::outside : grip_; }
   void take_up(std::size_t which) {
     const Wheel wheel = desk.wheel();
@@ -316,7 +316,7 @@ class Throwing final : public Screen {
     const Wheel::Tool& tool = wheel.tools[which - 1];
     hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
   }
-  /// The wheel comes to rest, the wire passes under the pot, and the pot is done.
+  /// The wheel stops, the wire passes under the pot, and the pot is done.
   void draw_wire(double dt) {
     if (!desk.pot_ready() || std::abs(desk.status.feedback.wheel_speed) > 0.5) return;
     Vec3 right, up, back;
@@ -345,8 +345,8 @@ class Throwing final : public Screen {
     if (card == nullptr || !desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
     let_go();
     set_water(false);
-    // From here on the pot is what it is: no sagging, drying or springing back between what the
-    // visitor is told and what is kept. It is judged once every row of it has arrived.
+    // From here on the pot must not sag, dry or spring back, so that the visitor's result and the
+    // keepsake match. It is scored when all its rows have arrived.
     desk.world.potter->pause(true);
     done_ = !desk.world.potter->settle();
     if (done_) return;
@@ -354,14 +354,13 @@ class Throwing final : public Screen {
     desk.go(ScreenId::result);
   }
 
-  /// All that is not used most lies in two; a hand on the pot closes them.
+  /// The less used controls are in two drawers; a hand on the pot closes them.
   void open_drawer(Drawer which) {
     if (drawer_ != which) desk.turned = true;
     drawer_ = which;
   }
 
-  /// A pot that has just fallen or torn is let go of, and the way back is where the eyes and keys
-  /// are.
+  /// After a fall or a tear, releases the pot and puts the undo where eyes and keys are.
   void look_for_mishaps() {
     if (!mishap_.update(desk)) return;
     desk.turned = true;
@@ -375,7 +374,7 @@ class Throwing final : public Screen {
   HintLine hint_;
   MishapWatch mishap_;
   WheelHands hands_;
-  std::size_t held_ = 0;  ///< Of the tray: 0 the hands.
+  std::size_t held_ = 0;  ///< Index in the tray: 0 is the hands.
   std::optional<WireCut> cut_off_;
   ShowMe show_;
   StrokeBoard board_;
@@ -388,7 +387,7 @@ class Throwing final : public Screen {
   Grip grip_ = Grip::both;
   bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, done_ = false,
        worked_ = false;
-  int strokes_ = 0;  ///< That are over.
+  int strokes_ = 0;  ///< Finished strokes.
   double dry_ = 0, inside_until_ = -1;
   std::uint32_t serial_ = 0;
 };

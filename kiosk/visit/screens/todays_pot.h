@@ -6,10 +6,10 @@
 
 namespace onggi::screens {
 
-/// A pot that a visitor has kept today. Nothing of who it was.
+/// A pot that a visitor has kept today, without anything about the visitor.
 struct TodaysPot {
   view::PictureId picture = 0;
-  std::string vessel;  ///< The id of the vessel that it answers; that may have left the shelf.
+  std::string vessel;  ///< Id of its vessel, which may have left the shelf.
   int stars = 0;       ///< Of 5.
 };
 

@@ -14,8 +14,8 @@ using view::Rect;
 namespace {
 
 constexpr std::string_view kControl = "throw.tool.";
-constexpr float kDrawn = 1.5f;    // em: of a drawing's side
-constexpr float kLeading = 1.2f;  // of a name that is broken
+constexpr float kDrawn = 1.5f;    // em: side of a drawing
+constexpr float kLeading = 1.2f;  // of a name on several lines
 
 /// A stroke of a drawing, in a square of 24 with y down.
 using PenStroke = std::vector<std::pair<float, float>>;
@@ -79,8 +79,8 @@ std::vector<PenStroke> drawing_of(std::string_view tool) {
           {{19.5f, 15}, {23, 15}}};
 }
 
-/// How the tray is set: cells beside one another, in each a drawing and after it its name, and rows
-/// as high as their highest.
+/// Layout of the tray: cells side by side, each with a drawing and its name; a row is as high as
+/// its highest cell.
 struct TrayGrid {
   std::size_t columns = 1;
   float cell = 0, drawing = 0, name = 0;  ///< Widths.
@@ -105,7 +105,7 @@ TrayGrid tray_of(const Page& page, const Desk& desk, float width, std::size_t co
   grid.columns = columns;
   grid.cell = width / static_cast<float>(columns);
   grid.drawing = std::max(t.target, kDrawn * t.body) - between(page);
-  // Air before the drawing, after it, after the name, and before the next cell.
+  // Space before the drawing, after it, after the name, and before the next cell.
   grid.name = grid.cell - grid.drawing - 4 * between(page);
   grid.rows.assign((count + columns - 1) / columns, grid.drawing + between(page));
   grid.fits = grid.name > 0;
@@ -121,7 +121,7 @@ TrayGrid tray_of(const Page& page, const Desk& desk, float width, std::size_t co
   return grid;
 }
 
-/// The lowest in which no word of a name is broken.
+/// The lowest layout that breaks no word of a name.
 TrayGrid lowest_tray(const Page& page, const Desk& desk, float width) {
   TrayGrid best = tray_of(page, desk, width, 1);
   for (std::size_t columns = 2; columns <= desk.wheel().tools.size() + 1; ++columns)

@@ -6,33 +6,33 @@
 
 namespace onggi::screens {
 
-/// What is looked at from all sides: how far it was turned by a finger that goes from side to side,
-/// by the arrows of a keyboard that is on it, or by presses of one switch; and whether it stands
-/// still for that, where it else turns by itself. Knows no clock or pot. Main thread.
+/// Rotation of something seen from all sides: by a finger that moves sideways, by arrow keys while
+/// the keyboard is on it, or by presses of one switch. It also decides whether the automatic
+/// turning pauses. Knows no clock or pot. Main thread.
 class Turntable {
  public:
-  static constexpr double kAnArrow = 3.14159265358979 / 18;  ///< rad by a press of an arrow,
-  static constexpr double kAPress = 3.14159265358979 / 4;    ///< and of Enter or the switch,
-  static constexpr double kRest = 6.0;                       ///< after which it stands, s.
+  static constexpr double kAnArrow = 3.14159265358979 / 18;  ///< rad for an arrow key,
+  static constexpr double kAPress = 3.14159265358979 / 4;    ///< and for Enter or the switch,
+  static constexpr double kRest = 6.0;                       ///< s of pause after that.
 
-  /// A finger or a mouse that is on no control; `half_turn`: pixels that it goes for that.
+  /// A finger or a mouse that is on no control; `half_turn`: pixels for half a turn.
   void pointer(const view::InputEvent& event, float half_turn);
-  /// What faces the eye goes to the right, or to the left, as under a finger.
+  /// Turns the front to the right or left, like a finger.
   void by_arrow(bool to_the_right);
-  /// An eighth of a turn the way that it turns by itself: `speed`'s sign.
+  /// Turns by an eighth in the direction of the automatic turning: `speed`'s sign.
   void press(double speed, double now);
-  /// Once a frame: the keyboard is on it, or not.
+  /// Call once a frame: whether the keyboard is on it.
   void keyed(bool on) { keyed_ = on; }
-  /// Nothing turns it but the visitor.
+  /// True while only the visitor turns it.
   bool stands(double now) const { return dragged_ || keyed_ || now < rests_until_; }
-  /// rad, from 0 on; positive as a wheel for the right hand turns.
+  /// rad, from 0 on; positive like a wheel for the right hand.
   double angle() const { return angle_; }
 
  private:
   void turn(double by);
 
   double angle_ = 0, rests_until_ = -1;
-  std::optional<float> dragged_;  ///< Where the finger was, pixels.
+  std::optional<float> dragged_;  ///< Last position of the finger, pixels.
   bool keyed_ = false;
 };
 

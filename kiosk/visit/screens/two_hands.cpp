@@ -8,7 +8,7 @@ using view::InputEvent;
 void TwoHands::pointer(const InputEvent& event, Vec2 at, const ClayView& clay) {
   if (event.kind == InputEvent::Kind::pointer_down) {
     const std::size_t which = at.x < 0 ? kInside : kOutside;
-    if (fingers_[which]) return;  // That hand is somebody's.
+    if (fingers_[which]) return;  // a visitor already has that hand
     fingers_[which] = event.finger;
     hands_[which].lift();
     hands_[which].grab(at, clay, which == kInside ? Grip::inside : Grip::outside);
@@ -45,7 +45,7 @@ void TwoHands::lift() {
 
 std::array<HandInput, kMaxHands> TwoHands::input(Vec3 right) const {
   auto both = hands_[kOutside].input(right);
-  // Of one that works inside alone, hand 0 does.
+  // If only the inside works, hand 0 does it.
   both[1] = hands_[kInside].input(right)[0];
   if (!hands_[kInside].active()) both[1].active = false;
   return both;

@@ -9,10 +9,10 @@
 
 namespace onggi::screens {
 
-/// Two visitors at one wheel, a hand each: whoever touches the pot's left half works inside,
-/// whoever touches its right half outside, at the same time and each at a height of its own. A
-/// finger, or a mouse, is whose half it went down on until it lifts; a second one on the same half
-/// rests. Arrows move the hand inside, so that a mouse and a keyboard are two hands too.
+/// Two visitors at one wheel, a hand each: a touch on the pot's left half works inside, one on its
+/// right half outside, at the same time and each at its own height. A finger, or a mouse, belongs
+/// to the half where it went down until it lifts; a second one on the same half is ignored. Arrow
+/// keys move the inside hand, so that a mouse and a keyboard also make two hands.
 class TwoHands {
  public:
   explicit TwoHands(const Wheel& wheel)
@@ -21,11 +21,11 @@ class TwoHands {
 
   /// `at`: x right of the axis, y height, metres.
   void pointer(const view::InputEvent& event, Vec2 at, const ClayView& clay);
-  /// The hand inside: metres away from the axis and upwards.
+  /// The inside hand: metres away from the axis and upwards.
   void move_by_keys(const ClayView& clay, double outward, double up);
-  /// Once a frame; `contact` of each hand of the wheel.
+  /// Call once a frame; `contact` of each hand of the wheel.
   void follow(const ClayView& clay, double dt, const std::array<bool, kMaxHands>& contact);
-  /// The hand outside, as PointerLead's.
+  /// The outside hand, as in PointerLead.
   void take_up(device::WallHold::Part broad, device::WallHold::Part fine) {
     hands_[kOutside].take_up(broad, fine);
   }
@@ -40,7 +40,7 @@ class TwoHands {
  private:
   static constexpr std::size_t kOutside = 0, kInside = 1;
   std::array<device::PointerLead, 2> hands_;
-  std::array<std::optional<int>, 2> fingers_;  ///< Which one leads each.
+  std::array<std::optional<int>, 2> fingers_;  ///< The finger that leads each hand.
 };
 
 }  // namespace onggi::screens

@@ -17,7 +17,7 @@ using view::Rect;
 
 namespace {
 
-/// What the vessel measures on the wheel, of its true size.
+/// The vessel's size on the wheel, relative to its true size.
 int percent_of_size(const ShelfCard& card) {
   return static_cast<int>(std::lround(100.0 * card.scale));
 }
@@ -58,7 +58,7 @@ void VesselLabel::lay_out(Page& page) {
     words.y -= more;
     words.h += more;
     picture.h -= more;
-    picture.x = words.x;  // its credit and code stand above the words
+    picture.x = words.x;  // its credit and code are above the words
     picture.w = words.w;
   } else {
     // A label needs longer lines than a hint: half the page.
@@ -114,7 +114,7 @@ void VesselLabel::lay_out(Page& page) {
       line = line.empty() ? more : desk_.say("all.sentences", {{"first", line}, {"second", more}});
     };
     add(size);
-    // A vessel is worked at a size that a hand can reach, and the label says which.
+    // A vessel is thrown at a size that hands can reach, and the label gives that size.
     if (const int percent = percent_of_size(*shelf); percent != 100)
       add(desk_.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
                     {{"percent", std::to_string(percent)}}));
@@ -131,14 +131,15 @@ void VesselLabel::lay_out(Page& page) {
     column.text(paragraph, t.body);
   }
   if ((parts.size() > 1) != several) {
-    // "Read on" appears or goes: once more with it in the reckoning.
+    // "Read on" appears or goes, so lay out again.
     parts_ = static_cast<int>(parts.size());
     page.restart();
   }
   parts_ = static_cast<int>(parts.size());
 }
 
-/// The vessel, and under it whose picture it is; beside that, for a phone, the museum's page.
+/// The vessel, below it the picture's credit, and beside that, for a phone, the code of the
+/// museum's page.
 void VesselLabel::lay_out_picture(Page& page, const ShelfCard& shelf, const content::Label& label,
                                   Rect room) {
   const TypeScale& t = page.type();

@@ -8,16 +8,16 @@
 
 namespace onggi::screens {
 
-/// The label of a vessel over the shelf: its picture with whose it is and the museum's page, its
-/// text in parts that fit, and the vessel most like it.
+/// The label of a vessel over the shelf: its picture with credit and the museum's page, its text in
+/// parts that fit, and the vessel most like it.
 class VesselLabel {
  public:
   explicit VesselLabel(Desk& desk) : desk_(desk) {}
-  /// Of which card; -1: none is open.
+  /// Its card; -1: closed.
   int card() const { return card_; }
-  /// And of which mission, whose words stand before the vessel's; -1: of none.
+  /// Its mission, whose words come before the vessel's; -1: none.
   int mission() const { return mission_; }
-  /// Which other vessel is most like it is asked once, of a mission never.
+  /// Finds the vessel most like it once; never for a mission.
   void open(int card, int mission = -1);
   void close() { card_ = -1; }
   void lay_out(Page& page);
@@ -29,10 +29,10 @@ class VesselLabel {
                        view::Rect room);
 
   Desk& desk_;
-  std::string coded_;      ///< The address that code_ is of.
-  view::SquareCode code_;  ///< Reckoned once for a label, not once a frame.
+  std::string coded_;      ///< The address in code_.
+  view::SquareCode code_;  ///< Computed once for a label, not for each frame.
   int card_ = -1, mission_ = -1, part_ = 0, parts_ = 1;
-  int alike_ = -1;  ///< The card whose shape is most like the open one's; -1: none is alike.
+  int alike_ = -1;  ///< The card with the most similar shape; -1: none is similar.
 };
 
 }  // namespace onggi::screens

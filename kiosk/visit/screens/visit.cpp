@@ -15,7 +15,7 @@ namespace {
 constexpr double kFade = 0.3;         // s
 constexpr double kLookedAway = 60.0;  // s that help and another language stay over attract
 constexpr double kStepsToAct = 40, kStepsToStay = 10;  // of one switch
-constexpr double kDeviceMoved = 0.002;                 // m: more than a device at rest trembles.
+constexpr double kDeviceMoved = 0.002;                 // m: more than a resting device trembles
 }  // namespace
 
 Visit::Visit(const VisitWorld& world) : state_(std::make_unique<State>(world)) {}
@@ -46,7 +46,7 @@ void Visit::update(double now) {
   s.updated_at = s.desk.now = now;
   s.desk.look();
 
-  // A device that is moved is a visitor who is there.
+  // A moved device means that a visitor is there.
   const loop::LoopStatus& status = s.desk.status;
   for (std::size_t n = 0; n < s.device_at.size(); ++n) {
     const HandInput& hand = status.hands.hand[n];
@@ -64,7 +64,7 @@ void Visit::update(double now) {
   const ScreenId id = s.screen->id();
   if (id == ScreenId::attract) {
     s.idle.touched(now);
-    // Whoever takes a device begins; whoever still leans on one when the last visit ended does not.
+    // Taking a device begins a visit; still leaning on one from the last visit does not.
     if (status.hands_taken && !s.hands_taken) s.desk.go(ScreenId::choose);
     if (now - s.changed_at > kLookedAway) {
       if (s.over == Over::help) s.cover(Over::nothing);
@@ -73,7 +73,7 @@ void Visit::update(double now) {
   } else {
     const auto& wait = s.desk.world.exhibit->idle;
     const bool reading = id == ScreenId::result || id == ScreenId::kiln || id == ScreenId::keepsake;
-    // Who steps through everything with one switch comes to it later.
+    // A visitor with one switch steps through everything and needs more time.
     const settings::Exhibit::Screen own = s.desk.screen();
     const double step = own.one_switch ? own.scan_seconds : 0.0;
     switch (s.idle.look(now, (reading ? wait.result_after : wait.warn_after) + kStepsToAct * step,
@@ -129,7 +129,7 @@ std::optional<Request> Visit::take_request() {
 void Visit::wander() { state_->wanders = true; }
 
 void Visit::show_postcard(view::PictureId id) {
-  if (state_->desk.kept == Desk::Kept::not_asked) return;  // The visitor has gone.
+  if (state_->desk.kept == Desk::Kept::not_asked) return;  // the visitor has left
   state_->desk.postcard = id;
   state_->reworded();
 }
@@ -221,7 +221,7 @@ void Visit::activate(const std::string& control, double now) {
   s.desk.now = now;
   s.idle.touched(now);
   s.desk.notes.touch(NoteTaker::By::keys, now);
-  s.by_keys = !s.desk.screen().one_switch;  // It has a ring of its own.
+  s.by_keys = !s.desk.screen().one_switch;  // it has a ring of its own
   if (!control.empty()) s.press(control);
   s.settle();
 }

@@ -40,13 +40,13 @@ std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk) {
   return make_attract(desk);
 }
 
-/// The words change where they stand: cross-fade.
+/// The words change in place: cross-fade.
 void Visit::State::reworded() {
   ++serial;
   changed_at = desk.now;
 }
 
-/// The picture changes to another: cross-fade, and nothing stays pressed or focused.
+/// The picture changes: cross-fade, and nothing stays pressed or focused.
 void Visit::State::changed() {
   reworded();
   focused.clear();
@@ -98,7 +98,7 @@ void Visit::State::press(const std::string& control) {
   settle();
 }
 
-/// Whoever asks for it has come: what is chosen lasts as long as the visit.
+/// A visitor has come who asks for it: the choices last for the visit.
 void Visit::State::open_comfort() {
   if (screen->id() == ScreenId::attract) {
     desk.go(ScreenId::choose);
@@ -117,7 +117,7 @@ std::string Visit::State::control_at(float x, float y) const {
 void Visit::State::pointer(const InputEvent& e) {
   using Kind = InputEvent::Kind;
   if (e.finger != 0) {
-    // Beside the first, fingers mean something at the wheel alone: a second hand.
+    // Only at the wheel do further fingers mean something: a second hand.
     if (screen->id() == ScreenId::throwing && over == Over::nothing && page && pressed.empty())
       screen->pointer(e, *page);
     return;
@@ -130,7 +130,7 @@ void Visit::State::pointer(const InputEvent& e) {
                              ? control_at(e.x, e.y)
                              : std::string();
   if (over == Over::idle) {
-    // Any touch says "I am here"; only what makes the words legible is worth hearing besides.
+    // Any touch means "I am here"; besides that only the controls for legibility act.
     if (e.kind != Kind::pointer_down) return;
     if (language_of(desk, on)) set_language(*language_of(desk, on));
     if (on == "comfort") open_comfort();
@@ -141,7 +141,7 @@ void Visit::State::pointer(const InputEvent& e) {
     return settle();
   }
   if (e.kind == Kind::pointer_down) {
-    // The first touch is never lost: wherever it lands, the visit begins.
+    // The first touch always begins the visit, wherever it lands.
     if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
         on != "comfort" && !language_of(desk, on) && screen->begins_with(on)) {
       desk.go(ScreenId::choose);
@@ -159,7 +159,7 @@ void Visit::State::pointer(const InputEvent& e) {
     if (e.kind == Kind::pointer_up) cover(Over::nothing);
     return;
   }
-  // A slip beside a switch of the Comfort page is no wish to leave it.
+  // A near miss beside a switch of the Comfort page does not close it.
   if (over == Over::nothing && page && pressed.empty()) screen->pointer(e, *page);
   settle();
 }
@@ -201,7 +201,7 @@ void Visit::State::key(const InputEvent& e) {
     if (known.empty()) {
       focused = step_focus(page->controls(), focused, to);
     } else if (std::exchange(focused, known) != known) {
-      page.reset();  // It may not be on this one.
+      page.reset();  // its control may be missing here
     }
   };
   switch (e.key) {
@@ -224,7 +224,7 @@ void Visit::State::key(const InputEvent& e) {
   }
 }
 
-/// Where the keyboard begins; nothing where the keys move the hand.
+/// The control where the keyboard starts; empty while the keys move the hand.
 std::string Visit::State::first_control() const {
   return over == Over::help      ? "help.close"
          : over == Over::comfort ? first_comfort()
@@ -277,13 +277,12 @@ Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
   return made;
 }
 
-/// Where words do not fit, something gives way, a step at a time, and then stays so while this
-/// picture lasts: sizes that come and go with the words would flicker.
+/// If words do not fit, give up something, step by step, and keep that for this picture, because
+/// sizes that change with the words would flicker.
 void Visit::State::lay_out_fitting(int width, int height) {
   const std::string stands_for =
       std::to_string(width) + 'x' + std::to_string(height) + (desk.mirrored() ? " mirrored" : "");
-  // What lies over a screen covers its words alone: after another size its pots stand where it has
-  // them then.
+  // An overlay covers only its words: after a change of size the pots are placed by the overlay.
   if (over != Over::nothing && stands_for != laid_out_for) {
     const Over covers = std::exchange(over, Over::nothing);
     lay_out_fitting(width, height);

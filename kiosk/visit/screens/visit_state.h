@@ -9,12 +9,12 @@
 
 namespace onggi::screens {
 
-/// What lies over the screen.
+/// The overlay on the screen.
 enum class Over { nothing, help, comfort, idle };
 
 std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk);
 
-/// The visit's inside: which screen, what lies over it, where the keyboard is.
+/// The inside of a visit: the current screen, its overlay, the keyboard's place.
 struct Visit::State {
   explicit State(const VisitWorld& world)
       : desk(world), measuring(*world.measure), screen(make_screen(ScreenId::attract, desk)) {}
@@ -22,7 +22,7 @@ struct Visit::State {
   Desk desk;
   Measuring measuring;
   std::unique_ptr<Screen> screen;
-  std::unique_ptr<Page> page;  ///< The one last shown.
+  std::unique_ptr<Page> page;  ///< The last one shown.
   IdleWatch idle;
   Over over = Over::nothing;
   bool by_keys = false, wanders = false;
@@ -31,9 +31,9 @@ struct Visit::State {
   double changed_at = -10, updated_at = -1;
   int tight = 0;  ///< Step of give_way().
   std::string tight_for;
-  std::string laid_out_for;  ///< Size and side that the screen under all else was laid out for.
+  std::string laid_out_for;  ///< Size and side of the layout under the overlay.
   std::array<Vec3, kMaxHands> device_at{};
-  bool hands_taken = false;  ///< LoopStatus::hands_taken, as last looked at.
+  bool hands_taken = false;  ///< LoopStatus::hands_taken at the last look.
 
   void reworded();
   void changed();

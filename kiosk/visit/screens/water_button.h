@@ -2,21 +2,21 @@
 
 namespace onggi::screens {
 
-/// Water is a switch for a tap, and a sponge for as long as it is pressed.
+/// Water is a switch for a tap, and a held sponge for a long press.
 class WaterButton {
  public:
-  static constexpr double kSoakHold = 0.6;  ///< s: a press this long is a sponge held.
+  static constexpr double kSoakHold = 0.6;  ///< s: a longer press is a held sponge.
 
   bool wet() const { return wet_; }
   void set(bool on) { wet_ = on; }
-  /// It goes down at `now`, s.
+  /// Pressed at `now`, s.
   void hold(double now);
-  /// It comes up, or a key pressed it.
+  /// Released, or pressed by a key.
   void press(double now);
 
  private:
   bool wet_ = false, was_wet_ = false;
-  double down_at_ = -1;  ///< Below 0: it is up.
+  double down_at_ = -1;  ///< Below 0: not pressed.
 };
 
 }  // namespace onggi::screens

@@ -13,7 +13,7 @@ bool WheelHands::pointer(const InputEvent& e, Vec2 at, const ClayView& clay, Gri
     return true;
   }
   if (e.finger != 0) {
-    // Two fingers hold the wall between them; more of them rest on the glass.
+    // Two fingers hold the wall between them; further ones are ignored.
     if (e.finger == 1 && !tool && grip == Grip::both)
       lead_.pinch(e.kind == InputEvent::Kind::pointer_up ? std::nullopt : std::optional(at), clay);
     return false;

@@ -10,28 +10,27 @@
 
 namespace onggi::screens {
 
-/// The hands at the wheel as pointers and keys lead them: both of one visitor, or one of each of
-/// two.
+/// The hands at the wheel that pointers and keys lead: both of one visitor, or one of each of two.
 class WheelHands {
  public:
-  static constexpr double kNotch = 0.002;  ///< m a scroll notch or a key press.
+  static constexpr double kNotch = 0.002;  ///< m for a scroll notch or a key press.
 
-  /// `two`: visitors with a hand each.
+  /// `two`: two visitors with a hand each.
   WheelHands(const Wheel& wheel, bool two)
       : lead_({wheel.palm, wheel.palm_radius}, {0, wheel.tool_radius}) {
     if (two) two_.emplace(wheel);
   }
 
-  /// `at`: x right of the axis, y height, metres. `tool`: one is held. True where they are to be
+  /// `at`: x right of the axis, y height, metres. `tool`: one is held. True if the hands must be
   /// sent to the wheel.
   bool pointer(const view::InputEvent& event, Vec2 at, const ClayView& clay, device::Grip grip,
                bool tool);
-  /// Metres away from the axis and upwards; `sign`: the side where they begin, as PointerLead's.
+  /// Metres away from the axis and upwards; `sign`: the side where they begin, as in PointerLead.
   void move_by_keys(const ClayView& clay, device::Grip grip, double sign, double outward,
                     double up);
-  /// Once a frame, while active().
+  /// Call once a frame, while active().
   void follow(const ClayView& clay, double dt, const std::array<bool, kMaxHands>& contact);
-  /// As PointerLead's; of two visitors the one outside takes it.
+  /// As in PointerLead; with two visitors the outside hand takes it.
   void take_up(device::WallHold::Part broad, device::WallHold::Part fine);
   void lift();
   std::array<HandInput, kMaxHands> input(Vec3 right) const;
@@ -40,7 +39,7 @@ class WheelHands {
   bool active() const { return lead_.active() || (two_ && two_->active()); }
   bool grabbed() const { return lead_.grabbed() || (two_ && two_->grabbed()); }
   bool inside() const { return lead_.inside() || (two_ && two_->inside()); }
-  /// Both hands, for whoever else leads them for a while: strokes that are shown or asked for.
+  /// Both hands, for code that leads them for a while: shown or requested strokes.
   device::PointerLead& lead() { return lead_; }
 
  private:

@@ -7,15 +7,15 @@
 
 namespace onggi::screens {
 
-/// What the visitor asks of the wheel: it starts by itself, so that touch works at once, and two
+/// The visitor's wheel speed: the wheel starts by itself, so that touch works at once, and two
 /// buttons change it in steps.
 class WheelSpeed {
  public:
-  static constexpr double kFirst = 25.0;  ///< rad/s: some 240 turns a minute.
+  static constexpr double kFirst = 25.0;  ///< rad/s: about 240 turns a minute.
   static constexpr double kStep = 2.5;    ///< rad/s
 
   explicit WheelSpeed(const Desk& desk) : asked_(std::min(kFirst, desk.wheel().max_speed)) {}
-  /// True where it was one of its two buttons: then it has been sent.
+  /// True if it was one of its two buttons; the speed was then sent.
   bool press(std::string_view control, const Desk& desk) {
     const bool faster = control == "throw.faster";
     if (!faster && control != "throw.slower") return false;
@@ -24,7 +24,7 @@ class WheelSpeed {
     send(desk);
     return true;
   }
-  /// The other way round for a left hand.
+  /// The other direction for a left hand.
   void send(const Desk& desk) const {
     desk.world.potter->wheel(desk.screen().left_handed ? -asked_ : asked_);
   }

@@ -9,7 +9,7 @@ namespace {
 Rub::Kind kind_of(std::string_view tool) {
   if (tool == "sponge") return Rub::Kind::sponge;
   if (tool == "wire") return Rub::Kind::wire;
-  // What is held by a handle, and has an edge.
+  // Tools with a handle and an edge.
   if (tool.ends_with("rib") || tool == "loop_trimmer" || tool == "needle") return Rub::Kind::rib;
   return Rub::Kind::hand;
 }

@@ -5,8 +5,8 @@
 
 namespace onggi::sound {
 
-/// What a tick of the wheel sounds like; `fire` and `volume` are left 0. While the pot is only
-/// shown to whoever passes by (LoopStatus::shown) it makes no sound. Any thread, no allocation.
+/// The sound of a tick of the wheel; `fire` and `volume` stay 0. A pot that is only shown
+/// (LoopStatus::shown) makes no sound. Any thread, no allocation.
 Heard hear(const loop::LoopStatus& status) noexcept;
 
 }  // namespace onggi::sound

@@ -7,20 +7,21 @@
 
 namespace onggi::sound {
 
-/// One hand on the clay, as it sounds.
+/// The sound of one hand on the clay.
 struct Rub {
   enum class Kind : std::uint8_t { hand, sponge, rib, wire };
   Kind kind = Kind::hand;
   double slip = 0.0;  ///< m/s: the clay's velocity against the tool.
-  double push = 0.0;  ///< N, how hard clay and tool press each other; 0: they do not touch.
+  double push = 0.0;  ///< N, between clay and tool; 0: no contact.
 };
 
-/// Everything that there is to hear at one moment. Plain values; what is no number counts as 0.
+/// Everything that can be heard at one moment. Plain values; a value that is not a number counts as
+/// 0.
 struct Heard {
-  double wheel = 0.0;              ///< rad/s, either way.
+  double wheel = 0.0;              ///< rad/s, in either direction.
   double wet = 0.0;                ///< 0 dry .. 1 dripping.
   std::array<Rub, kMaxHands> rub;  ///< A hand each.
-  double fire = 0.0;               ///< 0 .. 1: of the kiln.
+  double fire = 0.0;               ///< 0 .. 1: the kiln.
   double volume = 0.0;             ///< 0 silent .. 1.
 };
 

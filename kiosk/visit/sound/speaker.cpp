@@ -19,11 +19,11 @@ std::int64_t monotonic_ns() {
   return now.tv_sec * 1'000'000'000LL + now.tv_nsec;
 }
 
-// ALSA writes a screenful to standard error where there is no card; SDL says it in a line.
+// Without a card ALSA writes a screenful to standard error; SDL reports it in a line.
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 
-/// Below the 1 kHz loop, which takes turns with it, and above what draws: a block is due every 8
-/// ms. SDL's own way there is a service of the desktop's that a kiosk does not have.
+/// Below the 1 kHz loop, which shares a core with it, and above the drawing, because a block is due
+/// every 8 ms. SDL's own way is a desktop service that a kiosk does not have.
 void rise_above_drawing() noexcept {
   sched_param parameter{};
   parameter.sched_priority = Speaker::kPriority;
@@ -35,7 +35,7 @@ constexpr auto kBlockNs = static_cast<std::int64_t>(Speaker::kBlock / kRate * 1e
 }  // namespace
 
 Speaker::Speaker(std::function<Heard()> listen) : listen_(std::move(listen)) {
-  // The kiosk ends by its own handlers.
+  // Keep the kiosk's own signal handlers.
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   snd_lib_error_set_handler(&say_nothing);
   SDL_SetHint(SDL_HINT_AUDIO_DEVICE_APP_NAME, "Onggi");
@@ -58,7 +58,7 @@ void Speaker::open() {
     wanted.samples = kBlock;
     wanted.callback = &Speaker::asked;
     wanted.userdata = this;
-    // Another rate or more channels are SDL's to make of it.
+    // SDL converts to other rates and channels.
     device_ = SDL_OpenAudioDevice(nullptr, 0, &wanted, &got, 0);
   }
   if (device_ == 0) fault = SDL_GetError();
@@ -76,7 +76,7 @@ void Speaker::close() {
 }
 
 void Speaker::look(double now) {
-  // A card that was pulled out stops; SDL keeps its name until it is closed.
+  // A removed card stops; SDL keeps its name until it is closed.
   if (device_ != 0 && SDL_GetAudioDeviceStatus(device_) == SDL_AUDIO_STOPPED) close();
   if (device_ != 0 || now - looked_ < kLookAgain) return;
   looked_ = now;
@@ -105,7 +105,7 @@ void Speaker::play(float* out, int samples) noexcept {
   const std::int64_t now = monotonic_ns();
   if (const std::int64_t before = std::exchange(asked_ns_, now); before != 0) {
     const std::int64_t gap = now - before;
-    // SDL holds one block more than plays, so that a block's delay is not heard.
+    // SDL holds one more block than it plays, so that a block's delay is not heard.
     if (gap > 2 * kBlockNs) late_.fetch_add(1, std::memory_order_relaxed);
     if (gap > worst_gap_ns_.load(std::memory_order_relaxed))
       worst_gap_ns_.store(gap, std::memory_order_relaxed);

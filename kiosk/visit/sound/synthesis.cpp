@@ -9,24 +9,24 @@ namespace onggi::sound {
 
 namespace {
 
-constexpr unsigned kTuned = 16;  // samples between two turns of a filter
-constexpr double kLeast = 1e-4;  // m/s and N: what is slower or lighter is at rest
+constexpr unsigned kTuned = 16;  // samples between two changes of a filter
+constexpr double kLeast = 1e-4;  // m/s and N: smaller values count as rest
 
-// A figure from 0 up, of which `half` is heard half as loud as the most.
+// A value from 0 up; `half` sounds half as loud as the maximum.
 double grown(double x, double half) { return x / (x + half); }
 
 double sane(double x, double most) {
   return std::isfinite(x) ? std::clamp(std::fabs(x), 0.0, most) : 0.0;
 }
 
-// As tubes do: 1 at the most, and straight where it is quiet (Pade's tanh).
+// Like tubes: at most 1, and linear at low level (Pade's tanh).
 double limited(double x) {
   const double t = std::clamp(x, -3.0, 3.0);
   return t * (27.0 + t * t) / (27.0 + 9.0 * t * t);
 }
 
 struct Timbre {
-  double low, high;  // Hz of the band, at rest and in haste
+  double low, high;  // Hz of the band, at rest and at speed
   double q, loud;
 };
 
@@ -55,7 +55,7 @@ double Synthesis::RubVoice::next(const Rub& rub, double wet, bool tune) noexcept
       loud.to(rubs ? timbre.loud * grown(push, 1.2) * std::sqrt(grown(slip, 0.4)) : 0.0);
   if (gain == 0.0) return 0.0;
   if (tune) {
-    // Water lies between: dry clay hisses, slip whispers.
+    // Wetness changes the sound: dry clay hisses, slip whispers.
     const double dull = 1.0 - 0.4 * wet;
     const double hz = dull * (timbre.low + (timbre.high - timbre.low) * haste);
     body.tune(hz, timbre.q);
@@ -67,7 +67,7 @@ double Synthesis::RubVoice::next(const Rub& rub, double wet, bool tune) noexcept
   const double in = noise.next();
   double out = body.next(in);
   if (rub.kind == Rub::Kind::sponge) {
-    // Water that is pressed out and drawn in again, some ten times a second.
+    // Water pressed out and drawn in again, about ten times a second.
     breath.next(squelch.next());
     out = 1.6 * body.low() * std::clamp(0.7 + 14.0 * breath.low(), 0.0, 1.6);
   } else {
@@ -85,7 +85,7 @@ double Synthesis::FireVoice::next(double fire, bool tune) noexcept {
     crack.tune(1900.0, 1.2);
   }
   rumble.next(noise.next());
-  // Three sparks a second, each gone in some milliseconds.
+  // Three sparks a second, each lasting some milliseconds.
   const bool one = sparks.next() > 1.0 - 2.0 * 3.0 / kRate;
   const double flash = spark.to(one ? 60.0 : 0.0);
   return gain * (1.3 * rumble.low() * (0.75 + 0.25 * breath.next(0.13)) +
@@ -95,7 +95,7 @@ double Synthesis::FireVoice::next(double fire, bool tune) noexcept {
 double Synthesis::hum(double wheel) noexcept {
   const double speed = wheel_.to(sane(wheel, 100.0));
   if (speed < 0.05) return 0.0;
-  // A belt of four to one on a motor of six poles: 4 rad/s more are 16 Hz more.
+  // A belt of four to one on a six-pole motor: 4 rad/s more are 16 Hz more.
   const double hz = 28.0 + 4.0 * speed;
   const double gain = 0.05 * grown(speed, 6.0) * std::min(speed, 1.0);
   const double tone = partials_[0].next(hz) + 0.5 * partials_[1].next(2.0 * hz) +
@@ -111,7 +111,7 @@ void Synthesis::play(const Heard& heard, std::span<float> out) noexcept {
     const double wet = wet_.to(wet_now);
     double sum = hum(heard.wheel) + fire_.next(heard.fire, tune) + song_.next();
     for (std::size_t i = 0; i < rubs_.size(); ++i) sum += rubs_[i].next(heard.rub[i], wet, tune);
-    // Loudness goes by the square, roughly, so that half of the slider sounds like half.
+    // Loudness follows roughly the square, so that half of the slider sounds like half.
     const double level = volume_.to(volume);
     sample = static_cast<float>(limited(level * level * sum));
   }

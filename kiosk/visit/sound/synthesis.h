@@ -9,20 +9,20 @@
 
 namespace onggi::sound {
 
-/// A quiet studio, made of what is heard: the wheel's hum by its speed, clay that rubs on a hand, a
-/// sponge, a rib or a wire by slip and push, and a kiln. No recording; the same figures give the
-/// same samples everywhere. Whatever it is told, no sample leaves -1..1 and no step of a figure is
-/// a click. No allocation, no lock: it runs where a sound card asks.
+/// Synthesises a quiet studio: the wheel's hum by its speed, clay that rubs on a hand, a sponge, a
+/// rib or a wire by slip and push, and a kiln. No recordings; the same inputs give the same samples
+/// everywhere. For any input the samples stay in -1..1, and a jump of an input makes no click. No
+/// allocation, no lock: it runs on the sound card's thread.
 class Synthesis {
  public:
-  /// Goes on by out.size() samples of one channel, kRate a second, while all is as in `heard`. What
-  /// touches now is two thirds as loud as it will be after 3 ms.
+  /// Fills `out` with samples of one channel, kRate a second, for the state `heard`. A new touch
+  /// reaches two thirds of its loudness after 3 ms.
   void play(const Heard& heard, std::span<float> out) noexcept;
-  /// Begins with the next sample, over whatever else is heard.
+  /// Begins with the next sample, over the other sounds.
   void sing(const OutlineSong& song) noexcept { song_.sing(song); }
 
  private:
-  /// What rubs: noise through a band, and what a sponge or a wire adds.
+  /// Rubbing: noise through a band, plus the sound of a sponge or a wire.
   struct RubVoice {
     explicit RubVoice(std::uint32_t seed) noexcept : noise(seed), squelch(seed + 7) {}
     Noise noise, squelch;

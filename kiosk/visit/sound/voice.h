@@ -4,17 +4,17 @@
 
 namespace onggi::sound {
 
-/// Samples a second: everything here is made at this rate.
+/// Samples a second, for everything here.
 inline constexpr double kRate = 48000.0;
 
-/// A figure that follows what it is told and never leaps, since a leap is a click: a one-pole
-/// low-pass that is two thirds of the way after `seconds`.
+/// A value that follows its target without jumps, because a jump is a click: a one-pole low-pass
+/// that has covered two thirds of the way after `seconds`.
 class Glide {
  public:
   explicit Glide(double seconds) noexcept;
   double to(double wanted) noexcept {
     at_ += pace_ * (wanted - at_);
-    // A tail below the last bit of 24 is silence, and denormal numbers are slow.
+    // A tail below the last of 24 bits is silence, and denormal numbers are slow.
     if (wanted == 0.0 && at_ < 1e-7) at_ = 0.0;
     return at_;
   }
@@ -23,7 +23,7 @@ class Glide {
   double pace_, at_ = 0.0;
 };
 
-/// White noise from -1 to 1, the same for the same seed everywhere (xorshift: Marsaglia 2003).
+/// White noise from -1 to 1; a seed gives the same noise everywhere (xorshift: Marsaglia 2003).
 class Noise {
  public:
   explicit Noise(std::uint32_t seed) noexcept : state_(seed | 1u) {}
@@ -38,9 +38,9 @@ class Noise {
   std::uint32_t state_;
 };
 
-/// A filter of second order that may be turned while it sounds (trapezoidal state-variable filter:
-/// Zavalishin, The Art of VA Filter Design, 2012, chapter 4). `next` gives its band, at most 1 at
-/// the middle, and `low` what it leaves below.
+/// A second-order filter whose frequency may change while it sounds (trapezoidal state-variable
+/// filter: Zavalishin, The Art of VA Filter Design, 2012, chapter 4). `next` returns its band, at
+/// most 1 at the middle, and `low` the part below.
 class Band {
  public:
   /// `hz` 20..15000, `q` 0.3..20: middle over width.
@@ -61,16 +61,16 @@ class Band {
   double band_ = 0.0, low_ = 0.0, below_ = 0.0;
 };
 
-/// A tone that may change its pitch at any sample without a click.
+/// A tone whose pitch may change at any sample without a click.
 class Tone {
  public:
-  /// In turns; `hz` below kRate / 2.
+  /// Phase in turns; `hz` below kRate / 2.
   double next(double hz) noexcept {
     turn_ += hz / kRate;
     turn_ -= static_cast<double>(static_cast<int>(turn_));
     return sine(turn_);
   }
-  /// sin(2 pi turn) by Bhaskara's fraction, 0.2 % off: its own harmonics are 50 dB below it.
+  /// sin(2 pi turn) by Bhaskara's fraction, 0.2 % off: its harmonics are 50 dB below it.
   static double sine(double turn) noexcept {
     const double half = turn < 0.5 ? turn : turn - 0.5;
     const double p = half * (0.5 - half);
