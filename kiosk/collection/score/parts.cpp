@@ -8,8 +8,9 @@ namespace onggi::score {
 
 namespace {
 
-/// Percentages that have names: a fiftieth, a thirtieth ... half ... as much again.
-constexpr int kParts[] = {2, 3, 5, 7, 10, 12, 17, 20, 25, 33, 40, 50, 60, 67, 75, 90, 100};
+/// Percentages that have names: a fiftieth, a thirtieth ... half ... nine tenths; and kFar: "far".
+constexpr int kFar = 100;
+constexpr int kParts[] = {2, 3, 5, 7, 10, 12, 17, 20, 25, 33, 40, 50, 60, 67, 75, 90, kFar};
 
 bool ends_with(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() &&

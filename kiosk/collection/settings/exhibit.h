@@ -17,7 +17,7 @@ namespace onggi::settings {
 /// explains them to curators. Relative paths, also default ones, start at the folder of the file.
 struct Exhibit {
   std::filesystem::path file;  ///< The file that was read.
-  std::map<std::string, std::string> title{{"en", "Throw a pot"},
+  std::map<std::string, std::string> title{{"en", "Make a pot"},
                                            {"ko", "도자기 빚기"}};  ///< By language.
   std::string credit = "Onggi";                    ///< Printed on the keepsake; 1..120 letters.
   std::vector<std::string> languages{"en", "ko"};  ///< The first is the default; 1..12 of them.

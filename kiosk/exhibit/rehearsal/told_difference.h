@@ -18,7 +18,7 @@ struct ToldDifference {
 /// From the first "Middle: 8 mm too narrow." in `text`. Nothing if there is none.
 std::optional<ToldDifference> understand(const std::string& text,
                                          const content::Language& language);
-/// The advice for a pot that answers a description: "To try: Widen, Rim."
+/// The advice for a pot that answers a description: "Try: Widen, Rim."
 struct AdvisedStroke {
   device::WallPart part = device::WallPart::middle;
   device::Ask ask = device::Ask::even;

@@ -26,6 +26,8 @@ class Narrator {
   void again() { again_ = true; }
   /// True while something is probably being spoken.
   bool speaks(double now) const { return under_way_ != 0 && now < until_; }
+  /// A visitor is still holding: speaks first that holding on brings one switch.
+  void hold_on() { hold_on_ = true; }
   /// The voice has finished or dropped it.
   void ended(std::uint64_t id);
   /// The visitor has left.

@@ -86,7 +86,7 @@ class Desk {
   }
   /// The title over the pot: the vessel's or the mission's name.
   std::string heading() const;
-  /// The title over the result: "Your answer to: Moon jar".
+  /// The title over the result: "Inspired by: Moon jar".
   std::string answer() const;
   /// A remark in the visitor's language, with litres in its decimal notation.
   std::string said(const score::Remark& remark) const;
