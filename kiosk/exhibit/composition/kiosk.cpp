@@ -52,7 +52,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
     lost->close_visit();
   });
   const render::RenderStatus drawn_by = kiosk->renderer_->status();
-  files::log_line("Drawing with " + drawn_by.device +
+  files::log_line("Drawing with " + drawn_by.device + " by " +
+                  (drawn_by.embedded ? "OpenGL ES" : "OpenGL") +
                   (drawn_by.software ? ", without a GPU." : "."));
 
   if (options.stepped) {

@@ -92,7 +92,9 @@ tl::unexpected<Problem> no_display(const std::string& reason) {
   };
   if (given("DISPLAY"))
     return problem("display", "No window can be opened: " + reason + ".",
-                   "Start Onggi on a machine with an X display, or under xvfb-run.", 1);
+                   std::string("Check that an X server runs on the display that DISPLAY names, ") +
+                       std::getenv("DISPLAY") + ", or start Onggi under xvfb-run.",
+                   1);
   if (given("WAYLAND_DISPLAY"))
     return problem(
         "display",
