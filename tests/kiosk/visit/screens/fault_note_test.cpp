@@ -13,9 +13,9 @@ TEST(FaultNote, WhatTheWheelPutRightIsToldInKindWordsForAWhileAndForgottenAtTheW
     const char* en;
     const char* ko;
   };
-  for (const Told& told : {Told{kFaultInput, "lost sight of the hand", "손이 잠깐 보이지"},
-                           Told{kFaultTime, "catch its breath", "숨을 골랐습니다"},
-                           Told{kFaultForce, "eased the force", "힘을 잠깐 풀었습니다"}})
+  for (const Told& told : {Told{kFaultInput, "lost track of the hand", "손을 잠깐 놓쳤습니다"},
+                           Told{kFaultTime, "paused for a moment", "물레가 잠깐 멈췄습니다"},
+                           Told{kFaultForce, "eased the force", "힘을 잠깐 줄였습니다"}})
     for (const bool korean : {false, true}) {
       Visitor v;
       if (korean) v.touch("language");

@@ -109,8 +109,8 @@ TEST(Description, SaysWhatThePotHoldsWhileItIsThrownAndWhatWouldBringItNearer) {
     if (said.back() == '.') said.pop_back();
     EXPECT_THAT(words_in(v.frame), HasSubstr("It holds " + said + " l of 1 l."));
     v.frames(3);
-    EXPECT_THAT(words_in(v.frame), HasSubstr(hundredths < 97    ? "From inside, draw"
-                                             : hundredths > 110 ? "From outside, draw"
+    EXPECT_THAT(words_in(v.frame), HasSubstr(hundredths < 97    ? "from inside"
+                                             : hundredths > 110 ? "from outside"
                                                                 : "should be lower"))
         << said;
   }
@@ -188,7 +188,7 @@ TEST(Description, IsToldToWhoDoesNotSeeTheScreen) {
   const Reading reading = v.visit->reading();
   EXPECT_THAT(reading.differences, Contains(HasSubstr("l of 1 l.")));
   EXPECT_THAT(reading.differences, Contains("Try: Widen, Whole pot."));
-  EXPECT_THAT(words_in(v.frame), Not(HasSubstr("From inside, draw"))) << "it does not draw";
+  EXPECT_THAT(words_in(v.frame), Not(HasSubstr("from inside"))) << "it does not draw";
   for (const Control& c : reading.controls) EXPECT_THAT(c.note, Not(HasSubstr("mm")));
 }
 
@@ -211,8 +211,8 @@ TEST(Description, AdvisesTheStrokeThatBringsItNearerByTheNamesOfItsButtons) {
   for (const Case& one :
        {Case{0.03, wants(3, any, any_mouth), "Try: Widen, Whole pot."},
         Case{0.06, wants(0.1, any, any_mouth), "Try: Narrow, Whole pot."},
-        Case{0.03, wants(0.5, any, {0.14, 0.2}), "To try: Widen, Rim."},
-        Case{0.06, wants(1.9, any, {0.04, 0.06}), "To try: Narrow, Rim."},
+        Case{0.03, wants(0.5, any, {0.14, 0.2}), "Try: Widen, Rim."},
+        Case{0.06, wants(1.9, any, {0.04, 0.06}), "Try: Narrow, Rim."},
         Case{0.04, wants(0.9, {0.04, 0.6 * h}, any_mouth), "It should be lower."}}) {
     SCOPED_TRACE(one.advice);
     Visitor v;

@@ -237,7 +237,7 @@ TEST(TwoHands, WithoutTheMissionTwoFingersAreBothHandsOfOneVisitor) {
 
 TEST(TwoHands, SaysWhoseHalfIsWhoseAndTheResultIsBoths) {
   AtWheel v(kTwo);
-  EXPECT_THAT(words_in(v.frame), HasSubstr("Left half: the hand inside."));
+  EXPECT_THAT(words_in(v.frame), HasSubstr("Left half: the inside hand."));
   EXPECT_FALSE(v.visit->control("throw.show")) << "that is done by both hands of one";
   v.touch("throw.done");
   v.frames(1);
@@ -256,7 +256,7 @@ TEST(TwoHands, WhoHasStrokesByButtonsIsToldThatBothHandsMakeThem) {
     };
     press("attract.begin");
     press("choose.mission.0");
-    constexpr const char* kBoth = "With strokes by buttons both hands work together";
+    constexpr const char* kBoth = "The buttons move both hands together";
     EXPECT_EQ(words_in(v.frame).find(kBoth) != std::string::npos, one_switch);
     press("choose.throw");
     v.frames(1);
@@ -281,7 +281,7 @@ TEST(EyesClosed, ThePotAndItsLineAreNotShownAndTheScreenIsDark) {
     for (const auto& [x, y] : line->points)
       EXPECT_LT(x, 0.4f * static_cast<float>(v.width)) << "nothing of any outline";
   }
-  EXPECT_THAT(words_in(v.frame), HasSubstr("Press outwards there")) << "words say how it goes";
+  EXPECT_THAT(words_in(v.frame), HasSubstr("Push out there")) << "words say how it goes";
   EXPECT_THAT(words_in(v.frame), HasSubstr("empty part of the screen")) << "and where";
   EXPECT_TRUE(v.visit->control("back"));
   EXPECT_TRUE(v.visit->control("throw.done"));

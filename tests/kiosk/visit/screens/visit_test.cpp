@@ -149,7 +149,7 @@ TEST(Visit, APostcardThatCouldNotBeKeptIsSaidKindly) {
   v.touch("result.keep");
   v.visit->keepsake_failed({"/full/disk", "No space is left on the device.", "Make room."});
   v.show();
-  EXPECT_NE(words_in(v.frame).find("sorry"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("Sorry"), std::string::npos);
   EXPECT_EQ(words_in(v.frame).find("/full/disk"), std::string::npos);
 }
 
@@ -262,7 +262,7 @@ TEST(Visit, AnEmptyShelfIsSaidAndIsNoDeadEnd) {
   Visitor v(0);
   v.down(600, 300);
   v.show();
-  EXPECT_NE(words_in(v.frame).find("empty"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("No vessel is ready"), std::string::npos);
   v.up(600, 300);
   v.touch("back");
   EXPECT_EQ(v.visit->screen(), ScreenId::attract);
