@@ -46,7 +46,7 @@ class AccuracySheet : private ChartPen {
   void tone_scale(double x, double y, double width);
 
   const AccuracyChart& chart_;
-  std::vector<std::array<double, 4>> taken_;  // where words are: left, top, right, bottom
+  std::vector<std::array<double, 4>> taken_;  // areas of placed words: left, top, right, bottom
 };
 
 void AccuracySheet::head() {
@@ -102,7 +102,7 @@ void AccuracySheet::no_time(const ChartPanel& p) {
   taken_.push_back({at - 2, middle - half, at + 36, middle + half});
 }
 
-/// What is said of less than the reference is sure of means nothing.
+/// Figures below the accuracy of the reference mean nothing.
 void AccuracySheet::unsure(const ChartPanel& p) {
   const double at = std::clamp(p.y(chart_.unsure), p.top, p.bottom);
   if (!(chart_.unsure > 0.0) || p.bottom - at < 4) return;
@@ -114,7 +114,7 @@ void AccuracySheet::unsure(const ChartPanel& p) {
         {.px = kSmallLetter, .side = -1, .color = view::kFaintInk});
 }
 
-/// Each named under its line, at the right.
+/// Each name is under its line, at the right.
 void AccuracySheet::thresholds(const ChartPanel& p) {
   for (const auto& t : chart_.thresholds) {
     const double at = p.y(t.mm);
@@ -139,7 +139,7 @@ void AccuracySheet::cloud(const ChartPanel& p) {
   }
 }
 
-/// Nothing lies to the left of it and below: a step line, since between two settings there is none.
+/// No mark is to the left of it and below: a step line, because nothing is between two settings.
 void AccuracySheet::edge(const ChartPanel& p) {
   if (chart_.edge.empty()) return;
   cairo_move_to(c_, p.x(chart_.edge.front().us), p.top);
@@ -185,7 +185,7 @@ bool AccuracySheet::free(const std::array<double, 4>& box) const {
   });
 }
 
-/// Small, each tied to its mark, on the side where no line is.
+/// Small, each tied to its mark, on the side without a line.
 void AccuracySheet::pots_beside_marks(const ChartPanel& p) {
   constexpr int kPotSide = 82;
   for (const AccuracyChart::Pot& pot : chart_.pots) {
@@ -213,7 +213,7 @@ void AccuracySheet::pots_beside_marks(const ChartPanel& p) {
   }
 }
 
-/// Beside its mark, at the first place where nothing else is.
+/// Beside its mark, at the first free place.
 void AccuracySheet::name_mark(const ChartPanel& p, const AccuracyChart::Mark& mark,
                               view::Color color, bool above) {
   if (mark.name.empty()) return;
@@ -291,7 +291,7 @@ void AccuracySheet::star(double x, double y, double size) {
   cairo_stroke(c_);
 }
 
-/// What is felt, as a multiple of the truth: 1 on any grid, or it is no force.
+/// The felt force as a multiple of the true one: 1 on every grid if it converges.
 void AccuracySheet::forces(const ChartPanel& p) {
   if (chart_.forces.empty()) return;
   words("The force that is felt, as a multiple of the true one", p.left - 110, p.top - 46,
@@ -338,7 +338,7 @@ void AccuracySheet::tone_scale(double x, double y, double width) {
   }
 }
 
-/// A row of vases, coarse to fine, each coloured by how far it is off.
+/// A row of vases, coarse to fine, each coloured by its error.
 void AccuracySheet::pots(double top) {
   if (chart_.pots.empty()) return;
   ink(view::kFaintInk, 0.35);

@@ -9,7 +9,7 @@ namespace onggi::drawing {
 
 inline constexpr double kFullCircle = 6.283185307179586;  // rad
 
-/// Where a panel of a chart lies, pixels,, and its scales.
+/// The place of a panel in a chart, pixels, and its scales.
 struct ChartPanel {
   double left, right, top, bottom;
   PlotScale xs, ys;
@@ -23,12 +23,12 @@ struct ChartPanel {
 /// From `low` to `high`, both above zero.
 PlotScale decades(double low, double high);
 
-/// What charts of several panels are drawn with.
+/// Drawing tools for charts with several panels.
 class ChartPen : protected Pen {
  protected:
   /// Grid, figures and names of both axes.
   void axes(const ChartPanel& panel, const std::string& across, const std::string& up);
-  /// A mark on a rim of paper.
+  /// A mark with a rim of paper.
   void disc(double x, double y, double r, view::Color color, bool hollow);
 };
 

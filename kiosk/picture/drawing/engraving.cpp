@@ -10,14 +10,14 @@ namespace onggi::drawing {
 
 namespace {
 
-constexpr int kFine = 2;  // samples a pixel, each way
-/// A step in depth of more than this share of the picture's height is an edge.
+constexpr int kFine = 2;  // samples a pixel in each direction
+/// A larger step in depth, as a share of the picture's height, is an edge.
 constexpr float kStep = 0.012f;
-/// So is a turn of the surface by more than some 35 degrees.
+/// A surface that turns by more than about 35 degrees is an edge too.
 constexpr float kCrease = 0.82f;
 
 struct Sample {
-  float depth = -std::numeric_limits<float>::infinity();  // nearer is larger
+  float depth = -std::numeric_limits<float>::infinity();  // larger is nearer
   float nx = 0, ny = 0, nz = 0;
   bool left_out = false;
 };
@@ -102,7 +102,7 @@ void Plate::press(const TriangleMesh& mesh) {
                              static_cast<std::size_t>(column)];
         if (static_cast<float>(here.z) <= s.depth) continue;
         Vec3 normal = n[0] * w0 + n[1] * w1 + n[2] * w2;
-        // A scan's skin may be wound either way; what is seen faces the eye.
+        // A scan's surface may be wound either way; a visible face counts as facing the eye.
         if (normal.z < 0.0) normal = -normal;
         const double size = length(normal);
         if (!(size > 0.0)) continue;
@@ -124,7 +124,7 @@ float Plate::edge(int x, int y) const {
     if (x + dx < 0 || y + dy < 0 || x + dx >= width_ || y + dy >= height_) continue;
     const Sample& o = at(x + dx, y + dy);
     if (std::isinf(o.depth)) return 1.0f;
-    // On a slope that runs away from the eye neighbours lie far apart without a break.
+    // On a slope that recedes from the eye, neighbours are far apart without a break.
     if (s.depth - o.depth > step && s.depth - o.depth > 3.0f * step * (1.0f - s.nz)) line = 1.0f;
     if (s.nx * o.nx + s.ny * o.ny + s.nz * o.nz < kCrease) line = std::max(line, 0.55f);
   }
@@ -137,7 +137,7 @@ view::Image Plate::print() const {
   out.height = height_ / kFine;
   out.rgba.assign(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4,
                   0);
-  // From the upper left, as drawings have been lit since drawing began.
+  // From the upper left, the convention of drawings.
   const Vec3 light = Vec3{-0.52, 0.56, 0.65} * (1.0 / length(Vec3{-0.52, 0.56, 0.65}));
   for (int py = 0; py < out.height; ++py)
     for (int px = 0; px < out.width; ++px) {
@@ -146,7 +146,7 @@ view::Image Plate::print() const {
         const int x = px * kFine + k % kFine, y = py * kFine + k / kFine;
         const Sample& s = at(x, y);
         if (std::isinf(s.depth)) continue;
-        // Half of the light reaches round the form, so that no part of it is lost in shadow.
+        // Half of the light reaches round the form, so that no part disappears in shadow.
         const double lit = 0.5 + 0.5 * (s.nx * light.x + s.ny * light.y + s.nz * light.z);
         const auto tone = static_cast<float>(0.36 + 0.62 * lit * std::sqrt(lit));
         const view::Color paper = s.left_out ? view::rgb(0xE9B08F) : view::rgb(0xFBF7F0);

@@ -15,10 +15,10 @@ struct EngravingWindow {
   double pixels_per_metre = 1000.0;
 };
 
-/// `mesh` seen from +z without perspective, as grey tone on nothing: shaded by a light from the
-/// upper left, with a line where the depth breaks and where the surface turns sharply. What lies
-/// further from the y axis than the line `limit` (radius over height, rising) is tinted as left
-/// out. Needs no display or GPU. Four samples a pixel. Allocates; any thread.
+/// `mesh` seen from +z without perspective, in grey tones on a transparent ground: lit from the
+/// upper left, with a line where the depth breaks or the surface turns sharply. Places further from
+/// the y axis than the line `limit` (radius over height, rising) are tinted as left out. Needs no
+/// display or GPU. Four samples a pixel. Allocates; any thread.
 view::Image engrave(const TriangleMesh& mesh, std::span<const Vec2> limit,
                     const EngravingWindow& window);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kHalfTurn = 3.14159265358979324;
 constexpr double kLeast = 1e-6, kDecades = 3.0;  // m; up to a millimetre
-constexpr int kSamples = 2;                      // a pixel, each way
+constexpr int kSamples = 2;                      // samples a pixel in each direction
 
 constexpr std::array<view::Color, 5> kTones{view::rgb(0x2E6B57), view::rgb(0x9DB5A0),
                                             view::rgb(0xF1E4C8), view::rgb(0xD98B4A),
@@ -45,7 +45,8 @@ struct PotSample {
   double r = 0, g = 0, b = 0, a = 0;
 };
 
-// What is seen at `x` (m right of the axis) and `up` (share of the height): the ray goes along z.
+// The visible place at `x` (m right of the axis) and `up` (share of the height): the ray goes along
+// z.
 PotSample seen_on(const PotFace& pot, const Turned& turned, double x, double up) {
   double angle = 0.5 * kHalfTurn, radius = 0.0;
   // The surface is nearly round: a few rounds of x = -r cos(angle) find it.

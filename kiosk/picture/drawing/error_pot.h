@@ -7,22 +7,22 @@
 
 namespace onggi::drawing {
 
-/// A pot's outside as the half of it that faces the reader: places from left to right and foot up.
+/// The half of a pot's outside that faces the reader: columns from left to right, foot first.
 struct PotFace {
   int columns = 0, rows = 0;
   double height = 0.1;        ///< From the lowest row to the highest, m.
   std::vector<float> radius;  ///< m, columns x rows.
-  std::vector<float> off;     ///< How far each place is off, m.
+  std::vector<float> off;     ///< Error of each place, m.
 };
 
-/// The pot without perspective, `pixels` high on nothing, lit from the upper left, each place in
-/// the tone of its error. Four samples a pixel. Allocates; any thread.
+/// The pot without perspective, `pixels` high on a transparent ground, lit from the upper left,
+/// each place in the colour of its error. Four samples a pixel. Allocates; any thread.
 view::Image paint_pot(const PotFace& pot, int pixels);
 
-/// From celadon (a thousandth of a millimetre and less) over plaster to iron (a millimetre and
-/// more), by decades. `off` in m.
+/// From celadon (a thousandth of a millimetre or less) over plaster to iron (a millimetre or more),
+/// in decades. `off` in m.
 view::Color tone_of_error(double off);
-/// Where on that scale an error lies, 0..1, and back.
+/// Position of an error on that scale, 0..1, and back.
 double share_of_error(double off);
 double error_from_share(double share);
 

@@ -108,7 +108,7 @@ double Pen::width_of(const std::string& words, const Lettering& how) {
 }
 
 void Pen::picture(const view::Image& image, double x, double y) {
-  // Cairo wants colours that are multiplied by their alpha, blue first.
+  // Cairo needs premultiplied colours, blue first.
   const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_ARGB32, image.width);
   std::vector<unsigned char> bytes(static_cast<std::size_t>(stride) *
                                    static_cast<std::size_t>(image.height));
@@ -127,7 +127,7 @@ void Pen::picture(const view::Image& image, double x, double y) {
       to[2] = scaled(from[0]);
       to[3] = from[3];
     }
-  // Cairo's own, since a vector's page reads it when it is finished.
+  // Cairo owns it, because a vector page reads it when it is finished.
   cairo_surface_t* laid =
       cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height);
   cairo_surface_flush(laid);

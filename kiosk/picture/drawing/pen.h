@@ -14,20 +14,20 @@ namespace onggi::drawing {
 /// The paper of sheets and plots.
 inline constexpr view::Color kPaper{251 / 255.0f, 248 / 255.0f, 242 / 255.0f};
 
-/// How words are set.
+/// The style of words.
 struct Lettering {
   double px = 24;  ///< Size of a letter.
-  int side = 1;    ///< -1: they end at x, 0: they stand about it, +1: they begin there.
+  int side = 1;    ///< -1: they end at x, 0: they are centred on it, +1: they begin there.
   view::Color color{};
-  double width = 0;  ///< They are broken at it; 0: one line.
-  int lines = 0;  ///< No more than these where they are broken, the last ending in "…"; 0: any.
-  bool serif = false;  ///< As titles are.
-  double turn = 0;     ///< Radians, clockwise, about the place they are put at.
-  double halo = 0;     ///< Pixels of paper round each letter, so that no line runs into it.
+  double width = 0;    ///< Line width; 0: one line.
+  int lines = 0;       ///< Most lines, the last one ending in "…"; 0: any number.
+  bool serif = false;  ///< Like titles.
+  double turn = 0;     ///< Radians, clockwise, around their position.
+  double halo = 0;     ///< Pixels of paper around each letter, so that no line touches it.
 };
 
-/// Draws on paper of its own with Cairo, and sets words with Pango: for pictures that are not on
-/// the screen. Pixels from the top left. Needs no display. Allocates; any thread, one at a time.
+/// Draws on its own paper with Cairo, and sets words with Pango, for pictures off the screen.
+/// Pixels from the top left. Needs no display. Allocates; any thread, one at a time.
 class Pen {
  public:
   Pen() = default;
@@ -35,21 +35,21 @@ class Pen {
   Pen(const Pen&) = delete;
   Pen& operator=(const Pen&) = delete;
 
-  /// Takes a fresh sheet of paper; once. `vector`: lines and letters stay such, for svg().
+  /// Takes a fresh sheet; once. `vector`: keeps lines and letters for svg().
   void begin(int width, int height, bool vector = false);
   void ink(view::Color color, double alpha = 1.0);
   void line(double x0, double y0, double x1, double y1, double width);
-  /// Sets `words` with their upper edge at y, and gives the height they take.
+  /// Sets `words` with their upper edge at y; returns their height.
   double words(const std::string& words, double x, double y, const Lettering& how);
-  /// The height that words() would take.
+  /// The height of the words for words().
   double height_of(const std::string& words, const Lettering& how);
-  /// How wide `words` are on one line.
+  /// Width of `words` on one line.
   double width_of(const std::string& words, const Lettering& how);
-  /// Lays `image` down with its upper left corner at x, y.
+  /// Draws `image` with its upper left corner at x, y.
   void picture(const view::Image& image, double x, double y);
-  /// The sheet as it is now, opaque.
+  /// The sheet so far, opaque.
   view::Image image() const;
-  /// The same as the bytes of a PNG, or of an SVG where it is a vector. Once, at the end.
+  /// The same as the bytes of a PNG, or of an SVG for a vector sheet. Once, at the end.
   std::vector<std::byte> bytes();
 
  protected:

@@ -14,9 +14,9 @@ namespace onggi::drawing {
 namespace {
 
 constexpr double kPlotMargin = 56, kPlotTitle = 40, kPlotText = 24, kFigure = 22;
-constexpr double kSwatch = 44, kTurn = 0.6;  // rad: names that have no room side by side
+constexpr double kSwatch = 44, kTurn = 0.6;  // rad: angle of names that do not fit side by side
 
-/// Okabe and Ito's colours, without the yellow that is lost on paper.
+/// Okabe and Ito's colours, without the yellow, which is invisible on paper.
 constexpr std::array<unsigned, 7> kColors{0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7,
                                           0x56B4E9, 0xE69F00, 0x3F3A36};
 
@@ -51,7 +51,7 @@ class PlotSheet : private Pen {
   view::Color color_of(std::size_t index) const {
     return p_.series[index].color.value_or(view::rgb(kColors[index % kColors.size()]));
   }
-  /// Where bar series `index` stands within its place, and how wide it is: shares of the place.
+  /// Position of bar series `index` within its place, and its width: shares of the place.
   std::pair<double, double> bar_of(std::size_t index) const;
   void stroke(std::size_t index, double width);
 
@@ -83,7 +83,7 @@ PlotScale PlotSheet::scale_of(const PlotAxis& axis, bool upright, double pixels)
   return PlotScale(axis, low, high, static_cast<int>(pixels / (upright ? 72 : 130)));
 }
 
-/// Left and bottom are where the longest figures and names leave the rest of the sheet.
+/// Left and bottom margins fit the longest figures and names.
 void PlotSheet::place() {
   const auto widest = [this](const PlotScale& scale) {
     double most = 0;
@@ -102,7 +102,7 @@ void PlotSheet::place() {
   turned_ = !p_.x.names.empty() && name + 14 > room;
   bottom_ = p_.height - kPlotMargin - (p_.x.label.empty() ? 0 : 44) -
             (turned_ ? name * std::sin(kTurn) + 34 : 38);
-  // The last turned name reaches out to the right of its place.
+  // The last turned name extends to the right of its place.
   if (turned_)
     right_ = std::min(
         right_, p_.width - 0.5 * kPlotMargin -
@@ -122,7 +122,7 @@ double PlotSheet::draw_head() {
   return at;
 }
 
-/// A row of signs and names above the plot, where they hide nothing.
+/// The legend above the plot, where it hides nothing.
 double PlotSheet::draw_legend(double top) {
   double at = kPlotMargin, row = top + 18;
   bool any = false;
@@ -151,7 +151,7 @@ void PlotSheet::stroke(std::size_t index, double width) {
   cairo_set_dash(c_, nullptr, 0, 0);
 }
 
-/// A shape as well as a colour for each series, on a rim of paper.
+/// A shape as well as a colour for each series, with a rim of paper.
 void PlotSheet::draw_mark(std::size_t index, double x, double y, double radius) {
   for (const bool rim : {true, false}) {
     const double r = radius + (rim ? 2.5 : 0.0);
@@ -251,7 +251,7 @@ void PlotSheet::draw_errors(const PlotSeries& series, double aside) {
     const double at = x(x_of(series, n)) + aside;
     const double high = y(series.y[n] + series.error[n]);
     double low = y(series.y[n] - series.error[n]);
-    if (!std::isfinite(low)) low = bottom_;  // below what a logarithm shows
+    if (!std::isfinite(low)) low = bottom_;  // below the range of a logarithm
     if (!std::isfinite(at) || !std::isfinite(high) || series.error[n] <= 0.0) continue;
     line(at, low, at, high, 2);
     for (const double end : {low, high}) line(at - 7, end, at + 7, end, 2);
@@ -286,7 +286,7 @@ void PlotSheet::draw_notes() {
     cairo_fill(c_);
     Lettering how{.px = kFigure, .color = view::kInk, .halo = 4};
     const double wide = width_of(note.text, how);
-    // To the left where there is no room on the right, and below at the upper edge.
+    // To the left if there is no space on the right, and below at the upper edge.
     how.side = at_x + 14 + wide > right_ ? -1 : 1;
     const double down = at_y - 40 < top_ ? at_y + 8 : at_y - 38;
     words(note.text, at_x + how.side * 10, down, how);

@@ -12,13 +12,13 @@ namespace onggi::drawing {
 /// One axis of a plot. It spans the data, rounded outwards to whole ticks.
 struct PlotAxis {
   std::string label{};          ///< With its unit: "force, N".
-  bool log = false;             ///< By decades: only what is above zero is drawn.
-  std::optional<double> low{};  ///< Instead of the data's; taken as they are.
+  bool log = false;             ///< In decades: only values above zero are drawn.
+  std::optional<double> low{};  ///< Instead of the data's range; used exactly.
   std::optional<double> high{};
-  std::vector<std::string> names{};  ///< Of the places 0, 1, 2... in place of figures.
+  std::vector<std::string> names{};  ///< Names of the places 0, 1, 2... instead of figures.
 };
 
-/// What belongs together: one colour and one entry of the legend.
+/// A series: one colour and one entry of the legend.
 struct PlotSeries {
   enum class Kind { line, points, line_and_points, bars };
   std::string name{};  ///< Empty: not in the legend.
@@ -27,28 +27,29 @@ struct PlotSeries {
   std::vector<double> y{};
   std::vector<double> error{};  ///< y - error to y + error, a bar with caps; empty: none.
   bool dashed = false;
-  std::optional<view::Color> color{};  ///< Else the next of seven that the colour-blind tell apart.
+  /// Absent: the next of seven colours that colour-blind readers can distinguish.
+  std::optional<view::Color> color{};
 };
 
-/// Words at a place of the plot, with a dot where they point to.
+/// Words at a place of the plot, with a dot at that place.
 struct PlotNote {
   double x = 0, y = 0;
   std::string text{};
 };
 
-/// A picture of figures, as plain values. Bars of several series stand side by side, from zero, or
-/// from the axis' lower end where that is above zero.
+/// A plot as plain values. Bars of several series are side by side, from zero, or from the axis'
+/// lower end if that is above zero.
 struct Plot {
   std::string title{};
-  std::string subtitle{};  ///< What was measured, where and how: a line or two.
+  std::string subtitle{};  ///< What was measured, where and how: one or two lines.
   PlotAxis x{}, y{};
   std::vector<PlotSeries> series{};
   std::vector<PlotNote> notes{};
   int width = 1600, height = 960;  ///< Pixels.
 };
 
-/// The picture's bytes: an SVG where the name of `file` ends in ".svg", else a PNG. Writes nothing.
-/// Every series has as many x (and errors) as y, or none. Allocates; any thread.
+/// The picture's bytes: an SVG if the name of `file` ends in ".svg", else a PNG. Writes no file.
+/// Every series needs as many x (and errors) as y, or none. Allocates; any thread.
 std::vector<std::byte> draw_plot(const Plot& plot, const std::string& file);
 
 }  // namespace onggi::drawing

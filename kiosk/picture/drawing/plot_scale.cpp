@@ -15,7 +15,7 @@ double round_step(double least) {
   return 10.0 * decade;
 }
 
-/// `value` with as many decimals as the step between ticks has.
+/// `value` with as many decimals as the step between ticks.
 std::string figure(double value, double step) {
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   char out[48];
@@ -26,7 +26,7 @@ std::string figure(double value, double step) {
   return out;
 }
 
-/// "1000", "0.01", and "10⁻⁵" where zeros would have to be counted.
+/// "1000", "0.01", and "10⁻⁵" if there were too many zeros to count.
 std::string decade_figure(int exponent) {
   if (exponent >= -3 && exponent <= 4)
     return figure(std::pow(10.0, exponent), std::pow(10.0, std::min(exponent, 0)));
@@ -55,7 +55,7 @@ PlotScale::PlotScale(const PlotAxis& axis, double low, double high, int marks) :
 
 void PlotScale::mark_evenly(const PlotAxis& axis, int marks) {
   if (high_ - low_ <= 1e-12 * std::max(std::abs(low_), std::abs(high_))) {
-    // One value only: room about it.
+    // For a single value, add space around it.
     const double room = low_ == 0.0 ? 1.0 : 0.5 * std::abs(low_);
     if (!axis.low) low_ -= low_ > 0.0 && low_ <= room ? low_ : room;
     if (!axis.high) high_ += room;
@@ -71,7 +71,7 @@ void PlotScale::mark_evenly(const PlotAxis& axis, int marks) {
 }
 
 void PlotScale::mark_decades(const PlotAxis& axis, int marks) {
-  // Outwards to 1, 2 or 5 times a power of ten; one value only: room about it.
+  // Outwards to 1, 2 or 5 times a power of ten; for a single value, add space around it.
   if (!axis.low) low_ = 1.0 / round_step(high_ > low_ ? 1.0 / low_ : 2.0 / low_);
   if (!axis.high) high_ = round_step(high_ > low_ ? high_ : 2.0 * high_);
   const int first = static_cast<int>(std::floor(std::log10(low_) + 1e-9));

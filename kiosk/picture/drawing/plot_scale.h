@@ -8,24 +8,23 @@
 
 namespace onggi::drawing {
 
-/// A mark on an axis; without a label it is a minor one.
+/// A tick of an axis; without a label it is a minor one.
 struct PlotTick {
   double at = 0;
   std::string label{};
 };
 
-/// From an axis' values to shares of its length, and where its ticks stand.
+/// Converts an axis' values to shares of its length, and places its ticks.
 class PlotScale {
  public:
-  /// `low` and `high` of the data; nothing finite among it: 0 to 1. `marks`: the most ticks that
-  /// there is room for.
+  /// `low` and `high` of the data; 0 to 1 if nothing is finite. `marks`: the most ticks that fit.
   PlotScale(const PlotAxis& axis, double low, double high, int marks);
 
-  /// 0 at the lower end, 1 at the upper one; not finite where a logarithm has no value.
+  /// 0 at the lower end, 1 at the upper one; not finite if the logarithm has no value.
   double share(double value) const;
   double low() const { return low_; }
   double high() const { return high_; }
-  /// Rising; labelled ones at 1, 2 or 5 times a power of ten, at decades, or at the axis' names.
+  /// Rising; labels at 1, 2 or 5 times a power of ten, at decades, or at the axis' names.
   const std::vector<PlotTick>& ticks() const { return ticks_; }
 
  private:

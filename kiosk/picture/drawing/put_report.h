@@ -9,12 +9,12 @@
 
 namespace onggi::drawing {
 
-/// What --json asks for: `report`, indented and with a newline, to where `output` says. True where
-/// standard output is still free for a person's summary.
+/// Handles --json: writes `report`, indented and with a newline, to `output`. True if standard
+/// output is still free for a summary.
 Result<bool> put_report(const files::Json& report, const files::Output& output);
 
-/// All that a laboratory tells: the JSON and the plot to where they are asked for, and `words` for
-/// a person, where standard output is still free for them.
+/// Writes a laboratory report: the JSON and the plot to their outputs, and `words` to standard
+/// output if that is still free.
 Result<void> put_report(const files::Json& report, const std::string& words,
                         const drawing::Plot& plot, const files::Output& json,
                         const files::Output& picture);

@@ -13,11 +13,11 @@ namespace onggi::drawing {
 namespace {
 
 constexpr double kWidth = 2400, kMargin = 130;
-/// A sheet is never taller than a page of its width: 1 to the square root of 2.
+/// A sheet is at most as tall as a page of its width: 1 to the square root of 2.
 constexpr double kPage = 3394;
-/// Below the foot's upper edge: what notes begin with, and what stays free for the credit.
+/// Below the foot's upper edge: the start of the notes, and the space reserved for the credit.
 constexpr double kFootTop = 210, kFootEnd = 190;
-/// The drawing itself, with room for diameters and the height beside it.
+/// The drawing, with space for diameters and the height.
 constexpr double kMostWide = 1560, kMostHigh = 1700;
 constexpr double kTitle = 68, kText = 33, kSmall = 29;
 
@@ -48,10 +48,9 @@ class Sheet : private Pen {
 
   const VesselSheet& s_;
   double scale_ = 1.0, axis_ = 0, base_ = 0, height_ = 0;
-  double low_ = 0, high_ = 0, left_ = 0, right_ = 0;  // of all that is drawn, metres
+  double low_ = 0, high_ = 0, left_ = 0, right_ = 0;  // of the whole drawing, metres
 
-  /// Facts and notes as they stand in the foot, each with its height; what no page holds is
-  /// counted.
+  /// Facts and notes of the foot, each with its height; those that do not fit are counted.
   struct Said {
     std::string words;
     Lettering how;
@@ -63,7 +62,7 @@ class Sheet : private Pen {
 
 constexpr double kSaidLeft = kMargin + 1270;
 
-/// Fills said_ with what `room` pixels hold, and gives the height of it.
+/// Fills said_ with what fits `room` pixels; returns its height.
 double Sheet::gather_said(double room) {
   Pen scratch;
   scratch.begin(1, 1);
@@ -89,7 +88,7 @@ double Sheet::gather_said(double room) {
   return used;
 }
 
-/// Whole figures above 10, a decimal below.
+/// Whole numbers above 10, one decimal below.
 std::string millimetres(double metres) {
   char out[32];
   const double mm = 1000.0 * metres;
@@ -109,7 +108,7 @@ void Sheet::measure() {
       right_ = std::max<double>(right_, p[0]);
     }
   for (const auto& piece : s_.slice) left_ = std::max(left_, -std::min(piece[0].x, piece[1].x));
-  // Stray splinters far away must not make the vessel small.
+  // Distant splinters must not make the vessel small.
   const double most = 3.0 * std::max(s_.belly, s_.height);
   left_ = std::min(left_, most);
   right_ = std::min(right_, most);
@@ -140,7 +139,7 @@ void Sheet::draw_head() {
         {.px = kText, .color = view::kFaintInk, .width = inside, .lines = 2});
 }
 
-/// The right half as it is seen, and whatever was left out wherever it stands to the right.
+/// The right half as seen, and everything that was left out to the right of it.
 void Sheet::draw_view() {
   EngravingWindow window;
   window.left = 0.0;
@@ -150,7 +149,7 @@ void Sheet::draw_view() {
   window.pixels_per_metre = scale_;
   picture(engrave(s_.mesh, s_.limit, window), axis_, y(window.top));
 
-  // The profile that was read, over what is seen.
+  // The extracted profile, over the view.
   ink(view::kCobalt);
   cairo_set_line_width(c_, 4);
   path(s_.outer, 1.0, false);
@@ -158,7 +157,7 @@ void Sheet::draw_view() {
 }
 
 void Sheet::draw_section() {
-  // The inside as one looks into it past the cut: an edge for each sharp turn, and for the floor.
+  // The visible inside beyond the cut: an edge for each sharp turn, and for the floor.
   ink(view::kFaintInk);
   const auto radius = [](const std::vector<Vec2>& outline, double h) {
     double r = 0.0, nearest = 1e300;
@@ -173,7 +172,7 @@ void Sheet::draw_section() {
     if (!inner.empty()) line(axis_, y(h), x(-radius(inner, h)), y(h), 2.5);
   line(axis_, y(s_.height), x(-radius(s_.outer, s_.height)), y(s_.height), 3.5);
 
-  // The wall: black where both sides were seen, hatched where the inside is inferred.
+  // The wall: black if both sides were seen, hatched if the inside is inferred.
   const bool inferred = !s_.inner_inferred.empty();
   cairo_save(c_);
   path(s_.wall, -1.0, true);
@@ -187,7 +186,7 @@ void Sheet::draw_section() {
   }
   cairo_restore(c_);
   if (inferred) {
-    // What was seen of it is black all the same.
+    // Parts that were seen are black all the same.
     cairo_save(c_);
     path(s_.wall, -1.0, true);
     cairo_clip(c_);
@@ -216,7 +215,7 @@ void Sheet::draw_section() {
   }
   cairo_set_dash(c_, nullptr, 0, 0);
 
-  // The mesh itself, cut by the drawing's plane: where it leaves the wall, the profile is not it.
+  // The mesh cut by the drawing's plane: where it leaves the wall, the profile is wrong.
   ink(kSlice);
   cairo_set_line_width(c_, 2.5);
   cairo_save(c_);
@@ -237,7 +236,7 @@ void Sheet::draw_axis() {
   line(axis_, y(high_) - 64, axis_, y(low_) + 64, 2.5);
   cairo_set_dash(c_, nullptr, 0, 0);
   if (!s_.up_doubted) return;
-  // Perhaps it stands on its head: the arrow is what was chosen.
+  // It may be upside down: the arrow shows the chosen direction.
   const double tip = y(high_) - 152, foot = y(high_) - 104;
   ink(view::kIron);
   line(axis_, foot, axis_, tip, 4);
@@ -256,7 +255,7 @@ void Sheet::draw_diameter(double height, double diameter, const char* name, bool
   line(x0, at, x1, at, 2);
   for (const double end : {x0, x1}) line(end, at - 11, end, at + 11, 2);
   const std::string figure = std::string(name) + " ⌀ " + millimetres(diameter) + " mm";
-  // Beside the axis, so that its line runs free; on paper, so that no line runs through it.
+  // Beside the axis, on a paper background, so that lines do not cross it.
   words(figure, std::max(x1, axis_) + 24, at - 23, {.px = kSmall, .color = view::kInk});
 }
 
@@ -264,7 +263,7 @@ void Sheet::draw_sizes() {
   draw_diameter(std::max(s_.height, high_), s_.mouth, "mouth", true);
   draw_diameter(low_, s_.foot, "foot", false);
 
-  // Height, left of everything; the widest place, right of everything.
+  // Height at the far left, the widest place at the far right.
   const double hx = x(-left_) - 96;
   ink(view::kFaintInk);
   line(hx, y(0), hx, y(s_.height), 2);
@@ -290,7 +289,7 @@ void Sheet::draw_sizes() {
 }
 
 double Sheet::draw_scale_bar(double top) {
-  // The longest round length that takes up to a third of the sheet, in five parts.
+  // The longest round length up to a third of the sheet, in five parts.
   double length = 1e-3;
   for (double decade = 1e-3; decade < 1e4; decade *= 10.0)
     for (const double step : {1.0, 2.0, 5.0})

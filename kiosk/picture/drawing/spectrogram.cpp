@@ -14,8 +14,8 @@ constexpr double kLowest = 30.0, kHighest = 12000.0;   // Hz
 constexpr double kFaintest = -90.0, kLoudest = -20.0;  // dB of full scale
 constexpr std::size_t kWindow = 2048;                  // samples
 
-/// The share of a sine of `hz` in `window`, 1 for one that fills the range. Goertzel's filter: two
-/// multiplications a sample, and no need that pitches be evenly spaced.
+/// The share of a sine of `hz` in `window`, 1 for a full-range sine. Goertzel's filter: two
+/// multiplications a sample, for pitches at any spacing.
 double share_of(const std::vector<double>& window, double hz, double rate) {
   const double w = kFullCircle * hz / rate, c = 2.0 * std::cos(w);
   double s0 = 0.0, s1 = 0.0, s2 = 0.0;
@@ -25,7 +25,7 @@ double share_of(const std::vector<double>& window, double hz, double rate) {
     s1 = s0;
   }
   const double power = s1 * s1 + s2 * s2 - c * s1 * s2;
-  // A Hann window lets half through.
+  // A Hann window passes one half.
   return 4.0 * std::sqrt(std::max(power, 0.0)) / static_cast<double>(window.size());
 }
 
@@ -65,7 +65,7 @@ class SpectrogramPen : private ChartPen {
                       std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) *
                                                 static_cast<std::size_t>(height))};
     std::vector<double> window(kWindow);
-    constexpr int kAcross = 2, kUp = 3;  // pixels that share a figure
+    constexpr int kAcross = 2, kUp = 3;  // pixels that share a value
     for (int x = 0; x < width; x += kAcross) {
       const double middle = (x + 0.5 * kAcross) / width * static_cast<double>(sound.samples.size());
       const auto first =

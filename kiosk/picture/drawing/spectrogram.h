@@ -7,16 +7,16 @@
 
 namespace onggi::drawing {
 
-/// A sound as it is looked at: time across, pitch up, and how loud each pitch is at each moment.
+/// A spectrogram: time across, pitch up, and the loudness of each pitch at each moment.
 struct Spectrogram {
   std::string title{}, subtitle{};
   std::span<const float> samples{};  ///< -1..1, one channel.
   double rate = 48000.0;             ///< Samples a second.
   struct Part {
     double begin = 0.0;  ///< s
-    std::string name{};  ///< Over the picture, from there on.
+    std::string name{};  ///< Above the picture, from `begin` on.
   };
-  std::vector<Part> parts{};       ///< In order of time.
+  std::vector<Part> parts{};       ///< Sorted by time.
   int width = 1600, height = 900;  ///< Pixels.
 };
 

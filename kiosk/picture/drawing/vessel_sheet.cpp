@@ -49,7 +49,7 @@ Vec2 aside(const TriangleMesh& mesh, const Profile& p, double off) {
   return size > 0.0 ? sum * (1.0 / size) : Vec2{1, 0};
 }
 
-/// `mesh` turned about y so that `right` lies along +x.
+/// `mesh` turned about y so that `right` points along +x.
 TriangleMesh turned(const TriangleMesh& mesh, Vec2 right) {
   TriangleMesh out = mesh;
   const auto turn = [&](std::array<float, 3>& v) {
@@ -62,7 +62,7 @@ TriangleMesh turned(const TriangleMesh& mesh, Vec2 right) {
   return out;
 }
 
-/// The mesh cut by the plane z = 0, where it lies left of the axis.
+/// The mesh cut by the plane z = 0, left of the axis.
 std::vector<std::array<Vec2, 2>> slice_left(const TriangleMesh& mesh) {
   std::vector<std::array<Vec2, 2>> out;
   extraction::AxisFrame frame;  // "heights" along z; across is x, along is y
@@ -142,7 +142,7 @@ VesselSheet sheet_of(const content::Vessel& vessel) {
   sheet.masked_fraction = e.masked_fraction;
   sheet.true_size = content::is_known(vessel.size_from);
   for (const std::string& warning : e.warnings)
-    if (warning.rfind("Left out as", 0) != 0)  // said in figures
+    if (warning.rfind("Left out as", 0) != 0)  // already given in figures
       sheet.notes.push_back(warning);
 
   add_wall(sheet, e);

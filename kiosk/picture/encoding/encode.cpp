@@ -20,9 +20,9 @@ constexpr const char* name_of(Format format) {
   return format == Format::png ? "png" : format == Format::jpeg ? "jpeg" : "gif";
 }
 
-/// One line of JSON that onggi-encode reads before the pixels.
+/// The line of JSON before the pixels in onggi-encode's input.
 files::Json header(int width, int height, Format format, const Caption& caption) {
-  // A caption with broken UTF-8 costs a letter, never the picture.
+  // Broken UTF-8 in a caption costs a letter, never the picture.
   return files::Json::object({{"width", width},
                               {"height", height},
                               {"format", name_of(format)},
@@ -43,7 +43,7 @@ Result<fs::path> own_helper() {
   return program.parent_path() / "onggi-encode";
 }
 
-/// Of one of `frames` that lie in a row; 0: no such picture.
+/// Bytes of one of `frames` in a row; 0: there is no such picture.
 std::size_t pixels_of(int width, int height) {
   const bool sized = width > 0 && height > 0 && width <= kLargestSide && height <= kLargestSide;
   return sized ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
@@ -58,7 +58,8 @@ tl::unexpected<Problem> no_picture(int width, int height) {
 Result<std::vector<std::byte>> run(const fs::path& helper, const files::Json& head,
                                    const std::vector<std::uint8_t>& rgba, Format format,
                                    double timeout_s) {
-  // Noise does not compress, so PNG may need all bytes and a little; the rest is metadata.
+  // Noise does not compress, so a PNG may need all bytes and a little more; the rest is for
+  // metadata.
   const files::Helper work{.program = helper.string(),
                            .head = head.text(-1) + "\n",
                            .body = rgba,
@@ -66,8 +67,8 @@ Result<std::vector<std::byte>> run(const fs::path& helper, const files::Json& he
                            .most_bytes = 5 * rgba.size() / 4 + (1u << 20),
                            .answer = "picture"};
   auto picture = files::run_helper(work);
-  // What was killed or hung (memory that ran short, a driver) is done by another; what cannot be
-  // done is told by the second.
+  // If the helper was killed or hung (little memory, a driver), a second one tries; if the picture
+  // is impossible, the second one reports that.
   if (!picture) picture = files::run_helper(work);
   if (picture && !is_whole(*picture, format)) {
     return problem(helper.string(), "The helper gave an incomplete picture.",

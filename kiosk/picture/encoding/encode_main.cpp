@@ -1,12 +1,12 @@
 // onggi-encode: the only program that links OpenImageIO.
 //
 //   onggi-encode < header-and-pixels > picture
-//   onggi-encode --describe FILE       what another reader finds in FILE, as JSON
+//   onggi-encode --describe FILE       the content of FILE as another reader sees it, as JSON
 //
 // Standard input: one line of JSON {width, height, format: png|jpeg|gif, title, copyright,
-// description, software, and of a gif: frames, hundredths (of a second, for each)}, then width *
-// height * 4 bytes of sRGB with straight alpha, as often as there are frames. Exit 0, or 1 with the
-// reason on standard error. It never writes a file: OpenImageIO tells nothing of a full disk.
+// description, software, and for a gif: frames, hundredths (of a second for each)}, then width *
+// height * 4 bytes of sRGB with straight alpha for each frame. Exit 0, or 1 with the reason on
+// standard error. It never writes a file, because OpenImageIO does not report a full disk.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -31,7 +31,7 @@ using onggi::encoding::kMostFrames;
 
 constexpr int kJpegQuality = 92;
 constexpr std::size_t kLongestText = 1000;  // bytes; a JPEG's metadata must fit into 64 KiB
-constexpr float kDotsPerInch = 300.0f;      // 1500 x 2100 is then the 5 x 7 inches of a postcard
+constexpr float kDotsPerInch = 300.0f;      // 1500 x 2100 is then a postcard of 5 x 7 inches
 
 struct Order {
   int width = 0, height = 0;
@@ -42,7 +42,7 @@ struct Order {
   std::vector<unsigned char> rgba;
 };
 
-/// What is wrong, or "".
+/// The fault, or "".
 std::string read_order(std::istream& in, Order& order) {
   std::string line;
   if (!std::getline(in, line)) return "there is no header";
@@ -97,7 +97,7 @@ bool has_alpha(const std::vector<unsigned char>& rgba) {
   return false;
 }
 
-/// Three channels, laid on white where they are see-through.
+/// Three channels; transparent pixels are laid on white.
 std::vector<unsigned char> on_white(const std::vector<unsigned char>& rgba) {
   std::vector<unsigned char> rgb;
   rgb.reserve(rgba.size() / 4 * 3);
@@ -110,7 +110,7 @@ std::vector<unsigned char> on_white(const std::vector<unsigned char>& rgba) {
   return rgb;
 }
 
-/// PNG gets its texts afterwards. JPEG gets Exif (description with the title first) and IPTC.
+/// PNG gets its texts afterwards. JPEG gets Exif (description, with the title first) and IPTC.
 void describe_picture(const Order& order, OIIO::ImageSpec& spec) {
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -120,7 +120,7 @@ void describe_picture(const Order& order, OIIO::ImageSpec& spec) {
   if (order.format == Format::png) return;
   spec.attribute("Compression", "jpeg:" + std::to_string(kJpegQuality));
   spec.attribute("jpeg:subsampling", "4:4:4");  // hairlines and small print keep their colour
-  // An empty text ends OpenImageIO by an assertion.
+  // An empty text makes OpenImageIO fail an assertion.
   const auto tell = [&](const char* name, const std::string& text) {
     if (!text.empty()) spec.attribute(name, text);
   };
@@ -132,15 +132,15 @@ void describe_picture(const Order& order, OIIO::ImageSpec& spec) {
   tell("IPTC:ObjectName", title);
 }
 
-/// An animated GIF's bytes. By ourselves: OpenImageIO's has other bytes each time that it is
-/// written, and a palette for each picture, by which what stands still shimmers.
+/// The bytes of an animated GIF, from our own writer: OpenImageIO's output differs each time, and
+/// its palette for each picture makes still parts flicker.
 std::vector<std::byte> encode_turning(const Order& order) {
   const std::vector<std::byte> gif =
       onggi::encoding::write_gif(order.width, order.height, order.hundredths, on_white(order.rgba));
   return onggi::encoding::with_comments(gif, order.caption, order.software);
 }
 
-/// The picture's bytes; `fault` says why there are none.
+/// The picture's bytes; if there are none, `fault` has the reason.
 std::vector<std::byte> encode(const Order& order, std::string& fault) {
   if (order.format == Format::gif) return encode_turning(order);
   const bool alpha = order.format == Format::png && has_alpha(order.rgba);
@@ -175,7 +175,7 @@ std::vector<std::byte> encode(const Order& order, std::string& fault) {
 }
 
 int describe(const char* file) {
-  // As the file has it: OpenImageIO otherwise multiplies colour by alpha, each version in its way.
+  // As in the file: otherwise OpenImageIO multiplies colour by alpha, each version in its own way.
   OIIO::ImageSpec as_it_is;
   as_it_is.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::open(file, &as_it_is);

@@ -13,10 +13,10 @@ namespace {
 using Rgb = std::array<std::uint8_t, 3>;
 
 constexpr int kColors = 255;
-constexpr std::uint8_t kUnchanged = 255;  // the palette's last: what was there shows
-constexpr int kBits = 6;                  // of a channel, in which colours are counted
+constexpr std::uint8_t kUnchanged = 255;  // the palette's last entry: the previous pixel stays
+constexpr int kBits = 6;                  // bits of a channel, for counting colours
 
-/// Colours that are alike, counted together.
+/// Similar colours, counted together.
 struct Cell {
   std::array<double, 3> sum{}, square{};
   double count = 0;
@@ -45,12 +45,12 @@ std::vector<Cell> count_colors(std::span<const std::uint8_t> rgb) {
   return all;
 }
 
-/// A run of cells that one colour stands for.
+/// A run of cells with one palette colour.
 struct Shades {
   std::size_t from = 0, to = 0;
   Cell all;
-  std::size_t axis = 0;  // on which its colours differ most
-  double error = 0;      // on all three
+  std::size_t axis = 0;  // channel with the largest spread
+  double error = 0;      // on all three channels
 };
 
 Shades shades_of(const std::vector<Cell>& cells, std::size_t from, std::size_t to) {
@@ -60,11 +60,11 @@ Shades shades_of(const std::vector<Cell>& cells, std::size_t from, std::size_t t
     some.error += some.all.error(k);
     if (some.all.error(k) > some.all.error(some.axis)) some.axis = k;
   }
-  if (to - from < 2) some.error = 0;  // it is not parted
+  if (to - from < 2) some.error = 0;  // it cannot be divided
   return some;
 }
 
-/// The colours are parted where they differ most, at their mean, until there are kColors.
+/// Divides colours at the mean of the largest spread, until there are kColors.
 std::vector<Rgb> palette_of(std::span<const std::uint8_t> rgb) {
   std::vector<Cell> cells = count_colors(rgb);
   std::vector<Shades> all{shades_of(cells, 0, cells.size())};
@@ -93,15 +93,15 @@ std::vector<Rgb> palette_of(std::span<const std::uint8_t> rgb) {
   return palette;
 }
 
-/// Pixels as places in the palette. Each is moved by a pattern that lies still (Bayer's, of 8 x 8)
-/// before the nearest colour is taken.
+/// Maps pixels to the palette. A fixed pattern (Bayer's, 8 x 8) shifts each pixel before the
+/// nearest colour is taken.
 class Nearest {
  public:
   explicit Nearest(const std::vector<Rgb>& palette)
       : palette_(palette), known_(std::size_t{1} << 24, kUnknown) {}
 
   std::uint8_t of(const std::uint8_t* rgb, int x, int y) {
-    constexpr int kStrength = 5;  // levels, the least to the most
+    constexpr int kStrength = 5;  // levels between the least and the most
     const int move = bayer(x, y) * kStrength / 64 - kStrength / 2;
     std::array<int, 3> color;
     std::size_t place = 0;
@@ -125,7 +125,7 @@ class Nearest {
     return value;  // 0..63
   }
   std::uint16_t look(const std::array<int, 3>& color) const {
-    // Weighed as an eye does: green most, blue least.
+    // Weighted like the eye: green most, blue least.
     constexpr std::array<int, 3> kWeight{3, 6, 2};
     int least = 1 << 30;
     std::size_t nearest = 0;
@@ -173,7 +173,7 @@ class LzwWriter {
   }
   void end() {
     if (before_ >= 0) write(before_);
-    // Whoever reads it has one code more now.
+    // the reader has one more code now
     if (next_ + 1 > 1 << width_ && width_ < 12) ++width_;
     write(kEnd);
     if (held_ > 0) push(static_cast<std::uint8_t>(bits_));
@@ -186,7 +186,7 @@ class LzwWriter {
   static constexpr std::uint32_t kFree = 0xffffffff;
 
   void clear() {
-    // The first code of all is written at the width that it begins with.
+    // The very first code has the initial width.
     write(kClear);
     keys_.fill(kFree);
     next_ = kEnd + 1;
@@ -216,7 +216,7 @@ class LzwWriter {
   std::uint32_t bits_ = 0;
 };
 
-/// The least rectangle that holds all that is not kUnchanged.
+/// The smallest rectangle around everything that is not kUnchanged.
 struct Part {
   int left = 0, top = 0, right = 1, bottom = 1;
 };
@@ -242,7 +242,7 @@ std::vector<std::byte> write_gif(int width, int height, int hundredths,
   Nearest nearest(palette);
   const auto u16 = [](int value) { return static_cast<std::uint16_t>(value); };
 
-  // 1. Size, palette, and that it goes on without end.
+  // 1. Size, palette, and the endless loop.
   files::ByteWriter out;
   out.text("GIF89a");
   out.u16(u16(width));
@@ -254,7 +254,7 @@ std::vector<std::byte> write_gif(int width, int height, int hundredths,
     for (std::size_t k = 0; k < 3; ++k) out.u8(i < palette.size() ? palette[i][k] : 0);
   out.text(std::string_view("\x21\xff\x0bNETSCAPE2.0\x03\x01\0\0\0", 19));
 
-  // 2. Of each picture what is not as in the one before.
+  // 2. The part of each picture that differs from the one before.
   std::vector<std::uint8_t> before(pixels, kUnchanged), now(pixels), drawn(pixels);
   for (std::size_t from = 0; from + 3 * pixels <= rgb.size(); from += 3 * pixels) {
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -264,7 +264,8 @@ std::vector<std::byte> write_gif(int width, int height, int hundredths,
       drawn[i] = now[i] == before[i] ? kUnchanged : now[i];
     }
     const Part part = part_of(drawn, width, height);
-    out.text(std::string_view("\x21\xf9\x04\x05", 4));  // left where it is; one colour is none
+    // Keep the previous picture; one colour is transparent
+    out.text(std::string_view("\x21\xf9\x04\x05", 4));
     out.u16(u16(hundredths));
     out.u8(kUnchanged);
     out.u8(0);

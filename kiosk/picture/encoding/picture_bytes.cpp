@@ -17,8 +17,9 @@ constexpr std::string_view kPngEnd = "\0\0\0\0IEND\xae\x42\x60\x82"sv;
 constexpr std::string_view kJpegStart = "\xff\xd8\xff"sv;
 constexpr std::string_view kJpegEnd = "\xff\xd9"sv;
 constexpr std::string_view kGifStart = "GIF89a"sv;
-constexpr std::string_view kGifEnd = "\0\x3b"sv;  // the end of the last picture's data, and of all
-constexpr std::size_t kGifHead = 13;              // signature and screen descriptor
+// The end of the last picture's data, and of the file
+constexpr std::string_view kGifEnd = "\0\x3b"sv;
+constexpr std::size_t kGifHead = 13;  // signature and screen descriptor
 // Signature, then IHDR: length 4, name 4, data 13, checksum 4.
 constexpr std::size_t kBehindHeader = 8 + 4 + 4 + 13 + 4;
 
@@ -28,7 +29,7 @@ bool starts_and_ends(std::span<const std::byte> bytes, std::string_view start,
   return all.size() >= start.size() + end.size() && all.starts_with(start) && all.ends_with(end);
 }
 
-/// The checksum of ISO 3309 that PNG asks for (PNG specification, annex D).
+/// The checksum of ISO 3309 that PNG requires (PNG specification, annex D).
 std::uint32_t crc(std::string_view bytes) {
   std::uint32_t c = 0xFFFFFFFFu;
   for (const char byte : bytes) {
@@ -89,7 +90,7 @@ std::vector<std::byte> with_comments(std::span<const std::byte> gif, const Capti
   for (const std::string& text :
        {caption.title, caption.copyright, caption.description, software}) {
     if (text.empty()) continue;
-    // GIF89a, 24: blocks of up to 255 bytes, each behind its length, until one of none.
+    // GIF89a, 24: blocks of up to 255 bytes, each after its length, until a block of length 0.
     comments += "\x21\xfe"sv;
     for (std::size_t at = 0; at < text.size(); at += 255) {
       const std::string part = text.substr(at, 255);
@@ -98,7 +99,7 @@ std::vector<std::byte> with_comments(std::span<const std::byte> gif, const Capti
     }
     comments += '\0';
   }
-  // Last of all: some viewers want the word that it goes on without end to be the first.
+  // At the end: some viewers require the loop extension to come first.
   std::vector<std::byte> out(gif.begin(), gif.end() - 1);
   out.reserve(gif.size() + comments.size());
   std::transform(comments.begin(), comments.end(), std::back_inserter(out),

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kShadowSize = 224;
 constexpr float kSkyGone = 0.24f;  // m from the foot; ground.glsl
-constexpr float kEven = 0.02f;     // m: extents are multiples, so that they seldom change
+constexpr float kEven = 0.02f;     // m: extents are multiples of it, so that they seldom change
 
 // Texture units.
 constexpr int kGroundLevels = 2, kGroundSky = 3, kGroundShadow = 5, kSpace = 0, kGround = 1;
@@ -56,7 +56,7 @@ void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Stu
   GLint viewport[4], back_to = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &back_to);
   glGetIntegerv(GL_VIEWPORT, viewport);
-  // The canvas has cut out its part of the picture; the shadow has pixels of its own.
+  // The canvas has cut out its part of the picture; the shadow has its own pixels.
   const bool cut_out = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
   glDisable(GL_SCISSOR_TEST);
   own.shadow.bind();
@@ -67,7 +67,8 @@ void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Stu
   studio.light(shadow_program_, kGroundSky);
   light.bind(kGroundLevels);
   shadow_program_.set("levels", kGroundLevels);
-  // A smaller pot in the studio is the pot in a larger studio: light from afar knows no size.
+  // A smaller pot in the studio is like the pot in a larger studio, because distant light has no
+  // scale.
   shadow_program_.set("reach", kReach / size);
   shadow_program_.set("height", static_cast<float>(levels.height));
   shadow_program_.set("table_y", kTable / size);
@@ -81,7 +82,7 @@ void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Stu
 Backdrop::Extent Backdrop::darkened(double height, double radius, bool wheel, float foot,
                                     glm::vec3 light) {
   const float along = (static_cast<float>(height) - (wheel ? kTable : 0.0f)) / light.y;
-  // The rim's shadow and its soft edge (shadow.glsl), and the dark round the foot.
+  // The rim's shadow and its soft edge (shadow.glsl), and the dark area around the foot.
   const float around = static_cast<float>(radius) + 0.5f * (0.0025f + 0.24f * along);
   const float x = -light.x * along, z = -light.z * along, near = foot + kSkyGone;
   const auto even = [](float v, float up) {

@@ -13,26 +13,26 @@
 
 namespace onggi::render {
 
-/// What a vessel stands in: the plaster, and its shadow on it, which are drawn flat and anew only
-/// where they have changed; and how the picture in space is laid over them.
+/// The surroundings of a vessel: the plaster, and the vessel's shadow on it, which are drawn flat
+/// and only when they change; and the composition of the 3-D picture over them.
 class Backdrop {
  public:
   static Result<std::unique_ptr<Backdrop>> create();
 
-  /// The height of the table under the wheel head's top, m, and how far from the axis the shadow's
-  /// texture reaches.
+  /// The height of the table below the wheel head's top, m, and the reach of the shadow's texture
+  /// from the axis.
   static constexpr float kTable = -0.024f, kReach = 0.62f;
 
-  /// Whose shadow: the clay's, or a mesh's.
+  /// The source of the shadow: the clay, or a mesh.
   enum class Of : std::uint8_t { clay, mesh };
-  /// Casts the shadow of `levels`, whose texture is `light`, where it is more than `apart` metres
-  /// from the one that was cast last of its kind. `wheel_radius` 0: no wheel head; `size` of the
-  /// vessel, 1 where it has not shrunk. Leaves the bound target as it was.
+  /// Casts the shadow of `levels`, with texture `light`, if it differs by more than `apart` metres
+  /// from the last one of its kind. `wheel_radius` 0: no wheel head; `size` of the vessel, 1 if it
+  /// has not shrunk. Keeps the bound target.
   void cast(Of of, const Levels& levels, const Texture& light, const Studio& studio,
             float wheel_radius, float size, double apart);
-  /// Of window and sky, on the wheel head's plane and on the table's.
+  /// From window and sky, on the wheel head's plane and on the table's.
   const Texture& shadow(Of of = Of::clay) const { return casts_[place(of)].shadow.color(); }
-  /// Another number with every shadow that is cast.
+  /// Changes with every new shadow.
   std::uint64_t cast_serial(Of of = Of::clay) const { return casts_[place(of)].serial; }
 
   /// A rectangle on the ground, metres from the axis.
@@ -40,23 +40,24 @@ class Backdrop {
     float left = 0, back = 0, right = 0, front = 0;
     friend bool operator==(const Extent&, const Extent&) = default;
   };
-  /// Outside of it no vessel as tall and as wide darkens the ground. `window`: towards it, unit.
+  /// A vessel of this height and width darkens the ground only inside it. `window`: direction to
+  /// it, unit.
   static Extent darkened(double height, double radius, bool wheel, float foot, glm::vec3 window);
 
-  /// The plaster, over the whole bound target of this size, lit from there.
+  /// The plaster, over the whole bound target of this size, with the light from there.
   void draw_plaster(int width, int height, bool window_right) const;
-  /// The ground within `extent`, where it lies on the bound target, which has the size of
-  /// `plaster`. `foot`: radius of what stands on it, m.
+  /// The ground within `extent` on the bound target, which has the size of `plaster`. `foot`:
+  /// radius of the standing area, m.
   void draw_ground(const glm::mat4& clip, const Texture& plaster, const Extent& extent, bool wheel,
                    float foot, float opacity) const;
-  /// What the ground loses to a mesh, as a layer over what is there, faded over `edge` pixels to
-  /// the edges of a picture of `size`.
+  /// The shadow of a mesh on the ground, as a layer over the existing picture, faded over `edge`
+  /// pixels at the edges of a picture of `size`.
   void draw_ground_layer(const glm::mat4& clip, float foot, float strength, glm::vec2 size,
                          glm::vec2 edge) const;
 
-  /// `box` (pixels of a width x height frame, from the top left) of the bound target becomes the
-  /// picture in space over `ground`. `space` may be smaller than the frame; where it has samples it
-  /// may not.
+  /// Composes the 3-D picture over `ground` into `box` (pixels of a width x height frame, from the
+  /// top left) of the bound target. `space` may be smaller than the frame, unless it is
+  /// multisampled.
   void lay(const Target& space, const Texture& ground, const view::Rect& box, float opacity,
            int width, int height) const;
 

@@ -9,8 +9,8 @@ namespace onggi::render {
 
 view::Rect reach_of(const view::PotView& pot, double height, double radius, int width,
                     int frame_height, Reach reach) {
-  // Rings that hold everything: the dark round the foot, the wheel head, the pot, and the shadow of
-  // its rim with the soft edge that the window's size gives it.
+  // Rings that contain everything: the dark area around the foot, the wheel head, the pot, and the
+  // rim's shadow with the soft edge from the window's size.
   struct Ring {
     double x, y, z, r;
   };
@@ -118,7 +118,7 @@ void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
     now.its_shadow = stage.backdrop().cast_serial(Backdrop::Of::mesh);
   }
   if (of_ground_ == now) return;
-  // Where no shadow falls stays as it is, unless it lay elsewhere.
+  // Ground without shadow stays, unless it has moved.
   if (!of_ground_ || of_ground_->camera != now.camera || of_ground_->wheel != now.wheel ||
       of_ground_->window_right != now.window_right || of_ground_->extent != now.extent ||
       of_ground_->beside || now.beside) {
@@ -139,14 +139,14 @@ void Canvas::turn_to(const view::Frame& frame, const Painters& with) {
   frame_.fade = 0;
   compose(kept(before_).framebuffer(), with);
   has_before_ = true;
-  frame_.screen_serial = frame.screen_serial;  // Kept once.
+  frame_.screen_serial = frame.screen_serial;  // kept once
 }
 
 void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality& quality,
                    double scale, Onto onto, Space space) {
   Stage& stage = with.stage;
   turn_to(frame, with);
-  // The plaster changes with its size, and where the light comes from.
+  // The plaster depends on its size and on the light's direction.
   const bool window_right = frame.pot && frame.pot->window_right;
   if (plaster_.width() == 0 || plaster_right_ != window_right) {
     if (plaster_.width() == 0) plaster_ = Target(frame.width, frame.height, false, 0);
@@ -163,7 +163,7 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
                       frame.height, Reach::solid);
     if (frame.pot->beside) solid_ = around(solid_, reach_of_vessel(stage, frame));
     paint_ground(stage, *frame.pot);
-    // Nothing outside can be touched, so nothing outside is cleared or laid over.
+    // Nothing outside can be touched, so nothing outside is cleared or composed.
     glEnable(GL_SCISSOR_TEST);
     const auto s = static_cast<float>(scale);
     glScissor(static_cast<int>(solid_.x * s),
@@ -218,7 +218,7 @@ view::Image Canvas::read(const Painters& with) {
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
     std::memcpy(&image.rgba[y * row], &rows[rows.size() - (y + 1) * row], row);
   }
-  // The ground is plaster everywhere; what layers left of alpha has no meaning.
+  // The ground is plaster everywhere, so the alpha that layers leave has no meaning.
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
   return image;
 }

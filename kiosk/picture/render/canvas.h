@@ -10,32 +10,31 @@
 
 namespace onggi::render {
 
-/// What a canvas paints with.
+/// The tools of a canvas.
 struct Painters {
   Stage& stage;
   ItemPainter& items;
   const ItemPainter::Pictures& pictures;
 };
 
-/// Where a whole frame is put together: plaster with the pot's shadow, the picture in space at its
-/// own scale, the items at full resolution, and the fading picture of the screen before. Straight
-/// into the window's back buffer where there is one, as every copy of a whole screen costs a
-/// machine without a GPU as much as a tenth of the pot; else off screen. Every pixel of it is
-/// written once before the items: the ground is copied where the picture in space is not, and drawn
-/// under it where it is.
+/// Composes a whole frame: plaster with the pot's shadow, the 3-D picture at its own scale, the
+/// items at full resolution, and the fading picture of the previous screen. It draws straight into
+/// the window's back buffer if there is one, because without a GPU a copy of a whole screen costs
+/// as much as a tenth of the pot; else off screen. Every pixel is written once before the items:
+/// outside the 3-D picture the ground is copied, inside it is drawn below.
 class Canvas {
  public:
-  /// What of a frame's picture in space is drawn: all of it, or nothing, where the one there is
-  /// still looks the same.
+  /// The part of a frame's 3-D picture that is drawn: all of it, or nothing if the old one still
+  /// looks the same.
   enum class Space : std::uint8_t { draw, keep };
   enum class Onto : std::uint8_t { window, own };
-  /// Keeps the screen that was painted last for the fade, where `frame` is of another. Done by
-  /// paint() too; before it, where pictures are to go in between.
+  /// Keeps the last painted screen for the fade, if `frame` shows another screen. paint() does this
+  /// too; call it earlier if other pictures come in between.
   void turn_to(const view::Frame& frame, const Painters& with);
   /// The window's back buffer must have the frame's size.
   void paint(const Painters& with, const view::Frame& frame, const Quality& quality, double scale,
              Onto onto, Space space = Space::draw);
-  /// The frame that was painted last, onto the window's back buffer once more.
+  /// Copies the last painted frame to the window's back buffer again.
   void show(const Painters& with);
   /// The frame that was painted last.
   view::Image read(const Painters& with);
@@ -43,12 +42,12 @@ class Canvas {
  private:
   void resize(int width, int height);
   void paint_pot(Stage& stage, const view::Frame& frame, const Quality& quality, double scale);
-  /// The ground under `pot`, anew where it has changed.
+  /// The ground under `pot`, renewed if it has changed.
   void paint_ground(Stage& stage, const view::PotView& pot);
   void compose(GLuint framebuffer, const Painters& with);
   const Target& kept(Target& target) const;
 
-  /// What the ground's picture was drawn from.
+  /// The input of the ground's picture.
   struct Ground {
     view::Camera camera;
     bool wheel = true, window_right = false;
@@ -63,13 +62,13 @@ class Canvas {
   Target picture_, plaster_, before_, space_, ground_;
   std::optional<Ground> of_ground_;
   int samples_ = -1;
-  view::Frame frame_;  ///< As painted last,
-  view::Rect solid_;   ///< and the part of it that is the picture in space.
+  view::Frame frame_;  ///< As last painted,
+  view::Rect solid_;   ///< and its part with the 3-D picture.
   bool painted_ = false, has_before_ = false, plaster_right_ = false;
 };
 
-/// The part of a width x height frame that the pot, its wheel and what hands hold can reach, with
-/// their shadow or without.
+/// The part of a width x height frame that the pot, its wheel and held tools can reach, with or
+/// without their shadow.
 enum class Reach : std::uint8_t { solid, with_shadow };
 view::Rect reach_of(const view::PotView& pot, double height, double radius, int width,
                     int frame_height, Reach reach = Reach::with_shadow);

@@ -8,22 +8,22 @@
 
 namespace onggi::render {
 
-/// What the clay's surface is: dry, wet, glazed, or on its way to a glaze. Each has its own
-/// programs, so that a pot without water or glaze is drawn without any of theirs.
+/// The clay's surface: dry, wet, glazed, or changing to a glaze. Each has its own programs, so that
+/// a pot without water or glaze costs nothing for them.
 class ClaySkin {
  public:
   static constexpr std::size_t kSkins = 4;  ///< SKIN of clay.glsl.
 
-  /// Which of them `pot` needs.
+  /// The one that `pot` needs.
   static std::size_t of(const view::PotView& pot);
-  /// Before a pot is drawn: the water's rows go to the graphics side where there are any.
+  /// Before a pot is drawn: uploads the water's rows, if there are any.
   void prepare(const view::PotView& pot);
-  /// Colours and the rest, for a program of that skin, which is in use.
+  /// Sets colours and the other uniforms for the current program of that skin.
   void set(const Program& program, const view::PotView& pot, int texture_unit) const;
 
  private:
   Texture rows_;
-  std::vector<float> wet_;  // as rows_ has it
+  std::vector<float> wet_;  // as in rows_
 };
 
 }  // namespace onggi::render

@@ -8,7 +8,7 @@ namespace onggi::render {
 namespace {
 
 constexpr double kHalfTurn = 3.14159265358979, kLean = 0.35, kOutOfRound = 0.05;
-constexpr float kWiden = 1.25f;  // so that clay which spreads is not taken anew every frame
+constexpr float kWiden = 1.25f;  // margin, so that spreading clay is not uploaded again every frame
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void ClaySurface::make_room(const ClayView& clay) {
                                                   GL_UNSIGNED_SHORT, radii->steps.data())
                                 : Texture::create(GL_R16, sectors_, all_drawn_, GL_RED,
                                                   GL_UNSIGNED_SHORT, radii->steps.data());
-    // Radii wrap round the axis and end at foot and rim.
+    // Radii wrap around the axis and end at foot and rim.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   }
 }
@@ -44,7 +44,7 @@ void ClaySurface::show(const ClayView& clay) {
   update(clay);
 }
 
-// Rows that left are no longer torn.
+// Removed rows are no longer torn.
 void ClaySurface::use_rows(int rows) {
   for (int row = rows; row < all_rows_; ++row) tears_.note(row, false);
   const int drawn = rows / row_step_;
@@ -108,7 +108,7 @@ void ClaySurface::take_radii(Radii& radii, int j, std::span<const float> of) {
   const int left = static_cast<int>(first - row_.begin()),
             right = static_cast<int>(row_.rend() - last);
   std::copy(row_.begin(), row_.end(), had.begin());
-  // Rows that lie together go together.
+  // Upload neighbouring rows together.
   if (radii.to != j) send(radii);
   const bool begun = radii.from < radii.to;
   if (!begun) radii.from = j;
@@ -129,7 +129,8 @@ void ClaySurface::send(Radii& radii) {
   radii.from = radii.to = 0;
 }
 
-// A height is between the middles of two rows; below the lowest and above the highest it is theirs.
+// A height lies between the middles of two rows; below the lowest and above the highest it is that
+// row's.
 void ClaySurface::stack() {
   heights_.resize(2 * kHeights);
   const auto used = static_cast<std::size_t>(rows_);
@@ -192,7 +193,7 @@ double ClaySurface::mouth() const {
   return empty() ? 0.0 : static_cast<double>(mean_inner_[static_cast<std::size_t>(rows_ - 1)]);
 }
 
-// A wall of radius r and slope s at height y is seen `a` from the front where
+// A wall of radius r and slope s at height y is visible up to an angle `a` from the front with
 // cos a > (r + s (eye.y - y)) / distance.
 double ClaySurface::facing(Vec3 eye) const {
   const double away = std::hypot(eye.x, eye.z);
@@ -210,11 +211,11 @@ double ClaySurface::facing(Vec3 eye) const {
   return edge <= -1.0 ? 1.0 : std::acos(std::min(edge, 1.0)) / kHalfTurn;
 }
 
-// What one sees past the near edge of the mouth lies no lower than where the steepest of all such
-// looks meets the widest ring.
+// Beyond the near edge of the mouth the eye sees no lower than where the steepest ray meets the
+// widest ring.
 double ClaySurface::seen_into(Vec3 eye) const {
   const double rim = height_ - kLipRadius, deepest = rim - floor_top_;
-  // Means round the axis are known; a pot that is out of round is wider here and there.
+  // These are means around the axis; an uneven pot is wider in places.
   const double mouth = 1.2 * this->mouth() + 0.003, widest = 1.2 * max_radius() + 0.003;
   const double away = std::hypot(eye.x, eye.z) - mouth;
   if (away <= 0.01 || deepest <= 0.001) return 1.0;

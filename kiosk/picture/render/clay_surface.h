@@ -13,19 +13,19 @@
 namespace onggi::render {
 
 /// The clay's radii on the graphics side: two textures (outer, inner; rows x sectors), where each
-/// height has its row in them, and the levels that the light needs. Radii are kept in steps of
-/// 1/65535 of widest(), some two micrometres, and only where a row took such a step is it uploaded.
-/// The textures have all the rows that the clay may come to have; the lowest are in use.
-/// Grids beyond kMost in a direction are kept at every n-th row or sector: finer than any screen,
-/// and the engine's grid stays whole.
+/// height has its row, and the levels that the light needs. Radii are kept in steps of 1/65535 of
+/// widest(), about two micrometres, and a row is uploaded only if it changed by such a step. The
+/// textures have all rows that the clay may ever have; the lowest are in use. Grids beyond kMost in
+/// a direction are sampled at every n-th row or sector: still finer than any screen, and the
+/// engine's grid is unaffected.
 class ClaySurface {
  public:
   static constexpr int kMost = 2048;
   static constexpr int kHeights = 1024;
 
-  /// All of `clay`, whatever was shown before.
+  /// Uploads all of `clay`, whatever was shown before.
   void show(const ClayView& clay);
-  /// What changed of the clay that was shown last; all of it where it has another grid.
+  /// Uploads the changes of the shown clay; all of it if it has another grid.
   void update(const ClayView& clay);
 
   bool empty() const { return rows_ < 1 || sectors_ < 1; }
@@ -38,33 +38,33 @@ class ClaySurface {
   double floor_top() const { return floor_top_; }  ///< Metres.
   const Texture& outer() const { return outer_.texture; }
   const Texture& inner() const { return inner_.texture; }
-  /// What a texel of 1 is, metres.
+  /// Radius of a texel of 1, metres.
   float widest() const { return widest_; }
   /// Over kHeights even shares of the height, foot and rim included: the row there, as a share of
-  /// the radius textures, and by how much that share grows with the share of the height.
+  /// the radius textures, and the derivative of that share by the share of the height.
   const Texture& row_at() const { return row_at_; }
-  /// The lowest row that is no floor, as a share of the radius textures.
+  /// The lowest row above the floor, as a share of the radius textures.
   float first_wall_row() const { return first_wall_row_; }
-  /// Which rings are torn.
+  /// The torn rings.
   const Tears& tears() const { return tears_; }
-  /// Radius of the rim's edges, from its mean thickness, and that, m.
+  /// Radius of the rim's edges, from its mean thickness, and the thickness, m.
   float lip() const;
   double rim_wall() const;
   const Levels& levels() const { return levels_; }
-  /// Renews the levels where rows have changed; true when they did.
+  /// Renews the levels if rows have changed; returns true if so.
   bool refresh(Texture& levels_texture);
-  /// There are rows that no picture shows yet.
+  /// True if some rows are not in any picture yet.
   bool changed() const { return changed_; }
-  double max_radius() const;  ///< Metres, mean round the axis,
+  double max_radius() const;  ///< Metres, mean around the axis,
   double mouth() const;       ///< and of the inner wall at the rim.
-  /// Share of the way round beyond which, to both sides of where `eye` (metres) is, the outer wall
-  /// turns its back on it at every height. 1 where it does not.
+  /// Share of the circle beyond which, on both sides of `eye` (metres), the outer wall is invisible
+  /// at every height. 1 if there is none.
   double facing(Vec3 eye) const;
-  /// How deep `eye` sees through the mouth at the most, from the lip (0) to the floor (1).
+  /// The greatest depth that `eye` sees through the mouth, from the lip (0) to the floor (1).
   double seen_into(Vec3 eye) const;
 
  private:
-  /// A texture, its texels as it is to have them, and the block of them that it lacks yet.
+  /// A texture, its texels on the CPU, and the block that still must be uploaded.
   struct Radii {
     Texture texture;
     std::vector<std::uint16_t> steps;
@@ -72,7 +72,7 @@ class ClaySurface {
     int left = 0, right = 0;  // sectors
   };
   void make_room(const ClayView& clay);
-  /// A texel of 1 is to be as wide as the clay's widest, and a little more.
+  /// A texel of 1 covers the clay's widest radius with a margin.
   void make_wide(const ClayView& clay);
   void take_row(int j, const ClayView& clay, int row);
   void take_radii(Radii& radii, int j, std::span<const float> of);
@@ -81,7 +81,7 @@ class ClaySurface {
 
   void use_rows(int rows);
 
-  int all_rows_ = 0, all_sectors_ = 0;  // of the view, at the most
+  int all_rows_ = 0, all_sectors_ = 0;  // of the view, at most
   int all_drawn_ = 0;
   int rows_ = 0, sectors_ = 0, row_step_ = 1, sector_step_ = 1;
   double height_ = 0, floor_top_ = 0;
@@ -93,7 +93,7 @@ class ClaySurface {
   float first_wall_row_ = 0;
   Levels levels_;
   Tears tears_;
-  std::uint64_t seen_ = 0;  // ClayView::change() as last looked at
+  std::uint64_t seen_ = 0;  // ClayView::change() at the last look
   bool changed_ = false, stacked_ = false;
 };
 

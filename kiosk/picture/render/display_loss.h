@@ -4,11 +4,10 @@
 
 namespace onggi::render {
 
-/// The X server may end under a running program: somebody ends it, or it dies. Xlib then ends the
-/// program from within whatever call met it, and no object of it is destroyed. `last` is called
-/// first, once, on the thread that met it (the main one; Xlib itself is not to be asked any more);
-/// then the program ends with exit code 1, for systemd to begin both anew. An empty one takes it
-/// back. Main thread.
+/// Handles the end of the X server under a running program. Xlib then ends the program inside the
+/// call that noticed it, without destroying objects. `last` is called first, once, on that thread
+/// (the main one; Xlib must not be used any more); then the program ends with exit code 1, and
+/// systemd restarts both. An empty function removes it. Main thread.
 void when_display_is_lost(std::function<void()> last);
 
 }  // namespace onggi::render

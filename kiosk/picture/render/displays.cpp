@@ -20,10 +20,10 @@ namespace onggi::render {
 
 namespace {
 
-constexpr double kBurst = 0.5;  // s: what changes together is looked at together
+constexpr double kBurst = 0.5;  // s: changes this close are handled together
 constexpr std::array<float, 9> kWhole{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// What is asked of X may have been unplugged meanwhile, and Xlib would end the program over it.
+/// An X object may have been unplugged meanwhile, and Xlib would end the program because of it.
 class Forgiving {
  public:
   explicit Forgiving(Display* display) : display_(display) {
@@ -140,7 +140,7 @@ bool Displays::poll(double now) {
   while (XPending(display) > 0) {
     XEvent event;
     XNextEvent(display, &event);
-    // Xlib keeps a screen's size of its own.
+    // Xlib keeps its own copy of a screen's size.
     if (event.type == connection_->randr_base + RRScreenChangeNotify)
       XRRUpdateConfiguration(&event);
     changed_at_ = now;
@@ -250,7 +250,7 @@ void Displays::light(const Relighting& change, const Outputs& now) {
   }
   XRROutputInfo* info = XRRGetOutputInfo(c.display, all, change.light);
   if (info != nullptr) {
-    XGrabServer(c.display);  // nobody draws on a screen that is half made
+    XGrabServer(c.display);  // nobody draws on a half-configured screen
     for (const std::uint64_t id : change.darken) dark(id);
     dark(change.light);
     constexpr double kMmPerPixel = 25.4 / 96.0;
@@ -296,7 +296,7 @@ void Displays::map_touch() {
     const bool read = data != nullptr && format == 32 && items == 9;
     if (read) std::memcpy(is.data(), data, sizeof is);
     if (data != nullptr) XFree(data);
-    // One that the museum has set stays: it knows how its glass is mounted.
+    // A matrix that the museum has set stays: staff know how the touch screen is mounted.
     if (!read || is == map || (is != kWhole && is != mapped_)) continue;
     auto wanted = map;
     XIChangeProperty(c.display, devices[n].deviceid, c.matrix, c.real, 32, PropModeReplace,

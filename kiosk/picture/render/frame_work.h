@@ -4,15 +4,16 @@
 
 namespace onggi::render {
 
-/// What drawing asks of the graphics. Totals since the window was opened; a frame's is the
+/// The graphics work of drawing. Totals since the window was opened; a frame's work is the
 /// difference of two.
 struct FrameWork {
   std::uint64_t draws = 0;     ///< Draw calls.
-  std::uint64_t vertices = 0;  ///< That they hand over, as their indices name them.
+  std::uint64_t vertices = 0;  ///< Vertices in them, by their indices.
   std::uint64_t bytes = 0;     ///< Uploaded into buffers and textures.
   std::uint64_t switches = 0;  ///< Programs, textures, vertex arrays and framebuffers bound.
-  std::uint64_t copied = 0;    ///< Pixels that were copied from framebuffer to framebuffer.
-  /// Shader runs as the driver counts them (ARB_pipeline_statistics_query): only while
+  std::uint64_t copied = 0;    ///< Pixels copied between framebuffers.
+  /// Shader runs as counted by the driver (ARB_pipeline_statistics_query): only while
+  /// Renderer::count_shading is on, and 0 if the driver cannot count.
   /// Renderer::count_shading is on, and 0 where the driver counts none.
   std::uint64_t vertex_runs = 0, fragment_runs = 0;
   friend bool operator==(const FrameWork&, const FrameWork&) = default;

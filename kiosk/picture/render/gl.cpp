@@ -37,7 +37,7 @@ Result<GLuint> compile(GLenum stage, const std::string& name, const std::string&
 Result<Program> Program::create(const std::string& name, std::initializer_list<const char*> parts) {
   std::string body;
   for (const char* part : parts) body += part;
-  // Vertices and fragments must agree about uniforms, and pixels are counted in thousands.
+  // Vertices and fragments must agree about uniforms, and pixel coordinates reach thousands.
   static const std::string kEmbedded =
       "#version 310 es\n"
       "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
@@ -98,7 +98,7 @@ Target::Target(int width, int height, bool depth, int samples) : width_(width), 
     sampled_ = TextureName(new_texture());
     bind_samples(0);
     calls::texture_samples(samples, GL_RGBA8, width, height);
-    // A driver may take more than it was asked for.
+    // A driver may choose more samples than requested.
     glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &samples_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
                            sampled_.get(), 0);
@@ -181,8 +181,8 @@ Mesh unit_grid(int columns, int rows) {
       places.push_back(static_cast<float>(y) / static_cast<float>(rows));
     }
   }
-  // The first vertex twice, so that triangles face as (a, b, b + 1) does, a below b; between rows
-  // two triangles without area.
+  // The first vertex twice, so that triangles are wound like (a, b, b + 1), a below b; two
+  // triangles without area between rows.
   indices.push_back(across);
   for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(rows); ++y) {
     if (y > 0) indices.insert(indices.end(), {indices.back(), (y + 1) * across});
@@ -193,7 +193,7 @@ Mesh unit_grid(int columns, int rows) {
 }
 
 std::vector<std::uint32_t> disc_indices(std::uint32_t corners) {
-  // A triangle in the middle, and on each of its sides what is left of the circle, halved again and
+  // A triangle in the middle, and on each of its sides the rest of the circle, halved again and
   // again.
   const std::uint32_t third = corners / 3;
   std::vector<std::uint32_t> indices{0, third, 2 * third};

@@ -16,9 +16,9 @@
 
 namespace onggi::render {
 
-/// Drawn by OpenGL ES 3.1, where the driver has no OpenGL 3.3 (window.cpp). There is less in it:
-/// 32 bit floats and 16 bit shares are not filtered, so shaders do it by hand (common.glsl); sRGB
-/// without alpha has no levels; targets of floats and GL_SAMPLE_ALPHA_TO_ONE come by extensions.
+/// True with OpenGL ES 3.1, if the driver has no OpenGL 3.3 (window.cpp). ES has less: 32-bit
+/// floats and 16-bit shares are not filtered, so shaders filter them (common.glsl); sRGB without
+/// alpha has no mipmap levels; float targets and GL_SAMPLE_ALPHA_TO_ONE need extensions.
 inline bool embedded() { return !epoxy_is_desktop_gl(); }
 
 /// As GL has it.
@@ -26,7 +26,7 @@ inline glm::vec3 vec(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// A GL name with an owner. The context must be current when it dies.
+/// A GL name with an owner. The context must be current when it is destroyed.
 template <void (*Delete)(GLuint)>
 class Handle {
  public:
@@ -94,7 +94,7 @@ struct Texture {
   void bind(int unit) const { calls::bind_texture(unit, name.get()); }
 };
 
-/// Somewhere to draw: colour 8 bits, depth and stencil on request, `samples` > 0 for multisampling.
+/// A render target: 8-bit colour, depth and stencil on request, `samples` > 0 for multisampling.
 class Target {
  public:
   Target() = default;
@@ -106,9 +106,9 @@ class Target {
   /// Copies the picture into `to` (same size), resolving samples.
   void resolve_to(const Target& to) const;
   int samples() const { return samples_; }
-  /// Only for targets with samples: to texture unit `unit`, to be fetched sample by sample.
+  /// Only for multisampled targets: binds it to texture unit `unit`, to fetch single samples.
   void bind_samples(int unit) const { calls::bind_samples(unit, sampled_.get()); }
-  /// Only for targets without samples.
+  /// Only for targets without multisampling.
   const Texture& color() const { return color_; }
   Texture take_color() { return std::move(color_); }
   GLuint framebuffer() const { return framebuffer_.get(); }
@@ -131,7 +131,7 @@ class Mesh {
        std::size_t index_count, std::initializer_list<int> attributes, Of of = Of::triangles);
   void draw() const { draw_some(0, count_); }
   void draw_some(int first, int count) const;
-  /// All of it so many times, gl_InstanceID from 0, in one call.
+  /// Draws all of it that many times in one call, gl_InstanceID from 0.
   void draw_times(int times) const;
   int count() const { return count_; }
 
@@ -142,13 +142,13 @@ class Mesh {
   Of of_ = Of::triangles;
 };
 
-/// `columns` x `rows` cells over the unit square, row by row from the first: the place attribute of
-/// most programs. One strip, as a third of the vertices make the same triangles.
+/// `columns` x `rows` cells over the unit square, row by row: the place attribute of most programs.
+/// One strip, because that needs a third of the vertices.
 Mesh unit_grid(int columns, int rows);
-/// How many of its indices are its first `rows` rows.
+/// Number of indices in its first `rows` rows.
 int indices_of_rows(int columns, int rows);
-/// A disc of `corners` (3 times a power of two) corners, numbered round it from 0, out of few
-/// triangles as large as can be: no sliver of it reaches the middle.
+/// A disc with `corners` (3 times a power of two) corners, numbered around it from 0, from few
+/// large triangles without slivers at the middle.
 std::vector<std::uint32_t> disc_indices(std::uint32_t corners);
 
 }  // namespace onggi::render

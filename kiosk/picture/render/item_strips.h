@@ -20,8 +20,8 @@ struct ItemVertex {
   friend bool operator==(const ItemVertex&, const ItemVertex&) = default;
 };
 
-/// Flat items as triangle strips, one behind the other: degenerate triangles join them, so that a
-/// run of them is one draw call. Plain numbers.
+/// Flat items as triangle strips in sequence, joined by degenerate triangles, so that a run of them
+/// is one draw call. Plain numbers.
 struct ItemStrips {
   std::vector<ItemVertex> vertices;
   std::vector<std::uint32_t> indices;
@@ -29,13 +29,13 @@ struct ItemStrips {
   void clear();
   void add(const view::Box& box);
   void add(const view::Line& line);
-  /// Texels from (x, y) of a mask as large as `rect`, in `color`.
+  /// Texels from (x, y) of a mask in the size of `rect`, in `color`.
   void add_mask(const view::Rect& rect, int x, int y, view::Color color);
   /// The `part` of a picture (x, y, w, h, shares of it) in `rect`.
   void add_picture(const view::Rect& rect, glm::vec4 part, float opacity);
 
  private:
-  /// Corners as they zigzag.
+  /// Corners in zigzag order.
   void join(std::size_t from);
   void quad(const view::Rect& rect, glm::vec4 own, ItemVertex corner);
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFlat = 0, kPicture = 1;  // MODE of item.glsl
 
-/// Of two lists the first and the end of what differs, beyond their common length too.
+/// Start and end of the difference of two lists, including beyond their common length.
 template <typename Value>
 std::pair<std::size_t, std::size_t> changed(const std::vector<Value>& before,
                                             const std::vector<Value>& now) {
@@ -23,7 +23,7 @@ std::pair<std::size_t, std::size_t> changed(const std::vector<Value>& before,
   return {first, end};
 }
 
-/// What differs of `now` goes into the buffer bound to `target`, which has `room` of them.
+/// Uploads the difference to the buffer bound to `target`, which has space for `room` of them.
 template <typename Value>
 void renew(GLenum target, std::vector<Value>& before, const std::vector<Value>& now,
            std::size_t& room) {
@@ -161,7 +161,7 @@ void ItemPainter::draw(const std::vector<view::Item>& items, const Pictures& pic
       pictures.at(static_cast<view::PictureId>(run.name)).texture.bind(0);
     else if (run.name != 0)
       typesetter_.masks().use(static_cast<std::uint32_t>(run.name)).bind(0);
-    else  // The target's own texture may be what is bound there.
+    else  // the target's own texture may still be bound there
       no_text_.bind(0);
     calls::draw_elements(GL_TRIANGLE_STRIP, static_cast<GLsizei>(end - run.first), GL_UNSIGNED_INT,
                          run.first);
@@ -171,7 +171,7 @@ void ItemPainter::draw(const std::vector<view::Item>& items, const Pictures& pic
 
 void ItemPainter::draw_layer(const Texture& layer, float opacity, int width, int height) {
   begin(width, height);
-  // Targets keep their rows from the bottom.
+  // Targets store rows from the bottom.
   strips_.add_picture({0, 0, static_cast<float>(width), static_cast<float>(height)}, {0, 1, 1, -1},
                       opacity);
   upload();

@@ -31,7 +31,7 @@ std::array<float, 2 * kLevels * 4> Levels::light() const {
     const float seen = 0.5f * (std::sin(to) - std::sin(from));
     out[4 * i + 0] = outer[i];
     out[4 * i + 1] = over;
-    // The hiding ring curves away to both sides, so the plane's figure hides too much.
+    // The occluding ring curves away to both sides, so the plane's value occludes too much.
     out[4 * i + 2] = std::clamp(0.3f + 0.7f * seen, 0.0f, 1.0f);
 
     // Inner wall: the ring above that subtends the smallest disc.

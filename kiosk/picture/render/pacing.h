@@ -2,18 +2,18 @@
 
 namespace onggi::render {
 
-/// Chooses the render scale of the picture in space from measured frame times. Smooth and with a
-/// dead zone, so that it settles: it shrinks when frames are late, and grows again only when there
-/// is plenty of time. Plain numbers; knows no clock.
+/// Chooses the render scale of the 3-D picture from measured frame times. It has a dead zone, so
+/// that it settles: it shrinks when frames are late, and grows only when there is plenty of time.
+/// Plain numbers; knows no clock.
 class Pacing {
  public:
   static constexpr double kLeast = 0.35, kMost = 1.0;
 
-  /// `late_ms`: frames longer than this shrink the scale; shorter than `idle_ms` (< late_ms) grow
+  /// Frames longer than `late_ms` shrink the scale; frames shorter than `idle_ms` (< late_ms) grow
   /// it.
   Pacing(double late_ms, double idle_ms) : late_ms_(late_ms), idle_ms_(idle_ms) {}
 
-  /// A frame took `ms` of work at the present scale.
+  /// A frame took `ms` of work at the current scale.
   void frame(double ms);
   double scale() const { return scale_; }
   double mean_ms() const { return mean_ms_; }

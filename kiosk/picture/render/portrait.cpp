@@ -40,7 +40,8 @@ TriangleMesh standing(const TriangleMesh& mesh) {
       high[k] = std::max(high[k], p[k]);
     }
   }
-  // Every vessel is pictured at one size, so that light and shadow treat a cup as they do a jar.
+  // Every vessel is pictured at one size, so that light and shadow are the same for a cup and a
+  // jar.
   const float widest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-6f});
   const float to = kPictured / widest;
   for (Point& p : out.positions) {
@@ -56,10 +57,10 @@ GLint wrap_of(content::Coloring::Wrap wrap) {
                                                    : GL_REPEAT;
 }
 
-/// Rows from the top and v from the top: the first row is the one at v = 0, as glTF means it.
+/// Rows and v both start at the top: the first row is at v = 0, as glTF defines it.
 Texture texture_of(const content::Coloring::Picture& picture) {
   const auto& pixels = *picture.pixels;
-  // With alpha, as OpenGL ES makes no levels of sRGB without.
+  // With alpha, because OpenGL ES makes no mipmap levels of sRGB without it.
   std::vector<std::uint8_t> rgba;
   rgba.reserve(pixels.rgb.size() / 3 * 4);
   for (std::size_t i = 0; i + 2 < pixels.rgb.size(); i += 3)
@@ -101,9 +102,9 @@ std::vector<std::uint32_t> dress(const TriangleMesh& mesh, const content::Colori
   return indices;
 }
 
-/// How low what faces up about the axis reaches, but for a fiftieth of it that may be pits: the
-/// floor of an open vessel with a well in its middle, the top of a shut one. The vessel's own where
-/// nothing does.
+/// The lowest upward-facing surface around the axis, ignoring a fiftieth of it that may be pits:
+/// the floor of an open vessel with a well in its middle, or the top of a closed one. The vessel's
+/// own lowest point if nothing faces up.
 float floor_of(const TriangleMesh& mesh, float widest, float top) {
   std::vector<std::pair<float, double>> seen;  // height, area from above
   double all = 0;
@@ -134,8 +135,8 @@ Levels levels_of(const TriangleMesh& mesh) {
   const auto level_at = [step](float y) {
     return std::clamp(static_cast<int>(y / step), 0, kLevels - 1);
   };
-  // Means weighted by area, outer wall first: a handle is small, and what of it faces the axis from
-  // beyond the outer wall is no inner wall.
+  // Means weighted by area, outer wall first: a handle is small, and its parts that face the axis
+  // from outside the outer wall are not inner wall.
   for (const bool inward : {false, true}) {
     std::array<float, kLevels> sum{}, weight{};
     auto& into = inward ? levels.inner : levels.outer;
@@ -144,7 +145,7 @@ Levels levels_of(const TriangleMesh& mesh) {
       const Point& n = mesh.normals[t[0]];
       const Point m{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
       const float rho = std::hypot(m[0], m[2]);
-      // A flat foot or lid holds all radii at one height and says nothing of the wall.
+      // A flat foot or lid has all radii at one height and says nothing about the wall.
       if (std::abs(n[1]) > 0.93f) continue;
       if ((n[0] * m[0] + n[2] * m[2] < -0.1f * rho) != inward) continue;
       const float area = std::hypot((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]),
@@ -167,13 +168,13 @@ Levels levels_of(const TriangleMesh& mesh) {
     }
     for (std::size_t k = 0; k < kLevels; ++k) into[k] = weight[k] > 0 ? sum[k] / weight[k] : 0.0f;
     if (inward) continue;
-    // Levels without an outer wall of their own (flat feet, flat lips) take the nearest one's.
+    // Levels without an outer wall (flat feet, flat lips) take the nearest one's.
     for (std::size_t k = 1; k < kLevels; ++k) into[k] = into[k] > 0 ? into[k] : into[k - 1];
     for (std::size_t k = kLevels - 1; k > 0; --k) {
       into[k - 1] = into[k - 1] > 0 ? into[k - 1] : into[k];
     }
   }
-  // A plate is open from its floor up, though nothing of it is steep enough for an inner wall.
+  // A plate is open from its floor up, although no part of it is steep enough for an inner wall.
   const float widest = *std::max_element(levels.outer.begin(), levels.outer.end());
   float above = 0.98f * levels.outer[kLevels - 1];
   for (int l = kLevels - 1; l >= level_at(floor_of(mesh, widest, top)); --l) {

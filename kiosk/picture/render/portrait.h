@@ -10,40 +10,40 @@
 
 namespace onggi::render {
 
-/// A run of a mesh's indices that one picture lies on.
+/// A run of a mesh's indices with one picture.
 struct Coat {
   Texture picture;  ///< sRGB.
   int first = 0, count = 0;
 };
 
-/// A mesh set up to be drawn: what the stage needs to light it.
+/// A mesh ready to draw, with the data that the stage needs to light it.
 struct Model {
   Mesh mesh;  ///< Places, normals, linear colours, places in the picture.
   std::vector<Coat> coats;
   Levels levels;
-  float radius = 0;  ///< Of what reaches farthest from the axis, handles too, m.
+  float radius = 0;  ///< Largest distance from the axis, including handles, m.
 };
 
-/// A model and how its picture is taken.
+/// A model with its camera.
 struct Portrait {
   Model model;
   view::Camera camera;
 };
 
-/// Sets up `mesh`, which stands on y = 0 about the y axis, times `size`. Linear `color` all over,
-/// or, where it is not empty, `coloring` of its positions.
+/// Prepares `mesh`, which stands on y = 0 about the y axis, times `size`. Uses linear `color`, or
+/// `coloring` of its positions if that is not empty.
 Model model_of(const TriangleMesh& mesh, std::array<float, 3> color,
                const content::Coloring& coloring, float size);
 
-/// Stands `mesh` on the ground with its bounding box over the origin, 0.2 m in its largest side;
-/// takes its outer and inner radii at every level for the light; frames it in width x height with
-/// room for its shadow. Linear `color` all over, or, where it is not empty, `coloring` of its
-/// positions.
+/// Puts `mesh` on the ground with its bounding box over the origin, its largest side 0.2 m;
+/// computes its outer and inner radii at every level for the light; frames it in width x height
+/// with space for its shadow. Uses linear `color`, or `coloring` of its positions if that is not
+/// empty.
 Portrait portrait_of(const TriangleMesh& mesh, std::array<float, 3> color,
                      const content::Coloring& coloring, int width, int height);
 
-/// The radii of a mesh that stands on y = 0 about the y axis, by area: mean outer wall at every
-/// level, and mean wall that faces the axis (0 where none does). Needs normals.
+/// The radii of a mesh that stands on y = 0 about the y axis, weighted by area: mean outer wall at
+/// every level, and mean wall that faces the axis (0 if there is none). Needs normals.
 Levels levels_of(const TriangleMesh& mesh);
 
 }  // namespace onggi::render

@@ -34,8 +34,8 @@ bool is_software(const std::string& device) {
          device.find("Software") != std::string::npos;
 }
 
-/// With a GPU 60 frames a second. Without one 30 are owed at 1280 x 720 and 20 at 1920 x 1080: what
-/// moves more often is finer to the eye than what is sharper, and what stands is drawn in full.
+/// With a GPU 60 frames a second. Without one, at least 30 at 1280 x 720 and 20 at 1920 x 1080:
+/// smoother motion looks better than sharper pictures, and still pictures are drawn in full.
 Pacing pacing_for(bool software, int width, int height) {
   if (!software) return {15.0, 7.0};
   const double small = 1280.0 * 720.0, large = 1920.0 * 1080.0;
@@ -103,7 +103,7 @@ class GlRenderer final : public Renderer {
   }
 
   view::PictureId make_picture(const view::Image& image) override {
-    // Straight alpha comes in; layers are mixed premultiplied.
+    // Input has straight alpha; layers are mixed premultiplied.
     std::vector<std::uint8_t> rgba = image.rgba;
     rgba.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
     for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
@@ -116,7 +116,7 @@ class GlRenderer final : public Renderer {
                  false});
   }
 
-  /// With the next frame: the screen that fades away may have shown it.
+  /// Dropped with the next frame, because the fading screen may have shown it.
   void drop_picture(view::PictureId id) override { dropped_.push_back(id); }
   const view::TextMeasure& measure() const override { return items_->typesetter(); }
 
@@ -149,7 +149,7 @@ class GlRenderer final : public Renderer {
            frame.height == window_->height();
   }
   view::PictureId keep(ItemPainter::Stored stored) {
-    // Pictures are shown smaller than made: levels keep them clean.
+    // Pictures are shown smaller than they are; mipmap levels keep them clean.
     calls::bind_texture(stored.texture.name.get());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 12);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -158,7 +158,7 @@ class GlRenderer final : public Renderer {
     return last_picture_;
   }
 
-  // The window goes last: the others hold names of its context.
+  // Destroy the window last, because the others hold names of its context.
   std::unique_ptr<Window> window_;
   std::unique_ptr<Stage> stage_;
   std::unique_ptr<ItemPainter> items_;
@@ -174,9 +174,9 @@ class GlRenderer final : public Renderer {
                     swapped_ = started_;
   Clock::duration frame_slot_{};
   double drew_ms_ = 0, mean_ms_ = 0;
-  std::optional<view::Frame> drawn_;  ///< What the canvas holds; its pot as it was last drawn.
-  bool changed_ = true;               ///< By the last draw().
-  bool timed_ = true;                 ///< It drew the picture in space, as pacing knows it.
+  std::optional<view::Frame> drawn_;  ///< The canvas' content; its pot as last drawn.
+  bool changed_ = true;               ///< The last draw() changed something.
+  bool timed_ = true;                 ///< It drew the 3-D picture, as pacing needs to know.
 };
 
 void GlRenderer::draw(const view::Frame& frame) {
@@ -189,7 +189,7 @@ void GlRenderer::draw(const view::Frame& frame) {
       drawn_->pot.has_value() == frame.pot.has_value() &&
       (!frame.pot || (!stage_->clay().changed() && view::looks_same(*drawn_->pot, *frame.pot)));
   if (!still) moved_ = started_;
-  // What stands still is worth a picture as a GPU draws it: it is drawn once.
+  // A still picture is drawn once in the full quality of a GPU.
   const bool finer = still && !drawn_full_ && started_ - moved_ > kStands;
   changed_ = !still || finer || drawn_->items != frame.items || drawn_->fade != frame.fade;
   timed_ = !still;
@@ -213,7 +213,7 @@ void GlRenderer::draw(const view::Frame& frame) {
 
 void GlRenderer::present() {
   const auto begun = Clock::now();
-  // What lay over the window may have gone: it is shown again now and then.
+  // Something over the window may have gone, so show it again now and then.
   if (drawn_ && fits(*drawn_) && (changed_ || begun - swapped_ > kShownAgain)) {
     if (!changed_) {
       const calls::Shading counted(shading_);
@@ -224,12 +224,12 @@ void GlRenderer::present() {
     swapped_ = begun;
   }
   const double ms = drew_ms_ + ms_since(begun);
-  // A mean over about a second; one that starts with the second frame, as the first compiles.
+  // A mean over about a second; it starts with the second frame, because the first one compiles.
   if (timed_) mean_ms_ = frames_ < 2 ? ms : mean_ms_ + 0.08 * (ms - mean_ms_);
   ++frames_;
   if (full_quality_) return;
   if (timed_) pacing_.frame(ms);
-  // No more frames than the eye or the machine has use for: the 1 kHz loop wants the rest.
+  // Draw no more frames than the eye or the machine can use, because the 1 kHz loop needs the rest.
   const auto next = shown_ + frame_slot_;
   if (window_->visible() && Clock::now() < next) std::this_thread::sleep_until(next);
   shown_ = Clock::now();

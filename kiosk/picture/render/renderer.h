@@ -29,14 +29,14 @@ struct WindowOptions {
 /// Figures of the last second.
 struct RenderStatus {
   double frame_ms = 0;        ///< Mean time to draw and present.
-  double render_scale = 1;    ///< Of the 3-D picture, 0.35..1, chosen from the measured frame time.
-  bool software = false;      ///< No GPU: llvmpipe or the like.
-  bool full_quality = false;  ///< The last frame was drawn as finely as a GPU would.
+  double render_scale = 1;    ///< Of the 3-D picture, 0.35..1, from the measured frame time.
+  bool software = false;      ///< No GPU: llvmpipe or similar.
+  bool full_quality = false;  ///< The last frame was drawn in the full quality of a GPU.
   std::string device;         ///< GL_RENDERER.
-  bool embedded = false;      ///< OpenGL ES, where the driver has no OpenGL 3.3.
+  bool embedded = false;      ///< OpenGL ES, if the driver has no OpenGL 3.3.
   std::uint64_t frames = 0;
-  std::uint64_t text_overflows = 0;  ///< Texts drawn that were larger than their box: 0 is right.
-  std::string last_overflow;         ///< The latest of them.
+  std::uint64_t text_overflows = 0;  ///< Drawn texts that were larger than their box: must be 0.
+  std::string last_overflow;         ///< The last of them.
   FrameWork work;                    ///< Since the window was opened.
   bool shading_counted = false;      ///< The driver can count shader runs.
 };
@@ -44,28 +44,28 @@ struct RenderStatus {
 /// Window, OpenGL 3.3 core and text. Main thread only.
 class Renderer {
  public:
-  /// Problem (exit 1) says which of display, GL version or shader is missing, and what to do.
+  /// Problem (exit 1) names the missing part (display, GL version or shader) and the remedy.
   static Result<std::unique_ptr<Renderer>> create(const WindowOptions& options);
   virtual ~Renderer() = default;
 
   virtual int width() const = 0;  ///< Framebuffer pixels.
   virtual int height() const = 0;
-  /// Everything since the last call, in order. Waits for nothing.
+  /// All input since the last call, in order. Does not wait.
   virtual std::vector<view::InputEvent> poll() = 0;
-  /// How many fingers the screen's glass tells apart at once; 0: it has none. Asks the display.
+  /// Fingers that the touch screen can follow at once; 0: no touch screen. Asks the display.
   virtual int fingers() const = 0;
-  /// Once a frame: the monitor sleeps, or is awake. Nothing where it is not all ours.
+  /// Call once a frame: turns the monitor off or on. Does nothing if the screen is not all ours.
   virtual void sleep(bool on) = 0;
-  /// What staff should know of monitors and touch screens, a line each, once.
+  /// Messages about monitors and touch screens for staff, each once.
   virtual std::vector<std::string> remarks() = 0;
 
-  /// The clay that is drawn from here on; nothing but the wheel before the first.
+  /// Sets the clay to draw; before the first one only the wheel is drawn.
   virtual void show_clay(const ClayView& clay) = 0;
-  /// Once a frame: what changed of it since. Costs by the rows that did.
+  /// Call once a frame: uploads its changes. The cost depends on the changed rows.
   virtual void update_clay(const ClayView& clay) = 0;
 
-  /// The vessel that view::PotView::beside shows from here on: `mesh` about the y axis, its foot at
-  /// 0, times `size`, in linear `color` or, where that is not empty, in its own `coloring`.
+  /// Sets the vessel for view::PotView::beside: `mesh` about the y axis, its foot at 0, times
+  /// `size`, in linear `color`, or in its `coloring` if that is not empty.
   virtual void show_vessel(const TriangleMesh& mesh, std::array<float, 3> color,
                            const content::Coloring& coloring, double size) = 0;
 
@@ -74,16 +74,16 @@ class Renderer {
   virtual void present() = 0;
   /// The back buffer as drawn.
   virtual view::Image read_pixels() = 0;
-  /// Draws `frame` (its own width and height, any up to 4096) off screen at full quality with the
-  /// present grid.
+  /// Draws `frame` (its own width and height, up to 4096) off screen at full quality with the
+  /// current grid.
   virtual view::Image draw_offscreen(const view::Frame& frame) = 0;
-  /// What the surface of the clay that is shown is at each position of `mesh`, which is its own:
-  /// dry clay, or fired in `glazing`. By the shader that draws it, so they are one.
+  /// The clay's surface at each position of `mesh`, which belongs to the shown clay: dry, or fired
+  /// in `glazing`. It uses the shader that draws the clay, so both agree.
   virtual std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
                                                  const std::optional<view::Glazing>& glazing) = 0;
 
   /// A picture of a mesh on a transparent ground with its soft shadow, studio light, linear base
-  /// `color`, or in its own `coloring` where that is not empty.
+  /// `color`, or its `coloring` if that is not empty.
   virtual view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
                                        const content::Coloring& coloring, int width,
                                        int height) = 0;
@@ -92,9 +92,9 @@ class Renderer {
 
   virtual const view::TextMeasure& measure() const = 0;
   virtual RenderStatus status() const = 0;
-  /// true: always full render scale (scripted visits, where time is no matter).
+  /// True: always full render scale (scripted visits, where time does not matter).
   virtual void set_full_quality(bool on) = 0;
-  /// true: RenderStatus::work has the shader runs of the frames from here on. Waits for each.
+  /// True: RenderStatus::work counts shader runs from here on. Waits for each.
   virtual void count_shading(bool on) = 0;
 };
 

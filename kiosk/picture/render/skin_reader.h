@@ -12,15 +12,15 @@
 
 namespace onggi::render {
 
-/// Reads off what the clay's surface is, by the shader that draws it: clay.glsl, told to write down
-/// colour and roughness where it would light them. So what a pot is taken home with is what the
-/// kiln has shown, and there is no second copy of any glaze.
+/// Reads the clay's surface with the shader that draws it: clay.glsl in a mode that writes colour
+/// and roughness instead of lighting them. The keepsake's pot then matches the kiln screen, and
+/// there is no second copy of a glaze.
 class SkinReader {
  public:
   static Result<std::unique_ptr<SkinReader>> create();
 
-  /// One for each of `pot`'s positions: of fired clay, or of dry clay. `set_up` makes a program
-  /// ready that is in use: the clay's textures, its glaze.
+  /// One for each of `pot`'s positions: fired clay, or dry clay. `set_up` prepares the current
+  /// program: the clay's textures, its glaze.
   std::vector<view::SkinPoint> read(const ClayMesh& pot, bool fired,
                                     const std::function<void(const Program&)>& set_up) const;
 

@@ -26,7 +26,7 @@ void SoftEdges::begin() const {
     glEnable(GL_SAMPLE_ALPHA_TO_ONE);
     return;
   }
-  // The stencil keeps which samples are drawn.
+  // The stencil records which samples are drawn.
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_ALWAYS, kDrawn, kDrawn);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);

@@ -4,20 +4,19 @@
 
 namespace onggi::render {
 
-/// Between begin() and end() the alpha of what is drawn is the share of a pixel's samples that it
-/// covers, and those are opaque: so edges in the middle of triangles are smooth. For targets with
-/// samples and a stencil.
+/// Between begin() and end() alpha is the share of a pixel's samples to draw, and those samples are
+/// opaque, so that edges inside triangles are smooth. For multisampled targets with a stencil.
 class SoftEdges {
  public:
   static Result<SoftEdges> create();
-  /// Depth and blending are to be as they shall be drawn with; the stencil's first bit stays free.
+  /// Set depth and blending before; the stencil's first bit stays free.
   void begin() const;
   /// Leaves the stencil test off.
   void end() const;
 
  private:
   bool by_driver_ =
-      true;  ///< It has GL_SAMPLE_ALPHA_TO_ONE, which OpenGL ES lacks but by extension.
+      true;  ///< GL_SAMPLE_ALPHA_TO_ONE is available; OpenGL ES needs an extension for it.
   Program opaque_;
   Mesh all_;
 };

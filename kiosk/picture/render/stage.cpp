@@ -12,25 +12,25 @@ namespace onggi::render {
 namespace {
 
 // Meshes of the walls, and the pot's height in pixels up to which each is fine enough. Light and
-// grooves come from the radius textures at every pixel; a mesh only owes the outline, and a chord
-// of 6 pixels is within 0.2 of an arc of 25. Small triangles cost dearly: a software rasterizer
-// shades 4 x 4 pixels for each that it touches, whatever part of them is the triangle's.
+// grooves come from the radius textures at every pixel, so a mesh only gives the outline; a chord
+// of 6 pixels is within 0.2 of an arc of 25. Small triangles are expensive: a software rasterizer
+// shades 4 x 4 pixels for each one that it touches.
 struct Wall {
   int columns, rows;
   float most_pixels;
 };
 constexpr std::array<Wall, 4> kWalls{
     {{44, 48, 280.0f}, {60, 96, 580.0f}, {96, 192, 1200.0f}, {192, 400, 1e9f}}};
-// As fine, of the part of the way round that faces the eye, where that is no more than kFacing.
+// As fine, for the part of the circle that faces the eye, if that is at most kFacing.
 constexpr double kFacing = 0.6;
 constexpr int facing_columns(int columns) { return static_cast<int>(kFacing * columns + 0.5); }
 constexpr Wall kMirrored{44, 16, 1e9f};
 constexpr double kMirroredHeight = 0.12;  // m
-// Of the lip, by its radius in pixels: it is an outline all round, and some pixels wide.
+// For the lip, by its radius in pixels: it is an outline all round, and some pixels wide.
 constexpr std::array<Wall, 3> kLips{{{64, 6, 160.0f}, {96, 8, 370.0f}, {160, 12, 1e9f}}};
-// Of the wall's section, by the pot's height.
+// For the wall's section, by the pot's height.
 constexpr std::array<std::pair<int, float>, 2> kSections{{{96, 580.0f}, {192, 1e9f}}};
-// What a position of a mesh stands for, as a pixel of a screen does, m.
+// Size of a mesh position, like a pixel of a screen, m.
 constexpr float kReadPixel = 0.0005f;
 constexpr int kRim = 96;  // corners of the wheel head
 
@@ -38,7 +38,7 @@ constexpr int kRim = 96;  // corners of the wheel head
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
               kRowAt = 6, kWetRows = 7, kTornAt = 8, kOwnPicture = 9;
 
-// Parts of clay.glsl that tear: outer wall, lip, inner wall, section.
+// Parts of clay.glsl that can tear: outer wall, lip, inner wall, section.
 constexpr bool kTears[] = {true, true, true, false, true};
 
 glm::mat4 clip_of(const view::Camera& camera) {
@@ -47,7 +47,7 @@ glm::mat4 clip_of(const view::Camera& camera) {
   return projection * view;
 }
 
-// Metres that one pixel covers at the axis.
+// Metres in one pixel at the axis.
 float pixel_size(const view::Camera& camera, double scale) {
   return static_cast<float>(2.0 * camera.distance * std::tan(0.5 * camera.fov) /
                             (camera.height * scale));
@@ -161,7 +161,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   const bool shown = !clay_.empty();
   glClearColor(0, 0, 0, 0);
   glClearStencil(0);
-  // All of it: a part would be drawn, as a rectangle.
+  // The whole texture: a part would be drawn as a rectangle.
   glDisable(GL_SCISSOR_TEST);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);
@@ -174,13 +174,13 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glEnable(GL_CULL_FACE);
   glEnable(GL_DEPTH_TEST);
   if (shown) {
-    // The edges of a tear are in the middle of triangles, where only alpha can smooth them.
+    // The edges of a tear are inside triangles, where only alpha can smooth them.
     const bool soft = clay_.tears().any() && quality.samples > 0;
     if (soft) soft_edges_.begin();
     draw_clay(pot, clip, pixel, soft);
     if (soft) soft_edges_.end();
   }
-  // 2. The wheel head where the clay leaves it to be seen, and the pot mirrored in it.
+  // 2. The visible wheel head, and the pot mirrored in it.
   if (pot.wheel) {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 1, 1);
@@ -197,7 +197,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
   // 3. The tools, which fade into the air.
   draw_hands(pot, clip);
-  // 4. The vessel: open scans have no outside alone.
+  // 4. The vessel, from both sides, because open scans show their inside.
   if (pot.beside) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
@@ -243,7 +243,7 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
                      float pixel) {
   const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
   set_light(program, pot.camera, clay_levels_);
-  // All is computed at the thrown size; a pot that has shrunk is seen from as much farther away.
+  // Everything is computed at the thrown size; a shrunken pot is seen from farther away instead.
   const float size = size_of(pot);
   program.set("eye", vec(pot.camera.eye()) / size);
   clay_.outer().bind(kOuter);
@@ -262,7 +262,7 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
   program.set("height", static_cast<float>(clay_.height()));
   program.set("floor_height", static_cast<float>(clay_.floor_top()));
   program.set("clay_angle", static_cast<float>(pot.clay_angle));
-  // The door is hinged at the visitor's right: it opens from the front towards there.
+  // The door has its hinge at the visitor's right: it opens from the front towards there.
   program.set("open_from", front_of(pot.camera) - 0.5f * glm::pi<float>() * open);
   program.set("open_angle", 0.5f * glm::pi<float>() * open);
   program.set("front", front_of(pot.camera));
@@ -299,7 +299,7 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   const std::size_t size = fine_enough(kWalls, tall);
   const Program& outside = use(0);
   if (pot.cut_away <= 0.001 && clay_.facing(eye) <= kFacing) {
-    // What turns its back is not even begun: the gap of a cut-away that nobody sees.
+    // Skip parts that face away: the hidden gap of a cut-away.
     const float gap = 2.0f * glm::pi<float>() * (1.0f - static_cast<float>(kFacing));
     outside.set("open_from", front_of(pot.camera) + glm::pi<float>() - 0.5f * gap);
     outside.set("open_angle", gap);
@@ -313,7 +313,7 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   const std::size_t round =
       thick ? kLips.size() - 1 : fine_enough(kLips, static_cast<float>(clay_.max_radius()) / pixel);
   lips_[round].draw();
-  // Less is seen of the inside: the next coarser mesh does, as deep down as one sees.
+  // Less of the inside is visible, so use the next coarser mesh, down to the visible depth.
   const bool whole = pot.cut_away <= 0.001 && !clay_.tears().any();
   const double deep = whole ? clay_.seen_into(eye) : 1.0;
   const std::size_t coarse = size > 0 ? size - 1 : 0;
@@ -336,7 +336,7 @@ void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {
   const Program& program = use_clay(0, pot, clip, pixel_size(pot.camera, 1.0));
   program.set("mirrored", 1.0f);
   glFrontFace(GL_CW);
-  // Only what stands near the wheel head is seen in it.
+  // The wheel head mirrors only what is near it.
   program.set("share",
               static_cast<float>(std::min(1.0, kMirroredHeight / std::max(clay_.height(), 0.01))));
   mirrored_.draw();
@@ -353,7 +353,7 @@ void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
 void Stage::draw_vessel_ground(const view::PotView& pot, int width, int height) {
   if (!pot.beside || vessel_.coats.empty()) return;
   const glm::vec2 size(width, height);
-  // It goes on over the edge: the outermost pixel's middle is half a pixel from there.
+  // It extends beyond the edge, because the outermost pixel's middle is half a pixel away.
   backdrop_->draw_ground_layer(clip_of(pot.beside->camera), vessel_.levels.outer[0],
                                static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0)), size,
                                glm::vec2(0.5f));
@@ -378,7 +378,7 @@ void Stage::draw_portrait(const Portrait& portrait) {
   const Levels& levels = portrait.model.levels;
   const view::Camera& camera = portrait.camera;
   upload(levels, mesh_levels_);
-  // A picture of its own, that stands on many screens.
+  // A separate picture that many screens show.
   studio_.put_window(false);
   backdrop_->cast(Backdrop::Of::mesh, levels, mesh_levels_, studio_, 0.0f, 1.0f, 0.0);
   glClearColor(0, 0, 0, 0);

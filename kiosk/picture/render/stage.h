@@ -18,16 +18,16 @@
 
 namespace onggi::render {
 
-/// How finely the stage is drawn. Never touches the engine's grid.
+/// Quality of the stage. It never affects the engine's grid.
 struct Quality {
   int samples = 4;         ///< Multisampling.
-  bool reflection = true;  ///< The pot mirrored in the wheel head.
-  /// How much the clay may have moved since its shadow was cast, metres. Soft edges begin at 2.5
+  bool reflection = true;  ///< Mirror the pot in the wheel head.
+  /// Motion of the clay after which its shadow is renewed, metres. Soft edges begin at 2.5 mm.
   /// mm.
   double shadow_apart = 0.0005;
 };
 
-/// Everything in space: the clay, the wheel head, the tools, their light and shadow. Draws into the
+/// Everything in 3-D: the clay, the wheel head, the tools, their light and shadow. Draws into the
 /// bound target, over a transparent ground (premultiplied, display sRGB).
 class Stage {
  public:
@@ -35,24 +35,24 @@ class Stage {
 
   ClaySurface& clay() { return clay_; }
   const Backdrop& backdrop() const { return *backdrop_; }
-  /// Before the others: what has changed of clay, light and water goes to the graphics side.
+  /// Call before the others: uploads the changes of clay, light and water.
   void prepare(const view::PotView& pot, const Quality& quality);
-  /// The pot's shadow on `plaster`, into the bound target of the same size.
+  /// Draws the pot's shadow on `plaster` into the bound target of the same size.
   void draw_ground(const view::PotView& pot, const Texture& plaster,
                    const Backdrop::Extent& extent);
-  /// Of what stands on the ground: the wheel head, or the pot's foot. Metres.
+  /// Radius of the wheel head or the pot's foot on the ground, metres.
   float foot(const view::PotView& pot) const;
-  /// The vessel that may stand beside the pot from here on; nothing while a pot is drawn alone.
+  /// Sets the vessel beside the pot; none while a pot is drawn alone.
   void show_vessel(Model vessel) { vessel_ = std::move(vessel); }
   const Model& vessel() const { return vessel_; }
-  /// Its shadow over a ground of this size. prepare() first.
+  /// Its shadow on a ground of this size. Call prepare() first.
   void draw_vessel_ground(const view::PotView& pot, int width, int height);
-  /// Draws the pot, and what stands beside it, into the bound target, which is `scale` times the
+  /// Draws the pot and the vessel beside it into the bound target, which is `scale` times the
   /// camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
   void draw_portrait(const Portrait& portrait);
-  /// What the clay's surface is at the positions of `mesh`, which is its own: dry, or fired in
-  /// `glazing`. Uses the bound target for nothing, and leaves another one bound.
+  /// The clay's surface at the positions of `mesh`, which is its own: dry, or fired in `glazing`.
+  /// Does not use the bound target, and leaves another one bound.
   std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
                                          const std::optional<view::Glazing>& glazing);
 
@@ -65,7 +65,7 @@ class Stage {
   void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
                   double turned);
   void draw_hands(const view::PotView& pot, const glm::mat4& clip);
-  /// For a program of clay.glsl that is in use: all but what it is drawn with or torn by.
+  /// Prepares the current program of clay.glsl, except for mesh and tears.
   void set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
                 float pixel);
   const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
@@ -74,7 +74,7 @@ class Stage {
   ClaySurface clay_;
   ClaySkin skin_;
   std::array<std::array<Program, 5>, ClaySkin::kSkins> clay_programs_,
-      torn_programs_;  // by skin and part of clay.glsl; only walls and lips tear
+      torn_programs_;  // By skin and part of clay.glsl; only walls and lips tear.
   std::unique_ptr<ToolPainter> tools_;
   std::unique_ptr<SkinReader> skin_reader_;
   std::unique_ptr<Backdrop> backdrop_;

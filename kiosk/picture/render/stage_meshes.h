@@ -6,8 +6,8 @@
 
 namespace onggi::render {
 
-/// Across and up a section (clay.glsl, PART 4): the floor's at heights -1..0, the wall's at 0..1 in
-/// `rows` steps, and only the round lip has corners between its faces.
+/// Coordinates across and up a section (clay.glsl, PART 4): the floor at heights -1..0, the wall at
+/// 0..1 in `rows` steps; only the round lip has corners between its faces.
 Mesh section_mesh(int rows);
 
 /// A disc whose edge has `corners` (as of disc_indices), each (0..1 round, 1, 0), and the band

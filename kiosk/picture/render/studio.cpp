@@ -33,8 +33,8 @@ struct Ray {
   float solid_angle;
 };
 
-// Directions of an octahedral grid. Where the map folds out a texel covers 4 |d|^3 / ... : the
-// Jacobian of normalising (x, 1-|x|-|z|, z) is the cube of the normalised vector's 1-norm.
+// Directions of an octahedral grid. The solid angle of a texel comes from the Jacobian of
+// normalising (x, 1-|x|-|z|, z), which is the cube of the normalised vector's 1-norm.
 std::vector<Ray> rays(int size) {
   std::vector<Ray> out;
   float sum = 0;
@@ -53,7 +53,7 @@ std::vector<Ray> rays(int size) {
   return out;
 }
 
-// Fine even noise in three octaves, so that clay has grain and wood has fibre.
+// Even fine noise in three octaves, for the grain of clay and the fibres of wood.
 Texture make_grain() {
   std::vector<float> sum(kGrainSize * kGrainSize, 0.0f);
   std::uint32_t state = 0x9E3779B9u;
@@ -87,7 +87,7 @@ Texture make_grain() {
       Texture::create(GL_R8, kGrainSize, kGrainSize, GL_RED, GL_UNSIGNED_BYTE, texels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  // Levels, for who knows how large a pixel is: its finest octave is finer than one, and shimmers.
+  // Mipmap levels, because its finest octave is finer than a pixel and would flicker.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 4);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   glGenerateMipmap(GL_TEXTURE_2D);
@@ -134,7 +134,7 @@ glm::vec3 studio_light(glm::vec3 d) {
   const float up = glm::smoothstep(0.0f, 0.8f, d.y), down = glm::smoothstep(0.0f, -0.5f, d.y);
   glm::vec3 light = glm::mix(wall, ceiling, up);
   light = glm::mix(light, floor, down);
-  // Away from the window the room is dim and warm; beside it the reveal glows.
+  // Away from the window the room is dim and warm; the wall beside the window glows.
   const float away = glm::smoothstep(-0.1f, 1.0f, -glm::dot(d, kWindow));
   light = glm::mix(light, far, 0.75f * away);
   const float near = glm::smoothstep(0.55f, 0.95f, glm::dot(d, kWindow));

@@ -6,24 +6,24 @@
 
 namespace onggi::render {
 
-/// Towards the middle of the studio's one window, unit.
+/// Direction to the middle of the studio's one window, unit.
 glm::vec3 window_direction(bool right);
 
-/// The studio's light without its window, in a direction (unit, y up). Linear; 1 is white paper in
-/// full light. A plaster room lit from the left: bright ceiling, a dim warm far wall, a low floor.
-/// Lit from the right it is the same room in a mirror.
+/// The studio's light without its window, from a direction (unit, y up). Linear; 1 is white paper
+/// in full light. A plaster room lit from the left: bright ceiling, a dim warm far wall, a low
+/// floor. Lit from the right it is mirrored.
 glm::vec3 studio_light(glm::vec3 direction);
 
-/// Nine terms of the irradiance (over pi) that `light` throws on a surface, in light.glsl's order.
+/// Nine terms of the irradiance (over pi) from `light` on a surface, in light.glsl's order.
 /// Integrated over an octahedral grid of size x size directions.
 std::array<glm::vec3, 9> irradiance_terms(glm::vec3 (*light)(glm::vec3), int size);
 
-/// The studio as the shaders read it, lit from either side. Made once, by the CPU, in some ten
+/// The studio for the shaders, lit from either side. Computed once on the CPU in some ten
 /// milliseconds.
 class Studio {
  public:
   Studio();
-  /// From here on light comes from there; from the left at first.
+  /// Sets the light's side; it starts on the left.
   void put_window(bool right) { right_ = right; }
   bool window_right() const { return right_; }
   /// Sets the uniforms of light.glsl; binds the sky to texture unit `unit`.

@@ -8,7 +8,7 @@ namespace onggi::render {
 
 void Tears::reset(int rows, int row_step) {
   row_step_ = std::max(row_step, 1);
-  // The last drawn row stands for what is left over, too.
+  // The last drawn row also covers the remaining ones.
   torn_.assign(
       static_cast<std::size_t>(std::max(rows, 0) + 1) * static_cast<std::size_t>(row_step_), 0);
   torn_rows_ = 0;
@@ -36,11 +36,11 @@ void Tears::measure(std::span<const float> middles, float height) {
     const std::size_t j = std::min(r / static_cast<std::size_t>(row_step_), middles.size() - 1);
     const float from = j == 0 ? 0.0f : 0.5f * (middles[j - 1] + middles[j]);
     const float to = j + 1 == middles.size() ? height : 0.5f * (middles[j] + middles[j + 1]);
-    // A ring that lies between two samples is still there.
+    // Keep a ring that lies between two samples.
     const int first = sample(from, true), last = std::max(first, sample(to, false));
     for (int k = first; k <= last; ++k) marked_[static_cast<std::size_t>(k)] = 1;
   }
-  // Two sweeps: every sample is as far from the other kind as its neighbour is, and a step more.
+  // Two sweeps: the distance of a sample is its neighbour's plus one step.
   distance_.assign(kHeights, kFurthest);
   for (std::size_t k = 1; k < kHeights; ++k)
     distance_[k] =

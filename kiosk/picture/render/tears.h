@@ -8,20 +8,20 @@
 
 namespace onggi::render {
 
-/// Which rings of the clay are torn, and on the graphics side how far every height is from them.
-/// Where none is torn there is no texture.
+/// The torn rings of the clay, and a texture with each height's distance from them. Without a tear
+/// there is no texture.
 class Tears {
  public:
   static constexpr int kHeights = 1024;
-  static constexpr float kFurthest = 0.02f;  ///< Metres that distances are told up to.
+  static constexpr float kFurthest = 0.02f;  ///< Largest distance in the texture, metres.
 
-  /// A grid without tears: `rows` rows are drawn, each for `row_step` of the engine's.
+  /// Starts with a grid without tears: `rows` rows are drawn, each for `row_step` of the engine's.
   void reset(int rows, int row_step);
-  /// `row` of the engine's grid.
+  /// `row` in the engine's grid.
   void note(int row, bool torn);
   bool any() const { return torn_rows_ > 0; }
-  /// Renews the texture where rows tore or healed, or `moved`. `middles`: of the drawn rows, rising
-  /// to `height`, metres.
+  /// Renews the texture if rows tore or healed, or `moved`. `middles`: of the drawn rows, rising to
+  /// `height`, metres.
   void refresh(std::span<const float> middles, float height, bool moved);
   /// Over kHeights even shares of the height, foot and rim included: metres from the nearest torn
   /// ring (below 0), or from the nearest whole one (above).
@@ -30,7 +30,7 @@ class Tears {
  private:
   void measure(std::span<const float> middles, float height);
 
-  std::vector<std::uint8_t> torn_;  // of the engine's rows
+  std::vector<std::uint8_t> torn_;  // for the engine's rows
   std::vector<std::uint8_t> marked_;
   std::vector<float> distance_;
   int torn_rows_ = 0, row_step_ = 1;

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t kMostSizes = 4096;
 
-// After which a list in Chinese or Japanese may be broken: commas, full stop, colon, semicolon,
+// Marks after which a Chinese or Japanese list may break: commas, full stop, colon, semicolon,
 // three bytes each.
 constexpr std::array<const char*, 5> kListStops{"\u3001", "\uFF0C", "\u3002", "\uFF1A", "\uFF1B"};
 
-// Everything the look of a paragraph depends on but its colour, which the shader gives.
+// Everything that affects the look of a paragraph except its colour, which the shader sets.
 std::string key_of(const std::string& text, const view::TextStyle& s, float width) {
   char head[64];
   std::snprintf(head, sizeof head, "%d %.2f %d %d %d %.3f %.1f ", static_cast<int>(s.face),
@@ -28,10 +28,10 @@ std::string key_of(const std::string& text, const view::TextStyle& s, float widt
   return head + s.language + '\n' + text;
 }
 
-// What a figure is of: it stands in the figure's line.
+// Units, which stay in the line of their number.
 constexpr std::array<const char*, 9> kUnits{"mm", "cm", "m", "l", "s", "%", "مم", "سم", "ل"};
 
-// The families of one voice, nearest script first; fontconfig finds any other script itself.
+// The families of one style, nearest script first; fontconfig finds other scripts itself.
 std::string families(const view::TextStyle& s) {
   const bool serif = s.face == view::Face::serif;
   std::string out = serif ? "Noto Serif" : "Noto Sans";
@@ -45,7 +45,7 @@ std::string families(const view::TextStyle& s) {
   return out + (serif ? ",serif" : ",sans-serif");
 }
 
-// The part of a mask that has ink: its bytes, and in `block` where it is.
+// The part of a mask with ink: its bytes, and its place in `block`.
 std::vector<std::uint8_t> ink_of(const unsigned char* from, std::size_t stride, int w, int h,
                                  Typesetter::Block& block) {
   int left = w, right = 0, top = h, bottom = 0;
@@ -95,7 +95,7 @@ void keep_units(const std::string& text, PangoAttrList* attributes) {
   }
 }
 
-// Korean may break inside a word, but reads better when it does not (as museum labels are set).
+// Korean may break inside a word, but museum labels avoid that because it reads better.
 void keep_korean_words(const std::string& text, PangoAttrList* attributes) {
   std::size_t start = 0;
   while (start < text.size()) {
@@ -105,9 +105,9 @@ void keep_korean_words(const std::string& text, PangoAttrList* attributes) {
   }
 }
 
-// Chinese and Japanese may break between any two letters, and in running text they do. A line of a
-// label ("Japan, Edo period") is a list: it breaks after its commas, at its spaces, and before what
-// stands in brackets.
+// Chinese and Japanese may break between any two letters, and running text does. A line of a label
+// ("Japan, Edo period") is a list: it breaks only after its commas, at its spaces, and before
+// brackets.
 void keep_parts_of_a_list(const std::string& text, PangoAttrList* attributes) {
   constexpr std::size_t kLongestList = 90;  // bytes: thirty letters
   if (text.size() > kLongestList) return;
@@ -158,7 +158,7 @@ struct Typesetter::Pango {
     pango_attr_list_insert(attributes,
                            pango_attr_language_new(pango_language_from_string(s.language.c_str())));
     pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
-    // An absolute line height keeps lines even where a fallback font is taller.
+    // An absolute line height keeps lines even if a fallback font is taller.
     pango_attr_list_insert(attributes, pango_attr_line_height_new_absolute(static_cast<int>(
                                            std::round(s.px * s.line_height) * PANGO_SCALE)));
     keep_units(text, attributes);
@@ -168,11 +168,11 @@ struct Typesetter::Pango {
     pango_layout_set_attributes(layout, attributes);
     pango_attr_list_unref(attributes);
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
-    // A hint that begins with a figure or a Latin word is still a paragraph from the right.
+    // A hint that begins with a number or a Latin word is still a right-to-left paragraph.
     pango_layout_set_auto_dir(layout, s.right_to_left ? FALSE : TRUE);
     pango_context_set_base_dir(context,
                                s.right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
-    // Left means start where Pango takes the direction from the letters; it turns that round
+    // In Pango, left means start when it takes the direction from the letters; it reverses that
     // itself.
     const auto start = s.right_to_left ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT;
     const auto end = s.right_to_left ? PANGO_ALIGN_LEFT : PANGO_ALIGN_RIGHT;
@@ -213,7 +213,7 @@ const Typesetter::Block& Typesetter::set(const std::string& text, const view::Te
   PangoRectangle logical;
   pango_layout_get_pixel_extents(layout, nullptr, &logical);
   Block block;
-  // Pixels round the layout's box, for what overhangs it.
+  // Pixels around the layout's box, for overhanging ink.
   const int pad = static_cast<int>(std::ceil(0.4f * style.px));
   block.width = static_cast<float>(logical.width);
   block.height = static_cast<float>(logical.height);

@@ -10,9 +10,9 @@
 
 namespace onggi::render {
 
-/// Sets paragraphs with Pango: any script, right to left included, lines broken by the language's
-/// own habits, numbers in tabular figures. Measuring and drawing go through the same layout. Keeps
-/// what it has set, the pages least used first out. Main thread.
+/// Sets paragraphs with Pango: any script, also right to left, line breaks of the language, tabular
+/// figures. Measuring and drawing use the same layout. Caches what it has set and drops the least
+/// used pages first. Main thread.
 class Typesetter final : public view::TextMeasure {
  public:
   Typesetter();
@@ -20,7 +20,7 @@ class Typesetter final : public view::TextMeasure {
 
   Size measure(const std::string& text, const view::TextStyle& style, float width) const override;
 
-  /// A paragraph as a coverage mask, as small as its ink, to be drawn x, y from its box.
+  /// A paragraph as a coverage mask, as small as its ink, to draw at x, y from its box.
   struct Block {
     MaskAtlas::Place mask;
     int x = 0, y = 0, w = 0, h = 0;  ///< Pixels; w 0: there is no ink.

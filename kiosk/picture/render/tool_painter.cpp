@@ -18,7 +18,7 @@ const glm::vec3 kSlip(0.30f, 0.185f, 0.125f), kBoxwood(0.47f, 0.31f, 0.165f),
 // Metres.
 constexpr double kHandle = 0.07, kHandleRadius = 0.0042, kFerrule = 0.016, kFerruleRadius = 0.0022;
 constexpr double kToggle = 0.03, kToggleRadius = 0.0055;
-// How far a finger is seen before it has gone into the air, of its radius.
+// Visible length of a finger before it fades into the air, in radii.
 constexpr double kFinger = 3.2;
 
 struct Material {
@@ -32,7 +32,7 @@ const Material kMetal{kSteel, 0.24f, 0.42f};
 const Material kWire{kBrass, 0.30f, 0.35f};
 const Material kPorous{kSponge, 0.9f, 0.02f, 0, 1.0f};
 
-/// A mesh in the making: place, normal, and whether it belongs to the far half.
+/// A mesh under construction: place, normal, and whether it belongs to the far half.
 struct Maker {
   std::vector<float> v;
   std::vector<std::uint32_t> t;
@@ -49,7 +49,7 @@ struct Maker {
   }
 };
 
-/// A unit sphere about the origin whose upper half is the far one.
+/// A unit sphere about the origin; its upper half is the far one.
 Mesh capsule() {
   Maker make;
   constexpr std::uint32_t kRound = 32, kDown = 8;  // of each half
@@ -64,7 +64,7 @@ Mesh capsule() {
         make.add(p, p, half == 0 ? 1.0f : 0.0f);
       }
     }
-  // One strip of the bands between rings.
+  // One strip from the bands between rings.
   for (std::uint32_t band = 0; band + 1 < 2 * (kDown + 1); ++band) {
     const std::uint32_t upper = band * (kRound + 1), lower = upper + kRound + 1;
     if (band > 0) make.t.insert(make.t.end(), {make.t.back(), lower});
@@ -111,8 +111,8 @@ Mesh drum(float hole) {
   return make.mesh();
 }
 
-/// The way from the ball to where the finger comes from: from above, and from outside where it
-/// works the outer wall.
+/// The direction from the ball to the finger's origin: from above, and from outside if it works the
+/// outer wall.
 glm::vec3 lean_of(const HandView& hand, const Levels& levels) {
   const glm::vec3 tip = vec(hand.at);
   const float rho = std::hypot(tip.x, tip.z);
@@ -122,7 +122,7 @@ glm::vec3 lean_of(const HandView& hand, const Levels& levels) {
   return glm::normalize(away * (rho > inner ? 1.0f : 0.12f) + glm::vec3(0, 0.75f, 0));
 }
 
-/// One body set into its place with a program in use.
+/// Sets one body in its place, for the current program.
 struct Placer {
   const Program& program;
 

@@ -10,17 +10,17 @@
 
 namespace onggi::render {
 
-/// Draws what a hand holds: the working body where the engine has it, to its very size, and what
-/// tells its nature (the finger that goes on into the air, handles, wood, steel, sponge).
+/// Draws the held tool: its working body in the engine's place and exact size, and the parts that
+/// show its kind (the finger that fades into the air, handles, wood, steel, sponge).
 class ToolPainter {
  public:
   static Result<std::unique_ptr<ToolPainter>> create();
 
-  /// `light` sets what light.glsl wants; `levels` of the clay say on which side of the wall a ball
-  /// is. Into the bound target, premultiplied, with depth.
+  /// `light` sets the uniforms of light.glsl; the clay's `levels` tell on which side of the wall a
+  /// ball is. Draws into the bound target, premultiplied, with depth.
   void draw(const HandView& hand, const Levels& levels, const glm::mat4& clip,
             const std::function<void(const Program&)>& light) const;
-  /// Nothing that is drawn of `hand` is farther from hand.at, metres.
+  /// Largest distance of any drawn part of `hand` from hand.at, metres.
   static double reach(const HandView& hand);
 
  private:

@@ -13,9 +13,9 @@ extern "C" Window glfwGetX11Window(GLFWwindow* window);
 namespace onggi::render {
 namespace {
 
-constexpr double kEchoSeconds = 0.25;  // emulated mouse events trail the touch by less
+constexpr double kEchoSeconds = 0.25;  // emulated mouse events follow the touch within this time
 
-/// A device was unplugged or switched off; whose fingers were on it cannot be told any more.
+/// A device was unplugged or turned off, so its fingers cannot be followed any more.
 bool glass_left(const XGenericEventCookie& cookie) {
   if (cookie.evtype != XI_HierarchyChanged) return false;
   const auto* change = static_cast<const XIHierarchyEvent*>(cookie.data);
@@ -50,7 +50,7 @@ std::unique_ptr<Touch> Touch::listen(GLFWwindow* window) {
   XISetMask(mask, XI_TouchEnd);
   XISetMask(mask, XI_FocusOut);
   XIEventMask wanted{XIAllMasterDevices, sizeof mask, mask};
-  // The window must be known to the server before another connection may name it.
+  // The server must know the window before another connection may name it.
   XSync(theirs, False);
   XISelectEvents(connection->display, glfwGetX11Window(window), &wanted, 1);
   unsigned char devices[XIMaskLen(XI_LASTEVENT)] = {};
@@ -77,8 +77,8 @@ int Touch::fingers() const {
     for (int k = 0; k < all[n].num_classes; ++k) {
       if (all[n].classes[k]->type != XITouchClass) continue;
       const auto* glass = reinterpret_cast<const XITouchClassInfo*>(all[n].classes[k]);
-      if (glass->mode != XIDirectTouch) continue;  // A touch pad is a mouse.
-      // None stands for as many as there are.
+      if (glass->mode != XIDirectTouch) continue;  // a touch pad is a mouse
+      // 0 means that there is no limit.
       most = std::max(most, glass->num_touches == 0 ? view::Fingers::kMost : glass->num_touches);
     }
   }

@@ -10,21 +10,21 @@ struct GLFWwindow;
 
 namespace onggi::render {
 
-/// Touches on the window by XInput2, which GLFW does not know: ten fingers, told apart
-/// (view::Fingers). All lift when the window loses the glass or the glass the machine. On a
-/// connection of its own, so that GLFW's events stay GLFW's.
+/// Touches on the window through XInput2, which GLFW does not support: ten separate fingers
+/// (view::Fingers). All lift when the window loses the touch screen or it is unplugged. Uses its
+/// own connection, so that GLFW's events are unaffected.
 class Touch {
  public:
-  /// Nothing where the display is not X11 or has no XInput 2.2: then X's own emulated mouse serves.
+  /// Nothing if the display is not X11 or has no XInput 2.2: then X's own emulated mouse is used.
   static std::unique_ptr<Touch> listen(GLFWwindow* window);
   ~Touch();
 
   std::vector<view::InputEvent> poll();
-  /// A finger is down, or lifted so recently that its emulated mouse events may still come.
+  /// True if a finger is down, or lifted so recently that its emulated mouse events may still come.
   bool active() const;
-  /// How many fingers the glass tells apart at once, of the one that tells most; 0: there is none.
+  /// Fingers that the best touch screen can follow at once; 0: there is none.
   int fingers() const;
-  /// When a finger last moved, s on GLFW's clock; 0 never.
+  /// When a finger last moved, s on GLFW's clock; 0: never.
   double last_time() const { return last_time_; }
 
  private:

@@ -1,7 +1,7 @@
 #include "kiosk/picture/render/window.h"
 
 #include <epoxy/gl.h>
-// GL comes from epoxy.
+// epoxy provides GL.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <dlfcn.h>
@@ -18,8 +18,8 @@
 namespace onggi::render {
 namespace {
 
-constexpr double kStillSeconds = 3.0;  // after which the cursor hides
-constexpr double kLookAgain = 2.0;     // s, where nobody tells of a change
+constexpr double kStillSeconds = 3.0;  // s after which the cursor hides
+constexpr double kLookAgain = 2.0;     // s between checks, if no event reports a change
 using view::InputEvent;
 using view::Key;
 
@@ -84,7 +84,7 @@ Key key_of(int key, bool shift) {
   }
 }
 
-/// Why there is no window, and what to do.
+/// The reason why there is no window, and the remedy.
 tl::unexpected<Problem> no_display(const std::string& reason) {
   const auto given = [](const char* name) {
     const char* value = std::getenv(name);
@@ -112,7 +112,7 @@ void ask_for_opengl() {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 }
 
-// What the drivers of small boards have: the Raspberry Pi's has OpenGL 3.1 and OpenGL ES 3.1.
+// Small boards offer this: the Raspberry Pi has OpenGL 3.1 and OpenGL ES 3.1.
 void ask_for_opengl_es() {
   glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -122,8 +122,8 @@ void ask_for_opengl_es() {
 }
 
 // Graphics drivers keep tables and threads for the life of the process, and their exit handlers run
-// after GLFW would have unloaded them (leak checkers lose their way too): hold what is loaded now.
-// Mesa up to 24.1 has them in a file a driver, *_dri.so, and from 24.2 in one, libgallium-*.so.
+// after GLFW would have unloaded them (which also confuses leak checkers), so keep them loaded.
+// Mesa up to 24.1 has one file a driver, *_dri.so; from 24.2 a single one, libgallium-*.so.
 void keep_drivers_loaded() {
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
@@ -141,8 +141,8 @@ Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUser
 
 Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
 #ifdef GLFW_PLATFORM
-  // From 3.4 GLFW takes Wayland where a desktop offers it. Fingers, outputs and dark nights are
-  // read from X (touch.h, displays.h), which such a desktop offers too, by Xwayland.
+  // From version 3.4 GLFW uses Wayland if a desktop offers it. Touches, outputs and turning the
+  // monitor off use X (touch.h, displays.h), which such a desktop offers too, through Xwayland.
   glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
   if (glfwInit() != GLFW_TRUE) return no_display(last_error());
@@ -157,7 +157,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
-  // A hidden window cannot be full screen: that would map it.
+  // A hidden window cannot be full screen, because that would show it.
   GLFWmonitor* on = options.visible ? monitor : nullptr;
   const auto open = [&] {
     return glfwCreateWindow(width, height, options.title.c_str(), on, nullptr);
@@ -184,7 +184,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   window->full_screen_ = full;
   glfwMakeContextCurrent(made);
   keep_drivers_loaded();
-  glfwSwapInterval(0);  // frames are paced by Renderer::present
+  glfwSwapInterval(0);  // Renderer::present paces the frames
   glfwGetFramebufferSize(made, &window->width_, &window->height_);
   if (!options.visible) {
     window->width_ = width;
@@ -232,8 +232,8 @@ void Window::listen() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
     self(w)->key(key, action, mods);
   });
-  // A lost monitor makes GLFW fall back to a small window before anyone is told; go back to full
-  // screen when there is a monitor again. None at all is a legal state: keep running.
+  // If a monitor is lost, GLFW silently changes to a small window; return to full screen when there
+  // is a monitor again. No monitor at all is a valid state: keep running.
   glfwSetMonitorCallback([](GLFWmonitor*, int) {
     if (GLFWwindow* w = glfwGetCurrentContext()) self(w)->monitor_lost_ = true;
   });
@@ -244,7 +244,7 @@ void Window::listen() {
 void Window::push(InputEvent event) { events_.push_back(event); }
 
 void Window::pointer(InputEvent::Kind kind, double x, double y) {
-  // A touch is also sent as an emulated mouse; the touch itself has been heard already.
+  // A touch also arrives as an emulated mouse; the touch itself was already handled.
   if (touch_ != nullptr && touch_->active()) return;
   // Window coordinates become framebuffer pixels (they differ on scaled displays).
   int w = 0, h = 0;
@@ -278,8 +278,8 @@ void Window::mind_monitor(double now) {
   if (lost)
     return glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height,
                                 mode->refreshRate);
-  // The same monitor in another mode: of that GLFW tells nobody, and without a window manager the
-  // window would stay as large as the screen was.
+  // GLFW does not report a new mode of the same monitor, and without a window manager the window
+  // would keep the old screen's size.
   int x = 0, y = 0, at_x = 0, at_y = 0, w = 0, h = 0;
   glfwGetMonitorPos(monitor, &x, &y);
   glfwGetWindowPos(window_, &at_x, &at_y);

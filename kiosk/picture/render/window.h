@@ -15,7 +15,7 @@ namespace onggi::render {
 class Displays;
 class Touch;
 
-/// The window and its GL context, and everything that is pressed, turned or touched in it.
+/// The window with its GL context, and all of its input.
 class Window {
  public:
   static Result<std::unique_ptr<Window>> create(const WindowOptions& options);
@@ -25,11 +25,11 @@ class Window {
   int height() const { return height_; }
   bool visible() const { return visible_; }
   std::vector<view::InputEvent> poll();
-  int fingers() const;  ///< As Touch's.
+  int fingers() const;  ///< Same as Touch's.
   void swap();
-  /// Once a frame: the monitor sleeps, or is awake; nothing in a window.
+  /// Call once a frame: turns the monitor off or on; does nothing in a window.
   void sleep(bool on);
-  /// What staff should know of monitors and touch screens, a line each, once.
+  /// Messages about monitors and touch screens for staff, each once.
   std::vector<std::string> remarks();
 
  private:
@@ -43,13 +43,13 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   std::unique_ptr<Touch> touch_;
-  std::unique_ptr<Displays> displays_;  ///< Of a kiosk that fills the screen.
+  std::unique_ptr<Displays> displays_;  ///< For a kiosk that fills the screen.
   std::vector<view::InputEvent> events_;
   int width_ = 0, height_ = 0;
   bool visible_ = true, full_screen_ = false, cursor_shown_ = true, pressed_ = false;
   bool monitor_lost_ = false, asleep_ = false;
-  double put_to_sleep_ = 0;  // s, or woken
-  double looked_at_ = 0;     // s, at the monitor
+  double put_to_sleep_ = 0;  // s; or woken
+  double looked_at_ = 0;     // s; last look at the monitor
   double cursor_moved_ = 0;  // s, GLFW's clock
   float x_ = 0, y_ = 0;
 };

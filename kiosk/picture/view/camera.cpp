@@ -19,7 +19,7 @@ struct Extent {
 
 constexpr int kAround = 48;
 
-// A ring's points on the unit circle: every frame frames the pot anew, and asks for them 60 times.
+// A ring's points on the unit circle: every frame needs them 60 times to frame the pot.
 const std::array<Vec2, kAround>& ring() {
   static const std::array<Vec2, kAround> kRing = [] {
     std::array<Vec2, kAround> points;
@@ -32,7 +32,7 @@ const std::array<Vec2, kAround>& ring() {
   return kRing;
 }
 
-/// A camera's projection with what does not depend on the point worked out once.
+/// A camera's projection with everything that does not depend on the point.
 class Projection {
  public:
   explicit Projection(const Camera& c)
@@ -54,7 +54,7 @@ class Projection {
   double pixels_;
 };
 
-// Where the rings of a standing cylinder reach on the screen.
+// The extent of a standing cylinder's rings on the screen.
 Extent extent_of(const Camera& camera, double height, double radius) {
   Extent e;
   const Projection project(camera);
@@ -99,11 +99,11 @@ Vec2 Camera::on_axis_plane(float px, float py) const {
   basis(right, up, back);
   const double f = pixels_per_slope(*this);
   const Vec3 ray = right * ((px - centre_x) / f) + up * ((centre_y - py) / f) - back;
-  // The plane holds the axis and `right`; its normal is level and faces the eye.
+  // The plane contains the axis and `right`; its normal is level and faces the eye.
   const Vec3 normal = {std::sin(azimuth), 0.0, std::cos(azimuth)};
   const Vec3 from = target + back * distance;
   const double along = dot(ray, normal);
-  // A ray level with the plane never meets it; it can only come from a camera straight above.
+  // A ray parallel to the plane never meets it; it can only come from a camera straight above.
   const double t = along < -1e-9 ? -dot(from, normal) / along : distance;
   const Vec3 hit = from + ray * t;
   return {dot(hit, right), hit.y};
@@ -143,7 +143,7 @@ Camera frame_pot(int width, int height, const Rect& box, double pot_height, doub
   camera.centre_y = box.y + 0.5f * box.h;
   camera.target = {0.0, 0.5 * pot_height, 0.0};
 
-  // The nearest distance at which both rings lie within the box: farther is smaller, so halve.
+  // The nearest distance at which both rings fit the box: farther is smaller, so bisect.
   double low = 1.2 * pot_radius, high = 200.0 * (pot_height + pot_radius);
   for (int i = 0; i < 60; ++i) {
     camera.distance = 0.5 * (low + high);
@@ -153,7 +153,7 @@ Camera frame_pot(int width, int height, const Rect& box, double pot_height, doub
   }
   camera.distance = high;
 
-  // Perspective makes the near ring hang lower than the far ring stands higher: centre again.
+  // Perspective lowers the near ring more than it raises the far one, so centre again.
   const Extent e = extent_of(camera, pot_height, pot_radius);
   camera.centre_y += box.y + 0.5f * box.h - 0.5f * (e.top + e.bottom);
   return camera;

@@ -9,22 +9,21 @@
 namespace onggi::view {
 
 /// A pinhole camera in the studio frame (y up, z towards the visitor), looking along -z and a
-/// little down. The vertical field of view spans `height` pixels; the image centre is shifted to
-/// `centre`.
+/// little down. The vertical field of view spans `height` pixels; the image centre is at `centre`.
 struct Camera {
   int width = 1280, height = 720;        ///< Pixels of the whole frame.
-  float centre_x = 640, centre_y = 360;  ///< Where `target` appears, pixels from the top left.
+  float centre_x = 640, centre_y = 360;  ///< Place of `target`, pixels from the top left.
   Vec3 target{0, 0.1, 0};                ///< Looked at, metres.
   double distance = 0.9;                 ///< From `target`, metres.
   double elevation = 0.25;               ///< Radians above the horizon.
-  double azimuth = 0.0;                  ///< Radians, turns about the axis.
+  double azimuth = 0.0;                  ///< Radians about the axis.
   double fov = 0.42;                     ///< Vertical, radians.
 
   friend bool operator==(const Camera&, const Camera&) = default;
   Vec3 eye() const;
   /// Right, up and backward (towards the eye) unit vectors.
   void basis(Vec3& right, Vec3& up, Vec3& back) const;
-  /// Pixel of a point; nothing when it lies behind the eye.
+  /// The pixel of a point; nothing if it is behind the eye.
   std::optional<std::pair<float, float>> project(Vec3 p) const;
   /// The point on the vertical plane through the axis that faces the camera, under a pixel:
   /// x = signed distance right of the axis, y = height, metres.

@@ -6,16 +6,16 @@
 
 namespace onggi::view {
 
-/// A frame's items as they stand on a dark screen: pale words, and each colour of the palette by
-/// one that is seen there, so that words have at least 7:1 on the dark and what can be touched
-/// 4.5:1. Opacity is kept, and so is a colour that is not the palette's. The dark lies below them
-/// all, `width` by `height` pixels. In place; where things stand does not change.
+/// Converts a frame's items for a dark screen: pale words, and each palette colour becomes one that
+/// is visible there, so that words have at least 7:1 on the dark ground and touch targets 4.5:1.
+/// Opacity and foreign colours are kept. Adds the dark ground below them, `width` by `height`
+/// pixels. In place; positions do not change.
 void to_dark(std::vector<Item>& items, int width, int height);
 
-/// The colour that `color` becomes; its alpha is kept.
+/// The replacement for `color`; its alpha is kept.
 Color in_the_dark(Color color);
 
-/// What they stand on.
+/// The ground under them.
 inline constexpr Color kDark{0.078f, 0.071f, 0.063f, 1.0f};
 
 }  // namespace onggi::view

@@ -32,7 +32,7 @@ void Fingers::lift(int place, std::vector<InputEvent>& out) {
 }
 
 void Fingers::down(std::uint32_t id, float x, float y, double now, std::vector<InputEvent>& out) {
-  // Told twice: its lifting was lost.
+  // reported twice: its lift was lost
   if (const int before = place_of(id); before >= 0) lift(before, out);
   const auto free =
       std::find_if(fingers_.begin(), fingers_.end(), [](const Finger& f) { return !f.there; });

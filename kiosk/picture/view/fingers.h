@@ -8,24 +8,24 @@
 
 namespace onggi::view {
 
-/// Which finger is which on a glass that many may touch: up to kMost at once, each with a place of
-/// its own from its going down to its lifting (InputEvent::finger, the least that is free). Every
-/// down is followed by exactly one up, whatever the glass reports: fingers that are told twice,
-/// never, or no more. Plain values; knows no clock.
+/// Numbers the fingers on a touch screen that many people may touch: up to kMost at once, each with
+/// its own number from touch to lift (InputEvent::finger, the least free one). Every down is
+/// followed by exactly one up, even if the touch screen reports a finger twice, never, or no more.
+/// Plain values; knows no clock.
 class Fingers {
  public:
   static constexpr int kMost = 10;
-  /// s without news after which a finger is taken to be gone: even one that rests trembles.
+  /// s without a report after which a finger counts as gone: even a resting finger trembles.
   static constexpr double kLost = 20.0;
 
-  /// What a glass reports of the touch `id` at `now` (s, never going back), in pixels. Appends what
-  /// it means to `out`. A finger beyond kMost is let be until it lifts.
+  /// Handles a report about the touch `id` at `now` (s, never going back), in pixels. Appends the
+  /// resulting events to `out`. A finger beyond kMost is ignored until it lifts.
   void down(std::uint32_t id, float x, float y, double now, std::vector<InputEvent>& out);
   void move(std::uint32_t id, float x, float y, double now, std::vector<InputEvent>& out);
   void up(std::uint32_t id, float x, float y, double now, std::vector<InputEvent>& out);
-  /// Once a frame: lets those go that are lost.
+  /// Call once a frame: lifts lost fingers.
   void look_after(double now, std::vector<InputEvent>& out);
-  /// The glass is gone, or another window has it: all lift where they were.
+  /// The touch screen is gone, or another window has it: all fingers lift where they were.
   void let_go(std::vector<InputEvent>& out);
 
   bool any() const;

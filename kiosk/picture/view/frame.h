@@ -18,8 +18,8 @@
 
 namespace onggi::view {
 
-/// What to draw, as plain values: screens fill it, render draws it. Pixels from the top left unless
-/// said otherwise; colours are display sRGB, straight alpha, 0..1.
+/// A frame as plain values: screens fill it, render draws it. Pixels from the top left unless
+/// noted; colours are display sRGB, straight alpha, 0..1.
 
 struct Color {
   float r = 0, g = 0, b = 0, a = 1;
@@ -40,12 +40,12 @@ struct TextStyle {
   Align align = Align::start;
   float line_height = 1.4f;     ///< Of px.
   std::string language = "en";  ///< BCP 47, for shaping and line breaks.
-  /// A paragraph is read from the right, whatever it begins with; false: as its first letter is.
+  /// A right-to-left paragraph, whatever its first letter; false: the first letter decides.
   bool right_to_left = false;
   friend bool operator==(const TextStyle&, const TextStyle&) = default;
 };
 
-/// A paragraph set in `box.w`; the text must fit `box.h` (the layout asked TextMeasure first).
+/// A paragraph set in `box.w`; the text must fit `box.h` (the layout asks TextMeasure first).
 struct Text {
   Rect box;
   std::string text;
@@ -72,7 +72,7 @@ struct Line {
   friend bool operator==(const Line&, const Line&) = default;
 };
 
-/// Names a picture that the renderer keeps (made with Renderer::make_*). 0 is none.
+/// The name of a picture that the renderer keeps (made with Renderer::make_*). 0 is none.
 using PictureId = std::uint32_t;
 
 struct Picture {
@@ -84,50 +84,50 @@ struct Picture {
 
 using Item = std::variant<Text, Box, Line, Picture>;
 
-/// How the clay's surface is finished; `firing` is on its way from clay, or from another glaze.
+/// The finish of the clay's surface; `firing` is between clay, or another glaze, and the new one.
 enum class Finish : std::uint8_t { clay, firing, fired };
 
-/// The glass on a fired pot. As it comes: a coat of celadon.
+/// The glass on a fired pot. Default: a coat of celadon.
 struct Glazing {
   content::GlazeLook look;
   double coat = 1.0;  ///< Its thickness as a share of 0.5 mm, 0 (bare) .. 4.
   friend bool operator==(const Glazing&, const Glazing&) = default;
 };
 
-/// A pot on its way to its glaze.
+/// A pot between two finishes.
 struct FiringView {
-  std::optional<Glazing> from;  ///< What it wore before; none: dry clay.
+  std::optional<Glazing> from;  ///< The old glaze; absent: dry clay.
   double done = 0;              ///< 0 none .. 1 all of the new glaze.
   double glow = 0;              ///< 0 cold .. 1 white heat's red.
   friend bool operator==(const FiringView&, const FiringView&) = default;
 };
 
-/// The vessel that the renderer was shown, beside the pot: it stands on the same ground in a studio
-/// of its own, so that both have the same light, and `camera` differs from the pot's by its centre.
+/// The vessel that the renderer was given, beside the pot: it stands on the same ground in its own
+/// studio, so that both have the same light; `camera` differs from the pot's only by its centre.
 struct VesselView {
   Camera camera;
-  double angle = 0;  ///< Turned about its axis, rad.
+  double angle = 0;  ///< Rotation about its axis, rad.
   friend bool operator==(const VesselView&, const VesselView&) = default;
 };
 
-/// The pot in its studio. Its shape is the ClayView that the renderer was shown.
+/// The pot in its studio. Its shape is the ClayView that the renderer was given.
 struct PotView {
   Camera camera;
   double wheel_angle = 0;  ///< Of the wheel head, rad,
-  double clay_angle = 0;   ///< and of the clay on it: a pot that was cut free stands still.
+  double clay_angle = 0;   ///< and of the clay on it: a pot that was cut off stands still.
   double wetness = 0;      ///< Mean, 0..1.
   /// Wetness at even heights, foot to rim, 0..1, at most 256; empty: `wetness` all over.
   std::vector<float> wet_rows;
   Finish finish = Finish::clay;
-  Glazing glazing;    ///< Of `firing` and `fired`.
-  FiringView firing;  ///< Of `firing`.
-  double size = 1;    ///< What is left of every length since the clay was thrown, 0.5..1.
+  Glazing glazing;    ///< For `firing` and `fired`.
+  FiringView firing;  ///< For `firing`.
+  double size = 1;    ///< Remaining share of every length since throwing, 0.5..1.
   double cut_away =
       0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
   bool wheel = true;                 ///< Draw the wheel head.
   double wheel_radius = 0.175;       ///< Of its head, metres, 0.05..0.3.
-  bool window_right = false;         ///< The studio's window is there (view::window_at).
-  std::array<HandView, 2> hands{};   ///< Those present are drawn, with what they hold.
+  bool window_right = false;         ///< The studio's window is at the right (view::window_at).
+  std::array<HandView, 2> hands{};   ///< Present hands are drawn with their tools.
   double opacity = 1;                ///< 0..1, against the plaster, for fades.
   std::optional<VesselView> beside;  ///< The vessel that it answers.
   friend bool operator==(const PotView&, const PotView&) = default;

@@ -27,7 +27,7 @@ void to_high_contrast(std::vector<Item>& items) {
       box->border *= kHeavier;
     } else if (auto* line = std::get_if<Line>(&item)) {
       line->width *= kHeavier;
-      // A halo parts a line from clay of its own darkness, and half a halo only half.
+      // A halo separates a line from clay of the same darkness; half a halo is not enough.
       for (Color& color : line->colors)
         if (same_hue(color, kPlaster)) color.a = 1;
     }

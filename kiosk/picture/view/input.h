@@ -24,13 +24,13 @@ enum class Key : std::uint8_t {
   language,  ///< "l"
   comfort,   ///< "a"
   next,
-  previous,  ///< Tab, and with Shift: every control, one after the other.
-  other,     ///< Any key that has no name here: to one switch it is as good as another.
-  tell,      ///< "v": what is on the screen is said, or said again.
+  previous,  ///< Tab, and with Shift: all controls in turn.
+  other,     ///< Any other key: for one switch every key is good.
+  tell,      ///< "v": speaks the screen, or speaks it again.
   none,
 };
 
-/// What reaches the screens from window, touch or keypad. Pixels of the framebuffer, from the top
+/// Input for the screens from window, touch or keypad. Pixels of the framebuffer, from the top
 /// left.
 struct InputEvent {
   enum class Kind : std::uint8_t {
@@ -48,8 +48,8 @@ struct InputEvent {
   float scroll = 0;    ///< Notches; positive away from the visitor.
   Key key = Key::none;
   bool repeat = false;
-  bool glass = false;       ///< A finger on the glass, no mouse.
-  std::uint8_t finger = 0;  ///< Which: 0 a mouse or the first on the glass, 1..9 those beside it.
+  bool glass = false;       ///< A finger on the touch screen, not a mouse.
+  std::uint8_t finger = 0;  ///< Number: 0 a mouse or the first finger, 1..9 the others.
 };
 
 }  // namespace onggi::view

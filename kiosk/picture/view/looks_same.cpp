@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kAngle = 2e-4, kPlace = 2e-5, kWet = 2.0 / 255.0;
 
-/// Takes `drawn`'s value where the eye cannot tell.
+/// Takes `drawn`'s value if the eye cannot tell the difference.
 template <typename Number>
 void forgive(Number& now, Number drawn, double by) {
   if (std::abs(static_cast<double>(now) - static_cast<double>(drawn)) < by) now = drawn;

@@ -6,7 +6,7 @@
 
 namespace onggi::view {
 
-/// Asks how large a text will be before it is laid out. Implemented by render with Pango.
+/// Measures text before layout. Implemented by render with Pango.
 class TextMeasure {
  public:
   virtual ~TextMeasure() = default;

@@ -4,9 +4,9 @@
 
 namespace onggi::view {
 
-/// What a pot's surface is at a place, whatever light falls on it.
+/// A pot's surface at a place, independent of light.
 struct SkinPoint {
-  std::array<float, 3> color{};  ///< Linear, 0..1: the share of light that it gives back.
+  std::array<float, 3> color{};  ///< Linear, 0..1: the reflected share of light.
   float roughness = 1.0f;        ///< 0 like a mirror .. 1 matt; the square is glTF's alpha.
 };
 

@@ -7,29 +7,29 @@
 
 namespace onggi::view {
 
-/// A QR code (ISO/IEC 18004) as plain values: which modules are dark, and how it is drawn. Dark ink
-/// on the plaster that is there, with the standard's quiet zone of four modules round it.
+/// A QR code (ISO/IEC 18004) as plain values: its dark modules, and its drawing. Dark ink on the
+/// existing plaster, with the standard's quiet zone of four modules around it.
 class SquareCode {
  public:
   static constexpr int kQuiet = 4;  ///< Modules on every side.
 
-  /// None: empty, takes no room.
+  /// Empty; takes no space.
   SquareCode() = default;
-  /// Of `words`, bytes as they are, with medium error correction (15 %) or more where that is free.
-  /// Empty for no words and for more than fit a code. Allocates.
+  /// Encodes `words` byte by byte, with medium error correction (15 %) or more if that is free.
+  /// Empty for no words, or for too many. Allocates.
   explicit SquareCode(const std::string& words);
 
   bool empty() const { return side_ == 0; }
   int side() const { return side_; }  ///< Modules, without the quiet zone.
   bool dark(int x, int y) const { return dark_[static_cast<std::size_t>(y * side_ + x)]; }
 
-  /// Whole pixels of one module where code and quiet zone are to be about `wanted` pixels wide: at
-  /// least two, so that a camera tells them apart.
+  /// Whole pixels of one module if code and quiet zone should be about `wanted` pixels wide: at
+  /// least two, so that a camera can separate them.
   int module(float wanted) const;
-  /// Pixels of code and quiet zone then.
+  /// Pixels of code and quiet zone at that size.
   float width(float wanted) const;
-  /// Draws it with its quiet zone's corner at (x, y), moved to whole pixels: boxes of ink, a row's
-  /// run of dark modules each. Allocates.
+  /// Draws it with its quiet zone's corner at (x, y), rounded to whole pixels: a box of ink for
+  /// each run of dark modules in a row. Allocates.
   void draw(std::vector<Item>& items, float x, float y, float wanted) const;
 
  private:
