@@ -100,7 +100,7 @@ TEST(ByteWriter, the_lowest_byte_of_a_number_comes_first_and_padding_fills_to_a_
   out.text("hi");
   out.pad(16, ' ');
   out.pad(16, ' ');
-  const std::string expected = std::string("\x01\x02\x03\x04\x05\x06\0\0\x80\x3fhi", 12) + "    ";
+  const std::string expected = std::string("\x01\x02\x03\x04\x05\x06\0\0\x80\x3fhi    ", 16);
   const auto bytes = out.take();
   EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), expected);
 }
