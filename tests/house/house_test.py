@@ -258,30 +258,51 @@ class House(unittest.TestCase):
         self.assert_broken("docs", "say the job of engine/clay")
 
     def test_words_that_a_page_holds_to_a_source_are_held_on_both_sides(self):
-        page = "# Clay\nA grid of 8 rows.\n<!-- true while\n8 rows | engine/clay/clay.h | kRows = 8\n-->\n"
+        page = "# Clay\n```\n# no heading\n```\nA grid of 8 rows.\n"
+        claim = "# Clay\n8 rows | engine/clay/clay.h | kRows = 8\n"
+        claims = "engine/docs/claims/clay.txt"
         self.write("engine/clay/clay.h", "constexpr int kRows =\n    8;\n")
         self.write("engine/docs/clay.md", page)
+        self.write(claims, claim)
         self.assertEqual(self.check("docs"), [])
         self.write("engine/clay/clay.h", "constexpr int kRows = 80;\n")
-        self.assert_broken("docs", "engine/docs/clay.md:3", "has no 'kRows = 8' any more")
+        self.assert_broken("docs", claims + ":2", "has no 'kRows = 8' any more")
         os.remove(os.path.join(self.root, "engine/clay/clay.h"))
         self.assert_broken("docs", "engine/clay/clay.h is gone")
         self.write("engine/clay/clay.h", "constexpr int kRows = 8;\n")
         self.write("engine/docs/clay.md", page.replace("of 8", "of nine"))
         self.assert_broken("docs", "does not say '8 rows'")
-        self.write("engine/docs/clay.md", page.replace("<!--", "# Another section\n<!--"))
+        self.write("engine/docs/clay.md", page.replace("A grid", "## Another section\nA grid"))
         self.assert_broken("docs", "does not say '8 rows'")
-        self.write("engine/docs/clay.md", page.replace(" | kRows = 8", ""))
+        self.write("engine/docs/clay.md", page)
+        self.write(claims, claim.replace("# Clay", "# Mud"))
+        self.assertTrue(any("has no heading 'Mud'" in line for line in self.check("docs")))
+        self.write(claims, claim.replace(" | kRows = 8", ""))
         self.assert_broken("docs", "words | file | source text")
-        self.write("engine/docs/clay.md", page.replace("true while", "true when"))
-        self.assert_broken("docs", "begins with 'true while'")
+        self.write(claims, claim)
+        os.remove(os.path.join(self.root, "engine/docs/clay.md"))
+        self.assert_broken("docs", "engine/docs/clay.md is gone")
+
+    def test_claims_of_a_page_outside_docs_stand_with_the_rules(self):
+        self.write("config/README.md", "# Settings\n8 rows\n")
+        self.write("tests/house/claims/config/README.txt", "# Settings\n9 rows | config/README.md | 8 rows\n")
+        self.assert_broken("docs", "tests/house/claims/config/README.txt:2", "of config/README.md does not say '9 rows'")
+
+    def test_a_claim_is_no_source_for_the_names_of_a_page(self):
+        self.write("engine/docs/clay.md", "# Clay\n`Mud` of 8 rows.\n")
+        self.write("engine/docs/claims/clay.txt", "# Clay\nMud | engine/docs/clay.md | Mud\n")
+        self.assert_broken("docs", "nothing in the sources is called Mud")
+
+    def test_a_comment_in_a_page_fails(self):
+        self.write("engine/docs/clay.md", "# Clay\n\n<!-- to do -->\n")
+        self.assert_broken("docs", "engine/docs/clay.md:3", "no reader sees a comment")
 
     def test_what_a_page_names_must_exist(self):
         self.write("engine/clay/clay.h", "struct Clay { int rows(); };\n")
-        self.write("engine/docs/clay.md", "[vec](../math/vec.h) `engine/clay` `clay.h` `clay/clay.h` `Clay::rows` "
+        self.write("engine/docs/clay.md", "# The clay's [rows]\n[here](#the-clays-rows) [vec](../math/vec.h) `engine/clay` `clay.h` `clay/clay.h` `Clay::rows` "
                    "`rows()` `engine/*/vec.h` `build/bin/x` `engine/NAME.h` `--not checked`\n```\n`gone.h`\n```\n")
         self.assertEqual(self.check("docs"), [])
-        for wrong, said in (("[vec](vec.h)", "vec.h leads nowhere"), ("`mud.h`", "no mud.h"),
+        for wrong, said in (("[vec](vec.h)", "vec.h leads nowhere"), ("[here](#rows)", "no heading for #rows"), ("`mud.h`", "no mud.h"),
                             ("`engine/mud`", "no engine/mud"), ("`Clay::sectors`", "called sectors")):
             self.write("engine/docs/clay.md", wrong + "\n")
             self.assert_broken("docs", said)

@@ -10,7 +10,7 @@
 namespace onggi::content {
 
 /// An archaeological drawing as TOML: outer and inner outline, foot ring and rim, in millimetres.
-/// The format, with an example, is in kiosk/docs/curators.md.
+/// The format, with an example, is in kiosk/docs/draw_a_vessel.md.
 struct Drawing {
   std::string title;
   std::string source;  ///< Where the figures come from.

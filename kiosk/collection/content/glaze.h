@@ -51,7 +51,7 @@ struct GlazesRead {
   int keys_checked = 0;
 };
 
-/// Reads content/glazes.toml, a [[glaze]] each (kiosk/docs/curators.md). Each glaze needs a name in
+/// Reads content/glazes.toml, a [[glaze]] each (kiosk/docs/glazes.md). Each glaze needs a name in
 /// all of `languages`. A glaze without id, name or colours is left out; an invalid number gets its
 /// default.
 GlazesRead read_glazes(const std::filesystem::path& file,

@@ -44,7 +44,7 @@ struct LessonRead {
   int keys_checked = 0;
 };
 
-/// Reads content/lessons/NAME.toml, a [[step]] each (kiosk/docs/curators.md), with words in all of
+/// Reads content/lessons/NAME.toml, a [[step]] each (kiosk/docs/lesson.md), with words in all of
 /// `languages`. A step without id or words is left out; other invalid values get their default. A
 /// file without steps is an empty lesson.
 LessonRead read_lesson(const std::filesystem::path& file,

@@ -11,7 +11,7 @@
 
 namespace onggi::content {
 
-/// A vessel.toml: what a curator writes about a vessel (kiosk/docs/curators.md).
+/// A vessel.toml: what a curator writes about a vessel (kiosk/docs/add_a_vessel.md).
 struct Pack {
   std::string drawing;                          ///< A file beside it; empty: none.
   double true_height = 0.0, true_diameter = 0;  ///< Metres; 0: not given.

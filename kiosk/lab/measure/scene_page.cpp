@@ -99,7 +99,9 @@ Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE*
 
 std::string page_of(const std::vector<SceneEntry>& scenes, const PageMade& made) {
   std::string page =
-      "# The scenes, and what each costs and gives\n\nMade by `" + made.command + "`";
+      "# The scenes, and what each costs and gives\n\nFor curators and for whoever wonders what a "
+      "scene costs.\n\nMade by `" +
+      made.command + "`";
   if (!scenes.empty()) page += " on " + scenes.front().bill.machine;
   page += ", " + made.date + (made.commit.empty() ? "" : ", of commit " + made.commit) +
           ". Write nothing here by hand.\n";

@@ -4,16 +4,16 @@
 #include "kiosk/collection/content/pack.h"
 #include "tests/kiosk/collection/content/temporary.h"
 
-// What kiosk/docs/curators.md shows must work when it is copied.
+// What the curators' pages in kiosk/docs show must work when it is copied.
 
 namespace onggi::content {
 namespace {
 
 class CuratorsPage : public Temporary {
  protected:
-  /// The toml listing of the page that contains `words`.
-  static std::string listing(const std::string& words) {
-    std::ifstream page("kiosk/docs/curators.md");
+  /// The toml listing of kiosk/docs/`name` that contains `words`.
+  static std::string listing(const std::string& name, const std::string& words) {
+    std::ifstream page("kiosk/docs/" + name);
     const std::string text{std::istreambuf_iterator<char>(page), {}};
     const std::string open = "```toml\n";
     for (auto at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
@@ -26,13 +26,15 @@ class CuratorsPage : public Temporary {
 };
 
 TEST_F(CuratorsPage, its_drawing_can_be_turned) {
-  const DrawingRead read = check_drawing(write("profile.toml", listing("outer = [")));
+  const DrawingRead read =
+      check_drawing(write("profile.toml", listing("draw_a_vessel.md", "outer = [")));
   for (const Problem& p : read.problems) ADD_FAILURE() << to_text(p);
   EXPECT_GT(read.drawing.section.outline.size(), 20u);
 }
 
 TEST_F(CuratorsPage, its_pack_is_read_without_a_word_of_complaint) {
-  const PackRead read = read_pack(write("jar/vessel.toml", listing("true_height_mm")));
+  const PackRead read =
+      read_pack(write("jar/vessel.toml", listing("add_a_vessel.md", "true_height_mm")));
   for (const auto* list : {&read.problems, &read.advice})
     for (const Problem& p : *list) ADD_FAILURE() << to_text(p);
   EXPECT_EQ(read.pack.labels.size(), 2u);

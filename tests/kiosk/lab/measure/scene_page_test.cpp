@@ -35,7 +35,8 @@ TEST(ScenePage, TellsWordsEffectsCostAndBothHands) {
   scene.visits.careful.push_back(careful);
   const std::string page = page_of({scene}, {"onggi lab scenes", "2026-11-22", "abc1234"});
   for (const char* told :
-       {"## soft\nFor everyone.", "friction, kiln", "12.3 of a tick's 1000 us",
+       {"gives\n\nFor curators and for whoever wonders what a scene costs.\n\nMade by",
+        "## soft\nFor everyone.", "friction, kiln", "12.3 of a tick's 1000 us",
         "naive hands, 90 s | 81 points in the median (least 7)", "roughness 0.31 mm",
         "five stars 0 of 24", "a careful hand | 94; five stars 1 of 2",
         "Made by `onggi lab scenes` on A machine, 2026-11-22, of commit abc1234."})
