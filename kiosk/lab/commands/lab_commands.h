@@ -4,7 +4,7 @@
 
 namespace onggi::laboratory {
 
-/// The program onggi-lab: every command below.
+/// The program onggi-lab with all commands below.
 cli::Command lab_command();
 
 cli::Command accuracy_command();

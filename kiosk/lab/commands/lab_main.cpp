@@ -5,7 +5,7 @@
 #include "kiosk/lab/commands/lab_commands.h"
 #include "kiosk/wheel/device/last_word.h"
 
-// As kiosk/program/app/main.cpp: what is measured here is the kiosk as it runs.
+// Same set-up as kiosk/program/app/main.cpp, so that measurements match the kiosk.
 int main(int argc, char** argv) {
   onggi::files::keep_heap_small();
   onggi::device::end_forces_on_terminate();

@@ -22,7 +22,7 @@ struct ScreensArguments {
 
 void say_state(const std::string& state) { std::fprintf(stderr, "%s\n", state.c_str()); }
 
-/// All that lie beside the exhibit's own, the exhibit's first.
+/// All languages beside the exhibit's own, the exhibit's first.
 std::vector<std::string> all_languages(const std::vector<std::string>& own, const fs::path& words) {
   std::vector<std::string> rest;
   std::error_code error;
@@ -75,7 +75,7 @@ Result<int> look(const ScreensArguments& arguments) {
   auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
   if (!display) return tl::unexpected(display.error());
   const auto plans = measure::plans(options.languages);
-  // As it comes, then with all that a curator may switch on.
+  // First as the exhibit is, then with all options that a curator can turn on.
   for (const bool missions : {false, true}) {
     if (!missions && arguments.missions) continue;
     options.mission = missions ? exhibit::Missions::kEvery : "";

@@ -27,7 +27,7 @@ Result<int> sound(const SoundArguments& arguments) {
               drawing::draw_spectrogram(measure::spectrogram_of(film), arguments.plot.where()));
           !good)
         return tl::unexpected(good.error());
-    // Whoever wants to hear it need not wait for what it takes to measure it.
+    // Listening needs no measurement, so skip it.
     if (!arguments.json.wanted()) return 0;
   }
   const auto heard = measure::touch_to_sound(arguments.plan, stderr);

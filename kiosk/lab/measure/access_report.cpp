@@ -16,11 +16,11 @@ namespace {
 
 constexpr int kAccessTicks = 40;    // of 1 ms: a frame
 constexpr double kCapital = 0.714;  // of a letter's body, in Noto
-constexpr double kWatched = 2.0;    // s that a screen is looked at for flashes
-constexpr int kEvery = 2;           // of its frames, drawn
-constexpr double kWhole = 0.99;     // of a text's colour: what fades is not finished
+constexpr double kWatched = 2.0;    // s that a screen is watched for flashes
+constexpr int kEvery = 2;           // of its frames is drawn
+constexpr double kWhole = 0.99;     // of a text's colour: a fading text is not finished
 
-/// The exhibit, walked through frame by frame.
+/// Walks through the exhibit frame by frame.
 class AccessWalk {
  public:
   explicit AccessWalk(exhibit::Kiosk& kiosk) : kiosk_(kiosk) {}
@@ -63,7 +63,7 @@ double px_per_mm(const AccessDisplay& display) {
   return std::hypot(display.width, display.height) / display.diagonal_mm;
 }
 
-/// `frame` is the one that was laid out last.
+/// `frame` is the last one that was laid out.
 ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name,
                             const AccessDisplay& display, view::Frame frame) {
   ScreenAccess out;
@@ -77,7 +77,7 @@ ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name,
     const auto* text = std::get_if<view::Text>(&item);
     if (text == nullptr || text->color.a < kWhole || text->text.empty()) continue;
     const double is = drawn_contrast(whole, wordless, text->box);
-    if (is == 0) continue;  // It lies beyond the screen's edge.
+    if (is == 0) continue;  // it is beyond the screen's edge
     ++out.texts;
     capital =
         std::min(capital, kCapital * static_cast<double>(text->style.px) / px_per_mm(display));
@@ -94,7 +94,7 @@ ScreenAccess look_at_screen(exhibit::Kiosk& kiosk, const std::string& name,
       target = side;
       out.smallest = control.id;
     }
-    // What is for keys alone is the pot itself, and has a ring while they are on it.
+    // A control only for keys is the pot itself, and has a ring while it has the keyboard.
     if (!control.by_keys)
       least_control = std::min(least_control, drawn_contrast(whole, bare, rect));
   }
@@ -140,7 +140,7 @@ Result<std::vector<AccessReport>> measure_access(exhibit::Kiosk& kiosk,
                           usual.viewing_distance_mm};
   std::vector<AccessReport> reports{report_on(exhibit, own)};
   for (const AccessDisplay& display : also) reports.push_back(report_on(exhibit, display));
-  // 10 degrees of view, a quarter of it.
+  // A quarter of 10 degrees of view.
   const double across = 2 * own.distance_mm * std::tan(5.0 * 3.14159265358979 / 180);
   const int cell = std::max(16, static_cast<int>(0.5 * across * px_per_mm(own)));
 
@@ -162,9 +162,9 @@ Result<std::vector<AccessReport>> measure_access(exhibit::Kiosk& kiosk,
           look_at_screen(kiosk, name, display, kiosk.visit().frame(display.width, display.height)));
     }
     kiosk.show_as(usual, language);
-    walk.frames(0.1);  // What was laid out last was another size.
+    walk.frames(0.1);  // the last layout had another size
   };
-  // A control to press, and what is seen then; empty: it is only passed.
+  // A control to press, and the screen after it; empty: it is only passed.
   const std::vector<std::pair<std::string, std::string>> way{
       {"", "attract"},
       {"attract.begin", "choose"},
@@ -252,7 +252,7 @@ std::string text_of(const AccessReport& report) {
 }
 
 namespace {
-/// As exact as it is written.
+/// Rounds to the written precision.
 bool is_short(double is, double asked) { return std::round(10 * is) < std::round(10 * asked); }
 }  // namespace
 

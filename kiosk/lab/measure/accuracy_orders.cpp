@@ -15,7 +15,7 @@ const Row* find(const std::vector<Row>& rows, const std::string& script, const S
   return at == rows.end() ? nullptr : &*at;
 }
 
-// The setting on steps twice as long.
+// The setting with steps twice as long.
 Setting coarser(Setting setting, const std::string& knob) {
   if (knob == "grid") {
     setting.rows = setting.rows % 2 == 0 ? setting.rows / 2 : 0;
@@ -29,13 +29,13 @@ Setting coarser(Setting setting, const std::string& knob) {
 }
 
 double theory_of(const Setting& setting, const std::string& knob, const std::string& quantity) {
-  // Straight between elements, a shape is wrong by the step at a corner and by its square
-  // elsewhere.
+  // With straight lines between elements, the shape's error is of the order of the step at a
+  // corner, and of its square elsewhere.
   if (knob == "grid") return quantity == "shape" ? 1.5 : 2.0;
   if (setting.model == Setting::Model::shipped || setting.rule == lab::TimeRule::shipped)
     return 2.0;
-  // A tool that is met at the step's end is half a step early. That is felt at once; of what it
-  // leaves, only where it turns round counts, and there half a step is nothing.
+  // A tool that is met at the step's end is half a step early. The force shows that at once; the
+  // shape shows it only where the tool turns round, where half a step is nothing.
   return setting.rule == lab::TimeRule::exact && quantity != "force" ? 2.0 : 1.0;
 }
 
@@ -55,7 +55,7 @@ std::vector<AccuracyOrder> orders_of(const std::vector<Row>& rows) {
       const Row* coarse =
           middle == nullptr ? nullptr : find(rows, fine.script, coarser(middle->setting, knob));
       if (coarse == nullptr) continue;
-      // A preset's displaced volume is told as an error only.
+      // A preset's displaced volume is known only as an error.
       const bool by_preset = fine.displaced == 0.0;
       for (const char* quantity : {"shape", "force", "volume"}) {
         if (by_preset && quantity == std::string("volume")) continue;

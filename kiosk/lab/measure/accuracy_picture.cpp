@@ -30,7 +30,7 @@ Chart::Mark mark_of(const lab::SettingSummary& one) {
   return {one.p999, 1e3 * one.errors.shape_rms};
 }
 
-// What the dearest preset takes on our grids, at the error of the scripts.
+// The cost of the most expensive preset on our grids, at the error of the scripts.
 Chart::Line dearest_scene(const AccuracyReport& report) {
   Chart::Line line{
       "ours, the dearest scene's effects", view::kDeepCeladon, false, true, false, false, {}};

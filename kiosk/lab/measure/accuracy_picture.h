@@ -5,8 +5,8 @@
 
 namespace onggi::measure {
 
-/// What accuracy costs in time, to be drawn: our grids and those of the dearest scene, the printed
-/// model's settings hollow, everything else that was tried as a cloud, and the vases.
+/// The chart of accuracy against time: our grids and those of the most expensive scene, the printed
+/// model's settings as hollow marks, all other settings as a cloud, and the vases.
 drawing::AccuracyChart chart_of(const AccuracyReport& report);
 
 }  // namespace onggi::measure

@@ -31,7 +31,7 @@ class SettingList {
     setting.substeps = substeps;
     add(setting);
   }
-  // One thing at a time of the law, in plain code: rule, quadrature, precision.
+  // One aspect of the law at a time, in plain code: rule, quadrature, precision.
   void add_plain(std::array<int, 2> grid, bool all_of_them) {
     for (const TimeRule rule : {TimeRule::printed, TimeRule::exact, TimeRule::shipped})
       for (const Quadrature quadrature : {Quadrature::none, Quadrature::area, Quadrature::edges})
@@ -92,7 +92,7 @@ std::vector<Setting> AccuracyPlan::settings() const {
 }
 
 int AccuracyPlan::passes(const Setting& setting) const {
-  if (setting.rows > kPlainRows) return 1;  // their ticks are long, and half of all time
+  if (setting.rows > kPlainRows) return 1;  // their ticks are long, half of the total time
   if (setting.rate_hz != 1000.0) return quick ? 1 : 2;
   if (setting.model == Model::shipped && setting.substeps == 1) return 5;
   return !quick && setting.rows <= 800 ? 3 : setting.rows <= 800 ? 2 : 1;

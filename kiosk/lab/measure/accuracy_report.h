@@ -10,15 +10,15 @@ namespace onggi::measure {
 /// {machine, command, seed, rows: [{script, model, rule, quadrature, precision, rows, sectors,
 /// rate_hz, substeps, tick_us_p50, tick_us_p999, tick_us_worst, shape_mm_rms, shape_mm_max,
 /// force_n_rms, volume_pct, force_n_mean, true_force_n_mean}], orders: [...], pareto: [...],
-/// unstable: [...], recommended: {...}}. An order that is none is null.
+/// unstable: [...], recommended: {...}}. An undefined order is null.
 files::Json json_of(const AccuracyReport& report);
-/// The rows alone, under two lines that begin with # and say machine and command.
+/// Only the rows, after two lines that begin with # and give machine and command.
 std::string csv_of(const AccuracyReport& report);
-/// What a person reads: the grids, how the printed force grows, the orders, the edge, and the
+/// The report for people: the grids, the growth of the printed force, the orders, the edge, and the
 /// recommendation.
 std::string text_of(const AccuracyReport& report);
 
-/// The recommendation in a curator's words, two or three sentences.
+/// The recommendation for curators, two or three sentences.
 std::string words_of(const lab::Recommendation& recommended);
 /// The setting in a few words: "ours, 400 x 360".
 std::string words_of(const lab::AccuracySetting& setting);

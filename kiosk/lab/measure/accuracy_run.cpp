@@ -19,7 +19,7 @@ namespace {
 using Setting = lab::AccuracySetting;
 using Model = Setting::Model;
 
-// Says every two seconds how far it has come.
+// Prints its progress every two seconds.
 class Teller {
  public:
   Teller(std::FILE* told, double all) : told_(told), all_(all) {}
@@ -40,13 +40,13 @@ class Teller {
   double all_, work_ = 0.0, start_ = files::monotonic_seconds(), last_ = start_;
 };
 
-// Of each script, and how far it is from one half as fine.
+// The reference of each script, and its distance from one half as fine.
 struct Known {
   lab::Truth truth;
   double apart = 0.0;  // m
 };
 
-// Two at a time: nothing is timed meanwhile.
+// Two at a time, because nothing is timed meanwhile.
 std::vector<Known> truths_of(const std::vector<lab::AccuracyScript>& scripts,
                              const lab::TruthPlan& plan) {
   std::vector<Known> all(scripts.size());
@@ -68,7 +68,7 @@ std::vector<Known> truths_of(const std::vector<lab::AccuracyScript>& scripts,
   return all;
 }
 
-// What random hands break of a model on a grid: their scene is the bench's own.
+// What random hands break in a model on a grid, in the benchmark's own scene.
 std::optional<UnstableSetting> unstable(Model model, std::array<int, 2> grid, std::uint64_t seed) {
   SceneDef def = lab::accuracy_scripts().front().def;
   def.clay.rows = grid[0];
@@ -86,7 +86,7 @@ std::optional<UnstableSetting> unstable(Model model, std::array<int, 2> grid, st
   return std::nullopt;
 }
 
-// The half of a face that turns to the reader, and how far it is off the truth.
+// The half of a surface that faces the reader, and its error.
 AccuracyPot pot_of(const lab::AccuracyScript& vase, const lab::FaceGrid& truth,
                    const Setting& setting) {
   const lab::FaceGrid face = lab::face_left(vase, setting, WallSide::outside);
@@ -116,7 +116,7 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
   report.machine = tuning::machine_name();
   auto scenes = read_presets();
   if (!scenes) return tl::unexpected(scenes.error());
-  // The printed model is in every script already, without its filter.
+  // The printed model is already in every script, without its filter.
   std::erase_if(*scenes, [](const ScenePreset& one) { return one.def.paper.has_value(); });
   const std::vector<lab::AccuracyScript> scripts = lab::accuracy_scripts();
   const std::vector<Setting> settings = plan.settings();

@@ -19,7 +19,7 @@ struct UnstableSetting {
   std::string what;
 };
 
-/// The vase of the script "throw", and how far each place of it is off the true one.
+/// The vase of the script "throw", and the error of each place.
 struct AccuracyPot {
   lab::AccuracySetting setting;
   int columns = 0, rows = 0;  ///< The half that faces the reader, from left to right and foot up.
@@ -28,29 +28,30 @@ struct AccuracyPot {
   std::vector<float> off;        ///< m, >= 0.
 };
 
-/// Everything that `onggi lab accuracy` found.
+/// All results of `onggi lab accuracy`.
 struct AccuracyReport {
   std::string machine, command;
   AccuracyPlan plan;
-  double seconds = 0.0;   ///< That it took.
+  double seconds = 0.0;   ///< Duration.
   double truth_mm = 0.0;  ///< By which the truth differs from one half as fine, the most of all
                           ///< scripts, root mean square: no error below it means anything.
   std::vector<lab::AccuracyRow> rows;
   std::vector<AccuracyOrder> orders;
-  std::vector<lab::SettingSummary>
-      settings;                             ///< Of the scripts: what all can work but the presets.
-  std::vector<lab::SettingSummary> scenes;  ///< Of scripts and presets: what decides.
-  std::vector<std::size_t> edge;            ///< Of settings.
+  std::vector<lab::SettingSummary> settings;  ///< For the scripts: everything but the presets.
+  /// For scripts and presets: the basis of the recommendation.
+  std::vector<lab::SettingSummary> scenes;
+  std::vector<std::size_t> edge;  ///< Indices in settings.
   std::vector<UnstableSetting> unstable;
-  std::vector<AccuracyPot> pots;  ///< Along the edge, coarsest first, and one as printed.
+  /// Along the edge, coarsest first, and one with the printed model.
+  std::vector<AccuracyPot> pots;
   lab::HumanThresholds thresholds;
   std::optional<lab::Recommendation> recommended;  ///< At 1 kHz.
 };
 
-/// Goes through all of `plan`, in the scripts and in the presets that lie in config/scenes of the
-/// program; tells what is done and how long it will still take on `told`, every two seconds. Times
-/// are the thread's own. Minutes; memory for 6400 x 2880. Not for the 1 kHz thread. Problem where a
-/// preset is no scene.
+/// Runs all of `plan` in the scripts and in the presets of the program's config/scenes; prints
+/// progress and remaining time to `told` every two seconds. Times are the thread's own. Takes
+/// minutes and memory for 6400 x 2880. Not for the 1 kHz thread. Problem if a preset is not a
+/// scene.
 Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* told);
 
 }  // namespace onggi::measure

@@ -22,7 +22,7 @@ constexpr float kGap = 8, kSheetHead = 22, kMargin = 16, kWords = 13, kNarrow = 
                 kStateName = 400;
 constexpr int kPiece = 2048;  // pixels wide and high
 
-/// `image` in `width` x `height` pixels, each the mean of what it covers.
+/// `image` reduced to `width` x `height` pixels by averaging.
 view::Image smaller(const view::Image& image, int width, int height) {
   view::Image out{width, height, {}};
   out.rgba.resize(static_cast<std::size_t>(4 * width * height));
@@ -54,12 +54,12 @@ Result<void> keep(const view::Image& image, const fs::path& file, const std::str
 settings::Exhibit::Screen screen_of(settings::Exhibit::Screen screen, const std::string& comfort) {
   for (const screens::Comfort::Choice& choice : screens::Comfort::kChoices)
     if (comfort == "all" || comfort == choice.name) screen.*choice.of = true;
-  // As high as an exhibit may hang, where low reach leaves the least.
+  // The highest mounting of an exhibit, where low reach leaves the least space.
   if (screen.low_reach) screen.lower_edge_mm = 1000;
   return screen;
 }
 
-/// The pictures as they come, full size to the disk by two workers, small ones kept.
+/// Takes pictures: two workers write them at full size, and small copies are kept.
 class Album {
  public:
   Album(exhibit::Kiosk& kiosk, const std::vector<SheetPlan>& plans, fs::path folder, bool full)
@@ -123,7 +123,7 @@ class Album {
     return good;
   }
 
-  /// A column a sight, a row a state.
+  /// A column for each sight, a row for each state.
   view::Image sheet(const SheetPlan& plan) {
     std::vector<view::Item> items;
     std::vector<view::PictureId> held;
@@ -140,7 +140,7 @@ class Album {
       const auto& column = small_[sight.name()];
       const auto wide = static_cast<float>(column.front().width);
       float y = kMargin;
-      // Over a narrow column a name stands in three lines.
+      // Over a narrow column a name needs three lines.
       const float lines = wide < kNarrow ? 3 : 1;
       std::string name = sight.name();
       std::replace(name.begin(), name.end(), '_', ' ');
@@ -148,7 +148,7 @@ class Album {
       y += lines * kSheetHead;
       for (std::size_t i = 0; i < column.size(); ++i) {
         const auto high = static_cast<float>(column[i].height);
-        // Beside it, over the other columns, stands nothing.
+        // Nothing is beside it, over the other columns.
         if (&sight == &plan.sights.front()) words(x, y, kStateName, states_[i]);
         y += kSheetHead;
         held.push_back(kiosk_.renderer().make_picture(column[i]));
@@ -164,7 +164,7 @@ class Album {
     return image;
   }
 
-  /// A sheet is larger than any picture that is drawn at once.
+  /// A sheet is larger than any picture that can be drawn at once.
   view::Image drawn_in_pieces(const std::vector<view::Item>& items, int width, int height) {
     view::Image whole{width, height, {}};
     whole.rgba.resize(static_cast<std::size_t>(4 * width) * static_cast<std::size_t>(height));

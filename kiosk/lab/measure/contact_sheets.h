@@ -10,36 +10,35 @@
 
 namespace onggi::measure {
 
-/// One way in which all screens are looked at.
+/// One combination of size, language and comfort for all screens.
 struct Sight {
   int width = 1280, height = 720;
   std::string language = "en";
-  std::string comfort;  ///< As settings::Exhibit::Screen's; "all" of them; "": none.
+  std::string comfort;  ///< A name from settings::Exhibit::Screen; "all" of them; "": none.
   friend bool operator==(const Sight&, const Sight&) = default;
   /// "1280x720_en_larger_text"
   std::string name() const;
 };
 
-/// Sights that stand beside one another on a sheet.
+/// Sights side by side on a sheet.
 struct SheetPlan {
-  std::string name;  ///< Of its file, without an ending.
+  std::string name;  ///< Its file name without an ending.
   std::vector<Sight> sights;
-  bool kept = true;  ///< A sheet is made of them; else they are looked at alone.
+  bool kept = true;  ///< Make a sheet of them; otherwise only check them.
 };
 
-/// Those of kiosk/docs: every language on a landscape and on an upright screen, every comfort on
-/// both, and two further sizes; with the rest of the sizes in every language, which has no sheet.
+/// The sheets of kiosk/docs: every language on a landscape and a portrait screen, every comfort
+/// setting on both, and two further sizes; then the other sizes in every language, without a sheet.
 std::vector<SheetPlan> plans(const std::vector<std::string>& languages);
 
-/// A walk through screens that looks at each: look_at_every_screen(), or another.
+/// A walk through screens that reports each: look_at_every_screen(), or another.
 using ScreenWalk = std::function<Result<void>(const LookAtScreen&)>;
 
-/// Draws every screen of `walk` in every sight of `plans`, and a sheet of each plan
-/// as `folder`/NAME.jpg, a row a state. With `full` also each at full size as
-/// `folder`/SIGHT/NN_STATE.jpg; without it only what stands on a sheet is drawn. Files are written
-/// durably. `told` hears the states as they come. The kiosk is stepped, and shows all the languages
-/// of `plans`. Problem: a control that is missing, words that do not fit their box, a disk that is
-/// full.
+/// Draws every screen of `walk` in every sight of `plans`, and a sheet of each plan as
+/// `folder`/NAME.jpg, a row for each state. With `full` also each screen at full size as
+/// `folder`/SIGHT/NN_STATE.jpg; otherwise it draws only what is on a sheet. Files are written
+/// durably. Reports states to `told`. The kiosk must be stepped and have all languages of `plans`.
+/// Problem: a missing control, words that do not fit their box, a full disk.
 Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, const ScreenWalk& walk,
                                  const std::vector<SheetPlan>& plans,
                                  const std::filesystem::path& folder, bool full,

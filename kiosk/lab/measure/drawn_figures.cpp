@@ -9,7 +9,7 @@ namespace onggi::measure {
 
 namespace {
 
-constexpr int kDrawnDiffers = 12;  // of 255, all channels: less is dither
+constexpr int kDrawnDiffers = 12;  // of 255, all channels: smaller differences are dither
 constexpr double kFlashStep = 0.1, kFlashDark = 0.8;
 
 double linear(std::uint8_t v) {
@@ -70,10 +70,10 @@ void FlashCount::see(const view::Image& picture, double now) {
         part.changes.push_back(now);
         part.extreme = is;
       } else if (way == part.direction || part.direction == 0) {
-        // Farther the same way: a turn is counted from the farthest.
+        // Farther in the same direction: count a turn from the farthest.
         if (part.direction != 0) part.extreme = is;
       }
-      // Two changes that oppose each other are one flash.
+      // Two opposite changes are one flash.
       const auto since = std::count_if(part.changes.begin(), part.changes.end(),
                                        [&](double at) { return at > now - 1.0; });
       most_ = std::max(most_, static_cast<int>(since / 2));

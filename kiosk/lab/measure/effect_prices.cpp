@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kScript = "pull_tall";
 constexpr double kInContact = 6.0;  // s: the first pull is halfway up
-constexpr int kResting = 3000;      // ticks after the script, of which the last third counts
+constexpr int kResting = 3000;      // ticks after the script; the last third counts
 
 std::int64_t heap_bytes() {
   const struct mallinfo2 heap = mallinfo2();
@@ -39,7 +39,7 @@ double thread_ns() {
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
-// In the thread's own time, so that what else the machine does is not in it; the clock's own is.
+// In the thread's own time, without other work of the machine and without the clock's own cost.
 template <class Work>
 double timed(Work&& work) {
   const double start = thread_ns();
@@ -47,7 +47,7 @@ double timed(Work&& work) {
   return thread_ns() - start;
 }
 
-// What timed() gives for no work at all.
+// The result of timed() for no work.
 double clock_ns() {
   std::vector<double> ns;
   for (int n = 0; n < 2000; ++n) ns.push_back(timed([] {}));
@@ -125,7 +125,7 @@ Result<void> play_priced_ticks(const PricedScene& priced) {
   if (!script) return tl::unexpected(script.error());
   auto scene = Scene::create(priced.def);
   if (!scene) return tl::unexpected(scene.error());
-  // Long ticks are short under valgrind; the last of them as they are counted.
+  // Under valgrind play fewer ticks, and count the last ones.
   double t = 0.0;
   for (; t < kInContact - 0.1; t += 0.005) scene->step((*script)->at(t, scene->clay()), 0.005);
   for (; t < kInContact; t += 0.001) scene->step((*script)->at(t, scene->clay()), 0.001);

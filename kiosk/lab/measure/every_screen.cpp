@@ -171,7 +171,7 @@ void look_at_mission(exhibit::Kiosk& kiosk, Looker& looker, std::size_t n) {
     looker.over("help", name + " help");
     looker.over("comfort", name + " comfort");
   }
-  // Half a pot: so there is something to be told.
+  // Half a pot, so that there is a difference to tell.
   looker.touch("throw.done");
   looker.look(name + " result");
 }
@@ -251,7 +251,7 @@ Result<void> look_at_every_mission(exhibit::Kiosk& kiosk, const LookAtScreen& lo
                    1);
   looker.touch("attract.begin");
   looker.look("missions");
-  // What is kept is looked at last: the gallery is of all pots of the day.
+  // Look at the gallery last: it has all pots of the day.
   for (const bool described : {false, true})
     for (std::size_t n = 0; n < missions; ++n) {
       const MissionKind kind = kiosk.missions().cards()[n].mission->kind;

@@ -40,7 +40,7 @@ bool holds(const DeviceLoops& device) {
   return good;
 }
 
-/// The least of a device's hands.
+/// The smallest value over a device's hands.
 double least(const DeviceLoops& device, LoopWall wall, double LoopRow::*which) {
   double most = lab::kStiffestCoupling;
   for (const LoopRow& row : device.rows)
@@ -53,7 +53,7 @@ std::string stiffness(double value) {
   return value > 0.0 ? words("%.0f", value) : "none";
 }
 
-/// How many of a device's hands a wall does not come to rest in.
+/// Number of a device's hands in which a wall does not come to rest.
 int howling(const DeviceLoops& device, LoopWall wall) {
   return static_cast<int>(std::ranges::count_if(
       device.rows, [&](const LoopRow& row) { return row.wall == wall && !row.rests; }));
@@ -71,7 +71,7 @@ lab::DeviceModel model_of(const device::DeviceDef& def) {
   return {def.body.mass, def.own_damping(), def.body.friction, def.body.step, def.body.delay};
 }
 
-/// `text` with the line of the limit renewed, or put below [force].
+/// `text` with the limit's line renewed, or inserted below [force].
 std::string with_limit(const std::string& text, const std::string& line) {
   std::string out;
   bool in_force = false, put = false;
@@ -82,7 +82,7 @@ std::string with_limit(const std::string& text, const std::string& line) {
     const std::size_t begins = one.find_first_not_of(" \t");
     const std::string bare = begins == std::string::npos ? "" : one.substr(begins);
     if (bare.rfind("[", 0) == 0) in_force = bare.rfind("[force]", 0) == 0;
-    if (in_force && bare.rfind(kKey, 0) == 0) continue;  // what was there before
+    if (in_force && bare.rfind(kKey, 0) == 0) continue;  // the old line
     out += one;
     if (out.back() != '\n') out += '\n';
     if (!put && in_force && bare.rfind("[force]", 0) == 0) {
@@ -126,7 +126,7 @@ Result<ForceLoopReport> measure_force_loop(std::FILE* progress) {
     report.devices.push_back(std::move(loops));
     tell();
   }
-  // The least device, and the best.
+  // The weakest device, and the best.
   for (const PricedScene& scene : *scenes) {
     for (const DeviceLoops& device : {report.devices.front(), report.devices.back()})
       report.scenes.push_back({scene.name, device.device,
@@ -246,7 +246,7 @@ drawing::Plot plot_of(const ForceLoopReport& report) {
   drawing::PlotSeries filtered;
   filtered.name = "stable behind the paper's 10 Hz";
   filtered.kind = drawing::PlotSeries::Kind::points;
-  // Of those that the colour-blind tell apart.
+  // Colours that colour-blind readers can distinguish.
   constexpr view::Color kColors[] = {
       {0.835F, 0.369F, 0.0F}, {0.0F, 0.447F, 0.698F}, {0.0F, 0.62F, 0.451F}};
   std::size_t at = 0;
@@ -295,7 +295,7 @@ Result<lab::StiffnessLimit> write_stiffness_limit(const std::filesystem::path& f
     return problem(file.string(), "It cannot be read. " + bytes.error().reason,
                    "Name a file of config/devices.");
   const device::DeviceRead read = device::read_device(file, device::default_def(kind->kind));
-  // A limit that is wrong by now is what this command is for.
+  // Ignore a wrong limit, because this command replaces it.
   for (const Problem& one : read.problems)
     if (one.what.find(kKey) == std::string::npos) return tl::unexpected(one);
   const lab::StiffnessLimit limit = lab::derive_stiffness_limit(model_of(read.def));

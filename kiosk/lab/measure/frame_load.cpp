@@ -12,7 +12,7 @@ constexpr double kToWheel = 120.0;  // s of visit
 
 Problem shut() { return {"the window", "It was closed.", "Leave it open.", 1}; }
 
-/// An exhibit whose every frame is 16 ms of its time.
+/// An exhibit in which every frame is 16 ms of its time.
 class Counted {
  public:
   explicit Counted(exhibit::Kiosk& kiosk) : kiosk_(kiosk) {}
@@ -29,7 +29,7 @@ class Counted {
       if (auto good = frame(false, visitor); !good) return good;
     return {};
   }
-  /// `count` frames that are drawn, after a few to come to rest.
+  /// Draws `count` frames, after a few to settle.
   Result<FrameLoad> count(const char* screen, bool moving, int count,
                           rehearsal::ScriptedVisitor* visitor) {
     render::Renderer& renderer = kiosk_.renderer();

@@ -22,7 +22,7 @@ constexpr double kCompared = 1.0;  // s between comparisons
 
 Problem closed() { return {"the window", "It was closed.", "Leave it open.", 1}; }
 
-/// An exhibit under observation: every frame goes through here.
+/// The observed exhibit: every frame goes through here.
 class Watched {
  public:
   explicit Watched(exhibit::Kiosk& kiosk) : kiosk_(kiosk) {}
@@ -30,7 +30,7 @@ class Watched {
   bool frame() { return open_ = kiosk_.frame(files::monotonic_seconds()) && open_; }
   bool open() const { return open_; }
 
-  /// Frames for `seconds`, with `visitor` at work between them where there is one.
+  /// Runs frames for `seconds`, with `visitor` between them if there is one.
   Result<FrameRateRow> observe(const char* screen, double seconds,
                                rehearsal::ScriptedVisitor* visitor);
   Result<FrameDelays> delays();
@@ -38,7 +38,7 @@ class Watched {
  private:
   void compare(std::vector<double>& similar);
   template <typename Until>
-  /// False where it has not come about in kComesAbout.
+  /// False if it did not happen within kComesAbout.
   Result<bool> frames_until(Until&& until);
 
   exhibit::Kiosk& kiosk_;
@@ -77,7 +77,7 @@ Result<FrameRateRow> Watched::observe(const char* screen, double seconds,
     left -= now - from;
     if (now - compared_at < kCompared) continue;
     compare(similar);
-    // What the comparison upset is none of a visitor's.
+    // Frames disturbed by the comparison do not count.
     if (!frame()) return tl::unexpected(closed());
     compared_at = files::monotonic_seconds();
   }
@@ -111,7 +111,7 @@ Result<bool> Watched::frames_until(Until&& until) {
 Result<FrameDelays> Watched::delays() {
   FrameDelays delays{kiosk_.renderer().width(), kiosk_.renderer().height(), 0, {}, {}};
   screens::Visit& visit = kiosk_.visit();
-  // The wheel is stopped by its own button.
+  // Stop the wheel with its own button.
   while (const auto way = rehearsal::way_to(visit, "throw.slower")) {
     rehearsal::tap(visit, way->x + 2, way->y + 2, files::monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());

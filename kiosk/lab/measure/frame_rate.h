@@ -17,8 +17,8 @@ namespace onggi::measure {
 struct FrameRatePlan {
   std::filesystem::path config;
   std::vector<std::pair<int, int>> sizes{{1280, 720}, {1920, 1080}};  ///< Pixels.
-  double seconds = 15.0;    ///< Of each screen at each size, 2 to 600.
-  bool only_loads = false;  ///< No times: only what a frame asks of the graphics.
+  double seconds = 15.0;    ///< For each screen at each size, 2 to 600.
+  bool only_loads = false;  ///< No times: only the graphics work of a frame.
 };
 
 /// The open exhibit, drawing one screen at one size beside the running 1 kHz loop.
@@ -26,13 +26,14 @@ struct FrameRateRow {
   int width = 0, height = 0;
   std::string screen;  ///< "attract", "throwing" (a naive visitor's mouse at work)
   int frames = 0;
-  double fps_median = 0, fps_p5 = 0;  ///< Frames a second; one frame in twenty is slower than p5.
+  double fps_median = 0, fps_p5 = 0;  ///< Frames per second; one frame in twenty is slower than p5.
   double main_thread_share = 0;       ///< Processor time of the drawing thread over time.
-  double render_scale = 0;            ///< Of the picture in space, mean.
-  double ssim = 0, ssim_least = 0;    ///< Of the pot's part of the picture to full quality.
+  double render_scale = 0;            ///< Of the 3-D picture, mean.
+  /// Similarity of the pot's part of the picture to full quality.
+  double ssim = 0, ssim_least = 0;
 };
 
-/// What is asked once a size: how soon things are on the screen.
+/// Delays, measured once a size.
 struct FrameDelays {
   int width = 0, height = 0;
   double first_picture_ms = 0;     ///< From opening the exhibit to its first frame on the screen.
@@ -41,18 +42,17 @@ struct FrameDelays {
 };
 
 struct FrameRateReport {
-  std::string device;  ///< What draws.
+  std::string device;  ///< The graphics device.
   bool software = false;
   std::vector<FrameRateRow> rows;
   std::vector<FrameDelays> delays;
   std::vector<FrameLoad> loads;
 };
 
-/// Opens the exhibit in a window of each size (on a display of its own where there is none), lets
-/// attract play, throws as a naive visitor does, then lets go and stands the wheel still. Pictures
-/// are compared once a second; the frames round a comparison are not counted. Then counts what a
-/// frame asks of the graphics. Says on `progress` where it is. Main thread; blocks for about
-/// 2 x `seconds` + 60 s a size.
+/// Opens the exhibit in a window of each size (on a virtual display if there is none), lets attract
+/// play, throws like a naive visitor, then releases and stops the wheel. Pictures are compared once
+/// a second; frames around a comparison are not counted. Then counts the graphics work of a frame.
+/// Prints progress to `progress`. Main thread; blocks for about 2 x `seconds` + 60 s a size.
 Result<FrameRateReport> measure_frames(const FrameRatePlan& plan, std::FILE* progress);
 
 files::Json json_of(const FrameRateReport& report);

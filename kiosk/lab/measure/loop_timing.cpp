@@ -21,9 +21,9 @@ namespace {
 
 using loop::Histogram;
 
-// A figure of the tail wants this many ticks behind it.
+// A figure of the tail needs this many ticks.
 constexpr std::uint64_t kEnoughTicks = 100'000;
-// What a hand at a stiff wall forgives: a late tick is a force held a little too long.
+// Limits for a hand at a stiff wall: a late tick holds a force slightly too long.
 constexpr double kWakeAllowed = 300.0;     // us at 99.9 %
 constexpr double kComputeAllowed = 700.0;  // us at 99.9 %
 constexpr double kTickUs = 1000.0;
@@ -32,7 +32,7 @@ constexpr double kMissesAllowed = 1e-4;  // of all ticks
 constexpr std::pair<const char*, double> kShares[] = {
     {"p50", 0.5}, {"p99", 0.99}, {"p99.9", 0.999}, {"p99.99", 0.9999}, {"max", 1.0}};
 
-/// The loop's own words from `from` on.
+/// The loop's own messages from `from` on.
 TimingPhase phase_of(const char* name, const loop::LoopThread& loop, const loop::LoopTiming& from,
                      std::uint64_t missed_before, double seconds, const Histogram& shown) {
   const loop::LoopTiming now = loop.timing();

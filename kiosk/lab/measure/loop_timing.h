@@ -11,29 +11,30 @@
 
 namespace onggi::measure {
 
-/// The 1 kHz loop for a while, alone or beside something.
+/// The 1 kHz loop for some time, alone or beside other work.
 struct TimingPhase {
   std::string name;  ///< "idle", "drawing"
   loop::LoopTiming timing;
-  loop::Histogram shown_us;  ///< Age of what a frame showed when it was on the screen.
-  loop::Histogram frame_us;  ///< What a frame takes, from looking at the wheel to the screen.
-  std::uint64_t older = 0;   ///< Frames that showed what was older than a tick and a frame.
+  loop::Histogram shown_us;  ///< Age of the shown state when a frame reached the screen.
+  loop::Histogram frame_us;  ///< Duration of a frame, from reading the wheel to the screen.
+  std::uint64_t older = 0;   ///< Frames that showed a state older than a tick and a frame.
   double seconds = 0.0;
   std::uint64_t misses = 0;  ///< Wakes that missed a whole tick.
 };
 
 struct TimingReport {
   std::vector<TimingPhase> phases;
-  std::vector<std::string> lacks;  ///< What the system did not permit, with the remedy.
+  std::vector<std::string> lacks;  ///< Missing permissions, with remedies.
   bool software_drawing = false;
-  /// Fit for force feedback, and why or what to change: a sentence each, the first the verdict.
+  /// Whether it is fit for force feedback, and why or what to change: the first sentence is the
+  /// verdict.
   bool fit = false;
   std::vector<std::string> words;
 };
 
-/// Runs the real loop with a pot that is thrown, `seconds` with the main thread asleep and
-/// `seconds` in the open exhibit while it draws. Main thread; blocks. Opens a display of its own
-/// where there is none.
+/// Runs the real loop with a script that throws, `seconds` with the main thread asleep and
+/// `seconds` in the open exhibit while it draws. Main thread; blocks. Opens a virtual display if
+/// there is none.
 Result<TimingReport> measure_loop(const std::filesystem::path& config, double seconds);
 
 files::Json json_of(const TimingReport& report);

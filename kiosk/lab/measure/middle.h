@@ -4,7 +4,7 @@
 
 namespace onggi::measure {
 
-/// The middle of `values`; of an even number the mean of the two in the middle, 0 of none.
+/// The median of `values`; for an even number the mean of the two in the middle, 0 if empty.
 double middle(std::vector<double> values);
 
 }  // namespace onggi::measure

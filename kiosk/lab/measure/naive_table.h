@@ -12,30 +12,30 @@
 
 namespace onggi::measure {
 
-/// What people who never threw make of a shelf: which visits.
+/// The plan of beginners' visits to a shelf.
 struct NaivePlan {
   std::string exhibit_file;
-  std::string scene;                                ///< Instead of the exhibit's; empty for those.
-  std::vector<std::string> vessels;                 ///< Empty: all of the shelf.
-  int seeds = 20;                                   ///< Visits a vessel, >= 1.
-  std::uint64_t first = 1;                          ///< Seed of the first.
-  std::vector<double> moments = {30, 60, 90, 120};  ///< s, rising, 5 to 600: when pots are judged.
+  std::string scene;                 ///< Replaces the exhibit's scenes; empty: those.
+  std::vector<std::string> vessels;  ///< Empty: all of the shelf.
+  int seeds = 20;                    ///< Visits a vessel, >= 1.
+  std::uint64_t first = 1;           ///< Seed of the first.
+  std::vector<double> moments = {30, 60, 90, 120};  ///< s, rising, 5 to 600: when pots are scored.
   rehearsal::NaiveHands::Pointer pointer = rehearsal::NaiveHands::Pointer::mouse;
-  bool careful = false;  ///< And the script's hand, once a vessel.
+  bool careful = false;  ///< Also the script's hand, once a vessel.
   int threads = 1;
 };
 
-/// The middle and the worst of some visits at one moment.
+/// The median and the worst of some visits at one moment.
 struct NaiveLine {
   std::string vessel;  ///< "all" for all of them.
   double seconds = 0;
   int visits = 0;
-  double points = 0, least_points = 0, stars = 0;     ///< Medians but for the least.
+  double points = 0, least_points = 0, stars = 0;     ///< Medians, except for the least.
   double roughness = 0, ledge = 0, out_of_round = 0;  ///< Medians, m.
   double way_in = 1, wall = 0;                        ///< Medians; PotLook's.
-  int five_stars = 0;                                 ///< Visits that came to them.
-  std::optional<double> handsome_at;                  ///< Median of those that came to it, s,
-  int handsome = 0;                                   ///< and how many did.
+  int five_stars = 0;                                 ///< Visits with five stars.
+  std::optional<double> handsome_at;  ///< Median over the visits that reached it, s,
+  int handsome = 0;                   ///< and their number.
 };
 
 struct NaiveTable {
@@ -45,9 +45,10 @@ struct NaiveTable {
   std::vector<NaiveLine> lines;              ///< By moment, then vessel, "all" last.
 };
 
-/// Makes the visits, told one by one to `progress`. Minutes to an hour. Problem as QuietVisits'.
+/// Runs the visits and reports each to `progress`. Takes minutes to an hour. Problem as in
+/// QuietVisits.
 Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress);
-/// The lines of `outcomes`, each with as many looks as there are moments.
+/// The lines for `outcomes`, each with one look for each moment.
 std::vector<NaiveLine> lines_of(const std::vector<QuietOutcome>& outcomes,
                                 const std::vector<double>& moments);
 files::Json json_of(const NaiveTable& table);

@@ -6,11 +6,11 @@
 
 namespace onggi::measure {
 
-/// A folder for keepsakes and counts that nobody wants: what a measurement does at the wheel is no
-/// visit of the museum's. Gone with the object, and all that is in it.
+/// A temporary folder for keepsakes and counts of a measurement, which are not visits of the
+/// museum. Removed with its content when the object goes.
 class NoKeepsakes {
  public:
-  /// Problem, exit 1: there is no temporary folder to be had.
+  /// Problem, exit 1: no temporary folder can be created.
   static Result<NoKeepsakes> make();
   NoKeepsakes(NoKeepsakes&& other) noexcept;
   NoKeepsakes& operator=(NoKeepsakes&&) = delete;

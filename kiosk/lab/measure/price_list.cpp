@@ -18,7 +18,7 @@ using files::Json;
 
 constexpr double kCountedWithin_s = 1800;  // valgrind is fifty times slower
 
-// Instructions of a tick, by this program run again under callgrind; 0 where it counted none.
+// Instructions of a tick, from running this program again under callgrind; 0 if it counted none.
 std::int64_t counted(int rows, int sectors, const std::string& scene) {
   const auto said = files::run_helper(
       {.program = "valgrind",
@@ -36,7 +36,7 @@ std::int64_t counted(int rows, int sectors, const std::string& scene) {
                                  : std::atoll(words.c_str() + at + before.size()) / kPricedTicks;
 }
 
-// What one hand leaves and feels on a wall: one that the other holds stays where it is.
+// Shape and force of one hand on a wall, because a wall that the other hand holds does not move.
 Result<lab::SceneOutcome> left_by(const PricedScene& scene, int rows, int sectors) {
   SceneDef def = lab::on_a_wall(scene.def);
   def.guard = {22.0, 1e5, 0.05};  // forces as they are

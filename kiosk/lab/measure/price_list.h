@@ -12,19 +12,19 @@
 
 namespace onggi::measure {
 
-/// What each effect and each scene costs: the report of `onggi lab effects`.
+/// The cost of each effect and each scene: the report of `onggi lab effects`.
 struct PriceList {
   int rows = 400, sectors = 360;
   std::vector<EffectPrice> prices;  ///< Bytes: beyond those of the first.
 };
 
-/// The scenes of priced_scenes(), and before its last the presets that lie in config/scenes of the
-/// program.
+/// The scenes of priced_scenes(), with the presets of the program's config/scenes before the last
+/// one.
 Result<std::vector<PricedScene>> scenes_with_presets(int rows, int sectors);
 
-/// Measures them one by one, each of `passes` times; a line each is printed to `table`. Where
-/// `count` is set and valgrind is here, this program is run again under it to count the
-/// instructions of a tick. Minutes; not for the 1 kHz thread.
+/// Measures them one by one, each `passes` times, and prints a line for each to `table`. With
+/// `count` and if valgrind is installed, it runs this program again under valgrind to count the
+/// instructions of a tick. Takes minutes; not for the 1 kHz thread.
 Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int rows, int sectors,
                                  int passes, bool count, std::FILE* table);
 

@@ -22,16 +22,16 @@ namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
 constexpr int kFrameTicks = 20;      // of 1 ms: 50 frames a second
-constexpr double kMind = 1.5;        // s until a mishap is read and its button found
-constexpr double kOften = 0.5;       // s between two looks for a handsome pot
+constexpr double kMind = 1.5;        // s to read a mishap and find its button
+constexpr double kOften = 0.5;       // s between two checks for a good-looking pot
 constexpr double kOffLump = 0.004;   // m: it is no longer the lump
-constexpr double kGrace = 60.0;      // s that a last look waits for a fallen pot to be taken back
-constexpr double kTooLong = 3600.0;  // s of a visit without eyes or with one switch
+constexpr double kGrace = 60.0;      // s that the last look waits while a fall is undone
+constexpr double kTooLong = 3600.0;  // s of a visit without sight or with one switch
 constexpr double kPxPerMm = 2.4;     // of a screen of 600 mm
 constexpr double kLongest = 900.0;   // s of a script
-constexpr std::time_t kMissionDay = 1777896000;  // 2026-05-04, noon: a day as any
+constexpr std::time_t kMissionDay = 1777896000;  // 2026-05-04, noon: an ordinary day
 
-/// Letters of 0.4 em, and lines that are full: only the room that words take is asked of it.
+/// Letters of 0.4 em in full lines: only the space of words is needed.
 struct RoughMeasure final : view::TextMeasure {
   Size measure(const std::string& text, const view::TextStyle& style, float width) const override {
     const auto letters = static_cast<float>(std::min<std::size_t>(text.size(), 40));
@@ -52,7 +52,7 @@ double out_of_round(const ClayView& clay) {
   return count > 0 ? std::sqrt(squares / count) : 0.0;
 }
 
-/// A visit on a wheel of its own.
+/// A visit on its own wheel.
 class Walk {
  public:
   Walk(const settings::Exhibit& exhibit, const exhibit::Scenes& scenes,
@@ -99,7 +99,7 @@ class Walk {
     rehearsal::tap(visit_, at->x + at->w / 2, at->y + at->h / 2, now);
     return {};
   }
-  /// From attract to the wheel, as a visitor goes.
+  /// From attract to the wheel, like a visitor.
   Result<void> go_to_wheel(int card) {
     frames(50);
     rehearsal::tap(visit_, 0.5f * kWidth, 0.5f * kHeight, now);
@@ -121,7 +121,7 @@ class Walk {
   double now = 0;
   view::Frame shown;
   bool kept = false;
-  score::Score score;  ///< Of what was kept,
+  score::Score score;  ///< The score of the keepsake,
   std::string of;      ///< and the id of what it answers.
 
  private:
@@ -214,7 +214,7 @@ Result<QuietOutcome> QuietVisits::naive(int card, std::uint64_t seed,
     walk.frame();
     const double since = walk.now - begun;
     const auto sight = walk.visit().sight();
-    if (!sight) {  // A pot that fell or tore: the words are read, and the way back is taken.
+    if (!sight) {  // a pot that fell or tore: read the words, and undo
       if (trouble < 0) trouble = walk.now;
       if (walk.now - trouble < kMind) continue;
       trouble = -1;

@@ -17,74 +17,74 @@
 
 namespace onggi::measure {
 
-/// What a pot came to at one moment of a visit.
+/// The pot at one moment of a visit.
 struct PotLook {
-  double seconds = 0;  ///< Since the first look at the wheel.
-  double points = 0;   ///< As the result screen would say, 0 to 100.
+  double seconds = 0;  ///< Since the wheel's first frame.
+  double points = 0;   ///< As on the result screen, 0 to 100.
   int stars = 0;
   rehearsal::Smoothness smooth;  ///< Of the outline.
-  double out_of_round = 0;       ///< RMS of the outer face about its rows' own means, m.
-  double way_in = 1;  ///< The opening at its narrowest / the vessel's own, 0 (shut) to 1.
-  double wall = 0;    ///< Mean thickness, of the vessel as it is on the wheel, m.
+  double out_of_round = 0;       ///< RMS of the outer face around its rows' means, m.
+  double way_in = 1;  ///< The opening at its narrowest / the vessel's own, 0 (closed) to 1.
+  double wall = 0;    ///< Mean thickness, at the wheel's scale, m.
 };
 
-/// What came of a visit.
+/// The result of a visit.
 struct QuietOutcome {
   std::string vessel;
   std::uint64_t seed = 0;
-  std::vector<PotLook> looks;         ///< One for each moment asked for, in order.
-  std::optional<double> handsome_at;  ///< s: handsome(), and 4 mm off the lump it came from.
-  int mishaps = 0;                    ///< Falls and tears that were taken back.
+  std::vector<PotLook> looks;         ///< One for each requested moment, in order.
+  std::optional<double> handsome_at;  ///< s; it must be handsome() and 4 mm off the original lump.
+  int mishaps = 0;                    ///< Falls and tears that were undone.
 };
 
-/// What came of a visit without eyes, or with one switch.
+/// The result of a visit without sight, or with one switch.
 struct AidedOutcome {
-  double points = 0;                 ///< As the result screen would say, 0 to 100.
-  int strokes = 0;                   ///< That were asked for.
+  double points = 0;                 ///< As on the result screen, 0 to 100.
+  int strokes = 0;                   ///< Number of requested strokes.
   int presses = 0;                   ///< Of keys, or of the switch.
-  double seconds = 0;                ///< From the first touch to attract again.
-  bool kept = false;                 ///< A keepsake was asked for and made.
-  std::string of;                    ///< The id of the vessel or the description that it answers.
-  std::vector<score::Remark> asked;  ///< Of a description: Score::asked.
+  double seconds = 0;                ///< From the first touch to the next attract.
+  bool kept = false;                 ///< A keepsake was requested and made.
+  std::string of;                    ///< Id of the vessel or description that it answers.
+  std::vector<score::Remark> asked;  ///< For a description: Score::asked.
   std::vector<access::Utterance> said;
 };
 
-/// Visits that nobody watches: the real screens (screens::Visit), clay and hands, stepped as fast
-/// as the machine can and never drawn, so that two hundred are made in the time of ten drawn ones.
-/// Words are measured roughly: nothing of them but the tray's room is used. One exhibit, read once;
-/// the visits are const and may be made on several threads at once.
+/// Visits without a display: the real screens (screens::Visit), clay and hands, stepped as fast as
+/// the machine can and never drawn, so that two hundred take the time of ten drawn ones. Text is
+/// measured roughly, because only its space in the tray matters. The exhibit is read once; visits
+/// are const and may run on several threads.
 class QuietVisits {
  public:
   /// `language`: instead of the exhibit's first. `scene`: instead of the exhibit's own scenes, for
-  /// every vessel; empty for those. Problem where exhibit, scene or languages cannot be read, or
-  /// the shelf is empty.
+  /// every vessel; empty: those. Problem if exhibit, scene or languages cannot be read, or if the
+  /// shelf is empty.
   static Result<std::unique_ptr<QuietVisits>> open(const std::string& exhibit_file,
                                                    const std::string& scene = {},
                                                    const std::string& language = {});
 
   const std::vector<screens::ShelfCard>& cards() const { return shelf_->cards(); }
-  /// The card of `vessel`. Problem with what there is, where it is not on the shelf.
+  /// The card of `vessel`. Problem, with the existing ones, if it is not on the shelf.
   Result<int> card_of(const std::string& vessel) const;
-  /// Naive hands at the wheel; `moments`: s, rising, at which the pot is looked at; they throw on
-  /// until the last. Problem where the screens lack a control that visitors need.
+  /// Naive hands at the wheel, until the last of `moments` (s, rising), at which the pot is
+  /// measured. Problem if a needed control is missing on the screens.
   Result<QuietOutcome> naive(int card, std::uint64_t seed, rehearsal::NaiveHands::Pointer pointer,
                              const std::vector<double>& moments) const;
-  /// A whole visit, from attract to attract, in the language that the visits were opened in.
-  /// Without eyes: speech is heard and keys are pressed, until `strokes` were made or the pot is
-  /// close everywhere. Problem where the visitor finds no way on, or it takes over an hour.
+  /// A whole visit, from attract to attract, in the language of the visits, without sight: it hears
+  /// speech and presses keys, until `strokes` were made or the pot is close everywhere. Problem if
+  /// the visitor is stuck, or if it takes over an hour.
   Result<AidedOutcome> blind(int card, int strokes) const;
-  /// With one switch and `pace` s from one item to the next, 0.5 to 5.
+  /// With one switch and `pace` s for each item, 0.5 to 5.
   Result<AidedOutcome> one_switch(int card, int strokes, double pace) const;
   /// Both again, with the mission of this id instead of a vessel, on or off, on 4 May 2026 (UTC).
-  /// Problem, too, where it cannot be played.
+  /// Problem also if it cannot be played.
   Result<AidedOutcome> blind(const std::string& mission, int strokes) const;
   Result<AidedOutcome> one_switch(const std::string& mission, int strokes, double pace) const;
-  /// The script `follow`, a potter who knows the vessel, to its end: one look, 0 mishaps.
+  /// The script `follow`, a potter who knows the vessel, to its end: one look, no mishaps.
   Result<QuietOutcome> careful(int card, std::uint64_t seed) const;
 
  private:
   QuietVisits() = default;
-  /// What somebody makes a visit for: a card of the shelf, or a mission.
+  /// The goal of a visit: a card of the shelf, or a mission.
   struct Aim {
     const screens::ShelfCard* card = nullptr;
     const exhibit::Missions* missions = nullptr;

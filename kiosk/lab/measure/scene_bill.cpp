@@ -19,8 +19,8 @@ struct Worked {
   double us = 0.0;  // median
 };
 
-// What an effect is asked for by a number that is 0 where nobody asks. Takes it away; false where
-// it is not there.
+// Some effects are requested by a number that is 0 by default. Removes the request; false if there
+// is none.
 struct BillPart {
   const char* effect;
   const char* key;
@@ -61,8 +61,8 @@ Result<Worked> worked(const SceneDef& def, int passes) {
     for (std::size_t n = 0; n < std::min(least.size(), outcome->tick_us.size()); ++n)
       least[n] = std::min(least[n], outcome->tick_us[n]);
   }
-  // A wall that the other hand holds stays where it is, and one that nobody holds does not thin: an
-  // effect is seen in the one or in the other.
+  // A wall that the other hand holds does not move, and one without another hand does not thin, so
+  // an effect shows in one or the other.
   std::vector<lab::SceneWork> others{lab::finger_work("bill", wall, false, 0.0015, true)};
   if (auto evening = lab::evening_work("bill", wall, 0.0015, true))
     others.push_back(std::move(*evening));

@@ -15,7 +15,7 @@ namespace onggi::measure {
 namespace {
 
 constexpr std::size_t kMostText = 1 << 20;
-constexpr double kFirstPot = 60;  // points: the least that a first pot is to be worth
+constexpr double kFirstPot = 60;  // points: the least that a first pot should get
 
 std::string joined(const std::vector<std::string>& names) {
   std::string all;

@@ -12,26 +12,27 @@ namespace onggi::measure {
 
 /// One preset on the curators' page.
 struct SceneEntry {
-  std::string name, words;           ///< Its file's, and what the file says of itself.
-  std::vector<std::string> effects;  ///< What is simulated beside contact.
+  std::string name, words;           ///< Its file's name, and the file's own description.
+  std::vector<std::string> effects;  ///< The simulated effects besides contact.
   SceneBill bill;
   NaiveTable visits;  ///< Naive and careful hands.
 };
 
-/// The sentences of a scene file's leading comment but for those that point elsewhere ("What each
-/// ...", "An effect is ...", or that name another page). One line.
+/// The sentences of a scene file's leading comment, except those that refer to other places ("What
+/// each ...", "An effect is ...", or that name another page). One line.
 std::string words_of_scene(const std::string& toml);
-/// Bills and visits of every preset of config/scenes but those on the printed model. `plan` says
-/// which visits; its scene is set. Minutes. Problem as bill_of's and measure_naive's.
+/// Costs and visits of every preset of config/scenes, except those on the printed model. `plan`
+/// defines the visits; its scene is set here. Takes minutes. Problem as in bill_of and
+/// measure_naive.
 Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE* progress);
-/// How a page came about.
+/// The origin of a page.
 struct PageMade {
   std::string command;
   std::string date;    ///< "2026-11-22"
-  std::string commit;  ///< That the program was built from; empty where nobody said.
+  std::string commit;  ///< The commit of this build; empty if not given.
 };
-/// A page in Markdown. Where naive hands do not come to 60 points in the median, which is what the
-/// default scene is held to, it says so in words.
+/// A page in Markdown. It says so if naive hands do not reach a median of 60 points, the
+/// requirement for the default scene.
 std::string page_of(const std::vector<SceneEntry>& scenes, const PageMade& made);
 
 }  // namespace onggi::measure

@@ -8,12 +8,12 @@
 
 namespace onggi::measure {
 
-/// A scene that lies in config/scenes of the program.
+/// A scene in the program's config/scenes.
 struct ScenePreset {
-  std::string name;  ///< Of its file, without ".toml".
+  std::string name;  ///< Its file name without ".toml".
   SceneDef def;
 };
-/// All of them, by name. Problem where one is not as it should be.
+/// All of them, by name. Problem if one is invalid.
 Result<std::vector<ScenePreset>> read_presets();
 
 }  // namespace onggi::measure

@@ -9,7 +9,7 @@
 namespace onggi::measure {
 namespace {
 
-constexpr int kReach = 5;  // of the window to each side
+constexpr int kReach = 5;  // of the window, to each side
 constexpr double kSigma = 1.5;
 constexpr double kOfMeans = (0.01 * 255) * (0.01 * 255), kOfSpreads = (0.03 * 255) * (0.03 * 255);
 
@@ -40,7 +40,7 @@ Plane product(const Plane& a, const Plane& b) {
   return out;
 }
 
-/// Under the window, which fits wherever the result has a place: kReach less on every side.
+/// The filtered picture, without the kReach pixels on every side where the window does not fit.
 Plane under_window(Plane plane) {
   std::array<double, 2 * kReach + 1> weight{};
   double sum = 0;

@@ -14,8 +14,8 @@ namespace onggi::measure {
 namespace {
 
 constexpr double kReportEvery = 30.0;
-// Memory is judged by the least of the last quarter against the least of the one before: the first
-// half fills the caches of text, fonts and drivers, and a postcard in the making is no growth.
+// Compare the least memory of the last quarter with that of the third: the first half fills the
+// caches of text, fonts and drivers, and a postcard in work is no growth.
 constexpr double kGrowthAllowed = 16.0;  // MiB
 
 void report(double elapsed, int visits, exhibit::Kiosk& kiosk) {
@@ -49,7 +49,7 @@ Result<int> soak(const SoakPlan& plan) {
 
   const double begun = files::monotonic_seconds(), length = plan.minutes * 60;
   double next_report = kReportEvery;
-  long third_quarter = 0, last_quarter = 0;  // Least resident bytes; 0: not yet looked.
+  long third_quarter = 0, last_quarter = 0;  // Smallest resident size, bytes; 0: not measured yet.
   int visits = 0;
   std::unique_ptr<rehearsal::ScriptedVisitor> visitor;
   for (double now = begun; now - begun < length; now = files::monotonic_seconds()) {

@@ -26,13 +26,13 @@ namespace onggi::measure {
 namespace {
 
 constexpr double kFaster = 6.0;        // the screens' clock, within a visit
-constexpr double kStall = 0.1;         // s: a frame that takes longer makes nobody faster
+constexpr double kStall = 0.1;         // s: a longer frame does not speed the visitor up
 constexpr double kThrows = 12.0;       // s of the screens' clock at the wheel
 constexpr double kLinger = 1.6;        // s of it on each screen
-constexpr double kSkip = 20.0;         // s that pass at once between two visits
+constexpr double kSkip = 20.0;         // s skipped at once between two visits
 constexpr double kSampleEvery = 0.25;  // h
-constexpr int kWalksAway = 7;          // every so many visits
-constexpr double kPatience = 300.0;    // s of ours that a visit may take
+constexpr int kWalksAway = 7;          // every this many visits
+constexpr double kPatience = 300.0;    // s of real time that a visit may take
 
 int count_in(const fs::path& folder) {
   std::error_code none;
@@ -85,7 +85,7 @@ class SoakDays {
   std::unique_ptr<exhibit::Reload> reload_;
   std::unique_ptr<SoakTroubles> troubles_;
   std::unique_ptr<rehearsal::ScriptedVisitor> visitor_;
-  std::vector<souvenir::KeepsakeFiles> kept_;  ///< Since the folder was removed last.
+  std::vector<souvenir::KeepsakeFiles> kept_;  ///< Since the folder was last removed.
   loop::LoopTiming timing_;                    ///< At the last sample.
   SoakReport report_;
   double real_ = 0, now_ = 0, begun_ = 0, real_begun_ = 0, faster_ = 1;
@@ -159,8 +159,8 @@ void SoakDays::look_at_keepsake() {
   }
 }
 
-// Those that the quota has not removed, which goes from the oldest on: after one that is there, all
-// are.
+// Keepsakes that the quota has not removed. It removes the oldest first, so after one that exists
+// all must exist.
 void SoakDays::look_at_all_keepsakes() {
   bool there = false;
   for (const souvenir::KeepsakeFiles& files : kept_) {
@@ -187,7 +187,7 @@ Result<void> SoakDays::walk_away() {
 
 Result<void> SoakDays::visit() {
   const int n = report_.visits;
-  // What is in the folder is looked at before the folder goes.
+  // Check the folder's content before removing the folder.
   if (n % SoakTroubles::kEvery == 13) look_at_all_keepsakes();
   troubles_->before(n);
   rehearsal::ScriptedVisitor::Plan plan;
@@ -202,8 +202,8 @@ Result<void> SoakDays::visit() {
   const double begun = real_;
   bool changed_language = false;
   while (!visitor_->done()) {
-    // A save takes its own time: six times as long for a visitor, a helper that hangs would let
-    // them be taken for gone.
+    // A save takes real time. At six times the speed for the visitor, a hanging helper would make
+    // the visitor count as gone.
     faster_ = kiosk_->doing().saving || kiosk_->doing().turning ? 1 : kFaster;
     if (auto good = frame(); !good) return good;
     troubles_->during(kiosk_->doing().saving);
@@ -237,7 +237,7 @@ Result<void> SoakDays::visit() {
   look_at_keepsake();
   const bool came_home = visitor_->done();
   visitor_.reset();
-  // Who was told that nothing could be kept goes away, too.
+  // A visitor who was told that nothing could be kept leaves too.
   if (!came_home)
     if (auto good = walk_away(); !good) return good;
   faster_ = 1;
@@ -247,7 +247,7 @@ Result<void> SoakDays::visit() {
   return {};
 }
 
-/// Until the next visitor comes: the exhibit plays to nobody, and what changed is taken up.
+/// Until the next visitor: the exhibit plays to nobody, and takes changes.
 Result<void> SoakDays::rest() {
   const double until = begun_ + 3600.0 * report_.visits / plan_.visits_an_hour;
   for (int frames = 0; frames < 8 || now_ < until; ++frames) {
@@ -291,7 +291,7 @@ void SoakDays::sample() {
 }
 
 Result<SoakReport> SoakDays::run() {
-  // The museum's own site is left alone: a copy of it is changed and broken.
+  // Leave the museum's own site alone: change and break a copy.
   const fs::path own = files::site_exhibit(plan_.config);
   if (own.empty())
     return problem(plan_.config.string(),

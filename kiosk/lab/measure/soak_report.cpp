@@ -17,7 +17,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Of the samples between two shares of the time.
+/// The samples between two shares of the time.
 std::vector<SoakSample> between(const SoakReport& report, double from, double to) {
   std::vector<SoakSample> some;
   for (const SoakSample& at : report.samples)
@@ -45,7 +45,7 @@ double ratio(const SoakReport& report, const Of& of) {
   return first > 0 ? median_of(between(report, 0.75, 1), of) / first : 1.0;
 }
 
-/// A day, after a sixth of the time.
+/// Growth a day, after a sixth of the time.
 template <class Of>
 double slope(const SoakReport& report, const Of& of) {
   const auto warm = between(report, 1.0 / 6, 1);
@@ -176,7 +176,7 @@ drawing::Plot plot_of(const SoakReport& report) {
     }
     plot.series.push_back(std::move(line));
   };
-  // What is to stay as it was comes last, and so lies over what goes up and down.
+  // Draw constant series last, so that they lie over the others.
   series("woken late, p99.9", wake, " us");
   series("a tick, p99.9", tick, " us");
   series(

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = SoakTroubles::Kind;
 
-constexpr rlim_t kFull = 4096;  // bytes: no picture, and nothing more into the store
+constexpr rlim_t kFull = 4096;  // bytes: too little for a picture or for the store
 
 const char* words_of(Kind kind) {
   switch (kind) {
@@ -78,7 +78,7 @@ std::string read(const fs::path& file) {
 
 SoakTroubles::SoakTroubles(fs::path exhibit, fs::path keepsakes)
     : exhibit_(std::move(exhibit)), keepsakes_(std::move(keepsakes)), good_text_(read(exhibit_)) {
-  // A disk that is full says so by an error, and so does a file that may not grow.
+  // A full disk gives an error, and so does a limit on the file size.
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -89,7 +89,7 @@ void SoakTroubles::write_exhibit(const std::string& text) const {
 }
 
 bool SoakTroubles::signal_helper(int which) const {
-  // Of this process' children, by /proc/PID/stat: "PID (name) state parent ...".
+  // Children of this process, from /proc/PID/stat: "PID (name) state parent ...".
   const long own = static_cast<long>(getpid());
   std::error_code none;
   for (const auto& entry : fs::directory_iterator("/proc", none)) {

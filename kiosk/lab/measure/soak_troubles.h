@@ -7,10 +7,10 @@
 
 namespace onggi::measure {
 
-/// What befalls a kiosk in days that nobody looks at it, put in for real, each every kEvery visits:
-/// the helper that writes pictures is killed at work, or hangs; the disk takes nothing for a visit;
-/// the folder of keepsakes is removed; a curator's change of the exhibit is good, is broken, is
-/// mended. All of it lies in the soak's own folder. Main thread.
+/// Real troubles of an unattended kiosk, one of each every kEvery visits: the helper that writes
+/// pictures is killed or hangs; the disk is full for a visit; the folder of keepsakes is removed; a
+/// curator's change of the exhibit is good, broken or fixed. Everything happens in the soak's own
+/// folder. Main thread.
 class SoakTroubles {
  public:
   static constexpr int kEvery = 24;  ///< Visits.
@@ -18,7 +18,7 @@ class SoakTroubles {
   enum class Kind {
     none,
     helper_killed,
-    helper_hangs,  ///< Once: it costs the visitor the helper's deadline.
+    helper_hangs,  ///< Once: it takes the helper's whole time limit.
     disk_full,
     folder_removed,
     exhibit_changed,
@@ -28,22 +28,22 @@ class SoakTroubles {
 
   /// `exhibit`: the soak's own exhibit.toml; `keepsakes`: its folder.
   SoakTroubles(std::filesystem::path exhibit, std::filesystem::path keepsakes);
-  /// The disk is as it was.
+  /// Restores the disk.
   ~SoakTroubles();
   SoakTroubles(const SoakTroubles&) = delete;
   SoakTroubles& operator=(const SoakTroubles&) = delete;
 
-  /// Before visit `n` (0, 1, ...) begins.
+  /// Call before visit `n` (0, 1, ...) begins.
   void before(int n);
-  /// Once a frame of a visit; `saving`: its keepsake is being made.
+  /// Call once a frame of a visit; `saving`: its keepsake is being made.
   void during(bool saving);
   /// The visitor has left.
   void after();
 
-  /// This visit's.
+  /// This visit's trouble.
   Kind kind() const { return kind_; }
-  /// This visit's keepsake may be refused: the disk takes nothing. A helper that dies does not
-  /// count: another does its work.
+  /// True if this visit's keepsake may be refused, because the disk is full. A helper that dies
+  /// does not count, because another one does its work.
   bool may_refuse() const;
   /// "12 x the disk took nothing", in the order of Kind.
   std::vector<std::string> told() const;

@@ -17,16 +17,16 @@ namespace onggi::measure {
 namespace {
 
 constexpr double kKeepEvery = 10.0;          // s
-constexpr std::uint64_t kShrinkTicks = 2e6;  // at most, for one find
+constexpr std::uint64_t kShrinkTicks = 2e6;  // at most, to reduce one finding
 constexpr std::size_t kLongestProgress = 1u << 20;
 constexpr const char* kHead =
-    "onggi stability, trials of kind 1";  // another generator: another kind
+    "onggi stability, trials of kind 1";  // another generator has another kind
 
 std::atomic<bool> stop_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 void ask_to_stop(int) { stop_asked = true; }
 
-// While it lives SIGINT and SIGTERM ask to stop, so that what was done is kept.
+// While it lives, SIGINT and SIGTERM request a stop, so that the results are kept.
 class StopOnSignal {
  public:
   StopOnSignal() {
@@ -54,7 +54,7 @@ lab::Trial trial_of(std::uint64_t seed, std::uint64_t number) {
   return lab::random_trial(random.bits(), plan);
 }
 
-// What all threads work on.
+// Shared by all threads.
 class Night {
  public:
   Night(const StabilityPlan& plan, StabilityTally tally)
@@ -64,7 +64,7 @@ class Night {
     for (std::uint64_t number = 0; take(number);)
       if (!run(number)) return;
   }
-  // False where it was asked to stop before all of the trial was run.
+  // False if a stop was requested before the end of the trial.
   bool run(std::uint64_t number) {
     const lab::Trial trial = trial_of(plan_.seed, number);
     const lab::TrialChecks checks{.twice = true, .give_up = [] { return stop_asked.load(); }};
@@ -75,7 +75,7 @@ class Night {
     return true;
   }
 
-  // A copy, as it is now.
+  // A copy of the current state.
   StabilityTally tally() {
     const std::lock_guard lock(mutex_);
     return tally_;
@@ -101,7 +101,7 @@ class Night {
     number = next_++;
     return true;
   }
-  // Trials end in any order; the tally counts those up to the first that is not done.
+  // Trials end in any order; the tally counts those before the first unfinished one.
   void done(std::uint64_t number, std::uint64_t ticks) {
     const std::lock_guard lock(mutex_);
     waiting_[number] = ticks;
@@ -130,7 +130,7 @@ class Night {
   StabilityTally tally_;
   std::uint64_t next_;
   std::uint64_t ticks_ = 0;                         // of those in waiting_
-  std::map<std::uint64_t, std::uint64_t> waiting_;  // done, and one before them is not
+  std::map<std::uint64_t, std::uint64_t> waiting_;  // done, but an earlier one is not
   std::string trouble_;
 };
 

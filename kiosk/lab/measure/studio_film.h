@@ -8,8 +8,7 @@
 
 namespace onggi::measure {
 
-/// Seventeen seconds of everything that the studio can sound like, one after the other: to be
-/// listened to and looked at.
+/// Seventeen seconds of all sounds of the studio in sequence, to listen to and to look at.
 struct StudioFilm {
   std::vector<float> samples;  ///< One channel, sound::kRate a second.
   std::vector<drawing::Spectrogram::Part> parts;

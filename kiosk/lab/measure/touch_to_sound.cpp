@@ -20,11 +20,11 @@ namespace onggi::measure {
 namespace {
 
 constexpr double kGoal = 20.0;  // ms, p99
-// Clay that gives way lets go of a light finger for some ticks: a touch begins after so long
-// without.
+// Soft clay loses a light finger for some ticks, so a touch begins only after this long without
+// contact.
 constexpr std::int64_t kApart = 2'000'000'000LL * sound::Speaker::kBlock / 48000;  // ns
 
-/// A finger beside the wall, half a millimetre in it or 10 mm off it.
+/// A finger beside the wall, half a millimetre into it or 10 mm off it.
 HandInput finger(const SceneDef& def, bool on) {
   HandInput hand;
   hand.position = {def.clay.outer_radius + def.tool.radius + (on ? -0.0005 : 0.01),
@@ -37,7 +37,7 @@ bool rubs(const loop::LoopStatus& status) {
   return status.feedback.hand[0].contact && length(status.feedback.hand[0].touch.push) > 0.0;
 }
 
-/// Follows each touch from the tick that feels it to the block that sounds of it.
+/// Follows each touch from the tick that feels it to the block with its sound.
 class Touches {
  public:
   void look(const loop::LoopStatus& now, const sound::Speaker::Status& speaker) {

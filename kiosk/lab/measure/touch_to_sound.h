@@ -13,17 +13,17 @@ namespace onggi::measure {
 struct TouchToSoundPlan {
   SceneDef scene;
   double seconds = 60.0;   ///< 1 to 86400.
-  std::uint64_t seed = 1;  ///< Of when the finger comes and goes.
+  std::uint64_t seed = 1;  ///< Seed of the finger's timing.
 };
 
-/// How soon a touch is heard, and whether the sound card ever ran dry, beside the running 1 kHz
-/// loop.
+/// The delay from a touch to its sound, and whether the sound card ran dry, beside the running 1
+/// kHz loop.
 struct TouchToSound {
   std::string machine, card;
   std::uint64_t seed = 1;
   double seconds = 0.0;
-  int touches = 0;  ///< That were heard.
-  int unheard = 0;  ///< Over before a block was asked for.
+  int touches = 0;  ///< Number of heard touches.
+  int unheard = 0;  ///< Ended before a block was requested.
   /// ms from the tick in which clay was touched to its block coming out.
   double median_ms = 0.0, p99_ms = 0.0, worst_ms = 0.0;
   std::uint64_t blocks = 0, dry = 0;  ///< sound::Speaker::Status::late.
@@ -31,8 +31,8 @@ struct TouchToSound {
   std::uint64_t late_ticks = 0;  ///< Of the loop, over 0.5 ms.
 };
 
-/// A finger comes to the wall and goes, five times a second by chance, while the scene runs.
-/// Problem where there is no sound card. Says on `progress` how far it is. Blocks for `seconds`.
+/// A finger touches the wall and leaves, about five times a second at random, while the scene runs.
+/// Problem if there is no sound card. Prints progress to `progress`. Blocks for `seconds`.
 Result<TouchToSound> touch_to_sound(const TouchToSoundPlan& plan, std::FILE* progress);
 
 files::Json json_of(const TouchToSound& heard);
