@@ -25,7 +25,7 @@ MAX_LINES = 600
 CPP = (".h", ".cpp")
 SOURCES = CPP + (".glsl", ".vert", ".frag", ".py", ".sh", ".cmake")
 TOP = set("""CMakeLists.txt kiosk engine content config tests README.md CHANGELOG.md LICENSE
-CMakePresets.json .clang-format .clang-tidy .editorconfig .gitignore .ci""".split())
+CMakePresets.json CONTRIBUTING.md .clang-format .clang-tidy .editorconfig .gitignore .ci""".split())
 HALF_FILES = {
     "engine": {"CMakeLists.txt"},
     "kiosk": {"CMakeLists.txt", "libraries.cmake", "start", "install-packages", "packages.txt"},
