@@ -11,12 +11,12 @@ namespace onggi {
 /// 8..20000." Allocates only for the Problem.
 class FieldCheck {
  public:
-  /// `where` stands before every field's name: "clay" gives "clay.rows".
+  /// `where` comes before every field's name: "clay" gives "clay.rows".
   explicit FieldCheck(std::string where) : where_(std::move(where)) {}
 
   /// low <= value <= high, and finite. `unit` may be empty: "m", "s", "N".
   void range(const char* field, double value, double low, double high, const char* unit);
-  /// What a single range cannot say.
+  /// Checks a condition that is more than a range.
   void require(bool kept, const char* field, std::string what, std::string remedy);
 
   Result<void> result() const;

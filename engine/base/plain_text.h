@@ -6,16 +6,15 @@
 
 namespace onggi::terminal {
 
-/// `text` as a terminal and a log may show it, whoever wrote it: a '?' stands for each control
-/// character (line breaks and the two-byte ones of U+0080..9F too), each sign that turns the
-/// direction of writing, and each byte that is no UTF-8. So a name in a file can neither move the
-/// cursor nor pretend to be a line of the program's. Allocates.
+/// `text` made safe for a terminal and a log: a '?' replaces each control character (also line
+/// breaks, and the two-byte ones of U+0080..9F), each character that changes the writing direction,
+/// and each byte that is not UTF-8. A name in a file can then neither move the cursor nor look like
+/// one of the program's lines. Allocates.
 std::string plain(std::string_view text);
 
-/// plain(text) in exactly `width` columns of a terminal, for tables: filled with blanks, or cut
-/// between two characters. A Chinese, Japanese or Korean character and a picture take two columns,
-/// a mark on the character before it none (the wide blocks of Unicode's East Asian Width).
-/// Allocates.
+/// plain(text) in exactly `width` terminal columns, for tables: padded with blanks, or cut between
+/// two characters. A Chinese, Japanese or Korean character and a picture take two columns, and a
+/// combining mark none (the wide blocks of Unicode's East Asian Width). Allocates.
 std::string column(std::string_view text, std::size_t width);
 
 }  // namespace onggi::terminal

@@ -28,8 +28,8 @@ namespace onggi {
 /// Not safe across threads; allocation only in create().
 class Clay {
  public:
-  /// `vectors`: that loops over its elements use, one of vectors_here(); no part of its state.
-  /// `spare_rows`, >= 0: that may come to stand in the stack beside the lump's.
+  /// `vectors`: for loops over its elements, one of vectors_here(); not part of its state.
+  /// `spare_rows`, >= 0: rows that may be inserted besides the lump's.
   static Result<Clay> create(const ClayDef& def, Vectors vectors = best_vectors(),
                              int spare_rows = 0);
 
@@ -42,10 +42,10 @@ class Clay {
   int stored(int j) const { return order_.at(j); }
   std::span<const int> stored() const { return order_.stored(); }
   int place_of(int stored) const { return order_.place_of(stored); }
-  /// Rows for which there is room still.
+  /// Number of rows that can still be inserted.
   int spare_rows() const { return order_.spare(); }
   int next_spare() const { return order_.next(); }  ///< The stored row that insert_row() takes.
-  /// How thick a fresh lump's rows are, m.
+  /// Thickness of a fresh lump's rows, m.
   double first_thickness() const { return def_.height / def_.rows; }
   int sectors() const { return def_.sectors; }
   /// Floats from one row to the next: sectors rounded up to a multiple of 8.
@@ -120,12 +120,12 @@ class Clay {
   float* stored_outer(int stored) { return outer_.data() + begin_of(stored); }
   float* stored_inner(int stored) { return inner_.data() + begin_of(stored); }
   void widen_extent(int j, float outer_most, float inner_least);
-  /// Nothing is known of the row's radii any more.
+  /// Marks the row's radii as unknown.
   void forget_row(int j) {
     widen_extent(j, 1e9f, 0.0f);
     if (areas_) areas_->forget(j);
   }
-  /// The row was looked at whole, and this is its extent.
+  /// Sets the row's extent after looking at all of it.
   void set_extent(int j, float outer_most, float inner_least);
   /// Whose turn it is of `rows` rows: 0, 1, 2 ... from call to call.
   int next_measured(int rows) {
@@ -152,23 +152,23 @@ class Clay {
       return j >= each.first_row() && j < each.end_row();
     });
   }
-  /// What was moved in this tick is forgotten, on both faces.
+  /// Forgets the moves of this tick, on both faces.
   void forget_displacements();
 
-  /// Rows changed since they were last taken, for those that draw them.
+  /// Rows changed since they were last taken, for code that draws them.
   void mark_dirty(int j) { dirty_.add(j), changed_.add(stored(j)); }
   /// Row `first` + k for each bit k of `which`.
   void mark_dirty(int first, std::uint64_t which);
-  /// It is to be drawn anew, and its radii are what they were.
+  /// Marks a row to be drawn again with unchanged radii.
   void mark_to_draw(int j) { moved_.add(j); }
-  /// All are to be drawn; none is changed.
+  /// Marks all rows to be drawn; none has changed.
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
   int take_dirty(int from = 0) { return dirty_.take(std::max(from, 0)); }
   /// The same of rows that only moved, tore or healed. Whoever draws takes the dirty ones first: a
   /// row may be both.
   int take_moved(int from = 0) { return moved_.take(std::max(from, 0)); }
-  /// The dirty rows as they are stored, for those that keep what they were (history.h).
+  /// The dirty rows by storage index, for code that keeps old rows (history.h).
   int take_change(int from = 0) { return changed_.take(from); }
   void forget_change(int stored) { changed_.remove(stored); }
 

@@ -12,7 +12,7 @@
 namespace onggi {
 namespace clay {
 
-/// Where a row stands, and the clay that it is a row of: what changes as other rows grow or sink.
+/// The position of a row, and the clay's figures that change when other rows grow or sink.
 struct RowPlace {
   double middle = 0.0;     ///< Height of the row's middle, m.
   double rim = 0.0;        ///< Height of the clay, m,
@@ -25,21 +25,20 @@ RowPlace place_of(const Clay& clay, int row) noexcept;
 
 }  // namespace clay
 
-/// The clay as those see it who only look: the one value that screens, picture, score and keepsake
-/// are made of. A copy, renewed row by row; rows that only moved come without radii. Row means are
-/// kept, so that an outline costs O(rows). Allocates in lay() and take() alone. Not safe across
-/// threads.
+/// The clay as a copy for reading: screens, picture, score and keepsake use only this. It is
+/// updated row by row; rows that only moved come without radii. Row means are kept, so that an
+/// outline costs O(rows). Allocates only in lay() and take(). Not safe across threads.
 class ClayView {
  public:
-  /// A fresh lump of this grid; dry, whole and fast on the wheel. `room`: the rows that it may come
-  /// to have (Clay::room()); its own where that is less.
+  /// A fresh lump of this grid; dry, whole and moving with the wheel. `room`: the largest number of
+  /// rows (Clay::room()); its own number if that is less.
   void lay(const ClayDef& def, int room = 0);
-  /// All of `clay`: how it would be seen with every row arrived.
+  /// All of `clay`: the view after every row has arrived.
   void take(const Clay& clay);
   /// Where a row now is, and the rest of what a row tells, also how many there are. Rows beyond the
   /// grid's room are let be.
   void place(int row, const clay::RowPlace& at) noexcept;
-  /// A row's radii, metres. Rows beyond the grid, and of other widths, are let be.
+  /// A row's radii, metres. Rows outside the grid, or with another width, are ignored.
   void shape(int row, std::span<const float> outer, std::span<const float> inner) noexcept;
 
   int rows() const { return rows_; }                             ///< 0 before the first lump.
@@ -54,16 +53,17 @@ class ClayView {
   double floor_top() const { return floor_top_; }  ///< Metres.
   int floor_rows() const { return floor_rows_; }
   bool torn(int j) const { return torn_[static_cast<std::size_t>(j)] != 0; }
-  /// How thin the wall is where the torn rows are thinnest, metres; nothing where none is torn.
-  /// O(torn rows x sectors).
+  /// Thickness of the wall at the thinnest torn row, metres; absent if none is torn. O(torn rows x
+  /// sectors).
   std::optional<double> torn_wall() const;
 
-  /// 0 dry .. 1 dripping, at even heights from foot to rim; empty where the pot is wet all alike.
+  /// 0 dry .. 1 dripping, at even heights from foot to rim; empty if wetness is the same
+  /// everywhere.
   std::vector<float> wet;
   double angle = 0.0;     ///< Its own turning frame, rad; the wheel's until it is cut free.
   double cut_free = 0.0;  ///< Share of the section that a wire has cut; at 1 it stands still.
 
-  /// The outline, by the row means. Heights rise even while rows are on their way. O(rows).
+  /// The outline from the row means. Heights rise even while rows are in transit. O(rows).
   Profile profile() const;
   /// What the pot holds, filled to the brim, m^3: from the upper face of its floor to its rim, or
   /// to the lowest ring that is torn, where it would run out. Of the inner wall as it stands, each
@@ -74,7 +74,7 @@ class ClayView {
   /// Mean radius of a face at height `h` (clamped), metres.
   double radius_at(double h, WallSide side) const;
 
-  /// Grows with whatever arrives, so that who has drawn the clay knows what is new since.
+  /// Grows with every change, so that code that has drawn the clay can tell what is new.
   std::uint64_t change() const { return change_; }
   std::uint64_t shaped_at(int j) const { return shaped_at_[static_cast<std::size_t>(j)]; }
   std::uint64_t placed_at(int j) const { return placed_at_[static_cast<std::size_t>(j)]; }

@@ -10,9 +10,9 @@
 
 namespace onggi {
 
-/// How far one face was moved within this tick, element by element, and where to look: contact
-/// writes it, effects that work about the contact read it. A Clay has them only where an effect
-/// asked for them: Clay::keep_displacements(). Allocates only when made. Not safe across threads.
+/// How far one face moved within this tick, for each element, and where to look: contact writes it,
+/// and effects near the contact read it. A Clay has it only if an effect asked for it:
+/// Clay::keep_displacements(). Allocates only when made. Not safe across threads.
 class Displacements {
  public:
   static constexpr int kBlock = 8;
@@ -44,7 +44,7 @@ class Displacements {
     return {static_cast<int>(begin - blocks_.begin()), static_cast<int>(end - blocks_.begin())};
   }
 
-  /// Back to nothing moved; `stored`: which row is at each place. O(what was marked).
+  /// Resets all moves; `stored`: the row at each place. O(marked elements).
   void clear(std::span<const int> stored) {
     for (BlockRun run = run_from(0); run.any(); run = run_from(run.end))
       for (int j = first_; j < end_; ++j) {

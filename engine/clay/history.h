@@ -11,10 +11,9 @@
 
 namespace onggi::clay {
 
-/// What a visitor may take back: the clay as it was before each stroke, as far as a fixed amount of
-/// memory reaches. A step is one touch from first contact until the hands have been clear for
-/// kPause; a longer touch is cut after kLongest. On 400 x 360 the memory holds at least half a
-/// minute of the busiest throwing.
+/// Undo for visitors: the clay before each stroke, within a fixed amount of memory. A step is one
+/// touch, from first contact until the hands have been clear for kPause; a longer touch is cut
+/// after kLongest. On 400 x 360 the memory holds at least half a minute of the busiest throwing.
 ///
 /// How: a second grid lags behind the clay. A row that changed is copied from it into a ring the
 /// first time in a step, and brought up to date when the step is over, some rows a tick. So no tick
@@ -50,8 +49,8 @@ class History {
   std::uint64_t depth() const { return depth_; }
   /// How long the step under way has lasted since the clay first changed in it, s.
   double lasted() const { return lasted_; }
-  /// Takes the last step back, at most about `element_budget` elements a call. True once it is
-  /// done, or where there is nothing to take back; until then nobody else may change the clay.
+  /// Undoes the last step, at most about `element_budget` elements a call. True when done, or if
+  /// there is nothing to undo; until then nobody else may change the clay.
   bool step_back_some(Clay& clay, int element_budget) noexcept;
 
   /// Of what is kept, not of its radii: those follow from what the hands did.

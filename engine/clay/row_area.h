@@ -4,7 +4,7 @@
 
 namespace onggi::clay {
 
-/// A row's cross-section, measured on one kind of vectors. Any thread, no allocation.
+/// Measures a row's cross-section with one kind of vectors. Any thread, no allocation.
 struct AreaKernel {
   /// Sum of outer^2 - inner^2 over `width` elements (m^2), in doubles: eight sums, and what is
   /// beyond the last eight, in the same order on all kinds.

@@ -9,10 +9,10 @@
 
 namespace onggi {
 
-/// The area of every row's cross-section (m^2), kept up to date by those who press, for effects
-/// that need to know what a press took away; which rows have changed since they were last taken;
-/// and which are torn. A Clay has one only where an effect asked for it: Clay::keep_areas(). Not
-/// safe across threads.
+/// The area of every row's cross-section (m^2), kept up to date during pressing, for effects that
+/// need to know what a press removed; also which rows have changed since they were last taken, and
+/// which are torn. A Clay has one only if an effect asked for it: Clay::keep_areas(). Not safe
+/// across threads.
 class RowAreas {
  public:
   RowAreas(int rows, int stride)
@@ -61,7 +61,7 @@ class RowAreas {
   double take_given(int j) { return std::exchange(given_[static_cast<std::size_t>(j)], 0.0); }
   /// Takes what was cut from row `j`, m^2, since it was last taken.
   double take_cut(int j) { return std::exchange(cut_[static_cast<std::size_t>(j)], 0.0); }
-  /// Row `j` is marked.
+  /// True if row `j` is marked.
   bool changed(int j) const { return changed_.has(j); }
   /// A row comes to stand at place `j`, of which nothing is known, or the one there goes.
   void open(int j) {
@@ -84,7 +84,7 @@ class RowAreas {
   }
   /// Row `j` became thinner or thicker.
   void mark(int j) { changed_.add(j); }
-  /// Row `j` was written to: it is to be measured.
+  /// Row `j` was written, so it must be measured.
   void forget(int j) {
     changed_.add(j);
     unknown_.add(j);

@@ -5,8 +5,8 @@
 
 namespace onggi::clay {
 
-/// Rows of a stack that divide and join. None of it allocates, or says what volume a row holds: see
-/// effects/refinement.h for when it is done, and by whom.
+/// Dividing and joining rows of a stack. Nothing here allocates or knows the volume of a row:
+/// effects/refinement.h decides when to call it.
 
 /// Row `j` may be divided: there is a spare row, none of it is torn, and the floor would lie where
 /// it may still.

@@ -6,8 +6,8 @@
 
 namespace onggi::clay {
 
-/// Mean of a row's radii, metres: summed from sector 0 on, in double, and divided once. Whoever
-/// needs a row's mean takes it from here, so that a pot has one outline, to the bit.
+/// Mean of a row's radii, metres: summed from sector 0 on, in double, and divided once. All code
+/// takes a row's mean from here, so that a pot has one outline, to the bit.
 double row_mean(std::span<const float> radii) noexcept;
 
 /// The outline of rows whose middles are at `middle` (metres, one a row, at least one), and whose

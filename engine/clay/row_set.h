@@ -10,8 +10,8 @@
 
 namespace onggi {
 
-/// A set of rows, a bit each: which of them are to be drawn, measured, kept. Looking for the next
-/// one passes 64 at a time. Allocates only when made. Not safe across threads.
+/// A set of rows, a bit each, for example the rows to draw, measure or keep. Searching passes 64 at
+/// a time. Allocates only when made. Not safe across threads.
 class RowSet {
  public:
   /// Room for none.
@@ -47,7 +47,7 @@ class RowSet {
   void remove(int j) { words_[word(j)] &= ~bit(j); }
   void clear() { std::ranges::fill(words_, 0); }
 
-  /// Takes the lowest row at or above `from` (>= 0) out; -1 where there is none.
+  /// Removes and returns the lowest row at or above `from` (>= 0); -1 if there is none.
   int take(int from = 0) {
     std::uint64_t keep = ~std::uint64_t{0} << (from & 63);
     for (std::size_t w = word(from); w < words_.size(); ++w, keep = ~std::uint64_t{0}) {

@@ -4,7 +4,7 @@
 
 namespace onggi {
 
-/// Which face of the wall a tool works.
+/// The face of the wall that a tool works.
 enum class WallSide : std::uint8_t { outside, inside };
 
 constexpr WallSide other(WallSide side) {

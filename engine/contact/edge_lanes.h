@@ -1,8 +1,9 @@
 #pragma once
 
-// What is felt at the edges of a body's print beside the sum over elements. Elements come under a
-// tool one after the other, and a sum over their middles is right only on average: without this it
-// goes up and down as they do. Clay gives way without it. For *_lanes.cpp only.
+// The force at the edges of a body's print besides the sum over elements. Elements come under a
+// tool one after another, and a sum over their middles is right only on average: without this
+// correction the force would rise and fall with them. The clay's motion does not use it. For
+// *_lanes.cpp only.
 
 #include "engine/clay/wall_side.h"
 #include "engine/math/lanes.h"

@@ -17,7 +17,7 @@ struct BodyKernel {
   RowsPressed (*press)(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
                        const RowPlaces& places, BodyRow<Body>* rows, int count, PressSums& sums,
                        PressTotal* total);
-  /// How deep the body would press the deepest element of `rows`, m; 0 when clear. Changes nothing.
+  /// Depth of the deepest element of `rows` under the body, m; 0 when clear. Changes nothing.
   float (*depth)(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
                  const RowPlaces& places, const BodyRow<Body>* rows, int count);
 };
@@ -47,7 +47,7 @@ struct Kernels {
   float (*extent)(WallSide side, int stride, const float* face);
 };
 
-/// Those of one kind of vectors, which vectors_here() must name.
+/// The kernels of one kind of vectors, which vectors_here() must contain.
 const Kernels& kernels(Vectors kind) noexcept;
 
 }  // namespace onggi::contact

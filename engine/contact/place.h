@@ -6,7 +6,8 @@
 
 namespace onggi {
 
-/// Where a tool works, or stands while it is clear: beside the wall, on top of it, or on the floor
+/// Where a tool works, or would work while it is clear: beside the wall, on top of it, or on the
+/// inside floor (and then perhaps on the wall's inner face too).
 /// within (and then perhaps on the wall's inner face too).
 enum class Place : std::uint8_t { outside, inside, rim, floor };
 
@@ -14,7 +15,8 @@ constexpr Place beside(WallSide side) {
   return side == WallSide::outside ? Place::outside : Place::inside;
 }
 
-/// Where a tool that is clear of the clay is to be taken to stand. By position: inside when nearer
+/// The place of a tool that is clear of the clay, by position: inside if it is nearer the axis than
+/// the middle of the wall at its height.
 /// the axis than the middle of the wall at its height.
 enum class SideWish : std::uint8_t { by_position, outside, inside };
 

@@ -21,7 +21,7 @@ struct Yielding {
   bool cut = false;  ///< What is pressed away is gone, not displaced; only there, too.
 };
 
-/// What one step of pressing came to.
+/// The result of one step of pressing.
 struct Press {
   Vec3 force;                ///< On the tool, clay frame, mean over the step, N.
   double normal = 0;         ///< Sum of the elements' normal forces, N; friction is made of it.

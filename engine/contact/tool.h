@@ -13,15 +13,15 @@
 
 namespace onggi {
 
-/// How large a tool is. What each figure means is its body's (BodyKind); 0 stands for the tool's
-/// usual size. Metres.
+/// The size of a tool. The meaning of each figure depends on its body (BodyKind); 0 means the
+/// tool's usual size. Metres.
 struct ToolSize {
   double radius = 0.0;     ///< Of the working edge or tip.
   double length = 0.0;     ///< Along the tool.
   double thickness = 0.0;  ///< Across it.
 };
 
-/// Where a tool is during one step, and how it is held. In the clay's turning frame.
+/// The position of a tool during one step, and its orientation. In the clay's turning frame.
 struct ToolPlace {
   Vec3 at;               ///< Middle of the tool's working part, m.
   Vec3 along{0, 1, 0};   ///< Direction of the tool's length; unit.
@@ -35,26 +35,26 @@ struct Hold {
   Vec3 across{0, 0, 1};
 };
 
-/// A potter's tool: a body, and what a potter does with it. One row of engine/contact/tool.cpp.
+/// A potter's tool: a body and its use. One row of engine/contact/tool.cpp.
 struct ToolShape {
   std::string_view name;  ///< As in a scene's TOML: "sphere".
   BodyKind body = BodyKind::ball;
   ToolSize usual;        ///< Its size where a ToolSize has 0. A tool without a length has 0 here.
   ToolSize least, most;  ///< How small and how large it may be made; at least 0.0001 where it has
                          ///< that size at all.
-  Hold hold{};           ///< As a potter holds it.
+  Hold hold{};           ///< The usual grip of a potter.
   double softness =
       1.0;  ///< Share of a press that the clay takes up, 0..1; a sponge takes the rest.
   double relaxation =
       1.0;               ///< Its clay's relaxation time, as a share: an edge cuts at once. 0.1..1
-  bool cuts = false;     ///< What it takes away is gone, not pushed aside.
+  bool cuts = false;     ///< It removes clay instead of pushing it aside.
   bool wets = false;     ///< It brings water to the clay it touches.
-  bool smooths = false;  ///< It evens the wall that it goes along, where there is the effect.
+  bool smooths = false;  ///< It smooths the wall that it passes, if the scene has that effect.
 
-  bool round() const { return body == BodyKind::ball; }  ///< How it is held is all one.
+  bool round() const { return body == BodyKind::ball; }  ///< Its orientation does not matter.
   bool severs() const { return body == BodyKind::wire; }
 
-  /// Nothing of it is farther from `at`, m.
+  /// Largest distance of any part from `at`, m.
   double reach(const ToolSize& size) const noexcept;
   /// Its finest part, m, > 0: in one step it goes at most a quarter of that.
   double smallest_feature(const ToolSize& size) const noexcept;
@@ -69,12 +69,12 @@ struct ToolShape {
                std::int64_t& visited) const noexcept;
 };
 
-/// Every tool there is, by name.
+/// All tools, by name.
 std::span<const ToolShape> tool_shapes() noexcept;
-/// Null where there is none of that name.
+/// Null if there is no tool of that name.
 const ToolShape* find_tool_shape(std::string_view name) noexcept;
 
-/// `size` with the shape's usual figures where it has 0.
+/// `size` with the shape's usual figures in place of 0.
 ToolSize sized(const ToolShape& shape, const ToolSize& size) noexcept;
 
 /// A tool at `at` (studio frame) with its handle towards `handle`, turned about it by `roll` (rad);

@@ -7,7 +7,7 @@
 
 namespace onggi {
 
-/// A tool's way through one tick, studio frame: straight, while the wheel turns evenly.
+/// A tool's path through one tick, studio frame: straight, while the wheel turns evenly.
 struct ToolSweep {
   const ToolShape* shape = nullptr;
   ToolSize size;          ///< Nothing left at 0: see sized().
@@ -39,17 +39,17 @@ class ToolContact {
   /// presses, and adds to what reaction() gives. Force in the studio frame.
   void step(Clay& clay, const ToolSweep& sweep, int n, int of, const Yielding& yielding) noexcept;
 
-  /// Sum since begin_tick(): force and normal as means over the tick, depth the deepest.
+  /// Sum since begin_tick(): force and normal as means over the tick, depth as the maximum.
   const Press& reaction() const { return sum_; }
   void begin_tick() { sum_ = {}; }
-  /// The hand is lifted or arrives anew: the next step chooses the side afresh.
+  /// The hand was lifted or is new: the next step chooses the side again.
   void release() { touching_ = false; }
 
   /// The face of the wall it works, or worked before it came onto the rim.
   WallSide side() const { return side_; }
   Place place() const { return on_rim_ ? Place::rim : on_floor_ ? Place::floor : beside(side_); }
   bool touching() const { return touching_; }
-  /// The face of the wall that it pressed in its last step, if it did.
+  /// The face of the wall that it pressed in its last step, if any.
   std::optional<WallSide> pressed() const {
     return touching_ && !on_rim_ ? std::optional(side_) : std::nullopt;
   }

@@ -9,7 +9,7 @@
 
 namespace onggi {
 
-/// A taut wire's way through one tick, studio frame.
+/// A taut wire's path through one tick, studio frame.
 struct WireSweep {
   Vec3 from, to;       ///< Its middle, m.
   Vec3 along;          ///< Its direction; what of it is level counts.
@@ -24,9 +24,9 @@ struct WireHand {
   Vec3 way;              ///< From the axis to where it began, level and across the wire; unit.
 };
 
-/// The slit that a wire leaves under a pot. A wire is drawn level through the clay at the height at
-/// which it first meets it; each ray of that row is cut from outside inwards and from the axis
-/// outwards. When nothing of the section is left, what is above is free. Not safe across threads.
+/// The slit of a wire under a pot. A wire is drawn level through the clay at the height at which it
+/// first meets it; each ray of that row is cut from outside inwards and from the axis outwards.
+/// When the whole section is cut, the clay above is free. Not safe across threads.
 class WireCut {
  public:
   explicit WireCut(int sectors);  ///< Allocates all it will use.
@@ -35,12 +35,12 @@ class WireCut {
   /// if a strip 2 mm wide were pressed by 2 mm at `stiffness` (N/m^3). A hand that begins within
   /// the clay cuts nothing until it has been outside. No allocation; O(sectors).
   Press draw(const Clay& clay, const WireSweep& sweep, WireHand& hand, double stiffness) noexcept;
-  /// A new lump is whole.
+  /// Resets it for a new lump.
   void forget() noexcept;
 
   bool begun() const { return begun_; }
   bool free() const { return share_ >= 1.0; }
-  double share() const { return share_; }    ///< Of the section that is cut, 0..1.
+  double share() const { return share_; }    ///< Share of the section that is cut, 0..1.
   double height() const { return height_; }  ///< Of the slit, m; once begun.
   void add_to(StateHash& hash) const;
 

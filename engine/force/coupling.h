@@ -6,7 +6,7 @@
 
 namespace onggi::force {
 
-/// What a coupling may do.
+/// Limits of a coupling.
 struct CouplingLimits {
   double stiffness = 0;  ///< N/m, > 0: of the spring between hand and tool.
   double max_force = 0;  ///< N, >= 0: the tool is never farther from the hand than this stretches.
@@ -32,9 +32,9 @@ class Coupling {
   /// A tool that nothing holds any more comes back to its hand in that time, s, and no faster than
   /// that, m/s.
   static constexpr double kReturnTime = 0.005, kReturn = 1.0;
-  /// s in which it learns how much of a push fades while nothing moves: a touch tells what clay
-  /// gives way, and a turning wheel brings fresh clay in its place. Without it the force is 5 to
-  /// 10 % short of the balance, which is 4 to 30 ms late while it rises.
+  /// s in which it learns which share of a push fades while nothing moves: a touch reports how clay
+  /// gives way, but a turning wheel brings fresh clay. Without it the force is 5 to 10 % below the
+  /// balance, which is 4 to 30 ms late while it rises.
   static constexpr double kLearns = 0.01;
   /// s over which the tool's place is felt in the mean: three ticks of 1 ms, so 1 ms late. Of ticks
   /// shorter than kMean / kMost, as many.
@@ -46,10 +46,10 @@ class Coupling {
 
   /// Before the tick: the hand went to `hand` (m) in `seconds` (> 0). Where the tool is to be.
   Vec3 tool(Vec3 hand, double seconds, const CouplingLimits& limits) noexcept;
-  /// After it: what the tool met there. The force on the hand, N. A touch that is no number lets
-  /// go.
+  /// After the tick: what the tool touched there. Returns the force on the hand, N. A touch that is
+  /// not a number releases the tool.
   Vec3 feel(const Touch& touch, const CouplingLimits& limits) noexcept;
-  /// Lifted: hand and tool are one again.
+  /// The hand was lifted: hand and tool are one again.
   void release() noexcept { *this = Coupling(); }
   /// From the hand to the tool, m.
   Vec3 stretch() const { return stretch_; }

@@ -10,16 +10,16 @@ struct GuardLimits {
   double engage_time = 0;  ///< s of ramp from nothing, > 0.
 };
 
-/// The last word on one hand's force. Whatever goes in, what comes out is finite, no larger than
-/// max_force, and changes no faster than max_slew. After release() it stays at zero until the force
-/// wanted is small (a hand that arrives deep in the clay is not thrown out), then ramps up.
+/// The last stage for one hand's force. For any input the output is finite, at most max_force, and
+/// changes no faster than max_slew. After release() it stays at zero until the wanted force is
+/// small (a hand that arrives deep in the clay is not thrown out), then ramps up.
 class Guard {
  public:
   /// One tick. False in `wanted_ok` when `wanted` was not finite: it is taken as a fault, and
   /// released. N, s.
   Vec3 step(Vec3 wanted, double seconds, const GuardLimits& limits, bool& wanted_ok) noexcept;
 
-  /// The hand was lifted, arrives, or its sample cannot be trusted: towards zero, then engage
+  /// The hand was lifted, has arrived, or its sample cannot be trusted: goes to zero, then engages
   /// again.
   void release() noexcept {
     armed_ = false;

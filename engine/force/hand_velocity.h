@@ -8,9 +8,9 @@
 
 namespace onggi::force {
 
-/// How fast a hand moves, of places that an encoder tells in steps and that a hand trembles about.
-/// Differences from tick to tick will not do: one count in 1 ms is 0.055 m/s, and friction turns
-/// round at a hundredth of that.
+/// The velocity of a hand, from positions in encoder steps with a trembling hand. Differences from
+/// tick to tick are useless: one count in 1 ms is 0.055 m/s, and friction changes direction at a
+/// hundredth of that.
 ///
 /// An anchor follows the hand at the end of a slack leash (the play operator of Krasnosel'skii &
 /// Pokrovskii, Systems with Hysteresis, 1989): what trembles within kTremble has no velocity at
@@ -26,9 +26,9 @@ class HandVelocity {
   static constexpr double kEnough = 2.0 * kTremble;  ///< m
   static constexpr double kWindow = 0.004;           ///< s
 
-  /// The hand went to `to` (m) in `seconds` (> 0): its velocity, m/s. At rest where it arrives.
+  /// The hand moved to `to` (m) in `seconds` (> 0): returns its velocity, m/s. Zero on arrival.
   Vec3 go(Vec3 to, double seconds) noexcept;
-  /// It is lifted: the next place is an arrival.
+  /// The hand was lifted: the next position is an arrival.
   void release() { known_ = 0; }
   void add_to(StateHash& hash) const;
 

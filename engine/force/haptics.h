@@ -5,7 +5,7 @@
 
 namespace onggi::force {
 
-/// What a device is, as far as its loop asks.
+/// The properties of a device that its control loop needs.
 struct HapticLimits {
   double stiffness = 0;    ///< N/m, > 0: derived for the device (`onggi lab loop`).
   double max_force = 0;    ///< N, >= 0.
@@ -20,8 +20,8 @@ struct HapticLimits {
   }
 };
 
-/// A hand at a force device, from its place to its force: coupling, then passivity. What comes out
-/// goes through a guard last, always. The kiosk and the laboratory have the same one. One thread.
+/// A hand at a force device, from its position to its force: coupling, then passivity. A guard
+/// always follows last. The kiosk and the laboratory use the same one. One thread.
 class Haptics {
  public:
   Vec3 tool(Vec3 hand, double seconds, const HapticLimits& limits) noexcept {

@@ -4,14 +4,15 @@
 
 namespace onggi::force {
 
-/// Is a handle faster than any hand that works clay? Then it is a device that runs away, or one
-/// that was let go of, and its force has to end. Over the same windows as friction, so that a
-/// count of an encoder or a report that came late is not taken for speed. One thread.
+/// Detects a handle that is faster than any hand at work: the device is out of control or was
+/// released, and its force must end. It uses the same windows as friction, so that an encoder count
+/// or a late report does not look like speed. One thread.
 class Overspeed {
  public:
   static constexpr double kMost = 1.5;  ///< m/s: twice what throwing takes (engine/docs/force.md).
 
-  /// The handle is at `place` (m), `seconds` after the last. Time that is none is added to the
+  /// The handle is at `place` (m), `seconds` after the last call. An invalid time is added to the
+  /// next one.
   /// next.
   bool look(Vec3 place, double seconds, double most = kMost) noexcept {
     waited_ += seconds;

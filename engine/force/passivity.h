@@ -8,11 +8,11 @@
 
 namespace onggi::force {
 
-/// What a passivity controller knows of a device.
+/// The properties of a device that a passivity controller needs.
 struct PassivityLimits {
   double stiffness = 0;     ///< N/m, > 0: of the coupling, which can store that much.
-  double own_damping = 0;   ///< N s/m, >= 0: what the device itself surely takes.
-  double most_damping = 0;  ///< N s/m, >= 0: what may be added.
+  double own_damping = 0;   ///< N s/m, >= 0: damping that the device certainly has.
+  double most_damping = 0;  ///< N s/m, >= 0: limit of added damping.
   int delay = 0;            ///< Ticks until a force is felt, 0..kMostDelay; more counts as that.
 };
 

@@ -4,8 +4,8 @@
 
 namespace onggi::force {
 
-/// What one tool met in a tick, before any guard: all that a device's coupling asks of the clay.
-/// Studio frame.
+/// The contact of one tool in a tick, before any guard: all that a device's coupling needs from the
+/// clay. Studio frame.
 struct Touch {
   Vec3 push;                ///< Of clay, floor and wheel head on the tool, without friction, N.
   double stiffness = 0.0;   ///< N/m, >= 0: how much harder they push a metre deeper, at the most.

@@ -1,14 +1,16 @@
 #pragma once
 
-// Eight floats worked on together, on the vectors that this source is compiled for: one register of
+// Works on eight floats at once, with the vectors that this source is compiled for: one register of
 // AVX2, two of SSE2 or NEON, or an array. Every operation is IEEE 754's on each lane alone: no
-// fused operation, no reciprocal, sums always in the same order. So the bits do not depend on the
-// vectors.
+// fused operation, no reciprocal, sums always in the same order. The bits therefore do not depend
+// on the vectors.
 //
-// A source named *_lanes.cpp is compiled once for each kind; CMake gives it the kind's name as
-// ONGGI_LANES, which is the namespace (onggi::avx2) that keeps the copies apart. What is compiled
-// for AVX2 may run only where there is it, so such a source holds nothing that other sources share:
-// no function of a class, no template of the standard library (the linker keeps one copy of those,
+// A source named *_lanes.cpp is compiled once for each kind of vectors. CMake gives it the kind's
+// name as ONGGI_LANES, and a namespace of that name (onggi::avx2) separates the copies. Code
+// compiled for AVX2 may run only on processors with AVX2, so such a source must not use anything
+// that other sources share: no member function, no template of the standard library (the linker
+// keeps one copy of those, and might choose this one). Other sources get the kind that every
+// processor of theirs has.
 // and it might be this one). Other sources get the kind that every processor of theirs has.
 #if !defined(ONGGI_LANES)
 #if defined(__SSE2__)

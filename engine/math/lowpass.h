@@ -11,9 +11,9 @@ class Lowpass {
   /// `cutoff` and `rate` in Hz, 0 < cutoff < rate / 2.
   Lowpass(double cutoff, double rate);
   double filter(double in);
-  /// As if `value` had come in for ever.
+  /// Sets the state as if `value` had always been the input.
   void settle(double value) { x1_ = x2_ = y1_ = y2_ = value; }
-  /// All that the next filter() depends on, besides what comes in.
+  /// All state that the next filter() depends on, besides its input.
   std::array<double, 4> memory() const { return {x1_, x2_, y1_, y2_}; }
 
  private:

@@ -2,8 +2,8 @@
 
 #include "engine/math/vectors.h"
 
-// What a *_lanes.cpp defines as a constant in the namespace of each kind of vectors (lanes.h) is
-// declared and chosen from here. CMake says which kinds there are.
+// Declares and chooses a constant that a *_lanes.cpp defines in the namespace of each kind of
+// vectors (lanes.h). CMake gives the available kinds.
 #ifdef ONGGI_VECTORS_AVX2
 #define ONGGI_IF_AVX2(...) __VA_ARGS__
 #else

@@ -7,15 +7,16 @@
 namespace onggi {
 
 /// The kinds of vectors that loops over eight floats (engine/math/lanes.h) are compiled for. All
-/// give the same bits; only speed differs.
+/// give the same bits; only the speed differs.
 enum class Vectors : std::uint8_t {
-  plain,  ///< Arrays, for processors without any, and what the others are held to in tests.
+  plain,  ///< Arrays, for processors without vectors, and the reference in tests.
   neon,   ///< Of every 64-bit ARM.
   sse2,   ///< Of every 64-bit x86.
   avx2,
 };
 
-/// Those that this program holds and this machine can run, best first; never empty. Any thread.
+/// The kinds that this program contains and this machine can run, best first; never empty. Any
+/// thread.
 std::span<const Vectors> vectors_here() noexcept;
 /// The first of them.
 Vectors best_vectors() noexcept;

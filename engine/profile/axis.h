@@ -4,7 +4,7 @@
 
 namespace onggi::extraction {
 
-/// The line a mesh is turned about, as near as it can be told. No sense of up yet.
+/// The best estimate of the line that a mesh is turned about, without a direction yet.
 struct FoundAxis {
   Vec3 origin;
   Vec3 direction{0, 1, 0};  ///< Unit.
@@ -20,11 +20,11 @@ FoundAxis find_axis(const TriangleMesh& mesh);
 /// The axis along `direction` (a unit vector), where the circles across it have their centres.
 FoundAxis axis_along(const TriangleMesh& mesh, Vec3 direction);
 
-/// How many surfaces a ray meets from the middle of `mesh` outwards, level in the file's axes, as a
-/// median: 2 in a vessel with an inside, hundreds in a heap of loose triangles. O(triangles).
+/// The median number of surfaces that a ray meets from the middle of `mesh` outwards, level in the
+/// file's axes: 2 in a vessel with an inside, hundreds in a heap of loose triangles. O(triangles).
 int surfaces_met(const TriangleMesh& mesh);
 
-/// The circle that most of `points` lie on: by least median of a fixed set of triples, then
+/// The circle on which most of `points` lie: by least median of a fixed set of triples, then
 /// weighted least squares. `support` is the share of points within `tolerance` of it.
 struct FittedCircle {
   Vec2 centre;

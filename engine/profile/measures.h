@@ -4,14 +4,14 @@
 
 namespace onggi {
 
-/// Lengths that a potter would take with callipers. Metres.
+/// Lengths that a potter measures with callipers. Metres.
 struct Dimensions {
   double height = 0.0;
   double belly = 0.0;         ///< Largest outer diameter.
-  double belly_height = 0.0;  ///< Where it is.
+  double belly_height = 0.0;  ///< Height of it.
   double mouth = 0.0;         ///< Outer diameter at the rim.
   double neck = 0.0;          ///< Smallest outer diameter above the belly.
-  double neck_height = 0.0;   ///< Where it is.
+  double neck_height = 0.0;   ///< Height of it.
   double foot = 0.0;          ///< Outer diameter at the standing surface.
   /// How open the way in is: inner / outer radius where that is least, from the widest place, or
   /// half of the height, or three quarters of it, whichever is in the middle, up to the rim. 0..1;
@@ -24,7 +24,7 @@ struct Dimensions {
 
 Dimensions dimensions(const Profile& p);
 
-/// How alike two profiles are. Pure figures; what they are worth is the kiosk's policy
+/// The similarity of two profiles as pure figures; the kiosk turns them into points
 /// (kiosk/collection/score).
 struct Measures {
   double scale = 1.0;  ///< The factor put on `made` before comparing (1 when not scale-free).
@@ -33,7 +33,8 @@ struct Measures {
   double outline_worst = 0.0;       ///< Largest such distance / target height.
   double outline_worst_at = 0.0;    ///< Height of it / target height, 0..1.
   double outline_worst_sign = 0.0;  ///< +1 made is too wide there, -1 too narrow, 0 equal.
-  /// The largest distance that a shift of 0.6 % of the height up or down does not explain: where a
+  /// The largest distance that a shift of 0.6 % of the height up or down does not explain: if a
+  /// shelf or a flange begins slightly higher, the radial distance jumps and this one does not.
   /// shelf or a flange begins a hair higher, the radial distance is a leap and this is none.
   double outline_worst_firm = 0.0;
   /// That largest distance among the heights that both reach, with its height and sign as above:

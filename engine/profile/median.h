@@ -6,7 +6,7 @@
 
 namespace onggi::extraction {
 
-/// The middle of `values` by rank, the upper one of two; 0 of nothing. Reorders them.
+/// The median of `values` by rank, the upper one of two; 0 if empty. Reorders them.
 inline double median(std::vector<double>& values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -4,12 +4,13 @@
 
 namespace onggi::extraction {
 
-/// What is seen looking along the axis into one end of a vessel.
+/// The view along the axis into one end of a vessel.
 struct EndView {
   double openness = 0.0;  ///< Mean depth seen within the end's circle / height, 0..1.
-  double through = 0.0;   ///< Share of that circle where nothing stops the view.
-  double behind = 0.0;    ///< Share where a surface is seen from its back.
-  /// Distance from the end to the deepest surface seen, frame units; the whole height where one
+  double through = 0.0;   ///< Share of that circle with a free view through.
+  double behind = 0.0;    ///< Share in which a surface is seen from its back.
+  /// Distance from the end to the deepest visible surface, frame units; the whole height if the
+  /// view is free.
   /// looks through.
   double floor = 0.0;
 };

@@ -15,10 +15,10 @@ struct ProfilePoint {
   double inner = 0.0;   ///< Inner radius, metres, 0 <= inner < outer; 0 where the body is solid.
 };
 
-/// Where a Profile's inner radii come from.
+/// The source of a Profile's inner radii.
 enum class InnerWall { measured, inferred, none };
 
-/// Outer and inner radius over height: what a vessel, a target and a thrown pot have in common.
+/// Outer and inner radius over height: the common form of a vessel, a target and a thrown pot.
 /// Heights start at 0 and rise strictly; between points both radii are linear. At least two points.
 struct Profile {
   std::vector<ProfilePoint> points;
@@ -42,7 +42,7 @@ Profile scaled(const Profile& p, double factor);
 /// The same shape sampled at `n` (>= 2) even heights from 0 to its rim.
 Profile resampled(const Profile& p, int n);
 
-/// Checks what Profile promises. `name` goes into the Problem's `where`.
+/// Checks the invariants of Profile. `name` goes into the Problem's `where`.
 Result<void> validate(const Profile& p, const std::string& name);
 
 }  // namespace onggi

@@ -24,7 +24,7 @@ AxisFrame axis_frame(Vec3 origin, Vec3 direction);
 /// A piece of a mesh's outline in a cutting plane.
 struct CutSegment {
   Vec2 a, b;    ///< In the frame's (across, along).
-  Vec2 facing;  ///< Where the surface looks, not normalised.
+  Vec2 facing;  ///< Direction of the surface's outside, not normalised.
   /// How much further out, times the radius, a surface of revolution through the triangle's corners
   /// lies than a and b, which are on its edges. Frame units squared.
   double bulge_a = 0.0, bulge_b = 0.0;
@@ -61,7 +61,7 @@ class Slicer {
   double lowest_ = 0.0, highest_ = 0.0;
 };
 
-/// Where a ray from the centre outwards meets the outline.
+/// The crossing of a ray from the centre with the outline.
 struct Crossing {
   double radius = 0.0;
   bool outward = true;  ///< The surface there looks away from the centre.
@@ -83,14 +83,15 @@ class RayFan {
   std::vector<std::size_t> from_turn_;  // first ray at or after each of many even turns
 };
 
-/// All crossings of one outline with every ray of a fan, each ray's outermost first. Keeps its
+/// All crossings of one outline with every ray of a fan, each ray's outermost first. Reuses its
 /// memory from one outline to the next.
 class RayCrossings {
  public:
   explicit RayCrossings(const RayFan& fan) : fan_(&fan) {}
-  /// Meets `outline` from `centre`. Allocates only where it needs more than ever before.
+  /// Crosses `outline` with the rays from `centre`. Allocates only if it needs more memory than
+  /// before.
   void meet(std::span<const CutSegment> outline, Vec2 centre);
-  /// The outermost crossing's radius by ray, 0 where there is none: meet() without the sorting.
+  /// The outermost crossing's radius for each ray, 0 if there is none: meet() without sorting.
   std::span<const double> outermost(std::span<const CutSegment> outline, Vec2 centre);
   std::span<const Crossing> ray(std::size_t k) const {
     return std::span(sorted_).subspan(begin_[k], begin_[k + 1] - begin_[k]);

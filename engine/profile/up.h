@@ -9,32 +9,32 @@
 
 namespace onggi::extraction {
 
-/// What one end of a vessel says about being its mouth.
+/// The evidence that one end of a vessel is its mouth.
 struct EndSigns {
-  double depth = 0.0;   ///< Of what is looked into / height, 0..1.
+  double depth = 0.0;   ///< Depth of the visible hollow / height, 0..1.
   double holds = 0.0;   ///< Its volume / the cylinder round the whole vessel, 0..1.
   double radius = 0.0;  ///< Of the end / the largest radius, 0..1.
 };
 
-/// What speaks for one of the two ways up; every number for the way its frame has it where > 0.
+/// The evidence for each of the two directions; a number > 0 supports the frame's direction.
 struct UpSigns {
   EndSigns above, below;
-  double file = 0.0;     ///< How much the file's own axes speak for it, -1..1.
-  double handles = 0.0;  ///< How high what stands off sits, -1..1.
-  double mass = 0.0;     ///< How low the surface's middle lies, -1..1.
+  double file = 0.0;     ///< Support from the file's own axes, -1..1.
+  double handles = 0.0;  ///< Height of handles and spouts, -1..1.
+  double mass = 0.0;     ///< How low the surface's middle is, -1..1.
 };
 
 struct UpChoice {
-  bool turn = false;              ///< The other way than the frame has it.
+  bool turn = false;              ///< The direction is opposite to the frame's.
   double sure = 1.0;              ///< 0.5..1.
-  UpFrom from = UpFrom::opening;  ///< What spoke for it most.
+  UpFrom from = UpFrom::opening;  ///< The strongest evidence.
 };
 
-/// Adds the signs up as log odds: a deep hollow that holds much decides alone, and a shallow one
-/// does not, since feet are hollow too. Exactly as sure either way round.
+/// Adds the evidence as log odds: a deep hollow that holds much decides alone, and a shallow one
+/// does not, because feet are hollow too. Symmetric: both directions are judged alike.
 UpChoice weigh(const UpSigns& signs);
 
-/// A vessel with its foot below: the frame, ends and views of the way that was chosen.
+/// A vessel with its foot below: frame, ends and views of the chosen direction.
 struct Standing {
   AxisFrame frame;
   BodyEnds body;

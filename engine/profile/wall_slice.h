@@ -6,17 +6,17 @@
 
 namespace onggi::extraction {
 
-/// What one slice of a vessel says: radii on which most of its circle agrees.
+/// The result of one slice of a vessel: radii that most of its circle agrees on.
 struct WallSlice {
-  double outer = 0.0;  ///< 0 where too little of the circle was there.
+  double outer = 0.0;  ///< 0 if too little of the circle is present.
   double inner = 0.0;  ///< Of the hollow; 0 where the slice is solid or its inside was not seen.
-  /// Nothing but one wall lies between inner and outer: no skirt, collar or lid with air behind it.
+  /// Only one wall lies between inner and outer: no skirt, collar or lid with air behind it.
   bool one_wall = true;
   double spread = 0.0;  ///< Standard deviation of the outer radii that agree.
-  int present = 0;      ///< Rays that met a surface...
-  int masked = 0;       ///< ...and of those, what stands off: handle, spout, damage...
-  int within = 0;       ///< ...and of those, what lies within the circle, not beyond it.
-  Vec2 centre;          ///< Of the surface that is near the circle, masked or not.
+  int present = 0;      ///< Rays that met a surface,
+  int masked = 0;       ///< those of them with handle, spout or damage,
+  int within = 0;       ///< and those of them inside the circle.
+  Vec2 centre;          ///< Of the surface near the circle, masked or not.
   Vec2 oval;  ///< Half of how much longer than wide it is, at twice the angle of its length.
 };
 

@@ -11,8 +11,8 @@
 
 namespace onggi::script {
 
-/// Where the hand is and what it does from `time` on; places between two keys are on the straight
-/// line between them.
+/// The position and action of the hand from `time` on; between two keys it moves on a straight
+/// line.
 struct Key {
   double time = 0.0;         ///< s
   Vec2 place;                ///< x: distance from the axis, y: height; the tool's centre, m
@@ -25,8 +25,8 @@ struct Key {
   std::string_view phase;  ///< Of static storage.
 };
 
-/// Writes down one hand's moves in order: lifted moves, presses, rests. A hand on the clay never
-/// jumps. Allocates.
+/// Records one hand's moves in order: lifted moves, presses, rests. A hand on the clay never jumps.
+/// Allocates.
 class Choreography {
  public:
   /// `pace` multiplies every speed of the hand, and the wheel's up to 1.5 times and to
@@ -36,7 +36,8 @@ class Choreography {
   void phase(std::string_view name) { now_.phase = name; }
   void wheel(double speed);  ///< rad/s from here on.
   void water(bool on) { now_.water = on; }
-  void wait(double seconds);      ///< At any pace: wet clay and a spinning wheel take their time.
+  /// Independent of pace: wet clay and a spinning wheel need their time.
+  void wait(double seconds);
   void wait_turns(double turns);  ///< Of the wheel at its asked speed.
 
   /// Lifts the hand (straight away from the wall, if it was on it) and carries it, clear of the

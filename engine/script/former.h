@@ -31,7 +31,7 @@ class Former {
   void narrow(std::string_view phase, double speed);
   /// One slow pass along the whole goal, on one side.
   void smooth(WallSide side, std::string_view phase, double speed);
-  /// smooth() at `speed` whatever the haste: the rise a turn is what the eye sees.
+  /// smooth() at `speed` whatever the haste, because the eye sees the rise of each turn.
   void finish(WallSide side, std::string_view phase, double speed);
 
   /// Hands off; the wheel slows.

@@ -7,8 +7,8 @@
 
 namespace onggi::script {
 
-/// Where every scripted hand stands about the wheel, rad from x towards z: at the visitor's right,
-/// a little in front.
+/// Angle of every scripted hand about the wheel, rad from x towards z: at the visitor's right, a
+/// little in front.
 inline constexpr double kHandAngle = 0.35;
 
 /// Keys of a script, by rising time (s), and how far between two of them one is. A Key has `time`
@@ -25,7 +25,7 @@ class Keyed {
     double share;  ///< 0..1
     double operator()(double a, double b) const { return a + share * (b - a); }
   };
-  /// `t` never falls from call to call.
+  /// `t` must not fall from call to call.
   Between at(double t) noexcept {
     while (next_ + 1 < keys_.size() && keys_[next_].time <= t) ++next_;
     const Key& a = keys_[next_ - 1];

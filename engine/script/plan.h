@@ -8,14 +8,13 @@
 
 namespace onggi::script {
 
-/// The tool that a script is done with, as the scene has it to hand.
+/// The tool of a script, as the scene has it.
 struct ToolInHand {
   std::uint8_t index = 0;  ///< HandInput::tool.
   ToolSize size;           ///< Nothing left at 0.
 };
 
-/// Writes a script down. What it needs is there: make_script() has looked. Allocates; not for the
-/// tick.
+/// Plans a script. make_script() has checked its needs. Allocates; not for the tick.
 using Plan = std::unique_ptr<Script>(const ScriptContext& context, const ToolInHand& tool);
 
 }  // namespace onggi::script

@@ -15,8 +15,8 @@ namespace onggi {
 
 class Clay;
 
-/// A scripted potter: moves the same tools a visitor has. Tests, benches, attract mode and the
-/// scripted visitor share them.
+/// A scripted potter with the same tools as a visitor. Tests, benchmarks, attract mode and the
+/// scripted visitor share the scripts.
 class Script {
  public:
   virtual ~Script() = default;
@@ -39,30 +39,31 @@ namespace script {
 struct ToolInHand;
 }
 
-/// One script: the row that help, documents and errors go by, and that plans it.
+/// One script: help, documents and errors use this row, and it plans the script.
 struct ScriptInfo {
-  /// What make_script() refuses to do without.
+  /// Requirements that make_script() checks.
   struct Needs {
     std::string_view tool = {};  ///< Besides fingers, by name: "flat_rib". Empty: none.
     bool target = false;         ///< ScriptContext::target.
     bool wall = false;           ///< A lump that is open: solid for no more than half its height.
   };
   std::string_view name;
-  std::string_view words;  ///< What the hands do: "narrow a neck".
+  std::string_view words;  ///< The action of the hands: "narrow a neck".
   Needs needs;
   std::string_view shows;  ///< The effect that it is there to show, by its table's name: "slump".
                            ///< Without it the moves are the same. Empty: none.
   std::unique_ptr<Script> (*plan)(const ScriptContext&, const script::ToolInHand&);
 };
 
-/// All there are. engine/docs/scripts.md has them as a table.
+/// All scripts. engine/docs/scripts.md lists them in a table.
 std::span<const ScriptInfo> scripts();
-/// Null where there is none of that name.
+/// Null if there is no script of that name.
 const ScriptInfo* find_script(std::string_view name);
 /// Their names, in the same order.
 std::span<const std::string_view> script_names();
 
-/// `scene` has the effect that `script` is there to show, and its tool; false where it shows none.
+/// True if `scene` has the effect that `script` shows, and its tool; false if the script shows no
+/// effect.
 bool shows_its_effect(const ScriptInfo& script, const SceneDef& scene);
 
 /// Problem names the script, the nearest right name, and what is missing (follow without target).

@@ -7,8 +7,8 @@ namespace onggi::script {
 
 class Former;
 
-/// Moves that work on the top and the floor of a pot, or on both faces of its wall. They need no
-/// account of the shape. Allocate; not for the tick.
+/// Moves on the top and the floor of a pot, or on both faces of its wall. They do not need to track
+/// the shape. Allocate; not for the tick.
 ///
 /// A fingertip down the middle, out along the floor, and up the wall.
 void open_up(Choreography& hand, Former&, const SceneDef& scene);
