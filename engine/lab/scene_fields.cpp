@@ -149,7 +149,7 @@ void add_tools(std::vector<SceneField>& fields) {
   const auto add = [&](const ToolShape& shape, const char* field, double ToolSize::*part) {
     if (shape.usual.*part == 0.0 || shape.name == "sphere") return;
     const auto mine = [name = std::string(shape.name)](auto& def) {
-      return std::ranges::find(def.tools, name, &ToolToHand::name);
+      return std::ranges::find(def.tools, name, &SceneTool::name);
     };
     fields.push_back({std::string(shape.name) + "." + field, shape.least.*part, shape.most.*part,
                       false, [mine](const SceneDef& def) { return mine(def) != def.tools.end(); },

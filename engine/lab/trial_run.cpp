@@ -44,7 +44,7 @@ TrialResult run_trial(const Trial& trial, const TrialChecks& checks) {
   TrialResult result;
   Result<Scene> scene = Scene::create(trial.def);
   if (!scene) return result;
-  Watch watch(*scene);
+  InvariantChecker watch(*scene);
   bool given_up = false;
   const auto go_on = [&] {
     ++result.ticks;

@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
+#include "engine/lab/invariant_checker.h"
 #include "engine/lab/trial.h"
-#include "engine/lab/watch.h"
 
 namespace onggi::lab {
 

@@ -18,7 +18,7 @@ bool plausible(Vec3 p) {
 
 std::vector<Tool> tools_of(const SceneDef& def) {
   std::vector<Tool> tools{{find_tool_shape("sphere"), {def.tool.radius, 0.0, 0.0}}};
-  for (const ToolToHand& tool : def.tools) {
+  for (const SceneTool& tool : def.tools) {
     const ToolShape* shape = find_tool_shape(tool.name);
     tools.push_back({shape, sized(*shape, tool.size)});
   }

@@ -15,7 +15,7 @@ bool tool_list(auto& io, auto& tools) {
   auto count = static_cast<std::uint8_t>(tools.size());
   if (!io(count)) return false;
   tools.resize(count);
-  for (ToolToHand& tool : tools)
+  for (SceneTool& tool : tools)
     if (!io.text(tool.name, kLongestName) || !io(tool.size.radius) || !io(tool.size.length) ||
         !io(tool.size.thickness))
       return false;
@@ -172,7 +172,7 @@ void write_scene(Writer& io, const SceneDef& def) {
   each_effect(def, optional);
   optional(def.paper);
   io.text("", kLongestName);
-  std::vector<ToolToHand> tools = def.tools;
+  std::vector<SceneTool> tools = def.tools;
   tool_list(io, tools);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMostTools = 63;
 
-Result<void> check_size(const ToolToHand& tool, const ToolShape& shape) {
+Result<void> check_size(const SceneTool& tool, const ToolShape& shape) {
   FieldCheck check(tool.name);
   const auto part = [&](const char* field, double ToolSize::*of) {
     const double value = tool.size.*of;
@@ -29,7 +29,7 @@ Result<void> check_tools(const SceneDef& def) {
   if (def.tools.size() > kMostTools)
     return problem("tools", "There are more than " + std::to_string(kMostTools) + " tools to hand.",
                    "Leave some out.");
-  for (const ToolToHand& tool : def.tools) {
+  for (const SceneTool& tool : def.tools) {
     const ToolShape* shape = find_tool_shape(tool.name);
     if (shape == nullptr)
       return problem("tools", "There is no tool \"" + tool.name + "\".",
@@ -138,8 +138,8 @@ std::span<const DefField<PaperDef>> PaperDef::fields() {
   return kFields;
 }
 
-std::vector<ToolToHand> usual_tools() {
-  std::vector<ToolToHand> tools;
+std::vector<SceneTool> usual_tools() {
+  std::vector<SceneTool> tools;
   for (const ToolShape& shape : tool_shapes())
     if (shape.name != "sphere") tools.push_back({std::string(shape.name), {}});
   return tools;

@@ -21,12 +21,12 @@ struct ToolDef {
 };
 
 /// A tool that lies to hand beside the ball (engine/docs/tools.md).
-struct ToolToHand {
+struct SceneTool {
   std::string name;  ///< Of a ToolShape: "flat_rib".
   ToolSize size;     ///< Metres; 0 stands for the tool's usual size. Each tool has its own ranges.
 };
 /// Every shape but the ball, by name. Allocates.
-std::vector<ToolToHand> usual_tools();
+std::vector<SceneTool> usual_tools();
 
 struct ContactDef {
   double relaxation_time = 0.00949;  ///< tau, s, 0.001..1: how soon pressed clay gives way (paper
@@ -72,8 +72,8 @@ struct PaperDef {
 /// Beside the effects, what every scene has.
 struct SceneDef : Effects {
   ClayDef clay;
-  ToolDef tool;                                   ///< HandInput::tool 0.
-  std::vector<ToolToHand> tools = usual_tools();  ///< HandInput::tool 1 and on; 63 at most.
+  ToolDef tool;                                  ///< HandInput::tool 0.
+  std::vector<SceneTool> tools = usual_tools();  ///< HandInput::tool 1 and on; 63 at most.
   ContactDef contact;
   WheelDef wheel;
   GuardDef guard;

@@ -118,8 +118,8 @@ tl::unexpected<Problem> no_such(std::string_view name) {
 }
 
 // Null where it is not to hand.
-const ToolToHand* tool_of(const ScriptInfo& script, const SceneDef& scene) {
-  const auto tool = std::ranges::find(scene.tools, script.needs.tool, &ToolToHand::name);
+const SceneTool* tool_of(const ScriptInfo& script, const SceneDef& scene) {
+  const auto tool = std::ranges::find(scene.tools, script.needs.tool, &SceneTool::name);
   return scene.paper || tool == scene.tools.end() ? nullptr : &*tool;
 }
 
@@ -171,7 +171,7 @@ Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptC
   if (script == nullptr) return no_such(name);
   if (auto good = check(*script, context); !good) return tl::unexpected<Problem>(good.error());
   script::ToolInHand tool;
-  if (const ToolToHand* own = tool_of(*script, context.scene))
+  if (const SceneTool* own = tool_of(*script, context.scene))
     tool = {static_cast<std::uint8_t>(own - context.scene.tools.data() + 1),
             sized(*find_tool_shape(own->name), own->size)};
   return script->plan(context, tool);

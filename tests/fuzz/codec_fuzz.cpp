@@ -78,7 +78,7 @@ class FuzzPolhem {
     std::vector<std::uint8_t> whole(bytes.begin(), bytes.end());
     polhem::read(whole, input);
     whole.resize(polhem::kInputSize);
-    require(polhem::read(whole, input) == Heard::news);
+    require(polhem::read(whole, input) == ReportResult::news);
     const ArmDef arm;
     const ArmAngles at = arm_angles(arm, {input.encoder[0], input.encoder[1], input.encoder[2]});
     require(is_finite(arm_position(arm, at)));
@@ -97,8 +97,9 @@ class FuzzOnggiHid {
     onggi_hid::read(bytes, input);
     onggi_hid::read_feature(bytes, feature);
     const auto right = put_right(bytes);
-    if (onggi_hid::read(right, input) == Heard::news) require(is_finite(input.position));
-    if (onggi_hid::read_feature(right, feature) == Heard::news) require(feature.max_force <= 65.6);
+    if (onggi_hid::read(right, input) == ReportResult::news) require(is_finite(input.position));
+    if (onggi_hid::read_feature(right, feature) == ReportResult::news)
+      require(feature.max_force <= 65.6);
   }
 };
 
@@ -125,7 +126,7 @@ class FuzzReference {
     std::uint8_t said[ONGGI_HID_INPUT_SIZE];
     onggi_hid_input(&device_, said);
     onggi_hid::Input input;
-    require(onggi_hid::read(said, input) == Heard::news);
+    require(onggi_hid::read(said, input) == ReportResult::news);
   }
 
  private:

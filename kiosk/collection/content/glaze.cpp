@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/collection/settings/text_in.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -105,10 +105,10 @@ bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& 
 }  // namespace
 
 const std::string& Glaze::name_in(const std::string& language) const {
-  return settings::spoken(name, language);
+  return settings::text_in(name, language);
 }
 const std::string& Glaze::about_in(const std::string& language) const {
-  return settings::spoken(about, language);
+  return settings::text_in(about, language);
 }
 
 GlazesRead read_glazes(const std::filesystem::path& file,

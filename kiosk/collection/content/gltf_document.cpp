@@ -12,7 +12,7 @@
 #include "kiosk/collection/content/gltf_container.h"
 #include "kiosk/collection/content/gltf_credit_reader.h"
 #include "kiosk/collection/content/gltf_materials.h"
-#include "kiosk/collection/content/gltf_slips.h"
+#include "kiosk/collection/content/gltf_strictness.h"
 #include "kiosk/collection/content/vessel_file.h"
 
 namespace onggi::content {
@@ -273,7 +273,7 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
     return broken_gltf(out.name, "it does not say that it is glTF of version 2.");
   if (auto good = check_extensions(out.name, doc); !good)
     return tl::unexpected<Problem>(good.error());
-  if (auto good = check_slips(out.name, doc, out.warnings); !good)
+  if (auto good = check_strictly(out.name, doc, out.warnings); !good)
     return tl::unexpected<Problem>(good.error());
   note_compression(doc, out);
   note_bounds(doc, out);

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "engine/base/nearest_name.h"
-#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/collection/settings/text_in.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -91,7 +91,7 @@ bool read_step(LessonTable& table, const std::vector<std::string>& languages, Le
 }  // namespace
 
 const std::string& LessonStep::words_in(const std::string& language) const {
-  return settings::spoken(words, language);
+  return settings::text_in(words, language);
 }
 
 LessonRead read_lesson(const std::filesystem::path& file,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kiosk/collection/settings/hours_table.h"
-#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/collection/settings/text_in.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::settings {
@@ -111,7 +111,7 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   if (table.present() && !titles.empty()) out = titles;
   // A language without a title shows the English one, else the first language's, so a title is
   // never empty.
-  std::string other = spoken(out, "en");
+  std::string other = text_in(out, "en");
   if (!out.contains("en"))
     for (auto code = languages.rbegin(); code != languages.rend(); ++code)
       if (const auto own = out.find(*code); own != out.end()) other = own->second;

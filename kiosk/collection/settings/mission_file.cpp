@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/base/nearest_name.h"
-#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/collection/settings/text_in.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::settings {
@@ -187,10 +187,10 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
 }  // namespace
 
 const std::string& Mission::title_in(const std::string& language) const {
-  return spoken(title, language);
+  return text_in(title, language);
 }
 const std::string& Mission::about_in(const std::string& language) const {
-  return spoken(about, language);
+  return text_in(about, language);
 }
 
 MissionsRead read_missions(const std::filesystem::path& file,

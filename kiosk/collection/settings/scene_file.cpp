@@ -31,7 +31,7 @@ class SceneReader {
         if constexpr (std::is_same_v<Part, ToolDef>) read_to_hand();
       });
       if constexpr (std::is_same_v<Part, ToolDef>)
-        for (ToolToHand& tool : def_.tools) read_tool(tool);
+        for (SceneTool& tool : def_.tools) read_tool(tool);
     });
     each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
       read_effect(Def::kName, effect, [&](Def& written) {
@@ -107,7 +107,7 @@ class SceneReader {
     std::vector<std::string> named;
     if (!table_.texts("to_hand", named)) return;
     std::vector<std::string> all;
-    for (const ToolToHand& tool : def_.tools) all.push_back(tool.name);
+    for (const SceneTool& tool : def_.tools) all.push_back(tool.name);
     for (std::size_t i = 0; i < named.size(); ++i) {
       if (std::find(all.begin(), all.end(), named[i]) != all.end()) continue;
       const std::string nearest = nearest_name(named[i], all);
@@ -117,11 +117,11 @@ class SceneReader {
                          nearest.empty() ? "Write one or more of " + listed + "."
                                          : "Did you mean " + nearest + "?");
     }
-    std::erase_if(def_.tools, [&](const ToolToHand& tool) {
+    std::erase_if(def_.tools, [&](const SceneTool& tool) {
       return std::find(named.begin(), named.end(), tool.name) == named.end();
     });
   }
-  void read_tool(ToolToHand& tool) {
+  void read_tool(SceneTool& tool) {
     read_table(tool.name, [&] {
       value("radius", tool.size.radius);
       value("length", tool.size.length);

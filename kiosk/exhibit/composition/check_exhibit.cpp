@@ -127,7 +127,7 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
   std::vector<std::string> shelf;
   if (fs::is_directory(exhibit.shelf, ignored)) {
     shelf = check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader, stop);
-    note(report, 0, names_of_nothing(exhibit, shelf));
+    note(report, 0, unknown_names(exhibit, shelf));
   }
   if (exhibit.missions)
     check_missions(report, *exhibit.missions, exhibit.languages, &exhibit, shelf);

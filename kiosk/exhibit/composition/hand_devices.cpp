@@ -54,7 +54,7 @@ std::string newtons(double force) {
 
 }  // namespace
 
-HandDevices::HandDevices(loop::PotterHost& potter, std::unique_ptr<device::HidBus> bus,
+HandDevices::HandDevices(loop::WheelHost& potter, std::unique_ptr<device::HidBus> bus,
                          device::DeviceWatch::Define define, const Options& options)
     : potter_(potter),
       options_(options),
@@ -95,14 +95,14 @@ void HandDevices::take(std::unique_ptr<device::HidLink> link) {
             newtons(used.link->cap()) + ".";
   if (!info.verified) line += " Its driver has not been tested on real hardware.";
   remarks_.push_back(line);
-  news_.came(used.link->kind(), info.force);
+  news_.device_added(used.link->kind(), info.force);
   used_.push_back(std::move(used));
 }
 
 void HandDevices::let_go(InUse& used) {
   remarks_.push_back(std::string(device::info_of(used.link->kind()).name) + " at " +
                      used.link->listing().path + " was unplugged or no longer answers.");
-  news_.went(used.link->kind());
+  news_.device_removed(used.link->kind());
   if (used.hand != nullptr) potter_.detach(used.hand);
   watch_.gone(used.link->listing().path);
 }
@@ -150,7 +150,7 @@ void HandDevices::buzz_at_a_touch(double now) {
   ++buzzes_;
   for (const InUse& used : used_) {
     if (used.hand != nullptr) continue;
-    device::FeelWish wish;
+    device::ForceRequest wish;
     wish.buzzes = buzzes_;
     used.link->wish(wish);
   }
@@ -190,7 +190,7 @@ std::vector<InputEvent> HandDevices::frame(double now) {
   buzz_at_a_touch(now);
   last_frame_ = now;
   news_.update(now, hold);
-  news_.use(first_hand, pushes);
+  news_.device_in_use(first_hand, pushes);
   return events;
 }
 

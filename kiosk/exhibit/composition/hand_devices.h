@@ -8,7 +8,7 @@
 #include "kiosk/visit/screens/device_news.h"
 #include "kiosk/wheel/device/device_watch.h"
 #include "kiosk/wheel/device/hid_hand.h"
-#include "kiosk/wheel/loop/potter_host.h"
+#include "kiosk/wheel/loop/wheel_host.h"
 
 namespace onggi::exhibit {
 
@@ -21,7 +21,7 @@ class HandDevices {
     bool left_handed = false;
     double force = 1.0;  ///< The exhibit's share, 0 (off) .. 1.
   };
-  HandDevices(loop::PotterHost& potter, std::unique_ptr<device::HidBus> bus,
+  HandDevices(loop::WheelHost& potter, std::unique_ptr<device::HidBus> bus,
               device::DeviceWatch::Define define, const Options& options);
   ~HandDevices();
 
@@ -56,7 +56,7 @@ class HandDevices {
                  std::vector<view::InputEvent>& events);
   void buzz_at_a_touch(double now);
 
-  loop::PotterHost& potter_;
+  loop::WheelHost& potter_;
   Options options_;
   device::DeviceWatch watch_;
   std::vector<InUse> used_;

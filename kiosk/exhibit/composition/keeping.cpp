@@ -37,7 +37,7 @@ void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& 
   kept_ = std::move(taken->visit);
 }
 
-void Keeping::forget(const screens::ForgetVisitor& wish, const std::string& vessel) {
+void Keeping::forget(const screens::VisitEnded& wish, const std::string& vessel) {
   // Counted first: the ticket says which save the visit waits for.
   if (world_.counter && wish.notes) world_.counter->visit_over(*wish.notes, vessel, saving_ticket_);
   world_.potter.stop_recording();

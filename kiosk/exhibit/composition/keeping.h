@@ -11,11 +11,11 @@
 #include "kiosk/exhibit/composition/keepsakes.h"
 #include "kiosk/exhibit/composition/taken_home.h"
 #include "kiosk/exhibit/composition/todays_pots.h"
-#include "kiosk/exhibit/composition/turning_pot.h"
+#include "kiosk/exhibit/composition/turntable_recorder.h"
 #include "kiosk/exhibit/composition/visit_counter.h"
 #include "kiosk/picture/render/renderer.h"
 #include "kiosk/visit/screens/visit.h"
-#include "kiosk/wheel/loop/potter_host.h"
+#include "kiosk/wheel/loop/wheel_host.h"
 
 namespace onggi::exhibit {
 
@@ -35,7 +35,7 @@ class Keeping {
     const settings::Exhibit& exhibit;
     const std::vector<content::Language>& languages;
     render::Renderer& renderer;
-    loop::PotterHost& potter;
+    loop::WheelHost& potter;
     TodaysPots* todays = nullptr;
     VisitCounter* counter = nullptr;
   };
@@ -49,7 +49,7 @@ class Keeping {
             screens::Visit& visit);
   /// The visit is over: it is counted with its save, and its postcard is dropped. `vessel`: its
   /// name on the shelf, "" where none was chosen.
-  void forget(const screens::ForgetVisitor& wish, const std::string& vessel);
+  void forget(const screens::VisitEnded& wish, const std::string& vessel);
   /// Takes what workers have finished, and tells the gallery, the count of visits and the visitor,
   /// in this order. The visitor is told of their own save alone.
   void collect(screens::Visit& visit);
@@ -76,7 +76,7 @@ class Keeping {
 
   World world_;
   Keepsakes keepsakes_;
-  TurningPot turning_;
+  TurntableRecorder turning_;
   view::PictureId postcard_ = 0;
   std::optional<KeptVisit> kept_;
   int kept_ticket_ = 0;    ///< Of kept_'s save.

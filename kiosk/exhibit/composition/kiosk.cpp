@@ -13,7 +13,7 @@
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/picture/render/display_loss.h"
 #include "kiosk/wheel/loop/loop_thread.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 
 namespace fs = std::filesystem;
 
@@ -57,7 +57,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
                   (drawn_by.software ? ", without a GPU." : "."));
 
   if (options.stepped) {
-    auto stepped = std::make_unique<loop::SteppedPotter>();
+    auto stepped = std::make_unique<loop::SteppedWheel>();
     kiosk->stepped_ = stepped.get();
     kiosk->potter_ = std::move(stepped);
     kiosk->renderer_->set_full_quality(true);
@@ -78,7 +78,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
                      kiosk->todays_.get(), kiosk->counter_.get()},
       kept_in);
   kiosk->wall_ = options.wall;
-  kiosk->attendant_ = std::make_unique<Attendant>(kiosk->exhibit_, !options.stepped);
+  kiosk->access_input_ = std::make_unique<AccessInput>(kiosk->exhibit_, !options.stepped);
   if (kiosk->exhibit_.hours.kept && !options.stepped) kiosk->night_.emplace(kiosk->exhibit_.hours);
   if (options.devices)
     kiosk->devices_ = std::make_unique<HandDevices>(
@@ -97,7 +97,7 @@ void Kiosk::close_visit() {
   if (!visit_) return;
   visit_->close(now_);
   while (const auto request = visit_->take_request())
-    if (const auto* over = std::get_if<screens::ForgetVisitor>(&*request)) carry_out(*over);
+    if (const auto* over = std::get_if<screens::VisitEnded>(&*request)) carry_out(*over);
   keeping_->finish(*visit_);
 }
 
@@ -144,7 +144,7 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
 }
 
 void Kiosk::begin_visit(double now) {
-  screens::VisitWorld world;
+  screens::VisitInputs world;
   world.exhibit = &exhibit_;
   world.languages = &languages_;
   world.shelf = &shelf_->cards();
@@ -179,7 +179,7 @@ bool Kiosk::look_at_shelf(double now) {
 }
 
 /// A scripted visitor has ears and fingers of its own.
-Able Kiosk::able() {
+Capabilities Kiosk::able() {
   if (stepped_ != nullptr) return {};
   if (now_ >= fingers_asked_ + kAskFingers) {
     fingers_asked_ = now_;
@@ -191,7 +191,7 @@ Able Kiosk::able() {
 void Kiosk::log_unknown_names() {
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
-  files::log_problems(names_of_nothing(exhibit_, ids));
+  files::log_problems(unknown_names(exhibit_, ids));
 }
 
 void Kiosk::show_as(const settings::Exhibit::Screen& screen, const std::string& language) {
@@ -268,7 +268,7 @@ bool Kiosk::frame(double now, bool draw) {
   }
   for (const view::InputEvent& event : events) {
     if (visit_)
-      attendant_->input(event, *visit_, renderer_->width(), renderer_->height(), now);
+      access_input_->input(event, *visit_, renderer_->width(), renderer_->height(), now);
     else if (event.kind == view::InputEvent::Kind::pointer_down ||
              event.kind == view::InputEvent::Kind::key_down)
       early_touch_ = event;
@@ -292,8 +292,8 @@ bool Kiosk::frame(double now, bool draw) {
   }
   last_frame_ = visit_->frame(renderer_->width(), renderer_->height());
   keeping_->draw_turning(last_frame_);
-  attendant_->frame(*visit_, last_frame_, now);
-  if (const auto sight = visit_->sight(); attendant_->sings() && sound_ && sight)
+  access_input_->frame(*visit_, last_frame_, now);
+  if (const auto sight = visit_->sight(); access_input_->sings() && sound_ && sight)
     sound_->sing(*sight);
   if (draw) {
     renderer_->draw(last_frame_);
@@ -329,7 +329,7 @@ void Kiosk::carry_out(const screens::MakeKeepsake& request) {
     keeping_->make(request, *answered, *visit_);
 }
 
-void Kiosk::carry_out(const screens::ForgetVisitor& request) {
+void Kiosk::carry_out(const screens::VisitEnded& request) {
   const screens::ShelfCard* chosen = request.notes ? card(request.notes->card) : nullptr;
   keeping_->forget(request, chosen != nullptr ? chosen->vessel->id : "");
 }

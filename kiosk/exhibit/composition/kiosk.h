@@ -11,7 +11,7 @@
 
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/settings/exhibit.h"
-#include "kiosk/exhibit/composition/attendant.h"
+#include "kiosk/exhibit/composition/access_input.h"
 #include "kiosk/exhibit/composition/hand_devices.h"
 #include "kiosk/exhibit/composition/keeping.h"
 #include "kiosk/exhibit/composition/missions.h"
@@ -26,8 +26,8 @@
 #include "kiosk/picture/render/renderer.h"
 #include "kiosk/visit/screens/visit.h"
 #include "kiosk/wheel/device/hidapi_bus.h"
-#include "kiosk/wheel/loop/potter_host.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
+#include "kiosk/wheel/loop/wheel_host.h"
 
 namespace onggi::exhibit {
 
@@ -94,8 +94,8 @@ class Kiosk {
 
   screens::Visit& visit() { return *visit_; }
   /// Between the window and visit(): a visitor who does not see, or has one switch.
-  Attendant& attendant() { return *attendant_; }
-  loop::PotterHost& potter() { return *potter_; }
+  AccessInput& access_input() { return *access_input_; }
+  loop::WheelHost& potter() { return *potter_; }
   render::Renderer& renderer() { return *renderer_; }
   Shelf& shelf() { return *shelf_; }
   const settings::Exhibit& exhibit() const { return exhibit_; }
@@ -117,11 +117,11 @@ class Kiosk {
   bool dark() const { return night_ && night_->dark(); }
   bool look_at_shelf(double now);
   void log_unknown_names();
-  Able able();
+  Capabilities able();
   void begin_visit(double now);
   void carry_out(const screens::StartPot& request);
   void carry_out(const screens::MakeKeepsake& request);
-  void carry_out(const screens::ForgetVisitor& request);
+  void carry_out(const screens::VisitEnded& request);
   std::vector<view::InputEvent> look_after_devices(double now);
   view::Frame opening_frame() const;
   bool update_night(double now, const std::vector<view::InputEvent>& events);
@@ -132,10 +132,10 @@ class Kiosk {
   std::vector<content::Language> languages_;
   std::vector<content::LessonStep> lesson_;
   std::unique_ptr<render::Renderer> renderer_;
-  std::unique_ptr<loop::PotterHost> potter_;
-  loop::SteppedPotter* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
-  std::unique_ptr<StudioSound> sound_;      ///< Null if the exhibit has none. Reads potter_.
-  std::unique_ptr<HandDevices> devices_;    ///< Null where none are to be used.
+  std::unique_ptr<loop::WheelHost> potter_;
+  loop::SteppedWheel* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
+  std::unique_ptr<StudioSound> sound_;     ///< Null if the exhibit has none. Reads potter_.
+  std::unique_ptr<HandDevices> devices_;   ///< Null where none are to be used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Missions> missions_;
   std::unique_ptr<TodaysPots> todays_;     ///< Null where the curator shows none.
@@ -143,7 +143,7 @@ class Kiosk {
   std::unique_ptr<PotOnWheel> pot_;
   std::unique_ptr<Keeping> keeping_;
   std::unique_ptr<screens::Visit> visit_;
-  std::unique_ptr<Attendant> attendant_;
+  std::unique_ptr<AccessInput> access_input_;
   std::optional<Night> night_;  ///< None where it is always open.
   std::function<std::time_t()> wall_;
   bool hands_taken_ = false, two_fingers_ = false, nobody_was_here_ = false;

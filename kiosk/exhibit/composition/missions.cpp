@@ -51,7 +51,7 @@ int place_of(const std::string& id, const std::vector<screens::ShelfCard>& shelf
 
 }  // namespace
 
-std::string why_not(const Mission& mission, const Able& able) {
+std::string reason_unavailable(const Mission& mission, const Capabilities& able) {
   if (mission.kind == Mission::Kind::eyes_closed && !able.sound)
     return "it needs sound, but there is none. Plug in a sound card, and give [sound] a "
            "volume.";
@@ -88,7 +88,7 @@ Missions::Missions(const settings::Exhibit& exhibit, const Scenes& scenes,
       switched_on_(std::move(switched_on)) {}
 
 void Missions::look(const std::vector<screens::ShelfCard>& shelf, bool complete,
-                    bool nobody_is_here, const Able& able) {
+                    bool nobody_is_here, const Capabilities& able) {
   if (!complete || shelf.empty() || !exhibit_.missions) return;
   const files::LocalMoment now = files::local_moment(wall_());
   // Before the first look nobody has seen the missions, so they may change at any time.
@@ -99,10 +99,10 @@ void Missions::look(const std::vector<screens::ShelfCard>& shelf, bool complete,
   offer(shelf, able);
 }
 
-void Missions::offer(const std::vector<screens::ShelfCard>& shelf, const Able& able) {
+void Missions::offer(const std::vector<screens::ShelfCard>& shelf, const Capabilities& able) {
   cards_.clear();
   for (const screens::MissionCard& one : every_) {
-    if (const std::string why = why_not(*one.mission, able); !why.empty()) {
+    if (const std::string why = reason_unavailable(*one.mission, able); !why.empty()) {
       files::log_line("The mission " + one.mission->id + " is not offered: " + why);
       continue;
     }

@@ -25,14 +25,14 @@ std::size_t of_the_day(const files::LocalMoment& day, std::size_t vessels);
 Result<Profile> jar_for(const settings::Mission& mission, const SceneDef& scene);
 
 /// Capabilities that some missions need.
-struct Able {
+struct Capabilities {
   bool sound = true;        ///< A sound card works, and the exhibit is not silent.
   bool two_fingers = true;  ///< The screen can follow two fingers.
-  friend bool operator==(const Able&, const Able&) = default;
+  friend bool operator==(const Capabilities&, const Capabilities&) = default;
 };
 
 /// Why a kiosk with these capabilities does not offer `mission`; empty: it does.
-std::string why_not(const settings::Mission& mission, const Able& able);
+std::string reason_unavailable(const settings::Mission& mission, const Capabilities& able);
 
 /// The missions that are on, for the screens, with today's vessel, and a pot that answers each
 /// description. Main thread; not movable, because screens point at it.
@@ -48,7 +48,7 @@ class Missions {
   /// new day changes today's vessel, and missions come and go with the capabilities that they need.
   /// Logs missions that cannot be played, and why; the others are still on.
   void look(const std::vector<screens::ShelfCard>& shelf, bool complete, bool nobody_is_here,
-            const Able& able = {});
+            const Capabilities& able = {});
   /// Draws the next missing picture, and copies those of the shelf; false when none is missing.
   bool draw_next_picture(render::Renderer& renderer);
   /// In the order of their file.
@@ -59,7 +59,7 @@ class Missions {
  private:
   void read(const std::vector<screens::ShelfCard>& shelf);
   void add(const settings::Mission& mission, const std::vector<screens::ShelfCard>& shelf);
-  void offer(const std::vector<screens::ShelfCard>& shelf, const Able& able);
+  void offer(const std::vector<screens::ShelfCard>& shelf, const Capabilities& able);
   int todays(const settings::Mission& mission, const std::vector<screens::ShelfCard>& shelf) const;
 
   const settings::Exhibit& exhibit_;
@@ -72,7 +72,7 @@ class Missions {
   std::deque<content::Vessel> jars_;         ///< Not movable: cards point at them.
   /// Those that are on, and those that are offered.
   std::vector<screens::MissionCard> every_, cards_;
-  Able able_;
+  Capabilities able_;
 };
 
 }  // namespace onggi::exhibit

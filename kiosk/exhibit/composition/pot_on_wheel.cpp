@@ -10,7 +10,7 @@
 
 namespace onggi::exhibit {
 
-PotOnWheel::PotOnWheel(const Scenes& scenes, loop::PotterHost& potter, render::Renderer& renderer,
+PotOnWheel::PotOnWheel(const Scenes& scenes, loop::WheelHost& potter, render::Renderer& renderer,
                        std::uint64_t seed)
     : scenes_(scenes), potter_(potter), renderer_(renderer), seed_(seed) {}
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "kiosk/exhibit/composition/check_exhibit.h"
+#include "kiosk/ground/files/file_stamps.h"
 #include "kiosk/ground/files/file_watch.h"
-#include "kiosk/ground/files/stamp.h"
 
 namespace onggi::exhibit {
 

@@ -105,9 +105,9 @@ const SceneDef& Scenes::of(const std::string& id) const {
   return own != vessels_.end() ? own->second : exhibits_;
 }
 
-screens::Wheel Scenes::wheel_of(const std::string& id) const {
+screens::SceneForVisitor Scenes::wheel_of(const std::string& id) const {
   const SceneDef& def = of(id);
-  screens::Wheel wheel;
+  screens::SceneForVisitor wheel;
   wheel.max_speed = def.wheel.max_speed;
   wheel.tool_radius = wheel.palm_radius = def.tool.radius;
   wheel.shown.clear();
@@ -119,8 +119,9 @@ screens::Wheel Scenes::wheel_of(const std::string& id) const {
     const ToolSize size = sized(shape, def.tools[n].size);
     if (shape.name == "palm") wheel.palm = tool, wheel.palm_radius = size.radius;
     if (shape.name == "flat_rib")
-      wheel.rib = screens::Wheel::Rib{tool, size.length, size.thickness};
-    if (shape.name == "loop_trimmer") wheel.trimmer = screens::Wheel::Trimmer{tool, size.radius};
+      wheel.rib = screens::SceneForVisitor::Rib{tool, size.length, size.thickness};
+    if (shape.name == "loop_trimmer")
+      wheel.trimmer = screens::SceneForVisitor::Trimmer{tool, size.radius};
     if (shape.severs()) wheel.wire = tool;
     const Vec3 at{kAway, kAway, 0};
     const ToolPlace held = hold_tool(shape, at, {}, 0.0, false);
@@ -143,8 +144,8 @@ screens::Wheel Scenes::wheel_of(const std::string& id) const {
   return wheel;
 }
 
-settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
-                                    const std::vector<std::string>& ids) {
+settings::Problems unknown_names(const settings::Exhibit& exhibit,
+                                 const std::vector<std::string>& ids) {
   toml::TomlReader reader(exhibit.file);
   auto root = reader.root();
   auto scenes = root.child("vessel_scenes");

@@ -34,7 +34,7 @@ class Scenes {
   /// The scene of vessel `id` on the shelf, with the exhibit's share of force.
   const SceneDef& of(const std::string& id) const;
   /// The part of it that the screens need.
-  screens::Wheel wheel_of(const std::string& id) const;
+  screens::SceneForVisitor wheel_of(const std::string& id) const;
   const std::vector<content::Glaze>& glazes() const { return glazes_; }
 
  private:
@@ -58,7 +58,7 @@ class Scenes {
 
 /// Unknown names in the exhibit: vessels in [vessel_scenes] that are not among the shelf's `ids`,
 /// and scripts in [attract]. In file order.
-settings::Problems names_of_nothing(const settings::Exhibit& exhibit,
-                                    const std::vector<std::string>& ids);
+settings::Problems unknown_names(const settings::Exhibit& exhibit,
+                                 const std::vector<std::string>& ids);
 
 }  // namespace onggi::exhibit

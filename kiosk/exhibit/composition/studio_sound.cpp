@@ -7,7 +7,7 @@
 
 namespace onggi::exhibit {
 
-StudioSound::StudioSound(const loop::PotterHost& potter, double volume)
+StudioSound::StudioSound(const loop::WheelHost& potter, double volume)
     : volume_(volume), speaker_([&potter] { return sound::hear(potter.status()); }) {}
 
 void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
@@ -19,7 +19,7 @@ void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
   speaker_.fire(heard && visit->screen() == screens::ScreenId::kiln ? 1.0 : 0.0);
 }
 
-void StudioSound::sing(const screens::Sight& sight) {
+void StudioSound::sing(const screens::WheelSnapshot& sight) {
   std::array<double, sound::OutlineSong::kSteps> vessel{}, pot{};
   for (std::size_t n = 0; n < vessel.size(); ++n) {
     const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(vessel.size());

@@ -2,7 +2,7 @@
 
 #include "kiosk/visit/screens/visit.h"
 #include "kiosk/visit/sound/speaker.h"
-#include "kiosk/wheel/loop/potter_host.h"
+#include "kiosk/wheel/loop/wheel_host.h"
 
 namespace onggi::exhibit {
 
@@ -12,11 +12,11 @@ namespace onggi::exhibit {
 class StudioSound {
  public:
   /// Reads `potter`, which must outlive this; `volume` 0..1.
-  StudioSound(const loop::PotterHost& potter, double volume);
+  StudioSound(const loop::WheelHost& potter, double volume);
   /// Call once a frame, `now` in s on a clock that never goes back; `visit` may be null.
   void frame(double now, const screens::Visit* visit, bool dark);
   /// Plays the widths of vessel and pot as pitch, from the foot to the rim.
-  void sing(const screens::Sight& sight);
+  void sing(const screens::WheelSnapshot& sight);
   const sound::Speaker& speaker() const { return speaker_; }
 
  private:

@@ -42,7 +42,7 @@ view::Frame small_picture(const Profile& made, const std::optional<view::Glazing
 
 Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
                             const content::Language& language, const settings::Exhibit& exhibit,
-                            loop::PotterHost& potter, render::Renderer& renderer,
+                            loop::WheelHost& potter, render::Renderer& renderer,
                             const std::string& token) {
   const content::Label label = card.vessel->label(language.code());
   const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;

@@ -12,7 +12,7 @@
 #include "kiosk/keepsake/souvenir/keepsake.h"
 #include "kiosk/picture/render/renderer.h"
 #include "kiosk/visit/screens/visit.h"
-#include "kiosk/wheel/loop/potter_host.h"
+#include "kiosk/wheel/loop/wheel_host.h"
 
 namespace onggi::exhibit {
 
@@ -43,7 +43,7 @@ struct TakenHome {
 /// does not return the clay. Main thread.
 Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
                             const content::Language& language, const settings::Exhibit& exhibit,
-                            loop::PotterHost& potter, render::Renderer& renderer,
+                            loop::WheelHost& potter, render::Renderer& renderer,
                             const std::string& token);
 
 }  // namespace onggi::exhibit

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kiosk/exhibit/rehearsal/told_difference.h"
+#include "kiosk/exhibit/rehearsal/parse_spoken_advice.h"
 
 namespace onggi::rehearsal {
 
@@ -158,7 +158,7 @@ std::vector<InputEvent> BlindVisitor::step(double now) {
   return press(Key::next);
 }
 
-std::vector<InputEvent> SwitchVisitor::step(const screens::Reading& reading,
+std::vector<InputEvent> SwitchVisitor::step(const screens::ScreenText& reading,
                                             const std::vector<std::string>& shown, double now) {
   if (began_at_ < 0) {
     began_at_ = now;

@@ -7,7 +7,7 @@
 #include "kiosk/collection/content/language.h"
 #include "kiosk/picture/view/input.h"
 #include "kiosk/visit/access/utterance.h"
-#include "kiosk/visit/screens/reading.h"
+#include "kiosk/visit/screens/screen_text.h"
 #include "kiosk/wheel/device/asked_stroke.h"
 
 namespace onggi::rehearsal {
@@ -84,7 +84,7 @@ class SwitchVisitor {
   static constexpr double kReaction = 0.25;  ///< s from seeing a choice to pressing.
   SwitchVisitor(VisitPlan plan, double hold) : plan_(std::move(plan)), hold_(hold) {}
   /// `shown`: the controls that the switch offers.
-  std::vector<view::InputEvent> step(const screens::Reading& reading,
+  std::vector<view::InputEvent> step(const screens::ScreenText& reading,
                                      const std::vector<std::string>& shown, double now);
   const VisitPlan& plan() const { return plan_; }
   int presses() const { return presses_; }

@@ -23,7 +23,7 @@ Result<std::vector<access::Utterance>> walk_aided(
     exhibit::Kiosk& kiosk, const AidedWalk& how,
     const std::function<void(const std::string&)>& passed) {
   std::vector<access::Utterance> said, fresh;
-  kiosk.attendant().listen([&](const access::Utterance& one) {
+  kiosk.access_input().listen([&](const access::Utterance& one) {
     said.push_back(one);
     fresh.push_back(one);
   });
@@ -66,7 +66,7 @@ Result<std::vector<access::Utterance>> walk_aided(
     }
     begun = begun || screen != ScreenId::attract;
     if (begun && screen == ScreenId::attract) break;
-    const screens::Reading reading = visit.reading();
+    const screens::ScreenText reading = visit.reading();
     const std::string name = std::string(name_of(screen)) + (reading.working ? "_at_work" : "");
     if (now - entered > kFadedIn && seen.insert(name).second) passed(name);
     for (const access::Utterance& one : fresh) blind.hear(one, now);
@@ -78,9 +78,10 @@ Result<std::vector<access::Utterance>> walk_aided(
         screen == ScreenId::keepsake && !(kiosk.doing().kept && kiosk.doing().kept->saved);
     if (now > kAttractSeen && !waits)
       for (const view::InputEvent& event :
-           how.blind ? blind.step(now) : one_switch.step(reading, kiosk.attendant().shown(), now))
-        kiosk.attendant().input(event, visit, kiosk.renderer().width(), kiosk.renderer().height(),
-                                now);
+           how.blind ? blind.step(now)
+                     : one_switch.step(reading, kiosk.access_input().shown(), now))
+        kiosk.access_input().input(event, visit, kiosk.renderer().width(),
+                                   kiosk.renderer().height(), now);
     if (now > kAidedTooLong)
       return problem("the visit", "It did not end within an hour.",
                      "This is a fault of the program: please report it.", 1);
@@ -89,7 +90,7 @@ Result<std::vector<access::Utterance>> walk_aided(
       std::this_thread::sleep_for(
           std::chrono::duration<double>(std::max(0.0, started + now - files::monotonic_seconds())));
   }
-  kiosk.attendant().listen({});
+  kiosk.access_input().listen({});
   if (!kiosk.doing().kept)
     return problem("the visit", "It went back to the start before the keepsake was made.",
                    "This is a fault of the program: please report it.", 1);

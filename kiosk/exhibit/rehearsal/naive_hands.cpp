@@ -37,7 +37,7 @@ double NaiveHands::hand_speed() {
   return kSpeeds[u < 0.3 ? 0 : u < 0.8 ? 1 : 2] * random_.uniform(0.8, 1.25) * scale_;
 }
 
-NaiveHands::Point NaiveHands::line_at(const screens::Sight& sight, double height) const {
+NaiveHands::Point NaiveHands::line_at(const screens::WheelSnapshot& sight, double height) const {
   Vec3 right, up, back;
   sight.camera.basis(right, up, back);
   const double r = side_ * sight.target->outer_at(height);
@@ -45,7 +45,7 @@ NaiveHands::Point NaiveHands::line_at(const screens::Sight& sight, double height
   return at ? Point{at->first, at->second} : Point{};
 }
 
-NaiveHands::Point NaiveHands::clay_at(const screens::Sight& sight, double height) const {
+NaiveHands::Point NaiveHands::clay_at(const screens::WheelSnapshot& sight, double height) const {
   Vec3 right, up, back;
   sight.camera.basis(right, up, back);
   const double h = std::min(height, sight.made->height());
@@ -71,7 +71,7 @@ void NaiveHands::begin_stroke(std::vector<Point> path, double speed) {
   ++strokes_;
 }
 
-void NaiveHands::trace(const screens::Sight& sight, double from, double to) {
+void NaiveHands::trace(const screens::WheelSnapshot& sight, double from, double to) {
   std::vector<Point> path;
   constexpr int kPoints = 40;
   // Strokes do not begin or end exactly on the line.
@@ -84,7 +84,7 @@ void NaiveHands::trace(const screens::Sight& sight, double from, double to) {
 }
 
 /// From the arrow's tail, or from the clay, to the line, and a little along it.
-void NaiveHands::push(const screens::Sight& sight, double height, bool inward) {
+void NaiveHands::push(const screens::WheelSnapshot& sight, double height, bool inward) {
   const Point clay = clay_at(sight, height), line = line_at(sight, height);
   const double out = side_ * (inward ? 1.0 : -1.0);
   std::vector<Point> path{{clay.x + out * random_.uniform(2, 30) * scale_, clay.y}};
@@ -98,7 +98,7 @@ void NaiveHands::push(const screens::Sight& sight, double height, bool inward) {
   begin_stroke(std::move(path), hand_speed());
 }
 
-void NaiveHands::poke(const screens::Sight& sight, double height) {
+void NaiveHands::poke(const screens::WheelSnapshot& sight, double height) {
   const Point clay = clay_at(sight, height);
   const double in = -side_ * random_.uniform(12, 60) * scale_;
   const double up = random_.uniform(-10, 10) * scale_;
@@ -110,7 +110,7 @@ void NaiveHands::poke(const screens::Sight& sight, double height) {
                hand_speed());
 }
 
-void NaiveHands::scrub(const screens::Sight& sight, double height) {
+void NaiveHands::scrub(const screens::WheelSnapshot& sight, double height) {
   const Point line = line_at(sight, height);
   const double high = random_.uniform(25, 100) * scale_;
   const int turns = 3 + static_cast<int>(random_.uniform(0, 4));
@@ -127,7 +127,7 @@ void NaiveHands::scrub(const screens::Sight& sight, double height) {
   begin_stroke(std::move(path), hand_speed());
 }
 
-void NaiveHands::choose(const screens::Sight& sight) {
+void NaiveHands::choose(const screens::WheelSnapshot& sight) {
   const double height = sight.target->height();
   const double u = random_.uniform();
   if (random_.uniform() < 0.12) side_ = -side_;
@@ -182,7 +182,7 @@ NaiveHands::Point NaiveHands::tremble(double dt) {
   return {shake_.x + wander_.x, shake_.y + wander_.y};
 }
 
-NaiveHands::Move NaiveHands::step(double now, const screens::Sight& sight, int width) {
+NaiveHands::Move NaiveHands::step(double now, const screens::WheelSnapshot& sight, int width) {
   Move move;
   const double dt = std::clamp(now - last_, 0.0, 0.1);
   last_ = now;

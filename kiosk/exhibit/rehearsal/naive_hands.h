@@ -28,21 +28,21 @@ class NaiveHands {
   };
   /// The actions in the frame at `now`, in seconds since they began; rising. `width` of the screen,
   /// px, scales their motion (speeds are for 1280).
-  Move step(double now, const screens::Sight& sight, int width);
+  Move step(double now, const screens::WheelSnapshot& sight, int width);
   bool done() const { return done_; }
 
  private:
   struct Point {
     double x = 0, y = 0;  ///< Pixels.
   };
-  void choose(const screens::Sight& sight);
-  void trace(const screens::Sight& sight, double from, double to);
-  void push(const screens::Sight& sight, double height, bool inward);
-  void poke(const screens::Sight& sight, double height);
-  void scrub(const screens::Sight& sight, double height);
+  void choose(const screens::WheelSnapshot& sight);
+  void trace(const screens::WheelSnapshot& sight, double from, double to);
+  void push(const screens::WheelSnapshot& sight, double height, bool inward);
+  void poke(const screens::WheelSnapshot& sight, double height);
+  void scrub(const screens::WheelSnapshot& sight, double height);
   void begin_stroke(std::vector<Point> path, double speed);
-  Point line_at(const screens::Sight& sight, double height) const;
-  Point clay_at(const screens::Sight& sight, double height) const;
+  Point line_at(const screens::WheelSnapshot& sight, double height) const;
+  Point clay_at(const screens::WheelSnapshot& sight, double height) const;
   Point on_path(double along) const;
   Point tremble(double dt);
   double hand_speed();

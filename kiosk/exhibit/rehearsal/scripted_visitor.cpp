@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/script/script.h"
-#include "kiosk/exhibit/rehearsal/tap.h"
+#include "kiosk/exhibit/rehearsal/touch_at.h"
 
 namespace onggi::rehearsal {
 
@@ -31,7 +31,7 @@ Result<void> ScriptedVisitor::touch(const std::string& control) {
     return problem("screen " + std::string(screens::name_of(screen_)),
                    "The scripted visitor does not find the control " + control + ".",
                    "This is a fault of the program: please report it.", 1);
-  tap(kiosk_.visit(), rect->x + rect->w / 2, rect->y + rect->h / 2, now_);
+  touch_at(kiosk_.visit(), rect->x + rect->w / 2, rect->y + rect->h / 2, now_);
   return {};
 }
 
@@ -64,8 +64,8 @@ Result<void> ScriptedVisitor::step(double now) {
       }
       touched_ = true;
       pass("attract");
-      tap(kiosk_.visit(), static_cast<float>(kiosk_.renderer().width()) / 2,
-          static_cast<float>(kiosk_.renderer().height()) / 2, now_);
+      touch_at(kiosk_.visit(), static_cast<float>(kiosk_.renderer().width()) / 2,
+               static_cast<float>(kiosk_.renderer().height()) / 2, now_);
       return {};
     case ScreenId::choose:
       return on_choose();
@@ -128,7 +128,8 @@ Result<void> ScriptedVisitor::on_naive(double now) {
     looked_at_ = now;
     looks_->end = smoothness(*sight->made);
     if (lump_.points.empty()) lump_ = *sight->made;
-    if (!looks_->handsome_at && handsome(looks_->end) && apart(*sight->made, lump_) > kWorked)
+    if (!looks_->handsome_at && looks_smooth(looks_->end) &&
+        outline_distance(*sight->made, lump_) > kWorked)
       looks_->handsome_at = now - entered_;
   }
   if (!half_shown_ && progress() > 0.5) {
@@ -207,7 +208,7 @@ Result<void> ScriptedVisitor::begin_throwing(double now) {
 
 double ScriptedVisitor::progress() const {
   if (hands_) return std::min(1.0, (now_ - entered_) / plan_.naive->seconds);
-  if (two_) return std::min(1.0, (now_ - entered_) / TwoVisitors::kSeconds);
+  if (two_) return std::min(1.0, (now_ - entered_) / TwoPlayerScript::kSeconds);
   if (plan_.hand == Plan::Hand::device_alone) return (now_ - entered_) / plan_.watch;
   if (hand_) return hand_->done() ? 1.0 : hand_->progress();
   const loop::LoopStatus status = kiosk_.potter().status();

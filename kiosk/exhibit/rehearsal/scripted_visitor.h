@@ -6,9 +6,9 @@
 #include <string>
 
 #include "kiosk/exhibit/composition/kiosk.h"
-#include "kiosk/exhibit/rehearsal/handsome.h"
+#include "kiosk/exhibit/rehearsal/looks_smooth.h"
 #include "kiosk/exhibit/rehearsal/naive_hands.h"
-#include "kiosk/exhibit/rehearsal/two_visitors.h"
+#include "kiosk/exhibit/rehearsal/two_player_script.h"
 #include "kiosk/exhibit/rehearsal/visitors_hand.h"
 
 namespace onggi::rehearsal {
@@ -82,7 +82,7 @@ class ScriptedVisitor {
        kept_seen_ = false;
   bool done_ = false;
   std::optional<NaiveHands> hands_;
-  std::optional<TwoVisitors> two_;
+  std::optional<TwoPlayerScript> two_;
   std::optional<Looks> looks_;
   Profile lump_;  ///< The fresh lump.
   double looked_at_ = 0, troubled_at_ = -1;

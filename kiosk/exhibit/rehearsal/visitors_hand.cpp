@@ -2,7 +2,7 @@
 
 namespace onggi::rehearsal {
 
-bool VisitorsHand::step(double dt, loop::PotterHost& potter) {
+bool VisitorsHand::step(double dt, loop::WheelHost& potter) {
   Hands hands;
   const auto look = [&](double t) {
     return potter.with_scene([&](Scene& scene) { hands = script_->at(t, scene.clay()); });

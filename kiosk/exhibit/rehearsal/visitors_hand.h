@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/script/script.h"
-#include "kiosk/wheel/loop/potter_host.h"
+#include "kiosk/wheel/loop/wheel_host.h"
 
 namespace onggi::rehearsal {
 
@@ -17,7 +17,7 @@ class VisitorsHand {
 
   VisitorsHand(std::unique_ptr<Script> script, By by) : script_(std::move(script)), by_(by) {}
   /// Call once a frame, `dt` seconds after the last. False if the wheel did not answer.
-  bool step(double dt, loop::PotterHost& potter);
+  bool step(double dt, loop::WheelHost& potter);
   double progress() const { return time_ / script_->duration(); }
   bool done() const { return time_ >= script_->duration(); }
 

@@ -11,8 +11,8 @@
 
 #include "kiosk/ground/files/descriptor.h"
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/files_read.h"
 #include "kiosk/ground/files/output_kind.h"
-#include "kiosk/ground/files/read_ledger.h"
 
 namespace onggi::files {
 namespace {
@@ -20,13 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The file behind a name, links followed.
-struct Standing {
+struct FileInfo {
   bool there = false;
   struct stat info {};
 };
 
-Standing standing(const std::string& where) {
-  Standing found;
+FileInfo standing(const std::string& where) {
+  FileInfo found;
   found.there = ::stat(where.c_str(), &found.info) == 0;
   return found;
 }
@@ -64,7 +64,7 @@ Result<void> check_new(const std::string& where) {
     return problem(where, "This link points to a file that does not exist.",
                    "Create that file, or name another file.");
   const fs::path folder = folder_for(where);
-  const Standing above = standing(folder.string());
+  const FileInfo above = standing(folder.string());
   if (!above.there)
     return problem(
         where, "The folder " + folder.string() + " does not exist.",
@@ -104,7 +104,7 @@ Result<void> write_to_stdout(std::span<const std::byte> bytes) {
 bool Output::to_stdout() const {
   if (where_ == "-") return true;
   struct stat out {};
-  const Standing found = standing(where_);
+  const FileInfo found = standing(where_);
   return found.there && ::fstat(STDOUT_FILENO, &out) == 0 && same_file(found.info, out) &&
          (S_ISREG(out.st_mode) || S_ISFIFO(out.st_mode));
 }
@@ -112,7 +112,7 @@ bool Output::to_stdout() const {
 bool Output::clashes_with(const Output& other) const {
   if (!wanted() || !other.wanted()) return false;
   if (to_stdout() || other.to_stdout()) return to_stdout() && other.to_stdout();
-  const Standing mine = standing(where_), its = standing(other.where_);
+  const FileInfo mine = standing(where_), its = standing(other.where_);
   if (mine.there && its.there) return S_ISREG(mine.info.st_mode) && same_file(mine.info, its.info);
   std::error_code ignored;
   return mine.there == its.there &&
@@ -121,7 +121,7 @@ bool Output::clashes_with(const Output& other) const {
 
 Result<void> Output::check() const {
   if (!wanted() || to_stdout()) return {};
-  const Standing found = standing(where_);
+  const FileInfo found = standing(where_);
   if (!found.there) return check_new(where_);
   const mode_t mode = found.info.st_mode;
   if (S_ISCHR(mode) || S_ISFIFO(mode)) return {};
@@ -146,7 +146,7 @@ Result<void> Output::write(std::span<const std::byte> bytes) const {
   if (!wanted()) return {};
   if (auto good = check(); !good) return good;
   if (to_stdout()) return write_to_stdout(bytes);
-  const Standing found = standing(where_);
+  const FileInfo found = standing(where_);
   if (found.there && !S_ISREG(found.info.st_mode)) return write_to_stream(where_, bytes);
   return write_durably(where_, bytes);
 }

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "kiosk/ground/files/descriptor.h"
-#include "kiosk/ground/files/read_ledger.h"
+#include "kiosk/ground/files/files_read.h"
 
 namespace onggi::files {
 namespace {

@@ -70,9 +70,9 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path
 /// which a power cut left. A visit dated before the first onggi, by a wrong clock, ages from the
 /// first tidying with a right clock. A visit is a folder whose name begins with a date and time and
 /// that holds only save()'s files; everything else stays. A missing folder counts as tidy. After
-/// the clock jumped ahead by over a year (files::clock_leapt), nothing is removed by age for a day.
-/// `now`: s since 1970. Problem, exit 1: the first visit that could not be removed; the others were
-/// tried too. Blocks, like save().
+/// the clock jumped ahead by over a year (files::clock_jumped), nothing is removed by age for a
+/// day. `now`: s since 1970. Problem, exit 1: the first visit that could not be removed; the others
+/// were tried too. Blocks, like save().
 Result<void> tidy(const std::filesystem::path& folder, const KeepsakeLimits& limits,
                   const std::string& keep = {}, std::time_t now = files::wall_now());
 

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-#include "kiosk/ground/files/clock_leap.h"
+#include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
 
@@ -99,7 +99,7 @@ std::string oldest_begin(int days, const std::vector<Visit>& visits, std::time_t
   std::vector<std::time_t> times;
   for (const Visit& visit : visits)
     if (const auto at = files::time_of_stamp(begin_of(visit.folder, now))) times.push_back(*at);
-  if (files::clock_leapt(times, now)) return {};
+  if (files::clock_jumped(times, now)) return {};
   constexpr std::time_t kDayLength = 24 * 3600;  // s
   return files::local_time(now - days * kDayLength, files::kStamp);
 }

@@ -13,7 +13,7 @@ namespace onggi::store {
 namespace {
 
 using files::Json;
-using Line = PublishedStatistics::Line;
+using Line = AnonymisedStatistics::Line;
 
 double tenth(double value) { return std::round(10.0 * value) / 10.0; }
 
@@ -63,13 +63,13 @@ std::string csv_line(const std::string& table, const Line& line, const std::stri
          text_or(line.likeness, "") + ',' + fetched + '\n';
 }
 
-std::string days_of(const PublishedStatistics& s) {
+std::string days_of(const AnonymisedStatistics& s) {
   if (s.from.empty() && s.to.empty()) return "all days";
   if (s.from.empty()) return "up to " + s.to;
   return s.to.empty() ? "from " + s.from : s.from + " to " + s.to;
 }
 
-std::string put_table(const PublishedStatistics::Lines& table, const char* title) {
+std::string put_table(const AnonymisedStatistics::Lines& table, const char* title) {
   if (table.lines.empty() && !table.too_few) return {};
   std::string text = std::string("\n") + title + '\n';
   for (const Line& line : table.lines) {
@@ -87,13 +87,13 @@ std::string put_table(const PublishedStatistics::Lines& table, const char* title
 }
 
 /// False for an exhibit without missions, which needs no line that nobody chose one.
-bool any_named(const PublishedStatistics::Lines& table) {
+bool any_named(const AnonymisedStatistics::Lines& table) {
   return table.too_few || std::any_of(table.lines.begin(), table.lines.end(),
                                       [](const Line& line) { return !line.name.empty(); });
 }
 
 /// Empty if no phone ever fetched a keepsake: most kiosks have no phone page.
-std::string fetched_words(const PublishedStatistics& s) {
+std::string fetched_words(const AnonymisedStatistics& s) {
   if (!s.fetched) return ", and too few to show were opened on a phone";
   if (*s.fetched == 0) return {};
   return "; " + std::to_string(*s.fetched) + " keepsakes were opened on a phone";
@@ -101,9 +101,9 @@ std::string fetched_words(const PublishedStatistics& s) {
 
 }  // namespace
 
-Json json_of(const PublishedStatistics& s) {
+Json json_of(const AnonymisedStatistics& s) {
   Json json =
-      Json::object({{"from", s.from}, {"to", s.to}, {"least", PublishedStatistics::kLeast}});
+      Json::object({{"from", s.from}, {"to", s.to}, {"least", AnonymisedStatistics::kLeast}});
   put_line(json, s.all);
   json["brief"] = json_or_null(s.brief);
   json["pots"] = json_or_null(s.pots);
@@ -124,7 +124,7 @@ Json json_of(const PublishedStatistics& s) {
   return json;
 }
 
-std::string csv_of(const PublishedStatistics& s) {
+std::string csv_of(const AnonymisedStatistics& s) {
   std::string text = "table,name,visits,keepsakes,active_minutes,likeness,fetched_by_phone\n";
   text += csv_line("all", s.all, text_or(s.fetched, ""));
   for (const auto& table : s.tables)
@@ -132,7 +132,7 @@ std::string csv_of(const PublishedStatistics& s) {
   return text;
 }
 
-std::string words_of(const PublishedStatistics& s) {
+std::string words_of(const AnonymisedStatistics& s) {
   std::string text = "Visits, " + days_of(s) + ": ";
   if (!s.all.visits) return text + "too few to show.\n";
   if (*s.all.visits == 0) return text + "none.\n";

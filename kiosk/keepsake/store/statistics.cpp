@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "kiosk/ground/files/read_ledger.h"
+#include "kiosk/ground/files/files_read.h"
 #include "kiosk/keepsake/store/migrations.h"
 #include "kiosk/keepsake/store/store_copy.h"
 #include "kiosk/keepsake/store/visit_store.h"

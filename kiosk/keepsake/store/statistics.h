@@ -27,7 +27,7 @@ struct Table {
   std::vector<Cell> cells;
 };
 
-/// All figures of some days, exactly as counted. Not for publication (PublishedStatistics).
+/// All figures of some days, exactly as counted. Not for publication (AnonymisedStatistics).
 struct Statistics {
   std::string from, to;  ///< Local days, both included; "": open end.
   std::int64_t brief =

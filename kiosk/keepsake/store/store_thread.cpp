@@ -136,7 +136,7 @@ void StoreThread::forget() {
   const std::time_t oldest = now - static_cast<std::time_t>(months_) * 30 * 24 * 3600;
   const std::string day = files::local_time(oldest, files::kDay);
   // A clock that is ten years ahead for an hour must not delete three years of visits.
-  const Result<bool> leapt = opened ? store_->clock_leapt(now) : Result<bool>(false);
+  const Result<bool> leapt = opened ? store_->clock_jumped(now) : Result<bool>(false);
   if (leapt && *leapt) return;
   if (opened)
     if (auto good = store_->forget_before(day); !good) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "kiosk/ground/files/clock_leap.h"
+#include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/keepsake/store/migrations.h"
 
@@ -194,18 +194,18 @@ Result<void> VisitStore::add_fetches(std::span<const files::FetchNote> notes) {
   return failed("Keepsakes opened on phones could not be counted");
 }
 
-Result<bool> VisitStore::clock_leapt(std::int64_t now) {
+Result<bool> VisitStore::clock_jumped(std::int64_t now) {
   database_.retry();
   // Of times close together, two are enough.
   std::vector<std::time_t> times;
   Statement near(database_,
                  "SELECT max(start) FROM visits WHERE start <= ?1 UNION ALL "
                  "SELECT min(start) FROM visits WHERE start > ?1 AND start <= ?2");
-  near.bind(now - files::kDoubt).bind(now);
+  near.bind(now - files::kDistrust).bind(now);
   while (near.step())
     if (!near.null(0)) times.push_back(near.integer(0));
   if (!near.done()) return failed("Visits could not be read");
-  return files::clock_leapt(times, now);
+  return files::clock_jumped(times, now);
 }
 
 Result<void> VisitStore::forget_before(const std::string& day) {

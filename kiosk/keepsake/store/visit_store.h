@@ -34,8 +34,8 @@ class VisitStore {
 
   /// True if somebody removed or replaced the file, so that writing to it is lost.
   bool taken_away() const;
-  /// files::clock_leapt for the visits' start times, at `now`, s since 1970.
-  Result<bool> clock_leapt(std::int64_t now);
+  /// files::clock_jumped for the visits' start times, at `now`, s since 1970.
+  Result<bool> clock_jumped(std::int64_t now);
   /// Adds all of `visits` in one transaction: all or none.
   Result<void> add(std::span<const VisitRecord> visits);
   /// Adds keepsakes that were opened on a phone, each only once; all of `notes` or none.

@@ -8,7 +8,7 @@
 #include "kiosk/ground/files/virtual_display.h"
 #include "kiosk/lab/commands/lab_commands.h"
 #include "kiosk/lab/measure/access_report.h"
-#include "kiosk/lab/measure/no_keepsakes.h"
+#include "kiosk/lab/measure/measurement_folder.h"
 #include "kiosk/picture/drawing/put_report.h"
 #include "kiosk/picture/render/window_size.h"
 
@@ -44,7 +44,7 @@ Result<int> access(const AccessArguments& arguments) {
   options.language = arguments.language;
   if (auto good = render::read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());
-  const auto nowhere = measure::NoKeepsakes::make();
+  const auto nowhere = measure::MeasurementFolder::make();
   if (!nowhere) return tl::unexpected(nowhere.error());
   options.keepsakes = nowhere->path();
   auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);

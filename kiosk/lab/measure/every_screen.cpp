@@ -6,7 +6,7 @@
 
 #include "engine/script/script.h"
 #include "kiosk/collection/settings/mission_file.h"
-#include "kiosk/exhibit/rehearsal/tap.h"
+#include "kiosk/exhibit/rehearsal/touch_at.h"
 
 namespace onggi::measure {
 
@@ -41,12 +41,13 @@ class Looker {
   void touch(const std::string& control) {
     frames(2 * kFrame);
     while (const auto way = rehearsal::way_to(kiosk_.visit(), control)) {
-      rehearsal::tap(kiosk_.visit(), way->x + way->w / 2, way->y + way->h / 2, now_);
+      rehearsal::touch_at(kiosk_.visit(), way->x + way->w / 2, way->y + way->h / 2, now_);
       frames(kSettled);
     }
     const auto rect = kiosk_.visit().control(control);
     if (good() && !rect) return fail(control);
-    if (rect) rehearsal::tap(kiosk_.visit(), rect->x + rect->w / 2, rect->y + rect->h / 2, now_);
+    if (rect)
+      rehearsal::touch_at(kiosk_.visit(), rect->x + rect->w / 2, rect->y + rect->h / 2, now_);
   }
   bool has(const std::string& control) const { return kiosk_.visit().control(control).has_value(); }
   /// Waits until all stands, and looks.

@@ -2,7 +2,7 @@
 
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/exhibit/rehearsal/scripted_visitor.h"
-#include "kiosk/lab/measure/no_keepsakes.h"
+#include "kiosk/lab/measure/measurement_folder.h"
 
 namespace onggi::measure {
 namespace {
@@ -56,7 +56,7 @@ class Counted {
 }  // namespace
 
 Result<std::vector<FrameLoad>> measure_load(const FrameLoadPlan& plan) {
-  const auto nowhere = NoKeepsakes::make();
+  const auto nowhere = MeasurementFolder::make();
   if (!nowhere) return tl::unexpected(nowhere.error());
   exhibit::KioskOptions options;
   options.config = plan.config;

@@ -6,10 +6,10 @@
 
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/exhibit/rehearsal/scripted_visitor.h"
-#include "kiosk/exhibit/rehearsal/tap.h"
+#include "kiosk/exhibit/rehearsal/touch_at.h"
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/ground/files/virtual_display.h"
-#include "kiosk/lab/measure/no_keepsakes.h"
+#include "kiosk/lab/measure/measurement_folder.h"
 #include "kiosk/lab/measure/similarity.h"
 #include "kiosk/picture/render/canvas.h"
 #include "kiosk/picture/view/looks_same.h"
@@ -113,7 +113,7 @@ Result<FrameDelays> Watched::delays() {
   screens::Visit& visit = kiosk_.visit();
   // Stop the wheel with its own button.
   while (const auto way = rehearsal::way_to(visit, "throw.slower")) {
-    rehearsal::tap(visit, way->x + 2, way->y + 2, files::monotonic_seconds());
+    rehearsal::touch_at(visit, way->x + 2, way->y + 2, files::monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());
   }
   while (kiosk_.potter().view().status.feedback.wheel_speed != 0) {
@@ -170,7 +170,7 @@ Result<void> time_size(const FrameRatePlan& plan, std::pair<int, int> size, Fram
     std::fprintf(progress, "%d x %d: %s\n", size.first, size.second, what);
     std::fflush(progress);
   };
-  const auto nowhere = NoKeepsakes::make();
+  const auto nowhere = MeasurementFolder::make();
   if (!nowhere) return tl::unexpected(nowhere.error());
   exhibit::KioskOptions options;
   options.config = plan.config;

@@ -12,7 +12,7 @@
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/ground/files/virtual_display.h"
-#include "kiosk/lab/measure/no_keepsakes.h"
+#include "kiosk/lab/measure/measurement_folder.h"
 #include "kiosk/wheel/loop/loop_thread.h"
 
 namespace onggi::measure {
@@ -181,7 +181,7 @@ Result<TimingReport> measure_loop(const std::filesystem::path& config, double se
   if (!alone) return tl::unexpected(alone.error());
   report.phases.push_back(std::move(*alone));
 
-  const auto nowhere = NoKeepsakes::make();
+  const auto nowhere = MeasurementFolder::make();
   if (!nowhere) return tl::unexpected(nowhere.error());
   exhibit::KioskOptions options;
   options.config = config;

@@ -14,7 +14,7 @@ namespace onggi::measure {
 
 namespace {
 
-NaiveLine line_of(const std::string& name, const std::vector<const QuietOutcome*>& visits,
+NaiveLine line_of(const std::string& name, const std::vector<const HeadlessOutcome*>& visits,
                   std::size_t moment, double seconds) {
   NaiveLine line;
   line.vessel = name;
@@ -22,7 +22,7 @@ NaiveLine line_of(const std::string& name, const std::vector<const QuietOutcome*
   line.visits = static_cast<int>(visits.size());
   const auto all = [&](const std::function<double(const PotLook&)>& of) {
     std::vector<double> values;
-    for (const QuietOutcome* visit : visits) values.push_back(of(visit->looks[moment]));
+    for (const HeadlessOutcome* visit : visits) values.push_back(of(visit->looks[moment]));
     return values;
   };
   const std::vector<double> points = all([](const PotLook& look) { return look.points; });
@@ -35,7 +35,7 @@ NaiveLine line_of(const std::string& name, const std::vector<const QuietOutcome*
   line.way_in = middle(all([](const PotLook& look) { return look.way_in; }));
   line.wall = middle(all([](const PotLook& look) { return look.wall; }));
   std::vector<double> when;
-  for (const QuietOutcome* visit : visits) {
+  for (const HeadlessOutcome* visit : visits) {
     line.five_stars += visit->looks[moment].stars >= 5 ? 1 : 0;
     if (visit->handsome_at && *visit->handsome_at <= seconds) when.push_back(*visit->handsome_at);
   }
@@ -44,7 +44,7 @@ NaiveLine line_of(const std::string& name, const std::vector<const QuietOutcome*
   return line;
 }
 
-files::Json looks_json(const QuietOutcome& visit) {
+files::Json looks_json(const HeadlessOutcome& visit) {
   files::Json looks = files::Json::list();
   for (const PotLook& look : visit.looks)
     looks.push_back(files::Json::object({{"seconds", look.seconds},
@@ -65,18 +65,18 @@ files::Json looks_json(const QuietOutcome& visit) {
 
 }  // namespace
 
-std::vector<NaiveLine> lines_of(const std::vector<QuietOutcome>& outcomes,
+std::vector<NaiveLine> lines_of(const std::vector<HeadlessOutcome>& outcomes,
                                 const std::vector<double>& moments) {
   std::vector<NaiveLine> lines;
   std::vector<std::string> names;
-  for (const QuietOutcome& visit : outcomes)
+  for (const HeadlessOutcome& visit : outcomes)
     if (std::ranges::find(names, visit.vessel) == names.end()) names.push_back(visit.vessel);
   for (std::size_t m = 0; m < moments.size() && !outcomes.empty(); ++m) {
-    std::vector<const QuietOutcome*> everyone;
-    for (const QuietOutcome& visit : outcomes) everyone.push_back(&visit);
+    std::vector<const HeadlessOutcome*> everyone;
+    for (const HeadlessOutcome& visit : outcomes) everyone.push_back(&visit);
     for (const std::string& name : names) {
-      std::vector<const QuietOutcome*> its;
-      for (const QuietOutcome* visit : everyone)
+      std::vector<const HeadlessOutcome*> its;
+      for (const HeadlessOutcome* visit : everyone)
         if (visit->vessel == name) its.push_back(visit);
       lines.push_back(line_of(name, its, m, moments[m]));
     }
@@ -86,9 +86,9 @@ std::vector<NaiveLine> lines_of(const std::vector<QuietOutcome>& outcomes,
 }
 
 Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress) {
-  const auto opened = QuietVisits::open(plan.exhibit_file, plan.scene);
+  const auto opened = HeadlessVisits::open(plan.exhibit_file, plan.scene);
   if (!opened) return tl::unexpected(opened.error());
-  const QuietVisits& visits = **opened;
+  const HeadlessVisits& visits = **opened;
   std::vector<int> cards;
   for (const std::string& vessel : plan.vessels) {
     const auto card = visits.card_of(vessel);
@@ -100,7 +100,7 @@ Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress) {
 
   const auto seeds = static_cast<std::size_t>(plan.seeds);
   const std::size_t each = seeds + (plan.careful ? 1 : 0), count = cards.size() * each;
-  std::vector<std::optional<Result<QuietOutcome>>> done(count);
+  std::vector<std::optional<Result<HeadlessOutcome>>> done(count);
   std::atomic<std::size_t> next{0};
   std::mutex telling;
   std::size_t told = 0;
@@ -126,7 +126,7 @@ Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress) {
   table.machine = tuning::machine_name();
   table.plan = plan;
   for (std::size_t n = 0; n < count; ++n) {
-    const Result<QuietOutcome>& one = *done[n];
+    const Result<HeadlessOutcome>& one = *done[n];
     if (!one) return tl::unexpected(one.error());
     (n % each < seeds ? table.naive : table.careful).push_back(*one);
   }
@@ -136,8 +136,8 @@ Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress) {
 
 files::Json json_of(const NaiveTable& table) {
   files::Json naive = files::Json::list(), careful = files::Json::list();
-  for (const QuietOutcome& visit : table.naive) naive.push_back(looks_json(visit));
-  for (const QuietOutcome& visit : table.careful) careful.push_back(looks_json(visit));
+  for (const HeadlessOutcome& visit : table.naive) naive.push_back(looks_json(visit));
+  for (const HeadlessOutcome& visit : table.careful) careful.push_back(looks_json(visit));
   return files::Json::object(
       {{"scene", table.scene},
        {"machine", table.machine},
@@ -172,7 +172,7 @@ std::string text_of(const NaiveTable& table) {
       std::snprintf(line, sizeof line, "never\n");
     text += line;
   }
-  for (const QuietOutcome& one : table.careful) {
+  for (const HeadlessOutcome& one : table.careful) {
     const PotLook& look = one.looks.front();
     std::snprintf(line, sizeof line,
                   "%5.0f %-22s %6.1f %6s %5d %6s %9.2f %9.2f %9.2f %6.0f%% %8.1f  careful\n",

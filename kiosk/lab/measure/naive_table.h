@@ -8,7 +8,7 @@
 
 #include "engine/base/result.h"
 #include "kiosk/ground/files/json.h"
-#include "kiosk/lab/measure/quiet_visit.h"
+#include "kiosk/lab/measure/headless_visit.h"
 
 namespace onggi::measure {
 
@@ -41,15 +41,15 @@ struct NaiveLine {
 struct NaiveTable {
   std::string scene, machine;
   NaivePlan plan;
-  std::vector<QuietOutcome> naive, careful;  ///< By vessel, then seed.
-  std::vector<NaiveLine> lines;              ///< By moment, then vessel, "all" last.
+  std::vector<HeadlessOutcome> naive, careful;  ///< By vessel, then seed.
+  std::vector<NaiveLine> lines;                 ///< By moment, then vessel, "all" last.
 };
 
 /// Runs the visits and reports each to `progress`. Takes minutes to an hour. Problem as in
-/// QuietVisits.
+/// HeadlessVisits.
 Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress);
 /// The lines for `outcomes`, each with one look for each moment.
-std::vector<NaiveLine> lines_of(const std::vector<QuietOutcome>& outcomes,
+std::vector<NaiveLine> lines_of(const std::vector<HeadlessOutcome>& outcomes,
                                 const std::vector<double>& moments);
 files::Json json_of(const NaiveTable& table);
 std::string text_of(const NaiveTable& table);

@@ -33,7 +33,7 @@ std::string said(const char* format, double a, double b) {
 std::string careful_of(const NaiveTable& table) {
   std::vector<double> points;
   int five = 0;
-  for (const QuietOutcome& one : table.careful) {
+  for (const HeadlessOutcome& one : table.careful) {
     points.push_back(one.looks.front().points);
     five += one.looks.front().stars >= 5 ? 1 : 0;
   }

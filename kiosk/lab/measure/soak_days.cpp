@@ -11,7 +11,7 @@
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/exhibit/composition/reload.h"
 #include "kiosk/exhibit/rehearsal/scripted_visitor.h"
-#include "kiosk/exhibit/rehearsal/tap.h"
+#include "kiosk/exhibit/rehearsal/touch_at.h"
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/virtual_display.h"
@@ -212,7 +212,7 @@ Result<void> SoakDays::visit() {
       changed_language = true;
       if (n % 2 == 1) {
         const auto rect = *kiosk_->visit().control("language");
-        rehearsal::tap(kiosk_->visit(), rect.x + rect.w / 2, rect.y + rect.h / 2, now_);
+        rehearsal::touch_at(kiosk_->visit(), rect.x + rect.w / 2, rect.y + rect.h / 2, now_);
         continue;
       }
     }

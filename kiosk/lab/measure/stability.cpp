@@ -270,7 +270,7 @@ Result<StabilityTally> measure_trial(const StabilityPlan& plan, std::uint64_t nu
 Result<std::string> check_replay(const Replay& replay) {
   auto scene = Scene::create(replay.def);
   if (!scene) return tl::unexpected(scene.error());
-  lab::Watch watch(*scene);
+  lab::InvariantChecker watch(*scene);
   for (const TickRecord& record : replay.ticks) {
     const Feedback felt = scene->step(record.hands, record.dt);
     if (const auto breach = watch.after(*scene, record.dt, felt))

@@ -32,15 +32,15 @@ void set_glaze(const Program& program, const std::string& name, const view::Glaz
 std::size_t ClaySkin::of(const view::PotView& pot) {
   if (pot.finish == view::Finish::fired) return kGlazed;
   if (pot.finish == view::Finish::firing) return kFiring;
-  if (pot.wet_rows.empty()) return pot.wetness > 0.0 ? kWet : kDry;
-  const bool wet =
-      std::any_of(pot.wet_rows.begin(), pot.wet_rows.end(), [](float w) { return w > 0.0f; });
+  if (pot.wetness_by_row.empty()) return pot.wetness > 0.0 ? kWet : kDry;
+  const bool wet = std::any_of(pot.wetness_by_row.begin(), pot.wetness_by_row.end(),
+                               [](float w) { return w > 0.0f; });
   return wet ? kWet : kDry;
 }
 
 void ClaySkin::prepare(const view::PotView& pot) {
   if (of(pot) != kWet) return;
-  std::vector<float> wet = pot.wet_rows;
+  std::vector<float> wet = pot.wetness_by_row;
   if (wet.empty()) wet.push_back(static_cast<float>(pot.wetness));
   wet.resize(std::min(wet.size(), kMostRows));
   if (wet == wet_) return;

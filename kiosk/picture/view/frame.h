@@ -117,7 +117,7 @@ struct PotView {
   double clay_angle = 0;   ///< and of the clay on it: a pot that was cut off stands still.
   double wetness = 0;      ///< Mean, 0..1.
   /// Wetness at even heights, foot to rim, 0..1, at most 256; empty: `wetness` all over.
-  std::vector<float> wet_rows;
+  std::vector<float> wetness_by_row;
   Finish finish = Finish::clay;
   Glazing glazing;    ///< For `firing` and `fired`.
   FiringView firing;  ///< For `firing`.

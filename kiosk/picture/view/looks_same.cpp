@@ -22,13 +22,13 @@ void forgive(Vec3& now, const Vec3& drawn) {
 }  // namespace
 
 bool looks_same(const PotView& drawn, const PotView& now) {
-  if (drawn.wet_rows.size() != now.wet_rows.size()) return false;
+  if (drawn.wetness_by_row.size() != now.wetness_by_row.size()) return false;
   PotView seen = now;
   forgive(seen.wheel_angle, drawn.wheel_angle, kAngle);
   forgive(seen.clay_angle, drawn.clay_angle, kAngle);
   forgive(seen.wetness, drawn.wetness, kWet);
-  for (std::size_t i = 0; i < seen.wet_rows.size(); ++i)
-    forgive(seen.wet_rows[i], drawn.wet_rows[i], kWet);
+  for (std::size_t i = 0; i < seen.wetness_by_row.size(); ++i)
+    forgive(seen.wetness_by_row[i], drawn.wetness_by_row[i], kWet);
   forgive(seen.camera.target, drawn.camera.target);
   forgive(seen.camera.distance, drawn.camera.distance, kPlace);
   forgive(seen.wheel_radius, drawn.wheel_radius, kPlace);

@@ -7,7 +7,7 @@
 #include "kiosk/ground/files/memory.h"
 #include "kiosk/program/commands/commands.h"
 #include "kiosk/program/commands/lab_program.h"
-#include "kiosk/wheel/device/last_word.h"
+#include "kiosk/wheel/device/stop_forces_on_terminate.h"
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     return stays.exit_code;
   }
   onggi::files::keep_heap_small();
-  onggi::device::end_forces_on_terminate();
+  onggi::device::stop_forces_on_terminate();
   // If a helper dies while we write to it, or a file may not grow, report an error instead of
   // ending.
   std::signal(SIGPIPE, SIG_IGN);

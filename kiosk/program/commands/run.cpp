@@ -11,8 +11,8 @@
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/picture/render/window_size.h"
-#include "kiosk/program/commands/attendance.h"
 #include "kiosk/program/commands/commands.h"
+#include "kiosk/program/commands/service_run.h"
 
 namespace onggi::commands {
 
@@ -29,14 +29,14 @@ enum class Ending { asked_to, reload };
 /// Runs the exhibit of `options` (the museum's, or one that `stands_in` for it) until somebody asks
 /// it to end, or until the museum's has changed and no visitor is here.
 Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in,
-                            exhibit::Reload& reload, Attendance* attendance) {
-  if (attendance != nullptr) attendance->opens(options.config, stands_in);
+                            exhibit::Reload& reload, ServiceRun* service_run) {
+  if (service_run != nullptr) service_run->opens(options.config, stands_in);
   auto kiosk = exhibit::Kiosk::open(options);
   if (!kiosk) return tl::unexpected(kiosk.error());
-  if (attendance != nullptr) attendance->shows(**kiosk);
+  if (service_run != nullptr) service_run->shows(**kiosk);
   bool first = true;
   while (asked_to_stop == 0 && (*kiosk)->frame(files::monotonic_seconds())) {
-    if (attendance != nullptr) attendance->look(**kiosk);
+    if (service_run != nullptr) service_run->look(**kiosk);
     if (!(*kiosk)->doing().open_to_visitors) continue;
     if (std::exchange(first, false))
       files::log_line("First picture " +
@@ -50,20 +50,20 @@ Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in
   return Ending::asked_to;
 }
 
-Result<int> open_exhibit(const exhibit::KioskOptions& museums, Attendance* attendance) {
+Result<int> open_exhibit(const exhibit::KioskOptions& museums, ServiceRun* service_run) {
   using exhibit::Reload;
   std::optional<exhibit::KioskOptions> safer;
-  if (attendance != nullptr) safer = attendance->safer(museums);
+  if (service_run != nullptr) safer = service_run->safer(museums);
   Reload reload(museums.config, safer ? Reload::Shown::another : Reload::Shown::this_one);
   for (;;) {
     const auto ending =
-        show_exhibit(safer ? *safer : museums, safer.has_value(), reload, attendance);
+        show_exhibit(safer ? *safer : museums, safer.has_value(), reload, service_run);
     if (!ending) return tl::unexpected(ending.error());
     if (*ending == Ending::asked_to) break;
     reload.taken_up();
     safer.reset();
   }
-  if (attendance != nullptr) attendance->end();
+  if (service_run != nullptr) service_run->end();
   return 0;
 }
 
@@ -79,10 +79,10 @@ Result<int> run(const RunArguments& arguments) {
 
   std::signal(SIGINT, [](int) { asked_to_stop = 1; });
   std::signal(SIGTERM, [](int) { asked_to_stop = 1; });
-  const std::optional<std::filesystem::path> state = Attendance::state_folder();
+  const std::optional<std::filesystem::path> state = ServiceRun::state_folder();
   if (!state) return open_exhibit(options, nullptr);
-  Attendance attendance(*state);
-  return open_exhibit(options, &attendance);
+  ServiceRun service_run(*state);
+  return open_exhibit(options, &service_run);
 }
 
 }  // namespace

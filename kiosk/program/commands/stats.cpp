@@ -33,7 +33,7 @@ Result<void> check_day(const std::string& option, const std::string& day) {
 }
 
 /// Visits per day, or per month if there are too many days; suppressed counts are gaps.
-drawing::Plot plot_of(const store::PublishedStatistics& s) {
+drawing::Plot plot_of(const store::AnonymisedStatistics& s) {
   constexpr std::size_t kMostDays = 45;
   std::string step = "day";
   for (const auto& table : s.tables)
@@ -41,7 +41,7 @@ drawing::Plot plot_of(const store::PublishedStatistics& s) {
   drawing::Plot plot;
   plot.title = "Visits per " + step;
   plot.subtitle =
-      "Counts below " + std::to_string(store::PublishedStatistics::kLeast) + " are not shown.";
+      "Counts below " + std::to_string(store::AnonymisedStatistics::kLeast) + " are not shown.";
   plot.x.label = step;
   plot.y.label = "visits";
   drawing::PlotSeries visits{.name = "visits", .kind = drawing::PlotSeries::Kind::bars};
@@ -81,7 +81,7 @@ Result<int> stats(const StatsArguments& arguments) {
   if (!file) return tl::unexpected(file.error());
   const auto counted = store::read_statistics(*file, arguments.from, arguments.to);
   if (!counted) return tl::unexpected(counted.error());
-  const store::PublishedStatistics told = store::publish(*counted);
+  const store::AnonymisedStatistics told = store::publish(*counted);
   // Write files before printing, so that an error comes first.
   if (auto good = arguments.csv.write(store::csv_of(told)); !good)
     return tl::unexpected(good.error());

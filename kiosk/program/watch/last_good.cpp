@@ -10,8 +10,8 @@
 
 #include "kiosk/ground/files/descriptor.h"
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/file_stamps.h"
 #include "kiosk/ground/files/read_file.h"
-#include "kiosk/ground/files/stamp.h"
 
 namespace fs = std::filesystem;
 

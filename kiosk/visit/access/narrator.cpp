@@ -6,8 +6,8 @@
 namespace onggi::access {
 
 using screens::Control;
-using screens::Reading;
 using screens::ScreenId;
+using screens::ScreenText;
 
 namespace {
 
@@ -32,7 +32,7 @@ double length_of(const std::string& text) {
   return std::max(s, kAtLeast);
 }
 
-const Control* find(const Reading& reading, const std::string& id) {
+const Control* find(const ScreenText& reading, const std::string& id) {
   for (const Control& control : reading.controls)
     if (control.id == id) return &control;
   return nullptr;
@@ -45,7 +45,7 @@ bool standing(const std::string& id) {
 
 }  // namespace
 
-bool Narrator::another_page(const Reading& reading) const {
+bool Narrator::another_page(const ScreenText& reading) const {
   const bool any =
       std::any_of(reading.controls.begin(), reading.controls.end(),
                   [&](const Control& c) { return !standing(c.id) && controls_.count(c.id) > 0; });
@@ -54,9 +54,10 @@ bool Narrator::another_page(const Reading& reading) const {
   return own && !any;
 }
 
-std::string Narrator::page(const Reading& reading) const { return joined(reading.words); }
+std::string Narrator::page(const ScreenText& reading) const { return joined(reading.words); }
 
-std::string Narrator::focus(const Reading& reading, const std::vector<std::string>& shown) const {
+std::string Narrator::focus(const ScreenText& reading,
+                            const std::vector<std::string>& shown) const {
   if (reading.one_switch) {
     std::string all;
     for (const std::string& id : shown)
@@ -70,7 +71,7 @@ std::string Narrator::focus(const Reading& reading, const std::vector<std::strin
 }
 
 /// The part of a control whose change is announced: its name and whether it is on.
-std::string Narrator::standing_of(const Reading& reading,
+std::string Narrator::standing_of(const ScreenText& reading,
                                   const std::vector<std::string>& shown) const {
   if (reading.one_switch) {
     std::string all;
@@ -81,7 +82,7 @@ std::string Narrator::standing_of(const Reading& reading,
   return on == nullptr ? std::string() : on->id + on->words + (on->on ? *on->on ? "+" : "-" : "");
 }
 
-std::string Narrator::news(const Reading& reading, double now) {
+std::string Narrator::news(const ScreenText& reading, double now) {
   std::vector<std::string> fresh;
   std::set<std::string> seen;
   for (const std::string& sentence : reading.words) {
@@ -98,7 +99,7 @@ std::string Narrator::news(const Reading& reading, double now) {
   return joined(fresh);
 }
 
-Narrator::Wish Narrator::wish(const Reading& reading, const std::vector<std::string>& shown,
+Narrator::Wish Narrator::wish(const ScreenText& reading, const std::vector<std::string>& shown,
                               double now) {
   const std::string place =
       std::string(name_of(reading.screen)) + ' ' + reading.over + ' ' + reading.language->code();
@@ -148,7 +149,7 @@ Narrator::Wish Narrator::wish(const Reading& reading, const std::vector<std::str
   return {};
 }
 
-std::optional<Utterance> Narrator::look(const Reading& reading,
+std::optional<Utterance> Narrator::look(const ScreenText& reading,
                                         const std::vector<std::string>& shown, double now) {
   if (!reading.spoken || reading.language == nullptr || reading.screen == ScreenId::attract) {
     if (!begun_) return std::nullopt;

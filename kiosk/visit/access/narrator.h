@@ -20,7 +20,7 @@ class Narrator {
   static constexpr double kCount = 10.0;  ///< s between two announcements of a countdown.
 
   /// Call once a frame. `shown`: ids of the controls that the one switch offers; empty without it.
-  std::optional<Utterance> look(const screens::Reading& reading,
+  std::optional<Utterance> look(const screens::ScreenText& reading,
                                 const std::vector<std::string>& shown, double now);
   /// The visitor asks where they are: speaks the page again.
   void again() { again_ = true; }
@@ -39,13 +39,14 @@ class Narrator {
     std::string text;
     int weight = 0;
   };
-  Wish wish(const screens::Reading& reading, const std::vector<std::string>& shown, double now);
-  bool another_page(const screens::Reading& reading) const;
-  std::string page(const screens::Reading& reading) const;
-  std::string focus(const screens::Reading& reading, const std::vector<std::string>& shown) const;
-  std::string standing_of(const screens::Reading& reading,
+  Wish wish(const screens::ScreenText& reading, const std::vector<std::string>& shown, double now);
+  bool another_page(const screens::ScreenText& reading) const;
+  std::string page(const screens::ScreenText& reading) const;
+  std::string focus(const screens::ScreenText& reading,
+                    const std::vector<std::string>& shown) const;
+  std::string standing_of(const screens::ScreenText& reading,
                           const std::vector<std::string>& shown) const;
-  std::string news(const screens::Reading& reading, double now);
+  std::string news(const screens::ScreenText& reading, double now);
 
   std::uint64_t said_ = 0;
   std::string place_;                ///< Screen, overlay and language.

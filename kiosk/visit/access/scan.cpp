@@ -8,10 +8,10 @@
 namespace onggi::access {
 
 using screens::Control;
-using screens::Reading;
+using screens::ScreenText;
 
 /// True if the choices have changed.
-bool Scan::changed(const Reading& reading) {
+bool Scan::changed(const ScreenText& reading) {
   std::vector<std::string> ids;
   for (const Control& control : reading.controls) ids.push_back(control.id);
   std::string screen = std::string(name_of(reading.screen)) + reading.over;
@@ -43,7 +43,7 @@ bool Scan::changed(const Reading& reading) {
   return !kept;
 }
 
-void Scan::show(const Reading& reading, double now) {
+void Scan::show(const ScreenText& reading, double now) {
   since_ = now;
   shown_.clear();
   if (rows_.empty()) return;
@@ -54,7 +54,7 @@ void Scan::show(const Reading& reading, double now) {
     for (const std::size_t i : row) shown_.push_back(reading.controls[i].id);
 }
 
-void Scan::look(const Reading& reading, double now) {
+void Scan::look(const ScreenText& reading, double now) {
   if (changed(reading)) {
     fresh_ = true;
     return show(reading, now);
@@ -71,7 +71,7 @@ void Scan::look(const Reading& reading, double now) {
   show(reading, now);
 }
 
-std::optional<std::string> Scan::press(const Reading& reading, double now) {
+std::optional<std::string> Scan::press(const ScreenText& reading, double now) {
   if (now - pressed_at_ < kTremble) return std::nullopt;
   pressed_at_ = now;
   if (changed(reading)) {  // The choices have changed, so the press does not count.

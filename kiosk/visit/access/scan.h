@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/visit/screens/reading.h"
+#include "kiosk/visit/screens/screen_text.h"
 
 namespace onggi::access {
 
@@ -21,9 +21,9 @@ class Scan {
   static constexpr int kRounds = 2;
 
   /// Call once a frame with the current `reading`, which sets how long each item stays.
-  void look(const screens::Reading& reading, double now);
+  void look(const screens::ScreenText& reading, double now);
   /// The switch was pressed; returns the chosen control.
-  std::optional<std::string> press(const screens::Reading& reading, double now);
+  std::optional<std::string> press(const screens::ScreenText& reading, double now);
   /// The offered controls: a row's, or one.
   const std::vector<std::string>& shown() const { return shown_; }
   bool in_a_row() const { return in_row_; }
@@ -31,8 +31,8 @@ class Scan {
   void restart() { ids_.clear(); }
 
  private:
-  void show(const screens::Reading& reading, double now);
-  bool changed(const screens::Reading& reading);
+  void show(const screens::ScreenText& reading, double now);
+  bool changed(const screens::ScreenText& reading);
 
   std::vector<std::string> ids_;  ///< Ids of the controls in the current rows.
   std::vector<std::vector<std::size_t>> rows_;

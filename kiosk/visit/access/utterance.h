@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/visit/screens/reading.h"
+#include "kiosk/visit/screens/screen_text.h"
 
 namespace onggi::access {
 

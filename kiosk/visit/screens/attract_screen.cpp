@@ -120,7 +120,7 @@ class Attract final : public Screen {
   void next_pot() {
     if (desk.cards() == 0) return;
     desk.attract_card = (desk.attract_card + 1) % desk.cards();
-    const Wheel& wheel = desk.shelf_card(desk.attract_card)->wheel;
+    const SceneForVisitor& wheel = desk.shelf_card(desk.attract_card)->wheel;
     script_ = wheel.shown[desk.attract_turn++ % wheel.shown.size()];
     // If clay keeps its volume, the pot's height needs planning, so the script throws it.
     show_.reset();

@@ -19,7 +19,7 @@ constexpr int kMostStrokes = 15;
 constexpr double kStand = 2.5;  // s until the wheel has stopped
 }  // namespace
 
-Demonstration::Demonstration(const Wheel& wheel, bool left_handed)
+Demonstration::Demonstration(const SceneForVisitor& wheel, bool left_handed)
     : wheel_(wheel),
       hands_({wheel.palm, wheel.palm_radius}, {0, wheel.tool_radius}),
       side_(left_handed ? -1 : 1) {
@@ -28,7 +28,7 @@ Demonstration::Demonstration(const Wheel& wheel, bool left_handed)
   if (wheel.trimmer) trimmer_.emplace(wheel.trimmer->tool, wheel.trimmer->radius);
 }
 
-void Demonstration::send(Vec3 right, loop::PotterCommands& potter) const {
+void Demonstration::send(Vec3 right, loop::WheelCommands& potter) const {
   auto hands = hands_.input(right);
   if (stage_ == Stage::rib && rib_ && !rib_->done()) hands[0] = rib_->input(side_ * right);
   if (stage_ == Stage::foot && trimmer_ && !trimmer_->done())
@@ -36,13 +36,13 @@ void Demonstration::send(Vec3 right, loop::PotterCommands& potter) const {
   for (int n = 0; n < kMaxHands; ++n) potter.hand(n, hands[static_cast<std::size_t>(n)]);
 }
 
-void Demonstration::turn(double speed, loop::PotterCommands& potter) {
+void Demonstration::turn(double speed, loop::WheelCommands& potter) {
   if (std::abs(speed - turns_) < 0.3 && speed != 0) return;
   turns_ = speed;
   potter.wheel(side_ * speed);
 }
 
-void Demonstration::let_go(loop::PotterCommands& potter) {
+void Demonstration::let_go(loop::WheelCommands& potter) {
   finger_.stop(hands_);
   hands_.lift();
   potter.water(water_ = false);
@@ -73,7 +73,7 @@ void Demonstration::take_hands(const Profile& target) {
 }
 
 void Demonstration::throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
-                             loop::PotterCommands& potter) {
+                             loop::WheelCommands& potter) {
   if (!rested(dt, kBreath)) return;
   if (water_) {
     if (for_ < kBreath + kWetting) return;
@@ -107,7 +107,7 @@ void Demonstration::next_stage(const loop::WheelView& wheel, const Profile& targ
 }
 
 void Demonstration::update(double dt, const loop::WheelView& wheel, const Profile& target,
-                           Vec3 right, loop::PotterCommands& potter) {
+                           Vec3 right, loop::WheelCommands& potter) {
   if (wheel.clay.rows() == 0 || done()) return;
   if (stage_ == Stage::wire) {
     if (wire_->update(dt, wheel, right, potter)) enter(Stage::done);

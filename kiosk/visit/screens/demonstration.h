@@ -8,7 +8,7 @@
 #include "kiosk/wheel/device/pointer_lead.h"
 #include "kiosk/wheel/device/rib_pass.h"
 #include "kiosk/wheel/device/trim_pass.h"
-#include "kiosk/wheel/loop/potter.h"
+#include "kiosk/wheel/loop/wheel_commands.h"
 #include "kiosk/wheel/loop/wheel_view.h"
 
 namespace onggi::screens {
@@ -20,27 +20,27 @@ namespace onggi::screens {
 class Demonstration {
  public:
   /// Left-handed potters work on the left of the axis, and their wheel turns the other way.
-  Demonstration(const Wheel& wheel, bool left_handed);
+  Demonstration(const SceneForVisitor& wheel, bool left_handed);
 
   /// Call once a frame while the pot is on the wheel. `right`: as in PointerLead::input.
   void update(double dt, const loop::WheelView& wheel, const Profile& target, Vec3 right,
-              loop::PotterCommands& potter);
+              loop::WheelCommands& potter);
   /// Takes the hands off the clay and the sponge away; the next update() continues.
-  void let_go(loop::PotterCommands& potter);
+  void let_go(loop::WheelCommands& potter);
   bool done() const { return stage_ == Stage::done; }
 
  private:
   enum class Stage : std::uint8_t { wet, throwing, foot, even, rib, stand, wire, done };
   void enter(Stage stage) { stage_ = stage, for_ = 0; }
-  void send(Vec3 right, loop::PotterCommands& potter) const;
+  void send(Vec3 right, loop::WheelCommands& potter) const;
   bool rested(double dt, double seconds);
-  void turn(double speed, loop::PotterCommands& potter);
+  void turn(double speed, loop::WheelCommands& potter);
   void take_hands(const Profile& target);
   void next_stage(const loop::WheelView& wheel, const Profile& target);
   void throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
-                loop::PotterCommands& potter);
+                loop::WheelCommands& potter);
 
-  Wheel wheel_;
+  SceneForVisitor wheel_;
   device::PointerLead hands_;
   device::GhostFinger finger_;
   std::optional<device::RibPass> rib_;

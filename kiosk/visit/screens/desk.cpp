@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "kiosk/collection/settings/spoken.h"
+#include "kiosk/collection/settings/text_in.h"
 #include "kiosk/visit/screens/label.h"
 
 namespace onggi::screens {
@@ -28,12 +28,12 @@ void Desk::forget() {
   kept_as.clear();
   kept_at.clear();
   postcard = 0;
-  requests.emplace_back(ForgetVisitor{std::move(counted)});
+  requests.emplace_back(VisitEnded{std::move(counted)});
 }
 
 std::string Desk::title() const {
   const auto& titles = world.exhibit->title;
-  return titles.empty() ? say("attract.title") : settings::spoken(titles, words().code());
+  return titles.empty() ? say("attract.title") : settings::text_in(titles, words().code());
 }
 
 const ShelfCard* Desk::shelf_card(int index) const {
@@ -49,8 +49,8 @@ content::Label Desk::label(int index) const {
                                                       : content::Label{};
 }
 
-const Wheel& Desk::wheel() const {
-  static const Wheel kNone;
+const SceneForVisitor& Desk::wheel() const {
+  static const SceneForVisitor kNone;
   const ShelfCard* shelf = shelf_card(card != -1 ? card : attract_card);
   return shelf != nullptr ? shelf->wheel : kNone;
 }

@@ -17,9 +17,9 @@ namespace onggi::screens {
 /// everything about the visitor, which forget() drops.
 class Desk {
  public:
-  explicit Desk(const VisitWorld& w) : world(w) {}
+  explicit Desk(const VisitInputs& w) : world(w) {}
 
-  const VisitWorld world;
+  const VisitInputs world;
   loop::LoopStatus status;
   FaultNote fault_note;
   double now = 0;
@@ -67,7 +67,7 @@ class Desk {
   const ShelfCard* shelf_card(int index) const;
   content::Label label(int index) const;
   /// The scene of the visitor's vessel, or of attract's.
-  const Wheel& wheel() const;
+  const SceneForVisitor& wheel() const;
 
   int missions() const;
   const MissionCard& mission_card(int index) const;

@@ -24,14 +24,14 @@ constexpr std::pair<device::DeviceKind, const char*> kUsed[] = {
     {device::DeviceKind::onggi_hid, "throw.with_force"}};
 }  // namespace
 
-void DeviceNews::came(device::DeviceKind kind, bool force) {
+void DeviceNews::device_added(device::DeviceKind kind, bool force) {
   for (const auto& [known, key] : kFound)
     if (known == kind) next_ = key;
   again_ = again_ || (force && had_force_);
   had_force_ = had_force_ || force;
 }
 
-void DeviceNews::went(device::DeviceKind) { next_ = kLost; }
+void DeviceNews::device_removed(device::DeviceKind) { next_ = kLost; }
 
 void DeviceNews::update(double now, bool hold) {
   if (!next_.empty()) {
@@ -49,7 +49,7 @@ void DeviceNews::update(double now, bool hold) {
   if (!hold && key_.empty()) again_ = false;
 }
 
-void DeviceNews::use(std::optional<device::DeviceKind> first_hand, bool pushes) {
+void DeviceNews::device_in_use(std::optional<device::DeviceKind> first_hand, bool pushes) {
   pushes_ = pushes;
   in_use_.clear();
   hand_.clear();

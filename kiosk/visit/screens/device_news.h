@@ -12,15 +12,15 @@ namespace onggi::screens {
 /// force device must be held. Shown for a few seconds while play goes on.
 class DeviceNews {
  public:
-  void came(device::DeviceKind kind, bool force);
-  void went(device::DeviceKind kind);
+  void device_added(device::DeviceKind kind, bool force);
+  void device_removed(device::DeviceKind kind);
   /// Call once a frame. `hold`: a device must be held before it pushes.
   void update(double now, bool hold);
 
   /// Language key of the current news; empty: none.
   const std::string& key() const { return key_; }
   /// Call once a frame: the device of the first hand, and whether any device pushes.
-  void use(std::optional<device::DeviceKind> first_hand, bool pushes);
+  void device_in_use(std::optional<device::DeviceKind> first_hand, bool pushes);
   /// Language key of the device in use; empty: a finger, or none.
   const std::string& in_use() const { return in_use_; }
   /// Its kind's name: "space_mouse"; empty: a finger, or none.

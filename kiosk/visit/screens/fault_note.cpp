@@ -17,7 +17,7 @@ constexpr Words kWords[] = {{kFaultForce, "throw.fault_force"},
                             {kFaultTime, "throw.fault_time"}};
 }  // namespace
 
-void FaultNote::update(const loop::LoopStatus& status, double now, loop::PotterCommands& potter) {
+void FaultNote::update(const loop::LoopStatus& status, double now, loop::WheelCommands& potter) {
   if (!key_.empty() && now - told_at_ > kTold) key_.clear();
   const std::uint32_t faults = status.feedback.faults;
   if (faults == 0) return;

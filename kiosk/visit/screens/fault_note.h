@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/wheel/loop/potter.h"
 #include "kiosk/wheel/loop/status.h"
+#include "kiosk/wheel/loop/wheel_commands.h"
 
 namespace onggi::screens {
 
@@ -15,7 +15,7 @@ namespace onggi::screens {
 class FaultNote {
  public:
   /// Call once a frame.
-  void update(const loop::LoopStatus& status, double now, loop::PotterCommands& potter);
+  void update(const loop::LoopStatus& status, double now, loop::WheelCommands& potter);
   /// Language key of the current message; empty: none.
   const std::string& key() const { return key_; }
   /// Every possible key, for reserving space.

@@ -71,7 +71,7 @@ class KilnScreen final : public Screen {
     pot.hands = {};
     pot.size = along(along(1, kiln_.dried_size, smooth(dried_)), kiln_.fired_size, smooth(fired_));
     pot.wetness *= 1 - dried_;
-    for (float& wet : pot.wet_rows) wet *= static_cast<float>(1 - dried_);
+    for (float& wet : pot.wetness_by_row) wet *= static_cast<float>(1 - dried_);
     if (shown_ < 0) return pot;
     pot.glazing = glazing(shown_);
     if (fired_ < 1) {

@@ -113,7 +113,7 @@ view::PotView PotPicture::view(const Desk& desk, const Page& page) const {
   pot.wheel_radius = wheel_radius_;
   pot.window_right = page.where().mirrored && !page.where().portrait;
   pot.wetness = desk.status.feedback.wetness;
-  pot.wet_rows = clay.wet;
+  pot.wetness_by_row = clay.wet;
   pot.cut_away = cut_ < 0.004 ? 0.0 : cut_;
   pot.opacity = desk.pot_ready() ? shown_ : 0.0;
   if (desk.pot_ready()) pot.hands = desk.status.hand;

@@ -52,7 +52,7 @@ class Screen {
   /// The visitor changed something on the Comfort page: sends the wheel its settings again.
   virtual void comforted() {}
   /// For a screen with a pot to work on.
-  virtual std::optional<Sight> sight() const { return std::nullopt; }
+  virtual std::optional<WheelSnapshot> sight() const { return std::nullopt; }
   /// State of the pot for Reading; only the throwing screen has one.
   struct PotTold {
     bool working = false;

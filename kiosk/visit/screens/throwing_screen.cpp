@@ -104,10 +104,10 @@ class Throwing final : public Screen {
     return all;
   }
 
-  std::optional<Sight> sight() const override {
+  std::optional<WheelSnapshot> sight() const override {
     const ShelfCard* card = desk.shelf_card(desk.card);
     if (card == nullptr || !desk.pot_ready() || mishap_) return std::nullopt;
-    return Sight{camera_, &card->target, &picture_.made(), hint_.shown()};
+    return WheelSnapshot{camera_, &card->target, &picture_.made(), hint_.shown()};
   }
 
   void lay_out(Page& page) override {
@@ -300,7 +300,7 @@ class Throwing final : public Screen {
   /// A tool needs one hand.
   Grip grip() const { return held_ > 0 && grip_ == Grip::both ? Grip::outside : grip_; }
   void take_up(std::size_t which) {
-    const Wheel wheel = desk.wheel();
+    const SceneForVisitor wheel = desk.wheel();
     if (which > wheel.tools.size() || cut_off_) return;
     let_go();
     const WallHold::Part fine{0, wheel.tool_radius};
@@ -313,7 +313,7 @@ class Throwing final : public Screen {
     }
     held_ = which;
     if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
-    const Wheel::Tool& tool = wheel.tools[which - 1];
+    const SceneForVisitor::Tool& tool = wheel.tools[which - 1];
     hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
   }
   /// The wheel stops, the wire passes under the pot, and the pot is done.
@@ -348,7 +348,7 @@ class Throwing final : public Screen {
     // From here on the pot must not sag, dry or spring back, so that the visitor's result and the
     // keepsake match. It is scored when all its rows have arrived.
     desk.world.potter->pause(true);
-    done_ = !desk.world.potter->settle();
+    done_ = !desk.world.potter->refresh_every_row();
     if (done_) return;
     desk.judge(*card);
     desk.go(ScreenId::result);

@@ -139,7 +139,7 @@ std::string ToolTray::name_of(const Desk& desk, std::size_t which) {
 }
 
 void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
-  const Wheel& wheel = desk.wheel();
+  const SceneForVisitor& wheel = desk.wheel();
   if (wheel.tools.empty()) return;
   Page& page = column.page();
   const TypeScale& t = page.type();

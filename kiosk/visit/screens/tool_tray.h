@@ -13,7 +13,7 @@ namespace onggi::screens {
 class ToolTray {
  public:
   /// As low as possible from the top of `column` without breaking a word; nothing if the scene has
-  /// no tool. `held`: 0 the hands, n the n-th of Wheel::tools.
+  /// no tool. `held`: 0 the hands, n the n-th of SceneForVisitor::tools.
   static void lay_out(Column& column, const Desk& desk, std::size_t held);
   /// The visitors' name of `which`.
   static std::string name_of(const Desk& desk, std::size_t which);

@@ -15,7 +15,7 @@ namespace onggi::screens {
 /// keys move the inside hand, so that a mouse and a keyboard also make two hands.
 class TwoHands {
  public:
-  explicit TwoHands(const Wheel& wheel)
+  explicit TwoHands(const SceneForVisitor& wheel)
       : hands_{device::PointerLead({wheel.palm, wheel.palm_radius}, {0, wheel.tool_radius}),
                device::PointerLead({wheel.palm, wheel.palm_radius}, {0, wheel.tool_radius})} {}
 

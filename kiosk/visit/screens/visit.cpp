@@ -18,7 +18,7 @@ constexpr double kStepsToAct = 40, kStepsToStay = 10;  // of one switch
 constexpr double kDeviceMoved = 0.002;                 // m: more than a resting device trembles
 }  // namespace
 
-Visit::Visit(const VisitWorld& world) : state_(std::make_unique<State>(world)) {}
+Visit::Visit(const VisitInputs& world) : state_(std::make_unique<State>(world)) {}
 Visit::~Visit() = default;
 
 void Visit::input(const InputEvent& event, double now) {
@@ -37,7 +37,7 @@ void Visit::input(const InputEvent& event, double now) {
   else if (event.kind == InputEvent::Kind::key_down)
     s.key(event);
   if (s.over == Over::idle && event.kind != InputEvent::Kind::key_up) s.cover(Over::nothing);
-  s.settle();
+  s.apply_pending_screen();
 }
 
 void Visit::update(double now) {
@@ -90,7 +90,7 @@ void Visit::update(double now) {
     }
   }
   s.hands_taken = taken_now;
-  s.settle();
+  s.apply_pending_screen();
 }
 
 view::Frame Visit::frame(int width, int height) {
@@ -151,7 +151,7 @@ void Visit::keepsake_failed(const Problem&) {
 void Visit::fail(const Problem&) {
   if (state_->screen->id() == ScreenId::fault) return;
   state_->desk.go(ScreenId::fault);
-  state_->settle();
+  state_->apply_pending_screen();
 }
 
 void Visit::close(double now) {
@@ -159,7 +159,7 @@ void Visit::close(double now) {
   state_->desk.now = now;
   state_->desk.leaves = VisitNotes::End::closed;
   state_->desk.go(ScreenId::attract);
-  state_->settle();
+  state_->apply_pending_screen();
 }
 
 ScreenId Visit::screen() const { return state_->screen->id(); }
@@ -185,9 +185,9 @@ std::vector<std::pair<std::string, view::Rect>> Visit::controls() const {
   return all;
 }
 
-Reading Visit::reading() const {
+ScreenText Visit::reading() const {
   const State& s = *state_;
-  Reading r;
+  ScreenText r;
   r.screen = s.screen->id();
   r.over = s.over == Over::help      ? "help"
            : s.over == Over::comfort ? "comfort"
@@ -223,7 +223,7 @@ void Visit::activate(const std::string& control, double now) {
   s.desk.notes.touch(NoteTaker::By::keys, now);
   s.by_keys = !s.desk.screen().one_switch;  // it has a ring of its own
   if (!control.empty()) s.press(control);
-  s.settle();
+  s.apply_pending_screen();
 }
 
 void Visit::focus_on(const std::string& control, double now) {
@@ -234,7 +234,7 @@ void Visit::focus_on(const std::string& control, double now) {
   s.focused = control;
 }
 
-std::optional<Sight> Visit::sight() const { return state_->screen->sight(); }
+std::optional<WheelSnapshot> Visit::sight() const { return state_->screen->sight(); }
 
 const std::string& Visit::focus() const { return state_->focused; }
 

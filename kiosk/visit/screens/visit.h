@@ -18,10 +18,10 @@
 #include "kiosk/picture/view/measure.h"
 #include "kiosk/visit/screens/advice.h"
 #include "kiosk/visit/screens/device_news.h"
-#include "kiosk/visit/screens/reading.h"
+#include "kiosk/visit/screens/screen_text.h"
 #include "kiosk/visit/screens/todays_pot.h"
 #include "kiosk/visit/screens/visit_notes.h"
-#include "kiosk/wheel/loop/potter.h"
+#include "kiosk/wheel/loop/wheel_commands.h"
 #include "kiosk/wheel/loop/wheel_view.h"
 
 namespace onggi::screens {
@@ -35,7 +35,7 @@ struct Kiln {
 };
 
 /// The part of a vessel's scene that the screens need.
-struct Wheel {
+struct SceneForVisitor {
   double max_speed = 31.4;     ///< rad/s
   double tool_radius = 0.008;  ///< m, of the ball: tool 0.
   std::uint8_t palm = 0;       ///< The tool of an outside hand,
@@ -71,7 +71,7 @@ struct ShelfCard {
   view::PictureId picture = 0;  ///< 0 until it has been rendered.
   Profile target;               ///< At workspace scale, foot at 0.
   double scale = 1.0;           ///< Workspace size / true size.
-  Wheel wheel;
+  SceneForVisitor wheel;
 };
 
 /// A mission that is offered today, before the shelf.
@@ -100,20 +100,20 @@ struct MakeKeepsake {
   int glaze = -1;  ///< Index in Kiln::glazes; -1: not fired.
 };
 /// The visit is over: discard postcard and replay. `notes` is empty if nobody used the screen.
-struct ForgetVisitor {
+struct VisitEnded {
   std::optional<VisitNotes> notes;
 };
-using Request = std::variant<StartPot, MakeKeepsake, ForgetVisitor>;
+using Request = std::variant<StartPot, MakeKeepsake, VisitEnded>;
 
 /// The visit's inputs. All outlive it.
-struct VisitWorld {
+struct VisitInputs {
   const settings::Exhibit* exhibit = nullptr;
   const std::vector<content::Language>* languages =
       nullptr;                                    ///< In the exhibit's order, at least one.
   const std::vector<ShelfCard>* shelf = nullptr;  ///< May grow at its end.
   const view::TextMeasure* measure = nullptr;
   const loop::WheelView* wheel = nullptr;
-  loop::PotterCommands* potter = nullptr;
+  loop::WheelCommands* potter = nullptr;
   const std::vector<content::LessonStep>* lesson =
       nullptr;                          ///< Of the first minute at the wheel; may be absent.
   const DeviceNews* devices = nullptr;  ///< May be absent: no news of devices then.
@@ -125,7 +125,7 @@ struct VisitWorld {
 
 /// The throwing screen as a visitor sees it: the pot's place on the screen, the target line, the
 /// clay's outline, and the hint. Pointers are valid until the next frame.
-struct Sight {
+struct WheelSnapshot {
   view::Camera camera;
   const Profile* target = nullptr;  ///< Or a pot that answers the description.
   const Profile* made = nullptr;
@@ -137,7 +137,7 @@ struct Sight {
 /// or file: time and input come in, frames, commands and requests go out. Main thread.
 class Visit {
  public:
-  explicit Visit(const VisitWorld& world);
+  explicit Visit(const VisitInputs& world);
   ~Visit();
 
   void input(const view::InputEvent& event, double now);
@@ -156,7 +156,7 @@ class Visit {
   void keepsake_failed(const Problem& why);
   /// Shows the fault screen and logs `why` for staff. A touch goes back to attract.
   void fail(const Problem& why);
-  /// The program ends: ends the visit, which sends ForgetVisitor as usual.
+  /// The program ends: ends the visit, which sends VisitEnded as usual.
   void close(double now);
 
   ScreenId screen() const;
@@ -197,11 +197,11 @@ class Visit {
   /// Nothing if it is not on the screen. A control acts when the pointer lifts on it.
   std::optional<view::Rect> control(const std::string& id) const;
   /// What the throwing screen shows, for scripted visitors. Empty on other screens.
-  std::optional<Sight> sight() const;
+  std::optional<WheelSnapshot> sight() const;
   /// All controls, in reading order.
   std::vector<std::pair<std::string, view::Rect>> controls() const;
   /// The content of the screen after the last frame().
-  Reading reading() const;
+  ScreenText reading() const;
   /// Activates `control` as the keyboard does, even if it is off-screen; unknown ids are ignored.
   /// An empty id only resets the idle timer.
   void activate(const std::string& control, double now);

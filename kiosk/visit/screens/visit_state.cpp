@@ -54,7 +54,7 @@ void Visit::State::changed() {
   page.reset();
 }
 
-void Visit::State::settle() {
+void Visit::State::apply_pending_screen() {
   if (std::exchange(desk.turned, false) && !desk.next) changed();
   if (!desk.next) return;
   const ScreenId to = *desk.next;
@@ -95,14 +95,14 @@ void Visit::State::press(const std::string& control) {
     screen->back();
   else
     screen->press(control);
-  settle();
+  apply_pending_screen();
 }
 
 /// A visitor has come who asks for it: the choices last for the visit.
 void Visit::State::open_comfort() {
   if (screen->id() == ScreenId::attract) {
     desk.go(ScreenId::choose);
-    settle();
+    apply_pending_screen();
   }
   cover(Over::comfort);
 }
@@ -138,14 +138,14 @@ void Visit::State::pointer(const InputEvent& e) {
   }
   if (over == Over::nothing && page && screen->drag(e, *page)) {
     pressed.clear();
-    return settle();
+    return apply_pending_screen();
   }
   if (e.kind == Kind::pointer_down) {
     // The first touch always begins the visit, wherever it lands.
     if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
         on != "comfort" && !language_of(desk, on) && screen->begins_with(on)) {
       desk.go(ScreenId::choose);
-      return settle();
+      return apply_pending_screen();
     }
     pressed = on;
     if (!on.empty()) return over == Over::nothing ? screen->hold(on) : void();
@@ -161,7 +161,7 @@ void Visit::State::pointer(const InputEvent& e) {
   }
   // A near miss beside a switch of the Comfort page does not close it.
   if (over == Over::nothing && page && pressed.empty()) screen->pointer(e, *page);
-  settle();
+  apply_pending_screen();
 }
 
 void Visit::State::key(const InputEvent& e) {
@@ -181,9 +181,9 @@ void Visit::State::key(const InputEvent& e) {
     if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none &&
         e.key != Key::other && screen->begins_with({})) {
       desk.go(ScreenId::choose);
-      return settle();
+      return apply_pending_screen();
     }
-    if (screen->key(e.key, e.repeat)) return settle();
+    if (screen->key(e.key, e.repeat)) return apply_pending_screen();
     if (e.key == Key::back && !e.repeat) return press("back");
   }
   if (!page || page->controls().empty()) return;

@@ -16,7 +16,7 @@ std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk);
 
 /// The inside of a visit: the current screen, its overlay, the keyboard's place.
 struct Visit::State {
-  explicit State(const VisitWorld& world)
+  explicit State(const VisitInputs& world)
       : desk(world), measuring(*world.measure), screen(make_screen(ScreenId::attract, desk)) {}
 
   Desk desk;
@@ -37,7 +37,7 @@ struct Visit::State {
 
   void reworded();
   void changed();
-  void settle();
+  void apply_pending_screen();
   void cover(Over what);
   void set_language(std::size_t index);
   void open_comfort();

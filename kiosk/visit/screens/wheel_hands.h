@@ -16,7 +16,7 @@ class WheelHands {
   static constexpr double kNotch = 0.002;  ///< m for a scroll notch or a key press.
 
   /// `two`: two visitors with a hand each.
-  WheelHands(const Wheel& wheel, bool two)
+  WheelHands(const SceneForVisitor& wheel, bool two)
       : lead_({wheel.palm, wheel.palm_radius}, {0, wheel.tool_radius}) {
     if (two) two_.emplace(wheel);
   }

@@ -10,7 +10,7 @@ constexpr double kClear = 0.03;       // m beyond the foot, where it begins and 
 }  // namespace
 
 bool WireCut::update(double dt, const loop::WheelView& wheel, Vec3 right,
-                     loop::PotterCommands& potter) {
+                     loop::WheelCommands& potter) {
   const double beyond = wheel.clay.radius_at(0.01, WallSide::outside) + kClear;
   if (!begun_) at_ = beyond;
   begun_ = true;

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "engine/math/vec.h"
-#include "kiosk/wheel/loop/potter.h"
+#include "kiosk/wheel/loop/wheel_commands.h"
 #include "kiosk/wheel/loop/wheel_view.h"
 
 namespace onggi::screens {
@@ -17,7 +17,7 @@ class WireCut {
 
   /// Call once a frame. `right`: as in PointerLead::input. True when the wire has passed the pot;
   /// the hands are then lifted.
-  bool update(double dt, const loop::WheelView& wheel, Vec3 right, loop::PotterCommands& potter);
+  bool update(double dt, const loop::WheelView& wheel, Vec3 right, loop::WheelCommands& potter);
 
  private:
   std::uint8_t tool_;

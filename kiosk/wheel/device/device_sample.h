@@ -38,7 +38,7 @@ struct DeviceSample {
 };
 
 /// The force that the loop wants a device to make.
-struct FeelWish {
+struct ForceRequest {
   std::uint64_t ticks = 0;  ///< Requests so far. 0: none yet.
   std::int64_t at_ns = 0;   ///< Time, on the link's clock.
   Vec3 force;               ///< N, the device's own frame.

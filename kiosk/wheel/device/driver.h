@@ -10,12 +10,12 @@
 namespace onggi::device {
 
 /// What a link passes to its driver for the next output.
-struct Saying {
+struct DriverOutput {
   bool may_push = false;  ///< A person holds it, and there is no fault.
   Vec3 force;             ///< From the force gate, N, the device's frame; zero unless it is armed.
   double cap = 0;         ///< N
   double damping = 0;     ///< N s/m
-  FeelWish wish;          ///< For devices that vibrate and buzz.
+  ForceRequest wish;      ///< For devices that vibrate and buzz.
   std::int64_t now_ns = 0;
 };
 
@@ -28,9 +28,9 @@ class Driver {
   /// Does the handshake, and leaves the device without force. False: it is not the expected device.
   virtual bool begin(HidPort& port) = 0;
   /// Reads one report into `sample`: position or deflection, buttons, dial, hand sensor.
-  virtual Heard take(Report report, DeviceSample& sample) noexcept = 0;
+  virtual ReportResult take(Report report, DeviceSample& sample) noexcept = 0;
   /// The next output; empty: nothing. Valid until the next call.
-  virtual Report say(const Saying& saying) noexcept = 0;
+  virtual Report say(const DriverOutput& saying) noexcept = 0;
   /// Stops force, light and vibration.
   virtual void end(HidPort& port) noexcept = 0;
   /// It has a hand sensor, so it sets sample.held itself.

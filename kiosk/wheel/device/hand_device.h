@@ -6,7 +6,7 @@ namespace onggi::device {
 
 /// One tool in the world: reads a visitor's hand, and receives the force for it. While it is
 /// attached to the wheel, only the loop thread calls it, and no call may lock, allocate, log or
-/// throw. The main thread makes and destroys it (loop::PotterHost).
+/// throw. The main thread makes and destroys it (loop::WheelHost).
 class HandDevice {
  public:
   virtual ~HandDevice() = default;

@@ -6,7 +6,7 @@
 #include "engine/force/haptics.h"
 #include "kiosk/wheel/device/hand_device.h"
 #include "kiosk/wheel/device/hid_link.h"
-#include "kiosk/wheel/device/place_join.h"
+#include "kiosk/wheel/device/report_interpolation.h"
 
 namespace onggi::device {
 
@@ -39,11 +39,11 @@ class HidHand final : public HandDevice {
   DeviceDef def_;
   Vec3 home_;
   DeviceSample sample_;
-  FeelWish wish_;
+  ForceRequest wish_;
   bool pushes_;  ///< A force device.
   force::HapticLimits limits_;
   force::Haptics haptics_;
-  PlaceJoin join_;
+  ReportInterpolation join_;
   std::atomic<double> share_{1.0};
   std::atomic<bool> moves_{false};
   Vec3 at_;       ///< The hand, or a puck's tool, as last read.

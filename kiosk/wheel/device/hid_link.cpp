@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kiosk/wheel/device/last_word.h"
+#include "kiosk/wheel/device/stop_forces_on_terminate.h"
 
 namespace onggi::device {
 
@@ -62,7 +62,7 @@ std::int64_t HidLink::now_ns() const noexcept {
                                         : turned_time_ns_.load(std::memory_order_relaxed);
 }
 
-void HidLink::wish(FeelWish wish) noexcept {
+void HidLink::wish(ForceRequest wish) noexcept {
   wish.at_ns = now_ns();
   wishes_.put(wish);
 }
@@ -118,7 +118,7 @@ LinkFault HidLink::listen(int timeout_ms) noexcept {
     const auto length_of = std::min(static_cast<std::size_t>(size), bytes.size());
     const Vec3 before = sample_.place;
     switch (driver_->take(Report(bytes).first(length_of), sample_)) {
-      case Heard::news:
+      case ReportResult::news:
         if (sample_.has_place && sample_.reports > 0 && length(sample_.place - before) > kJump)
           fault = LinkFault::jump;
         if (force_device_ && sample_.has_place && sample_.reports > 0 &&
@@ -128,10 +128,10 @@ LinkFault HidLink::listen(int timeout_ms) noexcept {
         sample_.at_ns = now_ns();
         news_ = true;
         break;
-      case Heard::broken:
+      case ReportResult::broken:
         fault = LinkFault::bad_report;
         break;
-      case Heard::nothing:
+      case ReportResult::nothing:
         break;
     }
     size = port_->read(bytes, 0);
@@ -151,7 +151,7 @@ LinkFault HidLink::look_for_faults(std::int64_t now) const noexcept {
 }
 
 void HidLink::answer(LinkFault fault, std::int64_t now) noexcept {
-  Saying saying;
+  DriverOutput saying;
   saying.wish = wish_;
   saying.now_ns = now;
   saying.cap = limits_.cap;

@@ -33,7 +33,7 @@ struct LinkParts {
 
 /// Runs one device while it is plugged in: its own thread reads reports, keeps the newest, passes
 /// the force request through the gate and writes. Or the caller turns it by hand, one tick at a
-/// time, like loop::SteppedPotter. Made and destroyed on the main thread, with the device at rest.
+/// time, like loop::SteppedWheel. Made and destroyed on the main thread, with the device at rest.
 /// Each call says which thread may use it.
 class HidLink {
  public:
@@ -55,7 +55,7 @@ class HidLink {
   /// Loop thread: gets the newest sample, if there is a new one; puts a request in place of the
   /// last.
   bool newest(DeviceSample& sample) noexcept { return samples_.take(sample); }
-  void wish(FeelWish wish) noexcept;
+  void wish(ForceRequest wish) noexcept;
   /// Loop thread, by hand only: `dt` seconds pass, and the device has a turn.
   void pump(double dt) noexcept;
   /// Any thread: the turns of its thread so far; a thread that hangs in a call to its device has
@@ -98,7 +98,7 @@ class HidLink {
 
   // The link's thread only.
   DeviceSample sample_;
-  FeelWish wish_;
+  ForceRequest wish_;
   ForceGate gate_;
   Presence presence_;
   force::Overspeed overspeed_;
@@ -108,7 +108,7 @@ class HidLink {
   bool taken_ = false;  ///< Somebody has held it since it was plugged in.
 
   Mailbox<DeviceSample> samples_;
-  Mailbox<FeelWish> wishes_;
+  Mailbox<ForceRequest> wishes_;
   Mailbox<LinkStatus> statuses_;
   LinkStatus seen_;  ///< Main thread only.
   std::atomic<std::int64_t> heartbeat_ns_{-1};

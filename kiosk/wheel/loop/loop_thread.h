@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "kiosk/wheel/loop/pacer.h"
-#include "kiosk/wheel/loop/potter_host.h"
 #include "kiosk/wheel/loop/status_block.h"
 #include "kiosk/wheel/loop/tick_timing.h"
+#include "kiosk/wheel/loop/wheel_host.h"
 
 namespace onggi::loop {
 
 /// The 1 kHz thread that owns the clay: it wakes at absolute times of CLOCK_MONOTONIC, with
 /// real-time priority if the system permits. It never locks, allocates, logs or opens a file.
-class LoopThread final : public PotterHost {
+class LoopThread final : public WheelHost {
  public:
   LoopThread();
   ~LoopThread() override;  ///< Stops within a tick and joins.

@@ -5,7 +5,7 @@
 
 namespace onggi::loop {
 
-/// The published state of the wheel, updated once a frame (PotterHost::collect). Screens, picture,
+/// The published state of the wheel, updated once a frame (WheelHost::collect). Screens, picture,
 /// score and keepsake read only this about the clay and the hands. Main thread only.
 struct WheelView {
   ClayView clay;

@@ -11,7 +11,7 @@ namespace onggi {
 namespace {
 
 std::uint8_t index_of(const SceneDef& def, std::string_view name) {
-  const auto tool = std::ranges::find(def.tools, name, &ToolToHand::name);
+  const auto tool = std::ranges::find(def.tools, name, &SceneTool::name);
   EXPECT_NE(tool, def.tools.end()) << name;
   return static_cast<std::uint8_t>(tool - def.tools.begin() + 1);
 }

@@ -155,7 +155,7 @@ TEST(Carving, CutOffLeavesThePotFree) {
 
 TEST(Carving, WithoutItsToolAScriptSaysWhatIsMissing) {
   SceneDef def;
-  std::erase_if(def.tools, [](const ToolToHand& tool) { return tool.name == "needle"; });
+  std::erase_if(def.tools, [](const SceneTool& tool) { return tool.name == "needle"; });
   const auto script = make_script("incise", {.scene = def});
   ASSERT_FALSE(script);
   EXPECT_NE(script.error().what.find("needle"), std::string::npos);

@@ -87,7 +87,7 @@ TEST(Found, TwoEdgesInAThinWallCutOffNoMoreThanThereIs) {
   def.clay.radius_min = 0.00015527;
   def.contact.relaxation_time = 0.001;
   def.volume.emplace();
-  for (ToolToHand& tool : def.tools)
+  for (SceneTool& tool : def.tools)
     if (tool.name == "loop_trimmer") tool.size.thickness = 0.01;
   Stroke down = with("loop_trimmer", {0.0337033394, 0.01288966, 0.037408453}, {0, 0.01288966, 0}, 3,
                      0.0005775);

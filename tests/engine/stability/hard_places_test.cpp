@@ -65,7 +65,7 @@ TEST(HardPlaces, AToolLargerThanThePot) {
   def.clay.wall_min = 0.001;
   def.clay.floor_thickness = 0.003;
   def.tool.radius = 0.05;
-  for (ToolToHand& tool : def.tools) tool.size = find_tool_shape(tool.name)->most;
+  for (SceneTool& tool : def.tools) tool.size = find_tool_shape(tool.name)->most;
   for (const SceneDef& pot : {def, everything(def)}) {
     std::vector<Stroke> strokes = across_the_axis(0.01);
     for (std::uint8_t tool = 0; tool <= pot.tools.size(); ++tool)

@@ -74,7 +74,7 @@ TEST(HardScenes, EveryToolOfEverySize) {
       for (const ToolSize& size : {shape.least, shape.usual, shape.most}) {
         SceneDef def = pot;
         if (shape.name == "sphere") def.tool.radius = size.radius;
-        for (ToolToHand& tool : def.tools)
+        for (SceneTool& tool : def.tools)
           if (tool.name == shape.name) tool.size = size;
         Trial trial = anything(def, 7, 1500);
         for (Stroke& stroke : trial.strokes)

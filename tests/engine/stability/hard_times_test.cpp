@@ -157,7 +157,7 @@ TEST(HardTimes, ADayAtTheWheel) {
   def.slump->yield_stress = 2e4;  // it stands while nobody looks
   def.clay.keep_undo = true;
   Scene scene = std::move(*Scene::create(def));
-  lab::Watch watch(scene);
+  lab::InvariantChecker watch(scene);
   // Each hour a minute of work and a new lump now and then; between, the wheel turns on.
   constexpr double kTick = 0.005;
   constexpr int kHour = 720'000;

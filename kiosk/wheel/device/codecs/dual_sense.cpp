@@ -31,20 +31,20 @@ void read_payload(Report p, State& state) {
 
 }  // namespace
 
-Heard read(Report report, Bus bus, State& state) noexcept {
-  if (report.empty()) return Heard::broken;
+ReportResult read(Report report, Bus bus, State& state) noexcept {
+  if (report.empty()) return ReportResult::broken;
   if (bus == Bus::usb) {
-    if (report[0] != 0x01) return Heard::nothing;
-    if (report.size() != kCable) return Heard::broken;
+    if (report[0] != 0x01) return ReportResult::nothing;
+    if (report.size() != kCable) return ReportResult::broken;
     read_payload(report.subspan(1), state);
-    return Heard::news;
+    return ReportResult::news;
   }
-  if (report[0] != 0x31) return Heard::nothing;
-  if (report.size() != kRadio) return Heard::broken;
+  if (report[0] != 0x31) return ReportResult::nothing;
+  if (report.size() != kRadio) return ReportResult::broken;
   if (u32_at(report, kRadio - 4) != check_of(kInSeed, report.first(kRadio - 4)))
-    return Heard::broken;
+    return ReportResult::broken;
   read_payload(report.subspan(2), state);
-  return Heard::news;
+  return ReportResult::news;
 }
 
 Output rumble(Bus bus, std::uint8_t slow, std::uint8_t quick, std::uint8_t sequence) noexcept {

@@ -35,7 +35,7 @@ enum class Bus : std::uint8_t { usb, bluetooth };
 
 /// Reads one report into `state`: 01 of 64 bytes by cable, 31 (hex) of 78 by Bluetooth, whose
 /// CRC-32 is seeded with A1. The short Bluetooth report 01 of 10 bytes is ignored. Pure.
-Heard read(Report report, Bus bus, State& state) noexcept;
+ReportResult read(Report report, Bus bus, State& state) noexcept;
 
 /// An output report and its length.
 struct Output {

@@ -31,10 +31,10 @@ Vec3 corner_at(Report report, std::size_t at) {
 
 }  // namespace
 
-Heard read(Report report, Input& input) noexcept {
-  if (report.empty()) return Heard::broken;
-  if (report[0] != kInputId) return Heard::nothing;
-  if (report.size() != kInputSize || !good_check(report)) return Heard::broken;
+ReportResult read(Report report, Input& input) noexcept {
+  if (report.empty()) return ReportResult::broken;
+  if (report[0] != kInputId) return ReportResult::nothing;
+  if (report.size() != kInputSize || !good_check(report)) return ReportResult::broken;
   input.flags = report[1];
   input.sequence = u16_at(report, 2);
   input.time = u32_at(report, 4);
@@ -43,20 +43,20 @@ Heard read(Report report, Input& input) noexcept {
   input.buttons = u16_at(report, 20);
   input.echo = u16_at(report, 22);
   input.status = u16_at(report, 24);
-  return Heard::news;
+  return ReportResult::news;
 }
 
-Heard read_feature(Report report, Feature& feature) noexcept {
-  if (report.empty()) return Heard::broken;
-  if (report[0] != kFeatureId) return Heard::nothing;
-  if (report.size() != kFeatureSize || !good_check(report)) return Heard::broken;
+ReportResult read_feature(Report report, Feature& feature) noexcept {
+  if (report.empty()) return ReportResult::broken;
+  if (report[0] != kFeatureId) return ReportResult::nothing;
+  if (report.size() != kFeatureSize || !good_check(report)) return ReportResult::broken;
   feature.version = report[1];
   feature.max_force = u16_at(report, 2) * kMilli;
   feature.least = corner_at(report, 4);
   feature.most = corner_at(report, 10);
   feature.resolution = u16_at(report, 16) * kPositionUnit;
   feature.firmware = u16_at(report, 18);
-  return Heard::news;
+  return ReportResult::news;
 }
 
 std::array<std::uint8_t, kOutputSize> write(const Output& output) noexcept {

@@ -74,8 +74,8 @@ constexpr bool newer(std::uint16_t now, std::uint16_t before) {
 
 /// Reads input 01 of 32 bytes; a wrong length or CRC-32 gives broken and leaves `input` alone. The
 /// caller checks that it is newer than the last. Pure.
-Heard read(Report report, Input& input) noexcept;
-Heard read_feature(Report report, Feature& feature) noexcept;
+ReportResult read(Report report, Input& input) noexcept;
+ReportResult read_feature(Report report, Feature& feature) noexcept;
 
 /// The bytes of an output; values out of range are limited, and not a number becomes 0. Pure.
 std::array<std::uint8_t, kOutputSize> write(const Output& output) noexcept;

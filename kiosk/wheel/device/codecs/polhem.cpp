@@ -5,11 +5,11 @@
 
 namespace onggi::device::polhem {
 
-Heard read(Report report, Input& input) noexcept {
-  if (report.size() != kInputSize) return Heard::broken;
+ReportResult read(Report report, Input& input) noexcept {
+  if (report.size() != kInputSize) return ReportResult::broken;
   for (std::size_t n = 0; n < input.encoder.size(); ++n) input.encoder[n] = i16_at(report, 2 * n);
   input.info = i16_at(report, 12);
-  return Heard::news;
+  return ReportResult::news;
 }
 
 std::array<std::uint8_t, kOutputSize> currents(const std::array<double, 3>& milliamperes,

@@ -19,7 +19,7 @@ struct Input {
 inline constexpr std::size_t kInputSize = 64, kOutputSize = 65;
 
 /// Reads 64 bytes without an id. Pure.
-Heard read(Report report, Input& input) noexcept;
+ReportResult read(Report report, Input& input) noexcept;
 
 /// Motor currents, milliamperes. If one is beyond `most` (0..32767), all are reduced by the same
 /// factor, so that the force keeps its direction. All are zero if one is not a number. Pure.

@@ -17,32 +17,32 @@ std::array<std::int16_t, 3> axes_at(Report report, std::size_t at) {
 
 }  // namespace
 
-Heard read(Report report, State& state) noexcept {
-  if (report.empty()) return Heard::broken;
+ReportResult read(Report report, State& state) noexcept {
+  if (report.empty()) return ReportResult::broken;
   switch (report[0]) {
     case 0x01:
-      if (report.size() != kSplit && report.size() != kCombined) return Heard::broken;
+      if (report.size() != kSplit && report.size() != kCombined) return ReportResult::broken;
       state.push = axes_at(report, 1);
       if (report.size() == kCombined) state.twist = axes_at(report, 7);
-      return Heard::news;
+      return ReportResult::news;
     case 0x02:
-      if (report.size() != kSplit) return Heard::broken;
+      if (report.size() != kSplit) return ReportResult::broken;
       state.twist = axes_at(report, 1);
-      return Heard::news;
+      return ReportResult::news;
     case 0x03: {
-      if (report.size() < 2) return Heard::broken;
+      if (report.size() < 2) return ReportResult::broken;
       std::uint32_t buttons = 0;
       for (std::size_t n = 1; n < std::min<std::size_t>(report.size(), 5); ++n)
         buttons |= static_cast<std::uint32_t>(report[n]) << 8 * (n - 1);
       state.buttons = buttons;
-      return Heard::news;
+      return ReportResult::news;
     }
     case 0x17:
-      if (report.size() < 2) return Heard::broken;
+      if (report.size() < 2) return ReportResult::broken;
       state.battery = std::min<std::uint8_t>(report[1], 100);
-      return Heard::news;
+      return ReportResult::news;
     default:
-      return Heard::nothing;
+      return ReportResult::nothing;
   }
 }
 

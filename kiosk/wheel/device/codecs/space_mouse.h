@@ -21,7 +21,7 @@ inline constexpr int kFull = 350;  ///< Value at full deflection.
 
 /// Reads one report into `state`. By id and length: 01 of 7 bytes is translation, 01 of 13 both, 02
 /// of 7 rotation, 03 buttons, 17 (hex) battery. Values beyond kFull are limited to it. Pure.
-Heard read(Report report, State& state) noexcept;
+ReportResult read(Report report, State& state) noexcept;
 
 /// Output for the ring of light. Pure.
 std::array<std::uint8_t, 2> light(bool on) noexcept;

@@ -4,13 +4,13 @@
 
 namespace onggi::device::surface_dial {
 
-Heard read(Report report, State& state) noexcept {
-  if (report.empty()) return Heard::broken;
-  if (report[0] != 0x01) return Heard::nothing;
-  if (report.size() < 4) return Heard::broken;
+ReportResult read(Report report, State& state) noexcept {
+  if (report.empty()) return ReportResult::broken;
+  if (report[0] != 0x01) return ReportResult::nothing;
+  if (report.size() < 4) return ReportResult::broken;
   state.pressed = (report[1] & 1) != 0;
   state.turned += i16_at(report, 2);
-  return Heard::news;
+  return ReportResult::news;
 }
 
 int counts_a_turn(Report feature) noexcept {

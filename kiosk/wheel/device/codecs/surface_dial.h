@@ -17,7 +17,7 @@ struct State {
 /// Reads one report into `state`: 01; a byte with the button in the lowest bit and a touch in the
 /// next; 16 signed bits, the turn since the last report. Further bytes (its position on a screen,
 /// its width) are ignored. The format is the device's own descriptor. Pure.
-Heard read(Report report, State& state) noexcept;
+ReportResult read(Report report, State& state) noexcept;
 
 /// Counts in a full turn, from the first 16 bits of feature report 01; 3600, a dial's default, if
 /// `feature` does not hold them. 1..3600. Pure.

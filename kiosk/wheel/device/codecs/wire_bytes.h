@@ -39,7 +39,7 @@ constexpr void put_i32(std::span<std::uint8_t> bytes, std::size_t at, std::int32
 }
 
 /// The result of reading a report.
-enum class Heard : std::uint8_t {
+enum class ReportResult : std::uint8_t {
   news,     ///< It was read and has new data.
   nothing,  ///< A foreign report, or one without new data: an old one, a battery's.
   broken    ///< Too short, or a wrong checksum: the device's data cannot be trusted.

@@ -49,16 +49,16 @@ bool DualSenseDriver::begin(HidPort& port) {
   return true;
 }
 
-Heard DualSenseDriver::take(Report report, DeviceSample& sample) noexcept {
-  const Heard heard = dual_sense::read(report, bus_, state_);
-  if (heard != Heard::news) return heard;
+ReportResult DualSenseDriver::take(Report report, DeviceSample& sample) noexcept {
+  const ReportResult heard = dual_sense::read(report, bus_, state_);
+  if (heard != ReportResult::news) return heard;
   sample.push = {stick(state_.left[0]), -stick(state_.left[1]), stick(state_.right[1])};
   sample.turning = {turning(state_.turn[0]), turning(state_.turn[1]), turning(state_.turn[2])};
   sample.buttons = buttons_of(state_.buttons);
   return heard;
 }
 
-Report DualSenseDriver::say(const Saying& saying) noexcept {
+Report DualSenseDriver::say(const DriverOutput& saying) noexcept {
   if (saying.wish.contact && !std::exchange(touching_, saying.wish.contact))
     touched_ns_ = saying.now_ns;
   touching_ = saying.wish.contact;

@@ -13,8 +13,8 @@ class DualSenseDriver final : public Driver {
   explicit DualSenseDriver(bool bluetooth)
       : bus_(bluetooth ? dual_sense::Bus::bluetooth : dual_sense::Bus::usb) {}
   bool begin(HidPort& port) override;
-  Heard take(Report report, DeviceSample& sample) noexcept override;
-  Report say(const Saying& saying) noexcept override;
+  ReportResult take(Report report, DeviceSample& sample) noexcept override;
+  Report say(const DriverOutput& saying) noexcept override;
   void end(HidPort& port) noexcept override;
 
  private:

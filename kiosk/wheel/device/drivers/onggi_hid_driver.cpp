@@ -21,16 +21,16 @@ bool OnggiHidDriver::begin(HidPort& port) {
   const int size = port.feature(onggi_hid::kFeatureId, bytes);
   if (size < 0 || static_cast<std::size_t>(size) > bytes.size()) return false;
   if (onggi_hid::read_feature(Report(bytes).first(static_cast<std::size_t>(size)), feature_) !=
-      Heard::news)
+      ReportResult::news)
     return false;
   return feature_.version == 1 && port.write(put({}, 0));
 }
 
-Heard OnggiHidDriver::take(Report report, DeviceSample& sample) noexcept {
+ReportResult OnggiHidDriver::take(Report report, DeviceSample& sample) noexcept {
   onggi_hid::Input input;
-  const Heard heard = onggi_hid::read(report, input);
-  if (heard != Heard::news) return heard;
-  if (heard_ && !onggi_hid::newer(input.sequence, input_.sequence)) return Heard::nothing;
+  const ReportResult heard = onggi_hid::read(report, input);
+  if (heard != ReportResult::news) return heard;
+  if (heard_ && !onggi_hid::newer(input.sequence, input_.sequence)) return ReportResult::nothing;
   heard_ = true;
   input_ = input;
   if (static_cast<std::uint16_t>(sequence_ - input.echo) <= kBehind) unanswered_ = 0;
@@ -57,7 +57,7 @@ Report OnggiHidDriver::put(const onggi_hid::Output& output, std::int64_t now_ns)
   return bytes_;
 }
 
-Report OnggiHidDriver::say(const Saying& saying) noexcept {
+Report OnggiHidDriver::say(const DriverOutput& saying) noexcept {
   if (!saying.may_push) {
     if (mode_ == Mode::off && saying.now_ns - said_ns_ < kOffAgain) return {};
     return put({}, saying.now_ns);

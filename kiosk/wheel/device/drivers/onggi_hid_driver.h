@@ -10,8 +10,8 @@ class OnggiHidDriver final : public Driver {
  public:
   /// It must answer feature 03 as version 1 does. Sends off, which starts the count.
   bool begin(HidPort& port) override;
-  Heard take(Report report, DeviceSample& sample) noexcept override;
-  Report say(const Saying& saying) noexcept override;
+  ReportResult take(Report report, DeviceSample& sample) noexcept override;
+  Report say(const DriverOutput& saying) noexcept override;
   void end(HidPort& port) noexcept override;
   bool feels_hand() const noexcept override { return (input_.flags & onggi_hid::kHasSensor) != 0; }
   bool deaf() const noexcept override;

@@ -18,17 +18,18 @@ bool PolhemDriver::begin(HidPort& port) {
     const int size = port.read(bytes, kTryMs);
     if (size < 0) return false;
     if (size == 0) continue;
-    if (polhem::read(Report(bytes).first(static_cast<std::size_t>(size)), input) != Heard::news)
+    if (polhem::read(Report(bytes).first(static_cast<std::size_t>(size)), input) !=
+        ReportResult::news)
       return false;
     return input.info == 0 || input.info == 1;
   }
   return false;
 }
 
-Heard PolhemDriver::take(Report report, DeviceSample& sample) noexcept {
+ReportResult PolhemDriver::take(Report report, DeviceSample& sample) noexcept {
   polhem::Input input;
-  const Heard heard = polhem::read(report, input);
-  if (heard != Heard::news) return heard;
+  const ReportResult heard = polhem::read(report, input);
+  if (heard != ReportResult::news) return heard;
   asks_ = input.info == 1;
   at_ = arm_angles(arm_, {input.encoder[0], input.encoder[1], input.encoder[2]});
   sample.has_place = true;
@@ -38,7 +39,7 @@ Heard PolhemDriver::take(Report report, DeviceSample& sample) noexcept {
   return heard;
 }
 
-Report PolhemDriver::say(const Saying& saying) noexcept {
+Report PolhemDriver::say(const DriverOutput& saying) noexcept {
   if (std::exchange(asks_, false)) {
     std::array<std::int16_t, 3> parked{};
     for (std::size_t n = 0; n < 3; ++n) parked[n] = static_cast<std::int16_t>(arm_.parked[n]);

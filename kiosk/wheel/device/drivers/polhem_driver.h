@@ -12,8 +12,8 @@ class PolhemDriver final : public Driver {
   explicit PolhemDriver(const ArmDef& arm) : arm_(arm) {}
   /// Any Teensy has its numbers, so it must answer like an arm to a report without current.
   bool begin(HidPort& port) override;
-  Heard take(Report report, DeviceSample& sample) noexcept override;
-  Report say(const Saying& saying) noexcept override;
+  ReportResult take(Report report, DeviceSample& sample) noexcept override;
+  Report say(const DriverOutput& saying) noexcept override;
   void end(HidPort& port) noexcept override;
 
  private:

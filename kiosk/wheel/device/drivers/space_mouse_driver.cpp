@@ -7,9 +7,9 @@ bool SpaceMouseDriver::begin(HidPort& port) {
   return true;
 }
 
-Heard SpaceMouseDriver::take(Report report, DeviceSample& sample) noexcept {
-  const Heard heard = space_mouse::read(report, state_);
-  if (heard != Heard::news) return heard;
+ReportResult SpaceMouseDriver::take(Report report, DeviceSample& sample) noexcept {
+  const ReportResult heard = space_mouse::read(report, state_);
+  if (heard != ReportResult::news) return heard;
   // The puck's z is down and its y towards the visitor.
   const auto turned = [](const std::array<std::int16_t, 3>& a) {
     constexpr double kShare = 1.0 / space_mouse::kFull;

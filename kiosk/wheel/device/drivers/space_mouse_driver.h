@@ -9,8 +9,8 @@ namespace onggi::device {
 class SpaceMouseDriver final : public Driver {
  public:
   bool begin(HidPort& port) override;
-  Heard take(Report report, DeviceSample& sample) noexcept override;
-  Report say(const Saying&) noexcept override { return {}; }
+  ReportResult take(Report report, DeviceSample& sample) noexcept override;
+  Report say(const DriverOutput&) noexcept override { return {}; }
   void end(HidPort& port) noexcept override;
 
  private:

@@ -16,15 +16,15 @@ bool SurfaceDialDriver::begin(HidPort& port) {
   return true;
 }
 
-Heard SurfaceDialDriver::take(Report report, DeviceSample& sample) noexcept {
-  const Heard heard = surface_dial::read(report, state_);
-  if (heard != Heard::news) return heard;
+ReportResult SurfaceDialDriver::take(Report report, DeviceSample& sample) noexcept {
+  const ReportResult heard = surface_dial::read(report, state_);
+  if (heard != ReportResult::news) return heard;
   sample.dial = static_cast<double>(state_.turned) * count_;
   sample.buttons = state_.pressed ? kEnter : 0u;
   return heard;
 }
 
-Report SurfaceDialDriver::say(const Saying& saying) noexcept {
+Report SurfaceDialDriver::say(const DriverOutput& saying) noexcept {
   if (std::exchange(buzzed_, saying.wish.buzzes) == saying.wish.buzzes) return {};
   bytes_ = surface_dial::buzz(1);
   return bytes_;

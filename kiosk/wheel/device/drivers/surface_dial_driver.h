@@ -9,8 +9,8 @@ namespace onggi::device {
 class SurfaceDialDriver final : public Driver {
  public:
   bool begin(HidPort& port) override;
-  Heard take(Report report, DeviceSample& sample) noexcept override;
-  Report say(const Saying& saying) noexcept override;
+  ReportResult take(Report report, DeviceSample& sample) noexcept override;
+  Report say(const DriverOutput& saying) noexcept override;
   void end(HidPort&) noexcept override {}
 
  private:

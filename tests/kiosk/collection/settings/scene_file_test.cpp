@@ -164,7 +164,7 @@ TEST(scene, an_effect_beside_the_papers_model_is_told_and_left_out) {
 TEST(scene, the_tools_to_hand_are_those_that_it_names_and_all_where_it_names_none) {
   const auto names = [](const SceneDef& def) {
     std::string all;
-    for (const ToolToHand& tool : def.tools) all += tool.name + " ";
+    for (const SceneTool& tool : def.tools) all += tool.name + " ";
     return all;
   };
   const SceneRead few =

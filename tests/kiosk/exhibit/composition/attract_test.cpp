@@ -9,9 +9,9 @@
 #include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/score/score.h"
 #include "kiosk/exhibit/composition/scenes.h"
-#include "kiosk/exhibit/rehearsal/handsome.h"
+#include "kiosk/exhibit/rehearsal/looks_smooth.h"
 #include "kiosk/visit/screens/demonstration.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 
 namespace onggi::exhibit {
 namespace {
@@ -52,9 +52,9 @@ Pot pot_of(const content::Vessel& vessel, const Scenes& scenes) {
 }
 
 /// A potter's wheel that hears which tool hand 0 is told to hold.
-class Overheard final : public loop::PotterCommands {
+class Overheard final : public loop::WheelCommands {
  public:
-  explicit Overheard(loop::SteppedPotter& wheel) : wheel_(wheel) {}
+  explicit Overheard(loop::SteppedWheel& wheel) : wheel_(wheel) {}
   void start(std::unique_ptr<Scene> scene) override { wheel_.start(std::move(scene)); }
   void play(std::unique_ptr<Script> script) override { wheel_.play(std::move(script)); }
   void hand(int index, const HandInput& target) override {
@@ -72,13 +72,13 @@ class Overheard final : public loop::PotterCommands {
   void restore() override { wheel_.restore(); }
   void pause(bool on) override { wheel_.pause(on); }
   void clear_faults(std::uint32_t which) override { wheel_.clear_faults(which); }
-  bool settle() override { return wheel_.settle(); }
+  bool refresh_every_row() override { return wheel_.refresh_every_row(); }
 
   int changed_in_the_clay = 0;
   std::set<int> tools;
 
  private:
-  loop::SteppedPotter& wheel_;
+  loop::SteppedWheel& wheel_;
   HandInput was_;
 };
 
@@ -89,7 +89,7 @@ TEST(Attract, HandsComeOffTheClayBeforeTheyTakeAnotherTool) {
   const auto vessel = std::ranges::find(shelf.vessels, "samanid_bowl", &content::Vessel::id);
   ASSERT_NE(vessel, shelf.vessels.end());
   const Pot pot = pot_of(*vessel, scenes);
-  loop::SteppedPotter potter;
+  loop::SteppedWheel potter;
   potter.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
   Overheard heard(potter);
   screens::Demonstration show(scenes.wheel_of(vessel->id), false);
@@ -110,7 +110,7 @@ TEST(Attract, APotterThrowsEveryVesselOfTheShelfAndNoMomentOfItShowsAScrewThread
   ASSERT_GE(shelf.vessels.size(), 12u);
   for (const content::Vessel& vessel : shelf.vessels) {
     const Pot pot = pot_of(vessel, scenes);
-    loop::SteppedPotter potter;
+    loop::SteppedWheel potter;
     potter.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
     screens::Demonstration show(scenes.wheel_of(vessel.id), false);
     // A vessel has turns of its own, and on the way to it the pot has no more.
@@ -127,7 +127,7 @@ TEST(Attract, APotterThrowsEveryVesselOfTheShelfAndNoMomentOfItShowsAScrewThread
     EXPECT_LE(worst, most) << vessel.id << " at " << worst_at << " s";
     // As long as a passer-by who stops: they see the end of it too.
     EXPECT_LT(seconds, 180) << vessel.id;
-    ASSERT_TRUE(potter.settle());
+    ASSERT_TRUE(potter.refresh_every_row());
     EXPECT_EQ(potter.view().status.feedback.cut_free, 1.0) << vessel.id;
     points += score::judge(pot.target, potter.view().clay.profile()).points;
   }

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 
 namespace onggi::exhibit {
 namespace {
@@ -76,7 +76,7 @@ bool frames(HandDevices& devices, double& now, double seconds, Done done) {
 
 TEST(HandDevices, OneThreadThatHangsInItsCableIsSeenThoughTheOtherGoesOn) {
   Cable first, second;
-  loop::SteppedPotter potter;
+  loop::SteppedWheel potter;
   HandDevices devices(potter, std::make_unique<TwoPucks>(first, second),
                       [](device::DeviceKind kind) { return device::default_def(kind); }, {});
   double now = 0;
@@ -97,7 +97,7 @@ TEST(HandDevices, OneThreadThatHangsInItsCableIsSeenThoughTheOtherGoesOn) {
 }
 
 TEST(HandDevices, WhereNothingIsPluggedInNothingCanHang) {
-  loop::SteppedPotter potter;
+  loop::SteppedWheel potter;
   class Nothing final : public device::HidBus {
     std::vector<device::HidListing> list() override { return {}; }
     std::unique_ptr<device::HidPort> open(const std::string&) override { return nullptr; }

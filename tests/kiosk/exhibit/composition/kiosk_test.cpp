@@ -79,7 +79,7 @@ class StillKiosk : public WholeKiosk {
 
 /// Mean difference of two pictures' tiles of 8 x 8 pixels, in which dither is no more.
 double apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
-  constexpr std::size_t kSide = TurningPot::kSide, kTile = 8;
+  constexpr std::size_t kSide = TurntableRecorder::kSide, kTile = 8;
   double all = 0;
   for (std::size_t y = 0; y < kSide; y += kTile)
     for (std::size_t x = 0; x < kSide; x += kTile) {
@@ -92,7 +92,7 @@ double apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>
   return all / static_cast<double>(3 * kSide * kSide);
 }
 
-// Which way is whose, TurningPot's own tests say.
+// Which way is whose, TurntableRecorder's own tests say.
 TEST_F(WholeKiosk, APictureThatTurnsGoesTheWayOfTheHandThatItsVisitorChose) {
   std::array<souvenir::Pictures, 2> turns;
   for (const bool left_handed : {false, true}) {
@@ -128,7 +128,7 @@ class CountedKiosk : public StillKiosk {
   }
 };
 
-// ForgetVisitor is carried out after the save, and the counter hears of the visit before the ticket
+// VisitEnded is carried out after the save, and the counter hears of the visit before the ticket
 // of its save is forgotten: in the other order each visit is counted as one that kept nothing.
 TEST_F(CountedKiosk, AVisitThatKeptAPotIsCountedWithItsKeepsake) {
   keep_a_pot(false);

@@ -152,11 +152,11 @@ TEST_F(MissionsTest, OneThatNeedsWhatIsNotThereIsOfferedOnceItIsAndNotBeforeSome
 TEST_F(MissionsTest, WhyOneIsNotOfferedIsSaidWithARemedy) {
   settings::Mission one;
   one.kind = settings::Mission::Kind::eyes_closed;
-  EXPECT_EQ(why_not(one, {true, false}), "");
-  EXPECT_NE(why_not(one, {false, true}).find("[sound]"), std::string::npos);
+  EXPECT_EQ(reason_unavailable(one, {true, false}), "");
+  EXPECT_NE(reason_unavailable(one, {false, true}).find("[sound]"), std::string::npos);
   one.kind = settings::Mission::Kind::two_hands;
-  EXPECT_EQ(why_not(one, {false, true}), "");
-  EXPECT_NE(why_not(one, {true, false}).find("second = \"keys\""), std::string::npos);
+  EXPECT_EQ(reason_unavailable(one, {false, true}), "");
+  EXPECT_NE(reason_unavailable(one, {true, false}).find("second = \"keys\""), std::string::npos);
 }
 
 }  // namespace

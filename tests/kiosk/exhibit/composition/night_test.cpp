@@ -111,7 +111,7 @@ TEST_F(DarkKiosk, AtNightEveryPixelIsBlackTheClayRestsAndTheMorningFindsItAsItWa
   frame(1);
   ASSERT_TRUE(kiosk_->doing().dark);
   EXPECT_EQ(brightest(kiosk_->picture()), 0);
-  ASSERT_TRUE(kiosk_->potter().settle());
+  ASSERT_TRUE(kiosk_->potter().refresh_every_row());
   const auto ticks = kiosk_->potter().status().ticks;
   const auto wakes = kiosk_->potter().status().deadlines.wakes;
   for (int n = 0; n < 4; ++n) frame(3600);

@@ -71,7 +71,7 @@ TEST_F(TunedScenes, WhatIsRememberedHoldsAtOnceAndAFixedSceneStaysAsItIsWritten)
 TEST(Scenes, ToolsLieInTheOrderOfTheWorkAndReachAsFarAsTheyAreMade) {
   settings::Exhibit exhibit;
   exhibit.scene = "config/scenes/studio.toml";
-  const screens::Wheel wheel = Scenes(exhibit).wheel_of("");
+  const screens::SceneForVisitor wheel = Scenes(exhibit).wheel_of("");
   std::string order;
   for (const auto& tool : wheel.tools) order += tool.name + " ";
   EXPECT_EQ(order, "palm fingertip sponge flat_rib curved_rib loop_trimmer needle wire ");

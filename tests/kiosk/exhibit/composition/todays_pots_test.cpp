@@ -5,7 +5,7 @@
 #include <set>
 #include <thread>
 
-#include "kiosk/ground/files/clock_leap.h"
+#include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/exhibit/composition/no_renderer.h"

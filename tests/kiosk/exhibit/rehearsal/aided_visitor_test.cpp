@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "kiosk/collection/settings/mission_file.h"
-#include "kiosk/lab/measure/quiet_visit.h"
+#include "kiosk/lab/measure/headless_visit.h"
 #include "kiosk/visit/screens/label.h"
 #include "tests/kiosk/ground/files/disk.h"
 
@@ -19,9 +19,9 @@ namespace {
 constexpr double kBound = 80;
 constexpr int kStrokes = 20;
 
-const QuietVisits& visits(std::string_view language) {
-  static const auto kEnglish = QuietVisits::open("config/exhibit.toml", "", "en");
-  static const auto kKorean = QuietVisits::open("config/exhibit.toml", "", "ko");
+const HeadlessVisits& visits(std::string_view language) {
+  static const auto kEnglish = HeadlessVisits::open("config/exhibit.toml", "", "en");
+  static const auto kKorean = HeadlessVisits::open("config/exhibit.toml", "", "ko");
   return **(language == "ko" ? kKorean : kEnglish);
 }
 
@@ -174,7 +174,7 @@ TEST(AidedMissions, WhatIsAdvisedStrokeByStrokeComesToTheMouthThatWasAsked) {
       << "languages = [\"en\"]\nshelf = \"" << here << "/content/vessels\"\nglazes = \"" << here
       << "/content/glazes.toml\"\nscene = \"" << here
       << "/config/scenes/first_touch.toml\"\nmissions = \"missions.toml\"\n";
-  const auto all = QuietVisits::open((folder.path() / "exhibit.toml").string());
+  const auto all = HeadlessVisits::open((folder.path() / "exhibit.toml").string());
   ASSERT_TRUE(all) << all.error().what;
   const auto visit = (*all)->blind("flask", kStrokes);
   ASSERT_TRUE(visit) << visit.error().what;

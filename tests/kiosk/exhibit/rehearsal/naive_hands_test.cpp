@@ -15,7 +15,7 @@ using view::InputEvent;
 // A vase to be met, a cylinder on the wheel, and a screen that shows both.
 struct Wheel {
   Profile target, made;
-  screens::Sight sight;
+  screens::WheelSnapshot sight;
   Wheel() {
     for (int i = 0; i <= 100; ++i) {
       const double h = 0.002 * i;

@@ -10,7 +10,7 @@
 #include <ctime>
 #include <map>
 
-#include "kiosk/ground/files/clock_leap.h"
+#include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"

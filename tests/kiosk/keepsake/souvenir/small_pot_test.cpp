@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kiosk/ground/files/clock_leap.h"
+#include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"

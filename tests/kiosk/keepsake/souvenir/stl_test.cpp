@@ -21,7 +21,7 @@
 #include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 
 namespace onggi::souvenir {
 namespace {
@@ -163,11 +163,11 @@ TEST(stl, a_thrown_pot_is_one_closed_body_for_another_reader_too_in_mm_and_of_th
   def.clay = lump_for(target, def);
   auto scene = Scene::create(def);
   ASSERT_TRUE(scene);
-  loop::SteppedPotter potter;
+  loop::SteppedWheel potter;
   potter.start(std::make_unique<Scene>(std::move(*scene)));
   potter.play(std::move(*make_script("follow", {def, &target, 1, 2.0})));
   for (int n = 0; n < 600; ++n) potter.advance(20), potter.collect();
-  ASSERT_TRUE(potter.settle());
+  ASSERT_TRUE(potter.refresh_every_row());
   double litres = 0;
   ASSERT_TRUE(potter.with_scene([&](Scene& at) { litres = 1000 * at.clay().volume(); }));
   const ClayView& clay = potter.view().clay;

@@ -8,8 +8,8 @@
 namespace onggi::store {
 namespace {
 
-PublishedStatistics may() {
-  PublishedStatistics s;
+AnonymisedStatistics may() {
+  AnonymisedStatistics s;
   s.from = "2026-05-01";
   s.to = "2026-05-31";
   s.all = {"", 120, 60, 240.04, 71.26};
@@ -64,19 +64,19 @@ TEST(FiguresReport, TheWordsNameNobodyWhoIsLeftOut) {
   EXPECT_NE(words.find("and 2 more, left out"), std::string::npos);
   EXPECT_EQ(words.find("cup"), std::string::npos);
   EXPECT_NE(words.find("; 33 keepsakes were opened on a phone."), std::string::npos) << words;
-  PublishedStatistics some = may();
+  AnonymisedStatistics some = may();
   some.fetched.reset();
   EXPECT_NE(words_of(some).find("too few to show were opened on a phone"), std::string::npos);
   some.fetched = 0;
   EXPECT_EQ(words_of(some).find("phone"), std::string::npos) << "most kiosks have none";
-  PublishedStatistics few;
+  AnonymisedStatistics few;
   EXPECT_NE(words_of(few).find("too few to show"), std::string::npos);
   few.all.visits = 0;
   EXPECT_NE(words_of(few).find("none"), std::string::npos);
 }
 
 TEST(FiguresReport, WordsStandUnderEachOtherInEveryScript) {
-  PublishedStatistics s = may();
+  AnonymisedStatistics s = may();
   s.tables = {{"vessel",
                {{"moon_jar", 100, 55, 200.0, 70.0},
                 {"달항아리_조선_십팔세기_백자_큰것", 20, 5, 40.0, 70.0}},

@@ -5,9 +5,9 @@
 namespace onggi::measure {
 namespace {
 
-QuietOutcome made(const std::string& vessel, double points, double roughness,
-                  std::optional<double> handsome_at) {
-  QuietOutcome one;
+HeadlessOutcome made(const std::string& vessel, double points, double roughness,
+                     std::optional<double> handsome_at) {
+  HeadlessOutcome one;
   one.vessel = vessel;
   one.handsome_at = handsome_at;
   one.looks = {{30, points / 2, 1, {roughness, 0.001}, 0.0004},

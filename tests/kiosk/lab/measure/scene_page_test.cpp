@@ -28,7 +28,7 @@ TEST(ScenePage, TellsWordsEffectsCostAndBothHands) {
   line.least_points = 7;
   line.roughness = 0.00031;
   scene.visits.lines = {line};
-  QuietOutcome careful;
+  HeadlessOutcome careful;
   careful.looks = {{100, 98, 5, {}, 0}};
   scene.visits.careful = {careful};
   careful.looks = {{100, 91, 4, {}, 0}};

@@ -173,7 +173,7 @@ using FrameWorkOf = StudioTest;
 TEST_F(FrameWorkOf, EveryKindOfFrameIsWhatGlWasAsked) {
   view::Frame frame = frame_with_pot(640, 400, 0.15, 0.06);
   frame.pot->hands[0] = {.present = true, .radius = 0.01, .at = {0.08, 0.1, 0}};
-  frame.pot->wet_rows = {0.0f, 0.5f, 1.0f};
+  frame.pot->wetness_by_row = {0.0f, 0.5f, 1.0f};
   frame.items.emplace_back(view::Box{{10, 10, 40, 30}, 5, view::kCobalt, 0, {}});
   frame.items.emplace_back(view::Text{{10, 60, 200, 60}, "counted", {}, view::kInk});
   frame.items.emplace_back(view::Line{{{10, 200}, {40, 220}, {90, 210}}, {view::kIron}, 3});

@@ -37,9 +37,9 @@ TEST_F(KilnLook, AWetRowIsDarkerThanADryOneAndDriesBackToTheSamePicture) {
   view::Frame frame = frame_with_pot(kWidth, kHeight, 0.18, 0.06);
   frame.pot->wheel = false;
   const view::Image dry = r.draw_offscreen(frame);
-  frame.pot->wet_rows.assign(64, 0.0f);
+  frame.pot->wetness_by_row.assign(64, 0.0f);
   EXPECT_EQ(r.draw_offscreen(frame).rgba, dry.rgba) << "rows without water are dry clay";
-  for (std::size_t i = 16; i < 32; ++i) frame.pot->wet_rows[i] = 1.0f;
+  for (std::size_t i = 16; i < 32; ++i) frame.pot->wetness_by_row[i] = 1.0f;
   const view::Image wet = r.draw_offscreen(frame);
   keep_for_looking(wet, "wet_band");
   const view::Camera& camera = frame.pot->camera;
@@ -49,7 +49,7 @@ TEST_F(KilnLook, AWetRowIsDarkerThanADryOneAndDriesBackToTheSamePicture) {
               1.0);
   double before = wall_brightness(wet, camera, 0.375 * 0.18);
   for (const float left : {0.7f, 0.4f, 0.15f}) {
-    for (std::size_t i = 16; i < 32; ++i) frame.pot->wet_rows[i] = left;
+    for (std::size_t i = 16; i < 32; ++i) frame.pot->wetness_by_row[i] = left;
     const view::Image drying = r.draw_offscreen(frame);
     keep_for_looking(drying, "wet_band_" + std::to_string(static_cast<int>(100 * left)));
     const double now = wall_brightness(drying, camera, 0.375 * 0.18);

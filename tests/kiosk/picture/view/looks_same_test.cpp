@@ -8,7 +8,7 @@ namespace {
 PotView a_pot() {
   PotView pot;
   pot.wheel_angle = 0.5;
-  pot.wet_rows = {0.1f, 0.2f};
+  pot.wetness_by_row = {0.1f, 0.2f};
   pot.hands[0].present = true;
   pot.beside.emplace();
   return pot;
@@ -17,7 +17,7 @@ PotView a_pot() {
 TEST(LooksSame, WhatNobodySeesIsNoNewPicture) {
   PotView now = a_pot();
   now.wheel_angle += 1e-5;
-  now.wet_rows[1] += 0.002f;
+  now.wetness_by_row[1] += 0.002f;
   now.hands[0].at.x += 1e-6;
   now.camera.distance += 1e-6;
   now.beside->angle += 1e-5;
@@ -33,8 +33,8 @@ TEST(LooksSame, EverythingThatIsSeenIs) {
   EXPECT_TRUE(differs([](PotView& p) { p.wheel_angle += 0.01; }));
   EXPECT_TRUE(differs([](PotView& p) { p.clay_angle -= 0.01; }));
   EXPECT_TRUE(differs([](PotView& p) { p.wetness = 0.1; }));
-  EXPECT_TRUE(differs([](PotView& p) { p.wet_rows[0] = 0.3f; }));
-  EXPECT_TRUE(differs([](PotView& p) { p.wet_rows.push_back(0.2f); }));
+  EXPECT_TRUE(differs([](PotView& p) { p.wetness_by_row[0] = 0.3f; }));
+  EXPECT_TRUE(differs([](PotView& p) { p.wetness_by_row.push_back(0.2f); }));
   EXPECT_TRUE(differs([](PotView& p) { p.hands[0].at.y = 0.001; }));
   EXPECT_TRUE(differs([](PotView& p) { p.hands[0].present = false; }));
   EXPECT_TRUE(differs([](PotView& p) { p.hands[1].present = true; }));

@@ -5,8 +5,8 @@
 namespace onggi::access {
 namespace {
 
-using screens::Reading;
 using screens::ScreenId;
+using screens::ScreenText;
 
 struct Listener {
   Listener() {
@@ -28,7 +28,7 @@ struct Listener {
     return all;
   }
   content::Language language = *content::Language::read("content/languages/en.toml");
-  Reading reading;
+  ScreenText reading;
   Narrator narrator;
   double now = 100;
 };

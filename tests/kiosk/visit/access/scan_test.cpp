@@ -5,7 +5,7 @@
 namespace onggi::access {
 namespace {
 
-using screens::Reading;
+using screens::ScreenText;
 
 content::Language english() { return *content::Language::read("content/languages/en.toml"); }
 
@@ -32,7 +32,7 @@ struct Page {
     return all;
   }
   content::Language language = english();
-  Reading reading;
+  ScreenText reading;
   Scan scan;
   double now = 10;
 };

@@ -27,7 +27,7 @@ TEST(Idle, TheWarningIsSeenForAtLeastTwentySecondsAndThenNothingOfTheVisitorIsLe
   EXPECT_LT(seen, 22.0);
   bool forgotten = false;
   for (const Request& r : v.requests())
-    forgotten = forgotten || std::holds_alternative<ForgetVisitor>(r);
+    forgotten = forgotten || std::holds_alternative<VisitEnded>(r);
   EXPECT_TRUE(forgotten);
   EXPECT_EQ(v.visit->language(), "en");
   for (const view::Item& item : v.frame.items)

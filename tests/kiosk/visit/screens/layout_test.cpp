@@ -49,7 +49,7 @@ TEST(Layout, NorWithADeviceThatPushes) {
       Visitor v(9);
       v.width = width;
       v.height = height;
-      v.news.use(device::DeviceKind::onggi_hid, true);
+      v.news.device_in_use(device::DeviceKind::onggi_hid, true);
       v.show();
       if (korean) v.touch("language");
       v.throw_a_pot();

@@ -185,7 +185,7 @@ TEST(Description, IsToldToWhoDoesNotSeeTheScreen) {
   hollow(v, 0.03);
   v.touch("throw.tell");
   v.frames(1);
-  const Reading reading = v.visit->reading();
+  const ScreenText reading = v.visit->reading();
   EXPECT_THAT(reading.differences, Contains(HasSubstr("l of 1 l.")));
   EXPECT_THAT(reading.differences, Contains("Try: Widen, Whole pot."));
   EXPECT_THAT(words_in(v.frame), Not(HasSubstr("from inside"))) << "it does not draw";
@@ -244,7 +244,7 @@ TEST(Mission, IsCountedByItsIdAndTheNextVisitorBeginsWithNone) {
   ASSERT_EQ(v.visit->screen(), ScreenId::attract);
   std::optional<VisitNotes> notes;
   for (const Request& one : v.requests())
-    if (const auto* over = std::get_if<ForgetVisitor>(&one)) notes = over->notes;
+    if (const auto* over = std::get_if<VisitEnded>(&one)) notes = over->notes;
   ASSERT_TRUE(notes);
   EXPECT_EQ(notes->mission, "litre_jar");
   v.throw_a_pot();
@@ -253,7 +253,7 @@ TEST(Mission, IsCountedByItsIdAndTheNextVisitorBeginsWithNone) {
   v.visit->close(v.now);
   v.show();
   for (const Request& one : v.requests())
-    if (const auto* over = std::get_if<ForgetVisitor>(&one)) notes = over->notes;
+    if (const auto* over = std::get_if<VisitEnded>(&one)) notes = over->notes;
   EXPECT_EQ(notes->mission, "");
 }
 

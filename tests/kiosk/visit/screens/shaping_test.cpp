@@ -7,7 +7,7 @@
 #include "engine/scene/replay.h"
 #include "kiosk/collection/score/score.h"
 #include "kiosk/visit/screens/throwing_controls.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::screens {
@@ -23,7 +23,7 @@ class Studio {
     if (language) languages_.push_back(*language);
     vessel_.labels["en"] = {"Jar", "", "", "", "A jar.", ""};
     shelf_.push_back({&vessel_, 0, jar(0.08), 1.0, {}});
-    VisitWorld world;
+    VisitInputs world;
     world.exhibit = &exhibit_;
     world.languages = &languages_;
     world.shelf = &shelf_;
@@ -92,7 +92,7 @@ class Studio {
   }
 
   bool springs;
-  loop::SteppedPotter potter;
+  loop::SteppedWheel potter;
   std::unique_ptr<Visit> visit;
   view::Frame frame;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/scene/replay.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::screens {
@@ -60,8 +60,8 @@ struct RealWheel {
     EXPECT_FALSE(show.showing());
     frames(60);
   }
-  loop::SteppedPotter potter;
-  VisitWorld world;
+  loop::SteppedWheel potter;
+  VisitInputs world;
   device::PointerLead hands{{6, 0.018}, {0, 0.008}};
   ShowMe show;
 };
@@ -71,16 +71,16 @@ TEST(ShowMe, StrokesBringAPotNearerAndAreRecordedLikeAnyHandsAndTakenBackOneByOn
   const Profile target = jar(0.075, 0.05, 0.05);
   const double lump = off(wheel.potter.view().clay, target);
   wheel.stroke(target);
-  ASSERT_TRUE(wheel.potter.settle());
+  ASSERT_TRUE(wheel.potter.refresh_every_row());
   EXPECT_GT(wheel.potter.view().clay.radius_at(0.1, WallSide::inside), 0.025)
       << "a thick wall is opened first";
   ClayView before;
   for (int n = 0; n < 5; ++n) {
-    ASSERT_TRUE(wheel.potter.settle());
+    ASSERT_TRUE(wheel.potter.refresh_every_row());
     before = wheel.potter.view().clay;
     wheel.stroke(target);
   }
-  ASSERT_TRUE(wheel.potter.settle());
+  ASSERT_TRUE(wheel.potter.refresh_every_row());
   EXPECT_LT(off(wheel.potter.view().clay, target), 0.5 * lump);
 
   std::uint64_t hash = 0;
@@ -97,7 +97,7 @@ TEST(ShowMe, StrokesBringAPotNearerAndAreRecordedLikeAnyHandsAndTakenBackOneByOn
     ASSERT_TRUE(wheel.potter.view().status.can_restore);
     wheel.potter.restore();
     wheel.frames(60);
-    ASSERT_TRUE(wheel.potter.settle());
+    ASSERT_TRUE(wheel.potter.refresh_every_row());
     apart = off(wheel.potter.view().clay, before);
   }
   EXPECT_LE(apart, 1e-6);

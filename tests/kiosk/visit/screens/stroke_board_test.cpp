@@ -28,7 +28,7 @@ Visitor at_the_wheel(bool kiln = false) {
   return v;
 }
 
-const Control* find(const Reading& reading, const std::string& id) {
+const Control* find(const ScreenText& reading, const std::string& id) {
   for (const Control& c : reading.controls)
     if (c.id == id) return &c;
   return nullptr;
@@ -74,7 +74,7 @@ TEST(StrokeBoard, AStrokeIsMadeByTheVisitorsHandsWhereItWasAskedAndToldUntilItIs
   v.touch("throw.part.3");
   v.touch("throw.ask.2");
   v.frames(1.5);
-  Reading reading = v.visit->reading();
+  ScreenText reading = v.visit->reading();
   EXPECT_TRUE(reading.working);
   EXPECT_NE(words_in(v.frame).find("Narrow, High: the hands are at work."), std::string::npos);
   ASSERT_GE(v.potter.hands.size(), 2u);
@@ -101,7 +101,7 @@ TEST(StrokeBoard, AskedWhereThePotDiffersItSaysItOnTheScreenInMillimetresOfTheVe
   Visitor v = at_the_wheel();
   EXPECT_EQ(v.visit->reading().asked, 0);
   v.key(view::Key::tell);
-  const Reading reading = v.visit->reading();
+  const ScreenText reading = v.visit->reading();
   EXPECT_EQ(reading.asked, 1);
   ASSERT_FALSE(reading.differences.empty());
   EXPECT_LE(reading.differences.size(), 2u);
@@ -123,7 +123,7 @@ TEST(StrokeBoard, UnaskedItNamesThePartThatDiffersMostAndNeverHowToDraw) {
 TEST(StrokeBoard, APartSaysHowMuchItIsOffAndWhetherItIsTheOneThatIsWorked) {
   Visitor v = at_the_wheel();
   v.touch("throw.part.1");
-  const Reading reading = v.visit->reading();
+  const ScreenText reading = v.visit->reading();
   for (int n = 0; n < device::kWallParts; ++n) {
     const Control* part = find(reading, "throw.part." + std::to_string(n));
     ASSERT_NE(part, nullptr);
@@ -174,13 +174,13 @@ TEST(StrokeBoard, StandsWholeOnEverySizeInEitherLanguage) {
     }
 }
 
-TEST(Reading, EveryControlOfEveryScreenHasANameAndEveryPageHasWords) {
+TEST(ScreenText, EveryControlOfEveryScreenHasANameAndEveryPageHasWords) {
   for (const bool aided : {false, true}) {
     Visitor v(9, nullptr, true);
     v.exhibit.screen.spoken = aided;
     v.show();
     walk(v, [&](const std::string& name) {
-      const Reading reading = v.visit->reading();
+      const ScreenText reading = v.visit->reading();
       EXPECT_FALSE(reading.words.empty()) << name;
       EXPECT_FALSE(reading.controls.empty()) << name;
       for (const Control& c : reading.controls) {
@@ -191,11 +191,11 @@ TEST(Reading, EveryControlOfEveryScreenHasANameAndEveryPageHasWords) {
   }
 }
 
-TEST(Reading, IsInTheOrderOfThePageAndWhatIsOnIsSaid) {
+TEST(ScreenText, IsInTheOrderOfThePageAndWhatIsOnIsSaid) {
   Visitor v;
   v.touch("comfort");
   v.touch("comfort.high_contrast");
-  const Reading reading = v.visit->reading();
+  const ScreenText reading = v.visit->reading();
   EXPECT_EQ(reading.over, "comfort");
   EXPECT_EQ(find(reading, "comfort.high_contrast")->on, std::optional(true));
   EXPECT_EQ(find(reading, "comfort.larger_text")->on, std::optional(false));

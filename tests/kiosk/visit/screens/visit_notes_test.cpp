@@ -62,7 +62,7 @@ TEST(VisitNotes, AVisitToItsEndAndOneThatIsLeftSayWhereAndHow) {
   const auto over = [](Visitor& visitor) {
     std::vector<VisitNotes> all;
     for (const Request& request : visitor.requests())
-      if (const auto* forget = std::get_if<ForgetVisitor>(&request))
+      if (const auto* forget = std::get_if<VisitEnded>(&request))
         all.push_back(forget->notes.value());
     return all;
   };
@@ -110,7 +110,7 @@ TEST(VisitNotes, AFaultThatNobodyWasThereForIsNoVisitAndOneInTheMiddleOfAVisitEn
   v.show();
   int forgotten = 0;
   for (const Request& request : v.requests())
-    if (const auto* forget = std::get_if<ForgetVisitor>(&request)) {
+    if (const auto* forget = std::get_if<VisitEnded>(&request)) {
       ++forgotten;
       EXPECT_FALSE(forget->notes);
     }
@@ -123,7 +123,7 @@ TEST(VisitNotes, AVisitThatIsUnderWayWhenTheProgramEndsIsOverAndAttractIsNone) {
     visitor.show();
     std::vector<std::optional<VisitNotes>> all;
     for (const Request& request : visitor.requests())
-      if (const auto* forget = std::get_if<ForgetVisitor>(&request)) all.push_back(forget->notes);
+      if (const auto* forget = std::get_if<VisitEnded>(&request)) all.push_back(forget->notes);
     return all;
   };
   Visitor v;

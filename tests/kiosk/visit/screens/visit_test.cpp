@@ -130,7 +130,7 @@ TEST(Visit, AWholeVisitByTouchAsksForOneKeepsakeAndEndsForgotten) {
   EXPECT_NE(words_in(v.frame).find("moon jar 14:15"), std::string::npos);
   v.touch("keepsake.done");
   EXPECT_EQ(v.visit->screen(), ScreenId::attract);
-  EXPECT_EQ(count<ForgetVisitor>(v.requests()), 1);
+  EXPECT_EQ(count<VisitEnded>(v.requests()), 1);
 }
 
 TEST(Visit, GoingBackFromTheKeepsakeDoesNotKeepThePotTwice) {
@@ -200,7 +200,7 @@ TEST(Visit, AVisitorSetsHowMuchForceIsFeltDownToOffAndTheNextBeginsWithAll) {
   v.touch("throw.wheel");
   EXPECT_FALSE(v.visit->control("throw.softer")) << "nothing pushes";
   v.touch("throw.less");
-  v.news.use(device::DeviceKind::onggi_hid, true);
+  v.news.device_in_use(device::DeviceKind::onggi_hid, true);
   v.show();
   EXPECT_EQ(v.visit->force_share(), 1.0);
   EXPECT_NE(words_in(v.frame).find("you feel the clay"), std::string::npos);

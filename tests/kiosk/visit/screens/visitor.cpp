@@ -101,7 +101,7 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
   wheel.keeps_clay = keeps_clay;
   for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65, wheel});
   clay.lay(kLump);
-  VisitWorld world;
+  VisitInputs world;
   world.exhibit = &exhibit;
   world.languages = &languages;
   world.shelf = &shelf;

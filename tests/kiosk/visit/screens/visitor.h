@@ -18,7 +18,7 @@ class PlainMeasure final : public view::TextMeasure {
 };
 
 /// Remembers what the screens asked of the wheel.
-class RecordingPotter final : public loop::PotterCommands {
+class RecordingPotter final : public loop::WheelCommands {
  public:
   void start(std::unique_ptr<Scene>) override {}
   void play(std::unique_ptr<Script>) override {}
@@ -30,7 +30,7 @@ class RecordingPotter final : public loop::PotterCommands {
   void restore() override { ++restored; }
   void pause(bool on) override { pauses.push_back(on); }
   void clear_faults(std::uint32_t which) override { cleared |= which; }
-  bool settle() override { return ++settled > 0 && answers; }
+  bool refresh_every_row() override { return ++settled > 0 && answers; }
 
   std::vector<HandInput> hands;
   std::vector<double> wheels;
@@ -92,7 +92,7 @@ class Visitor {
   std::deque<settings::Mission> on;         // likewise
   std::vector<MissionCard> missions;        // of them
   content::Vessel jar_of_mission;
-  Wheel wheel;  // of every card
+  SceneForVisitor wheel;  // of every card
   PlainMeasure plain;
   RecordingPotter potter;
   DeviceNews news;

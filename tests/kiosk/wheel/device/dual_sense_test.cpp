@@ -53,8 +53,8 @@ TEST(Crc32, IsThatOfIeee8023) {
 
 TEST(DualSense, ByCableAndByRadioItSaysTheSame) {
   State by_cable, by_radio;
-  ASSERT_EQ(read(cable(), Bus::usb, by_cable), Heard::news);
-  ASSERT_EQ(read(radio(), Bus::bluetooth, by_radio), Heard::news);
+  ASSERT_EQ(read(cable(), Bus::usb, by_cable), ReportResult::news);
+  ASSERT_EQ(read(radio(), Bus::bluetooth, by_radio), ReportResult::news);
   EXPECT_EQ(by_cable, by_radio);
   EXPECT_EQ(by_cable.left, (std::array<std::uint8_t, 2>{10, 20}));
   EXPECT_EQ(by_cable.right, (std::array<std::uint8_t, 2>{30, 40}));
@@ -74,7 +74,7 @@ TEST(DualSense, OneBitWrongOnTheRadioIsBroken) {
     Bytes wrong = good;
     wrong[bit / 8] = static_cast<std::uint8_t>(wrong[bit / 8] ^ (1u << (bit % 8)));
     State state;
-    EXPECT_NE(read(wrong, Bus::bluetooth, state), Heard::news) << bit;
+    EXPECT_NE(read(wrong, Bus::bluetooth, state), ReportResult::news) << bit;
     EXPECT_EQ(state, State{});
   }
 }
@@ -83,9 +83,9 @@ TEST(DualSense, OfAnotherLengthItIsBrokenAndItsShortRadioReportIsNothing) {
   State state;
   Bytes shorter = cable();
   shorter.pop_back();
-  EXPECT_EQ(read(shorter, Bus::usb, state), Heard::broken);
-  EXPECT_EQ(read(Bytes(10, 1), Bus::bluetooth, state), Heard::nothing);
-  EXPECT_EQ(read(Bytes{}, Bus::usb, state), Heard::broken);
+  EXPECT_EQ(read(shorter, Bus::usb, state), ReportResult::broken);
+  EXPECT_EQ(read(Bytes(10, 1), Bus::bluetooth, state), ReportResult::nothing);
+  EXPECT_EQ(read(Bytes{}, Bus::usb, state), ReportResult::broken);
   EXPECT_EQ(state, State{});
 }
 

@@ -28,7 +28,7 @@ std::string session(const std::string& name, std::unique_ptr<stand_in::Simulated
   rig.tick(15);
   rig.feels = true;
   rig.tick(100, {}, false);
-  FeelWish buzz;
+  ForceRequest buzz;
   buzz.buzzes = 1;
   rig.link->wish(buzz);
   for (int ms = 0; ms < 12; ++ms) rig.link->pump(1e-3);

@@ -369,7 +369,7 @@ TEST(HidHand, AnArmThatNobodyMovedIsNotPushed) {
   ASSERT_TRUE(rig.open(&def));
   for (std::uint64_t n = 1; n <= 2000; ++n) {
     rig.link->heartbeat();
-    FeelWish wish;
+    ForceRequest wish;
     wish.ticks = n;
     wish.force = n > 1000 ? Vec3{2.0, 0.0, 0.0} : Vec3{};
     wish.contact = true;

@@ -35,7 +35,7 @@ TEST(OnggiHid, TheKioskWritesTheGoldenBytes) {
 TEST(OnggiHid, TheKioskReadsTheGoldenBytes) {
   const auto golden = golden_bytes();
   Input input;
-  ASSERT_EQ(read(golden.at("input_held"), input), Heard::news);
+  ASSERT_EQ(read(golden.at("input_held"), input), ReportResult::news);
   EXPECT_EQ(input.flags, kHasSensor | kHeld | kPowered);
   EXPECT_EQ(input.sequence, 1);
   EXPECT_EQ(input.time, 1000u);
@@ -44,16 +44,16 @@ TEST(OnggiHid, TheKioskReadsTheGoldenBytes) {
   EXPECT_NEAR(input.position.z, 214.7483647, 1e-9);
   EXPECT_EQ(input.buttons, 5);
   EXPECT_EQ(input.echo, 0);
-  ASSERT_EQ(read(golden.at("input_armed"), input), Heard::news);
+  ASSERT_EQ(read(golden.at("input_armed"), input), ReportResult::news);
   EXPECT_TRUE(input.flags & kArmed);
   EXPECT_EQ(input.echo, 3);
-  ASSERT_EQ(read(golden.at("input_ran_out"), input), Heard::news);
+  ASSERT_EQ(read(golden.at("input_ran_out"), input), ReportResult::news);
   EXPECT_FALSE(input.flags & kArmed);
   EXPECT_EQ(input.status, static_cast<std::uint16_t>(Status::ran_out));
-  ASSERT_EQ(read(golden.at("input_suspended"), input), Heard::news);
+  ASSERT_EQ(read(golden.at("input_suspended"), input), ReportResult::news);
   EXPECT_EQ(input.status, static_cast<std::uint16_t>(Status::suspended));
   Feature feature;
-  ASSERT_EQ(read_feature(golden.at("feature"), feature), Heard::news);
+  ASSERT_EQ(read_feature(golden.at("feature"), feature), ReportResult::news);
   EXPECT_EQ(feature.version, 1);
   EXPECT_DOUBLE_EQ(feature.max_force, 5.0);
   EXPECT_DOUBLE_EQ(feature.least.z, -0.1);
@@ -71,8 +71,8 @@ TEST(OnggiHid, OneBitWrongAnywhereIsBrokenAndLeavesWhatWasKnown) {
       wrong[bit / 8] = static_cast<std::uint8_t>(wrong[bit / 8] ^ (1u << (bit % 8)));
       Input input;
       Feature feature;
-      EXPECT_NE(read(wrong, input), Heard::news) << bit;
-      EXPECT_NE(read_feature(wrong, feature), Heard::news) << bit;
+      EXPECT_NE(read(wrong, input), ReportResult::news) << bit;
+      EXPECT_NE(read_feature(wrong, feature), ReportResult::news) << bit;
       EXPECT_EQ(input.time, 0u);
       EXPECT_EQ(feature.max_force, 0.0);
     }
@@ -84,7 +84,7 @@ TEST(OnggiHid, AShortReportIsBroken) {
   Input input;
   while (!report.empty()) {
     report.pop_back();
-    EXPECT_EQ(read(report, input), Heard::broken) << report.size();
+    EXPECT_EQ(read(report, input), ReportResult::broken) << report.size();
   }
 }
 

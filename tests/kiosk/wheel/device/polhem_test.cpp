@@ -20,12 +20,12 @@ TEST(Polhem, EncodersAreTheFirstFourteenOfSixtyFourBytes) {
   for (std::size_t n = 0; n < 7; ++n)
     put_i16(report, 2 * n, static_cast<std::int16_t>(n * 1000 - 3000));
   Input input;
-  ASSERT_EQ(read(report, input), Heard::news);
+  ASSERT_EQ(read(report, input), ReportResult::news);
   EXPECT_EQ(input.encoder, (std::array<std::int16_t, 6>{-3000, -2000, -1000, 0, 1000, 2000}));
   EXPECT_EQ(input.info, 3000);
   report.pop_back();
   Input other;
-  EXPECT_EQ(read(report, other), Heard::broken);
+  EXPECT_EQ(read(report, other), ReportResult::broken);
   EXPECT_EQ(other, Input{});
 }
 

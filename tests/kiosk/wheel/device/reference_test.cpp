@@ -49,7 +49,7 @@ class Bench {
     std::uint8_t bytes[ONGGI_HID_INPUT_SIZE];
     onggi_hid_input(&device, bytes);
     onggi_hid::Input said;
-    EXPECT_EQ(onggi_hid::read(bytes, said), Heard::news);
+    EXPECT_EQ(onggi_hid::read(bytes, said), ReportResult::news);
     return said;
   }
 

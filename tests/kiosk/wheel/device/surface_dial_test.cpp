@@ -37,13 +37,13 @@ Bytes report_of(bool pressed, bool touched, int counts) {
 
 TEST(SurfaceDial, AClickIsAClickAndAHandThatRestsOnItIsNone) {
   State state;
-  EXPECT_EQ(read(report_of(true, true, 0), state), Heard::news);
+  EXPECT_EQ(read(report_of(true, true, 0), state), ReportResult::news);
   EXPECT_TRUE(state.pressed);
   EXPECT_EQ(state.turned, 0);
-  EXPECT_EQ(read(report_of(false, true, 10), state), Heard::news);
+  EXPECT_EQ(read(report_of(false, true, 10), state), ReportResult::news);
   EXPECT_FALSE(state.pressed);
   EXPECT_EQ(state.turned, 10);
-  EXPECT_EQ(read(Bytes{1, 0, 0xff, 0xff}, state), Heard::news);
+  EXPECT_EQ(read(Bytes{1, 0, 0xff, 0xff}, state), ReportResult::news);
   EXPECT_EQ(state.turned, 9) << "one step back";
 }
 
@@ -62,7 +62,7 @@ TEST(SurfaceDial, EveryTurnThatFitsComesBackAndAddsUp) {
     for (const int turn : *rc::gen::container<std::vector<int>>(rc::gen::inRange(-32767, 32768))) {
       const bool pressed = *rc::gen::arbitrary<bool>();
       all += turn;
-      RC_ASSERT(read(report_of(pressed, false, turn), state) == Heard::news);
+      RC_ASSERT(read(report_of(pressed, false, turn), state) == ReportResult::news);
       RC_ASSERT(state.pressed == pressed);
     }
     RC_ASSERT(state.turned == all);
@@ -72,8 +72,8 @@ TEST(SurfaceDial, EveryTurnThatFitsComesBackAndAddsUp) {
 TEST(SurfaceDial, AShortReportIsBrokenAndAnotherIdNothing) {
   State state;
   for (const Bytes& report : {Bytes{}, Bytes{1}, Bytes{1, 7}, Bytes{1, 7, 7}})
-    EXPECT_EQ(read(report, state), Heard::broken);
-  EXPECT_EQ(read(Bytes{2, 7, 7}, state), Heard::nothing);
+    EXPECT_EQ(read(report, state), ReportResult::broken);
+  EXPECT_EQ(read(Bytes{2, 7, 7}, state), ReportResult::nothing);
   EXPECT_EQ(state, State{});
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <new>
 
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/support/sanitized.h"
 
 namespace {
@@ -35,7 +35,7 @@ TEST(Potter, NeitherATickNorACollectedRowAllocates) {
   def.clay.sectors = 64;
   def.volume.emplace();
   def.moisture->sponge_height = 0.04;
-  SteppedPotter potter;
+  SteppedWheel potter;
   potter.start(std::make_unique<Scene>(std::move(*Scene::create(def))));
   HandInput hand;
   hand.active = true;

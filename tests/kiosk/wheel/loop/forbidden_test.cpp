@@ -11,7 +11,7 @@
 #include <cstdlib>
 
 #include "kiosk/wheel/device/hid_hand.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/wheel/loop/pots.h"
 #include "tests/stand_in/simulated_handle.h"
 #include "tests/stand_in/world.h"
@@ -105,7 +105,7 @@ TEST(Loop, InAHundredThousandTicksWithEveryEffectAndADeviceNothingIsAllocatedLoc
   auto link = device::HidLink::begin(std::move(parts), device::HidLink::Turning::by_thread);
   ASSERT_TRUE(link);
 
-  SteppedPotter potter;
+  SteppedWheel potter;
   ASSERT_NE(potter.attach(std::make_unique<device::HidHand>(std::move(link)), 0), nullptr);
   potter.start(pot(def));
   std::uint64_t ticks = 0, touched = 0, pressed = 0;

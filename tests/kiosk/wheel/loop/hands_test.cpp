@@ -13,7 +13,7 @@
 #include "engine/scene/replay.h"
 #include "kiosk/wheel/loop/fault_log.h"
 #include "kiosk/wheel/loop/loop_thread.h"
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/wheel/loop/pots.h"
 
 // Hands are devices: several, of any kind, with any tool.
@@ -39,7 +39,7 @@ class NotedHand final : public device::HandDevice {
 };
 
 /// The hand comes to the wall from outside at 5 mm/s, for `ticks`.
-void come(SteppedPotter& potter, Notes& notes, const SceneDef& def, int ticks, double y) {
+void come(SteppedWheel& potter, Notes& notes, const SceneDef& def, int ticks, double y) {
   notes.hand = press_at(def, -0.0002);
   notes.hand.position.y = y;
   for (int n = 0; n < ticks; ++n) {
@@ -49,7 +49,7 @@ void come(SteppedPotter& potter, Notes& notes, const SceneDef& def, int ticks, d
 }
 
 std::uint8_t tool_of(const SceneDef& def, std::string_view name) {
-  return static_cast<std::uint8_t>(std::ranges::find(def.tools, name, &ToolToHand::name) -
+  return static_cast<std::uint8_t>(std::ranges::find(def.tools, name, &SceneTool::name) -
                                    def.tools.begin() + 1);
 }
 
@@ -65,7 +65,7 @@ TEST(HandDevices, WhileTicksComeTooLateForcesGoDownAndThenComeBackSlowly) {
     double& felt_;
   };
   double felt = 0.0;
-  PotterCore core;
+  WheelLoop core;
   SceneDef def = small_scene();
   def.guard.engage_time = 0.05;
   def.contact.relaxation_time = 1.0;
@@ -98,7 +98,7 @@ TEST(HandDevices, WhileTicksComeTooLateForcesGoDownAndThenComeBackSlowly) {
 
 TEST(HandDevices, WhateverADeviceReportsReachesTheScene) {
   Notes notes;
-  SteppedPotter potter;
+  SteppedWheel potter;
   const SceneDef def = small_scene();
   potter.start(pot(def));
   notes.hand = {{-0.09, 0.07, 0.01}, true, SideWish::outside, tool_of(def, "flat_rib"),
@@ -119,7 +119,7 @@ TEST(HandDevices, WhateverADeviceReportsReachesTheScene) {
 
 TEST(HandDevices, OfSeveralForOneHandTheLastThatIsInUseLeadsAndItAloneFeelsTheClay) {
   Notes first, last;
-  SteppedPotter potter;
+  SteppedWheel potter;
   const SceneDef def = small_scene();
   potter.start(pot(def));
   potter.attach(std::make_unique<NotedHand>(first), 0);
@@ -138,7 +138,7 @@ TEST(HandDevices, OfSeveralForOneHandTheLastThatIsInUseLeadsAndItAloneFeelsTheCl
 
 TEST(HandDevices, ADeviceThatLeavesFeelsNothingMoreAndIsDestroyedOnceTheLoopHasLetGo) {
   Notes notes;
-  SteppedPotter potter;
+  SteppedWheel potter;
   const SceneDef def = small_scene();
   potter.start(pot(def));
   device::HandDevice* const name = potter.attach(std::make_unique<NotedHand>(notes), 0);
@@ -155,9 +155,9 @@ TEST(HandDevices, ADeviceThatLeavesFeelsNothingMoreAndIsDestroyedOnceTheLoopHasL
 }
 
 TEST(HandDevices, OneTooManyIsTurnedAway) {
-  std::vector<Notes> notes(PotterCore::kMostDevices);
+  std::vector<Notes> notes(WheelLoop::kMostDevices);
   Notes third_hand;
-  SteppedPotter potter;
+  SteppedWheel potter;
   for (Notes& each : notes) potter.attach(std::make_unique<NotedHand>(each), 0);
   potter.attach(std::make_unique<NotedHand>(third_hand), 2);
   potter.advance(1);
@@ -203,7 +203,7 @@ TEST(HandDevices, OneMayComeAndGoWhileTheLoopRuns) {
 
 TEST(HandDevices, AForceStopsWhereThePotRestsAndWhereAScriptMovesTheHands) {
   Notes notes;
-  SteppedPotter potter;
+  SteppedWheel potter;
   const SceneDef def = small_scene();
   potter.start(pot(def));
   potter.attach(std::make_unique<NotedHand>(notes), 0);
@@ -225,7 +225,7 @@ TEST(HandDevices, AForceStopsWhereThePotRestsAndWhereAScriptMovesTheHands) {
 }
 
 TEST(HandDevices, AToolThatIsTakenIsHeldUntilAnotherOneIsOrThePotIsNew) {
-  SteppedPotter potter;
+  SteppedWheel potter;
   const SceneDef def = small_scene();
   potter.start(pot(def));
   potter.hand(1, press_at(def, -0.02));
@@ -244,7 +244,7 @@ TEST(HandDevices, AToolThatIsTakenIsHeldUntilAnotherOneIsOrThePotIsNew) {
 
 TEST(HandDevices, AVisitWithEveryToolInTwoHandsIsTheOneItsReplayThrows) {
   Notes notes;  // of a device that knows its handle
-  SteppedPotter potter;
+  SteppedWheel potter;
   SceneDef def = small_scene();
   def.volume.emplace();
   def.walls.emplace();
@@ -289,7 +289,7 @@ TEST(HandDevices, AVisitWithEveryToolInTwoHandsIsTheOneItsReplayThrows) {
 }
 
 /// A wheel whose ticks may last what they like.
-class WildPotter final : public PotterHost {
+class WildPotter final : public WheelHost {
  public:
   LoopStatus status() const override { return core_.status(); }
   void tick(double dt) { core_.tick(dt); }

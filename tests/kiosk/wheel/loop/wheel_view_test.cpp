@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "kiosk/wheel/loop/stepped_potter.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/wheel/loop/pots.h"
 
 namespace onggi::loop {
 namespace {
 
-void expect_the_view_is_the_clay(PotterHost& host) {
+void expect_the_view_is_the_clay(WheelHost& host) {
   ASSERT_TRUE(host.with_scene([&host](Scene& scene) {
     const Clay& clay = scene.clay();
     for (int j = 0; j < clay.rows(); ++j)
@@ -23,7 +23,7 @@ void expect_the_view_is_the_clay(PotterHost& host) {
 }
 
 TEST(WheelView, WhatAHandPressesIntoTheClayReachesTheViewRowForRow) {
-  SteppedPotter potter;
+  SteppedWheel potter;
   const SceneDef def = small_scene();
   potter.start(pot(def));
   potter.wheel(15);
@@ -40,7 +40,7 @@ TEST(WheelView, WhatAHandPressesIntoTheClayReachesTheViewRowForRow) {
 }
 
 TEST(WheelView, ARimThatIsPressedDownReachesTheView) {
-  SteppedPotter potter;
+  SteppedWheel potter;
   SceneDef def = small_scene();
   def.clay.inner_radius = 0.049;
   potter.start(pot(def));
@@ -72,7 +72,7 @@ TEST(WheelView, ARimThatIsPressedDownReachesTheView) {
 }
 
 /// A pot on which a rim press is under way, seen as it was some ticks ago.
-void press_rim(SteppedPotter& potter, SceneDef& def) {
+void press_rim(SteppedWheel& potter, SceneDef& def) {
   def.clay.inner_radius = 0.049;
   potter.start(pot(def));
   potter.wheel(15);
@@ -87,11 +87,11 @@ void press_rim(SteppedPotter& potter, SceneDef& def) {
 }
 
 TEST(WheelView, ASettledViewIsTheClayToTheBitThoughRowsWereOnTheirWay) {
-  SteppedPotter potter;
+  SteppedWheel potter;
   SceneDef def = small_scene();
   press_rim(potter, def);
   const double before = potter.view().clay.rim_height();
-  ASSERT_TRUE(potter.settle());
+  ASSERT_TRUE(potter.refresh_every_row());
   EXPECT_LT(potter.view().clay.rim_height(), before) << "some were";
   expect_the_view_is_the_clay(potter);
   ASSERT_TRUE(potter.with_scene([&](Scene& scene) {
@@ -151,7 +151,7 @@ TEST(WheelView, RowsThatOnlyMovedComeWithoutRadii) {
 }
 
 TEST(WheelView, APotThatRestsDoesNotSagAndNoHandIsAtIt) {
-  SteppedPotter potter;
+  SteppedWheel potter;
   const SceneDef def = small_scene();
   potter.start(pot(def));
   potter.wheel(15);
@@ -161,7 +161,7 @@ TEST(WheelView, APotThatRestsDoesNotSagAndNoHandIsAtIt) {
   EXPECT_TRUE(potter.view().status.hand[0].present);
   EXPECT_TRUE(potter.view().status.feedback.hand[0].contact);
   potter.pause(true);
-  ASSERT_TRUE(potter.settle());
+  ASSERT_TRUE(potter.refresh_every_row());
   std::uint64_t hash = 0;
   ASSERT_TRUE(potter.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
   potter.advance(1000);
@@ -173,11 +173,11 @@ TEST(WheelView, APotThatRestsDoesNotSagAndNoHandIsAtIt) {
 }
 
 TEST(WheelView, APotThatTheWireCutFreeStandsWhileTheWheelTurnsOn) {
-  SteppedPotter potter;
+  SteppedWheel potter;
   SceneDef def = small_scene();
   potter.start(pot(def));
   const auto wire = static_cast<std::uint8_t>(
-      std::ranges::find(def.tools, "wire", &ToolToHand::name) - def.tools.begin() + 1);
+      std::ranges::find(def.tools, "wire", &SceneTool::name) - def.tools.begin() + 1);
   potter.wheel(10);
   potter.take(0, wire);
   HandInput hand;

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/scene/scene.h"
+#include "engine/script/script.h"
+
+namespace onggi::loop {
+
+/// The wheel's commands for the screens. Arguments are values; only settle() waits.
+class WheelCommands {
+ public:
+  virtual ~WheelCommands() = default;
+  /// Puts a new pot on the wheel. Ends any script; hands are lifted and lose their tools.
+  virtual void start(std::unique_ptr<Scene> scene) = 0;
+  /// Lets a script move the hands (nullptr: the visitor again).
+  virtual void play(std::unique_ptr<Script> script) = 0;
+  /// Sets the target for the devices of hand `index` that follow a finger or keys; they glide
+  /// there.
+  virtual void hand(int index, const HandInput& target) = 0;
+  /// Gives hand `index` a tool (HandInput::tool), whatever device leads it, until another tool or a
+  /// new pot.
+  virtual void take(int index, std::uint8_t tool) = 0;
+  virtual void wheel(double rad_per_s) = 0;
+  virtual void water(bool held) = 0;
+  virtual void renew() = 0;
+  virtual void restore() = 0;
+  /// Pauses the simulation and lifts all hands.
+  virtual void pause(bool on) = 0;
+  /// Acknowledges these FaultBits, so that a repeat is reported again.
+  virtual void clear_faults(std::uint32_t which) = 0;
+  /// Updates every row of the clay's view to the last tick. False if the loop did not answer within
+  /// a second; then call again.
+  virtual bool refresh_every_row() = 0;
+};
+
+}  // namespace onggi::loop

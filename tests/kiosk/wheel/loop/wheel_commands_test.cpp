@@ -1,0 +1,276 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "engine/scene/replay.h"
+#include "kiosk/wheel/loop/loop_thread.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
+#include "tests/kiosk/wheel/loop/pots.h"
+
+namespace onggi::loop {
+namespace {
+
+/// A stepped wheel with a pot on it.
+struct Stepped {
+  explicit Stepped(const SceneDef& def) {
+    host.start(pot(def));
+    host.advance(1);
+    host.collect();
+  }
+  SteppedWheel host;
+};
+
+/// A device that somebody holds.
+class HeldHand final : public device::HandDevice {
+ public:
+  /// At `hand`; what it feels of the clay goes to `contact`.
+  explicit HeldHand(const bool& held, const HandInput& hand = away(), bool* contact = nullptr)
+      : held_(held), hand_(hand), contact_(contact) {}
+  static HandInput away() {
+    HandInput hand;
+    hand.position = {0.2, 0.2, 0.0};
+    return hand;
+  }
+  HandInput read(double) noexcept override {
+    hand_.active = held_;
+    return hand_;
+  }
+  void feel(const HandFeedback& felt) noexcept override {
+    if (contact_ != nullptr) *contact_ = felt.contact;
+  }
+
+ private:
+  const bool& held_;
+  HandInput hand_;
+  bool* contact_;
+};
+
+TEST(Potter, AHandThatTheScreensLeadIsNoVisitorAndOneThatHoldsADeviceIs) {
+  const SceneDef def = small_scene();
+  Stepped wheel(def);
+  wheel.host.hand(0, press_at(def, 0.001));
+  wheel.host.advance(50);
+  ASSERT_TRUE(wheel.host.status().hands.hand[0].active);
+  EXPECT_FALSE(wheel.host.status().hands_taken);
+  bool held = true;
+  wheel.host.attach(std::make_unique<HeldHand>(held), 1);
+  wheel.host.advance(1);
+  EXPECT_TRUE(wheel.host.status().hands_taken);
+  held = false;
+  wheel.host.advance(1);
+  EXPECT_FALSE(wheel.host.status().hands_taken);
+}
+
+// Attract throws with the pointers' own hands, beside whatever somebody leans on.
+TEST(Potter, OnAPotThatIsShownADeviceThatSomebodyLeansOnNeitherWorksNorFeels) {
+  const SceneDef def = small_scene();
+  Stepped wheel(def);
+  bool held = true, contact = false;
+  auto leaned_on = std::make_unique<HeldHand>(held, press_at(def, 0.002), &contact);
+  wheel.host.attach(std::move(leaned_on), 0);
+  wheel.host.advance(50);
+  ASSERT_TRUE(contact) << "a visitor's pot it works on";
+  wheel.host.start(pot(def));
+  wheel.host.show();
+  wheel.host.hand(1, press_at(def, 0.001));
+  bool shows = false;
+  for (int n = 0; n < 200; ++n) {
+    wheel.host.advance(1);
+    shows = shows || wheel.host.status().feedback.hand[1].contact;
+    ASSERT_FALSE(contact);
+    ASSERT_FALSE(wheel.host.status().hands.hand[0].active);
+  }
+  EXPECT_TRUE(wheel.host.status().hands_taken) << "somebody is there";
+  EXPECT_TRUE(wheel.host.status().shown);
+  EXPECT_TRUE(shows) << "the hand that the screens lead";
+  wheel.host.start(pot(def));
+  wheel.host.advance(50);
+  EXPECT_TRUE(contact) << "the next visitor's";
+  EXPECT_FALSE(wheel.host.status().shown);
+}
+
+TEST(Potter, RowsThatAreWetAreSeenWetAndAPotWithoutSuchRowsHasNone) {
+  SceneDef def = small_scene();
+  Stepped plain(def);
+  EXPECT_TRUE(plain.host.view().clay.wet.empty());
+  def.moisture->sponge_height = 0.04;
+  Stepped rows(def);
+  HandInput hand = press_at(def, 0.001);
+  rows.host.hand(0, hand);
+  rows.host.water(true);
+  rows.host.advance(2000);
+  rows.host.collect();
+  const auto& wet = rows.host.view().clay.wet;
+  ASSERT_EQ(wet.size(), 64u);
+  EXPECT_GT(wet[32], 0.8f) << "where the sponge was";
+  EXPECT_LT(wet[4], 0.05f);
+  EXPECT_LT(wet[60], 0.05f);
+  const float before = wet[32];
+  rows.host.water(false);
+  rows.host.advance(20000);
+  rows.host.collect();
+  EXPECT_LT(rows.host.view().clay.wet[32], 0.8f * before) << "it dries";
+}
+
+TEST(Potter, ARowThatToreIsSeenTornAndHealsByGoingBack) {
+  SceneDef def = small_scene();
+  def.clay.inner_radius = 0.045;
+  def.clay.wall_min = 0.002;
+  def.walls.emplace();
+  def.walls->tear_thickness = 0.0025;
+  Stepped wheel(def);
+  SteppedWheel& host = wheel.host;
+  host.wheel(15);
+  const auto pass = [&host](int ticks) {
+    for (int n = 0; n < ticks; n += 20) {
+      host.advance(20);
+      host.collect();
+    }
+  };
+  const auto torn = [&host] {
+    int rows = 0;
+    for (int j = 0; j < host.view().clay.rows(); ++j) rows += host.view().clay.torn(j) ? 1 : 0;
+    return rows;
+  };
+  // Between two hands, until 1.5 mm are left of the wall, and stay.
+  for (int n = 0; n < 170; ++n) {
+    const double room = std::max(0.010 - 0.0001 * n, 0.0015);
+    const double way = 0.5 * room + def.tool.radius, middle = 0.05;
+    host.hand(0, {{middle + way, def.clay.height / 2, 0}, true, SideWish::outside});
+    host.hand(1, {{middle - way, def.clay.height / 2, 0}, true, SideWish::inside});
+    pass(20);
+  }
+  EXPECT_FALSE(host.view().clay.torn(5));
+  host.hand(0, HandInput{});
+  host.hand(1, HandInput{});
+  pass(600);
+  EXPECT_TRUE(host.status().feedback.torn);
+  EXPECT_GT(torn(), 0);
+  EXPECT_LT(torn(), 20);
+  EXPECT_TRUE(host.view().clay.torn(def.clay.rows / 2) ||
+              host.view().clay.torn(def.clay.rows / 2 - 1));
+  EXPECT_LT(host.view().clay.torn_wall().value(), 0.0026);
+  for (int n = 0; n < 4 && host.status().feedback.torn; ++n) {
+    host.restore();
+    pass(400);
+  }
+  EXPECT_FALSE(host.status().feedback.torn);
+  EXPECT_EQ(torn(), 0);
+  EXPECT_FALSE(host.view().clay.torn_wall());
+}
+
+TEST(Potter, OnceTheViewIsLevelAnUntouchedPotSendsNoRows) {
+  SteppedWheel potter;
+  potter.start(pot(small_scene()));
+  for (int i = 0; i < 20; ++i) {
+    potter.advance(20);
+    potter.collect();
+  }
+  potter.advance(100);
+  EXPECT_EQ(potter.collect(), 0);
+}
+
+TEST(Potter, ThePotThrownOnTheThreadIsTheOneItsReplayThrows) {
+  LoopThread potter;
+  const SceneDef def = small_scene();
+  potter.start(pot(def));
+  potter.record("test", 7);
+  potter.wheel(15);
+  for (int i = 0; i < 40; ++i) {
+    potter.hand(0, press_at(def, 0.0002 * i));
+    potter.water(i > 20);
+    potter.collect();
+    std::this_thread::sleep_for(std::chrono::milliseconds(8));
+  }
+  std::uint64_t hash = 0, ticks = 0;
+  ASSERT_TRUE(potter.with_scene([&](Scene& scene) {
+    hash = scene.state_hash();
+    ticks = scene.counters().ticks;
+  }));
+  EXPECT_GT(ticks, 50u);
+  const auto bytes = potter.replay(hash);
+  const auto replay = Replay::read(bytes, "test");
+  ASSERT_TRUE(replay.has_value());
+  EXPECT_EQ(replay->ticks.size(), ticks);
+  const auto outcome = run_replay(*replay);
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(outcome->replayed_hash, hash);
+}
+
+TEST(Potter, APotOnLoanComesBackAndTurnsOn) {
+  LoopThread potter;
+  potter.start(pot(small_scene()));
+  std::uint64_t before = 0;
+  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { before = scene.counters().ticks; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  std::uint64_t after = 0;
+  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { after = scene.counters().ticks; }));
+  EXPECT_GT(after, before);
+}
+
+TEST(Potter, AFloodOfWishesNeitherBlocksNorLeaks) {
+  LoopThread potter;
+  for (int i = 0; i < 40; ++i) {
+    potter.start(pot(small_scene()));
+    for (int k = 0; k < 100; ++k) potter.hand(k % 3, press_at(small_scene(), 1e-3));
+  }
+  EXPECT_TRUE(potter.with_scene([](Scene&) {}));
+}
+
+/// A loop that stands still until it is told to turn.
+class StalledPotter final : public WheelHost {
+ public:
+  StalledPotter() : WheelHost(0.02) {}
+  LoopStatus status() const override { return core_.status(); }
+  void turn() { core_.tick(1e-3); }
+
+ private:
+  void let_loop_turn() override {}
+};
+
+TEST(Potter, APotThatComesBackTooLateGoesOnTurning) {
+  StalledPotter potter;
+  potter.start(pot(small_scene()));
+  potter.turn();
+  EXPECT_FALSE(potter.with_scene([](Scene&) { FAIL() << "the loop has not answered"; }));
+  potter.turn();     // Hands the pot back, after the host gave up.
+  potter.collect();  // Puts it on again.
+  potter.turn();
+  potter.turn();
+  EXPECT_EQ(potter.status().ticks, 3u);
+}
+
+TEST(Potter, TheNextVisitorNeverGetsThePotOfTheLast) {
+  StalledPotter potter;
+  potter.start(pot(small_scene()));
+  for (int i = 0; i < 5; ++i) potter.turn();
+  EXPECT_FALSE(potter.with_scene([](Scene&) {}));
+  potter.turn();
+  potter.start(pot(small_scene()));
+  potter.turn();
+  potter.collect();
+  potter.turn();
+  EXPECT_EQ(potter.status().scene_serial, 2u);
+  EXPECT_EQ(potter.status().ticks, 2u);
+}
+
+TEST(Potter, APausedWheelStandsStill) {
+  SteppedWheel potter;
+  potter.start(pot(small_scene()));
+  potter.wheel(15);
+  potter.advance(500);
+  const LoopStatus before = potter.status();
+  potter.pause(true);
+  potter.advance(500);
+  EXPECT_EQ(potter.status().ticks, before.ticks);
+  EXPECT_EQ(potter.status().feedback.wheel_angle, before.feedback.wheel_angle);
+  potter.pause(false);
+  potter.advance(1);
+  EXPECT_EQ(potter.status().ticks, before.ticks + 1);
+}
+
+}  // namespace
+}  // namespace onggi::loop
