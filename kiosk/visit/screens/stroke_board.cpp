@@ -88,18 +88,18 @@ std::optional<Ask> StrokeBoard::press(const std::string& control) {
 }
 
 std::string StrokeBoard::advice(const Desk& desk) {
-  struct Stroke {
+  struct Nearer {
     const char* hint;
     Ask ask;
     WallPart part;
   };
-  static constexpr std::array<Stroke, 5> kNearer{{{"mission.more", Ask::widen, WallPart::all},
+  static constexpr std::array<Nearer, 5> kNearer{{{"mission.more", Ask::widen, WallPart::all},
                                                   {"mission.less", Ask::narrow, WallPart::all},
                                                   {"mission.wider", Ask::widen, WallPart::rim},
                                                   {"mission.closer", Ask::narrow, WallPart::rim},
                                                   {"mission.taller", Ask::pull, WallPart::all}}};
   const std::string hint = MeasuredPot::hint(desk);
-  for (const Stroke& one : kNearer)
+  for (const Nearer& one : kNearer)
     if (hint == one.hint)
       return desk.say("stroke.try",
                       {{"what", ask_name(desk, one.ask)}, {"where", part_name(desk, one.part)}});

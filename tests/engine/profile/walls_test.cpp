@@ -36,7 +36,7 @@ TEST(Walls, the_inside_of_a_skirt_is_not_the_inside_of_the_pot) {
   EXPECT_EQ(seen(e, 0.187, 0.199), 1.0);
   bool told = false;
   for (const std::string& w : e.warnings)
-    told = told || w.find("both sides of it seen, on 8") != std::string::npos;
+    told = told || w.find("Both sides of the wall are measured on 8") != std::string::npos;
   EXPECT_TRUE(told);
 }
 

@@ -106,8 +106,8 @@ TEST_F(DrawingTest, what_is_wrong_is_said_with_line_and_column) {
   says(cup("[[30, 0], [40, 80]]", "[[37, 80], [34.5, 40], [0, 6]]"), "thick here", "5:20");
   says(cup("[[30, 0], [-4, 40], [40, 80]]", "[[37, 80], [0, 6]]"), "cannot be negative", "4:19");
   says(cup("[[30, 3], [40, 80]]", "[[37, 80], [0, 6]]"), "begins at height 3 mm", "4:10");
-  says(cup("[[30, 0], [40, 80]]", "[[39.5, 80], [0, 6]]"), "not 1 mm inside", "5:10");
-  says(cup("[[30, 0], [40, 80]]", "[[37, 60], [0, 6]]"), "gapes", "5:10");
+  says(cup("[[30, 0], [40, 80]]", "[[39.5, 80], [0, 6]]"), "must be at least 1 mm inside", "5:10");
+  says(cup("[[30, 0], [40, 80]]", "[[37, 60], [0, 6]]"), "the rim is open", "5:10");
   says(cup("[[30, 0], [40, 80]]", "[[37, 80], [3, 6]]"), "must end on the axis", "5:20");
   says(cup("[[30, 0], [30, 0], [40, 80]]", "[[37, 80], [0, 6]]"), "same as", "4:19");
   says(kCup + "[foot]\nring_inner_radius = 29.5\nrecess = 3\n", "foot ring", "7:");

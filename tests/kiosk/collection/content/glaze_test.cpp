@@ -71,7 +71,7 @@ TEST_F(GlazeTest, ASlipInOneIsToldWithItsPlaceAndTheOthersStand) {
   EXPECT_THAT(r.problems[1].what, HasSubstr("no name in the language \"ko\""));
   EXPECT_THAT(r.problems[2].what, HasSubstr("\"brown\" is not a valid colour"));
   EXPECT_THAT(r.problems[3].what, HasSubstr("\"#12345\" is not a valid colour"));
-  EXPECT_THAT(r.problems[4].remedy, HasSubstr("Write gloss"));
+  EXPECT_THAT(r.problems[4].remedy, HasSubstr("Did you mean gloss"));
   EXPECT_THAT(r.problems[5].what, HasSubstr("pooling is 3"));
   for (const Problem& p : r.problems) EXPECT_FALSE(p.remedy.empty());
 }

@@ -300,7 +300,7 @@ TEST_F(Colors, a_picture_within_the_file_that_is_larger_than_the_most_is_refused
       limits);
   ASSERT_TRUE(opened) << to_text(opened.error());
   EXPECT_EQ(opened->pictures[0].fault, "");
-  EXPECT_NE(opened->pictures[1].fault.find("larger"), std::string::npos);
+  EXPECT_NE(opened->pictures[1].fault.find("too large"), std::string::npos);
   EXPECT_TRUE(opened->pictures[1].bytes.empty());
   EXPECT_EQ(opened->pictures[2].bytes.size(), 3u) << "what just fits";
 }

@@ -179,7 +179,7 @@ TEST_F(GltfTest, data_within_the_file_is_decoded_in_its_place_and_refused_by_its
       write("pack/b.gltf", triangle("a.bin", ",\"x\":\"" + std::string(2 << 20, 'A') + "\""));
   const auto refused = read_gltf(words, tight);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().what.find("the most is 1"), std::string::npos);
+  EXPECT_NE(refused.error().what.find("the limit is 1"), std::string::npos);
 }
 
 TEST_F(GltfTest, what_a_parser_reads_past_is_named) {
@@ -203,7 +203,7 @@ TEST_F(GltfTest, what_a_parser_reads_past_is_named) {
     EXPECT_TRUE(model) << to_text(model.error());
     return !model || model->warnings.size() != 1 ? "" : model->warnings[0];
   };
-  EXPECT_NE(warning(with(R"("scene":0)", R"("scene":55)")).find("scene 55 and has 1"),
+  EXPECT_NE(warning(with(R"("scene":0)", R"("scene":55)")).find("scene 55 but has only 1"),
             std::string::npos);
   EXPECT_NE(warning(with(R"("scene":0)", R"("scene":-1)")).find("scene -1"), std::string::npos);
   const std::string primitive = R"({"attributes":{"POSITION":0}}])";

@@ -83,7 +83,7 @@ TEST_F(MissionFile, ABrokenOneIsNamedWithLineMeaningAndRemedyAndTheOthersStand) 
   EXPECT_THAT(r.problems[3].what, HasSubstr("two missions \"good\""));
   EXPECT_THAT(r.problems[4].what, HasSubstr("height_mm"));
   EXPECT_THAT(r.problems[5].what, HasSubstr("litres"));
-  EXPECT_THAT(r.problems[6].what, HasSubstr("vessel of the shelf"));
+  EXPECT_THAT(r.problems[6].what, HasSubstr("vessel on the shelf"));
   for (const Problem& one : r.problems) EXPECT_FALSE(one.remedy.empty()) << one.what;
   ASSERT_THAT(r.missions, SizeIs(2)) << "good, and e, of which a key is too many";
   EXPECT_EQ(r.missions[0].id, "good");

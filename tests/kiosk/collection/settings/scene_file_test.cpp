@@ -131,7 +131,7 @@ TEST(scene, a_clay_that_nobody_sells_is_told_with_the_nearest_and_stoneware_stan
   const SceneRead r = read("[kiln]\nbody = \"porcelin\"\nfiring_shrinkage = 0.5\n");
   ASSERT_THAT(r.problems, SizeIs(2)) << all(r.problems);
   EXPECT_THAT(r.problems[0].where, EndsWith(":2:8"));
-  EXPECT_THAT(r.problems[0].remedy, HasSubstr("Write porcelain"));
+  EXPECT_THAT(r.problems[0].remedy, HasSubstr("Did you mean porcelain"));
   EXPECT_THAT(r.problems[1].what, HasSubstr("kiln.firing_shrinkage is 0.5"));
   EXPECT_EQ(r.def.kiln->firing_shrinkage, KilnDef{}.firing_shrinkage);
   EXPECT_THAT(read("[kiln]\nbody = \"marble\"\n").problems[0].remedy,
@@ -153,7 +153,7 @@ TEST(scene, an_effect_beside_the_papers_model_is_told_and_left_out) {
   const SceneRead r = read("[paper]\nc_eta = 12\n[friction]\ncoefficient = 0.1\n[moisture]\n");
   ASSERT_THAT(r.problems, SizeIs(2)) << all(r.problems);
   EXPECT_THAT(r.problems[0].where, EndsWith(":3:1"));
-  EXPECT_THAT(r.problems[0].what, HasSubstr("friction stands beside [paper]"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("friction cannot be combined with [paper]"));
   EXPECT_THAT(r.problems[1].where, EndsWith(":5:1"));
   EXPECT_FALSE(r.def.friction);
   EXPECT_FALSE(r.def.moisture);
@@ -250,7 +250,7 @@ TEST(scene, what_the_engine_refuses_is_told_at_its_line_and_the_rest_is_kept) {
   EXPECT_THAT(r.problems[0].what, HasSubstr("clay.rows is 4"));
   EXPECT_THAT(r.problems[1].where, EndsWith(":5:13"));
   EXPECT_THAT(r.problems[1].remedy, HasSubstr("22.2 N"));
-  EXPECT_THAT(r.problems[2].remedy, HasSubstr("Write contact"));
+  EXPECT_THAT(r.problems[2].remedy, HasSubstr("Did you mean contact"));
   EXPECT_EQ(r.def.clay.rows, ClayDef{}.rows);
   EXPECT_EQ(r.def.clay.height, 0.3);
 }

@@ -231,7 +231,7 @@ TEST_F(TomlReaderTest, a_syntax_error_is_the_only_problem_and_shows_its_line) {
   root.finish();
   ASSERT_THAT(reader.problems(), SizeIs(1));
   EXPECT_THAT(reader.problems()[0].where, HasSubstr("pot.toml:2:"));
-  EXPECT_THAT(reader.problems()[0].what, HasSubstr("The line is: title = Throw a pot"));
+  EXPECT_THAT(reader.problems()[0].what, HasSubstr("in the line: title = Throw a pot"));
 }
 
 TEST_F(TomlReaderTest, a_byte_order_mark_and_windows_line_ends_are_read) {

@@ -137,7 +137,7 @@ TEST(Statistics, OfNoStoreOrOfSomethingElseAreRefusedWithARemedy) {
   std::ofstream(folder.file()) << std::string(9000, 'x');
   const auto other = read_statistics(folder.file().string(), "", "");
   ASSERT_FALSE(other);
-  EXPECT_NE(other.error().what.find("no store"), std::string::npos);
+  EXPECT_NE(other.error().what.find("cannot read it as a store"), std::string::npos);
 }
 
 TEST(Statistics, OfDaysWithoutVisitsAreNoughts) {

@@ -358,7 +358,7 @@ TEST(Faults, AForceThatIsNoNumberIsToldAndForgottenLikeTheOthers) {
   EXPECT_NE(potter.view().status.feedback.faults & kFaultForce, 0u);
   const auto force = log.news(potter.view().status);
   ASSERT_EQ(force.size(), 1u);
-  EXPECT_NE(force[0].find("no number"), std::string::npos);
+  EXPECT_NE(force[0].find("not a number"), std::string::npos);
   EXPECT_TRUE(log.news(potter.view().status).empty());
   potter.hand(0, HandInput{});
   for (int n = 0; n < 400; ++n) potter.tick(1e-3);  // It comes off slowly.
