@@ -11,7 +11,7 @@
 #include "kiosk/ground/files/memory.h"
 #include "kiosk/keepsake/store/statistics.h"
 #include "tests/kiosk/exhibit/composition/one_jar.h"
-#include "tests/kiosk/keepsake/souvenir/shown_gif.h"
+#include "tests/kiosk/picture/encoding/shown_gif.h"
 #include "tests/support/holes.h"
 #include "tests/support/sanitized.h"
 
@@ -94,14 +94,14 @@ double apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>
 
 // Which way is whose, TurntableRecorder's own tests say.
 TEST_F(WholeKiosk, APictureThatTurnsGoesTheWayOfTheHandThatItsVisitorChose) {
-  std::array<souvenir::Pictures, 2> turns;
+  std::array<encoding::Pictures, 2> turns;
   for (const bool left_handed : {false, true}) {
     keep_a_pot(left_handed);
     until([&] { return !kiosk_->doing().turning && kiosk_->doing().kept->turning; });
     const auto& outcome = *kiosk_->doing().kept->turning;
     ASSERT_TRUE(outcome) << to_text(outcome.error());
     const std::string bytes = commands::text_of(*outcome);
-    turns[left_handed ? 1 : 0] = souvenir::shown_gif(std::as_bytes(std::span(bytes)));
+    turns[left_handed ? 1 : 0] = encoding::shown_gif(std::as_bytes(std::span(bytes)));
     press("keepsake.done");
     until([&] { return kiosk_->doing().nobody_is_here; });
   }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "tests/kiosk/keepsake/souvenir/shown_gif.h"
+#include "tests/kiosk/picture/encoding/shown_gif.h"
 
 namespace onggi::encoding {
 namespace {
