@@ -15,6 +15,9 @@
 namespace onggi::rehearsal {
 namespace {
 
+using measure::AidedOutcome;
+using measure::HeadlessVisits;
+
 /// A pot of a whole visit without eyes, or with one switch, is worth this at the least.
 constexpr double kBound = 80;
 constexpr int kStrokes = 20;
