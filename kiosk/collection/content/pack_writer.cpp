@@ -62,7 +62,7 @@ std::string pack_toml(const Vessel& vessel) {
   std::string out =
       "# From " + vessel.file.filename().string() +
       ". Complete the lines that begin with # and remove the #. Then run: onggi check\n"
-      "# Every key: kiosk/docs/curators.md\n\n";
+      "# Every key: kiosk/docs/add_a_vessel.md\n\n";
   char text[160];
   if (vessel.true_height > 0.0)
     std::snprintf(text, sizeof text, "true_height_mm = %.1f\n", 1000.0 * vessel.true_height);

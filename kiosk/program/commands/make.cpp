@@ -36,7 +36,7 @@ cli::Command make_command() {
       .examples = "Example: onggi vessel make profile.toml -o vessel.glb",
       .options = {{.name = "drawing",
                    .field = &a->drawing,
-                   .help = "The drawing's TOML (kiosk/docs/curators.md)",
+                   .help = "The drawing's TOML (kiosk/docs/draw_a_vessel.md)",
                    .required = true},
                   {"-o,--out", &a->out, "The GLB to write (- for standard output) [vessel.glb]"}},
       .run = [a] { return make(*a); }};
