@@ -205,7 +205,7 @@ cli::Command lab_command() {
           "         onggi lab naive\n         onggi lab sound --wav studio.wav\n"
           "         onggi lab screens --out /tmp/screens\n"
           "         onggi lab access\n         onggi lab soak --minutes 10\n"
-          "onggi lab and onggi-lab are the same.",
+          "onggi lab X starts onggi-lab X. onggi lab tune belongs to onggi itself.",
       .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
                    lab_loop_command(), lab_frames_command(), lab_naive_command(),
                    lab_scenes_command(), lab_sound_command(), lab_screens_command(),

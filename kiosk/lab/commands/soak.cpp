@@ -53,8 +53,8 @@ cli::Command soak_command() {
   return {.name = "soak",
           .help = "Run scripted visitors one after another, and watch memory and the 1 kHz loop",
           .examples =
-              "Example: onggi soak --minutes 10 --window 1280x720\n"
-              "         onggi soak --hours 72 --json soak.json --plot soak.svg\n"
+              "Example: onggi lab soak --minutes 10 --window 1280x720\n"
+              "         onggi lab soak --hours 72 --json soak.json --plot soak.svg\n"
               "With --hours the time between visits is skipped, and the troubles of an unattended "
               "kiosk "
               "\nhappen for real: helpers that die, a full disk, a folder that is "

@@ -32,9 +32,10 @@ struct PotLook {
 struct HeadlessOutcome {
   std::string vessel;
   std::uint64_t seed = 0;
-  std::vector<PotLook> looks;         ///< One for each requested moment, in order.
-  std::optional<double> handsome_at;  ///< s; it must be handsome() and 4 mm off the original lump.
-  int mishaps = 0;                    ///< Falls and tears that were undone.
+  std::vector<PotLook> looks;  ///< One for each requested moment, in order.
+  std::optional<double>
+      handsome_at;  ///< s; it must be looks_smooth() and 4 mm off the original lump.
+  int mishaps = 0;  ///< Falls and tears that were undone.
 };
 
 /// The result of a visit without sight, or with one switch.

@@ -12,7 +12,10 @@ std::optional<std::vector<std::string>> words_for_laboratory(
     const std::vector<std::string>& words) {
   if (words.empty()) return {};
   if (words.front() == "soak") return words;
-  if (words.front() != "lab" || (words.size() > 1 && words[1] == "tune")) return {};
+  // onggi's own help names tune, and says where the other commands are.
+  if (words.front() != "lab" || words.size() == 1 || words[1] == "tune" || words[1] == "--help" ||
+      words[1] == "-h")
+    return {};
   return std::vector<std::string>(words.begin() + 1, words.end());
 }
 

@@ -7,7 +7,10 @@ namespace {
 cli::Command lab_command() {
   return {.name = "lab",
           .help = "Measure this machine (all but tune need the package onggi-lab)",
-          .examples = "Example: onggi lab tune --write config/scenes/first_touch.toml",
+          .examples =
+              "Example: onggi lab tune --write config/scenes/first_touch.toml\n"
+              "         onggi lab accuracy\n"
+              "onggi-lab --help lists the commands of the package onggi-lab.",
           .commands = {tune_command()}};
 }
 }  // namespace

@@ -33,14 +33,14 @@ settings::Problems problems_of(const fs::path& exhibit) {
 
 std::optional<fs::path> ServiceRun::state_folder() { return folder_given("STATE_DIRECTORY"); }
 
-ServiceRun::ServiceRun(fs::path state) : state_(std::move(state)), ledger_(state_) {
-  if (auto begun = ledger_.begin(); !begun) files::log_problem(begun.error());
+ServiceRun::ServiceRun(fs::path state) : state_(std::move(state)), history_(state_) {
+  if (auto begun = history_.begin(); !begun) files::log_problem(begun.error());
 }
 
 std::optional<exhibit::KioskOptions> ServiceRun::safer(const exhibit::KioskOptions& museums) {
   exhibit::KioskOptions options = museums;
   const auto good = watch::last_good(state_);
-  if (!ledger_.safe()) {
+  if (!history_.safe()) {
     const settings::Problems wrong = problems_of(museums.config);
     // If the last good one has problems too, the kiosk has shown that it can run with them.
     if (wrong.empty() || !good || !problems_of(good->exhibit).empty()) return {};
@@ -50,12 +50,12 @@ std::optional<exhibit::KioskOptions> ServiceRun::safer(const exhibit::KioskOptio
     options.keepsakes = good->keepsakes;
     return options;
   }
-  files::log_line("Safe mode: the last " + std::to_string(ledger_.crashes()) +
+  files::log_line("Safe mode: the last " + std::to_string(history_.crashes()) +
                   " runs crashed. Mouse and touch only. Read the log above, and run onggi "
                   "check.");
   options.devices = false;
   options.shelf.reset();
-  if (good && ledger_.crashes() < 2 * watch::RunHistory::kMostCrashes) {
+  if (good && history_.crashes() < 2 * watch::RunHistory::kMostCrashes) {
     options.config = good->exhibit;
     options.keepsakes = good->keepsakes;
   } else if (const auto root = files::program_root()) {
@@ -79,17 +79,17 @@ void ServiceRun::opens(const fs::path& config, bool stands_in) {
 }
 
 void ServiceRun::shows(const exhibit::Kiosk& kiosk) {
-  if (!keeper_) {
-    watch::KeeperOptions options;
+  if (!watchdog_) {
+    watch::WatchdogOptions options;
     options.state = state_;
     if (const auto folder = folder_given("RUNTIME_DIRECTORY"))
       options.health = *folder / "onggi.prom";
     options.version = ONGGI_VERSION;
     options.watchdog_s = watch::Service::watchdog_s();
-    keeper_ = std::make_unique<watch::WatchdogThread>(options, ledger_);
+    watchdog_ = std::make_unique<watch::WatchdogThread>(options, history_);
   }
   shown_.keepsakes = kiosk.doing().keepsake_folder;
-  keeper_->shows(shown_);
+  watchdog_->shows(shown_);
   before_ = watch::together(before_, std::exchange(health_, {}));
 }
 
@@ -105,15 +105,15 @@ void ServiceRun::look(exhibit::Kiosk& kiosk) {
   health_.kept = kiosk.doing().saved.kept;
   health_.not_kept = kiosk.doing().saved.refused;
   const watch::Health all = watch::together(before_, health_);
-  keeper_->look({all.frames, all.wakes, kiosk.doing().device_moves.value_or(all.frames)}, all,
-                files::monotonic_seconds());
-  for (const std::string& line : keeper_->remarks()) files::log_line(line);
+  watchdog_->look({all.frames, all.wakes, kiosk.doing().device_moves.value_or(all.frames)}, all,
+                  files::monotonic_seconds());
+  for (const std::string& line : watchdog_->remarks()) files::log_line(line);
 }
 
 void ServiceRun::end() {
   watch::Service::ends();
-  keeper_.reset();
-  if (auto ended = ledger_.ended(); !ended) files::log_problem(ended.error());
+  watchdog_.reset();
+  if (auto ended = history_.ended(); !ended) files::log_problem(ended.error());
 }
 
 }  // namespace onggi::commands

@@ -36,8 +36,8 @@ class ServiceRun {
 
  private:
   std::filesystem::path state_;
-  watch::RunHistory ledger_;
-  std::unique_ptr<watch::WatchdogThread> keeper_;
+  watch::RunHistory history_;
+  std::unique_ptr<watch::WatchdogThread> watchdog_;
   watch::Shown shown_;    ///< As opens() found it.
   watch::Health health_;  ///< Health of the open kiosk,
   watch::Health before_;  ///< and the counts of the kiosks before it in this run.

@@ -34,9 +34,9 @@ Result<void> trial_write(const fs::path& folder) {
 
 }  // namespace
 
-WatchdogThread::WatchdogThread(KeeperOptions options, RunHistory& ledger)
+WatchdogThread::WatchdogThread(WatchdogOptions options, RunHistory& history)
     : options_(std::move(options)),
-      ledger_(ledger),
+      history_(history),
       liveness_(options_.watchdog_s > 0 ? kPatienceShare * options_.watchdog_s : kPatience),
       thread_([this] { attend(); }) {}
 
@@ -132,7 +132,7 @@ void WatchdogThread::attend_once(const Shown& shown, const Health& given, double
                                  double shown_for) {
   if (!lasted_ && now >= RunHistory::kSteady) {
     lasted_ = true;
-    if (auto good = ledger_.lasted(now); !good) remark(to_text(good.error()));
+    if (auto good = history_.lasted(now); !good) remark(to_text(good.error()));
   }
   if (shown.keepsakes != keepsakes_) {
     keepsakes_ = shown.keepsakes;
@@ -146,7 +146,7 @@ void WatchdogThread::attend_once(const Shown& shown, const Health& given, double
   Health health = given;
   health.version = options_.version;
   health.safe_mode = shown.safe;
-  health.crashes = ledger_.crashes();
+  health.crashes = history_.crashes();
   health.running_s = now;
   health.disk_writes = disk_writes_;
   health.disk_trial_age_s = trial_good_ < 0 ? now : now - trial_good_;

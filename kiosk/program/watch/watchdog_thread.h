@@ -23,8 +23,8 @@ struct Shown {
   bool safe = false;                ///< It replaces the museum's own exhibit.
 };
 
-/// Settings of the keeper. Times in seconds.
-struct KeeperOptions {
+/// Settings of the watchdog. Times in seconds.
+struct WatchdogOptions {
   std::filesystem::path state;     ///< Folder for the record of runs and the last good exhibit.
   std::filesystem::path health{};  ///< File for the health; empty: none.
   std::string version;
@@ -39,8 +39,8 @@ struct KeeperOptions {
 /// its own thread: a hanging disk is reported in the health file and never delays a frame.
 class WatchdogThread {
  public:
-  /// `ledger`: this run's, begun. Main thread.
-  WatchdogThread(KeeperOptions options, RunHistory& ledger);
+  /// `history`: this run's, begun. Main thread.
+  WatchdogThread(WatchdogOptions options, RunHistory& history);
   ~WatchdogThread();
 
   /// Call before the first look(), and when another exhibit opens: its trial hour begins. Main
@@ -52,14 +52,14 @@ class WatchdogThread {
   std::vector<std::string> remarks();
 
  private:
-  void attend();  ///< Runs on the keeper's thread.
+  void attend();  ///< Runs on the watchdog's thread.
   void attend_once(const Shown& shown, const Health& health, double now, double shown_for);
   void try_disk(const std::filesystem::path& keepsakes, double now);
   void keep_if_good(const Shown& shown, double now, double shown_for);
   void remark(std::string line);
 
-  KeeperOptions options_;
-  RunHistory& ledger_;
+  WatchdogOptions options_;
+  RunHistory& history_;
   Liveness liveness_;
   double began_ = -1.0, fed_ = -1.0;
   bool said_ready_ = false;

@@ -53,7 +53,7 @@ class Screen {
   virtual void comforted() {}
   /// For a screen with a pot to work on.
   virtual std::optional<WheelSnapshot> sight() const { return std::nullopt; }
-  /// State of the pot for Reading; only the throwing screen has one.
+  /// State of the pot for ScreenText; only the throwing screen has one.
   struct PotTold {
     bool working = false;
     int asked = 0;

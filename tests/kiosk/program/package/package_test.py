@@ -1,7 +1,7 @@
 """What the package promises, held against its files: hardened services that systemd understands, a manual
 of every command, licences for all that it brings.
 
-usage: package_test.py --program build/.../onggi
+usage: package_test.py --program build/.../onggi --laboratory build/.../onggi-lab
 """
 import argparse
 import pathlib
@@ -58,20 +58,25 @@ class Services(unittest.TestCase):
 class Manual(unittest.TestCase):
     def setUp(self):
         self.page = output(ARGUMENTS.program, "--manual", "2026-11-22").stdout
+        self.laboratory = output(ARGUMENTS.laboratory, "--manual", "2026-11-22").stdout
 
     def test_it_has_every_command_that_the_program_has(self):
-        def commands(words):
-            told = output(ARGUMENTS.program, *words, "--help").stdout
+        def commands(program, words):
+            told = output(program, *words, "--help").stdout
             below = told.partition("Subcommands:")[2]
             for name in re.findall(r"^  (\S+)", below, flags=re.M):
                 yield [*words, name]
-                yield from commands([*words, name])
-        found = list(commands([]))
-        self.assertGreater(len(found), 15)
-        described = re.findall(r"^\.SS \\fB(.*?)\\fR", self.page, flags=re.M)
-        for words in found:
-            if not any(other[:-1] == words for other in found):  # not "lab", which others follow
-                self.assertIn("onggi " + " ".join(words), described)
+                if [*words, name] != ["lab"]:  # which onggi-lab answers
+                    yield from commands(program, [*words, name])
+        for name, program, page, least in (("onggi", ARGUMENTS.program, self.page, 13),
+                                           ("onggi-lab", ARGUMENTS.laboratory, self.laboratory, 11)):
+            found = list(commands(program, []))
+            self.assertGreater(len(found), least)
+            described = re.findall(r"^\.SS \\fB(.*?)\\fR", page, flags=re.M)
+            for words in found:
+                if not any(other[:-1] == words for other in found) and words != ["lab"]:
+                    self.assertIn(name + " " + " ".join(words), described)
+        self.assertIn(".SS \\fBonggi lab tune\\fR", self.page)
 
     def test_it_has_every_option_that_help_shows(self):
         for words in (["run"], ["setup"], ["vessel", "inspect"]):
@@ -107,5 +112,6 @@ class Papers(unittest.TestCase):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", required=True)
+    parser.add_argument("--laboratory", required=True)
     ARGUMENTS, rest = parser.parse_known_args()
     unittest.main(argv=[sys.argv[0], *rest])

@@ -109,7 +109,7 @@ struct Kept {
   Shown shown() const { return {site(), *files_of(site()), keepsakes(), false}; }
   ScratchFolder folder;
   RunHistory ledger;
-  KeeperOptions options;
+  WatchdogOptions options;
 };
 
 TEST(keeper, systemd_hears_of_the_start_and_then_often_enough_while_all_moves) {
