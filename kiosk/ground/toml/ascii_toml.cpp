@@ -85,6 +85,7 @@ AsciiToml::AsciiToml(const std::string& text, const std::string& name) : in_(tex
                                   : outside(c);
     if (good) continue;
     out_.resize(line_begin_);
+    out_ += '\x01';  // TOML allows it nowhere, so that a parser that gets so far stops in this line
     return;
   }
 }

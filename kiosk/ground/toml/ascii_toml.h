@@ -24,7 +24,8 @@ class AsciiToml {
   /// `text` in UTF-8, with or without a byte order mark; `name` stands in fault().
   AsciiToml(const std::string& text, const std::string& name);
 
-  /// The document; where there is a fault(), the lines before its line.
+  /// The document. With a fault(): the lines before its line, and a character that TOML allows
+  /// nowhere, so that a parser that gets so far stops there.
   const std::string& text() const { return out_; }
   /// The first thing that toml++ must not meet: a letter outside strings and comments, bytes that
   /// are not UTF-8, or a name of more than 16 parts (toml++ takes down a table for each part by

@@ -317,7 +317,7 @@ TEST_F(TomlReaderTest, a_letter_outside_quotes_is_told_with_its_place_and_line) 
   ASSERT_THAT(reader.problems(), SizeIs(1));
   EXPECT_THAT(reader.problems()[0].where, HasSubstr("pot.toml:3:11"));
   EXPECT_THAT(reader.problems()[0].what, HasSubstr("b = [\"é\", ö]"));
-  EXPECT_THAT(reader.problems()[0].remedy, HasSubstr("quotes"));
+  EXPECT_THAT(reader.problems()[0].remedy, HasSubstr("\"quotation marks\""));
 }
 
 TEST_F(TomlReaderTest, every_letter_may_follow_a_line_end_that_is_escaped) {

@@ -72,7 +72,7 @@ class Manual(unittest.TestCase):
                                            ("onggi-lab", ARGUMENTS.laboratory, self.laboratory, 11)):
             found = list(commands(program, []))
             self.assertGreater(len(found), least)
-            described = re.findall(r"^\.SS \\fB(.*?)\\fR", page, flags=re.M)
+            described = [d.replace("\\-", "-") for d in re.findall(r"^\.SS \\fB(.*?)\\fR", page, flags=re.M)]
             for words in found:
                 if not any(other[:-1] == words for other in found) and words != ["lab"]:
                     self.assertIn(name + " " + " ".join(words), described)
