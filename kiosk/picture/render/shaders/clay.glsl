@@ -18,8 +18,8 @@ uniform float share;     // of the outer wall's height that is drawn, from the f
 uniform float wetness, opened;
 uniform vec3 dry_color, wet_color;
 #if SKIN == 1
-uniform sampler2D wetness_by_row;  // over the share of the height
-float wet_at(float t) { return between(wetness_by_row, t, 0.5).r; }
+uniform sampler2D wet_rows;  // over the share of the height
+float wet_at(float t) { return between(wet_rows, t, 0.5).r; }
 #else
 float wet_at(float t) { return 0.0; }
 #endif

@@ -143,7 +143,7 @@ TEST(keeper, a_wheel_that_stands_is_told_and_systemd_hears_nothing_more) {
       if (frame >= 90) heard.push_back(std::move(said));
   }
   EXPECT_THAT(heard, Not(Contains("WATCHDOG=1")));
-  EXPECT_THAT(keeper.remarks(), Contains("Standing still: the wheel's loop."));
+  EXPECT_THAT(keeper.remarks(), Contains("Stopped: the wheel's loop."));
   keeper.look({1000, 501, 1000}, {}, 100.0);
   EXPECT_THAT(systemd.heard(), Contains("WATCHDOG=1"));
 }
