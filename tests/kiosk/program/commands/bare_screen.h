@@ -98,8 +98,8 @@ Section "ServerLayout"
   InputDevice "glass"
 EndSection
 Section "ServerFlags"
-  cli::Option "AutoAddDevices" "false"
-  cli::Option "DontVTSwitch" "true"
+  Option "AutoAddDevices" "false"
+  Option "DontVTSwitch" "true"
 EndSection
 Section "Device"
   Identifier "card"
@@ -125,8 +125,8 @@ EndSection
 Section "InputDevice"
   Identifier "glass"
   Driver "inputtest"
-  cli::Option "DeviceType" "Touch"
-  cli::Option "TouchCount" "10"
+  Option "DeviceType" "Touch"
+  Option "TouchCount" "10"
 )";
 
   bool begin() {
