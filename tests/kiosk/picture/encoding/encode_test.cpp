@@ -315,7 +315,8 @@ TEST_F(BadHelper, it_inherits_three_descriptors_and_nothing_else) {
   ::close(null);
   ASSERT_FALSE(encoded);
   // The shell's own descriptor of its script (10 or 255) may be among them; the stray one may not.
-  EXPECT_THAT(encoded.error().what, ::testing::MatchesRegex(".*It printed: 0 1( 10| 11)* 2( 255)?"));
+  EXPECT_THAT(encoded.error().what,
+              ::testing::MatchesRegex(".*It printed: 0 1( 10| 11)* 2( 255)?"));
 }
 
 TEST_F(BadHelper, it_works_with_standard_input_closed_and_child_signals_ignored) {
