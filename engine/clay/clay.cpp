@@ -58,7 +58,7 @@ void Clay::lay_rows() {
 
 void Clay::stack(int from, bool floor_moves) {
   const bool solid = floor_rows_ == rows();
-  // The floor's top lies between two middles, of which one or both will move.
+  // The floor's top lies between two middles; one or both of them will move.
   const bool carries = floor_moves && !solid && from <= floor_rows_;
   const auto middle_below = [&] { return floor_rows_ > 0 ? row_height(floor_rows_ - 1) : 0.0; };
   double share = 0.0;
@@ -153,7 +153,7 @@ void Clay::lower_floor(double top) {
 
 void Clay::set_floor(int solid, double top) {
   floor_rows_ = solid;
-  // Of a solid lump it is the rim, wherever that has come to; and it never leaves its rows.
+  // The floor's top of a solid lump is the rim. It never leaves its rows.
   const double low = solid > 0 ? row_height(solid - 1) : 0.0;
   floor_top_ = solid == rows() ? rim_height() : std::clamp(top, low, row_height(solid));
 }

@@ -22,23 +22,22 @@ namespace onggi {
 /// are in the clay's own turning frame, x towards angle 0, z towards angle pi/2. Invariant: 0 <=
 /// inner, inner + wall_min <= outer <= radius_max to a float's rounding; inner == 0 on floor rows;
 /// rows are stacked without gaps, each of some thickness, and those below floor_top() are solid.
-/// Rows are told by their place in the stack, 0 at the foot; where rows may divide and join
-/// (row_division.h), their number changes, and which of the stored rows stands where is said by
-/// stored().
+/// Rows are indexed by their place in the stack, 0 at the foot. Where rows divide and join
+/// (row_division.h) their number changes; stored() gives the stored row at a place.
 /// Not safe across threads; allocation only in create().
 class Clay {
  public:
-  /// `vectors`: for loops over its elements, one of vectors_here(); not part of its state.
-  /// `spare_rows`, >= 0: rows that may be inserted besides the lump's.
+  /// `vectors`: instruction set for loops over elements, one of vectors_here(); no part of its
+  /// state.
+  /// `spare_rows`, >= 0: rows that may be inserted beyond the lump's.
   static Result<Clay> create(const ClayDef& def, Vectors vectors = best_vectors(),
                              int spare_rows = 0);
 
   const ClayDef& def() const { return def_; }
   Vectors vectors() const { return vectors_; }
   int rows() const { return order_.rows(); }
-  int room() const { return order_.room(); }  ///< rows() at the most.
-  /// Which stored row stands at place `j`, and where a stored row stands (RowOrder::kSpare:
-  /// nowhere).
+  int room() const { return order_.room(); }  ///< Largest number of rows.
+  /// The stored row at place `j`, and the place of a stored row (RowOrder::kSpare: none).
   int stored(int j) const { return order_.at(j); }
   std::span<const int> stored() const { return order_.stored(); }
   int place_of(int stored) const { return order_.place_of(stored); }
@@ -48,7 +47,7 @@ class Clay {
   /// Thickness of a fresh lump's rows, m.
   double first_thickness() const { return def_.height / def_.rows; }
   int sectors() const { return def_.sectors; }
-  /// Floats from one row to the next: sectors rounded up to a multiple of 8.
+  /// Floats from one row to the next: sectors, rounded up to a multiple of 8.
   int stride() const { return stride_; }
   int floor_rows() const { return floor_rows_; }
   double row_height(int j) const { return row_height_[static_cast<std::size_t>(j)]; }
@@ -78,43 +77,43 @@ class Clay {
     changed_.add(stored(j));
     if (areas_) areas_->mark(j);
   }
-  /// Stacks row `from` and those above it anew on the row below, and marks them moved. A lump that
-  /// is solid to the top stays so; else the floor's top keeps its share of the way between the
-  /// middles that it lies between. O(rows() - from).
+  /// Stacks row `from` and those above anew on the row below, and marks them moved. A lump that is
+  /// solid to the top stays so. Otherwise the floor's top keeps its relative place between two
+  /// middles. O(rows() - from).
   void restack(int from) { stack(from, true); }
-  /// The same of rows that divided or joined: the floor's top stays where it is.
+  /// The same for rows that divided or joined: the floor's top stays where it is.
   void restack_divided(int from) { stack(from, false); }
-  /// The topmost solid row becomes open, with a hole of `radius` (clipped to what the wall needs).
-  /// O(sectors). The caller then says where the floor is: lower_floor().
+  /// Opens the topmost solid row with a hole of `radius` (clipped to what the wall needs).
+  /// O(sectors). The caller then sets the floor by lower_floor().
   void open_floor_row(double radius);
-  /// Metres, not above floor_top(). Marks the row over it dirty, which carries the floor along.
+  /// Sets the floor's top, m, not above floor_top(). Marks the row over it dirty.
   void lower_floor(double top);
-  /// A spare row comes to stand at place `j` (1..rows()), those from there on go a place up: with
-  /// no thickness yet, at the upper edge of the one below it, as which it was moved in this tick.
-  /// Its radii are those that it had when it left, and its area is unknown. The caller keeps the
-  /// invariant, and restacks. `solid`: it belongs to the floor. Marks it and those above dirty.
+  /// Inserts a spare row at place `j` (1..rows()) and moves those from there on up by one. The row
+  /// has no thickness, lies at the upper edge of the one below it, and counts as moved like that
+  /// one in this tick. Its radii are those it left with, and its area is unknown. The caller keeps
+  /// the invariant, and restacks. `solid`: it belongs to the floor. Marks it and those above dirty.
   /// O(rows above).
   void insert_row(int j, bool solid);
-  /// The row at place `j` leaves, those above come a place down. It was not moved in this tick, and
-  /// some row stays. The caller restacks. Marks those above dirty. O(rows above).
+  /// Removes the row at place `j`; those above come down by one. It was not moved in this tick, and
+  /// is not the last. The caller restacks. Marks those above dirty. O(rows above).
   void erase_row(int j);
-  /// As they were once together: solid rows, and the upper face of the floor in metres, held to
-  /// where those rows are now.
+  /// Restores an earlier pair: number of solid rows, and the floor's upper face in metres, clamped
+  /// to where those rows are now.
   void set_floor(int solid, double top);
 
-  /// No outer radius of row `j` is larger, and no inner one smaller: where nothing can touch,
-  /// nobody need look. Not always the least and the most that would be true: a press makes the
-  /// largest radius smaller, and the new one could be found only by looking at all of the row, 360
-  /// elements for the dozen that were pressed. Too wide it costs elements looked at in vain; too
-  /// narrow it would let a tool pass through clay, so whoever writes widens it first.
+  /// Bounds of row `j`: no outer radius is larger, and no inner one smaller. Contact skips what
+  /// lies beyond. The bound may be wider than the true extremes: a press reduces the largest
+  /// radius, and finding the new one would mean looking at all 360 elements for a dozen pressed
+  /// ones. Too wide costs time; too narrow would let a tool pass through clay, so writers widen it
+  /// first.
   float outer_most(int j) const { return outer_most_[static_cast<std::size_t>(j)]; }
   float inner_least(int j) const { return inner_least_[static_cast<std::size_t>(j)]; }
   std::span<const float> outer_most() const { return {outer_most_.data(), count()}; }
   std::span<const float> inner_least() const { return {inner_least_.data(), count()}; }
-  /// As outer_mut() and inner_mut(), for those that call widen_extent() with what they enlarged.
+  /// As outer_mut() and inner_mut(), for callers that report what they enlarge by widen_extent().
   std::span<float> pressable_outer(int j) { return {outer_.data() + start(j), width()}; }
   std::span<float> pressable_inner(int j) { return {inner_.data() + start(j), width()}; }
-  /// By stored row, wherever it stands: stride() floats each, one after the other.
+  /// By stored row: stride() floats each, one after the other.
   const float* stored_outer(int stored) const { return outer_.data() + begin_of(stored); }
   const float* stored_inner(int stored) const { return inner_.data() + begin_of(stored); }
   float* stored_outer(int stored) { return outer_.data() + begin_of(stored); }
@@ -127,18 +126,18 @@ class Clay {
   }
   /// Sets the row's extent after looking at all of it.
   void set_extent(int j, float outer_most, float inner_least);
-  /// Whose turn it is of `rows` rows: 0, 1, 2 ... from call to call.
+  /// The next of `rows` rows in turn: 0, 1, 2 ... from call to call.
   int next_measured(int rows) {
     return static_cast<int>(measured_++ % static_cast<unsigned>(rows));
   }
 
-  /// From now on the area of every row is kept (row_areas.h). Allocates, and measures every row:
-  /// not for the tick. Null where nobody asked.
+  /// Starts keeping the area of every row (row_areas.h). Allocates, and measures every row: not for
+  /// the tick. areas() is null if nobody asked.
   void keep_areas();
   RowAreas* areas() { return areas_ ? &*areas_ : nullptr; }
   const RowAreas* areas() const { return areas_ ? &*areas_ : nullptr; }
-  /// From now on it is kept how far contact moves each element in a tick (displacements.h); whoever
-  /// runs the tick clears them. Allocates. Null where nobody asked.
+  /// Starts keeping how far contact moves each element in a tick (displacements.h); the caller of
+  /// the tick clears them. Allocates. Null if nobody asked.
   void keep_displacements();
   Displacements* displacements(bool inside) {
     return displacements_.empty() ? nullptr : &displacements_[inside ? 1 : 0];
@@ -146,13 +145,13 @@ class Clay {
   /// Area of row `j`'s cross-section, m^2. O(sectors).
   double measured_area(int j) const;
 
-  /// Something about row `j` may have been moved in this tick.
+  /// Row `j` may have been moved in this tick.
   bool was_moved(int j) const {
     return std::ranges::any_of(displacements_, [j](const Displacements& each) {
       return j >= each.first_row() && j < each.end_row();
     });
   }
-  /// Forgets the moves of this tick, on both faces.
+  /// Clears the moves of this tick, on both faces.
   void forget_displacements();
 
   /// Rows changed since they were last taken, for code that draws them.
@@ -165,15 +164,15 @@ class Clay {
   void mark_all_dirty();
   /// Takes and clears the lowest dirty row at or above `from`; -1 when none is left.
   int take_dirty(int from = 0) { return dirty_.take(std::max(from, 0)); }
-  /// The same of rows that only moved, tore or healed. Whoever draws takes the dirty ones first: a
-  /// row may be both.
+  /// The same for rows that only moved, tore or healed. Take the dirty ones first: a row may be
+  /// both.
   int take_moved(int from = 0) { return moved_.take(std::max(from, 0)); }
   /// The dirty rows by storage index, for code that keeps old rows (history.h).
   int take_change(int from = 0) { return changed_.take(from); }
   void forget_change(int stored) { changed_.remove(stored); }
 
-  /// Back to the lump. Spread over calls so that no tick pays for the whole grid: each call does at
-  /// most `element_budget` elements (at least a row) and returns true once all is done.
+  /// Resets to the lump, spread over calls: each call does at most `element_budget` elements (at
+  /// least one row) and returns true once all is done.
   bool renew_some(int element_budget);
 
   /// Mean outer and inner radius of every row, as a Profile. O(rows x sectors); allocates; not for
@@ -181,8 +180,8 @@ class Clay {
   Profile profile() const;
   /// Clay volume, m^3. O(rows x sectors).
   double volume() const;
-  /// Hash of every radius bit and row height, of where rows stand that moved, and of how far a
-  /// renew has come. O(rows x sectors).
+  /// Hash of every radius and row height, of the order of moved rows, and of the progress of a
+  /// renew. O(rows x sectors).
   std::uint64_t hash() const;
 
  private:

@@ -5,7 +5,7 @@
 #include "engine/base/def_field.h"
 
 namespace onggi::clay {
-/// Of a grid.
+/// Size of a grid.
 inline constexpr int kMostSectors = 8192;
 }  // namespace onggi::clay
 
@@ -18,8 +18,8 @@ struct ClayDef {
   double height = 0.20;            ///< Metres, 0.01..1.
   double outer_radius = 0.055;     ///< Metres, > inner_radius + wall_min, < radius_max.
   double inner_radius = 0.022;     ///< Metres, >= radius_min.
-  double floor_thickness = 0.010;  ///< Metres; rows below it are solid. 0..height: a lump that is
-                                   ///< all solid is for a potter to open.
+  double floor_thickness = 0.010;  ///< Metres; rows below it are solid. 0..height; at the height
+                                   ///< the lump is solid, for a potter to open.
   double floor_min = 0.004;  ///< Thinnest floor that pressing leaves, metres, 0.0005..0.05. A floor
                              ///< that begins thinner is firm.
   double wall_min = 0.004;   ///< Thinnest wall, metres, 0.0005..0.02. Pressing further carries the

@@ -115,8 +115,8 @@ ClayMesh faced_mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
   foot.ring(0, clay.outer(0));
   finish(foot, ClayFace::foot);
 
-  // The lip is round, and stands on its shoulders: there the walls' faces end. A torus, though the
-  // walls may lean: above the shoulder it goes straight up.
+  // The lip is round and ends the walls' faces at its shoulders. Above the shoulder it goes
+  // straight up, even on a leaning wall.
   const double below_lip = top - kLipRadius;
   const auto lip = [&](double across) {
     return [&clay, last, top, across](std::size_t i) {

@@ -17,7 +17,7 @@ TriangleMesh mesh_of(const ClayView& clay, int most_rows = 400, int most_sectors
 /// The faces of that mesh, in the order of its positions.
 enum class ClayFace : std::uint8_t { foot, outer, rim, inner, floor };
 
-/// The mesh of mesh_of(), and on which face each of its positions lies.
+/// mesh_of(), with the face of each position.
 struct ClayMesh {
   TriangleMesh mesh;
   std::vector<ClayFace> faces;  ///< One a position.

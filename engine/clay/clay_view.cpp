@@ -110,7 +110,7 @@ double ClayView::radius_at(double h, WallSide side) const {
 
 double ClayView::capacity() const {
   const int rows = rows_;
-  double sum = 0.0;  // of the squares of radii, times heights
+  double sum = 0.0;  // of radius^2 times height
   for (int j = std::max(floor_rows(), 0); j < rows && !torn(j); ++j) {
     const double here = row_height(j);
     const double below =

@@ -19,7 +19,7 @@ struct RowPlace {
   double floor_top = 0.0;  ///< and of the upper face of its floor.
   int floor_rows = 0;      ///< Solid rows.
   bool torn = false;       ///< The ring is broken open.
-  int rows = 0;            ///< Of the clay; 0: as many as there were.
+  int rows = 0;            ///< Of the clay; 0: unchanged.
 };
 RowPlace place_of(const Clay& clay, int row) noexcept;
 
@@ -30,13 +30,13 @@ RowPlace place_of(const Clay& clay, int row) noexcept;
 /// outline costs O(rows). Allocates only in lay() and take(). Not safe across threads.
 class ClayView {
  public:
-  /// A fresh lump of this grid; dry, whole and moving with the wheel. `room`: the largest number of
-  /// rows (Clay::room()); its own number if that is less.
+  /// A fresh lump of this grid: dry, whole and turning with the wheel. `room`: the largest number
+  /// of rows (Clay::room()), at least the grid's own.
   void lay(const ClayDef& def, int room = 0);
   /// All of `clay`: the view after every row has arrived.
   void take(const Clay& clay);
-  /// Where a row now is, and the rest of what a row tells, also how many there are. Rows beyond the
-  /// grid's room are let be.
+  /// Takes a row's place and the figures that come with it, also the number of rows. Rows beyond
+  /// the grid's room are ignored.
   void place(int row, const clay::RowPlace& at) noexcept;
   /// A row's radii, metres. Rows outside the grid, or with another width, are ignored.
   void shape(int row, std::span<const float> outer, std::span<const float> inner) noexcept;
@@ -65,16 +65,15 @@ class ClayView {
 
   /// The outline from the row means. Heights rise even while rows are in transit. O(rows).
   Profile profile() const;
-  /// What the pot holds, filled to the brim, m^3: from the upper face of its floor to its rim, or
-  /// to the lowest ring that is torn, where it would run out. Of the inner wall as it stands, each
-  /// sector with its own radius (Lee et al. 2008: circular sectors), each row as high as to
-  /// half-way to its neighbours: a mid-point sum over the rows. 0 before the first lump. O(rows x
-  /// sectors), no allocation, the same bits on every machine.
+  /// The pot's capacity when filled to the brim, m^3: from the floor's upper face to the rim, or to
+  /// the lowest torn ring. Each sector counts with its own inner radius (Lee et al. 2008: circular
+  /// sectors), each row to half-way to its neighbours: a mid-point sum. 0 before the first lump.
+  /// O(rows x sectors), no allocation, the same bits on every machine.
   double capacity() const;
   /// Mean radius of a face at height `h` (clamped), metres.
   double radius_at(double h, WallSide side) const;
 
-  /// Grows with every change, so that code that has drawn the clay can tell what is new.
+  /// Grows with every change, so that drawing code can tell what is new.
   std::uint64_t change() const { return change_; }
   std::uint64_t shaped_at(int j) const { return shaped_at_[static_cast<std::size_t>(j)]; }
   std::uint64_t placed_at(int j) const { return placed_at_[static_cast<std::size_t>(j)]; }

@@ -24,10 +24,9 @@ class Displacements {
     forget_where(rows);
   }
 
-  /// Of a stored row (row_order.h). Metres, >= 0: inwards outside, outwards inside. stride()
-  /// floats.
+  /// By stored row (row_order.h). Metres, >= 0: inwards outside, outwards inside. stride() floats.
   float* row(int stored) { return by_.data() + static_cast<std::size_t>(stored) * stride_; }
-  /// Something of the row at place `j` may have been moved, within these blocks.
+  /// The row at place `j` may have been moved within these blocks.
   void mark(int j, BlockRun run) {
     first_ = std::min(first_, j);
     end_ = std::max(end_, j + 1);
@@ -37,14 +36,14 @@ class Displacements {
   bool any() const { return first_ < end_; }
   int first_row() const { return first_; }
   int end_row() const { return end_; }
-  /// The next marked blocks that lie together, from block `from` on; none: begin == end.
+  /// The next run of marked blocks from block `from` on; begin == end if there is none.
   BlockRun run_from(int from) const {
     const auto begin = std::find(blocks_.begin() + from, blocks_.end(), 1);
     const auto end = std::find(begin, blocks_.end(), 0);
     return {static_cast<int>(begin - blocks_.begin()), static_cast<int>(end - blocks_.begin())};
   }
 
-  /// Resets all moves; `stored`: the row at each place. O(marked elements).
+  /// Clears all moves; `stored`: the row at each place. O(marked elements).
   void clear(std::span<const int> stored) {
     for (BlockRun run = run_from(0); run.any(); run = run_from(run.end))
       for (int j = first_; j < end_; ++j) {
@@ -53,13 +52,13 @@ class Displacements {
       }
     forget_where(static_cast<int>(stored.size()));
   }
-  /// `stored` comes to stand at place `j`, over `like`, and was moved as that.
+  /// Row `stored` is inserted at place `j`, over `like`, and counts as moved like it.
   void open(int j, int stored, int like) {
     if (j > first_ && j <= end_) std::copy_n(row(like), stride_, row(stored));
     if (j <= first_) ++first_;
     if (j <= end_) ++end_;
   }
-  /// The row at place `j` goes; it was not moved.
+  /// The row at place `j` is removed; it was not moved.
   void close(int j) {
     if (j < first_) --first_;
     if (j < end_) --end_;

@@ -9,8 +9,8 @@ constexpr int kElementsATick = 2048;  // a fifth of what a tick may cost
 constexpr int kLeastRowsATick = 2;
 constexpr std::size_t kPlaceChanges = 16384;  // of rows: a minute of the busiest
 
-// Rows may be of some ticks after the step's edge, and a floor that gave way there with them: it is
-// as high as they say, whatever was noted at the edge. Above the floor no row reaches the axis.
+// Rows may come from some ticks after the step's edge, with a floor that gave way there. So the
+// floor is as high as the rows say. Above the floor no row reaches the axis.
 int solid_rows(const Clay& clay) {
   int solid = 0;
   while (solid < clay.rows() && clay.inner(solid)[0] == 0.0f) ++solid;
@@ -60,7 +60,7 @@ void History::remember(int stored) noexcept {
 }
 
 void History::keep_row(Clay& clay, int stored) noexcept {
-  // Of the step before, were it not settled yet, half would count with what comes now.
+  // If the step before is not settled yet, half of it would count with this one.
   if (unsettled_.has(stored)) {
     unsettled_.remove(stored);
     clay.forget_change(stored);
@@ -74,7 +74,7 @@ void History::note(PlaceChange change) noexcept {
   ++next_place_;
 }
 
-// The last `most` changes of place of the step that is taken back, the last one first.
+// The last `most` row insertions and removals of the step that is taken back, the last one first.
 void History::undo_places(Clay& clay, int most) noexcept {
   for (; most > 0 && next_place_ > steps_.back().first_place; --most) {
     const PlaceChange& change = places_[--next_place_ % places_.size()];
@@ -91,7 +91,7 @@ bool History::keep_up(Clay& clay, int rows) noexcept {
   for (; rows > 0; --rows) {
     const int j = unsettled_.take();
     if (j < 0) break;
-    clay.forget_change(j);  // what came after the step's end counts with it
+    clay.forget_change(j);  // changes after the step's end count with it
     settle(clay, j);
   }
   int from = 0;
@@ -174,8 +174,8 @@ bool History::step_back_some(Clay& clay, int element_budget) noexcept {
   }
   for (; rows > 0 && next_ > steps_.back().first; --rows) put_back(clay, --next_);
   if (next_ > steps_.back().first) return false;
-  // Restacking would carry the floor along: it is put where it was afterwards.
-  if (lowest_ < clay.rows()) clay.restack(lowest_);  // room() where no row is
+  // Restacking would move the floor: it is set again afterwards.
+  if (lowest_ < clay.rows()) clay.restack(lowest_);  // room(): no row
   clay.set_floor(solid_rows(clay), steps_.back().floor_top);
   while (clay.take_change(0) >= 0) {
   }

@@ -5,12 +5,12 @@
 
 namespace onggi {
 
-/// Radius of the rim's rounded edges, metres; half the wall's thickness where that is less, and the
-/// lip then is half a torus. Its crown is at Clay::rim_height().
+/// Radius of the rim's rounded edges, metres. On a thinner wall the lip is half a torus. Its crown
+/// is at Clay::rim_height().
 inline constexpr double kLipRadius = 0.003;
 
-/// How far below its crown the lip is at `rho` (inner..outer) from the axis, of a wall from `inner`
-/// to `outer`; a solid top (inner 0) has one edge. Metres.
+/// How far the lip lies below its crown at `rho` (inner..outer) from the axis, of a wall from
+/// `inner` to `outer`; a solid top (inner 0) has one edge. Metres.
 inline double lip_drop(double inner, double outer, double rho) noexcept {
   const double thickness = inner > 0.0 ? outer - inner : 2.0 * outer;
   const double edge = std::min(0.5 * thickness, kLipRadius);

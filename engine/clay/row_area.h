@@ -6,8 +6,8 @@ namespace onggi::clay {
 
 /// Measures a row's cross-section with one kind of vectors. Any thread, no allocation.
 struct AreaKernel {
-  /// Sum of outer^2 - inner^2 over `width` elements (m^2), in doubles: eight sums, and what is
-  /// beyond the last eight, in the same order on all kinds.
+  /// Sum of outer^2 - inner^2 over `width` elements (m^2), in doubles: eight partial sums, and the
+  /// last elements, in the same order on all kinds.
   double (*squares)(int width, const float* outer, const float* inner);
 };
 /// One of vectors_here().

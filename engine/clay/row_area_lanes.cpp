@@ -4,7 +4,7 @@
 namespace onggi::ONGGI_LANES {
 namespace {
 
-// A plain loop: compilers make it of whatever the vectors have for doubles, which lanes.h does not.
+// A plain loop, which compilers vectorise for doubles; lanes.h has floats only.
 double sum_squares(int width, const float* outer, const float* inner) {
   double sums[kLanes] = {};
   int i = 0;

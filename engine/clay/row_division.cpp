@@ -8,8 +8,8 @@ namespace {
 
 constexpr float kNothing = 0.0f;
 
-// How much is taken from the square of the lower half's radius and added to the upper half's: a
-// quarter of the row's height times the gentler of both slopes, none where they turn.
+// The amount taken from the square of the lower half's radius and added to the upper half's: a
+// quarter of the row's height times the gentler of both slopes; zero at a turning point.
 float tilt(float below, float here, float above, float share_below, float share_above) {
   const float rise = (here - below) * (here + below) * share_below;
   const float on = (above - here) * (above + here) * share_above;
@@ -18,7 +18,7 @@ float tilt(float below, float here, float above, float share_below, float share_
   return kNothing;
 }
 
-// The part of the way from row `j`'s middle to its neighbour's at which its halves' middles are.
+// Share of the way from row `j`'s middle to its neighbour's at which its halves' middles lie.
 float share_of_way(const Clay& clay, int j, int neighbour) {
   const double own = clay.row_thickness(j);
   return static_cast<float>(0.5 * own / (own + clay.row_thickness(neighbour)));
@@ -28,7 +28,7 @@ double mean_of(float a, float b, double share_of_b) {
   return double{a} + share_of_b * (double{b} - double{a});
 }
 
-// Which rows stand beside two that are joined, and where all four middles are.
+// The rows beside two that are joined, and the heights of all four middles.
 struct Neighbours {
   Neighbours(const Clay& clay, int j, int lowest)
       : below(j > lowest ? j - 1 : j), above(j + 2 < clay.rows() ? j + 2 : j + 1) {
@@ -45,7 +45,7 @@ struct Neighbours {
   }
   int below, above;
   double upper_share;
-  double low_share = 1.0, high_share = 1.0;  // of the way from a neighbour to the row that is made
+  double low_share = 1.0, high_share = 1.0;  // of the way from a neighbour to the new row
 };
 
 double error_of(const Neighbours& at, float below, float low, float high, float above) {
@@ -57,7 +57,7 @@ double error_of(const Neighbours& at, float below, float low, float high, float 
   return std::max(std::fabs(was_low), std::fabs(was_high));
 }
 
-// The row's extent and area as they are, and it is to be drawn.
+// Sets the row's extent and area, and marks it to be drawn.
 void measure(Clay& clay, int j) {
   clay.set_extent(j, *std::ranges::max_element(clay.outer(j)),
                   *std::ranges::min_element(clay.inner(j)));
@@ -107,7 +107,7 @@ void divide_row(Clay& clay, int j, double volume) noexcept {
     const float high_out = std::sqrt(o * o + more_out);
     const float low_in = std::sqrt(n * n - more_in);
     const float high_in = std::sqrt(n * n + more_in);
-    // Where the faces lean different ways a half might be thinner than a wall may be.
+    // Where the faces lean different ways, a half might get thinner than a wall may be.
     const bool leans = low_out - low_in >= wall_min && high_out - high_in >= wall_min;
     out[i] = leans ? low_out : o;
     in[i] = leans ? low_in : n;

@@ -7,15 +7,14 @@
 
 namespace onggi {
 
-/// Which stored row stands where in a stack, from the foot up, and which are spare: rows come to
-/// stand between others, and leave, without a radius moving. What is large or outlives a stroke is
-/// kept by stored row; what is small, by place. Allocates in its constructor only. Not safe across
-/// threads.
+/// Maps places in a stack, from the foot up, to stored rows, and keeps the spare ones: rows are
+/// inserted and removed without moving radii. Large or long-lived data is kept by stored row, small
+/// data by place. Allocates in its constructor only. Not safe across threads.
 class RowOrder {
  public:
   static constexpr int kSpare = -1;
   RowOrder() = default;
-  /// Row j stands at place j, of `rows`; `spare` more may come, the first of them first.
+  /// `rows` rows, row j at place j, and `spare` more, in order.
   RowOrder(int rows, int spare)
       : place_(static_cast<std::size_t>(rows) + static_cast<std::size_t>(spare), kSpare) {
     stored_.reserve(place_.size());
@@ -30,14 +29,14 @@ class RowOrder {
   int spare() const { return static_cast<int>(spare_.size()); }
   int at(int j) const { return stored_[static_cast<std::size_t>(j)]; }
   std::span<const int> stored() const { return stored_; }
-  int next() const { return spare_.back(); }  ///< That insert() takes; there must be one.
-  /// The place of a stored row; kSpare of one that stands nowhere.
+  int next() const { return spare_.back(); }  ///< The row that insert() takes; there must be one.
+  /// The place of a stored row; kSpare if it is spare.
   int place_of(int stored) const { return place_[static_cast<std::size_t>(stored)]; }
-  /// Every row stands at the place of its own number.
+  /// Puts every row at the place of its own number.
   bool plain() const { return plain_; }
 
-  /// The spare row that left last comes to stand at place `j`, and those from there on a place
-  /// higher; gives which. There must be one. O(rows above).
+  /// Inserts the spare row that left last at place `j` and moves those from there on up; returns
+  /// that row. There must be one. O(rows above).
   int insert(int j) {
     const int row = spare_.back();
     spare_.pop_back();
@@ -45,7 +44,7 @@ class RowOrder {
     number_from(j);
     return row;
   }
-  /// The row at place `j` leaves, and those above it come a place lower. O(rows above).
+  /// Removes the row at place `j` and moves those above it down. O(rows above).
   int erase(int j) {
     const int row = at(j);
     stored_.erase(stored_.begin() + j);

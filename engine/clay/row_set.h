@@ -19,12 +19,12 @@ class RowSet {
   /// Room for rows 0 to rows - 1; empty.
   explicit RowSet(int rows) : words_((static_cast<std::size_t>(rows) + 63) / 64) {}
 
-  /// Rows are counted in whole words: the least multiple of 64 that is no less than the rows.
+  /// Capacity: rows rounded up to a multiple of 64.
   int room() const { return static_cast<int>(64 * words_.size()); }
   bool has(int j) const { return (words_[word(j)] & bit(j)) != 0; }
 
   void add(int j) { words_[word(j)] |= bit(j); }
-  /// Row `first` + k for each bit k of `which`; all within the room.
+  /// Adds row `first` + k for each bit k of `which`; all within the room.
   void add(int first, std::uint64_t which) {
     const std::size_t at = word(first);
     const int shift = first & 63;
@@ -32,11 +32,11 @@ class RowSet {
     const std::uint64_t beyond = shift == 0 ? 0 : which >> (64 - shift);
     if (beyond != 0) words_[at + 1] |= beyond;
   }
-  /// All of `others`, which has the same room.
+  /// Adds all of `others`, which has the same room.
   void add(const RowSet& others) {
     for (std::size_t w = 0; w < words_.size(); ++w) words_[w] |= others.words_[w];
   }
-  /// Rows `first` to `end` - 1.
+  /// Adds rows `first` to `end` - 1.
   void add_range(int first, int end) {
     for (int j = first; j < end;) {
       const int next = std::min(end, (j | 63) + 1);
@@ -62,7 +62,7 @@ class RowSet {
   bool empty() const {
     return std::ranges::all_of(words_, [](std::uint64_t w) { return w == 0; });
   }
-  /// A row comes between: `j` is not in the set, and what was in it from `j` on is one higher.
+  /// A row is inserted: `j` is not in the set, and members from `j` on move up by one.
   void open(int j) {
     std::uint64_t carried = 0;
     for (std::size_t w = word(j); w < words_.size(); ++w) {
@@ -72,7 +72,7 @@ class RowSet {
       carried = moves >> 63;
     }
   }
-  /// Row `j` goes: what was in the set above it is one lower.
+  /// Row `j` is removed: members above it move down by one.
   void close(int j) {
     for (std::size_t w = word(j); w < words_.size(); ++w) {
       const std::uint64_t stays = w == word(j) ? words_[w] & below(j & 63) : 0;

@@ -12,8 +12,8 @@ std::span<const DefField<KilnDef>> KilnDef::fields() {
 }
 
 std::span<const ClayBody> clay_bodies() {
-  // In all 8-12 %, 11-15 % and 14-20 %: the middles. How it falls to drying and firing is an
-  // estimate: bodies dry much alike, and what the kiln adds grows with how dense it makes them.
+  // Totals are the middles of 8-12 %, 11-15 % and 14-20 %. The split is an estimate: bodies dry
+  // much alike, and denser ware shrinks more in the kiln.
   static constexpr ClayBody kBodies[] = {
       {"earthenware", 0.06, 0.0426},  // 10 %
       {"stoneware", 0.0625, 0.0666},  // 12.5 %

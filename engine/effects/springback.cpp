@@ -9,7 +9,8 @@
 namespace onggi {
 namespace {
 
-constexpr double kTurns = 8.0;  // of every row in Springback::time: steps well above a float's
+constexpr double kTurns = 8.0;  // turns of every row in Springback::time: few enough that a step is
+                                // well above a float's digits
 
 }  // namespace
 
@@ -72,7 +73,7 @@ void Springback::row_back(Clay& clay, WallSide side, int j, double time, double 
   const auto n = static_cast<std::size_t>(stored);
   row_kernels::Spring how;
   how.gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
-  how.least = kLeastMove;  // the last of it at once: rest must be rest
+  how.least = kLeastMove;  // the last bit comes back at once, so that rest is rest
   f.seen[n] = now_;
   float* const left = f.left.data() + n * stride_;
   float most = 0.0f;
@@ -86,7 +87,7 @@ void Springback::row_back(Clay& clay, WallSide side, int j, double time, double 
     was_moved(clay, j, sprung.moved);
     most = sprung.left;
   } else {
-    // What gives no way now forgets all the same.
+    // Clay that no longer gives way still forgets its load.
     for (std::size_t i = 0; i < stride_; ++i) {
       left[i] -= left[i] < how.least ? left[i] : left[i] * how.gone;
       most = std::max(most, left[i]);
@@ -101,8 +102,8 @@ void Springback::come_back(const SpringbackDef& def, Clay& clay, double seconds,
                            double along) noexcept {
   if (asleep()) return;
   now_ += seconds;
-  // By the clock, and not by how many are loaded: on a grid twice as fine, turns come at the same
-  // heights at the same times. A tick longer than a round brings a row one turn of it.
+  // Turns go by the clock, not by the number of loaded rows. So a grid twice as fine has its turns
+  // at the same heights and times. A tick longer than a round brings a row one turn.
   for (double left = seconds; left > 0.0;) {
     if (round_.over()) {
       round_.begin();

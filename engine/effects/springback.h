@@ -12,12 +12,12 @@
 
 namespace onggi {
 
-/// Clay is a little elastic: part of a press comes back when the tool goes on (standard linear
-/// solid: the contact's relaxation in series with this spring and its own damper).
+/// Elastic share of a press, which comes back when the tool goes on (standard linear solid: the
+/// contact's relaxation in series with this spring and its own damper).
 struct SpringbackDef {
-  double share = 0.15;  ///< Of a press that comes back, 0..0.5. Higher: leathery; a line has to be
-                        ///< pressed deeper than it is to be.
-  double time = 0.2;    ///< s, 0.01..10: how soon two thirds of it are back.
+  double share = 0.15;  ///< Share of a press that comes back, 0..0.5. Higher: leathery; lines need
+                        ///< deeper presses.
+  double time = 0.2;    ///< s, 0.01..10: time in which two thirds of that come back.
 
   static constexpr const char* kName = "springback";
   static std::span<const DefField<SpringbackDef>> fields();
@@ -25,7 +25,7 @@ struct SpringbackDef {
 
 namespace effects {
 
-/// What every element still has to come back by. Allocates only when made; one thread.
+/// How far each element still has to come back. Allocates only when made; one thread.
 class Springback {
  public:
   explicit Springback(const Clay& clay);
@@ -35,22 +35,22 @@ class Springback {
   static Springback make(const Effects&, Clay& clay) { return Springback(clay); }
   void run(const StageWork& work) noexcept;
 
-  /// Stage 6.2: of what moved in this tick the share is to come back. O(elements moved).
+  /// Stage 6.2: stores the share of this tick's moves that will come back. O(elements moved).
   void load(const SpringbackDef& def, Clay& clay, WallSide side) noexcept;
-  /// And lets what is loaded come back: rows take turns, eight in SpringbackDef::time and on the
-  /// finest grids fewer (Round::lasting), each by an exact exponential of the time since its last.
-  /// No row ever goes beyond where it was pressed from. `along`: see limits_of(). Asleep when
+  /// Stage 6.2: lets loaded rows come back. Rows take turns, eight in SpringbackDef::time, fewer on
+  /// the finest grids (Round::lasting). Each turn is an exact exponential over the time since the
+  /// last one. No row goes beyond where it was pressed from. `along`: see limits_of(). Asleep when
   /// nothing is loaded.
   void come_back(const SpringbackDef& def, Clay& clay, double seconds, double along) noexcept;
-  /// Something of a stored row has still to come back: it may not be joined.
+  /// True if a stored row still has to come back; it may then not be joined.
   bool loaded(int stored) const {
     const auto n = static_cast<std::size_t>(stored);
     return face_[0].rows[n] != 0 || face_[1].rows[n] != 0;
   }
   /// The upper half of a loaded row is loaded too.
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
-  void rows_joined(const Clay&, const RowsJoined&) noexcept {}  // neither was loaded
-  /// Nothing is loaded then. O(rows that were).
+  void rows_joined(const Clay&, const RowsJoined&) noexcept {}  // loaded rows are never joined
+  /// Afterwards nothing is loaded. O(rows that were).
   void forget(Clay&, const Laid&) noexcept;
 
   bool asleep() const { return loaded_rows_ == 0; }
@@ -68,9 +68,9 @@ class Springback {
   std::array<Face, 2> face_;
   std::size_t stride_;
   std::size_t room_;
-  int next_ = 0;  // row whose turn it is
+  int next_ = 0;  // row whose turn is next
   Round round_;
-  double whole_ = 0.0;  // s, of this round
+  double whole_ = 0.0;  // s, length of this round
   int loaded_rows_ = 0;
   double now_ = 0.0;
 };

@@ -8,8 +8,8 @@
 namespace onggi::effects {
 namespace {
 
-constexpr double kRound = 0.1;     // s, in which all rows could be looked at
-constexpr std::size_t kLumps = 4;  // whose tears are kept for going back, at the least
+constexpr double kRound = 0.1;     // s, in which every row can be looked at
+constexpr std::size_t kLumps = 4;  // lumps whose tears are kept for undo, at least
 
 }  // namespace
 
@@ -24,9 +24,8 @@ Tearing::Tearing(Clay& clay)
   clay.areas()->keep_torn();
 }
 
-// A ring's girth is that of the circle which halves its clay, of radius^2 (outer^2 + inner^2) / 2:
-// clay that only gets thicker or thinner stays on its side of it, and a ring off the axis has the
-// same as one about it.
+// A ring's girth is that of the circle that halves its clay: radius^2 = (outer^2 + inner^2) / 2. It
+// stays when the clay only gets thicker or thinner, or when the ring lies off the axis.
 bool Tearing::tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept {
   if (j < clay.floor_rows()) return false;
   const row_kernels::Ring ring =
@@ -39,14 +38,14 @@ bool Tearing::tears_now(const WallsDef& def, const Clay& clay, int j) const noex
 }
 
 void Tearing::note(Event event) noexcept {
-  // Of lumps long gone the tears are forgotten; where one comes back it is looked at anew.
+  // Tears of old lumps are forgotten. A lump that comes back by undo is looked at anew.
   if (events_.size() == kLumps * lump_)
     events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(lump_));
   if (!events_.empty()) event.step = std::max(event.step, events_.back().step);
   events_.push_back(event);
 }
 
-// Takes the row whose turn it is; -1 where none waits.
+// Takes the row whose turn it is; -1 if none waits.
 int Tearing::next_unseen() noexcept {
   int j = unseen_.take(next_);
   if (j < 0) j = unseen_.take();
@@ -56,7 +55,7 @@ int Tearing::next_unseen() noexcept {
 
 bool Tearing::wanted(const Effects& def) { return def.walls && tears(*def.walls); }
 
-// Where volume is kept, that stage asks after this one which rows changed.
+// With volume, a later stage still asks which rows changed.
 void Tearing::run(const StageWork& work) noexcept {
   look(*work.def.walls, work.clay, work.tick.seconds, work.tick.step, work.volume == nullptr);
 }
@@ -110,8 +109,8 @@ void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {
   const auto lump = std::find_if(events_.rbegin(), events_.rend(), [](const Event& event) {
                       return event.row == kFreshLump;
                     }).base();
-  // A row that came in a step which had just begun, and was found torn there, counts with the step
-  // before (Scene::State::work_on_rows): it is not there any more.
+  // A row that came in the step taken back, and tore in it, counted with the step before
+  // (Scene::State::work_on_rows). That row is gone now.
   events_.erase(std::remove_if(lump, events_.end(),
                                [&clay](const Event& event) {
                                  return clay.place_of(event.row) == RowOrder::kSpare;

@@ -12,10 +12,10 @@ namespace onggi {
 namespace {
 
 constexpr double kRound = 0.02;       // s
-constexpr double kLeastShare = 2e-5;  // of what a ring is off: less is below a float's digits
-constexpr double kRest = 1e-6;        // m: centred
+constexpr double kLeastShare = 2e-5;  // share of the offset: less is below a float's digits
+constexpr double kRest = 1e-6;        // m: closer than this is centred
 constexpr double kStrip = 0.002;      // m: lower than what a tool touches
-constexpr double kAside = 1e-7;       // m
+constexpr double kAside = 1e-7;       // m: keeps rounding from deciding in which strip a row is
 constexpr double kTurn = 0.001;       // s
 constexpr double kGolden = 0.6180339887498949;
 
@@ -25,7 +25,7 @@ double circle_along(double radius, double off, double cosine, double sine) {
   return off * cosine + std::sqrt(std::max((radius - beside) * (radius + beside), 0.0));
 }
 
-// Of kDirections round the compass, the nearest to a unit vector.
+// The nearest of kDirections round the compass to a unit vector.
 std::size_t direction_of(double x, double z) {
   constexpr double kTan[] = {0.198912367379658, 0.668178637919299};  // of 11.25 and 33.75 degrees
   const double ax = std::fabs(x);
@@ -41,7 +41,7 @@ std::size_t direction_of(double x, double z) {
 
 std::size_t slot(int k) { return static_cast<std::size_t>(k); }
 
-// Both faces of row `j` by what `face` says of a ray and a radius; held to what the clay may be.
+// Sets both faces of row `j` to face(ray, radius), within the clay's limits.
 template <class Face>
 void shape_row(Clay& clay, int j, const Face& face) {
   const ClayDef& def = clay.def();
@@ -58,7 +58,7 @@ void shape_row(Clay& clay, int j, const Face& face) {
     const double s = double{clay.ray_sin()[i]};
     if (hollow)
       inner[i] = std::clamp(static_cast<float>(face(c, s, double{inner[i]})), least, most - wall);
-    // A solid row keeps room for the hole that it may get.
+    // A solid row keeps room for a hole that may be opened later.
     const float hole = hollow ? inner[i] : least;
     outer[i] = std::clamp(static_cast<float>(face(c, s, double{outer[i]})), hole + wall, most);
     out_most = std::max(out_most, outer[i]);
@@ -121,7 +121,7 @@ void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noex
   const double z = to * hand.at.z;
   const double impulse = hand.normal * seconds;
   Gathered& gathered = sweeps_[n].next;
-  // A ring that is pushed the whole way round is off to one side of each push and not the other.
+  // A ring pushed the whole way round is off to one side of each push.
   Push& push = gathered.push[direction_of(x, z)];
   push.x += x * impulse;
   push.z += z * impulse;
@@ -133,8 +133,8 @@ void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noex
 void Wobble::begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept {
   sweep.now = std::exchange(sweep.next, {});
   sweep.height = sweep.now.raised / sweep.now.impulse;
-  // Strips follow from heights alone, so that no grid decides when a row has its turn.
-  // Rows' middles and hands are at round figures: a hair aside, or roundings would decide.
+  // Strips follow from heights alone, so that the grid does not decide when a row has its turn.
+  // Rows and hands stand at round figures; the offset keeps rounding from deciding.
   const double low = std::max(sweep.height - def.reach, 0.0) + kAside;
   const double high = std::max(std::min(sweep.height + def.reach, clay.rim_height()) - low, 0.0);
   sweep.strips = std::clamp(static_cast<int>(high / kStrip), 1, kMostStrips);
@@ -197,7 +197,7 @@ void Wobble::go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double second
   const double share = 1.0 * static_cast<int>(sweep.round.go_on(seconds, whole) * turns) / turns;
   for (int k = 0; k < sweep.strips; ++k) {
     const int from = sweep.bound[slot(k)], to = sweep.bound[slot(k + 1)];
-    // Each strip at another part of a row, or all of them would take their turns in one tick.
+    // Each strip starts at another part of a row; else all would take their turns in one tick.
     const double ahead = kGolden * k - static_cast<int>(kGolden * k);
     const int done = share < 1.0 ? static_cast<int>(share * (to - from) + ahead) : to - from;
     int& edge = sweep.edge[slot(k)];

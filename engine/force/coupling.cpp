@@ -7,7 +7,7 @@ namespace onggi::force {
 
 namespace {
 
-constexpr double kStill = 1e-9;  // m: nothing that an encoder counts
+constexpr double kStill = 1e-9;  // m: below what an encoder counts
 
 Vec3 no_longer_than(Vec3 v, double most) {
   const double long_is = length(v);
@@ -39,15 +39,15 @@ Vec3 Coupling::felt_stretch(const CouplingLimits& limits) noexcept {
   held_ = std::min(held_ + 1, kMost);
   const int ticks = static_cast<int>(std::min(kMean / seconds_ + 0.5, double{kMost}));
   const int count = std::clamp(ticks, 1, held_);
-  // In this order a hand that lies still feels its spring to the last digit.
+  // In this order of sums a still hand feels its spring to the last digit.
   Vec3 sum;
   for (int n = 1; n <= count; ++n) {
     const Past& past = past_[static_cast<std::size_t>((next_ + kMost - n) % kMost)];
     sum += (past.hand - hand_) + past.stretch;
   }
   Vec3 mean{sum.x / count, sum.y / count, sum.z / count};
-  // A mean is as late as its middle. Where the tool goes steadily it is led by that, or the hand
-  // would feel a damper that is not the clay's.
+  // A mean is late by half its length. A steady tool leads it by that; else the hand would feel a
+  // damper that is not the clay's.
   const Vec3 place = hand_ + mean;
   ahead_ = held_ == 1 ? Vec3{} : (kSlow / (kSlow + seconds_)) * (ahead_ + place - mean_);
   mean_ = place;
@@ -58,7 +58,7 @@ Vec3 Coupling::felt_stretch(const CouplingLimits& limits) noexcept {
     const Vec3 normal = (1.0 / strength) * touch_.push;
     along = dot(mean, normal) * normal;
   }
-  // A hand that slides is ahead of the mean, which must not make friction more than it is.
+  // A sliding hand is ahead of the mean. Friction must not grow by that.
   return no_longer_than(along + no_longer_than(mean - along, touch_.grip / limits.stiffness),
                         limits.max_force / limits.stiffness);
 }
@@ -69,7 +69,7 @@ Vec3 Coupling::tool(Vec3 hand, double seconds, const CouplingLimits& limits) noe
   hand_ = hand;
   if (length(touch_.push) > 0.0 || touch_.grip > 0.0) {
     const double strength = length(touch_.push);
-    // Implicit Euler: what clay gives way in the tick to come, or the tool would follow it late.
+    // Implicit Euler, with what clay gives way in the coming tick; else the tool would follow late.
     if (touch_.relaxation > 0.0)
       push_ *= touch_.relaxation / (touch_.relaxation + gives_ * seconds);
     Vec3 carried = seconds * touch_.clay;

@@ -15,12 +15,12 @@ struct GuardLimits {
 /// small (a hand that arrives deep in the clay is not thrown out), then ramps up.
 class Guard {
  public:
-  /// One tick. False in `wanted_ok` when `wanted` was not finite: it is taken as a fault, and
-  /// released. N, s.
+  /// One tick of `seconds`. Returns the force to apply, N. `wanted_ok` is false if `wanted` was not
+  /// finite: that is a fault, and releases.
   Vec3 step(Vec3 wanted, double seconds, const GuardLimits& limits, bool& wanted_ok) noexcept;
 
-  /// The hand was lifted, has arrived, or its sample cannot be trusted: goes to zero, then engages
-  /// again.
+  /// The hand was lifted, has arrived, or its sample is invalid: the force goes to zero, then
+  /// engages again.
   void release() noexcept {
     armed_ = false;
     ramp_ = 0.0;

@@ -23,7 +23,7 @@ Vec3 HandVelocity::go(Vec3 to, double seconds) noexcept {
   for (std::size_t n = 0; n < known_; ++n) {
     const Sample& back = kept_[(newest_ + kRoom - n) % kRoom];
     const double ago = time_ - back.time;
-    // A window of ticks that fill it is as long as it, whatever rounding says.
+    // A window full of ticks is as long as it should be, whatever rounding says.
     if (n > 0 && ago > kWindow * (1.0 + 1e-9)) break;
     const Vec3 way = anchor_ - back.at;
     velocity = (1.0 / ago) * way;

@@ -13,8 +13,8 @@ struct HapticLimits {
   double own_damping = 0;  ///< N s/m, >= 0.
   int delay = 0;           ///< Ticks from a place to the force that it made, >= 0.
 
-  /// N s/m that a damper made of sampled places may have: its lag is the delay, half a tick of the
-  /// hold, and the window in which a velocity is told; a quarter of what would make it swing.
+  /// N s/m: limit of a damper made from sampled places. Its lag is the delay, half a tick of the
+  /// hold, and the velocity's window; a quarter of what would make it swing.
   double most_damping(double seconds) const {
     return 0.25 * mass / ((delay + 0.5) * seconds + 0.5 * HandVelocity::kWindow);
   }
@@ -29,8 +29,8 @@ class Haptics {
     seconds_ = seconds;
     return coupling_.tool(hand, seconds, {limits.stiffness, limits.max_force});
   }
-  /// Of the place that tool() was last given; so never before it. `share` of the force is to be
-  /// felt, 0..1. At 0 nothing is, an old debt neither.
+  /// Force for the place last given to tool(), which must come first. `share`, 0..1, of the force
+  /// is felt. At 0 nothing is felt, and no debt is paid.
   Vec3 feel(const Touch& touch, double share, const HapticLimits& limits) noexcept {
     const Vec3 force = share * coupling_.feel(touch, {limits.stiffness, limits.max_force});
     const double most = share > 0.0 ? limits.most_damping(seconds_) : 0.0;

@@ -13,7 +13,6 @@ class Overspeed {
 
   /// The handle is at `place` (m), `seconds` after the last call. An invalid time is added to the
   /// next one.
-  /// next.
   bool look(Vec3 place, double seconds, double most = kMost) noexcept {
     waited_ += seconds;
     if (!(waited_ > 0.0)) return false;

@@ -13,11 +13,11 @@ namespace {
 using Forces = std::array<Vec3, kMaxHands>;
 using Model = AccuracySetting::Model;
 
-// One tick after the other of whoever works the script.
+// Runs one tick after another, whichever model works the script.
 class Worker {
  public:
   virtual ~Worker() = default;
-  // From `from` to `to` (s); gives the mean force on each ball.
+  // Runs from `from` to `to` (s); returns the mean force on each ball.
   virtual Forces tick(double from, double to) = 0;
   virtual FaceGrid face(WallSide side) const = 0;
 };
@@ -73,7 +73,7 @@ class ShippedWorker final : public Worker {
   }
   FaceGrid face(WallSide side) const override {
     FaceGrid face = face_of(scene_.clay(), side, script_.low, script_.high);
-    // The wheel may have begun elsewhere in the first tick.
+    // In the first tick the wheel may have begun elsewhere.
     face.turned = angle_ - script_.wheel_angle(time_);
     return face;
   }
@@ -85,7 +85,7 @@ class ShippedWorker final : public Worker {
   double angle_ = 0.0, time_ = 0.0;
 };
 
-// The paper's element has one radius: it lies where the face is that is worked.
+// The printed model has one radius: it lies on the worked face.
 ClayDef one_face(const AccuracyScript& script, ClayDef clay) {
   if (script.balls.front().side == WallSide::outside) return clay;
   clay.outer_radius = clay.inner_radius;
@@ -143,7 +143,7 @@ std::unique_ptr<Worker> worker_of(const AccuracyScript& script, const AccuracySe
   return std::make_unique<PlainWorker<float>>(script, def.clay, law, setting.substeps);
 }
 
-// Forces as means of windows; a tick is a part of one, or one.
+// Forces as means of windows. A window is one tick or several.
 struct Felt {
   std::vector<std::array<Vec3, 2>> windows;
   double mean(double least = 1e-6) const {
@@ -158,7 +158,7 @@ struct Felt {
   }
 };
 
-// Plays it once; `each` is asked to run a tick, and may time it.
+// Plays the script once; `each` runs a tick, and may time it.
 template <class Each>
 Felt play(const AccuracyScript& script, double rate, Each&& each) {
   Felt felt;

@@ -9,34 +9,34 @@
 
 namespace onggi::lab {
 
-/// Who works a script, and how.
+/// Which model works a script, and how.
 struct AccuracySetting {
   enum class Model : std::uint8_t {
     printed,  ///< Lee, Han & Choi 2008 (PaperModel), double, unfiltered, without its friction.
     plain,    ///< PlainWall: one thing at a time of the printed law.
-    shipped,  ///< The engine: a whole tick of Scene::step.
+    shipped,  ///< PlainWall: the printed law with one thing changed at a time.
   };
   Model model = Model::shipped;
   TimeRule rule = TimeRule::shipped;
   Quadrature quadrature = Quadrature::edges;
-  bool doubles = false;  ///< Arithmetic and storage of `plain`; the others' are their own.
+  bool doubles = false;  ///< Arithmetic and storage of `plain`; other models have their own.
   int rows = 400, sectors = 360;
   double rate_hz = 1000.0;
-  int substeps = 1;  ///< Equal parts of a tick; the engine may part each again (steps_for).
+  int substeps = 1;  ///< Equal parts of a tick; the engine may divide each further (steps_for).
   friend bool operator==(const AccuracySetting&, const AccuracySetting&) = default;
 };
 const char* name_of(AccuracySetting::Model model);
 const char* name_of(TimeRule rule);
 const char* name_of(Quadrature quadrature);
 
-/// What a script truly leaves and feels: PlainWall in doubles, on a fine grid and in short steps.
+/// The reference result of a script: PlainWall in doubles, on a fine grid and in short steps.
 struct Truth {
-  std::array<FaceGrid, 2> face;            ///< Outside and inside; without rows where not worked.
+  std::array<FaceGrid, 2> face;            ///< Outside and inside; empty if the face is not worked.
   std::vector<std::array<Vec3, 2>> force;  ///< Means of each kForceWindow, by ball, N.
-  double displaced = 0.0;                  ///< m^3
-  double mean_force = 0.0;                 ///< Of the first ball's windows with any, N.
+  double displaced = 0.0;                  ///< Displaced volume, m^3.
+  double mean_force = 0.0;                 ///< Mean over the first ball's windows with force, N.
 };
-/// How fine a truth is.
+/// Grid and steps of the reference.
 struct TruthPlan {
   int rows = 1900, sectors = 1500;
   double rate_hz = 8000.0;
@@ -44,14 +44,14 @@ struct TruthPlan {
 /// Seconds of work. Allocates.
 Truth truth_of(const AccuracyScript& script, const TruthPlan& plan = {});
 
-/// Three errors that are never mixed.
+/// Three errors that are never added up.
 struct AccuracyErrors {
-  double shape_rms = 0.0, shape_max = 0.0;  ///< Of the worked faces as they are drawn, m.
-  double force_rms = 0.0;  ///< Over the windows in which either is pressed, all balls, N.
-  double volume = 0.0;     ///< Of what was displaced, a share of the true.
+  double shape_rms = 0.0, shape_max = 0.0;  ///< Of the worked faces as drawn, m.
+  double force_rms = 0.0;  ///< Over windows in which either model presses, all balls, N.
+  double volume = 0.0;     ///< As a share of the displaced volume.
 };
 
-/// What a setting came to in a script.
+/// The result of a setting in a script.
 struct AccuracyRow {
   std::string script;
   AccuracySetting setting;
@@ -63,19 +63,19 @@ struct AccuracyRow {
   double displaced = 0.0;   ///< m^3
 };
 
-/// Microseconds that the calling thread has worked; whoever measures brings it.
+/// Microseconds that the calling thread has worked; the caller brings the clock.
 using WorkClock = double (*)();
 
-/// Works `script` by `setting`, `passes` times (at least once): of each tick the least of its times
-/// counts, so that what the machine did besides is not in it. The printed model has one face: a
-/// script that works two is not for it (can_work). Allocates; not for the 1 kHz thread.
+/// Works `script` by `setting`, `passes` times (at least once). Each tick counts with the least of
+/// its times, which leaves other programs out. The printed model has one face, so it cannot work a
+/// script of two (can_work). Allocates; not for the 1 kHz thread.
 AccuracyRow measure_accuracy(const AccuracyScript& script, const Truth& truth,
                              const AccuracySetting& setting, WorkClock clock, int passes = 1);
-/// The outer or inner face that it leaves, for a picture. Allocates.
+/// The outer or inner face that remains, for a picture. Allocates.
 FaceGrid face_left(const AccuracyScript& script, const AccuracySetting& setting, WallSide side);
 bool can_work(const AccuracyScript& script, const AccuracySetting& setting);
 
-/// The share `share` (0..1) of `values` is not above what it gives; 0 of none.
+/// The value that a share `share` (0..1) of `values` does not exceed; 0 if empty.
 double percentile(std::vector<double> values, double share);
 
 }  // namespace onggi::lab

@@ -10,21 +10,21 @@
 namespace onggi::lab {
 
 /// A piece of a potter's work for balls on a bare wall, the same at any tick and on any grid. It
-/// keeps off rim and floor, so that what it leaves can be had without an engine.
+/// keeps off rim and floor, so a program without them can repeat it.
 struct AccuracyScript {
-  std::string name;      ///< "press"
-  std::string words;     ///< What is done, for a person.
-  SceneDef def;          ///< Without effects; its grid is whoever measures'. The guard is open.
-  double seconds = 1.0;  ///< A multiple of kForceWindow.
-  double wheel = 12.0;   ///< rad/s, reached at def.wheel.acceleration.
-  double low = 0.0, high = 0.0;  ///< Heights between which clay is touched, and a little, m.
+  std::string name;              ///< "press"
+  std::string words;             ///< The action, for a person.
+  SceneDef def;                  ///< Without effects, with an open guard; the caller sets the grid.
+  double seconds = 1.0;          ///< A multiple of kForceWindow.
+  double wheel = 12.0;           ///< rad/s, reached at def.wheel.acceleration.
+  double low = 0.0, high = 0.0;  ///< Heights that are touched, with a little margin, m.
 
   struct Hand {
     WallSide side = WallSide::outside;
-    double angle = 0.0;              ///< Studio frame, rad.
-    double clear = 0.0, deep = 0.0;  ///< Of the ball's middle from the axis, m.
-    double from = 0.0, to = 0.0;     ///< Height, m.
-    double belly = 0.0;              ///< How much less deep it goes where the pot's belly is, m.
+    double angle = 0.0;                   ///< Studio frame, rad.
+    double clear = 0.0, deep = 0.0;       ///< Distance of the ball's middle from the axis, m.
+    double from = 0.0, to = 0.0;          ///< Height, m.
+    double belly = 0.0;                   ///< How much less deep the ball goes at the belly, m.
     double in_by = 0.4, out_from = 0.65;  ///< Shares of the time; 1 or more: it stays in.
   };
   std::vector<Hand> balls;  ///< One or two.
@@ -32,13 +32,13 @@ struct AccuracyScript {
   /// Where ball `n` is at `t` seconds, studio frame, m.
   Vec3 place(std::size_t n, double t) const;
   Hands hands(double t) const;
-  /// How far the wheel has turned by then, rad: as Scene turns it.
+  /// How far the wheel has turned by then, rad, computed as Scene does.
   double wheel_angle(double t) const;
-  /// Which faces are worked.
+  /// True for each face that is worked.
   bool works(WallSide side) const;
 };
 
-/// Forces are compared as means over this many seconds: a tick of the slowest rate.
+/// Forces are compared as means over this many seconds, a tick of the slowest rate.
 inline constexpr double kForceWindow = 0.002;
 
 /// press: a fingertip on the turning wall. pull: two hands, one on either face, rise together.

@@ -23,7 +23,7 @@ bool has_scene(LoopWall wall) {
          wall == LoopWall::rendered;
 }
 
-/// A wall that is told places and answers with forces.
+/// A wall: places in, forces out.
 class Wall {
  public:
   explicit Wall(const LoopPlan& plan) : plan_(plan), last_(plan.begins) {
@@ -82,8 +82,8 @@ class Wall {
   bool damped_ = false;
 };
 
-/// Half of the widest way along an axis, besides going evenly: clay that is worked lets a hand sink
-/// in, and that is no swing.
+/// Half of the widest way along an axis, less any even drift: a hand that sinks into worked clay
+/// does not swing.
 double swing_of(std::span<const Vec3> places) {
   const auto count = static_cast<double>(places.size());
   if (places.size() < 2) return 0.0;
@@ -174,7 +174,7 @@ double driven_power(const LoopPlan& plan, double way, int cycles) {
   Handle handle(plan.device, plan.hand, plan.begins, LoopPlan::kSeconds);
   double begun = 0.0, motor = 0.0;
   Vec3 clay, held;
-  // As many before as it lasts, so that what is stored is the same at both ends.
+  // As many ticks before as it lasts, so that the stored energy is the same at both ends.
   for (int n = 0; n < 2 * kLedTicks; ++n) {
     if (n == kLedTicks) begun = handle.lost() - handle.work() + motor;
     const Vec3 force = wall.answer(handle.told());
@@ -188,7 +188,7 @@ double driven_power(const LoopPlan& plan, double way, int cycles) {
 }
 
 double least_damping(const LoopPlan& plan, double way) {
-  // From 7 to 483 Hz, and not in step with the ticks, so that every phase comes.
+  // From 7 to 483 Hz, out of step with the ticks, so that every phase comes.
   constexpr int kCycles[] = {5, 14, 30, 59, 97, 148, 215, 281, 338};
   double least = std::numeric_limits<double>::infinity();
   for (const int cycles : kCycles) {

@@ -11,63 +11,62 @@ enum class LoopWall {
   spring,           ///< K, two-sided, about where the loop begins.
   maxwell,          ///< K that gives way in theory::kRelaxation.
   filtered_spring,  ///< K behind the paper's Butterworth of 10 Hz.
-  engine,           ///< A scene's own force, put on a device as it comes.
+  engine,           ///< A scene's own force, directly on the device.
   filtered_engine,  ///< The same behind the paper's filter.
-  rendered,         ///< A scene's touch through force::Haptics: what ships.
+  rendered,         ///< A scene's touch through force::Haptics: the shipped path.
 };
 /// "spring", "maxwell" ...
 const char* name_of(LoopWall wall);
 
-/// A loop of 1 kHz, and what is done in it. What is not a scene's is along y alone.
+/// A loop of 1 kHz and its task. Walls that are no scene act along y alone.
 struct LoopPlan {
   static constexpr double kSeconds = 0.001;  ///< A tick.
 
   DeviceModel device;
   HandModel hand;
   LoopWall wall = LoopWall::spring;
-  double stiffness = 0.0;         ///< Of the three without a scene, N/m.
-  SceneDef scene;                 ///< Of the others.
+  double stiffness = 0.0;         ///< Of the three walls without a scene, N/m.
+  SceneDef scene;                 ///< Of the walls with a scene.
   double coupling = 0.0;          ///< Of `rendered`, N/m.
-  int told_delay = -1;            ///< Of `rendered`: what it is told; -1: the truth.
-  bool passivity = true;          ///< Of `rendered`: false leaves the coupling alone.
-  Vec3 begins{0.12, 0.008, 0.0};  ///< m; as it stands, a ball on the wheel head.
-  Vec3 rest = begins;             ///< Where the hand would be, m.
-  Vec3 push;                      ///< Of the hand, N.
-  Vec3 kick;                      ///< Its speed at the first tick, m/s.
+  int told_delay = -1;            ///< Of `rendered`: the delay that it is told; -1: the true one.
+  bool passivity = true;          ///< Of `rendered`: false switches the passivity controller off.
+  Vec3 begins{0.12, 0.008, 0.0};  ///< m; default: a ball on the wheel head.
+  Vec3 rest = begins;             ///< Where the hand wants to be, m.
+  Vec3 push;                      ///< The hand's own push, N.
+  Vec3 kick;                      ///< Speed at the first tick, m/s.
   double wheel = 0.0;             ///< rad/s
   double seconds = 2.0;
 };
 
-/// What came of it. Of its last quarter, unless said otherwise.
+/// Result of a loop, over its last quarter unless said otherwise.
 struct LoopResult {
-  double swing = 0.0;       ///< Half of the way from end to end along an axis, m,
-                            ///< besides going evenly.
-  double before = 0.0;      ///< The same of the quarter before,
-  double earlier = 0.0;     ///< and of the one before that.
+  double swing = 0.0;    ///< Half of the way from end to end along an axis, less any even drift, m.
+  double before = 0.0;   ///< The same in the quarter before,
+  double earlier = 0.0;  ///< and in the one before that.
   double force_step = 0.0;  ///< Largest change of the force from tick to tick, N.
   double force_mean = 0.0;  ///< N
-  double stretch = 0.0;     ///< Of the coupling, at its end, m.
-  double stiffness = 0.0;   ///< Greatest of a scene's Touch, N/m.
-  bool damped = false;      ///< The passivity controller added damping, at any time.
+  double stretch = 0.0;     ///< The coupling's stretch at the end, m.
+  double stiffness = 0.0;   ///< Greatest stiffness of a scene's Touch, N/m.
+  bool damped = false;      ///< The passivity controller added damping at some time.
 
-  /// What moves gets less, quarter by quarter; a limit cycle is now wider and now narrower.
+  /// The swing shrinks from quarter to quarter; a limit cycle's varies.
   bool dies_away() const { return swing < 0.97 * before && before < 0.97 * earlier; }
-  /// What is left moving is less than a limit cycle may be, or dies away.
+  /// The remaining swing is below kMostSwing, or dies away.
   bool at_rest() const { return swing < kMostSwing || dies_away(); }
   static constexpr double kMostSwing = 1e-4;  ///< m
 };
 
-/// Runs it. A scene that validate() refuses, and a handle that flies off by a metre, give a swing
-/// of infinity. Allocates.
+/// Runs the loop. The swing is infinite if validate() refuses the scene or the handle flies off by
+/// a metre. Allocates.
 LoopResult run_loop(const LoopPlan& plan);
 
 /// Ticks in which a hand is led.
 inline constexpr int kLedTicks = 700;
-/// The power that a hand has to put into the device, W, which leads it to and fro by `way` (m, each
-/// side) about `plan.begins`, along y, `cycles` times in kLedTicks: below zero is what a passive
-/// loop never gives. The wheel's work is taken off.
+/// The power (W) that a hand has to put into the device to lead it to and fro by `way` (m, each
+/// side) about `plan.begins`, along y, `cycles` times in kLedTicks. A passive loop never gives less
+/// than zero. The wheel's work is taken off.
 double driven_power(const LoopPlan& plan, double way, int cycles);
-/// Of nine frequencies up to nearly half the rate the least, as a damping: power over the mean
+/// The least of nine frequencies up to nearly half the rate, as a damping: power over the mean
 /// square of the speed, N s/m.
 double least_damping(const LoopPlan& plan, double way);
 

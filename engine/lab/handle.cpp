@@ -35,7 +35,7 @@ void Handle::go(Vec3 force, Vec3 push, Vec3 rest) {
   const Vec3 device_force = held(force);
   const double mass = device_.mass + hand_.mass;
   const double damping = device_.damping + hand_.damping;
-  // Of a force that stays over a part, with damping: x' goes to F / B exponentially.
+  // Exact for a constant force with damping: x' goes to F / B exponentially.
   const double gain = damping > 0.0 ? (1.0 - decay_) / damping : part_ / mass;
   const double rub = device_.friction * part_ / mass;
   for (int n = 0; n < kParts; ++n) {

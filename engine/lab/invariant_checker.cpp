@@ -13,7 +13,7 @@ namespace onggi::lab {
 namespace {
 
 constexpr double kSameVolume = 1e-6;
-constexpr double kSettled = 1e-9;  // m: what sums of heights may be off by
+constexpr double kSettled = 1e-9;  // m: tolerance of summed heights
 
 template <class... Values>
 std::string said(const char* form, Values... values) {
@@ -106,7 +106,7 @@ std::optional<Breach> InvariantChecker::look_at_feedback(const Scene& scene, dou
                     said("The force changed by %.9g N in a tick that allows %.9g.", change, most));
     force_[n] = hand.force;
     double large = std::max({def.clay.radius_max, rim_, scene.clay().rim_height()});
-    // Between the parts of a long tick nobody sees how high clay has risen and sagged again.
+    // Within a long tick clay may rise and sag again between two parts.
     if (def.volume && scene::parts_of(seconds_of(dt)) > 1)
       large = std::max(large, effects::Volume::kTallest * def.clay.height);
     if (hand.depth < 0.0 || hand.depth > large + kSettled)
@@ -119,8 +119,7 @@ std::optional<Breach> InvariantChecker::look_at_feedback(const Scene& scene, dou
 std::optional<Breach> InvariantChecker::look_at_row(const Clay& clay, int j) {
   const ClayDef& def = clay.def();
   const auto outer = clay.outer(j), inner = clay.inner(j);
-  // While steps are taken back some rows are as they were before, and the floor
-  // is not yet.
+  // While steps are taken back, some rows and the floor are still as they were.
   const bool solid = j < clay.floor_rows();
   const bool settled = !laying_;
   float least = outer[0] - inner[0], most = outer[0], hole = inner[0], widest = inner[0];
@@ -193,8 +192,8 @@ std::optional<Breach> InvariantChecker::look_at_volume(const Scene& scene, doubl
     sum += area_[static_cast<std::size_t>(j)] * clay.row_thickness(j);
   const double off = sum / lump_ - 1.0;
   const bool good = off < kSameVolume && (cut_ || off > -kSameVolume);
-  // Girth after a pressed rim comes at a bounded pace: in a tick, or in a long one's parts, that is
-  // shorter than that takes, it is late for as long as the rim is pressed, and a round more.
+  // A pressed rim gets its girth at a bounded pace. In ticks, or parts of a long tick, shorter than
+  // that pace, girth is late while the rim is pressed and for one more round.
   constexpr double kElementsPerSecond = 16384e3;
   constexpr double kLongestWait = 0.1;  // s
   const double late = std::min(kLongestWait, clay.rows() * clay.stride() / kElementsPerSecond);

@@ -10,20 +10,17 @@
 
 namespace onggi::lab {
 
-/// What must be so after every tick, whatever was done to the clay.
+/// What must hold after every tick, whatever was done to the clay.
 enum class Invariant : std::uint8_t {
-  finite,     ///< Every number that the tick gives back, and every radius and
-              ///< height.
+  finite,     ///< Every result of the tick, every radius and every height.
   range,      ///< radius_min <= inner, inner + wall_min <= outer <= radius_max;
               ///< solid floor rows.
-  stacked,    ///< Rows stand on each other, each of some thickness; the floor's
-              ///< top is where it belongs and not above the rim.
-  volume,     ///< With VolumeDef: the clay that there was, to a millionth; what
-              ///< cuts takes some.
-  force,      ///< Within the guard's clamp and slew; no force that is none came out
-              ///< of the law.
+  stacked,    ///< Rows stand on each other, each of some thickness; the floor's top is in place and
+              ///< not above the rim.
+  volume,     ///< With VolumeDef: the amount of clay, to a millionth; cutting tools take some.
+  force,      ///< Within the guard's clamp and slew; the law itself gave a number.
   depth,      ///< A press is no deeper than the clay is large.
-  marks,      ///< A row that changed was marked for those who draw it.
+  marks,      ///< A changed row was marked for drawing.
   same_hash,  ///< The same hands leave the same bits, with other vectors too.
   mirror,     ///< A mirrored world has a mirrored pot.
 };
@@ -31,38 +28,34 @@ inline constexpr int kInvariants = 9;
 /// "finite", "range" ...
 const char* name_of(Invariant invariant);
 
-/// One that did not hold.
+/// An invariant that did not hold.
 struct Breach {
   Invariant invariant = Invariant::finite;
-  std::uint64_t tick = 0;  ///< Ticks done, this one among them.
+  std::uint64_t tick = 0;  ///< Ticks done, including this one.
   std::string what;        ///< A sentence, with the figures.
 };
 
-/// Watches a scene, tick by tick. It takes the scene's dirty and moved rows, so
-/// nobody else may. The work a tick is that of the rows that changed, and a
-/// look at every row's height; all of the clay is looked at every kWhole ticks.
-/// Allocates when made, and for a Breach.
+/// Checks a scene, tick by tick. It takes the scene's dirty and moved rows, so no one else may. A
+/// tick costs the changed rows and a look at every row's height; every kWhole ticks all of the clay
+/// is checked. Allocates when made, and for a Breach.
 class InvariantChecker {
  public:
   static constexpr int kWhole = 512;
 
   explicit InvariantChecker(Scene& scene);
 
-  /// After scene.step() of `dt` seconds, which gave `felt`.
+  /// Call after scene.step() of `dt` seconds, which returned `felt`.
   std::optional<Breach> after(Scene& scene, double dt, const Feedback& felt);
-  /// Ticks were done that it was not told of, and no hand is there: it goes on
-  /// from the clay as it is.
+  /// Ticks were done without after(), and no hand is there: continues from the clay as it is.
   void resume(Scene& scene);
-  /// Looks at all of the clay now.
+  /// Checks all of the clay now.
   std::optional<Breach> whole(Scene& scene);
 
-  /// Row `j`, and how all rows stand on each other, of any clay of that many
-  /// rows.
+  /// Checks row `j`, and how all rows stand on each other, of any clay of that many rows.
   std::optional<Breach> look_at_row(const Clay& clay, int j);
   std::optional<Breach> look_at_stack(const Clay& clay) const;
 
-  /// How far a row whose largest radius is `radius` may be beyond its limits by
-  /// roundings alone, m: sixteen of a float's last digits there.
+  /// Tolerance for rounding at largest radius `radius`, m: sixteen of a float's last digits.
   static double rounding(double radius);
 
  private:
@@ -77,9 +70,9 @@ class InvariantChecker {
   std::vector<std::uint64_t> content_;  // its hash
   std::array<Vec3, kMaxHands> force_{};
   int off_ = 0;               // ticks,
-  double off_seconds_ = 0.0;  // and seconds for which the volume has been another
+  double off_seconds_ = 0.0;  // and seconds for which the volume has been wrong
   bool laying_ = false, pressed_ = false;
-  bool cut_ = false;  // a tool that takes clay away was there
+  bool cut_ = false;  // a cutting tool was there
 };
 
 }  // namespace onggi::lab

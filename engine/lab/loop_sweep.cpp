@@ -15,7 +15,7 @@ constexpr double kHalfNewton = 0.5;
 constexpr double kLedWay = 2e-4;  // m
 constexpr int kSteps = 12;        // of a bisection: to 0.3 % of a decade
 constexpr double kSoftest = 1.0;  // N/m
-// N/m a m^2 of wall: a ball sinks right into clay that is softer, and no scene's is stiffer.
+// N/m a m^2 of wall. In softer clay a ball sinks right in; no scene's clay is stiffer.
 constexpr double kSoftestClay = 1e6, kStiffestClay = 5e7;
 
 std::optional<SampledWall> theory_of(LoopWall wall) {
@@ -43,7 +43,7 @@ double head_stiffness(const SceneDef& scene) {
   return 2.0 * std::sqrt(kHalfNewton * scene.contact.stiffness * portable::kPi * scene.tool.radius);
 }
 
-/// A plan for a wall of `stiffness` N/m, whatever that is of it.
+/// A plan for a wall of `stiffness` N/m of any kind.
 LoopPlan of_stiffness(LoopPlan plan, double stiffness) {
   plan.stiffness = plan.coupling = stiffness;
   if (engines(plan.wall))
@@ -52,7 +52,7 @@ LoopPlan of_stiffness(LoopPlan plan, double stiffness) {
   return plan;
 }
 
-/// For the sweep: no encoder, which has limit cycles of its own, and no help.
+/// For the sweep: no encoder (it makes limit cycles of its own) and no passivity controller.
 LoopPlan swept(const DeviceModel& device, const HandModel& hand, LoopWall wall) {
   LoopPlan plan = on_the_wheel_head(device, hand, wall);
   plan.device.step = 0.0;
@@ -114,7 +114,7 @@ std::vector<LoopRow> sweep_device(const DeviceModel& device, const StiffnessLimi
       row.wall = wall;
       row.given = wall == LoopWall::rendered ? limit.allowed : head_stiffness(scene);
       row.stable = stiffest(low, high, [&](double k) { return comes_to_rest_at(plan, k); });
-      // A hand that leads is the hand.
+      // Where the handle is led, the leading hand is the only one.
       if (passive < 0.0)
         passive = stiffest(low, high, [&](double k) { return passive_at(plan, k); });
       row.passive = passive;
@@ -150,7 +150,7 @@ std::vector<SceneLoop> try_scene(const SceneDef& scene, const DeviceModel& devic
       plan.coupling = coupling;
       plan.seconds = 30.0;
       if (turning) {
-        // Nobody's hand would sink through the wall under half a newton: it only comes by.
+        // Under half a newton no hand sinks through the wall; it only passes by.
         plan.wheel = 10.0;
         plan.seconds = 6.0;
         plan.begins = {scene.clay.outer_radius + scene.tool.radius, 0.5 * scene.clay.height, 0.0};

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kTurn = 2.0 * portable::kPi;
 
-// What a step's time comes to: the share of a press that is gone at its end, that which is felt of
-// it, and where in the step the tool is met.
+// Of one step: the share of a press that is gone at its end, the share that is felt, and the moment
+// at which the tool is met.
 struct StepOf {
   double gone, felt, at;
 };
@@ -23,7 +23,7 @@ StepOf step_of(const PlainLaw& law, double seconds) {
   return {gone, law.relaxation_time / seconds * gone, 0.5};
 }
 
-// The elements whose rays the ball's section with a row can meet: `count` from `first` on, wrapped.
+// The elements whose rays can meet the ball's section with a row: `count` from `first` on, wrapped.
 struct Rays {
   int first, count;
 };
@@ -90,7 +90,7 @@ Vec3 PlainWall<Real>::step(const PlainLaw& law, const BallWay& way) noexcept {
     const Rays rays =
         rays_of(portable::atan2(h.z, h.x), d, section, edges ? 0.5 * sector : 0.0, sectors_);
     const Real r = static_cast<Real>(section), dy = static_cast<Real>(above);
-    // An element is covered from no share to all of it over its own width about the edge.
+    // Coverage of an element grows from 0 to 1 over its own width about the edge.
     const Real reach = edges ? static_cast<Real>(section + 0.5 * width) : r;
     const Real per_width = static_cast<Real>(1.0 / std::max(width, 1e-12));
     const Real most = static_cast<Real>(std::min(1.0, 2.0 * section / std::max(width, 1e-12)));
@@ -112,7 +112,7 @@ Vec3 PlainWall<Real>::step(const PlainLaw& law, const BallWay& way) noexcept {
       const Real given = gone * covered * press;
       face[i] = outside ? now - given : now + given;
       Real felt = covered * press;
-      // As a press fades the face goes by as much: the mean of both ends' radii.
+      // As a press fades, the face moves as much: the mean of both ends' radii.
       if (law.quadrature != Quadrature::none)
         felt *= law.rule == TimeRule::shipped ? Real(0.5) * (now + face[i]) : now;
       sum_x += felt * (hx - end * cos_[i]);

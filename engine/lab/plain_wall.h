@@ -31,7 +31,7 @@ struct PlainLaw {
   double c_v = 0.864;                ///< Quadrature none: N per metre of an element's press.
 };
 
-/// A ball's way in one step, and how the wheel turns in it. Studio frame.
+/// A ball's path in one step, and the wheel's turn in it. Studio frame.
 struct BallWay {
   WallSide side = WallSide::outside;
   Vec3 from, to;            ///< m
@@ -41,18 +41,18 @@ struct BallWay {
   double seconds = 0.001;  ///< > 0
 };
 
-/// The circular sector elements of a band of a cylinder's wall, written once more, as plainly as
-/// can be, in floats or doubles: no vectors, no extents, no rim, no floor, no other face to carry.
-/// The reference that the engine is measured against, and the bench on which one thing at a time of
-/// its law is put back as it was printed. Element (j, i) as in Clay.
+/// A band of a cylinder's wall in circular sector elements, written a second time as plainly as
+/// possible, in floats or doubles: no vectors, no extents, no rim, no floor, no second face. The
+/// engine is measured against it, and each correction of the law can be undone in it alone. Element
+/// (j, i) as in Clay.
 template <class Real>
 class PlainWall {
  public:
   /// The rows of `def` whose middle lies in low..high (m). Allocates.
   PlainWall(const ClayDef& def, double low, double high);
 
-  /// Presses the ball on its side for one step. The force on it (N, studio frame), mean over the
-  /// step where the rule has one. No allocation.
+  /// Presses the ball on its side for one step. Returns the force on it (N, studio frame), the
+  /// step's mean if the rule has one. No allocation.
   Vec3 step(const PlainLaw& law, const BallWay& way) noexcept;
 
   int rows() const { return rows_; }
@@ -67,7 +67,7 @@ class PlainWall {
  private:
   int rows_ = 0, sectors_ = 0;
   double bottom_ = 0.0, thickness_ = 0.0;
-  Real nearest_{}, farthest_{};  // that a face may be pressed to
+  Real nearest_{}, farthest_{};  // limits of the pressed face
   std::vector<Real> outer_, inner_, cos_, sin_;
 };
 

@@ -58,7 +58,7 @@ std::optional<Recommendation> recommend(const std::vector<SettingSummary>& all, 
     return one.errors.shape_rms <= thresholds.device && one.errors.shape_max <= thresholds.wall &&
            one.force_share <= thresholds.force;
   };
-  // Coarsest first: the first that is fine enough is the quickest of those, but for noise.
+  // Coarsest first: apart from noise, the first that is fine enough is also the quickest.
   auto chosen = std::ranges::find_if(
       grids, [&](const SettingSummary& one) { return fine_enough(one) && in_time(one); });
   if (chosen == grids.end()) {

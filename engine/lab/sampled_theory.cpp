@@ -14,12 +14,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Place, speed; the wall's own two; the forces on their way.
+// State: place, speed, the wall's own two, and the forces on their way.
 constexpr std::size_t kSize = 4 + DeviceModel::kMostDelay;
 using Matrix = std::array<std::array<double, kSize>, kSize>;
 
 constexpr double kStiffest = 1e6;  // N/m
-// Clay that gives way lets a handle stay anywhere: that is an eigenvalue of 1, to rounding.
+// Clay that gives way lets a handle stay anywhere: an eigenvalue of 1, to rounding.
 constexpr double kNotGrowing = 1.0 + 1e-11;
 
 /// Coefficients of B(z) = b (1 + z^-1)^2 / (1 + a1 z^-1 + a2 z^-2).
@@ -48,7 +48,7 @@ Complex response(SampledWall wall, Complex back, double seconds) {
   return 1.0;
 }
 
-/// x and v after a tick of a constant force of 1 N (last column), or of themselves.
+/// x and v after one tick: by a constant force of 1 N (last column), or by themselves.
 struct Motion {
   std::array<std::array<double, 3>, 2> rows;
 };
@@ -143,8 +143,8 @@ double stiffest_passive(SampledWall wall, const DeviceModel& device, double seco
 
 double spectral_radius(SampledWall wall, double stiffness, const DeviceModel& device,
                        const HandModel& hand, double seconds) {
-  // By what the norm of the 2^n-th power grows from one squaring to the next: what is not growth
-  // (units, and how the system begins) is in both.
+  // Growth of the 2^n-th power's norm from one squaring to the next. The ratio cancels units and
+  // initial state.
   Matrix power = system_of(wall, stiffness, device, hand, seconds);
   constexpr int kSquarings = 30;
   double logarithm = 0.0, exponent = 1.0, grown = 0.0;
@@ -177,8 +177,7 @@ double stiffest_stable(SampledWall wall, const DeviceModel& device, const HandMo
     return spectral_radius(wall, stiffness, device, hand, seconds) < kNotGrowing;
   };
   if (stable(kStiffest)) return kStiffest;
-  // From below: what is stable for softer walls is asked for step by step, as a loop may be stable
-  // again beyond.
+  // From below, step by step, because a loop may become stable again for stiffer walls.
   double low = 0.0, high = 1.0;
   while (stable(high)) {
     low = high;

@@ -11,7 +11,7 @@ namespace {
 
 bool always(const SceneDef&) { return true; }
 
-// Lengths of the clay bound each other: those that are not `kept` make room for the one that is.
+// Lengths of the clay bound each other. All but `kept` make room for it.
 void make_room(ClayDef& clay, const double* kept) {
   if (kept == &clay.floor_thickness) clay.height = std::max(clay.height, *kept);
   clay.floor_thickness = std::min(clay.floor_thickness, clay.height);
@@ -33,15 +33,15 @@ void make_room(ClayDef& clay, const double* kept) {
   clay.radius_max = std::max(clay.radius_max, std::min(1.0, 1.5 * clay.outer_radius));
 }
 
-// A wall that tears does so before it is as thin as it can be.
+// A wall must tear before it reaches its thinnest.
 void keep_tearing_above(SceneDef& def) {
   if (def.walls && def.walls->tear_thickness > 0.0)
     def.walls->tear_thickness =
         std::max(def.walls->tear_thickness, std::nextafter(def.clay.wall_min, 1.0));
 }
 
-// What other lengths leave of the range of one that they bound: radius_min + wall_min at the least,
-// and less than radius_max at the most.
+// The range that other lengths leave to one: radius_min + wall_min at least, and less than
+// radius_max.
 void bound(SceneField& field) {
   const auto to = [&](double least, double most) {
     field.bounded = true;

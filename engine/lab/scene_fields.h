@@ -8,33 +8,33 @@
 
 namespace onggi::lab {
 
-/// A number of a scene, and the ends of its range as validate() has them.
+/// A number of a scene, and its range in validate().
 struct SceneField {
   std::string name;  ///< "clay.wall_min", "slump.density", "flat_rib.length"
   double least = 0.0, most = 0.0;
-  /// Another field bounds it as well, more closely than its own range.
+  /// True if another field bounds it more closely than its own range.
   bool bounded = false;
-  /// False where the scene has no such number: its effect or its tool is not there.
+  /// False if the scene lacks its effect or tool.
   std::function<bool(const SceneDef&)> there;
-  std::function<double(const SceneDef&)> get;  ///< Only where it is there.
-  /// Puts the effect there where need be, with what it needs, and lets other lengths of the clay
-  /// make room, so that the scene is one again.
+  std::function<double(const SceneDef&)> get;  ///< Only if it is there.
+  /// Sets the number. Adds the effect and what it needs, and lets other lengths of the clay make
+  /// room, so that the scene stays valid.
   std::function<void(SceneDef&, double)> set;
 };
 
-/// Every number of a scene: clay, ball, contact, wheel, guard, effects, paper and the sizes of the
-/// tools to hand. Allocates.
+/// Every number of a scene: clay, ball, contact, wheel, guard, effects, paper and tool sizes.
+/// Allocates.
 std::vector<SceneField> scene_fields();
 
 /// `def` without any effect, and without the paper's model.
 SceneDef bare(SceneDef def);
 
-/// Every effect by its place in each_effect(), with its name.
+/// Every effect by its index in each_effect(), with its name.
 std::vector<std::string> effect_names();
-/// Puts the effect at place `n` there as it is by default, and what it needs; on a paper's scene
-/// nothing is put.
+/// Adds the effect at index `n` with its defaults, and what it needs. Does nothing on a paper
+/// scene.
 void add_effect(SceneDef& def, std::size_t n);
-/// Takes it away, and what needs it.
+/// Removes it, and what needs it.
 void remove_effect(SceneDef& def, std::size_t n);
 bool has_effect(const SceneDef& def, std::size_t n);
 

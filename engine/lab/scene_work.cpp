@@ -54,7 +54,7 @@ std::optional<SceneWork> evening_work(std::string name, const SceneDef& def, dou
     if (shape == nullptr || !shape->smooths || !shape->round()) continue;
     const double radius = def.tools[n].size.radius;
     SceneWork work = finger_work(std::move(name), def, false, deep, water);
-    // A ball lies as deep as the finger did with its middle that much farther out.
+    // With its middle as much farther out, a ball lies as deep as the finger did.
     const double out = (radius > 0.0 ? radius : shape->usual.radius) - def.tool.radius;
     work.hands = [hands = std::move(work.hands), out, tool = n + 1](double t) {
       Hands with = hands(t);
@@ -110,7 +110,7 @@ Result<SceneOutcome> outcome_of(const SceneWork& work, double tick, int rows, do
       impulse = {};
     }
   }
-  // Between the floor, whose top lies where a row does, and the rim, which may have sunk.
+  // Between the floor, whose top lies at a row's middle, and the rim, which may have sunk.
   const Profile p = scene.clay().profile();
   for (int k = 0; k < kHeights; ++k) {
     const double h = def.clay.height * (0.1 + 0.8 * k / kHeights);

@@ -10,8 +10,8 @@
 
 namespace onggi::lab {
 
-/// 0..1 over 0..1 with three even derivatives, and flat beyond: a hand's way without a corner for
-/// an order of convergence to break on.
+/// 0..1 over 0..1 with three continuous derivatives, flat beyond. A corner in a hand's path would
+/// spoil the order of convergence.
 double eased(double share);
 
 /// A smooth piece of work in a scene, the same whatever the tick and the grid.
@@ -28,31 +28,31 @@ inline constexpr double kWorkWindow = 0.02;
 /// at 115 rpm; `both`: with another inside. `water`: the clay is wetted for the first half.
 SceneWork finger_work(std::string name, const SceneDef& def, bool both, double deep,
                       bool water = false);
-/// The same with one hand and the scene's first round tool that evens, a palm or a sponge; nothing
-/// where none lies to hand.
+/// The same with one hand and the scene's first round tool that smooths (palm or sponge). Empty if
+/// the scene has none.
 std::optional<SceneWork> evening_work(std::string name, const SceneDef& def, double deep,
                                       bool water = false);
-/// The lump with a wall of 1 cm on 200 x 180 that can be pressed from both sides, nothing to take
-/// back, and a wheel that is at its speed at once.
+/// The lump with a wall of 1 cm on 200 x 180 that both hands can press, without undo, the wheel at
+/// full speed at once.
 SceneDef on_a_wall(SceneDef def);
 /// A finger outside, 1.5 mm deep, and both hands, 1 mm, in the scene `def` of that name, on
 /// 200 x 180. The printed model has no wall: one finger on its own lump.
 std::vector<SceneWork> scene_works(const std::string& name, SceneDef def);
 
-/// What came of a work.
+/// The result of a work.
 struct SceneOutcome {
   std::vector<double> outline;  ///< Mean outer and inner radius at even heights, m.
   std::vector<Vec3> force;      ///< Mean of each window, hand by hand, N.
   Vec3 impulse;                 ///< Of the first hand, N s.
   std::vector<double> tick_us;  ///< By the clock, of ticks in which a hand pressed.
 };
-/// Works it with ticks of `tick` seconds on `rows` rows, with as many sectors as make elements of
-/// its own grid's shape (at least 16). `clock`: microseconds that the thread has worked; null: no
-/// times. Allocates. Problem where the scene is none.
+/// Works with ticks of `tick` seconds on `rows` rows, with as many sectors (at least 16) as keep
+/// the elements' shape. `clock`: microseconds that the thread has worked; null: no times.
+/// Allocates. Problem if the scene is invalid.
 Result<SceneOutcome> outcome_of(const SceneWork& work, double tick, int rows,
                                 double (*clock)() = nullptr);
 
-/// How far apart two outcomes are.
+/// Difference of two outcomes.
 struct Apart {
   double shape = 0.0;      ///< Root mean square of the outlines' difference, m.
   double force = 0.0;      ///< Likewise of the windows' force, N.
@@ -60,8 +60,8 @@ struct Apart {
   double shape_max = 0.0;  ///< The most of the outlines' difference, m.
 };
 Apart apart(const SceneOutcome& a, const SceneOutcome& b);
-/// How much the outlines' volumes differ, as a share of what the work displaced in `truth`; 0 where
-/// that is nothing.
+/// Difference of the outlines' volumes, as a share of the volume displaced in `truth`; 0 if nothing
+/// was.
 double volume_apart(const SceneOutcome& a, const SceneOutcome& truth, const ClayDef& fresh);
 
 }  // namespace onggi::lab

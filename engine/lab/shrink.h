@@ -7,20 +7,19 @@
 
 namespace onggi::lab {
 
-/// Trials that are a little simpler than this one, the boldest cuts first: fewer strokes, fewer
-/// ticks, one hand, fewer effects, numbers as they are by default. Each is a scene that validate()
-/// accepts. Allocates.
+/// Slightly simpler trials, the boldest cuts first: fewer strokes, fewer ticks, one hand, fewer
+/// effects, default numbers. Each is a scene that validate() accepts. Allocates.
 std::vector<Trial> simpler(const Trial& trial);
 
-/// What is left of a trial.
+/// The smallest trial found.
 struct Shrunk {
   Trial trial;
   Breach breach;
-  std::uint64_t ticks = 0;  ///< That were run to find it.
+  std::uint64_t ticks = 0;  ///< Ticks that the search ran.
 };
 
-/// The least trial that still breaks the same invariant, by taking the first simpler one that does
-/// for as long as there is one, or until `most_ticks` have been run. `breach`: of `trial`.
+/// The smallest trial that still breaks the same invariant: takes the first simpler one that does,
+/// until none is left or `most_ticks` have been run. `breach`: of `trial`.
 Shrunk least_of(Trial trial, const Breach& breach, const TrialChecks& checks,
                 std::uint64_t most_ticks);
 

@@ -14,7 +14,7 @@ constexpr double kPush = 0.5;   // N
 constexpr double kLead = 2e-4;  // m: how far a hand that leads goes
 constexpr int kHalvings = 12;
 
-/// The largest of low..high for which `holds`, which is taken to hold below where it does.
+/// The largest of low..high for which `holds`, assumed to hold for all smaller ones.
 template <class Holds>
 double largest(double low, double high, Holds&& holds) {
   if (!holds(low)) return 0.0;
@@ -26,7 +26,7 @@ double largest(double low, double high, Holds&& holds) {
   return low;
 }
 
-/// A loop of the coupling alone, deep enough in the wheel head that it never leaves it.
+/// A loop of the coupling alone, deep enough in the wheel head to stay in it.
 LoopPlan coupled(const DeviceModel& device, const HandModel& hand, double stiffness) {
   LoopPlan plan = on_the_wheel_head(device, hand, LoopWall::rendered);
   plan.coupling = stiffness;
@@ -35,7 +35,7 @@ LoopPlan coupled(const DeviceModel& device, const HandModel& hand, double stiffn
 }
 
 bool comes_to_rest(const DeviceModel& device, double stiffness) {
-  // An encoder makes limit cycles of its own, which are asked for apart.
+  // An encoder makes limit cycles of its own; they are tested apart.
   DeviceModel smooth = device;
   smooth.step = 0.0;
   return std::ranges::all_of(kHands, [&](const HandModel& hand) {
@@ -47,7 +47,7 @@ bool comes_to_rest(const DeviceModel& device, double stiffness) {
   });
 }
 
-/// Led to and fro about where half a newton holds it.
+/// Led to and fro about the place where half a newton holds it.
 LoopPlan led(const DeviceModel& device, double stiffness) {
   LoopPlan plan = coupled(device, kFreeHand, stiffness);
   plan.device.step = 0.0;

@@ -19,7 +19,7 @@ int below(Random& random, int end) {
   return static_cast<int>(random.bits() % static_cast<std::uint64_t>(end));
 }
 
-// Anywhere in the range; evenly by ratio where it spans more than a hundred times.
+// Anywhere in the range; logarithmically if it spans more than a hundred times.
 double within(Random& random, double least, double most) {
   if (least > 0.0 && most > 100.0 * least)
     return std::clamp(least * portable::exp(random.uniform() * portable::log(most / least)), least,
@@ -59,7 +59,7 @@ SceneDef random_scene(Random& random, const TrialPlan& plan) {
   return def;
 }
 
-// A place that may matter: the axis, within, in the wall, beside it, over the rim, far away.
+// A place that may matter: the axis, inside, in the wall, beside it, over the rim, far away.
 Vec3 place(Random& random, const ClayDef& clay) {
   const double angle = random.uniform(0.0, 2.0 * portable::kPi);
   const double u = random.uniform();

@@ -7,7 +7,7 @@
 namespace onggi::lab {
 namespace {
 
-constexpr std::uint64_t kAsk = 1024;  // ticks between two questions whether to go on
+constexpr std::uint64_t kAsk = 1024;  // ticks between two calls of give_up
 
 Breach difference(Invariant invariant, std::uint64_t tick, const char* form, double value) {
   char text[128];

@@ -9,15 +9,14 @@
 
 namespace onggi::lab {
 
-/// How closely a trial is looked at.
+/// How closely a trial is checked.
 struct TrialChecks {
-  bool twice = false;   ///< Once more, with other vectors: the same hash.
-  bool mirror = false;  ///< Once more in a mirror: the mirrored pot.
-  std::function<bool()>
-      give_up{};  ///< Asked now and then; true ends the trial, and nothing is found.
+  bool twice = false;               ///< Runs it again, with other vectors: the same hash.
+  bool mirror = false;              ///< Runs it again in a mirror: the mirrored pot.
+  std::function<bool()> give_up{};  ///< Called now and then; true ends the trial without a finding.
 };
 
-/// What a trial came to.
+/// The result of a trial.
 struct TrialResult {
   std::optional<Breach> breach;  ///< The first.
   std::uint64_t ticks = 0;       ///< Of all runs.
@@ -25,15 +24,14 @@ struct TrialResult {
   std::uint64_t hash = 0;        ///< State at its end, where it was run `twice`.
 };
 
-/// Runs it on scenes of its own. A trial whose scene validate() refuses comes to nothing.
-/// Allocates; a thread may run its own trials beside others.
+/// Runs the trial on scenes of its own. Does nothing if validate() refuses the scene. Allocates;
+/// threads may run trials beside each other.
 TrialResult run_trial(const Trial& trial, const TrialChecks& checks = {});
 
-/// How far two pots are from being each other's mirror image, m: the widest difference of two
-/// elements' faces, or of two rows' heights.
+/// How far two pots are from being mirror images, m: the largest difference of two elements' faces,
+/// or of two rows' heights.
 double mirror_difference(const Clay& clay, const Clay& image);
-/// What a mirror may be off by, m: roundings differ, and what lies at the edge of a press then is
-/// in or out of it.
+/// Tolerance of the mirror test, m: rounding decides whether an element at a press's edge is in it.
 inline constexpr double kMirrorAllowed = 2e-5;
 
 }  // namespace onggi::lab

@@ -7,7 +7,8 @@ namespace onggi::scene {
 namespace {
 
 constexpr double kFarthestHand = 10.0;    // metres, each axis: no device reaches beyond
-constexpr double kSmallestReach = 0.004;  // m: what a hand may go four of in a tick, with any tool
+constexpr double kSmallestReach = 0.004;  // m: least tool size for the check of jumps, a quarter of
+                                          // the way of a tick
 
 bool plausible(Vec3 p) {
   return is_finite(p) && std::fabs(p.x) <= kFarthestHand && std::fabs(p.y) <= kFarthestHand &&
@@ -44,7 +45,7 @@ bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep
   }
   const Tool& mine = tools[tool];
   const Vec3 to = good ? in.position : at;
-  // Nobody's hand goes four tool radii in a tick: it was put down elsewhere.
+  // No hand goes four tool radii in a tick: it was set down elsewhere.
   if (present &&
       length(to - at) > 4.0 * std::max(mine.shape->smallest_feature(mine.size), kSmallestReach))
     leave();
@@ -84,7 +85,7 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
            std::uint64_t{guard.armed()} << 2 | static_cast<std::uint64_t>(contact.side()) << 3 |
            static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
            std::uint64_t{wire.drawing} << 16);
-  if (tools[tool].shape->round()) return;  // held in no particular way
+  if (tools[tool].shape->round()) return;  // round tools have no handle
   add(along);
   add(across);
   if (wire.drawing) add(wire.way);
@@ -100,7 +101,7 @@ HandView seen(const HandState& hand, const Tool& tool) noexcept {
   view.length = tool.size.length;
   view.thickness = tool.size.thickness;
   view.at = hand.at;
-  if (tool.shape->round()) return view;  // held in no particular way
+  if (tool.shape->round()) return view;  // round tools have no handle
   view.along = hand.along;
   view.across = hand.across;
   return view;

@@ -15,29 +15,30 @@
 
 namespace onggi::scene {
 
-/// A tool that lies to hand; nothing of its size at 0.
+/// A tool that lies to hand, with all sizes filled in.
 struct Tool {
   const ToolShape* shape = nullptr;
   ToolSize size;
 };
-/// By HandInput::tool. Allocates.
+/// The tools by HandInput::tool. Allocates.
 std::vector<Tool> tools_of(const SceneDef& def);
 
 /// One hand between ticks.
 struct HandState {
   Vec3 at;                // last accepted place,
-  Vec3 along, across;     // way of holding
+  Vec3 along, across;     // direction of handle and face,
   std::uint8_t tool = 0;  // and tool
-  bool present = false;   // active, and its place known
+  bool present = false;   // active, and its place is known
   ToolContact contact;
   WireHand wire;
   force::Guard guard;
-  force::HandVelocity velocity;  // kept where friction asks for it
+  force::HandVelocity velocity;  // only kept if the scene has friction
 
-  /// Takes a sample of an active hand, or holds the last one where it makes no sense: false. Then,
-  /// if it is present, `sweep` is its way through the tick; angles and seconds are the caller's.
+  /// Takes a sample of an active hand; if it is invalid, keeps the last one and returns false. If
+  /// the hand is present, `sweep` gets its way through the tick; the caller fills in angles and
+  /// seconds.
   bool take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept;
-  /// The next good sample counts as an arrival: no sweep from where the hand was, no force yet.
+  /// The next valid sample is an arrival: no sweep from the last place, no force yet.
   void leave() noexcept;
   void add_to(StateHash& hash, std::span<const Tool> tools) const;
 
@@ -45,7 +46,7 @@ struct HandState {
   void hold_as(const HandInput& in, const Tool& tool, Vec3 to) noexcept;
 };
 
-/// `hand`, which holds `tool`, as it is seen.
+/// `hand` with its `tool`, for drawing.
 HandView seen(const HandState& hand, const Tool& tool) noexcept;
 
 }  // namespace onggi::scene

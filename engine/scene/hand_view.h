@@ -8,10 +8,10 @@
 
 namespace onggi {
 
-/// One hand as it is seen: what it holds, where, and how. What its sizes are is
-/// BodyKind's to say. Plain values; studio frame, metres.
+/// One hand for drawing: what it holds, where, and how. BodyKind says what the sizes mean. Plain
+/// values; studio frame, metres.
 struct HandView {
-  bool present = false;     ///< At the wheel; else nothing of it is seen.
+  bool present = false;     ///< At the wheel; otherwise nothing is drawn.
   std::uint8_t tool = 0;    ///< HandInput::tool.
   std::string_view name{};  ///< The tool's, as in a scene's TOML; lives as long as the program.
   BodyKind body = BodyKind::ball;

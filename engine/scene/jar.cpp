@@ -40,7 +40,7 @@ Profile jar_of(const JarWish& wish, const SceneDef& scene, double belly) {
     const double outer = radius_of(share, belly, mouth);
     jar.points.push_back({share * height, outer, std::max(outer - kDrawnWall, 0.0)});
   }
-  // What is inside follows from the lump: a ring keeps its clay, or its wall gets thin.
+  // The inside follows from the lump: a ring keeps its clay, or its wall gets thin.
   const ClayDef lump = lump_for(jar, scene);
   const scene::WallRing ring{lump.outer_radius, lump.inner_radius};
   const double floor = std::min(lump.floor_thickness, 0.5 * height);

@@ -9,10 +9,10 @@ namespace onggi {
 namespace {
 
 constexpr double kFingertip = 0.008;   // room for a tool of this radius inside
-constexpr double kKeptWall = 0.014;    // m: thick enough to stand, and nothing thins it by chance
-constexpr double kOpenedWall = 0.006;  // m: of the ring that is opened as a whole to the belly
-constexpr double kBroad = 1.25;        // of the belly: a lump that is cut down
-constexpr double kUnlike = 0.06;       // RMS distance from the target's outline, of its height
+constexpr double kKeptWall = 0.014;    // m: thick enough to stand
+constexpr double kOpenedWall = 0.006;  // m: wall of a ring that opens as a whole to the belly
+constexpr double kBroad = 1.25;        // of the belly's radius: a lump that is cut down
+constexpr double kUnlike = 0.06;  // least RMS distance from the target's outline, of its height
 
 // RMS distance of the target's outline from a cylinder of `radius`, m.
 double mean_distance(const Profile& target, double radius) {
@@ -25,7 +25,7 @@ double mean_distance(const Profile& target, double radius) {
   return std::sqrt(sum / kSlices);
 }
 
-// Widest radius of the target up to `height`: clay that no tool inside can push out.
+// Widest radius of the target up to `height`, where clay is solid and no tool can push it out.
 double widest_below(const Profile& target, double height) {
   double widest = target.outer_at(height);
   for (const ProfilePoint& p : target.points)
@@ -33,8 +33,9 @@ double widest_below(const Profile& target, double height) {
   return widest;
 }
 
-// Inner radius of a lump that is `outer` wide. Where rings keep their clay, one of half the radius
-// would be a solid disc in a neck of half the belly: so it has what the belly wants and no more.
+// Inner radius of a lump that is `outer` wide. Where rings keep their clay, a bore of half the
+// radius would become solid in a neck of half the belly. So the lump has the belly's clay and no
+// more.
 double bore(const Profile& target, const SceneDef& scene, double outer) {
   if (scene.volume) return outer - kKeptWall;
   if (!scene.walls) return 0.45 * outer;
@@ -43,8 +44,8 @@ double bore(const Profile& target, const SceneDef& scene, double outer) {
   return std::min(std::sqrt(std::max(0.0, outer * outer - area)), outer - kOpenedWall);
 }
 
-// The height at which `lump` holds the clay of the target, and no more: clay that is kept gets
-// higher where its ring loses area.
+// The height at which `lump` has the target's volume: kept clay gets higher where its ring loses
+// area.
 void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
   constexpr int kSlices = 400;
   const scene::WallRing ring{lump.outer_radius, lump.inner_radius};
@@ -76,16 +77,15 @@ ClayDef lump_for(const Profile& target, const SceneDef& scene) {
   def.height = std::clamp(target.height(), 0.01, 1.0);
   def.floor_thickness = std::min(base.floor_thickness, 0.1 * def.height);
 
-  // A thick column well inside the target's belly, but no narrower than the target's foot: the
-  // floor is solid, and nothing can push it out.
+  // A thick column well inside the target's belly, but not narrower than the target's foot, because
+  // a solid floor cannot be pushed out.
   const double belly = target.max_radius();
   const double foot = 1.02 * widest_below(target, def.floor_thickness + 0.4 * kFingertip);
-  const double room = kFingertip + 0.002;  // inner radius at the least
+  const double room = kFingertip + 0.002;  // least inner radius
   const double roomy = room + (scene.volume ? kKeptWall : def.wall_min + 0.006);
   const double most_outer = 0.95 * base.radius_max;
   double best = std::max({0.58 * belly, foot, roomy});
-  // Where that is near the outline itself (a cylinder, a wide foot), a broad lump is cut down
-  // instead.
+  // Where that is near the outline itself (a cylinder, a wide foot), a broad lump that is cut down.
   if (mean_distance(target, best) < kUnlike * target.height() || best > belly)
     best = std::max(kBroad * belly, roomy);
   best = std::min(best, most_outer);

@@ -13,15 +13,15 @@ std::uint64_t depth_of(const clay::History* history) { return history ? history-
 
 enum class Part : std::uint8_t { none, history, effects };
 enum class HistoryThen : std::uint8_t {
-  follows,  // as ever
-  busy,     // follows, and its step goes on: the lump is not at rest
-  waits,    // for who works on the lump
+  follows,  // as always
+  busy,     // follows, and the step goes on while the lump is worked on
+  waits,    // waits for the work on the lump
 };
 
 }  // namespace
 
-// One state: what each event makes of it, what it does a tick and with which part of the scene, and
-// what the history does meanwhile.
+// One state: the next state for each event, its work in a tick and the part it needs, and what the
+// history does meanwhile.
 struct LumpWork::Row {
   std::array<LumpState, 3> after;                       // by LumpEvent
   bool (LumpWork::*work)(const Parts&) const noexcept;  // true when done; null: none
@@ -53,7 +53,7 @@ bool LumpWork::keep(const Parts& parts) const noexcept {
 }
 
 bool LumpWork::renew(const Parts& parts) const noexcept {
-  // Rows come and go at the top before anything is laid.
+  // Extra rows leave at the top before anything is laid.
   if (!clay::restore_row_count(parts.clay, parts.history, kBudget)) return false;
   return parts.clay.renew_some(kBudget);
 }
@@ -68,8 +68,8 @@ bool LumpWork::restore(const Parts& parts) const noexcept {
   clay::History& history = *parts.history;
   if (!history.step_back_some(parts.clay, kBudget)) return false;
   if (parts.row_effects == nullptr || !history.can_step_back()) return true;
-  // A pot that fell is wanted as it stood, not as it was halfway down; one that tore, as it was
-  // before, though it has sagged since.
+  // A fallen pot goes back to where it stood, a torn one to before the tear, even if it has sagged
+  // since.
   const RowEffects& effects = *parts.row_effects;
   const bool falling = effects.fallen() && history.depth() > stood_at_;
   return !falling && !effects.torn_before(history.depth());

@@ -9,32 +9,32 @@
 
 namespace onggi::scene {
 
-/// What stage 4 does to the lump. engine/docs/pipeline.md has the drawing. The numbers are in
+/// State of stage 4's work on the lump; drawing in engine/docs/pipeline.md. The numbers are part of
 /// state hashes.
 enum class LumpState : std::uint8_t {
-  playing,    ///< Nothing: the hands work the clay.
-  keeping,    ///< What the pot was is kept to the last bit.
+  playing,    ///< None: the hands work the clay.
+  keeping,    ///< The pot before is kept to the last bit.
   renewing,   ///< A fresh lump is laid.
-  laying,     ///< The effects take it as theirs.
+  laying,     ///< The effects take it over.
   restoring,  ///< The last step is taken back.
-  settling,   ///< The effects take the clay as it is now.
+  settling,   ///< The effects take the clay over as it is now.
 };
 inline constexpr int kLumpStates = 6;
 
 enum class LumpEvent : std::uint8_t {
   renew,    ///< Hands::renew became true.
-  restore,  ///< Hands::restore did, and there is something to take back.
+  restore,  ///< Hands::restore became true, and there is something to take back.
   done,     ///< The state's work is done.
 };
 
-/// The state that comes of `event` in a scene with every part; a state whose part the scene has not
-/// is passed over, as if it were done.
+/// The state after `event` in a scene with every part. A state whose part the scene lacks is
+/// skipped.
 LumpState after(LumpState state, LumpEvent event) noexcept;
 
-/// A fresh lump, or the last step taken back, a few rows a tick. No allocation; one thread.
+/// Lays a fresh lump, or takes the last step back, a few rows a tick. No allocation; one thread.
 class LumpWork {
  public:
-  /// What it works with; null where the scene has none.
+  /// The parts it works with; null if the scene lacks one.
   struct Parts {
     const SceneDef& def;
     Clay& clay;
@@ -43,13 +43,13 @@ class LumpWork {
     effects::Moisture* moisture;
   };
 
-  /// Stage 4. True while the lump is worked on, and nobody else may: all hands are away.
+  /// Stage 4. True while the lump is worked on; all hands then count as away.
   bool step(const Hands& hands, const Parts& parts) noexcept;
   /// Stage 4, at the tick's end: the history follows what changed. `touching`: a hand presses clay.
   void follow(const Parts& parts, bool touching, double seconds) noexcept;
 
   bool playing() const { return state_ == LumpState::playing; }
-  /// For the state's hash: five bits.
+  /// Five bits for the state's hash.
   std::uint64_t bits() const {
     return std::uint64_t{renew_held_} | std::uint64_t{restore_held_} << 1 |
            static_cast<std::uint64_t>(state_) << 2;
@@ -73,7 +73,7 @@ class LumpWork {
   LumpState state_ = LumpState::playing;
   bool renew_held_ = false, restore_held_ = false;
   std::uint64_t stood_at_ = 0;
-  std::uint64_t step_ = 0;  ///< The history's depth, as it was last noted.
+  std::uint64_t step_ = 0;  ///< The last noted depth of the history.
 };
 
 }  // namespace onggi::scene

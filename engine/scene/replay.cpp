@@ -13,7 +13,7 @@ using namespace replay_bytes;
 constexpr std::size_t kMostTicks = 4'000'000;  // over an hour; a visit is minutes
 constexpr std::size_t kLongestId = 4096;
 
-// Everything that is on or off, in 16 bits: three a hand, three of the potter's.
+// All switches in 16 bits: three a hand, three of the potter's.
 std::uint16_t switches_of(const Hands& hands) {
   unsigned bits = 0;
   for (const HandInput& hand : hands.hand)
@@ -38,7 +38,7 @@ bool put_switches(Hands& hands, std::uint16_t bits) {
   return true;
 }
 
-// The same bits, so that NaN equals itself and -0 is not 0.
+// Compares bits, so that NaN equals itself and -0 differs from 0.
 bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
@@ -58,7 +58,7 @@ bool hold(Io& io, HandInput& hand) {
   return io(hand.tool) && vec(io, hand.handle) && io(hand.roll);
 }
 
-// The fields that `fields` names, for writing and for reading alike.
+// The fields that `fields` names, for both writing and reading.
 template <class Io>
 bool tick_fields(Io& io, std::uint8_t fields, TickRecord& r) {
   std::uint16_t switches = switches_of(r.hands);
@@ -126,7 +126,7 @@ std::vector<std::byte> ReplayWriter::finish(std::uint64_t state_hash, const std:
 }
 
 Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string& name) {
-  // A flipped byte among the ticks reads as another visit: only the checksum tells it from one.
+  // A flipped byte among the ticks reads as another visit; only the checksum detects it.
   const std::span<const std::byte> body = unsealed(bytes);
   Reader io(body.empty() ? bytes : body);
   const auto malformed = [&](const char* what) {

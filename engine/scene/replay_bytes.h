@@ -12,9 +12,11 @@ namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
 inline constexpr std::uint32_t kVersion = 12;
-inline constexpr std::uint32_t kOldestVersion = 11;  ///< That is still read (replay_scene.h).
+inline constexpr std::uint32_t kOldestVersion = 11;  ///< Oldest version that is still read
+                                                     ///< (replay_scene.h).
 
-/// A tick is a byte that says which fields follow (none: nothing changed), or one of these.
+/// A tick is a byte of flags for the fields that follow (0: nothing changed), or one of the marks
+/// below.
 enum Tag : std::uint8_t {
   kHand0 = 1u << 0,     // three doubles
   kHand1 = 1u << 1,     // three doubles
@@ -33,7 +35,7 @@ inline constexpr std::size_t kSealBytes = 8;
 
 /// Puts the checksum of `bytes` behind them.
 void seal(std::vector<std::byte>& bytes);
-/// `bytes` without their checksum; empty where it is not theirs.
+/// `bytes` without their checksum; empty if the checksum is wrong.
 std::span<const std::byte> unsealed(std::span<const std::byte> bytes);
 
 /// Appends little-endian values.
@@ -62,7 +64,7 @@ class Writer {
   std::vector<std::byte>& out_;
 };
 
-/// Takes them back. False, and the value untouched, where the bytes end or make no sense.
+/// Reads values back. Returns false and leaves the value if the bytes end or are invalid.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> in) : in_(in) {}

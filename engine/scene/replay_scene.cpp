@@ -22,7 +22,7 @@ bool tool_list(auto& io, auto& tools) {
   return true;
 }
 
-// A number's place in a scene. Every value is written as a double, which holds each of them.
+// A number of a scene, by key. Each is written as a double, which holds every type exactly.
 struct Place {
   double* number = nullptr;
   int* count = nullptr;
@@ -46,8 +46,8 @@ struct Place {
   }
 };
 
-// Calls `visit` with the part, the effect or the paper's model that is called `name`; what is not
-// always there is put there. False where there is none.
+// Calls `visit` with the part, effect or paper model called `name`; optional ones are added. False
+// if unknown.
 template <class Visit>
 bool at_table(SceneDef& def, std::string_view name, Visit&& visit) {
   bool found = false;
@@ -65,7 +65,7 @@ bool at_table(SceneDef& def, std::string_view name, Visit&& visit) {
   return found;
 }
 
-// Nothing where there is no such key.
+// Empty if there is no such key.
 Place place_of(SceneDef& def, std::string_view table, std::string_view key) {
   Place place;
   at_table(def, table, [&]<class Def>(Def& one) {
@@ -76,7 +76,7 @@ Place place_of(SceneDef& def, std::string_view table, std::string_view key) {
   return place;
 }
 
-// Tables end with a name without letters, and so do the keys of one.
+// An empty name ends the tables; an empty key ends a table.
 bool read_table(Reader& io, SceneDef& def, std::string_view table, std::string& unknown) {
   for (std::string key;;) {
     if (!io.text(key, kLongestName)) return false;
@@ -100,8 +100,8 @@ bool read_tables(Reader& io, SceneDef& def, std::string& unknown) {
   }
 }
 
-// Version 11 wrote numbers without names, in this order; an effect's and the paper's behind a byte
-// that said whether they followed.
+// Version 11 wrote numbers without names, in this order. A byte before each effect and the paper
+// model said whether it followed.
 struct OldTable {
   const char* name;
   std::initializer_list<const char*> keys;

@@ -42,7 +42,7 @@ void lay_row(Stages<S...>, const Effects& def, Clay& clay, int j) {
   (lay(std::type_identity<S>{}), ...);
 }
 
-// Hashes that were kept have these stages first, in this order.
+// Kept hashes depend on this order of the first stages.
 using HashedFirst =
     Stages<effects::Volume, effects::Slump, effects::Springback, effects::Wobble, effects::Tearing>;
 
@@ -108,8 +108,8 @@ void RowEffects::run(const Effects& def, Clay& clay, const Tick& tick) noexcept 
   settled_ = false;
 }
 
-// Where both faces were pressed, they take turns: what contact did to the other waits for the next
-// tick. Half the work, and at 500 Hz nobody feels the difference.
+// If both faces were pressed, they take turns, one a tick. This halves the work; at 500 Hz nobody
+// feels the difference.
 void RowEffects::take_turn(Clay& clay, double seconds) noexcept {
   const bool outside = clay.displacements(false)->any();
   const bool inside = clay.displacements(true)->any();
@@ -119,7 +119,7 @@ void RowEffects::take_turn(Clay& clay, double seconds) noexcept {
     turn_ = {inside ? WallSide::inside : WallSide::outside, seconds};
 }
 
-// Few changes a tick, since each costs a row's elements, and the places of all rows above it.
+// Few changes a tick: each costs a row's elements, and the places of all rows above.
 void RowEffects::refine(Clay& clay, const Tick& tick) noexcept {
   using Kind = effects::Refinement::Change::Kind;
   for (int n = 0; n < effects::Refinement::kMostChanges; ++n) {

@@ -12,50 +12,50 @@
 
 namespace onggi::scene {
 
-/// The effects that ask contact what it did to the clay's rows, and those of stage 6, which work on
-/// the rows after it. A scene without any has none of this. Which stages there are,
-/// effects::RowStages says; what each must say of itself, effects::Stage.
+/// The effects on rows: those that read what contact did, and those of stage 6. A scene without
+/// them has no RowEffects. effects::RowStages lists the stages; effects::Stage says what each must
+/// provide.
 class RowEffects {
  public:
   using HandThere = effects::HandThere;
   using Tick = effects::RowTick;
 
-  /// Rows that the clay needs beside the lump's.
+  /// Spare rows that the clay needs.
   static int spare_rows(const SceneDef& def);
-  /// Null where `def` has none. Lays the lump as they have it. Allocates.
+  /// Null if `def` has no such effect. Lays the lump for its effects. Allocates.
   static std::unique_ptr<RowEffects> make(const Effects& def, Clay& clay);
 
   /// Stage 5: share of a press at `pressing` with which the wall gives way as a whole
-  /// (Yielding::along). `holding` is the hand on the other face, null where none is.
+  /// (Yielding::along). `holding` is the hand on the other face; null if there is none.
   double along(const Effects& def, Vec3 pressing, const Vec3* holding) const noexcept;
-  /// Hand `n` touches clay, or did a moment ago: between two elements of a turning wall it still
-  /// holds that wall.
+  /// True if hand `n` touches clay or did a moment ago: between two elements of a turning wall a
+  /// hand still holds the wall.
   bool holds(std::size_t n) const { return since_touch_[n] <= kMoment; }
-  /// Stage 6: those that are present, in order. No allocation.
+  /// Stage 6: the present stages, in order. No allocation.
   void run(const Effects& def, Clay& clay, const Tick& tick) noexcept;
-  /// The clay was laid anew: takes it as it is, `element_budget` elements a call; true when done.
+  /// Takes over a clay that was laid anew, `element_budget` elements a call; true when done.
   bool settle_some(const Effects& def, Clay& clay, const effects::Laid& laid,
                    int element_budget) noexcept;
 
-  /// Step `step` (clay::History::depth()) begins, with the clay as it is. O(rows).
+  /// Step `step` (clay::History::depth()) begins. O(rows).
   void note_step(const Clay& clay, std::uint64_t step) noexcept;
 
-  /// How fast the rim sinks by itself, m/s.
+  /// Speed at which the rim sinks by itself, m/s.
   double sinking() const { return slump() ? slump()->speed() : 0.0; }
-  /// The pot fell, since the clay was last laid.
+  /// The pot fell since the clay was last laid.
   bool fallen() const { return slump() && slump()->fallen(); }
-  /// It stands, or sags so little that nobody would call it the beginning of a fall.
+  /// The pot stands, or sags too little for the beginning of a fall.
   bool stands() const { return !slump() || slump()->stands(); }
   /// Some row is torn (RowAreas::torn).
   bool torn() const { return tearing() && tearing()->any(); }
-  /// And the last that tore did so before `step`.
+  /// A row is torn, and the last one tore before `step`.
   bool torn_before(std::uint64_t step) const { return tearing() && tearing()->torn_before(step); }
-  /// The clay still moves though no hand touches it.
+  /// The clay moves without a hand.
   bool moving() const { return sinking() > 0.0 || (springback() && !springback()->asleep()); }
   void add_to(StateHash& hash, Clay& clay) const;
 
  private:
-  /// What a tick's work about the contact is for: one face, and the time since it had its turn.
+  /// One face, and the time since its last turn, for the work of a tick.
   struct Turn {
     WallSide side = WallSide::outside;
     double seconds = 0.0;
@@ -86,7 +86,7 @@ class RowEffects {
   Turn turn_;
   std::array<double, kMaxHands> since_touch_{1.0, 1.0};  // s, at most 1
   bool settled_ = false;                                 // a lump was put on since the last tick
-  int laid_to_ = 0;                                      // of settle_some()
+  int laid_to_ = 0;                                      // progress of settle_some()
 };
 
 }  // namespace onggi::scene

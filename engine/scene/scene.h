@@ -12,7 +12,7 @@
 
 namespace onggi {
 
-/// How much work the ticks were. Monotonic since create().
+/// Counters of the ticks' work, monotonic since create().
 struct SceneCounters {
   std::uint64_t ticks = 0;
   std::uint64_t visited_elements = 0;
@@ -25,8 +25,8 @@ struct SceneCounters {
 /// Movable, not copyable. One thread at a time.
 class Scene {
  public:
-  /// Allocates everything the scene will ever use. `vectors`, one of vectors_here(), changes its
-  /// speed and nothing else.
+  /// Allocates everything the scene will ever use. `vectors`, one of vectors_here(), changes only
+  /// the speed.
   static Result<Scene> create(const SceneDef& def, Vectors vectors = best_vectors());
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
@@ -37,26 +37,26 @@ class Scene {
 
   const SceneDef& def() const;
   const Clay& clay() const;
-  /// The pot fell, by more than SlumpDef::fall, since it was last laid. Hands::restore then takes
-  /// back all that came since it last stood.
+  /// The pot fell, by more than SlumpDef::fall, since it was last laid. Hands::restore then goes
+  /// back to where it last stood.
   bool fallen() const;
   /// Row `row` of the clay is torn (WallsDef): hands pass through it, until a fresh lump is laid or
-  /// Hands::restore has taken back all since rows last tore. Dirty when it tears or is whole again.
+  /// Hands::restore goes back to before the last tear. The row is dirty when this changes.
   bool torn(int row) const;
-  /// Wetness of row `row` of the clay, 0..1: where it shines.
+  /// Wetness of row `row` of the clay, 0..1, for drawing.
   double wetness_of(int row) const;
-  /// A fresh lump is being laid, or a step taken back: some rows are as they will be, some not yet.
+  /// A fresh lump is being laid, or a step taken back: rows are partly old, partly new.
   bool laying() const;
   /// Hands::restore has a stroke, or a fresh lump, to take back.
   bool can_restore() const;
   /// Takes and clears the lowest changed row at or above `from`; -1 when none. No allocation.
   int take_dirty_row(int from) noexcept;
-  /// The same of rows that only moved, tore or healed, once the changed ones are taken.
+  /// The same for rows that only moved, tore or healed; take the changed ones first.
   int take_moved_row(int from) noexcept;
   void mark_all_dirty() noexcept;
   /// What hand `n` (0..kMaxHands - 1) holds, and where, as the last tick left it.
   HandView hand(int n) const noexcept;
-  /// Forgets these FaultBits, once they are told. No difference to state_hash(), or to a replay.
+  /// Clears these FaultBits once they are reported. Changes neither state_hash() nor a replay.
   void clear_faults(std::uint32_t which = ~0u) noexcept;
   const SceneCounters& counters() const;
   double time() const;  ///< Simulated seconds since create().

@@ -20,10 +20,10 @@ struct ToolDef {
   static std::span<const DefField<ToolDef>> fields();
 };
 
-/// A tool that lies to hand beside the ball (engine/docs/tools.md).
+/// A tool of the scene beside the ball (engine/docs/tools.md).
 struct SceneTool {
-  std::string name;  ///< Of a ToolShape: "flat_rib".
-  ToolSize size;     ///< Metres; 0 stands for the tool's usual size. Each tool has its own ranges.
+  std::string name;  ///< Name of a ToolShape: "flat_rib".
+  ToolSize size;     ///< Metres; 0: the tool's usual size. Each tool has its own ranges.
 };
 /// Every shape but the ball, by name. Allocates.
 std::vector<SceneTool> usual_tools();
@@ -46,7 +46,7 @@ struct WheelDef {
   static std::span<const DefField<WheelDef>> fields();
 };
 
-/// The last word on every force. Always on.
+/// The last limit on every force. Always on.
 struct GuardDef {
   double max_force = 3.3;    ///< N, 0..22.2. The Omni's peak is 3.3.
   double max_slew = 600.0;   ///< N/s, 10..1e5.
@@ -56,9 +56,9 @@ struct GuardDef {
   static std::span<const DefField<GuardDef>> fields();
 };
 
-/// The printed model of Lee, Han & Choi 2008 in place of the corrected one, with its own
-/// coefficients: a tick's and an element's, not the clay's (engine/docs/paper.md). It has its own
-/// friction and no effect; tool.radius, wheel and guard hold, contact does not.
+/// The printed model of Lee, Han & Choi 2008 with its own coefficients, which belong to a tick and
+/// an element (engine/docs/paper.md). It has its own friction and no effects. It uses tool.radius,
+/// wheel and guard, but not contact.
 struct PaperDef {
   double c_eta = 10.0;  ///< Eq. 6: ticks in which clay gives way, 0.5..1000. Below 1 it overshoots.
   double c_v = 0.864;   ///< Eq. 9: N per metre of one element's press, 0..1000. 5e6 N/m^3 on an
@@ -69,7 +69,7 @@ struct PaperDef {
   static std::span<const DefField<PaperDef>> fields();
 };
 
-/// Beside the effects, what every scene has.
+/// What every scene has, besides effects.
 struct SceneDef : Effects {
   ClayDef clay;
   ToolDef tool;                                  ///< HandInput::tool 0.
@@ -77,10 +77,10 @@ struct SceneDef : Effects {
   ContactDef contact;
   WheelDef wheel;
   GuardDef guard;
-  std::optional<PaperDef> paper;  ///< There: no effect must be.
+  std::optional<PaperDef> paper;  ///< If set, no effect may be set.
 };
 
-/// The parts that every scene has, but for the tools to hand.
+/// The parts that every scene has, without the tools to hand.
 inline constexpr std::tuple kSceneParts{&SceneDef::clay, &SceneDef::tool, &SceneDef::contact,
                                         &SceneDef::wheel, &SceneDef::guard};
 /// Calls `visit` with each of them. SceneDef may be const.
@@ -89,8 +89,8 @@ void each_part(AnySceneDef& def, Visit&& visit) {
   std::apply([&](auto... part) { (visit(def.*part), ...); }, kSceneParts);
 }
 
-/// First thing wrong with `def`, with field ("clay.rows") or effect ("slump"), meaning and remedy.
-/// Allocates nothing big.
+/// The first error in `def`: field ("clay.rows") or effect ("slump"), meaning and remedy. Allocates
+/// only the text.
 Result<void> validate(const SceneDef& def);
 
 }  // namespace onggi

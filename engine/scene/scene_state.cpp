@@ -14,10 +14,10 @@ namespace {
 constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
-constexpr double kOfAQuadratic = 2.0;  // d F / d l of F ~ l^2, which is a round body's, in F / l
+constexpr double kOfAQuadratic = 2.0;  // d F / d l in F / l for F ~ l^2, a round body
 
-// Elements are pressed by `depth` at the most, so that they are at least `normal` / `depth` stiff;
-// a flat body is that, a round one twice.
+// Elements are pressed by `depth` at most, so the stiffness is at least `normal` / `depth`: just
+// that for a flat body, twice that for a round one.
 force::Touch touch_of(const Press& press, double normal, bool severs) {
   force::Touch touch;
   if (severs) {
@@ -31,7 +31,7 @@ force::Touch touch_of(const Press& press, double normal, bool severs) {
 
 }  // namespace
 
-// Stage 1. Nothing implausible goes any further.
+// Stage 1. Implausible input stops here.
 void Scene::State::take_input(Tick& tick, const Hands& hands, double dt) noexcept {
   tick.dt = dt >= kShortestTick ? std::min(dt, kLongestTick) : kShortestTick;
   if (tick.dt != dt) {
@@ -60,7 +60,7 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
   ++counters.held_samples;
 }
 
-// Stage 2. The motor follows the asked speed at its own pace.
+// Stage 2. The motor follows the asked speed at its own acceleration.
 void Scene::State::turn_wheel(Tick& tick) noexcept {
   const double asked = std::clamp(wheel_asked, -def.wheel.max_speed, def.wheel.max_speed);
   const double most = def.wheel.acceleration * tick.dt;
@@ -75,7 +75,7 @@ void Scene::State::turn_wheel(Tick& tick) noexcept {
   if (wheel_angle >= full) wheel_angle = 0.0;  // -tiny + 2 pi rounds to 2 pi
 }
 
-// Stage 3. The sponge is where the hands are.
+// Stage 3. The sponge is at the hands.
 void Scene::State::soak_or_dry(const Tick& tick, bool sponge) noexcept {
   if (!moisture) return;
   for (const scene::HandState& h : hand)
@@ -96,14 +96,14 @@ Yielding Scene::State::yielding_at(double height) const {
   return {def.contact.relaxation_time * soft, def.contact.stiffness};
 }
 
-// Stage 4. Whoever works on the lump has it alone.
+// Stage 4. While the lump is worked on, nothing else touches it.
 void Scene::State::work_on_lump(const Hands& hands) noexcept {
   if (!lump.step(hands, lump_parts())) return;
   for (scene::HandState& h : hand) h.leave();
   slit.forget();
 }
 
-// Stage 4, at the tick's end: what a visitor may want back.
+// Stage 4, at the tick's end: keeps what a visitor may take back.
 void Scene::State::keep_history(const Tick& tick) noexcept {
   bool touching = false;
   for (const scene::HandState& h : hand) touching = touching || (h.present && h.contact.touching());
@@ -118,7 +118,7 @@ void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
   tick.press[n] = slit.draw(clay, sweep, hand[n].wire, def.contact.stiffness);
 }
 
-// Stage 5. Both hands advance together in small steps, so that neither runs ahead of the other.
+// Stage 5. Both hands advance together in small steps.
 void Scene::State::press_clay(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n)
     if (hand[n].present && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
@@ -150,7 +150,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     }
   }
   for (int step = 0; step < steps; ++step) {
-    // What a wall between two hands comes to must not depend on which hand is called the first.
+    // A wall between two hands must not depend on the hands' numbers.
     const bool swapped = hand[0].contact.side() > hand[1].contact.side();
     for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
       if (presses(hand[n])) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
@@ -163,7 +163,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   }
 }
 
-// Stages 5 and 6. The long tick of a thread that came late is worked in parts.
+// Stages 5 and 6. A long tick, after a late thread, is worked in parts.
 void Scene::State::press_and_work(Tick& tick) noexcept {
   if (!row_effects) return press_clay(tick);
   const int parts = scene::parts_of(tick.dt);
@@ -203,7 +203,7 @@ void Scene::State::press_and_work(Tick& tick) noexcept {
   tick.place = part.place;
 }
 
-// Stage 6. What has just been laid must be measured first.
+// Stage 6. Fresh rows must be measured first.
 void Scene::State::work_on_rows(const Tick& tick) noexcept {
   if (!lump.playing()) return;
   const double angle = tick.angle_from + 0.5 * tick.turn;
@@ -212,8 +212,8 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   rows.history = history ? &*history : nullptr;
   rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
   rows.seconds = tick.dt;
-  // Rows take turns to be looked at: one that is found torn in a step that has just begun was torn
-  // by the one before.
+  // Rows take turns to be looked at, so one found torn at the beginning of a step tore in the step
+  // before.
   constexpr double kLooking = 0.25;  // s
   const bool begun = history && history->depth() > 0 && history->lasted() < kLooking;
   rows.step = begun ? steps_taken() - 1 : steps_taken();
@@ -236,7 +236,7 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   row_effects->run(def, clay, rows);
 }
 
-// What is felt of a press on a wall that bends under it, as a share.
+// Share of a press that is felt on a wall that bends.
 double Scene::State::bends(const Tick& tick, std::size_t n) const noexcept {
   const scene::HandState& h = hand[n];
   if (tick.press[n].normal <= 0.0 || h.contact.place() != beside(h.contact.side())) return 1.0;
@@ -248,7 +248,7 @@ double Scene::State::bends(const Tick& tick, std::size_t n) const noexcept {
   return effects::wall_push(tick.press[n].normal, bears, tick.along[n]);
 }
 
-// Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
+// Stage 7. Reaction, friction, and the wheel head, the stop that is not clay.
 void Scene::State::feel(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
     scene::HandState& h = hand[n];
@@ -292,7 +292,7 @@ void Scene::State::feel(Tick& tick) noexcept {
   }
 }
 
-// Stages 5 and 7 as the paper has them: no steps within the tick, no stops, and a filter.
+// Stages 5 and 7 as printed: no steps within the tick, no stops, and a filter.
 void Scene::State::press_as_printed(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
     PaperFilter& filter = printed->filter[n];

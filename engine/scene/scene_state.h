@@ -16,7 +16,7 @@ namespace onggi {
 
 namespace scene {
 
-/// What the paper's scene has besides.
+/// State of the paper's scene.
 struct Printed {
   PaperModel model;
   PaperCoefficients coefficients;
@@ -25,7 +25,7 @@ struct Printed {
 
 }  // namespace scene
 
-/// What a Scene is made of, and the stages of its tick.
+/// The parts of a Scene, and the stages of its tick.
 struct Scene::State {
   SceneDef def;
   std::vector<scene::Tool> tools;
@@ -40,13 +40,13 @@ struct Scene::State {
   double wheel_speed = 0.0;
   double wheel_asked = 0.0;
   std::optional<effects::Moisture> moisture;
-  std::unique_ptr<scene::RowEffects> row_effects;  // null where the scene has none
+  std::unique_ptr<scene::RowEffects> row_effects;  // null if the scene has none
   scene::LumpWork lump;
-  std::uint32_t faults = 0;   // that nobody has cleared,
-  std::uint32_t faulted = 0;  // and all that ever were: what a replay comes to, too
+  std::uint32_t faults = 0;   // faults since they were cleared,
+  std::uint32_t faulted = 0;  // and since create(), which a replay compares
   SceneCounters counters;
 
-  // What the stages of one tick hand to each other.
+  // Values that the stages of one tick pass on.
   struct Tick {
     double dt = 0.0;
     double angle_from = 0.0;

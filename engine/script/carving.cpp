@@ -17,7 +17,7 @@ constexpr double kQuarterTurn = 0.5 * portable::kPi;
 
 }  // namespace
 
-// One hand with one tool, in cylinder coordinates; straight in them between two keys.
+// A key of one hand with one tool, in cylinder coordinates; linear between two keys.
 struct CarvingKey {
   double time = 0.0;
   double out = 0.0, angle = 0.0, height = 0.0;
@@ -75,7 +75,7 @@ class Carver {
     now_.active = active;
     keys_.push_back(now_);
   }
-  // A lifted hand is there at once: nothing is drawn of its way.
+  // A lifted hand arrives at once; its way is not drawn.
   void set_down(double out, double angle, double height) {
     put(false);
     now_.time += 0.3 / pace_;
@@ -113,7 +113,7 @@ class Carver {
   std::vector<CarvingKey> keys_;
 };
 
-// Flats all round the belly, one after the other, the wheel still.
+// Flats all round the belly, one after another, the wheel still.
 void press_flats(Carver& hand, const ToolSize& rib) {
   hand.phase("facet");
   const double touch = hand.clay.outer_radius + 0.5 * rib.thickness;
@@ -143,7 +143,7 @@ void draw_grooves(Carver& hand, const ToolSize& loop) {
   }
 }
 
-// A line that winds up the wall, the wheel slow.
+// A line up the wall, the wheel slow.
 void wind_line(Carver& hand, const ToolSize& needle) {
   hand.phase("incise");
   constexpr double kWheel = 1.5;  // rad/s

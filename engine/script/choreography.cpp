@@ -81,7 +81,7 @@ void Choreography::carry(WallSide side, Vec2 place, double rim, double widest, d
   if (side == WallSide::inside && now_.side == side) {
     go({place.x, now_.place.y}, kCarrySpeed);  // back down within the pot
   } else if (side != now_.side) {
-    // Over the rim, by way of the free side of the wall the hand is on.
+    // Over the rim, on the free side of the wall.
     if (now_.side == WallSide::outside) go({beside, now_.place.y}, kCarrySpeed);
     go({now_.place.x, above}, kCarrySpeed);
     go({side == WallSide::outside ? beside : place.x, above}, kCarrySpeed);
@@ -94,7 +94,7 @@ void Choreography::carry(WallSide side, Vec2 place, double rim, double widest, d
   go(place, kCarrySpeed);
 }
 
-// -1..1: three waves of a hand's own, a few centimetres long.
+// -1..1: three waves a few centimetres long, by the seed.
 double Choreography::sway(double length) const {
   constexpr double kWave[3] = {0.031, 0.053, 0.113};
   double sum = 0.0;

@@ -16,11 +16,11 @@ constexpr double kFast = 25.0;
 
 }  // namespace
 
-// Both hands at one height; straight between two keys. Of the height `rising` is the share of the
-// rim's, so that hands follow a pot that grows.
+// A key of both hands at one height; linear between two keys. `rising` is the part of the height
+// that scales with the rim, so that hands follow a pot that grows.
 struct PairKey {
   double time = 0.0;
-  double outside = 0.0, inside = 0.0;  // from the axis, m; 0: that hand is away
+  double outside = 0.0, inside = 0.0;  // distance from the axis, m; 0: that hand is away
   double height = 0.0, rising = 0.0;
   double wheel_speed = 0.0;
   bool water = false;
@@ -74,13 +74,13 @@ class Thrower {
 
   PairKey now;
   void put() { keys_.push_back(now); }
-  // As things are now, for `seconds` at any pace.
+  // Holds this for `seconds`, whatever the pace.
   void wait(double seconds) {
     put();
     now.time += seconds;
     put();
   }
-  // To what `change` makes of it, in `seconds` at pace 1.
+  // Goes to `change` in `seconds` at pace 1.
   template <class Change>
   void move(double seconds, const Change& change) {
     put();
@@ -125,7 +125,7 @@ void soak(Thrower& hand, double seconds) {
   hand.lift();
 }
 
-// Up the wall between two fingers, which leave `room` of it.
+// Up the wall between two fingers, `room` apart.
 void pull(Thrower& hand, double room) {
   const double low = hand.clay.floor_thickness + 1.2 * hand.finger;
   const double off = 0.5 * room + hand.finger;
@@ -147,7 +147,7 @@ void pull(Thrower& hand, double room) {
   hand.lift();
 }
 
-// A finger that lies against the wall for three seconds, a millimetre deep at the end.
+// A finger against the wall for three seconds, a millimetre deep at the end.
 void lean(Thrower& hand, double rising, std::string_view phase) {
   hand.now.phase = phase;
   hand.now.height = 0.0;
@@ -220,7 +220,7 @@ void press_steadily(Thrower& hand) {
 void draw_and_even(Thrower& hand) {
   hand.now.wheel_speed = kSlow;
   hand.wait(1.0);
-  // Faster than a finger is wide in a turn: it leaves a line.
+  // Rises by more than a finger's width in a turn: it leaves a line.
   hand.now.phase = "line";
   hand.now.rising = 0.35;
   hand.now.outside = hand.clay.outer_radius + hand.finger - 0.0006;

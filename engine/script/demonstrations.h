@@ -6,10 +6,9 @@ namespace onggi::script {
 
 class Thrower;
 
-/// Moves for what a scene's effects bring: a wall pulled up between two hands, one that falls (too
-/// wet, too thin), clay that dries and is wetted again, a lump that wobbles, the lines that a
-/// finger left. On a scene without the effect the hands do the same moves. Allocate; not for the
-/// tick.
+/// Moves that show a scene's effects: a wall pulled up between two hands, a wall that falls, clay
+/// that dries and is wetted again, a lump that wobbles, a line under a rib. Without the effect the
+/// hands do the same moves. Allocate; not for the tick.
 using Throwing = void(Thrower& hand);
 Throwing pull_four_times, pull_and_drown, press_wet_and_drier, press_and_wet_again;
 Throwing press_steadily, draw_and_even;

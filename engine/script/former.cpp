@@ -10,7 +10,7 @@ namespace onggi::script {
 namespace {
 
 constexpr double kUsualWater = 0.8;     // s of the sponge, every third pass
-constexpr double kGoodEnough = 0.0003;  // m: what a pass need not take up
+constexpr double kGoodEnough = 0.0003;  // m: a smaller error is left as it is
 constexpr double kDeepest =
     0.007;                        // m: the least that a roughing pass takes, where so much is left
 constexpr int kMostPasses = 6;    // of one roughing
@@ -43,7 +43,7 @@ void Former::aim() {
   for (std::size_t n = 0; n < outer_.size(); ++n) {
     goal_outer_[n] =
         std::clamp(goal_(height_of(n)), clay.radius_min + clay.wall_min, clay.radius_max - kOver);
-    // Where the wall is pushed out it ends a little wide.
+    // A widened wall ends a little too wide.
     const double over = goal_outer_[n] > outer_[n] ? kOver : -kOver;
     const scene::WallRing ring{outer_[n], inner_[n]};
     goal_inner_[n] = over + (scene_.volume ? scene::worked(scene_, ring, goal_outer_[n]).inner
@@ -56,7 +56,7 @@ double Former::area(double outer, double inner, double height) const {
   return (outer - in) * (outer + in);
 }
 
-// Clay that is kept gets higher where its ring lost area, and lower where it gained.
+// Kept clay gets higher where its ring lost area, and lower where it gained.
 void Former::restack(const std::vector<double>& outer_before,
                      const std::vector<double>& inner_before) {
   const std::size_t count = outer_.size();
@@ -82,7 +82,7 @@ void Former::restack(const std::vector<double>& outer_before,
   }
 }
 
-// The tool's centre along a face: as near as the sphere gets without cutting it anywhere.
+// The tool's centre along a face: as near as the sphere gets without cutting below the face.
 std::vector<double> Former::centre_path(WallSide side, const std::vector<double>& face) const {
   const int count = static_cast<int>(face.size());
   const int reach = static_cast<int>(radius_ / spacing_);
@@ -100,10 +100,11 @@ std::vector<double> Former::centre_path(WallSide side, const std::vector<double>
   return centre;
 }
 
-// Between an outer tool at `centre` and one that holds the inner face there; 0 where none fits.
+// Distance between an outer tool at `centre` and one that holds the inner face there; 0 if none
+// fits.
 double Former::room_of(std::size_t n, const std::vector<double>& centre) const {
   if (!holds() || height_of(n) < floor_ + 1.02 * radius_) return 0.0;
-  // As near as the sphere gets to the face anywhere.
+  // The sphere's nearest approach to the face.
   const auto reach = static_cast<std::size_t>(radius_ / spacing_);
   double inner = inner_[n];
   for (std::size_t m = n - std::min(n, reach); m < std::min(inner_.size(), n + reach + 1); ++m) {
@@ -118,13 +119,13 @@ double Former::room_of(std::size_t n, const std::vector<double>& centre) const {
 void Former::pass(WallSide side, const std::vector<double>& face, std::size_t first,
                   std::size_t last, std::string_view phase, double speed) {
   const ClayDef& clay = scene_.clay;
-  // The floor stops a tool inside; outside, a fingertip half sunk to the wheel head reaches the
+  // The floor stops an inside tool. Outside, a fingertip half sunk to the wheel head reaches the
   // foot.
   const double lowest = side == WallSide::inside ? floor_ + 1.02 * radius_ : 0.1 * radius_;
   std::vector<double> wall = face;
   if (side == WallSide::inside)
     for (std::size_t n = 0; n < wall.size() && height_of(n) < floor_; ++n)
-      wall[n] = 1.0;  // the floor's rows are no wall to keep clear of
+      wall[n] = 1.0;  // floor rows are no wall to keep clear of
   const std::vector<double> centre = centre_path(side, wall);
   const double from = std::max(lowest, height_of(first) - radius_);
   const double to = std::max(from, std::min(height(), height_of(last) + radius_));
@@ -143,7 +144,7 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   if (side == WallSide::outside) {
     clear = *std::ranges::max_element(outer_) + radius_ + 0.002;
   } else {
-    // As far from the axis as the pot lets a fingertip down.
+    // The farthest from the axis that the pot lets a fingertip down.
     for (std::size_t n = 0; n < inner_.size(); ++n)
       if (height_of(n) > path.front().y - radius_) {
         const double room = inner_[n] - radius_ - 0.002;
@@ -159,7 +160,7 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   hand_.wait_turns(1.0);
   hand_.lift();
 
-  // What the sphere leaves behind.
+  // The face that the sphere leaves.
   const std::vector<double> outer_before = outer_;
   const std::vector<double> inner_before = inner_;
   const auto put = [&](std::size_t m, const scene::WallRing& ring) {
@@ -191,8 +192,8 @@ void Former::pass(WallSide side, const std::vector<double>& face, std::size_t fi
   aim();
 }
 
-// Clay that is to stand must not be drowned: at w its strength is weakening^w of the dry one's, and
-// what is asked of it is half as much again as its own weight at the foot.
+// Clay that should stand must not get too wet: at wetness w its strength is weakening^w of the dry
+// one, and it must bear one and a half times its weight at the foot.
 double Former::seconds_of_water() const {
   if (!scene_.slump || !scene_.moisture || scene_.moisture->weakening >= 1.0) return kUsualWater;
   constexpr double kRoot3 = 1.7320508075688772;
@@ -208,7 +209,7 @@ double Former::seconds_of_water() const {
 void Former::wet_every_third_pass() {
   if (passes_++ % 3 != 0) return;
   const double seconds = seconds_of_water();
-  if (seconds < 0.05) return;  // no use
+  if (seconds < 0.05) return;  // too short to matter
   if (scene_.moisture)
     wet_ -= (1.0 - wet_) * portable::expm1(-seconds / scene_.moisture->wetting_time);
   hand_.lift();

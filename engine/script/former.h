@@ -11,30 +11,31 @@ namespace onggi::script {
 
 /// Plans how one fingertip brings a lump to an outline: passes from the foot upwards, each as deep
 /// as clay takes in one go, inside where the wall must be wider, outside where it must be narrower.
-/// Where walls go as a whole and clay is not kept, a neck that is only narrowed would close: there
-/// the other hand holds the wall from inside, so that it gets thin instead.
-/// It keeps account of the shape that the passes should leave, and where the scene keeps volume, of
-/// how much higher or lower that gets. Allocates; not for the tick.
+/// Where walls go as a whole and clay is not kept, narrowing alone would close a neck; there the
+/// other hand holds the wall from inside, so that the wall gets thin. It keeps account of the shape
+/// that the passes should leave and, if the scene keeps volume, of its height. Allocates; not for
+/// the tick.
 class Former {
  public:
   /// `haste` multiplies the speed of every pass.
   Former(const SceneDef& scene, Choreography& hand, double haste = 1.0);
 
-  /// The outline wanted: outer radius at a height, m. Clipped to what the clay allows.
+  /// The wanted outline: outer radius at a height, m, clipped to the clay's limits.
   void set_goal(std::function<double(double)> outer_at);
   /// The rim's height after the passes so far, m.
   double height() const { return spacing_ * static_cast<double>(outer_.size()); }
 
-  /// Widens from inside until the outer face can be cut to the goal, the wall thinned on the way.
+  /// Widens from inside until the outside can cut the outer face to the goal, the wall thinned on
+  /// the way.
   void open(std::string_view phase, double speed);
   /// Narrows from outside to the goal.
   void narrow(std::string_view phase, double speed);
   /// One slow pass along the whole goal, on one side.
   void smooth(WallSide side, std::string_view phase, double speed);
-  /// smooth() at `speed` whatever the haste, because the eye sees the rise of each turn.
+  /// smooth() at `speed`, without haste, because the eye sees the rise of each turn.
   void finish(WallSide side, std::string_view phase, double speed);
 
-  /// Hands off; the wheel slows.
+  /// Lifts the hands; the wheel slows.
   void rest();
 
  private:
@@ -58,7 +59,7 @@ class Former {
   std::vector<double> goal_outer_, goal_inner_;  // wanted, by height
   std::vector<double> outer_, inner_;            // expected so far
   int passes_ = 0;
-  double wet_ = 0.0;  // as the passes leave it, were nothing to dry
+  double wet_ = 0.0;  // after the passes, ignoring drying
 };
 
 }  // namespace onggi::script

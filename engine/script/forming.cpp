@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kRough = 0.036;  // m/s along the wall
 constexpr double kFine = 0.015;
-// A sphere of 8 mm that rises 2 mm a turn leaves ridges of 2^2 / (8 * 8) = 0.06 mm: throwing lines
-// that light finds and a finger does not.
+// A sphere of 8 mm that rises 2 mm a turn leaves ridges of 2^2 / (8 * 8) = 0.06 mm: visible
+// throwing lines that a finger does not feel.
 constexpr double kFinish = 0.008;
 constexpr double kWheelRough = 18.0;  // rad/s: 172 rpm
 constexpr double kWheelFine = 22.0;   // 210 rpm
@@ -70,8 +70,8 @@ void begin(Choreography& hand) {
   hand.wait(1.0);
 }
 
-// A soft, wide pot spreads when it is spun fast. At this share of what holds it, half wet, there is
-// room for its weight.
+// A soft, wide pot spreads when it spins fast. At this share of its strength, half wet, it still
+// carries its weight.
 double steady_wheel(const SceneDef& scene, const Profile& target) {
   if (!scene.slump) return scene.wheel.max_speed;
   constexpr double kShare = 0.5;
@@ -82,10 +82,10 @@ double steady_wheel(const SceneDef& scene, const Profile& target) {
   return std::min(scene.wheel.max_speed, speed);
 }
 
-// The target's own outline: widen and narrow quickly, and after each go over it slowly.
-// Gives the seconds that the slow passes take, which no haste shortens.
+// The target's own outline: widen and narrow quickly, then slowly over each face. Returns the
+// seconds of the slow passes, which haste does not shorten.
 double go_along(Former& former, Choreography& hand, const SceneDef& scene, const Profile& target) {
-  // As many turns on the way up, however slowly the wheel has to turn.
+  // As many turns on the way up, however slowly the wheel must turn.
   const double slower = std::min(1.0, steady_wheel(scene, target) / kWheelFine);
   double slow = 0.0;
   const auto finish = [&](WallSide side, std::string_view phase) {
@@ -96,14 +96,14 @@ double go_along(Former& former, Choreography& hand, const SceneDef& scene, const
   former.set_goal([&](double h) { return target.outer_at(h); });
   former.open("open", kRough);
   hand.wheel(kWheelFine);
-  // What stays too narrow here cannot be mended from outside.
+  // The outside cannot widen what is still too narrow here.
   finish(WallSide::inside, "pull");
   former.narrow("shape", kRough);
   finish(WallSide::outside, "finish");
   return slow;
 }
 
-// A visitor watches for about this long. Small pots get slower passes, tall ones quicker.
+// A visitor watches for about this long: small pots get slower passes, tall ones quicker.
 std::vector<Key> follow_in_time(const ScriptContext& context) {
   constexpr double kWanted = 112.0;  // s at pace 1
   double haste = 1.0;
@@ -116,7 +116,7 @@ std::vector<Key> follow_in_time(const ScriptContext& context) {
     if (round == 1) return hand.finish();
     const double quick = hand.time_on_clay() - slow;
     const double left = std::max(kWanted / context.pace - (hand.time() - quick), 0.4 * quick);
-    // Past 2.4 times the usual speed the clay no longer follows the finger.
+    // Beyond 2.4 times the usual speed the clay does not follow the finger.
     haste = std::clamp(quick / left, 0.5, std::max(0.5, 2.4 / context.pace));
   }
 }

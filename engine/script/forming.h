@@ -7,8 +7,8 @@ namespace onggi::script {
 class Choreography;
 class Former;
 
-/// Moves of fingers that give a lump a shape: former.h plans the passes; upright.h has the moves on
-/// the top, the floor and both faces. Allocate; not for the tick.
+/// Finger moves that shape a lump: former.h plans the passes; upright.h has moves on top, floor and
+/// both faces. Allocate; not for the tick.
 using Forming = void(Choreography& hand, Former& former, const SceneDef& scene);
 Forming turn_true, narrow_neck, push_barrel, flare_wall, hold_finger;
 

@@ -11,8 +11,8 @@ namespace onggi::script {
 /// little in front.
 inline constexpr double kHandAngle = 0.35;
 
-/// Keys of a script, by rising time (s), and how far between two of them one is. A Key has `time`
-/// and `phase`. Allocates nothing.
+/// Keys of a script, by rising time (s), and the position between two of them. A Key has `time` and
+/// `phase`. Allocates nothing.
 template <class Key>
 class Keyed {
  public:

@@ -8,10 +8,10 @@
 
 namespace onggi::script {
 
-/// The tool of a script, as the scene has it.
+/// A script's tool in the scene.
 struct ToolInHand {
   std::uint8_t index = 0;  ///< HandInput::tool.
-  ToolSize size;           ///< Nothing left at 0.
+  ToolSize size;           ///< All sizes filled in.
 };
 
 /// Plans a script. make_script() has checked its needs. Allocates; not for the tick.

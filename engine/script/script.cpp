@@ -14,7 +14,7 @@ namespace {
 
 using namespace script;
 
-// The script of some moves: each kind of moves has a play() of its own.
+// The script of some moves. Each kind of moves has its own play().
 template <auto kMoves>
 std::unique_ptr<Script> plays(const ScriptContext& context, const ToolInHand& tool) {
   return play(context, tool, *kMoves);
@@ -99,7 +99,7 @@ constexpr auto kNames = [] {
   return names;
 }();
 
-// Names of those that `wanted` says, for a person.
+// Names of the scripts for which `wanted` is true, for a person.
 template <class Wanted>
 std::string names_of(const Wanted& wanted) {
   std::string all;
@@ -117,7 +117,7 @@ tl::unexpected<Problem> no_such(std::string_view name) {
                      names_of([](const ScriptInfo&) { return true; }) + ".");
 }
 
-// Null where it is not to hand.
+// Null if the tool is not to hand.
 const SceneTool* tool_of(const ScriptInfo& script, const SceneDef& scene) {
   const auto tool = std::ranges::find(scene.tools, script.needs.tool, &SceneTool::name);
   return scene.paper || tool == scene.tools.end() ? nullptr : &*tool;

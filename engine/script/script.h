@@ -15,13 +15,13 @@ namespace onggi {
 
 class Clay;
 
-/// A scripted potter with the same tools as a visitor. Tests, benchmarks, attract mode and the
-/// scripted visitor share the scripts.
+/// A scripted potter with a visitor's tools, for tests, benchmarks, attract mode and the scripted
+/// visitor.
 class Script {
  public:
   virtual ~Script() = default;
-  /// The hands `t` seconds after the script began. Pure but for the script's own progress along its
-  /// plan; t never goes back. No allocation, no throw: it runs on the 1 kHz thread.
+  /// The hands `t` seconds after the script began; t must not fall. No allocation, no throw: it
+  /// runs on the 1 kHz thread.
   virtual Hands at(double t, const Clay& clay) noexcept = 0;
   virtual double duration() const = 0;  ///< Seconds; at() after that leaves the hands lifted.
   /// A short id of what the hands do at `t`, for hints and tests: "open", "collar", "lift"...
@@ -39,19 +39,19 @@ namespace script {
 struct ToolInHand;
 }
 
-/// One script: help, documents and errors use this row, and it plans the script.
+/// One script: its row for help, documents and errors, and its planner.
 struct ScriptInfo {
   /// Requirements that make_script() checks.
   struct Needs {
-    std::string_view tool = {};  ///< Besides fingers, by name: "flat_rib". Empty: none.
+    std::string_view tool = {};  ///< By name, besides fingers: "flat_rib". Empty: none.
     bool target = false;         ///< ScriptContext::target.
-    bool wall = false;           ///< A lump that is open: solid for no more than half its height.
+    bool wall = false;           ///< The lump must be open: solid for at most half its height.
   };
   std::string_view name;
   std::string_view words;  ///< The action of the hands: "narrow a neck".
   Needs needs;
-  std::string_view shows;  ///< The effect that it is there to show, by its table's name: "slump".
-                           ///< Without it the moves are the same. Empty: none.
+  std::string_view shows;  ///< The effect that it shows, by its table's name: "slump". Without the
+                           ///< effect the moves are the same. Empty: none.
   std::unique_ptr<Script> (*plan)(const ScriptContext&, const script::ToolInHand&);
 };
 
@@ -62,11 +62,11 @@ const ScriptInfo* find_script(std::string_view name);
 /// Their names, in the same order.
 std::span<const std::string_view> script_names();
 
-/// True if `scene` has the effect that `script` shows, and its tool; false if the script shows no
-/// effect.
+/// True if `scene` has the effect that `script` shows, and its tool; false if the script shows
+/// none.
 bool shows_its_effect(const ScriptInfo& script, const SceneDef& scene);
 
-/// Problem names the script, the nearest right name, and what is missing (follow without target).
+/// Problem: the script, the nearest right name, and what is missing (follow without target).
 Result<std::unique_ptr<Script>> make_script(std::string_view name, const ScriptContext& context);
 
 }  // namespace onggi

@@ -7,7 +7,7 @@ namespace onggi::script {
 
 class Former;
 
-/// Moves on the top and the floor of a pot, or on both faces of its wall. They do not need to track
+/// Moves on the top and the floor of a pot, or on both faces of its wall, which need no account of
 /// the shape. Allocate; not for the tick.
 ///
 /// A fingertip down the middle, out along the floor, and up the wall.

@@ -4,7 +4,7 @@
 
 namespace onggi {
 
-/// What a tool is to the clay, and to the eye, by its ToolPlace and ToolSize.
+/// The shape of a tool in the clay and on the screen, by its ToolPlace and ToolSize.
 enum class BodyKind : std::uint8_t {
   ball,      ///< `radius` round `at`.
   capsule,   ///< `radius` round the line from `at`, `length` along.

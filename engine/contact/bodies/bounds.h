@@ -7,7 +7,7 @@
 
 namespace onggi::body {
 
-/// A rod or a disc whose direction rises less than this is cut longer than any tool.
+/// A rod or disc whose direction rises less than this is cut longer than any tool.
 inline constexpr double kAskew = 0.1;
 
 /// The lowest and the highest point of a tool, m.
@@ -32,25 +32,25 @@ struct Circle {
   double x = 0.0, z = 0.0, radius = 0.0;
 };
 
-/// How near the axis a tool's sections come, told of each at less cost than its outline. Metres.
-/// One that says nothing is at the axis.
+/// A lower bound on the distance of a tool's sections from the axis, cheaper than their outline.
+/// Metres.
+/// The default bound: at the axis, which says nothing.
 struct Approach {
   double level = 0.0;  ///< The height of the section whose middle is `at`.
   Vec2 at;
-  Vec2 lean;                      ///< How far that goes aside for a metre up.
-  double round = 0.0;             ///< The section lies no farther from there,
-  Vec2 through;                   ///< but for this to either side,
-  Vec2 across;                    ///< and for the chord of a disc in this direction (unit):
-  double radius = 0.0;            ///< of this radius,
-  double half = 0.0, rise = 0.0;  ///< which loses so much of the height, and rises so steeply.
+  Vec2 lean;                      ///< How far that middle moves aside for a metre up.
+  double round = 0.0;             ///< Radius round it that holds the section,
+  Vec2 through;                   ///< apart from this to either side,
+  Vec2 across;                    ///< and from a disc's chord in this direction (unit):
+  double radius = 0.0;            ///< the disc's radius,
+  double half = 0.0, rise = 0.0;  ///< its loss of height, and its steepness.
 
-  /// Nothing of the section at height `y` is nearer to the axis; may be below 0.
+  /// No point of the section at height `y` is nearer to the axis; may be below 0.
   double nearest(double y) const noexcept;
 };
 
-/// What a tool's section with a level plane lies within: a parallelogram, its corners rounded off
-/// outwards, and an oval where a round tool stands askew. Metres; floats, since rows are worked in
-/// them.
+/// Bound of a tool's section with a level plane: a parallelogram with corners rounded outwards, and
+/// an oval where a round tool stands askew. Metres; floats, as for rows.
 struct Outline {
   float x = 0, z = 0;              ///< Middle of the parallelogram.
   float ux = 0, uz = 0;            ///< From there to the middle of a side,
@@ -62,7 +62,7 @@ struct Outline {
                                    ///< width squared, in this direction.
 
   bool operator==(const Outline&) const = default;
-  /// That holds the section; radius <= 0 where there is none.
+  /// A circle that holds the section; radius <= 0 if there is none.
   Circle circle() const noexcept;
 };
 
@@ -74,14 +74,14 @@ struct AxisReach {
 };
 AxisReach reach_of(const Hull& hull, Vec3 at) noexcept;
 /// The angles between which the section, seen from the axis, lies nearer than `extent` (m; pressing
-/// from outside) or farther (from inside): `coarse`, or narrower where the outline is long and
-/// thin. half < 0: nowhere.
+/// from outside) or farther (from inside): `coarse`, or narrower if the outline is long and thin.
+/// half < 0: nowhere.
 Turn turn_of(const Outline& outline, WallSide side, double extent, const Turn& coarse) noexcept;
-/// Angles that are in both, or one of the two where that would be two pieces.
+/// Angles that are in both. If that would be two pieces, one of the inputs.
 Turn overlap(const Turn& a, const Turn& b) noexcept;
 
-/// Puts an oval round `outline`: where the endless round rod of `radius` along `axis` (unit),
-/// through `through`, is cut at height `y`. Nothing where it lies too level for that to help.
+/// Adds an oval to `outline`: where the endless round rod of `radius` along `axis` (unit), through
+/// `through`, is cut at height `y`. Does nothing if the rod lies too level for that to help.
 void add_oval(Outline& outline, Vec3 through, Vec3 axis, double radius, double y) noexcept;
 
 }  // namespace onggi::body

@@ -17,26 +17,26 @@ struct Box {
 
   Heights heights() const noexcept;
   Hull hull() const noexcept;
-  /// Nothing is told: as potters hold it, it stands upright, and its rows are alike.
+  /// No bound: as potters hold it, it stands upright, and its rows are alike.
   Approach approach() const noexcept { return {}; }
-  /// Round its section with the level plane at `y`: exact where no corner lies in the plane's cut;
-  /// else a little wide.
+  /// Bound of its section with the level plane at `y`: exact where no corner lies in the cut; else
+  /// a little wide.
   Outline outline(double y) const noexcept;
-  /// Its farthest point `towards` (unit) is this ball's; where a face or an edge faces that way,
-  /// its middle. No larger than its third half length or kBluntestEdge.
+  /// The ball of its farthest point `towards` (unit). If a face or an edge faces that way, of its
+  /// middle. At most as large as the third half length or kBluntestEdge.
   Ball support(Vec3 towards) const noexcept;
 
-  /// The section itself: what lies in three slabs.
+  /// The section itself: the intersection of three slabs.
   struct Section {
     SlabSection a, b, c;
   };
   Section section(double y) const noexcept;
 
-  /// It stands upright: every level plane between its ends cuts it alike, but for slab `a`.
+  /// Upright: every level plane between its ends cuts it alike, except for slab `a`.
   bool upright() const noexcept {
     return axis[0].x == 0.0 && axis[0].z == 0.0 && axis[1].y == 0.0 && axis[2].y == 0.0;
   }
-  /// section(y) of an upright box, by that of another of its planes.
+  /// section(y) of an upright box, derived from that of another of its planes.
   Section section_like(const Section& other, double y) const noexcept;
 };
 

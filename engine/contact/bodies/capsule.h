@@ -16,9 +16,9 @@ struct Capsule {
   Heights heights() const noexcept;
   Hull hull() const noexcept;
   Approach approach() const noexcept;
-  /// Round its section with the level plane at `y`; a little wide where it lies askew.
+  /// Bound of its section with the level plane at `y`; a little wide if it lies askew.
   Outline outline(double y) const noexcept;
-  /// Its farthest point `towards` (unit) is this ball's; where its side faces that way, the middle.
+  /// The ball of its farthest point `towards` (unit); if its side faces that way, of its middle.
   Ball support(Vec3 towards) const noexcept;
 
   /// The section itself: two balls, and the rod between.

@@ -18,13 +18,13 @@ class Cylinder {
   Heights heights() const noexcept { return box_.heights(); }
   Hull hull() const noexcept { return box_.hull(); }
   Approach approach() const noexcept;
-  /// Round its section with the level plane at `y`; a little wide where it stands askew.
+  /// Bound of its section with the level plane at `y`; a little wide if it stands askew.
   Outline outline(double y) const noexcept;
-  /// Its farthest point `towards` (unit) is this ball's; where a face faces that way, its middle.
-  /// No larger than its radius or kBluntestEdge.
+  /// The ball of its farthest point `towards` (unit); if a face faces that way, of its middle. At
+  /// most as large as its radius or kBluntestEdge.
   Ball support(Vec3 towards) const noexcept;
 
-  /// The section itself: what lies in a rod and a slab.
+  /// The section itself: the intersection of a rod and a slab.
   struct Section {
     RodSection rod;
     SlabSection faces;

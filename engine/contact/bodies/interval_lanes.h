@@ -16,8 +16,7 @@ using body::SlabSection;
 struct Interval {
   Float8 near, far;
 };
-/// And the unit direction in which clay pushes the body at the end that is worked: against its
-/// surface's outer normal.
+/// The unit direction in which clay pushes the body at the worked end: against the outer normal.
 struct FacingInterval {
   Float8 near, far;
   Float8 x, y, z;
@@ -74,8 +73,8 @@ ONGGI_INLINE FacingInterval in_slab(const SlabLanes& slab, Float8 c, Float8 s, F
   return {smaller(a, b), larger(a, b), slab.nx * sign, slab.ny * sign, slab.nz * sign};
 }
 
-/// By the common perpendicular of ray and line: nothing cancels where the ray grazes the rod. Where
-/// it misses, far is before near.
+/// By the common perpendicular of ray and line, so that nothing cancels where the ray grazes the
+/// rod. If the ray misses, far is before near.
 ONGGI_INLINE Interval in_rod(const RodLanes& rod, Float8 c, Float8 s, Float8 beside) {
   const Float8 along = rod.ax * c + rod.az * s;
   const Float8 aside = rod.az * c - rod.ax * s;
@@ -89,12 +88,12 @@ ONGGI_INLINE Interval in_rod(const RodLanes& rod, Float8 c, Float8 s, Float8 bes
   const Float8 half = select(chord > all(0.0f), sqrt(larger(chord, all(0.0f))), all(-1.0f));
   return {middle - half / square, middle + half / square};
 }
-/// How far along the rod's line the ray's point t is, from its point `middle`.
+/// How far along the rod's line the ray's point t is, from the point `middle`.
 ONGGI_INLINE Float8 along_rod(const RodLanes& rod, Float8 t, Float8 c, Float8 s, Float8 beside) {
   return rod.m_along + beside * (rod.az * c - rod.ax * s) + t * (rod.ax * c + rod.az * s);
 }
-/// From the ray's point t to the line's point `q` along, over the radius: where t is on the rod,
-/// unit, and against its outer normal.
+/// From the ray's point t to the line's point `q` along, over the radius: for t on the rod the unit
+/// inner normal.
 ONGGI_INLINE FacingInterval facing_rod(const RodLanes& rod, const Interval& in, Float8 t, Float8 q,
                                        Float8 c, Float8 s, Float8 beside) {
   const Float8 over = rod.over_radius;
@@ -103,7 +102,7 @@ ONGGI_INLINE FacingInterval facing_rod(const RodLanes& rod, const Interval& in, 
 }
 
 /// A ball of `radius` round (x, y, z), y from the row's height; `section` is its circle's radius
-/// there. Empty where it is missed.
+/// there. Empty if the ray misses.
 ONGGI_INLINE Interval in_ball(Float8 section, Float8 x, Float8 z, Float8 c, Float8 s,
                               Float8 beside) {
   const Float8 off = z * c - x * s - beside;
@@ -114,7 +113,7 @@ ONGGI_INLINE Interval in_ball(Float8 section, Float8 x, Float8 z, Float8 c, Floa
   return {select(met, along - half, all(1e9f)), select(met, along + half, all(-1e9f))};
 }
 
-/// What is in both; the end that is worked is the one that lies deeper in.
+/// The intersection. The worked end is the one that lies deeper in.
 template <WallSide side>
 ONGGI_INLINE FacingInterval both(const FacingInterval& a, const FacingInterval& b) {
   const Mask8 second = side == WallSide::outside ? b.near > a.near : b.far < a.far;

@@ -4,15 +4,16 @@
 
 namespace onggi::body {
 
-/// The level plane at one row's height cuts bodies of flat faces and straight rods in closed form.
-/// These are the figures of that cut, as floats for kernels (interval_lanes.h has the formulas).
+/// The cut of a body with the level plane at a row's height, in closed form for flat faces and
+/// straight rods, as floats for kernels (interval_lanes.h has the formulas).
 
 /// Between two planes.
 struct SlabSection {
   float nx, ny, nz;  ///< Unit normal.
   float half;        ///< Half the distance between the planes, m.
-  float off;   ///< Of the row's middle on the axis from the middle plane, along the normal, m.
-  bool asked;  ///< False where the row lies wholly between the planes.
+  float off;   ///< Distance of the axis point at the row's height from the middle plane, along the
+               ///< normal, m.
+  bool asked;  ///< False if the row lies wholly between the planes.
 };
 SlabSection slab_section(Vec3 middle, Vec3 normal, double half, double y) noexcept;
 

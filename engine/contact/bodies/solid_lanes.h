@@ -1,8 +1,8 @@
 #pragma once
 
-// How a body that is no ball meets a row: how much of each element it covers, where it ends on
-// their rays, and which way its surface faces there. Its file says where rays enter and leave its
-// section:
+// How a body other than a ball meets a row: how much of each element it covers, where it ends on
+// their rays, and which way its surface faces there. The body's file gives the interval of its
+// section on a ray:
 //
 //   struct Shape {
 //     using Body = ...;
@@ -11,7 +11,7 @@
 //     const;
 //   };
 //
-// and has the kernel Kernel<SolidLaw<Shape>>. For *_lanes.cpp only.
+// and instantiates Kernel<SolidLaw<Shape>>. For *_lanes.cpp only.
 
 #include "engine/contact/bodies/interval_lanes.h"
 #include "engine/contact/press_lanes.h"
@@ -26,11 +26,11 @@ struct FacingMeeting {
   Float8 x, y, z;
 };
 
-// An element is a strip as wide as its sector is. The strip's part that the section covers gives
-// way and is felt, and where the body ends is asked in the middle of that part: a body narrower
-// than an element still finds the element, and no force steps as elements come and go at its
-// edges. It is covered and bared as fast as edges come by: by the sector's width where the edge is,
-// not where the face is, which lies centimetres farther out of a disc that is deep in clay.
+// An element is a strip as wide as its sector. The part that the section covers gives way and is
+// felt; the body's end is taken in the middle of that part. So a body narrower than an element
+// still finds the element, and the force does not step as elements come and go. Coverage changes at
+// the pace of edges, by the sector's width at the edge. At the face, centimetres farther out of a
+// disc deep in clay, it would be wider.
 template <class Shape>
 struct SolidLaw {
   using Body = typename Shape::Body;
@@ -61,9 +61,8 @@ struct SolidLaw {
     struct Strip {
       Float8 low, high;
     };
-    // Where a corner of the outline lies beside a ray, in elements: at its own distance from the
-    // axis, which says how fast it comes under them, if it lies within the clay outside, else at
-    // the face.
+    // The place of an outline's corner beside a ray, in elements. Outside, a corner within the clay
+    // uses its own distance from the axis, which sets its pace; other corners use the face's.
     template <WallSide side>
     ONGGI_INLINE Float8 in_elements(Float8 beside, Float8 along, Float8 face) const {
       Float8 from = face;
@@ -71,8 +70,8 @@ struct SolidLaw {
         from = smaller(larger(along, all(0.5f) * face), face);
       return beside / (larger(from, all(1e-6f)) * sector);
     }
-    // The outline beside a ray, m: of its corners there, how far along the ray they are is `ahead`
-    // more and less than `along`.
+    // The outline beside a ray, m. `ahead`: half of the distance along the ray between its corners,
+    // about `along`.
     struct Beside {
       Float8 low, high, u, v;
     };
@@ -111,14 +110,14 @@ struct SolidLaw {
       const Float8 edge = all(0.5f) * width;
       const Beside at = beside_of(c, s);
       Strip strip{all(-0.5f), all(0.5f)};
-      // At the face elements are widest: what the outline reaches across there it covers.
+      // Elements are widest at the face: what the outline reaches across there is covered.
       if (outline.oval > 0.0f || !none((at.low > zero - edge) | (at.high < edge)))
         strip = covered_strip<side>(c, s, face, at);
       const Float8 part = strip.high - strip.low;
       const FacingInterval in =
           shape.template interval<side>(c, s, all(0.5f) * (strip.low + strip.high) * width);
       Mask8 hit = (part > zero) & (in.far > in.near);
-      // A body outside works the half of the clay that it stands over.
+      // An outside body works the half of the clay that it stands over.
       if constexpr (side == WallSide::outside) hit = hit & (in.near + in.far > zero);
       m.end = side == WallSide::outside ? in.near : in.far;
       m.hit = hit;

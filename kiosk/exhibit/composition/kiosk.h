@@ -51,31 +51,29 @@ struct KioskOptions {
       mission{};  ///< One that is on, whatever its file says, or Missions::kEvery; empty: none.
 };
 
-/// What a kiosk is doing at the moment of the question. Its references and pointers stay good as
-/// long as the kiosk.
+/// The kiosk's present state. Its references and pointers stay valid as long as the kiosk.
 struct Doing {
   bool open_to_visitors;  ///< A vessel of the shelf is read, and attract has begun.
-  bool nobody_is_here;  ///< Attract plays, and every keepsake is on the disk: nobody would miss it.
-  bool dark;            ///< Outside of the museum's hours, and nobody is here.
-  bool saving;          ///< A keepsake is on its way to the disk.
-  bool turning;         ///< A turning picture is drawn or written. Nobody need wait for it.
+  bool nobody_is_here;    ///< True in attract with no save pending: safe to close or reload.
+  bool dark;              ///< Outside of the museum's hours, and nobody is here.
+  bool saving;            ///< A keepsake is being saved.
+  bool turning;  ///< A turntable GIF is being drawn or saved. Optional: callers need not wait.
   const SavedCount& saved;
   const std::filesystem::path& keepsake_folder;
-  const KeptVisit* kept;  ///< The last visit that was kept; null: none.
+  const KeptVisit* kept;  ///< The last kept visit; null: none.
   const SceneDef& pot;    ///< The scene of the pot on the wheel.
-  int card;  ///< Of that pot: of the shelf, or a mission's own; -1 before the first pot.
+  int card;  ///< Card of that pot: of the shelf, or a mission's own; -1 before the first pot.
   std::optional<std::uint64_t> device_moves;  ///< HandDevices::moves(); none: no devices are used.
 };
 
-/// The one place that knows everyone: settings and content into screens, screens' wishes to the
-/// wheel, the wheel's rows to the picture, pictures to the keepsake. Main thread.
+/// Connects all parts: settings and content to screens, screens' wishes to the wheel, rows to the
+/// picture, pictures to the keepsake. Main thread.
 class Kiosk {
  public:
   /// Opens settings, window and wheel, and begins to read the shelf. Problems that leave an exhibit
-  /// to show are logged; the others are returned.
+  /// to show are logged; others are returned.
   static Result<std::unique_ptr<Kiosk>> open(const KioskOptions& options);
-  /// Ends the visit under way, and waits until keepsakes and visits are on the disk, or the log
-  /// says why not.
+  /// Ends the current visit and blocks until keepsakes and counts are saved; failures are logged.
   ~Kiosk();
 
   /// One frame: input, wheel, screens, picture. `now` in seconds on a clock that never goes back.
@@ -86,21 +84,20 @@ class Kiosk {
   view::Image picture();
   /// The last frame made.
   const view::Frame& shown() const { return last_frame_; }
-  /// For who looks at every screen: as an exhibit shows it that has this screen, in this language.
-  /// The visit goes on where it is.
+  /// For contact sheets: redraws the current screen with other screen settings and language.
   void show_as(const settings::Exhibit::Screen& screen, const std::string& language);
   /// Stepped kiosks only: turns the wheel by `ticks` of 1 ms before the next frame.
   void advance(int ticks);
 
   screens::Visit& visit() { return *visit_; }
-  /// Between the window and visit(): a visitor who does not see, or has one switch.
+  /// Handles input and speech for blind and one-switch visitors.
   AccessInput& access_input() { return *access_input_; }
   loop::WheelHost& potter() { return *potter_; }
   render::Renderer& renderer() { return *renderer_; }
   Shelf& shelf() { return *shelf_; }
   const settings::Exhibit& exhibit() const { return exhibit_; }
   const Missions& missions() const { return *missions_; }
-  /// Null where there is none.
+  /// Null if the exhibit has none.
   const screens::ShelfCard* card(int index) const {
     return missions_->card(index, shelf_->cards());
   }
@@ -111,7 +108,7 @@ class Kiosk {
  private:
   Kiosk() = default;
   Result<void> read_settings(const KioskOptions& options);
-  /// Ends the visit under way, and waits until keepsakes and visits are on the disk. Once.
+  /// Ends the current visit and blocks until keepsakes and counts are saved. Runs once.
   void close_visit();
   bool nobody_is_here() const;
   bool dark() const { return night_ && night_->dark(); }
@@ -134,23 +131,25 @@ class Kiosk {
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::WheelHost> potter_;
   loop::SteppedWheel* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
-  std::unique_ptr<StudioSound> sound_;     ///< Null if the exhibit has none. Reads potter_.
-  std::unique_ptr<HandDevices> devices_;   ///< Null where none are to be used.
+  std::unique_ptr<StudioSound> sound_;     ///< Null if the exhibit has no sound. Reads potter_'s
+                                           ///< status.
+  std::unique_ptr<HandDevices> devices_;   ///< Null if devices are not used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Missions> missions_;
-  std::unique_ptr<TodaysPots> todays_;     ///< Null where the curator shows none.
-  std::unique_ptr<VisitCounter> counter_;  ///< Null where visits are not counted.
+  std::unique_ptr<TodaysPots> todays_;     ///< Null if the gallery is switched off.
+  std::unique_ptr<VisitCounter> counter_;  ///< Null if visits are not counted.
   std::unique_ptr<PotOnWheel> pot_;
   std::unique_ptr<Keeping> keeping_;
   std::unique_ptr<screens::Visit> visit_;
   std::unique_ptr<AccessInput> access_input_;
-  std::optional<Night> night_;  ///< None where it is always open.
+  std::optional<Night> night_;  ///< Empty if the exhibit is always open.
   std::function<std::time_t()> wall_;
   bool hands_taken_ = false, two_fingers_ = false, nobody_was_here_ = false;
-  double fingers_asked_ = -1e9;  ///< When the glass was asked how many it tells apart.
-  double now_ = 0.0;             ///< Of the last frame.
+  double fingers_asked_ = -1e9;  ///< Time of the last question how many fingers the glass tells
+                                 ///< apart, s.
+  double now_ = 0.0;             ///< Time of the last frame, s.
   std::optional<view::InputEvent>
-      early_touch_;  ///< The first touch, while the shelf is being read.
+      early_touch_;  ///< The first touch, made while the shelf was loading.
   view::Frame last_frame_;
 };
 
