@@ -21,13 +21,14 @@ namespace onggi::exhibit {
 
 namespace {
 
-constexpr double kAskFingers = 5.0;  // s: a glass that is plugged in is seen so soon
+constexpr double kAskFingers = 5.0;  // s between two questions how many fingers the glass tells
+                                     // apart
 
 }  // namespace
 
 Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
-  // A driver's slabs (Mesa: 32 KiB each) are seldom full. What nobody touched of one is resident
-  // all the same where it lies in pages of the exhibit before.
+  // A driver's slabs (Mesa: 32 KiB each) are seldom full. Their unused parts stay resident if they
+  // lie in pages of the exhibit before.
   files::give_back_memory();
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
@@ -36,7 +37,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   kiosk->missions_ =
       std::make_unique<Missions>(kiosk->exhibit_, *kiosk->scenes_, options.wall, options.mission);
   const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
-  // A stepped visit is the same wherever it is made: its grids are the scenes' own.
+  // A stepped visit is the same everywhere: it uses the scenes' own grids.
   if (!options.stepped) kiosk->scenes_->tune(kept_in);
   if (kiosk->exhibit_.keepsake.gallery)
     kiosk->todays_ = std::make_unique<TodaysPots>(kept_in, options.wall);
@@ -161,7 +162,7 @@ void Kiosk::begin_visit(double now) {
     visit_->fail({exhibit_.shelf.string(), "No vessel on the shelf could be opened.",
                   "Run onggi check, mend what it names, and start again."});
   if (!early_touch_) return;
-  // The first touch counts, even one that came before there was anything to touch.
+  // Replay a touch made while the shelf was loading.
   visit_->input(*early_touch_, now);
   early_touch_->kind = early_touch_->kind == view::InputEvent::Kind::key_down
                            ? view::InputEvent::Kind::key_up
@@ -212,7 +213,7 @@ std::vector<view::InputEvent> Kiosk::look_after_devices(double now) {
   return events;
 }
 
-/// Whoever wakes it only wakes it: what was touched in the dark was not seen.
+/// The touch that wakes the screen is not passed on, because the visitor could not see it.
 bool Kiosk::update_night(double now, const std::vector<view::InputEvent>& events) {
   const bool was = night_->dark(), taken = potter_->view().status.hands_taken;
   bool touched = !std::exchange(hands_taken_, taken) && taken;
@@ -240,7 +241,7 @@ void Kiosk::be_dark(bool draw) {
   if (!draw) return;
   renderer_->draw(last_frame_);
   renderer_->present();
-  // Often enough for a touch, for what watches over the kiosk, and for what comes into its folders.
+  // Often enough for a touch, the watchdog, and files that arrive in watched folders.
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 
@@ -251,7 +252,7 @@ bool Kiosk::frame(double now, bool draw) {
   auto events = renderer_->poll();
   for (const std::string& line : renderer_->remarks()) files::log_line(line);
   if (look_at_shelf(now) && !visit_) begin_visit(now);
-  // By night too: there is time for it when nobody is here, and a full disk is told at once.
+  // By night too: nobody is here then, and a full disk is reported at once.
   scenes_->take_up_tuned();
   if (counter_) files::log_problems(counter_->remarks());
   if (sound_) sound_->frame(now, visit_.get(), dark());
