@@ -1,26 +1,20 @@
 #include "kiosk/wheel/device/driver.h"
 
-#include "kiosk/wheel/device/drivers/dual_sense_driver.h"
-#include "kiosk/wheel/device/drivers/onggi_hid_driver.h"
-#include "kiosk/wheel/device/drivers/polhem_driver.h"
-#include "kiosk/wheel/device/drivers/space_mouse_driver.h"
-#include "kiosk/wheel/device/drivers/surface_dial_driver.h"
-
 namespace onggi::device {
 
 std::unique_ptr<Driver> make_driver(DeviceKind kind, const HidListing& listing,
                                     const DeviceDef& def) {
   switch (kind) {
     case DeviceKind::space_mouse:
-      return std::make_unique<SpaceMouseDriver>();
+      return make_space_mouse();
     case DeviceKind::surface_dial:
-      return std::make_unique<SurfaceDialDriver>();
+      return make_surface_dial();
     case DeviceKind::dual_sense:
-      return std::make_unique<DualSenseDriver>(listing.bluetooth);
+      return make_dual_sense(listing.bluetooth);
     case DeviceKind::polhem:
-      return std::make_unique<PolhemDriver>(def.arm);
+      return make_polhem(def.arm);
     case DeviceKind::onggi_hid:
-      return std::make_unique<OnggiHidDriver>();
+      return make_onggi_hid();
   }
   return nullptr;
 }

@@ -43,7 +43,15 @@ class Driver {
   virtual std::optional<double> greatest_force() const noexcept { return std::nullopt; }
 };
 
+/// The driver of this kind of device. Allocates.
 std::unique_ptr<Driver> make_driver(DeviceKind kind, const HidListing& listing,
                                     const DeviceDef& def);
+
+/// The drivers; each is a class of its own file in drivers/.
+std::unique_ptr<Driver> make_dual_sense(bool bluetooth);
+std::unique_ptr<Driver> make_onggi_hid();
+std::unique_ptr<Driver> make_polhem(const ArmDef& arm);
+std::unique_ptr<Driver> make_space_mouse();
+std::unique_ptr<Driver> make_surface_dial();
 
 }  // namespace onggi::device
