@@ -1,11 +1,12 @@
 #include "kiosk/picture/encoding/gif.h"
 
+#include <gif_lib.h>
+
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <memory>
+#include <new>
 #include <utility>
-
-#include "kiosk/ground/files/byte_writer.h"
 
 namespace onggi::encoding {
 namespace {
@@ -144,78 +145,6 @@ class Nearest {
   std::vector<std::uint16_t> known_;
 };
 
-/// GIF89a, appendix F: codes of growing width, the lowest bit first, in blocks of up to 255 bytes.
-class LzwWriter {
- public:
-  explicit LzwWriter(files::ByteWriter& out) : out_(out) { clear(); }
-
-  void put(std::uint8_t value) {
-    if (before_ < 0) {
-      before_ = value;
-      return;
-    }
-    const std::uint32_t wanted = static_cast<std::uint32_t>(before_) << 8 | value;
-    std::size_t at = (wanted * 2654435761u) >> (32 - kTableBits);
-    while (keys_[at] != kFree && keys_[at] != wanted) at = (at + 1) % keys_.size();
-    if (keys_[at] == wanted) {
-      before_ = codes_[at];
-      return;
-    }
-    write(before_);
-    before_ = value;
-    if (next_ == kMostCodes) {
-      clear();
-      return;
-    }
-    keys_[at] = wanted;
-    codes_[at] = next_++;
-    if (next_ > 1 << width_ && width_ < 12) ++width_;
-  }
-  void end() {
-    if (before_ >= 0) write(before_);
-    // the reader has one more code now
-    if (next_ + 1 > 1 << width_ && width_ < 12) ++width_;
-    write(kEnd);
-    if (held_ > 0) push(static_cast<std::uint8_t>(bits_));
-    flush();
-    out_.u8(0);
-  }
-
- private:
-  static constexpr int kClear = 256, kEnd = 257, kMostCodes = 4096, kTableBits = 14;
-  static constexpr std::uint32_t kFree = 0xffffffff;
-
-  void clear() {
-    // The very first code has the initial width.
-    write(kClear);
-    keys_.fill(kFree);
-    next_ = kEnd + 1;
-    width_ = 9;
-  }
-  void write(int code) {
-    bits_ |= static_cast<std::uint32_t>(code) << held_;
-    for (held_ += width_; held_ >= 8; held_ -= 8, bits_ >>= 8)
-      push(static_cast<std::uint8_t>(bits_));
-  }
-  void push(std::uint8_t byte) {
-    block_.push_back(byte);
-    if (block_.size() == 255) flush();
-  }
-  void flush() {
-    if (block_.empty()) return;
-    out_.u8(static_cast<std::uint8_t>(block_.size()));
-    for (const std::uint8_t byte : block_) out_.u8(byte);
-    block_.clear();
-  }
-
-  files::ByteWriter& out_;
-  std::vector<std::uint8_t> block_;
-  std::array<std::uint32_t, 1u << kTableBits> keys_{};
-  std::array<int, 1u << kTableBits> codes_{};
-  int next_ = 0, width_ = 9, held_ = 0, before_ = -1;
-  std::uint32_t bits_ = 0;
-};
-
 /// The smallest rectangle around everything that is not kUnchanged.
 struct Part {
   int left = 0, top = 0, right = 1, bottom = 1;
@@ -233,6 +162,18 @@ Part part_of(const std::vector<std::uint8_t>& pixels, int width, int height) {
   return part.right == 0 ? Part{} : part;  // nothing has changed: one pixel that shows nothing
 }
 
+int append(GifFileType* file, const GifByteType* bytes, int count) {
+  auto& out = *static_cast<std::vector<std::byte>*>(file->UserData);
+  const std::span all(reinterpret_cast<const std::byte*>(bytes), static_cast<std::size_t>(count));
+  out.insert(out.end(), all.begin(), all.end());
+  return count;
+}
+
+/// giflib fails at nothing but memory: append() takes all that it writes.
+void must(int result) {
+  if (result == GIF_ERROR) throw std::bad_alloc();
+}
+
 }  // namespace
 
 std::vector<std::byte> write_gif(int width, int height, int hundredths,
@@ -240,21 +181,27 @@ std::vector<std::byte> write_gif(int width, int height, int hundredths,
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::vector<Rgb> palette = palette_of(rgb);
   Nearest nearest(palette);
-  const auto u16 = [](int value) { return static_cast<std::uint16_t>(value); };
 
   // 1. Size, palette, and the endless loop.
-  files::ByteWriter out;
-  out.text("GIF89a");
-  out.u16(u16(width));
-  out.u16(u16(height));
-  out.u8(0xf7);  // a palette of 256, eight bits a channel
-  out.u8(0);
-  out.u8(0);
-  for (std::size_t i = 0; i < 256; ++i)
-    for (std::size_t k = 0; k < 3; ++k) out.u8(i < palette.size() ? palette[i][k] : 0);
-  out.text(std::string_view("\x21\xff\x0bNETSCAPE2.0\x03\x01\0\0\0", 19));
+  std::vector<std::byte> out;
+  const auto close = [](GifFileType* gif) { EGifCloseFile(gif, nullptr); };
+  std::unique_ptr<GifFileType, decltype(close)> gif(EGifOpen(&out, append, nullptr));
+  const std::unique_ptr<ColorMapObject, decltype(&GifFreeMapObject)> colors(
+      GifMakeMapObject(256, nullptr), GifFreeMapObject);
+  if (!gif || !colors) throw std::bad_alloc();
+  for (std::size_t i = 0; i < palette.size(); ++i)
+    colors->Colors[i] = {palette[i][0], palette[i][1], palette[i][2]};
+  EGifSetGifVersion(gif.get(), true);
+  must(EGifPutScreenDesc(gif.get(), width, height, 8, 0, colors.get()));
+  must(EGifPutExtensionLeader(gif.get(), APPLICATION_EXT_FUNC_CODE));
+  must(EGifPutExtensionBlock(gif.get(), 11, "NETSCAPE2.0"));
+  must(EGifPutExtensionBlock(gif.get(), 3, "\x01\0\0"));
+  must(EGifPutExtensionTrailer(gif.get()));
 
   // 2. The part of each picture that differs from the one before.
+  const GraphicsControlBlock control{DISPOSE_DO_NOT, false, hundredths, kUnchanged};
+  std::array<GifByteType, 4> control_bytes;
+  EGifGCBToExtension(&control, control_bytes.data());
   std::vector<std::uint8_t> before(pixels, kUnchanged), now(pixels), drawn(pixels);
   for (std::size_t from = 0; from + 3 * pixels <= rgb.size(); from += 3 * pixels) {
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -264,28 +211,19 @@ std::vector<std::byte> write_gif(int width, int height, int hundredths,
       drawn[i] = now[i] == before[i] ? kUnchanged : now[i];
     }
     const Part part = part_of(drawn, width, height);
-    // Keep the previous picture; one colour is transparent
-    out.text(std::string_view("\x21\xf9\x04\x05", 4));
-    out.u16(u16(hundredths));
-    out.u8(kUnchanged);
-    out.u8(0);
-    out.u8(0x2c);
-    out.u16(u16(part.left));
-    out.u16(u16(part.top));
-    out.u16(u16(part.right - part.left));
-    out.u16(u16(part.bottom - part.top));
-    out.u8(0);
-    out.u8(8);  // bits of a pixel
-    LzwWriter codes(out);
+    const int across = part.right - part.left;
+    must(EGifPutExtension(gif.get(), GRAPHICS_EXT_FUNC_CODE, 4, control_bytes.data()));
+    must(EGifPutImageDesc(gif.get(), part.left, part.top, across, part.bottom - part.top, false,
+                          nullptr));
     for (int y = part.top; y < part.bottom; ++y)
-      for (int x = part.left; x < part.right; ++x)
-        codes.put(drawn[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                        static_cast<std::size_t>(x)]);
-    codes.end();
+      must(EGifPutLine(gif.get(),
+                       &drawn[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(part.left)],
+                       across));
     std::swap(before, now);
   }
-  out.u8(0x3b);
-  return out.take();
+  must(EGifCloseFile(gif.release(), nullptr));
+  return out;
 }
 
 }  // namespace onggi::encoding
