@@ -13,4 +13,12 @@ namespace onggi {
 std::string nearest_name(std::string_view word, std::span<const std::string_view> names);
 std::string nearest_name(std::string_view word, const std::vector<std::string>& names);
 
+/// The names with commas between them, for a remedy: "rib, wire". Allocates.
+template <class Names>
+std::string joined(const Names& names) {
+  std::string all;
+  for (const auto& name : names) all.append(all.empty() ? "" : ", ").append(name);
+  return all;
+}
+
 }  // namespace onggi

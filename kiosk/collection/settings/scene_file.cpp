@@ -92,15 +92,11 @@ class SceneReader {
       return;
     }
     std::vector<std::string> all;
-    std::string listed;
-    for (const ClayBody& body : clay_bodies()) {
-      all.emplace_back(body.name);
-      listed += (listed.empty() ? "" : ", ") + all.back();
-    }
+    for (const ClayBody& body : clay_bodies()) all.emplace_back(body.name);
     const std::string nearest = nearest_name(name, all);
     table_.complain(
         "body", "\"" + name + "\" is not a known clay body.",
-        nearest.empty() ? "Write one of " + listed + "." : "Did you mean " + nearest + "?");
+        nearest.empty() ? "Write one of " + joined(all) + "." : "Did you mean " + nearest + "?");
   }
   /// Reads the tools by name; all if the scene names none. The engine sets their order.
   void read_to_hand() {
@@ -111,10 +107,8 @@ class SceneReader {
     for (std::size_t i = 0; i < named.size(); ++i) {
       if (std::find(all.begin(), all.end(), named[i]) != all.end()) continue;
       const std::string nearest = nearest_name(named[i], all);
-      std::string listed;
-      for (const std::string& name : all) listed += (listed.empty() ? "" : ", ") + name;
       table_.complain_at("to_hand", i, "\"" + named[i] + "\" is not a known tool.",
-                         nearest.empty() ? "Write one or more of " + listed + "."
+                         nearest.empty() ? "Write one or more of " + joined(all) + "."
                                          : "Did you mean " + nearest + "?");
     }
     std::erase_if(def_.tools, [&](const SceneTool& tool) {

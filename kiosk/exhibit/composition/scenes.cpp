@@ -164,10 +164,8 @@ settings::Problems unknown_names(const settings::Exhibit& exhibit,
   for (std::size_t n = 0; n < exhibit.attract_scripts.size(); ++n) {
     const std::string& script = exhibit.attract_scripts[n];
     if (std::ranges::find(shown, script) != shown.end()) continue;
-    std::string all;
-    for (const std::string& name : shown) all += (all.empty() ? "" : ", ") + name;
     attract.complain_at("scripts", n, "Attract mode has no script \"" + script + "\".",
-                        "Choose one of " + all + ".");
+                        "Choose one of " + joined(shown) + ".");
   }
   return reader.problems();
 }

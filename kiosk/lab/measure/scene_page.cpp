@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "engine/base/nearest_name.h"
 #include "engine/lab/scene_fields.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/read_file.h"
@@ -16,12 +17,6 @@ namespace {
 
 constexpr std::size_t kMostText = 1 << 20;
 constexpr double kFirstPot = 60;  // points: the least that a first pot should get
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all.empty() ? "contact alone" : all;
-}
 
 std::string said(const char* format, double a, double b) {
   char words[160];
@@ -114,7 +109,8 @@ std::string page_of(const std::vector<SceneEntry>& scenes, const PageMade& made)
             "or fewer in %.0f s.**\n",
             line.points, line.seconds);
     page += "\n| | |\n|---|---|\n";
-    page += "| simulates | " + joined(scene.effects) + " |\n";
+    page += "| simulates | " + (scene.effects.empty() ? "contact alone" : joined(scene.effects)) +
+            " |\n";
     page += "| costs | " + said("%.1f of a tick's 1000 us, contact alone %.1f", scene.bill.whole_us,
                                 scene.bill.contact_us);
     if (!scene.bill.lines.empty()) page += "; dearest " + scene.bill.lines.front().effect;

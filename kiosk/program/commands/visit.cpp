@@ -77,12 +77,10 @@ Result<int> find_card(const exhibit::Kiosk& kiosk, exhibit::Shelf& shelf, const 
     ids.push_back(cards[i].vessel->id);
   }
   const std::string nearest = nearest_name(choice.id, ids);
-  std::string all;
-  for (const std::string& id : ids) all += (all.empty() ? "" : ", ") + id;
-  return problem(
-      "--vessel " + choice.id,
-      "No such file, and no such vessel on the shelf " + searched.string() + ".",
-      (nearest.empty() ? "" : "Did you mean " + nearest + "? ") + ("There are: " + all + "."));
+  return problem("--vessel " + choice.id,
+                 "No such file, and no such vessel on the shelf " + searched.string() + ".",
+                 (nearest.empty() ? "" : "Did you mean " + nearest + "? ") +
+                     ("There are: " + joined(ids) + "."));
 }
 
 /// Index among the missions that are on; -1: none is wanted.
@@ -99,11 +97,9 @@ Result<int> find_mission(const exhibit::Kiosk& kiosk, const std::string& id) {
   for (const settings::Mission& one : settings::read_missions(*file).missions)
     ids.push_back(one.id);
   const std::string nearest = nearest_name(id, ids);
-  std::string all;
-  for (const std::string& one : ids) all += (all.empty() ? "" : ", ") + one;
   return problem("--mission " + id, "No mission with this id can be played.",
                  (nearest.empty() || nearest == id ? "" : "Did you mean " + nearest + "? ") +
-                     "In " + file->string() + " there are: " + all + ". Try onggi check.");
+                     "In " + file->string() + " there are: " + joined(ids) + ". Try onggi check.");
 }
 
 Result<int> find_glaze(const exhibit::Kiosk& kiosk, const std::string& id) {
@@ -112,11 +108,9 @@ Result<int> find_glaze(const exhibit::Kiosk& kiosk, const std::string& id) {
   if (id.empty()) return 0;
   const auto found = std::find(ids.begin(), ids.end(), id);
   if (found != ids.end()) return static_cast<int>(found - ids.begin());
-  std::string all;
-  for (const std::string& each : ids) all += (all.empty() ? "" : ", ") + each;
   return problem("--glaze " + id, "The exhibit has no such glaze.",
                  ids.empty() ? "Its scene has no kiln, or its glazes could not be read."
-                             : "There are: " + all + ".");
+                             : "There are: " + joined(ids) + ".");
 }
 
 /// Collects the pictures of the passed screens, and encodes them after the visit.
