@@ -7,9 +7,14 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "kiosk/ground/toml/toml_tree.h"
 
 namespace onggi::toml {
+
+/// A place in the file; lines and columns from 1.
+struct Place {
+  std::uint32_t line = 1, column = 1;
+  auto operator<=>(const Place&) const = default;
+};
 
 /// A TOML file as toml++ may read it: the same document, in ASCII.
 ///
@@ -21,7 +26,8 @@ namespace onggi::toml {
 /// Takes time and memory in proportion to the text. Allocates. Any thread.
 class AsciiToml {
  public:
-  /// `text` in UTF-8, with or without a byte order mark; `name` stands in fault().
+  /// `text` in UTF-8, with or without a byte order mark; `name` stands in fault(). Both are read
+  /// here and not kept.
   AsciiToml(const std::string& text, const std::string& name);
 
   /// The document. With a fault(): the lines before its line, and a character that TOML allows

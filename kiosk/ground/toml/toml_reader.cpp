@@ -7,7 +7,7 @@
 
 namespace onggi::toml {
 
-TomlReader::Table TomlReader::Impl::table(const std::string& path, const TomlNode::Table* node,
+TomlReader::Table TomlReader::Impl::table(const std::string& path, const ::toml::table* node,
                                           Place at) {
   auto& slot = tables[path];
   if (!slot) {
@@ -40,13 +40,27 @@ TomlReader TomlReader::of_text(const std::string& text, const std::string& name)
 }
 
 void TomlReader::parse(const std::string& text) {
-  Result<TomlNode::Table> parsed = parse_toml(text, impl_->name);
-  if (!parsed) {
-    impl_->problems.push_back(parsed.error());
+  const AsciiToml& file = impl_->text.emplace(text, impl_->name);
+  ::toml::parse_result parsed = ::toml::parse(file.text(), std::string_view(impl_->name));
+  const auto& fault = file.fault();
+  if (parsed && !fault) {
+    impl_->root = std::move(parsed).table();
+    impl_->ok = true;
     return;
   }
-  impl_->root = std::move(*parsed);
-  impl_->ok = true;
+  // The first mistake is told. What is not closed before a fault's line may be closed after it.
+  const Place at = parsed ? Place{} : impl_->place(parsed.error().source());
+  if (parsed || (fault && at.line >= file.fault_line())) {
+    impl_->problems.push_back(*fault);
+    return;
+  }
+  const std::string line = line_of(text, at.line);
+  impl_->problems.push_back(
+      {impl_->where(at),
+       "This cannot be read as TOML (" + shown(parsed.error().description(), 160) + ")" +
+           (line.empty() ? "." : ", in the line: " + line),
+       "Write `key = value`: text in \"quotes\", commas between the elements of a list, "
+       "every bracket and quote closed, each key once in its [table]."});
 }
 
 TomlReader::~TomlReader() = default;
@@ -72,19 +86,18 @@ TomlReader::Table TomlReader::root() {
 bool TomlReader::Table::present() const { return impl_->node != nullptr; }
 
 bool TomlReader::Table::has(std::string_view key) const {
-  return present() && find(*impl_->node, key) != nullptr;
+  return present() && impl_->node->contains(key);
 }
 
 bool TomlReader::Table::has_table(std::string_view key) const {
-  const TomlNode* value = present() ? find(*impl_->node, key) : nullptr;
-  return value != nullptr && value->as<TomlNode::Table>() != nullptr;
+  return present() && impl_->node->get_as<::toml::table>(key) != nullptr;
 }
 
 std::vector<std::string> TomlReader::Table::keys() const {
   std::vector<std::pair<Place, std::string>> found;
   if (present()) {
-    for (const TomlNode::Member& member : *impl_->node)
-      found.emplace_back(member.place, member.key);
+    for (const auto& [key, value] : *impl_->node)
+      found.emplace_back(impl_->file->place(key.source()), key.str());
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> out;
@@ -93,26 +106,27 @@ std::vector<std::string> TomlReader::Table::keys() const {
 }
 
 TomlReader::Table TomlReader::Table::child(std::string_view name) {
-  const TomlNode* value = impl_->ask(name);
-  const TomlNode::Table* table = value == nullptr ? nullptr : value->as<TomlNode::Table>();
+  const ::toml::node* value = impl_->ask(name);
+  const ::toml::table* table = value == nullptr ? nullptr : value->as_table();
   if (value != nullptr && table == nullptr) {
     const std::string full = impl_->full(name);
     impl_->wrong_type(name, *value, "a table",
                       "Write [" + full + "] on a line of its own, and its keys below it.");
   }
   return impl_->file->table(impl_->full(name), table,
-                            value == nullptr ? impl_->place : value->place);
+                            value == nullptr ? impl_->place : impl_->file->place(value->source()));
 }
 
 std::vector<TomlReader::Table> TomlReader::Table::children(std::string_view name) {
   const std::string full = impl_->full(name);
   const std::string remedy = "Write [[" + full + "]] on a line of its own before each of them.";
   std::vector<Table> out;
-  const TomlNode::List* list = impl_->ask_list(name, "a list of tables", remedy);
+  const ::toml::array* list = impl_->ask_list(name, "a list of tables", remedy);
   for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-    const TomlNode& value = (*list)[i];
-    if (const TomlNode::Table* table = value.as<TomlNode::Table>()) {
-      out.push_back(impl_->file->table(impl_->full(impl_->element(name, i)), table, value.place));
+    const ::toml::node& value = (*list)[i];
+    if (const ::toml::table* table = value.as_table()) {
+      out.push_back(impl_->file->table(impl_->full(impl_->element(name, i)), table,
+                                       impl_->file->place(value.source())));
     } else {
       impl_->wrong_type(impl_->element(name, i), value, "a table", remedy);
     }
@@ -126,10 +140,10 @@ void TomlReader::Table::complain(std::string_view key, std::string what, std::st
 
 void TomlReader::Table::complain_at(std::string_view key, std::size_t index, std::string what,
                                     std::string remedy) {
-  const TomlNode* value = present() ? find(*impl_->node, key) : nullptr;
-  const TomlNode::List* list = value == nullptr ? nullptr : value->as<TomlNode::List>();
-  const Place at =
-      list != nullptr && index < list->size() ? (*list)[index].place : impl_->place_of_key(key);
+  const ::toml::array* list = present() ? impl_->node->get_as<::toml::array>(key) : nullptr;
+  const Place at = list != nullptr && index < list->size()
+                       ? impl_->file->place((*list)[index].source())
+                       : impl_->place_of_key(key);
   impl_->file->note(at, std::move(what), std::move(remedy));
 }
 
@@ -141,13 +155,13 @@ void TomlReader::Table::require(std::string_view key, std::string remedy) {
 void TomlReader::Table::finish() {
   if (!present() || impl_->finished) return;
   impl_->finished = true;
-  for (const auto& [name, place, value] : *impl_->node) {
+  for (const auto& [key, value] : *impl_->node) {
+    const std::string name(key.str());
     if (std::find(impl_->asked.begin(), impl_->asked.end(), name) != impl_->asked.end()) continue;
     const std::string full = shown(impl_->full(name), 120);
-    const std::string what = value.as<TomlNode::Table>()
-                                 ? "[" + full + "] is not a table of this file."
-                                 : full + " is not a key of this file.";
-    impl_->file->note(place, what, impl_->right_name(name));
+    const std::string what = value.is_table() ? "[" + full + "] is not a table of this file."
+                                              : full + " is not a key of this file.";
+    impl_->file->note(impl_->file->place(key.source()), what, impl_->right_name(name));
   }
 }
 
@@ -162,9 +176,7 @@ std::string TomlReader::Table::Impl::right_name(const std::string& wrong) const 
     return other_path.empty() ? "Move it above the first [table]."
                               : "Move it below the line [" + other_path + "].";
   }
-  std::string known;
-  for (const std::string& name : asked) known += (known.empty() ? "" : ", ") + name;
-  return "Remove it, or write one of: " + known + ".";
+  return "Remove it, or write one of: " + joined(asked) + ".";
 }
 
 }  // namespace onggi::toml

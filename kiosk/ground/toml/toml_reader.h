@@ -54,8 +54,6 @@ class TomlReader {
     bool text(std::string_view key, std::string& out);
     bool texts(std::string_view key, std::vector<std::string>& out);
     bool numbers(std::string_view key, std::vector<double>& out);
-    /// An array of [a, b] pairs of numbers.
-    bool pairs(std::string_view key, std::vector<std::pair<double, double>>& out);
     /// An array of [radius, height] or [radius, height, "corner"].
     bool points(std::string_view key, std::vector<OutlinePoint>& out);
     /// Notes a Problem at `key`'s value, or at the table if `key` is absent or "". `what` and

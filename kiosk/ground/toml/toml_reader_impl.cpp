@@ -20,24 +20,23 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 }
 
 /// A value in plain words: `the text "fast"`, `a list of 3`.
-std::string in_words(const TomlNode& node) {
-  if (const auto* text = node.as<std::string>()) return "the text \"" + shown(*text, 40) + "\"";
-  if (const auto* whole = node.as<std::int64_t>()) return std::to_string(*whole);
-  if (const auto* number = node.as<double>()) return digits(*number);
-  if (const auto* yes = node.as<bool>()) return *yes ? "true" : "false";
-  if (const auto* list = node.as<TomlNode::List>())
-    return "a list of " + std::to_string(list->size());
-  if (node.as<TomlNode::Table>()) return "a table";
+std::string in_words(const ::toml::node& node) {
+  if (const auto* text = as<std::string>(node)) return "the text \"" + shown(*text, 40) + "\"";
+  if (const auto* whole = as<std::int64_t>(node)) return std::to_string(*whole);
+  if (const auto* number = as<double>(node)) return digits(*number);
+  if (const auto* yes = as<bool>(node)) return *yes ? "true" : "false";
+  if (const auto* list = node.as_array()) return "a list of " + std::to_string(list->size());
+  if (node.is_table()) return "a table";
   return "a date or time";
 }
 
 /// Any finite number, whole or not.
-bool finite_number(const TomlNode& node, double& out) {
-  if (const auto* whole = node.as<std::int64_t>()) {
+bool finite_number(const ::toml::node& node, double& out) {
+  if (const auto* whole = as<std::int64_t>(node)) {
     out = static_cast<double>(*whole);
     return true;
   }
-  const auto* number = node.as<double>();
+  const auto* number = as<double>(node);
   if (number == nullptr || !std::isfinite(*number)) return false;
   out = *number;
   return true;
@@ -55,38 +54,39 @@ std::string span_words(const std::string& kind, double low, double high, std::st
 
 }  // namespace
 
-void TomlReader::Table::Impl::wrong_type(std::string_view key, const TomlNode& value,
+void TomlReader::Table::Impl::wrong_type(std::string_view key, const ::toml::node& value,
                                          const std::string& wanted, std::string remedy) {
-  file->note(value.place, full(key) + " is " + in_words(value) + ", but must be " + wanted + ".",
+  file->note(file->place(value.source()),
+             full(key) + " is " + in_words(value) + ", but must be " + wanted + ".",
              std::move(remedy));
 }
 
-void TomlReader::Table::Impl::out_of_range(std::string_view key, const TomlNode& value, double low,
-                                           double high, std::string_view unit,
+void TomlReader::Table::Impl::out_of_range(std::string_view key, const ::toml::node& value,
+                                           double low, double high, std::string_view unit,
                                            const std::string& remedy) {
   double number = 0.0;
   finite_number(value, number);
   const bool small = number < low;
-  file->note(value.place,
+  file->note(file->place(value.source()),
              full(key) + " is " + with_unit(in_words(value), unit) + ", but the " +
                  (small ? "smallest" : "largest") + " allowed value is " +
                  with_unit(digits(small ? low : high), unit) + ".",
              remedy);
 }
 
-const TomlNode::List* TomlReader::Table::Impl::ask_list(std::string_view key,
-                                                        const std::string& wanted,
-                                                        const std::string& remedy) {
-  const TomlNode* value = ask(key);
+const ::toml::array* TomlReader::Table::Impl::ask_list(std::string_view key,
+                                                       const std::string& wanted,
+                                                       const std::string& remedy) {
+  const ::toml::node* value = ask(key);
   if (value == nullptr) return nullptr;
-  if (const TomlNode::List* list = value->as<TomlNode::List>()) return list;
+  if (const ::toml::array* list = value->as_array()) return list;
   wrong_type(key, *value, wanted, remedy);
   return nullptr;
 }
 
 bool TomlReader::Table::number(std::string_view key, double& out, double low, double high,
                                std::string_view unit) {
-  const TomlNode* value = impl_->ask(key);
+  const ::toml::node* value = impl_->ask(key);
   if (value == nullptr) return false;
   const std::string remedy = span_words("a number", low, high, unit);
   double number = 0.0;
@@ -104,10 +104,10 @@ bool TomlReader::Table::number(std::string_view key, double& out, double low, do
 
 bool TomlReader::Table::integer(std::string_view key, int& out, int low, int high,
                                 std::string_view unit) {
-  const TomlNode* value = impl_->ask(key);
+  const ::toml::node* value = impl_->ask(key);
   if (value == nullptr) return false;
   const std::string remedy = span_words("a whole number", low, high, unit);
-  const auto* whole = value->as<std::int64_t>();
+  const auto* whole = as<std::int64_t>(*value);
   if (whole == nullptr) {
     impl_->wrong_type(key, *value, "a whole number", remedy);
     return false;
@@ -121,9 +121,9 @@ bool TomlReader::Table::integer(std::string_view key, int& out, int low, int hig
 }
 
 bool TomlReader::Table::boolean(std::string_view key, bool& out) {
-  const TomlNode* value = impl_->ask(key);
+  const ::toml::node* value = impl_->ask(key);
   if (value == nullptr) return false;
-  const auto* yes = value->as<bool>();
+  const auto* yes = as<bool>(*value);
   if (yes == nullptr) {
     impl_->wrong_type(key, *value, "true or false", "Write true or false, without quotes.");
     return false;
@@ -133,9 +133,9 @@ bool TomlReader::Table::boolean(std::string_view key, bool& out) {
 }
 
 bool TomlReader::Table::text(std::string_view key, std::string& out) {
-  const TomlNode* value = impl_->ask(key);
+  const ::toml::node* value = impl_->ask(key);
   if (value == nullptr) return false;
-  const auto* text = value->as<std::string>();
+  const auto* text = as<std::string>(*value);
   if (text == nullptr) {
     impl_->wrong_type(key, *value, "a text", "Write the text in \"quotes\".");
     return false;
@@ -146,11 +146,11 @@ bool TomlReader::Table::text(std::string_view key, std::string& out) {
 
 bool TomlReader::Table::texts(std::string_view key, std::vector<std::string>& out) {
   const std::string remedy = "Write a list of texts: [\"one\", \"two\"].";
-  const TomlNode::List* list = impl_->ask_list(key, "a list of texts", remedy);
+  const ::toml::array* list = impl_->ask_list(key, "a list of texts", remedy);
   if (list == nullptr) return false;
   std::vector<std::string> read;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const auto* text = (*list)[i].as<std::string>();
+    const auto* text = as<std::string>((*list)[i]);
     if (text == nullptr) {
       impl_->wrong_type(impl_->element(key, i), (*list)[i], "a text", remedy);
     } else {
@@ -164,7 +164,7 @@ bool TomlReader::Table::texts(std::string_view key, std::vector<std::string>& ou
 
 bool TomlReader::Table::numbers(std::string_view key, std::vector<double>& out) {
   const std::string remedy = "Write a list of numbers: [1.0, 2.5].";
-  const TomlNode::List* list = impl_->ask_list(key, "a list of numbers", remedy);
+  const ::toml::array* list = impl_->ask_list(key, "a list of numbers", remedy);
   if (list == nullptr) return false;
   std::vector<double> read(list->size());
   bool good = true;
@@ -178,41 +178,23 @@ bool TomlReader::Table::numbers(std::string_view key, std::vector<double>& out) 
   return good;
 }
 
-bool TomlReader::Table::pairs(std::string_view key, std::vector<std::pair<double, double>>& out) {
-  const std::string remedy = "Write a list of pairs: [[30.0, 0.0], [42.5, 12.0]].";
-  const TomlNode::List* list = impl_->ask_list(key, "a list of pairs of numbers", remedy);
-  if (list == nullptr) return false;
-  std::vector<std::pair<double, double>> read(list->size());
-  bool good = true;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const TomlNode::List* pair = (*list)[i].as<TomlNode::List>();
-    if (pair == nullptr || pair->size() != 2 || !finite_number((*pair)[0], read[i].first) ||
-        !finite_number((*pair)[1], read[i].second)) {
-      impl_->wrong_type(impl_->element(key, i), (*list)[i], "a pair of numbers", remedy);
-      good = false;
-    }
-  }
-  if (good) out = std::move(read);
-  return good;
-}
-
 bool TomlReader::Table::points(std::string_view key, std::vector<OutlinePoint>& out) {
   const std::string remedy =
       "Write a list of points, each [radius, height], or [radius, height, \"corner\"] where the "
       "line turns sharply.";
-  const TomlNode::List* list = impl_->ask_list(key, "a list of points", remedy);
+  const ::toml::array* list = impl_->ask_list(key, "a list of points", remedy);
   if (list == nullptr) return false;
   std::vector<OutlinePoint> read(list->size());
   bool good = true;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const TomlNode::List* point = (*list)[i].as<TomlNode::List>();
+    const ::toml::array* point = (*list)[i].as_array();
     if (point == nullptr || point->size() < 2 || point->size() > 3 ||
         !finite_number((*point)[0], read[i].radius) ||
         !finite_number((*point)[1], read[i].height)) {
       impl_->wrong_type(impl_->element(key, i), (*list)[i], "a point", remedy);
       good = false;
     } else if (point->size() == 3) {
-      const auto* word = (*point)[2].as<std::string>();
+      const auto* word = as<std::string>((*point)[2]);
       read[i].corner = word != nullptr && *word == "corner";
       if (!read[i].corner) {
         impl_->wrong_type(impl_->element(key, i) + "[2]", (*point)[2], "the word \"corner\"",

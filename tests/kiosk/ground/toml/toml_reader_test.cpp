@@ -43,7 +43,6 @@ tall = 1
 shown = true
 names = ["rim", "foot"]
 radii = [1, 2.5]
-wall = [[30, 0.0], [42.5, 12]]
 outer = [[30, 0, "corner"], [42.5, 12.0]]
 [foot]
 width = 6.0
@@ -60,7 +59,6 @@ name = "body"
   bool shown = false;
   std::vector<std::string> names;
   std::vector<double> radii;
-  std::vector<std::pair<double, double>> wall;
   std::vector<OutlinePoint> outer;
   EXPECT_TRUE(root.text("title", title));
   EXPECT_TRUE(root.integer("rows", rows, 8, 20000));
@@ -69,7 +67,6 @@ name = "body"
   EXPECT_TRUE(root.boolean("shown", shown));
   EXPECT_TRUE(root.texts("names", names));
   EXPECT_TRUE(root.numbers("radii", radii));
-  EXPECT_TRUE(root.pairs("wall", wall));
   EXPECT_TRUE(root.points("outer", outer));
   EXPECT_TRUE(root.child("foot").number("width", width, 0, 100, "mm"));
   std::vector<std::string> parts;
@@ -89,13 +86,12 @@ name = "body"
   EXPECT_TRUE(shown);
   EXPECT_THAT(names, ElementsAre("rim", "foot"));
   EXPECT_THAT(radii, ElementsAre(1.0, 2.5));
-  EXPECT_THAT(wall, ElementsAre(std::pair(30.0, 0.0), std::pair(42.5, 12.0)));
   EXPECT_THAT(outer, ElementsAre(OutlinePoint{30, 0, true}, OutlinePoint{42.5, 12, false}));
   EXPECT_EQ(width, 6.0);
   EXPECT_THAT(parts, ElementsAre("lid", "body"));
-  EXPECT_EQ(reader.keys_checked(), 12);
+  EXPECT_EQ(reader.keys_checked(), 11);
   EXPECT_THAT(root.keys(), ElementsAre("title", "rows", "height", "tall", "shown", "names", "radii",
-                                       "wall", "outer", "foot", "part"));
+                                       "outer", "foot", "part"));
 }
 
 TEST_F(TomlReaderTest, a_wrong_type_is_told_in_plain_words_at_its_line_and_column) {
