@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "kiosk/ground/files/crc32.h"
 #include "kiosk/wheel/device/arm_kinematics.h"
-#include "kiosk/wheel/device/codecs/crc32.h"
 #include "kiosk/wheel/device/codecs/dual_sense.h"
 #include "kiosk/wheel/device/codecs/onggi_hid.h"
 #include "kiosk/wheel/device/codecs/polhem.h"
@@ -29,7 +29,7 @@ std::vector<std::uint8_t> put_right(Report report, Report before = {}) {
   std::vector<std::uint8_t> right(report.begin(), report.end());
   if (right.size() < 5) return right;
   const std::size_t at = right.size() - 4;
-  put_u32(right, at, crc32(Report(right).first(at), crc32(before)));
+  put_u32(right, at, files::crc32(Report(right).first(at), files::crc32(before)));
   return right;
 }
 

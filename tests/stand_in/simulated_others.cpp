@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/ground/files/crc32.h"
 #include "kiosk/wheel/device/device_def.h"
 
 namespace onggi::stand_in {
@@ -67,7 +67,7 @@ std::optional<Bytes> SimulatedController::tick() {
   if (bluetooth_) {
     Bytes all{0xA1};
     all.insert(all.end(), report.begin(), report.end() - 4);
-    put_u32(report, 74, device::crc32(all));
+    put_u32(report, 74, files::crc32(all));
   }
   return report;
 }
@@ -79,7 +79,7 @@ bool SimulatedController::take(const Bytes& report) {
   if (bluetooth_) {
     Bytes all{0xA2};
     all.insert(all.end(), report.begin(), report.end() - 4);
-    if (device::u32_at(report, 74) != device::crc32(all)) return false;
+    if (device::u32_at(report, 74) != files::crc32(all)) return false;
   }
   quick_ = report[at + 2];
   slow_ = report[at + 3];

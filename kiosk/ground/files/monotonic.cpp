@@ -22,6 +22,12 @@ double seconds_on(clockid_t clock) {
 
 double monotonic_seconds() { return seconds_on(CLOCK_MONOTONIC); }
 
+std::int64_t monotonic_ns() noexcept {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<std::int64_t>(t.tv_sec) * 1'000'000'000 + t.tv_nsec;
+}
+
 double thread_seconds() { return seconds_on(CLOCK_THREAD_CPUTIME_ID); }
 
 double since_exec_seconds() {

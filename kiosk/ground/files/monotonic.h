@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace onggi::files {
 
 /// Seconds on CLOCK_MONOTONIC: it never goes back, whatever happens to the wall clock.
 double monotonic_seconds();
+/// The same in nanoseconds.
+std::int64_t monotonic_ns() noexcept;
 
 /// Seconds of processor time that the calling thread has used.
 double thread_seconds();

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "kiosk/ground/files/crc32.h"
+
 namespace onggi::encoding {
 namespace {
 
@@ -29,16 +31,6 @@ bool starts_and_ends(std::span<const std::byte> bytes, std::string_view start,
   return all.size() >= start.size() + end.size() && all.starts_with(start) && all.ends_with(end);
 }
 
-/// The checksum of ISO 3309 that PNG requires (PNG specification, annex D).
-std::uint32_t crc(std::string_view bytes) {
-  std::uint32_t c = 0xFFFFFFFFu;
-  for (const char byte : bytes) {
-    c ^= static_cast<unsigned char>(byte);
-    for (int k = 0; k < 8; ++k) c = (c & 1u) != 0 ? 0xEDB88320u ^ (c >> 1) : c >> 1;
-  }
-  return c ^ 0xFFFFFFFFu;
-}
-
 std::string big_endian(std::uint32_t v) {
   return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8),
           static_cast<char>(v)};
@@ -52,7 +44,9 @@ std::string text_chunk(std::string_view keyword, std::string_view text) {
   body += keyword;
   body += ascii ? "\0"sv : "\0\0\0\0\0"sv;
   body += text;
-  return big_endian(static_cast<std::uint32_t>(body.size() - 4)) + body + big_endian(crc(body));
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(body.data()), body.size());
+  return big_endian(static_cast<std::uint32_t>(body.size() - 4)) + body +
+         big_endian(files::crc32(bytes));
 }
 
 }  // namespace

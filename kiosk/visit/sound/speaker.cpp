@@ -4,20 +4,15 @@
 #include <alsa/asoundlib.h>
 #include <pthread.h>
 #include <sched.h>
-#include <time.h>
 
 #include <span>
 #include <utility>
 
+#include "kiosk/ground/files/monotonic.h"
+
 namespace onggi::sound {
 
 namespace {
-
-std::int64_t monotonic_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * 1'000'000'000LL + now.tv_nsec;
-}
 
 // Without a card ALSA writes a screenful to standard error; SDL reports it in a line.
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
@@ -102,7 +97,7 @@ void Speaker::asked(void* self, unsigned char* out, int bytes) noexcept {
 }
 
 void Speaker::play(float* out, int samples) noexcept {
-  const std::int64_t now = monotonic_ns();
+  const std::int64_t now = files::monotonic_ns();
   if (const std::int64_t before = std::exchange(asked_ns_, now); before != 0) {
     const std::int64_t gap = now - before;
     // SDL holds one more block than it plays, so that a block's delay is not heard.

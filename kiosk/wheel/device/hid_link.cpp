@@ -2,11 +2,11 @@
 
 #include <pthread.h>
 #include <sched.h>
-#include <time.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "kiosk/ground/files/monotonic.h"
 #include "kiosk/wheel/device/stop_forces_on_terminate.h"
 
 namespace onggi::device {
@@ -18,12 +18,6 @@ constexpr int kMostAtOnce = 64;  // reports: the size of the system's queue
 // Just above the loop: the work is short, and the force depends on it
 constexpr int kLinkPriority = 76;
 constexpr std::int64_t kSayAgainNs = 10'000'000;
-
-std::int64_t monotonic_ns() noexcept {
-  timespec t{};
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return static_cast<std::int64_t>(t.tv_sec) * 1'000'000'000 + t.tv_nsec;
-}
 
 std::int64_t in_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
 
@@ -58,7 +52,7 @@ HidLink::~HidLink() {
 }
 
 std::int64_t HidLink::now_ns() const noexcept {
-  return turning_ == Turning::by_thread ? monotonic_ns()
+  return turning_ == Turning::by_thread ? files::monotonic_ns()
                                         : turned_time_ns_.load(std::memory_order_relaxed);
 }
 
@@ -182,7 +176,6 @@ void HidLink::answer(LinkFault fault, std::int64_t now) noexcept {
 void HidLink::publish(LinkFault fault) noexcept {
   if (fault != LinkFault::none) ++said_.faults[static_cast<std::size_t>(fault)];
   if (sample_.lost) said_.force = {};
-  said_.in_fault = fault != LinkFault::none;
   said_.asks_to_be_held = force_device_ && !taken_ && !sample_.lost;
   said_.sample = sample_;
   samples_.put(sample_);

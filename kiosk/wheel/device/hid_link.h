@@ -20,7 +20,6 @@ struct LinkStatus {
   Vec3 force;                                       ///< As last written, N, the device's frame.
   std::array<std::uint64_t, kLinkFaults> faults{};  ///< By LinkFault.
   bool asks_to_be_held = false;  ///< A force device that nobody has held since it was plugged in.
-  bool in_fault = false;         ///< There is a fault now.
 };
 
 /// The parts of a link.

@@ -12,18 +12,13 @@
 #include <cstring>
 
 #include "kiosk/ground/files/memory.h"
+#include "kiosk/ground/files/monotonic.h"
 
 namespace onggi::loop {
 
 namespace {
 
 constexpr int kPriority = 75;  // above everything of the desktop, below the kernel's own threads
-
-std::int64_t now_ns() noexcept {
-  timespec t{};
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return static_cast<std::int64_t>(t.tv_sec) * 1'000'000'000 + t.tv_nsec;
-}
 
 void sleep_until(std::int64_t ns) noexcept {
   const timespec t{static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
@@ -77,18 +72,18 @@ void LoopThread::run() {
   priority_error_.store(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter));
 
   Pacer pacer;
-  pacer.begin(now_ns());
+  pacer.begin(files::monotonic_ns());
   while (!stop_.load(std::memory_order_relaxed)) {
     sleep_until(pacer.wake_at());
-    const double dt = pacer.wake(now_ns());
+    const double dt = pacer.wake(files::monotonic_ns());
     core_.strained(pacer.strained());
     core_.tick(dt);
-    pacer.done(now_ns());
+    pacer.done(files::monotonic_ns());
     wake_us_.add(pacer.wake_us());
     compute_us_.add(pacer.tick_us());
     if (const double age = core_.device_age(); age >= 0.0) device_us_.add(age * 1e6);
     LoopStatus status = core_.status();
-    status.at_ns = now_ns();
+    status.at_ns = files::monotonic_ns();
     status.deadlines = pacer.deadlines();
     block_.write(status);
   }

@@ -1,6 +1,6 @@
 #include "kiosk/wheel/device/codecs/dual_sense.h"
 
-#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/ground/files/crc32.h"
 
 namespace onggi::device::dual_sense {
 
@@ -13,7 +13,7 @@ constexpr std::uint8_t kInSeed = 0xA1, kOutSeed = 0xA2;
 
 std::uint32_t check_of(std::uint8_t seed, Report bytes) {
   const std::array<std::uint8_t, 1> first{seed};
-  return crc32(bytes, crc32(first));
+  return files::crc32(bytes, files::crc32(first));
 }
 
 void read_payload(Report p, State& state) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/ground/files/crc32.h"
 
 namespace onggi::device::onggi_hid {
 
@@ -15,7 +15,7 @@ constexpr double kMilli = 1e-3;
 
 bool good_check(Report report) {
   const std::size_t at = report.size() - 4;
-  return u32_at(report, at) == crc32(report.first(at));
+  return u32_at(report, at) == files::crc32(report.first(at));
 }
 
 /// `value` in units of 1/1000, between the limits; not a number gives 0.
@@ -70,7 +70,7 @@ std::array<std::uint8_t, kOutputSize> write(const Output& output) noexcept {
   put_u16(bytes, 10, static_cast<std::uint16_t>(in_thousandths(output.damping, 0, 65535)));
   put_u16(bytes, 12, static_cast<std::uint16_t>(in_thousandths(output.ttl, 1, 65535)));
   put_u16(bytes, 14, static_cast<std::uint16_t>(in_thousandths(output.cap, 0, 65535)));
-  put_u32(bytes, 16, crc32(Report(bytes).first(kOutputSize - 4)));
+  put_u32(bytes, 16, files::crc32(Report(bytes).first(kOutputSize - 4)));
   return bytes;
 }
 

@@ -34,9 +34,6 @@ constexpr void put_u32(std::span<std::uint8_t> bytes, std::size_t at, std::uint3
   put_u16(bytes, at, static_cast<std::uint16_t>(value & 0xffff));
   put_u16(bytes, at + 2, static_cast<std::uint16_t>(value >> 16));
 }
-constexpr void put_i32(std::span<std::uint8_t> bytes, std::size_t at, std::int32_t value) {
-  put_u32(bytes, at, static_cast<std::uint32_t>(value));
-}
 
 /// The result of reading a report.
 enum class ReportResult : std::uint8_t {

@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
-#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/ground/files/crc32.h"
 
 namespace onggi::device::dual_sense {
 namespace {
@@ -32,7 +31,7 @@ Bytes cable() {
 Bytes with_check(Bytes report, std::uint8_t seed) {
   Bytes all{seed};
   all.insert(all.end(), report.begin(), report.end() - 4);
-  put_u32(report, report.size() - 4, crc32(all));
+  put_u32(report, report.size() - 4, files::crc32(all));
   return report;
 }
 
@@ -41,14 +40,6 @@ Bytes radio() {
   report[0] = 0x31;
   put_payload(report, 2);
   return with_check(report, 0xA1);
-}
-
-TEST(Crc32, IsThatOfIeee8023) {
-  const std::string digits = "123456789";
-  const Bytes bytes(digits.begin(), digits.end());
-  EXPECT_EQ(crc32(bytes), 0xCBF43926u);
-  EXPECT_EQ(crc32(Report(bytes).subspan(4), crc32(Report(bytes).first(4))), 0xCBF43926u);
-  EXPECT_EQ(crc32(Report{}), 0u);
 }
 
 TEST(DualSense, ByCableAndByRadioItSaysTheSame) {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/ground/files/crc32.h"
 #include "tests/kiosk/wheel/device/rig.h"
 #include "tests/stand_in/simulated_others.h"
 #include "tests/stand_in/simulated_puck.h"
@@ -43,7 +43,7 @@ std::string session(const std::string& name, std::unique_ptr<stand_in::Simulated
   for (const auto& wire : rig.world.record) {
     if (!wire.out) continue;
     ++count;
-    check = crc32(wire.bytes, check);
+    check = files::crc32(wire.bytes, check);
     if (wire.bytes == before || lines++ >= kShown) continue;
     before = wire.bytes;
     char text[16];

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/ground/files/crc32.h"
 #include "tests/kiosk/wheel/device/golden_bytes.h"
 
 namespace onggi::device::onggi_hid {
@@ -110,7 +110,7 @@ TEST(OnggiHid, WhateverIsWantedTheBytesAreInRangeAndNoNumberIsNoForce) {
     RC_ASSERT(std::fabs(i16_at(bytes, 4) * 1e-3 - std::clamp(force.x, -32.767, 32.767)) < 5.1e-4);
     RC_ASSERT(std::fabs(i16_at(bytes, 6) * 1e-3 - std::clamp(force.y, -32.767, 32.767)) < 5.1e-4);
     RC_ASSERT(i16_at(bytes, 8) == 0);
-    RC_ASSERT(u32_at(bytes, 16) == crc32(Report(bytes).first(16)));
+    RC_ASSERT(u32_at(bytes, 16) == files::crc32(Report(bytes).first(16)));
   }));
 }
 

@@ -1,8 +1,8 @@
-#include "kiosk/wheel/device/codecs/crc32.h"
+#include "kiosk/ground/files/crc32.h"
 
 #include <array>
 
-namespace onggi::device {
+namespace onggi::files {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr std::array<std::uint32_t, 16> kNibbles = [] {
 
 }  // namespace
 
-std::uint32_t crc32(Report bytes, std::uint32_t before) noexcept {
+std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t before) noexcept {
   std::uint32_t c = ~before;
   for (const std::uint8_t byte : bytes) {
     c ^= byte;
@@ -28,4 +28,4 @@ std::uint32_t crc32(Report bytes, std::uint32_t before) noexcept {
   return ~c;
 }
 
-}  // namespace onggi::device
+}  // namespace onggi::files
