@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 #include "engine/profile/measures.h"
@@ -141,12 +140,6 @@ void check_pack(const fs::path& folder, const LoadOptions& options,
 
 }  // namespace
 
-const Vessel* Catalogue::find(const std::string& id) const {
-  for (const Vessel& vessel : vessels)
-    if (vessel.id == id) return &vessel;
-  return nullptr;
-}
-
 Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
                         const settings::ReaderLimits& limits) {
   LoadOptions options;
@@ -176,35 +169,6 @@ Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
   work();
   for (std::thread& thread : threads) thread.join();
   return {};
-}
-
-Catalogue open_shelf(const fs::path& folder, void (*progress)(int, int, const std::string&, void*),
-                     void* user, const settings::ReaderLimits& limits) {
-  struct Collector : ShelfWatcher {
-    void begins(std::size_t at, std::size_t total, const std::string& id) override {
-      if (tell != nullptr) tell(static_cast<int>(at), static_cast<int>(total), id, told);
-      loaded.resize(total);
-    }
-    void has_read(std::size_t at, Result<std::vector<Vessel>> read) override {
-      loaded[at] = std::move(read);
-    }
-    void (*tell)(int, int, const std::string&, void*) = nullptr;
-    void* told = nullptr;
-    std::vector<std::optional<Result<std::vector<Vessel>>>> loaded;
-  } collector;
-  collector.tell = progress;
-  collector.told = user;
-  Catalogue out;
-  if (auto good = read_shelf(folder, collector, limits); !good)
-    out.problems.push_back(good.error());
-  for (auto& loaded : collector.loaded) {
-    if (!*loaded) {
-      out.problems.push_back(loaded->error());
-      continue;
-    }
-    for (Vessel& vessel : **loaded) out.vessels.push_back(std::move(vessel));
-  }
-  return out;
 }
 
 ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits,

@@ -9,14 +9,6 @@
 
 namespace onggi::content {
 
-/// A shelf: the vessels that loaded, and the others with the reason. Never throws; a broken pack is
-/// left off.
-struct Catalogue {
-  std::vector<Vessel> vessels;
-  std::vector<Problem> problems;
-  const Vessel* find(const std::string& id) const;
-};
-
 /// Receives each entry of a shelf as it is read, from any thread but one call at a time.
 class ShelfWatcher {
  public:
@@ -27,18 +19,12 @@ class ShelfWatcher {
   virtual void has_read(std::size_t at, Result<std::vector<Vessel>> read) = 0;
 };
 
-/// Reads a folder's entries on as many threads as there are processors, and tells `watcher` about
-/// each. Problem if the folder cannot be listed.
+/// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
+/// folder down). A file of several objects that stand apart brings each that is a vessel. Reads on
+/// as many threads as there are processors, and tells `watcher` about each entry; a broken one is
+/// a Problem of its own. Problem if the folder cannot be listed.
 Result<void> read_shelf(const std::filesystem::path& folder, ShelfWatcher& watcher,
                         const settings::ReaderLimits& limits = {});
-
-/// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
-/// folder down). A file of several objects that stand apart brings each that is a vessel. Sorted by
-/// id. Reads on as many threads as there are processors. `progress(done, total, name)` is called
-/// before each, if given, from any of them but one at a time.
-Catalogue open_shelf(const std::filesystem::path& folder,
-                     void (*progress)(int, int, const std::string&, void*) = nullptr,
-                     void* user = nullptr, const settings::ReaderLimits& limits = {});
 
 /// What check_shelf() checked, and everything wrong with it, including faults that the kiosk
 /// tolerates, such as a label of more than 100 words or a size that contradicts the drawing.

@@ -4,9 +4,9 @@
 
 #include <cstring>
 
-#include "kiosk/collection/content/catalogue.h"
 #include "tests/engine/profile/mean_shapes.h"
 #include "tests/kiosk/collection/content/temporary.h"
+#include "tests/support/open_shelf.h"
 
 // OBJ, PLY and STL, as scanners and modelling tools write them: no unit, and z as often up as y.
 

@@ -4,6 +4,7 @@
 #include "kiosk/collection/content/pack.h"
 #include "kiosk/collection/content/pack_writer.h"
 #include "tests/kiosk/collection/content/temporary.h"
+#include "tests/support/open_shelf.h"
 
 // What museums publish beside a scan: manifests after IIIF's own examples, documents after
 // Voyager's schema.
@@ -214,7 +215,7 @@ TEST_F(Documents, onAShelfStandForTheirScanAndOtherJsonIsLeftAlone) {
   write("named/document.json", voyager({{"High", "jar.glb"}}));
   write("figures.json", R"({"jar": 305})");
   write("list.json", "[1, 2]");
-  const Catalogue shelf = open_shelf(folder_);
+  const OpenedShelf shelf = open_shelf(folder_);
   EXPECT_TRUE(shelf.problems.empty()) << to_text(shelf.problems.front());
   ASSERT_EQ(shelf.vessels.size(), 2u);
   EXPECT_EQ(shelf.vessels[0].id, "jar");

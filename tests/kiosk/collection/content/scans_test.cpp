@@ -6,6 +6,7 @@
 #include "kiosk/collection/content/pack_writer.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/collection/content/scene_files.h"
+#include "tests/support/open_shelf.h"
 
 // What a museum's own files are like: several objects, metadata, wrong bounds, odd units and axes.
 
@@ -35,7 +36,7 @@ class Scans : public SceneFiles {
 
 TEST_F(Scans, every_vessel_of_a_set_stands_on_the_shelf_and_what_is_none_does_not) {
   write_set();
-  const Catalogue shelf = open_shelf(folder_ / "shelf");
+  const OpenedShelf shelf = open_shelf(folder_ / "shelf");
   EXPECT_TRUE(shelf.problems.empty()) << to_text(shelf.problems[0]);
   ASSERT_EQ(shelf.vessels.size(), 3u);
   const Vessel* jar = shelf.find("set_Tall_jar");
@@ -87,7 +88,7 @@ TEST_F(Scans, a_pack_of_a_set_names_its_object) {
   EXPECT_NE(error_of(load_vessel(folder_ / "shelf/jar")).find("4 objects"), std::string::npos);
   EXPECT_EQ(open_shelf(folder_ / "shelf").problems.size(), 1u);
   write("shelf/jar/vessel.toml", "node = \"Tall jar\"\n" + toml);
-  const Catalogue shelf = open_shelf(folder_ / "shelf");
+  const OpenedShelf shelf = open_shelf(folder_ / "shelf");
   ASSERT_EQ(shelf.vessels.size(), 1u);
   EXPECT_EQ(shelf.vessels[0].id, "jar");
   EXPECT_NEAR(shelf.vessels[0].extracted.profile.height(), 0.45, 1e-9);

@@ -8,6 +8,7 @@
 #include "engine/profile/measures.h"
 #include "kiosk/collection/content/catalogue.h"
 #include "kiosk/ground/toml/toml_reader.h"
+#include "tests/support/open_shelf.h"
 
 // The shelf that Onggi comes with, as the kiosk opens it. What its packs say is in
 // shelf_packs_test.cpp, and that each GLB is what its drawing makes in model_test.cpp.
@@ -19,8 +20,8 @@ namespace fs = std::filesystem;
 
 const fs::path kShelf = "content/vessels";
 
-const Catalogue& shelf() {
-  static const Catalogue catalogue = open_shelf(kShelf);
+const OpenedShelf& shelf() {
+  static const OpenedShelf catalogue = open_shelf(kShelf);
   return catalogue;
 }
 
@@ -31,8 +32,9 @@ double published(const std::string& id, const char* key) {
   return value / 1000.0;
 }
 
-TEST(Shelf, every_pack_opens) {
+TEST(Shelf, every_pack_opens_and_has_nothing_to_put_right) {
   for (const Problem& p : shelf().problems) ADD_FAILURE() << to_text(p);
+  for (const Problem& p : check_shelf(kShelf).problems) ADD_FAILURE() << to_text(p);
   std::size_t folders = 0;
   for (const auto& entry : fs::directory_iterator(kShelf)) folders += entry.is_directory() ? 1 : 0;
   EXPECT_EQ(shelf().vessels.size(), folders);
@@ -62,8 +64,11 @@ TEST(Shelf, the_scored_profile_has_the_published_height_and_diameter) {
 }
 
 TEST(Shelf, every_wall_was_seen_and_none_was_inferred) {
-  for (const Vessel& v : shelf().vessels)
+  for (const Vessel& v : shelf().vessels) {
     EXPECT_EQ(v.extracted.profile.inner_wall, InnerWall::measured) << v.id;
+    EXPECT_TRUE(v.extracted.warnings.empty()) << v.id << ": " << v.extracted.warnings[0];
+    EXPECT_GT(v.extracted.symmetry, 0.99) << v.id;
+  }
 }
 
 TEST(Shelf, a_finger_fits_through_every_neck_at_the_size_it_is_played) {

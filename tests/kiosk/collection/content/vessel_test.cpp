@@ -8,6 +8,7 @@
 #include "kiosk/collection/content/glb.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/collection/content/temporary.h"
+#include "tests/support/open_shelf.h"
 
 namespace onggi::content {
 namespace {
@@ -86,18 +87,8 @@ TEST_F(VesselTest, a_broken_pack_is_named_and_the_rest_of_the_shelf_opens) {
   write_mesh("shelf/loose.GLB", shapes::bowl());
   write_mesh("shelf/scan/scene.glb", shapes::bottle());
   write("shelf/scan/readme.txt", "of no interest");
-  struct Seen {
-    int calls = 0, total = 0;
-  } seen;
-  const Catalogue shelf = open_shelf(
-      folder_ / "shelf",
-      [](int, int total, const std::string&, void* user) {
-        ++static_cast<Seen*>(user)->calls;
-        static_cast<Seen*>(user)->total = total;
-      },
-      &seen);
-  EXPECT_EQ(seen.calls, 6);
-  EXPECT_EQ(seen.total, 6);
+  const OpenedShelf shelf = open_shelf(folder_ / "shelf");
+  EXPECT_EQ(shelf.entries, 6u);
   ASSERT_EQ(shelf.vessels.size(), 3u);
   EXPECT_EQ(shelf.vessels[0].id, "good");
   EXPECT_EQ(shelf.vessels[1].id, "loose");
@@ -131,23 +122,9 @@ TEST_F(VesselTest, check_counts_what_it_saw_and_says_more_than_opening_does) {
   EXPECT_NE(strict.problems[1].what.find("wide"), std::string::npos);
 }
 
-TEST_F(VesselTest, the_exhibits_own_shelf_opens_whole_and_has_nothing_to_put_right) {
-  const fs::path own = "content/vessels";
-  if (!fs::exists(own)) GTEST_SKIP() << "there is no " << own;
-  const Catalogue shelf = open_shelf(own);
-  for (const Problem& p : shelf.problems) ADD_FAILURE() << to_text(p);
-  EXPECT_GE(shelf.vessels.size(), 8u);
-  for (const Vessel& v : shelf.vessels) {
-    EXPECT_EQ(v.extracted.profile.inner_wall, InnerWall::measured) << v.id;
-    EXPECT_TRUE(v.extracted.warnings.empty()) << v.id << ": " << v.extracted.warnings[0];
-    EXPECT_GT(v.extracted.symmetry, 0.99) << v.id;
-  }
-  for (const Problem& p : check_shelf(own).problems) ADD_FAILURE() << to_text(p);
-}
-
 TEST_F(VesselTest, real_vessels_have_the_size_and_the_axis_that_their_list_gives) {
   if (!fs::exists(kVessels)) GTEST_SKIP() << "there is no " << kVessels;
-  const Catalogue shelf = open_shelf(kVessels);
+  const OpenedShelf shelf = open_shelf(kVessels);
   // The ewer with three feet is no body of revolution, and of the tea set's ten pieces the square
   // plate is none.
   EXPECT_EQ(shelf.vessels.size(), 18u + 9u);

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <utility>
 #include <vector>
-
-#include "kiosk/collection/content/catalogue.h"
+#include "tests/support/open_shelf.h"
 
 namespace onggi::score {
 

@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "engine/math/portable.h"
-#include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/score/score.h"
 #include "tests/engine/profile/shapes.h"
+#include "tests/support/open_shelf.h"
 
 // The likeness is held to the published measure as its authors define it, written down once more.
 

@@ -8,9 +8,9 @@
 
 #include "engine/scene/lump.h"
 #include "engine/scene/scene_def.h"
-#include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/content/language.h"
 #include "tests/engine/profile/shapes.h"
+#include "tests/support/open_shelf.h"
 
 namespace onggi::score {
 namespace {

@@ -6,12 +6,12 @@
 
 #include "engine/scene/lump.h"
 #include "engine/script/script.h"
-#include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/score/score.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/exhibit/rehearsal/looks_smooth.h"
 #include "kiosk/visit/screens/demonstration.h"
 #include "kiosk/wheel/loop/stepped_wheel.h"
+#include "tests/support/open_shelf.h"
 
 namespace onggi::exhibit {
 namespace {

@@ -5,8 +5,8 @@
 #include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
-#include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/score/score.h"
+#include "tests/support/open_shelf.h"
 
 namespace onggi::exhibit {
 namespace {

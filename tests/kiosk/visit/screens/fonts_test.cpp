@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "kiosk/collection/content/catalogue.h"
 #include "kiosk/picture/render/text.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
+#include "tests/support/open_shelf.h"
 
 namespace onggi::screens {
 namespace {
@@ -24,7 +24,7 @@ std::vector<content::Language> all_languages() {
 /// The exhibit's own shelf and the fonts it is shown in, in every language that comes.
 void check_all(int width, int height, bool larger = false) {
   const render::Typesetter fonts;
-  const content::Catalogue shelf = content::open_shelf("content/vessels");
+  const content::OpenedShelf shelf = content::open_shelf("content/vessels");
   ASSERT_GE(shelf.vessels.size(), 8u);
   for (const content::Language& language : all_languages()) {
     Visitor v(0, &fonts, true);
@@ -54,7 +54,7 @@ TEST(Fonts, NorWithLargerTextAcross) { check_all(1280, 720, true); }
 
 TEST(Fonts, EveryVesselsLabelIsReadToItsEndInEveryLanguage) {
   const render::Typesetter fonts;
-  const content::Catalogue shelf = content::open_shelf("content/vessels");
+  const content::OpenedShelf shelf = content::open_shelf("content/vessels");
   for (const content::Language& language : all_languages()) {
     Visitor v(0, &fonts);
     v.languages = {language, v.languages.front()};
