@@ -12,24 +12,20 @@ namespace onggi::content {
 namespace {
 
 using json_words::first_of;
+using json_words::list_of;
 using json_words::member;
 using json_words::page_of;
+using json_words::within;
 using nlohmann::json;
 
 /// The packet that the asset names, else the first one.
 const json* xmp_packet(const json& document) {
-  const json* all = member(document, "extensions");
-  const json* xmp = all == nullptr ? nullptr : member(*all, "KHR_xmp_json_ld");
-  const json* packets = xmp == nullptr ? nullptr : member(*xmp, "packets");
-  if (packets == nullptr || !packets->is_array() || packets->empty()) return nullptr;
-  std::size_t index = 0;
-  if (const json* asset = member(document, "asset"))
-    if (const json* own = member(*asset, "extensions"))
-      if (const json* named = member(*own, "KHR_xmp_json_ld"))
-        if (const json* packet = member(*named, "packet");
-            packet != nullptr && packet->is_number_unsigned())
-          index = packet->get<std::size_t>();
-  return index < packets->size() ? &(*packets)[index] : nullptr;
+  constexpr const char* kXmp = "KHR_xmp_json_ld";
+  const json& packets = list_of(within(within(document, "extensions"), kXmp), "packets");
+  const json& named =
+      within(within(within(within(document, "asset"), "extensions"), kXmp), "packet");
+  const std::size_t index = named.is_number_unsigned() ? named.get<std::size_t>() : 0;
+  return index < packets.size() ? &packets[index] : nullptr;
 }
 
 void fill(std::string& place, std::string words) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -13,21 +12,27 @@
 #include "kiosk/collection/content/gltf_credit_reader.h"
 #include "kiosk/collection/content/gltf_materials.h"
 #include "kiosk/collection/content/gltf_strictness.h"
+#include "kiosk/collection/content/json_words.h"
 #include "kiosk/collection/content/vessel_file.h"
 
 namespace onggi::content {
 
 namespace {
 
+using json_words::index_in;
+using json_words::list_of;
+using json_words::member;
+using json_words::string_in;
+using json_words::within;
 using nlohmann::json;
 
-bool starts_with(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
 /// True for extensions that Onggi reads, or can ignore without changing the shape.
 bool can_do_without_or_knows(const std::string& extension) {
   static const std::array<const char*, 3> kKnown{"KHR_mesh_quantization", "EXT_meshopt_compression",
 #ifdef ONGGI_HAS_DRACO
-                                                 "KHR_draco_mesh_compression"
+                                                 kDraco
 #else
                                                  "KHR_mesh_quantization"
 #endif
@@ -35,14 +40,12 @@ bool can_do_without_or_knows(const std::string& extension) {
   if (std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end()) return true;
   for (const char* look : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
                            "EXT_lights_", "MSFT_texture_", "KHR_xmp"})
-    if (starts_with(extension, look)) return true;
+    if (extension.starts_with(look)) return true;
   return false;
 }
 
 Result<void> check_extensions(const std::string& name, const json& doc) {
-  const auto required = doc.find("extensionsRequired");
-  if (required == doc.end() || !required->is_array()) return {};
-  for (const json& entry : *required) {
+  for (const json& entry : list_of(doc, "extensionsRequired")) {
     if (!entry.is_string() || can_do_without_or_knows(entry.get<std::string>())) continue;
     return problem(name,
                    "it requires the extension " + entry.get<std::string>().substr(0, 80) +
@@ -52,43 +55,30 @@ Result<void> check_extensions(const std::string& name, const json& doc) {
   return {};
 }
 
-const json* member(const json& object, const char* key) {
-  if (!object.is_object()) return nullptr;
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &*found;
-}
-
 std::size_t whole(const json& object, const char* key, std::size_t otherwise) {
-  const json* value = member(object, key);
-  if (value == nullptr || !value->is_number_unsigned()) return otherwise;
-  return value->get<std::size_t>();
-}
-
-std::string words(const json& object, const char* key) {
-  const json* value = member(object, key);
-  return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
+  const json& value = within(object, key);
+  return value.is_number_unsigned() ? value.get<std::size_t>() : otherwise;
 }
 
 /// Three finite numbers.
-std::optional<std::array<double, 3>> triple(const json* list) {
+std::optional<std::array<double, 3>> triple(const json& list) {
   std::array<double, 3> out{};
-  if (list == nullptr || !list->is_array() || list->size() != 3) return std::nullopt;
+  if (!list.is_array() || list.size() != 3) return std::nullopt;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!(*list)[k].is_number()) return std::nullopt;
-    out[k] = (*list)[k].get<double>();
+    if (!list[k].is_number()) return std::nullopt;
+    out[k] = list[k].get<double>();
   }
   return out;
 }
 
 /// Notes the bounds that accessors of three numbers declare.
 void note_bounds(const json& doc, GltfDocument& out) {
-  const json* accessors = member(doc, "accessors");
+  const json& accessors = list_of(doc, "accessors");
   std::size_t odd = 0, first_odd = 0;
-  for (std::size_t i = 0; accessors != nullptr && accessors->is_array() && i < accessors->size();
-       ++i) {
-    const json *low = member((*accessors)[i], "min"), *high = member((*accessors)[i], "max");
-    if (low == nullptr || high == nullptr || words((*accessors)[i], "type") != "VEC3") continue;
-    const auto a = triple(low), b = triple(high);
+  for (std::size_t i = 0; i < accessors.size(); ++i) {
+    const json *low = member(accessors[i], "min"), *high = member(accessors[i], "max");
+    if (low == nullptr || high == nullptr || string_in(accessors[i], "type") != "VEC3") continue;
+    const auto a = triple(*low), b = triple(*high);
     if (a && b)
       out.bounds[static_cast<int>(i)] = {*a, *b};
     else if (odd++ == 0)
@@ -101,82 +91,73 @@ void note_bounds(const json& doc, GltfDocument& out) {
                            " are not three numbers each; the data is used as it is.");
 }
 
+constexpr auto kAbsent = static_cast<std::size_t>(-1);
+
+DracoPrimitive draco_of(const json& ext, const json& declared, const json& accessors) {
+  constexpr int kMostSets = 8;
+  const json& ids = within(ext, "attributes");
+  DracoPrimitive out{index_in(ext, "bufferView"),
+                     index_in(ids, "POSITION"),
+                     index_in(ids, "NORMAL"),
+                     index_in(ids, "COLOR_0"),
+                     {},
+                     {},
+                     index_in(declared, "POSITION")};
+  for (int n = 0; n < kMostSets; ++n) {
+    const std::string key = "TEXCOORD_" + std::to_string(n);
+    if (const int id = index_in(ids, key); id >= 0) out.places[n] = id;
+    const int at = index_in(declared, key);
+    if (at >= 0 && static_cast<std::size_t>(at) < accessors.size() &&
+        within(accessors[static_cast<std::size_t>(at)], "normalized") == true)
+      out.normalized.insert(n);
+  }
+  return out;
+}
+
 /// Reads the extensions that tinygltf ignores.
 void note_compression(const json& doc, GltfDocument& out) {
-  constexpr auto kAbsent = static_cast<std::size_t>(-1);
-  constexpr int kMostSets = 8;
-  if (const json* views = member(doc, "bufferViews"); views != nullptr && views->is_array())
-    for (std::size_t i = 0; i < views->size(); ++i) {
-      const json* all = member((*views)[i], "extensions");
-      const json* ext = all == nullptr ? nullptr : member(*all, "EXT_meshopt_compression");
-      if (ext == nullptr) continue;
-      out.meshopt[static_cast<int>(i)] = {whole(*ext, "buffer", kAbsent),
-                                          whole(*ext, "byteOffset", 0),
-                                          whole(*ext, "byteLength", kAbsent),
-                                          whole(*ext, "byteStride", kAbsent),
-                                          whole(*ext, "count", kAbsent),
-                                          words(*ext, "mode"),
-                                          words(*ext, "filter")};
-    }
-  const json* meshes = member(doc, "meshes");
-  for (std::size_t m = 0; meshes != nullptr && meshes->is_array() && m < meshes->size(); ++m) {
-    const json* primitives = member((*meshes)[m], "primitives");
-    for (std::size_t p = 0;
-         primitives != nullptr && primitives->is_array() && p < primitives->size(); ++p) {
-      const json* all = member((*primitives)[p], "extensions");
-      const json* ext = all == nullptr ? nullptr : member(*all, "KHR_draco_mesh_compression");
-      if (ext == nullptr) continue;
-      const auto as_index = [](const json* object, const char* key) {
-        const std::size_t value = object == nullptr ? kAbsent : whole(*object, key, kAbsent);
-        return value < 1u << 30 ? static_cast<int>(value) : -1;
-      };
-      const json* ids = member(*ext, "attributes");
-      const auto draco_places = [&](const json* object) {
-        std::map<int, int> sets;
-        for (int n = 0; n < kMostSets; ++n)
-          if (const int id = as_index(object, ("TEXCOORD_" + std::to_string(n)).c_str()); id >= 0)
-            sets[n] = id;
-        return sets;
-      };
-      const json* declared = member((*primitives)[p], "attributes");
-      const json* accessors = member(doc, "accessors");
-      std::set<int> normalized;
-      for (int n = 0; n < kMostSets; ++n) {
-        const int at = as_index(declared, ("TEXCOORD_" + std::to_string(n)).c_str());
-        const auto index = static_cast<std::size_t>(at);
-        if (at < 0 || accessors == nullptr || !accessors->is_array() || index >= accessors->size())
-          continue;
-        const json* says = member((*accessors)[index], "normalized");
-        if (says != nullptr && says->is_boolean() && says->get<bool>()) normalized.insert(n);
-      }
-      out.draco[{static_cast<int>(m), static_cast<int>(p)}] = {
-          as_index(ext, "bufferView"),   as_index(ids, "POSITION"), as_index(ids, "NORMAL"),
-          as_index(ids, "COLOR_0"),      draco_places(ids),         normalized,
-          as_index(declared, "POSITION")};
-    }
+  const json &views = list_of(doc, "bufferViews"), &meshes = list_of(doc, "meshes");
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (const json* ext = member(within(views[i], "extensions"), "EXT_meshopt_compression"))
+      out.meshopt[static_cast<int>(i)] = {
+          whole(*ext, "buffer", kAbsent),     whole(*ext, "byteOffset", 0),
+          whole(*ext, "byteLength", kAbsent), whole(*ext, "byteStride", kAbsent),
+          whole(*ext, "count", kAbsent),      string_in(*ext, "mode"),
+          string_in(*ext, "filter")};
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const json& primitives = list_of(meshes[m], "primitives");
+    for (std::size_t p = 0; p < primitives.size(); ++p)
+      if (const json* ext = member(within(primitives[p], "extensions"), kDraco))
+        out.draco[{static_cast<int>(m), static_cast<int>(p)}] =
+            draco_of(*ext, within(primitives[p], "attributes"), list_of(doc, "accessors"));
   }
+}
+
+/// Calls `change` with each object of the list `key`.
+template <class Change>
+void each_object(json& doc, const char* key, const Change& change) {
+  const auto list = doc.find(key);
+  if (list == doc.end() || !list->is_array()) return;
+  for (json& object : *list)
+    if (object.is_object()) change(object);
 }
 
 /// Keeps only the named members of each object in the list `key`.
 void keep(json& doc, const char* key, std::initializer_list<const char*> wanted) {
-  const auto list = doc.find(key);
-  if (list == doc.end() || !list->is_array()) return;
-  for (json& object : *list) {
-    if (!object.is_object()) continue;
+  each_object(doc, key, [&](json& object) {
     json kept = json::object();
     for (const char* name : wanted)
       if (const json* value = member(object, name)) kept[name] = *value;
     object = std::move(kept);
-  }
+  });
 }
 
 /// Cuts the document down to the used parts. Every buffer becomes one byte inside the file, because
 /// the accessor reader uses our own copies and tinygltf need not hold a second one. No file name is
 /// left, so tinygltf, which opens files differently from version to version, opens none.
 json cut_down(const json& doc, std::size_t buffers) {
-  json out = json::object();
-  for (const char* key :
-       {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews"})
+  json out{{"asset", {{"version", "2.0"}}}, {"buffers", json::array()}};
+  for (const char* key : {"scene", "scenes", "nodes", "meshes", "accessors", "bufferViews"})
     if (const json* value = member(doc, key)) out[key] = *value;
   keep(out, "scenes", {"nodes"});
   keep(out, "nodes", {"name", "mesh", "children", "matrix", "translation", "rotation", "scale"});
@@ -184,21 +165,15 @@ json cut_down(const json& doc, std::size_t buffers) {
   keep(out, "bufferViews", {"buffer", "byteOffset", "byteLength", "byteStride", "target"});
   keep(out, "accessors",
        {"bufferView", "byteOffset", "componentType", "normalized", "count", "type", "sparse"});
-  if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extras");
-  if (out.contains("asset") && out["asset"].is_object()) out["asset"].erase("extensions");
-  if (out.contains("meshes") && out["meshes"].is_array())
-    for (json& mesh : out["meshes"]) {
-      if (!mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
-      // tinygltf requires bytes for the accessors of a Draco primitive, which have none.
-      for (json& primitive : mesh["primitives"])
-        if (const json* all = member(primitive, "extensions");
-            all != nullptr && member(*all, "KHR_draco_mesh_compression") != nullptr) {
-          primitive["attributes"] = json::object();
-          primitive.erase("indices");
-        }
-      keep(mesh, "primitives", {"attributes", "indices", "material", "mode"});
-    }
-  out["buffers"] = json::array();
+  // tinygltf requires bytes for the accessors of a Draco primitive, which have none.
+  each_object(out, "meshes", [](json& mesh) {
+    each_object(mesh, "primitives", [](json& primitive) {
+      if (member(within(primitive, "extensions"), kDraco) == nullptr) return;
+      primitive["attributes"] = json::object();
+      primitive.erase("indices");
+    });
+    keep(mesh, "primitives", {"attributes", "indices", "material", "mode"});
+  });
   for (std::size_t i = 0; i < buffers; ++i)
     out["buffers"].push_back(
         {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}});
@@ -207,12 +182,11 @@ json cut_down(const json& doc, std::size_t buffers) {
 
 Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
                           GltfContainer& container, std::size_t most, GltfDocument& out) {
-  const json* list = member(doc, "buffers");
-  if (list == nullptr || !list->is_array()) return {};
+  const json& list = list_of(doc, "buffers");
   std::size_t left = most;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const json& buffer = (*list)[i];
-    const std::string uri = words(buffer, "uri");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const json& buffer = list[i];
+    const std::string uri = string_in(buffer, "uri");
     const std::string here = out.name + ", buffer " + std::to_string(i);
     const std::size_t wanted = whole(buffer, "byteLength", 0);
     const auto too_few = [&](std::size_t there) {
@@ -227,7 +201,7 @@ Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
       const auto decoded = decode_data_uri(text, wanted);
       if (!decoded) return broken_gltf(here, "its data within the file cannot be decoded.");
       bytes = *decoded;
-    } else if (starts_with(uri, "data:")) {
+    } else if (uri.starts_with("data:")) {
       return broken_gltf(here, "its data within the file cannot be decoded.");
     } else if (!uri.empty()) {
       auto read = read_vessel_file_beneath(folder, uri, left, here);
@@ -268,8 +242,7 @@ Result<GltfDocument> open_gltf(const std::filesystem::path& file,
   const json doc = json::parse(container->json, nullptr, false);
   if (doc.is_discarded() || !doc.is_object())
     return broken_gltf(out.name, "it is not a glTF file: its JSON cannot be parsed.");
-  const json* asset = member(doc, "asset");
-  if (asset == nullptr || !starts_with(words(*asset, "version"), "2."))
+  if (!string_in(within(doc, "asset"), "version").starts_with("2."))
     return broken_gltf(out.name, "it does not say that it is glTF of version 2.");
   if (auto good = check_extensions(out.name, doc); !good)
     return tl::unexpected<Problem>(good.error());

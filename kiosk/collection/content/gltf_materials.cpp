@@ -6,32 +6,24 @@
 #include <utility>
 
 #include "kiosk/collection/content/data_uri.h"
+#include "kiosk/collection/content/json_words.h"
 #include "kiosk/collection/content/vessel_file.h"
 
 namespace onggi::content {
 namespace {
 
+using json_words::index_in;
+using json_words::list_of;
+using json_words::string_in;
+using json_words::within;
 using nlohmann::json;
-
-const json& within(const json& object, const char* key) {
-  static const json kNothing;
-  if (!object.is_object()) return kNothing;
-  const auto found = object.find(key);
-  return found == object.end() ? kNothing : *found;
-}
 
 /// Element `index` of the list `key`; null JSON if there is none.
 const json& element(const json& object, const char* key, int index) {
   static const json kNothing;
-  const json& list = within(object, key);
+  const json& list = list_of(object, key);
   const auto at = static_cast<std::size_t>(index);
-  return index < 0 || !list.is_array() || at >= list.size() ? kNothing : list[at];
-}
-
-int index_in(const json& object, const char* key, int otherwise = -1) {
-  const json& value = within(object, key);
-  return value.is_number_unsigned() && value.get<std::uint64_t>() < 1u << 30 ? value.get<int>()
-                                                                             : otherwise;
+  return index < 0 || at >= list.size() ? kNothing : list[at];
 }
 
 double number_in(const json& list, std::size_t index, double otherwise) {
@@ -88,12 +80,11 @@ class Pictures {
   GltfPicture read(int index) {
     GltfPicture picture;
     const json& image = element(document_, "images", index);
-    const json& given = within(image, "uri");
-    const std::string uri = given.is_string() ? given.get<std::string>() : std::string();
+    const std::string uri = string_in(image, "uri");
     const json& name = within(image, "name");
-    picture.name = name.is_string()                            ? name.get<std::string>()
-                   : uri.empty() || uri.rfind("data:", 0) == 0 ? std::to_string(index)
-                                                               : uri;
+    picture.name = name.is_string()                          ? name.get<std::string>()
+                   : uri.empty() || uri.starts_with("data:") ? std::to_string(index)
+                                                             : uri;
     picture.name = picture.name.substr(0, 80);
     picture.view = index_in(image, "bufferView");
     if (picture.view >= 0) return picture;
@@ -112,7 +103,7 @@ class Pictures {
         picture.fault = "the pictures of the file together are too large";
       else
         picture.bytes = *decoded;
-    } else if (uri.empty() || uri.rfind("data:", 0) == 0) {
+    } else if (uri.empty() || uri.starts_with("data:")) {
       picture.fault = "there is no such picture in the file";
     } else {
       auto bytes = read_vessel_file_beneath(folder_, uri, left_, out_.name);
@@ -141,12 +132,10 @@ void read_materials(const json& document, const std::filesystem::path& folder,
                     GltfDocument& out) {
   const auto most = static_cast<std::size_t>(limits.file_mb) << 20;
   Pictures pictures(document, folder, container, most, out);
-  const json& list = within(document, "materials");
-  for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
+  for (const json& given : list_of(document, "materials")) {
     GltfMaterial material;
-    const json& pbr = within(list[i], "pbrMetallicRoughness");
-    const json& gloss =
-        within(within(list[i], "extensions"), "KHR_materials_pbrSpecularGlossiness");
+    const json& pbr = within(given, "pbrMetallicRoughness");
+    const json& gloss = within(within(given, "extensions"), "KHR_materials_pbrSpecularGlossiness");
     const json& factor =
         gloss.is_object() ? within(gloss, "diffuseFactor") : within(pbr, "baseColorFactor");
     for (std::size_t k = 0; k < 3; ++k)

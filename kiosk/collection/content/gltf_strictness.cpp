@@ -4,18 +4,13 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "kiosk/collection/content/json_words.h"
+
 namespace onggi::content {
 namespace {
 
+using json_words::list_of;
 using nlohmann::json;
-
-/// The list `key` of `object`; empty if there is none.
-const json& list_of(const json& object, const char* key) {
-  static const json kEmpty = json::array();
-  if (!object.is_object()) return kEmpty;
-  const auto found = object.find(key);
-  return found == object.end() || !found->is_array() ? kEmpty : *found;
-}
 
 tl::unexpected<Problem> slip(const std::string& where, std::string what) {
   return problem(where, std::move(what),

@@ -45,6 +45,29 @@ const json* member(const json& object, const std::string& key) {
   return found == object.end() ? nullptr : &*found;
 }
 
+const json& within(const json& object, const std::string& key) {
+  static const json kNothing;
+  const json* found = member(object, key);
+  return found == nullptr ? kNothing : *found;
+}
+
+const json& list_of(const json& object, const std::string& key) {
+  static const json kEmpty = json::array();
+  const json& found = within(object, key);
+  return found.is_array() ? found : kEmpty;
+}
+
+int index_in(const json& object, const std::string& key, int otherwise) {
+  const json& value = within(object, key);
+  return value.is_number_unsigned() && value.get<std::uint64_t>() < 1u << 30 ? value.get<int>()
+                                                                             : otherwise;
+}
+
+std::string string_in(const json& object, const std::string& key) {
+  const json& value = within(object, key);
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
 std::string words_of(const json& value, int depth) {
   if (depth > 8) return "";
   if (value.is_string()) return tidy(value.get<std::string>());

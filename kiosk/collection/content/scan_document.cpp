@@ -22,11 +22,6 @@ using nlohmann::json;
 
 constexpr const char* kVoyager = "application/si-dpo-3d.document+json";
 
-std::string word(const json& object, const char* key) {
-  const json* value = json_words::member(object, key);
-  return value != nullptr && value->is_string() ? value->get<std::string>() : "";
-}
-
 /// The elements of a list; empty for anything else.
 std::vector<const json*> each(const json* list) {
   std::vector<const json*> out;
@@ -40,12 +35,12 @@ std::vector<const json*> each(const json& object, const char* key) {
 }
 
 bool is_voyager(const json& doc) {
-  const json* asset = json_words::member(doc, "asset");
-  return asset != nullptr && word(*asset, "type") == kVoyager;
+  return json_words::string_in(json_words::within(doc, "asset"), "type") == kVoyager;
 }
 
 bool is_manifest(const json& doc) {
-  return word(doc, "type") == "Manifest" || word(doc, "@type") == "sc:Manifest";
+  return json_words::string_in(doc, "type") == "Manifest" ||
+         json_words::string_in(doc, "@type") == "sc:Manifest";
 }
 
 // ---- which file
@@ -93,11 +88,12 @@ void painted(const json& node, int depth, std::vector<Named>& out, std::set<std:
     return;
   }
   if (!node.is_object()) return;
-  const std::string type = word(node, "type"), ending = ending_of_type(word(node, "format"));
+  const std::string type = json_words::string_in(node, "type"),
+                    ending = ending_of_type(json_words::string_in(node, "format"));
   const int next = static_cast<int>(out.size());
   if (type == "Choice" && vessel < 0) vessel = next;
-  std::string id = word(node, "id");
-  if (id.empty()) id = word(node, "@id");
+  std::string id = json_words::string_in(node, "id");
+  if (id.empty()) id = json_words::string_in(node, "@id");
   if (!id.empty() && (type == "Model" || !ending.empty() ||
                       (type != "Manifest" && is_mesh_ending(ending_of(id))))) {
     if (known.insert(id).second) out.push_back({id, ending, 0, vessel < 0 ? next : vessel});
@@ -126,7 +122,7 @@ std::vector<Named> models_of_manifest(const json& doc) {
 
 int rank_of(const json& derivative) {
   constexpr const char* kQualities[] = {"Thumb", "Low", "Medium", "High", "Highest"};
-  const std::string quality = word(derivative, "quality");
+  const std::string quality = json_words::string_in(derivative, "quality");
   const auto* at = std::find(std::begin(kQualities), std::end(kQualities), quality);
   return at == std::end(kQualities) ? 0 : 1 + static_cast<int>(at - std::begin(kQualities));
 }
@@ -135,7 +131,8 @@ std::vector<Named> models_of_voyager(const json& model) {
   std::vector<Named> out;
   for (const json* derivative : each(model, "derivatives"))
     for (const json* asset : each(*derivative, "assets")) {
-      const std::string type = word(*asset, "type"), uri = word(*asset, "uri");
+      const std::string type = json_words::string_in(*asset, "type"),
+                        uri = json_words::string_in(*asset, "uri");
       if ((type == "Model" || type == "Geometry") && is_mesh_ending(ending_of(uri)))
         out.push_back({uri, "", rank_of(*derivative)});
     }
@@ -309,7 +306,7 @@ Result<ScanDocument> read_voyager(const fs::path& file, const json& doc) {
   if (models.size() > 1) return tl::unexpected(several_models(file, models.size()));
   auto model = first_found(file, models.front().second);
   if (!model) return tl::unexpected<Problem>(model.error());
-  return ScanDocument{*model, metres_in(word(*models.front().first, "units")),
+  return ScanDocument{*model, metres_in(json_words::string_in(*models.front().first, "units")),
                       credit_of_voyager(doc, each(doc, "metas"))};
 }
 
