@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
@@ -12,12 +12,6 @@ namespace onggi::content {
 namespace {
 
 using Table = toml::TomlReader::Table;
-
-bool is_id(const std::string& text) {
-  return !text.empty() && text.size() <= 40 && std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
-}
 
 /// "#9DB5A0" as linear light.
 bool parse_color(const std::string& text, LinearColor& out) {
@@ -74,13 +68,7 @@ bool read_words(Table& glaze, const std::string& key, const std::vector<std::str
 
 /// False if the glaze cannot be shown.
 bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& glaze) {
-  table.require("id", "Write a short name of letters, digits and _: id = \"celadon\".");
-  bool good = table.text("id", glaze.id);
-  if (good && !is_id(glaze.id)) {
-    table.complain("id", "\"" + glaze.id + "\" is not a valid id.",
-                   "Write 1 to 40 lower-case letters, digits and _: id = \"white_porcelain\".");
-    good = false;
-  }
+  bool good = settings::read_id(table, glaze.id, "celadon", "white_porcelain");
   if (languages.empty()) table.require("name", "Write name = { en = \"Celadon\" }.");
   good = read_words(table, "name", languages, true, glaze.name) && good;
   read_words(table, "about", languages, false, glaze.about);
@@ -115,22 +103,9 @@ GlazesRead read_glazes(const std::filesystem::path& file,
                        const std::vector<std::string>& languages) {
   GlazesRead read;
   toml::TomlReader reader(file);
-  auto root = reader.root();
-  std::set<std::string> ids;
-  for (Table& table : root.children("glaze")) {
-    Glaze glaze;
-    if (!read_glaze(table, languages, glaze)) continue;
-    if (!ids.insert(glaze.id).second) {
-      table.complain("id", "There are two glazes \"" + glaze.id + "\".",
-                     "Give the second another id.");
-    } else if (read.glazes.size() == kMostGlazes) {
-      table.complain("", "There are more than " + std::to_string(kMostGlazes) + " glazes.",
-                     "Remove some: the screen has no room for more.");
-    } else {
-      read.glazes.push_back(std::move(glaze));
-    }
-  }
-  root.finish();
+  read.glazes = settings::read_list<Glaze>(
+      reader, "glaze", kMostGlazes, "Remove some: the screen has no room for more.",
+      [&](Table& table, Glaze& glaze) { return read_glaze(table, languages, glaze); });
   read.problems = reader.problems();
   if (reader.ok() && read.problems.empty() && read.glazes.empty())
     read.problems.push_back({file.string(), "The file contains no glaze.",

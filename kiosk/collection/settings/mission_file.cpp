@@ -1,11 +1,10 @@
 #include "kiosk/collection/settings/mission_file.h"
 
 #include <algorithm>
-#include <set>
-#include <span>
 #include <string>
 
 #include "engine/base/nearest_name.h"
+#include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
@@ -14,24 +13,6 @@ namespace onggi::settings {
 namespace {
 
 using MissionTable = toml::TomlReader::Table;
-
-bool is_mission_id(const std::string& text) {
-  return !text.empty() && text.size() <= 40 && std::ranges::all_of(text, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
-}
-
-/// Letters as they are read, not bytes.
-std::size_t mission_letters(const std::string& utf8) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string joined_names(std::span<const std::string_view> names) {
-  std::string all;
-  for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-  return all;
-}
 
 /// False if no visitor could read what the mission is.
 bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
@@ -42,9 +23,9 @@ bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
     if (!words.text(code, text)) continue;
     if (text.find_first_not_of(' ') == std::string::npos)
       words.complain(code, key + "." + code + " is empty.", "Write words, or leave it out.");
-    else if (mission_letters(text) > most)
+    else if (letters(text) > most)
       words.complain(code,
-                     key + "." + code + " has " + std::to_string(mission_letters(text)) +
+                     key + "." + code + " has " + std::to_string(letters(text)) +
                          " letters, but there is room for only " + std::to_string(most) + ".",
                      "Use fewer words.");
     else
@@ -65,26 +46,8 @@ bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
   return !out.empty();
 }
 
-/// Reads one of `names`; false if it is missing or unknown.
-template <class Choice, std::size_t kCount>
-bool read_one_of(MissionTable& mission, const std::string& key, const std::string& what,
-                 const std::array<std::string_view, kCount>& names, Choice& out) {
-  std::string text;
-  if (!mission.text(key, text)) return false;
-  const auto found = std::ranges::find(names, text);
-  if (found != names.end()) {
-    out = static_cast<Choice>(found - names.begin());
-    return true;
-  }
-  const std::string nearest = nearest_name(text, std::span<const std::string_view>(names));
-  mission.complain(key, "There is no " + what + " \"" + text + "\".",
-                   (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") +
-                       "Choose one of " + joined_names(names) + ".");
-  return false;
-}
-
 bool read_kind(MissionTable& mission, Mission::Kind& kind) {
-  mission.require("kind", "Write kind = \"...\", one of " + joined_names(kMissionKinds) + ".");
+  mission.require("kind", "Write kind = \"...\", one of " + joined(kMissionKinds) + ".");
   return read_one_of(mission, "kind", "kind of mission", kMissionKinds, kind);
 }
 
@@ -146,13 +109,7 @@ bool read_described(MissionTable& mission, Mission::Described& out) {
 
 bool read_mission(MissionTable& table, const std::vector<std::string>& languages,
                   const std::vector<std::string>& shelf, Mission& mission) {
-  table.require("id", "Write a short name of letters, digits and _: id = \"litre_jar\".");
-  bool good = table.text("id", mission.id);
-  if (good && !is_mission_id(mission.id)) {
-    table.complain("id", "\"" + mission.id + "\" is not a valid id.",
-                   "Write 1 to 40 lower-case letters, digits and _: id = \"litre_jar\".");
-    good = false;
-  }
+  bool good = read_id(table, mission.id, "litre_jar");
   if (good && std::ranges::find(shelf, mission.id) != shelf.end()) {
     table.complain("id", "A vessel on the shelf already has the name \"" + mission.id + "\".",
                    "Give the mission another id: keepsakes carry this name.");
@@ -198,22 +155,11 @@ MissionsRead read_missions(const std::filesystem::path& file,
                            const std::vector<std::string>& shelf) {
   MissionsRead read;
   toml::TomlReader reader(file);
-  auto root = reader.root();
-  std::set<std::string> ids;
-  for (MissionTable& table : root.children("mission")) {
-    Mission mission;
-    if (!read_mission(table, languages, shelf, mission)) continue;
-    if (!ids.insert(mission.id).second) {
-      table.complain("id", "There are two missions \"" + mission.id + "\".",
-                     "Give the second another id.");
-    } else if (read.missions.size() == kMostMissions) {
-      table.complain("", "There are more than " + std::to_string(kMostMissions) + " missions.",
-                     "Remove some: visitors see the shelf after them.");
-    } else {
-      read.missions.push_back(std::move(mission));
-    }
-  }
-  root.finish();
+  read.missions = read_list<Mission>(reader, "mission", kMostMissions,
+                                     "Remove some: visitors see the shelf after them.",
+                                     [&](MissionTable& table, Mission& mission) {
+                                       return read_mission(table, languages, shelf, mission);
+                                     });
   read.problems = reader.problems();
   read.keys_checked = reader.keys_checked();
   return read;
