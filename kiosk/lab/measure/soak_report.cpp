@@ -6,16 +6,11 @@
 #include <cstdio>
 #include <utility>
 
+#include "engine/profile/median.h"
+
 namespace onggi::measure {
 
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// The samples between two shares of the time.
 std::vector<SoakSample> between(const SoakReport& report, double from, double to) {
@@ -29,7 +24,7 @@ template <class Of>
 double median_of(const std::vector<SoakSample>& samples, const Of& of) {
   std::vector<double> values;
   for (const SoakSample& at : samples) values.push_back(of(at));
-  return median(std::move(values));
+  return extraction::median(values);
 }
 
 template <class Of>
@@ -54,7 +49,7 @@ double slope(const SoakReport& report, const Of& of) {
     for (std::size_t m = n + 1; m < warm.size(); ++m)
       if (warm[m].hours > warm[n].hours)
         slopes.push_back((of(warm[m]) - of(warm[n])) / (warm[m].hours - warm[n].hours) * 24.0);
-  return median(std::move(slopes));
+  return extraction::median(slopes);
 }
 
 double memory(const SoakSample& at) { return at.memory; }

@@ -16,7 +16,6 @@ class Pacing {
   /// A frame took `ms` of work at the current scale.
   void frame(double ms);
   double scale() const { return scale_; }
-  double mean_ms() const { return mean_ms_; }
 
  private:
   double late_ms_, idle_ms_;

@@ -23,7 +23,6 @@ constexpr Color with_alpha(Color c, float alpha) { return {c.r, c.g, c.b, alpha}
 inline constexpr Color kPlaster = rgb(0xEDE8E1);   ///< The studio's wall, and paper.
 inline constexpr Color kInk = rgb(0x23201D);       ///< Words.
 inline constexpr Color kFaintInk = rgb(0x5F5850);  ///< Words of second rank.
-inline constexpr Color kWetClay = rgb(0x6E4B3A);
 inline constexpr Color kDryClay = rgb(0xB08968);
 inline constexpr Color kCeladon = rgb(0x9DB5A0);
 inline constexpr Color kDeepCeladon = rgb(0x2E6B57);  ///< Celadon dark enough for a line.

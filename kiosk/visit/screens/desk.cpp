@@ -140,10 +140,7 @@ const std::string& Desk::note() const {
 void Desk::look() {
   status = world.wheel->status;
   fault_note.update(status, now, *world.potter);
-  if (awaited_ && *awaited_ != status.scene_serial) {
-    awaited_.reset();
-    pot_since_ = now;
-  }
+  if (awaited_ && *awaited_ != status.scene_serial) awaited_.reset();
 }
 
 }  // namespace onggi::screens

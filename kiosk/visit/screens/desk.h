@@ -98,7 +98,6 @@ class Desk {
   /// Requests a fresh lump; pot_ready() is false until it is on the wheel.
   void start_pot(int index, bool scripted, const std::string& script = "follow");
   bool pot_ready() const { return !awaited_; }
-  double pot_since() const { return pot_since_; }
   /// Language key of the notice that replaces the hint: a fault, else device news; empty if none.
   const std::string& note() const;
   /// Call once a frame: reads the state of the wheel.
@@ -109,7 +108,6 @@ class Desk {
 
   int kept_glaze_ = -1;                   ///< The glaze of the last request.
   std::optional<std::uint32_t> awaited_;  ///< Serial of the pot that is being replaced.
-  double pot_since_ = 0;
 };
 
 }  // namespace onggi::screens

@@ -191,17 +191,6 @@ void Column::text(const std::string& words, float px, Face face, Color color, Al
   check();
 }
 
-void Column::foot_text(const std::string& words, float px, Face face, Color color) {
-  if (words.empty()) return;
-  const auto style = page_.style(face, px);
-  const float width = std::min(box_.w, px * 0.52f * 55.0f);
-  const auto size = page_.size(words, style, width);
-  foot_ -= size.height;
-  page_.words({turned(box_.x, width), foot_, width, size.height}, words, style, color);
-  page_.tell(foot_, words);
-  check();
-}
-
 float Column::flow(const std::vector<Button>& row, float indent,
                    std::vector<Placed>& placed) const {
   const float gap = page_.type().gap;

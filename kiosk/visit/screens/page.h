@@ -135,8 +135,6 @@ class Column {
   /// A paragraph, at most 55 characters wide.
   void text(const std::string& words, float px, view::Face face = view::Face::sans,
             view::Color color = view::kInk, view::Align align = view::Align::start);
-  void foot_text(const std::string& words, float px, view::Face face = view::Face::sans,
-                 view::Color color = view::kInk);
   /// Buttons side by side, in several rows if needed. `caption`, in second rank, comes before the
   /// first in a column of `caption_width`.
   void buttons(const std::vector<Button>& row, const std::string& caption = {},

@@ -31,7 +31,6 @@ class Pacer {
   double tick_us() const noexcept { return tick_us_; }
 
   const Deadlines& deadlines() const noexcept { return deadlines_; }
-  double owed() const noexcept { return owed_; }
 
  private:
   std::int64_t last_ns_ = 0, woke_ns_ = 0, wake_at_ = 0;
