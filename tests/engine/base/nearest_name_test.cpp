@@ -37,5 +37,10 @@ TEST(nearest_name, of_two_that_are_equally_near_the_first_is_meant) {
   EXPECT_EQ(nearest_name("PULL-TALL", names), "pull_tall");
 }
 
+TEST(nearest_name, names_are_joined_with_commas) {
+  EXPECT_EQ(joined(std::vector<std::string>{"rib", "loop", "wire"}), "rib, loop, wire");
+  EXPECT_EQ(joined(std::vector<std::string>{}), "");
+}
+
 }  // namespace
 }  // namespace onggi

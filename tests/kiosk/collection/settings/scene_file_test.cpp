@@ -220,27 +220,14 @@ acceleration = 10
 max_force = 2
 max_slew = 100
 engage_time = 1
-[friction]
-coefficient = 0.1
-wet_factor = 0.2
-slip_speed = 0.03
-[moisture]
-wetting_time = 1
-drying_time = 2
-softening = 0.3
-weakening = 0.1
-air = 0.2
-sponge_height = 0.02
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 28);
-  EXPECT_EQ(
-      figures(r.def),
-      "100 200 0.29999999999999999 0.070000000000000007 0.029999999999999999 0.02 "
-      "0.0030000000000000001 "
-      "0.0050000000000000001 0.0040000000000000001 0.20000000000000001 0 0.01 0.02 1000000 "
-      "20 10 2 100 1 moisture 1 2 0.29999999999999999 0.10000000000000001 0.20000000000000001 0.02 "
-      "friction 0.10000000000000001 0.20000000000000001 0.029999999999999999");
+  EXPECT_EQ(r.keys_checked, 19);
+  EXPECT_EQ(figures(r.def),
+            "100 200 0.29999999999999999 0.070000000000000007 0.029999999999999999 0.02 "
+            "0.0030000000000000001 "
+            "0.0050000000000000001 0.0040000000000000001 0.20000000000000001 0 0.01 0.02 1000000 "
+            "20 10 2 100 1");
 }
 
 TEST(scene, what_the_engine_refuses_is_told_at_its_line_and_the_rest_is_kept) {
