@@ -346,5 +346,36 @@ TEST(scene_file, the_readme_tells_every_figure_of_every_effect_and_part_as_it_is
   EXPECT_GE(told, 36);
 }
 
+/// The lines `key = value` of a file, without comments.
+std::vector<std::pair<std::string, std::string>> lines_of(const fs::path& file) {
+  std::vector<std::pair<std::string, std::string>> found;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    line.resize(std::min(line.find('#'), line.size()));
+    const std::size_t equals = line.find(" = ");
+    if (equals == std::string::npos) continue;
+    line.erase(line.find_last_not_of(' ') + 1);
+    found.emplace_back(line.substr(0, equals), line.substr(equals + 3));
+  }
+  return found;
+}
+
+TEST(scene_file, the_readme_has_a_row_for_every_key_of_the_first_scene_with_its_value) {
+  std::ifstream in("config/README.md");
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(in, line);) rows.push_back(line);
+  int keys = 0;
+  for (const auto& [key, value] : lines_of("config/scenes/first_touch.toml")) {
+    ++keys;
+    const std::string start = "| `" + key + "` |", plain = "| " + value + " |",
+                      quoted = "| `" + value + "` |";
+    const bool there = std::any_of(rows.begin(), rows.end(), [&](const std::string& row) {
+      return row.starts_with(start) && (row.ends_with(plain) || row.ends_with(quoted));
+    });
+    EXPECT_TRUE(there) << key << " = " << value;
+  }
+  EXPECT_GE(keys, 20);
+}
+
 }  // namespace
 }  // namespace onggi::settings
