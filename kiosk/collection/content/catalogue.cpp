@@ -172,7 +172,8 @@ Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
 }
 
 ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits,
-                       const std::vector<std::string>& languages, std::stop_token stop) {
+                       const std::vector<std::string>& languages, std::stop_token stop,
+                       const settings::Translations& translations) {
   ShelfCheck check;
   LoadOptions options;
   options.limits = limits;
@@ -190,7 +191,11 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
     if (stop.stop_requested()) break;
     if (fs::is_directory(entry.path, ignored)) {
       check.ids.push_back(entry.id);
-      check_pack(entry.path, options, languages, check);
+      std::vector<std::string> own = languages;
+      std::erase_if(own, [&](const std::string& code) {
+        return translations.find(code, "vessel", entry.id, "title") != nullptr;
+      });
+      check_pack(entry.path, options, own, check);
       continue;
     }
     check.files.push_back(entry.path);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kiosk/collection/content/vessel.h"
+#include "kiosk/collection/settings/translations.h"
 
 namespace onggi::content {
 
@@ -35,9 +36,10 @@ struct ShelfCheck {
   int keys_checked = 0;
 };
 
-/// Checks a shelf, one pack, or one GLB/glTF file. Labels must exist in `languages` (read_pack()).
-/// After a `stop`, it skips the remaining vessels.
+/// Checks a shelf, one pack, or one GLB/glTF file. Labels must exist in `languages` (read_pack()),
+/// or their titles in `translations`. After a `stop`, it skips the remaining vessels.
 ShelfCheck check_shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {},
-                       const std::vector<std::string>& languages = {}, std::stop_token stop = {});
+                       const std::vector<std::string>& languages = {}, std::stop_token stop = {},
+                       const settings::Translations& translations = {});
 
 }  // namespace onggi::content

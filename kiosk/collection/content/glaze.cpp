@@ -46,7 +46,8 @@ void read_share(Table& table, const std::string& key, double most, float& out) {
 
 /// Texts by language; if `needed`, all of `languages` are required.
 bool read_words(Table& glaze, const std::string& key, const std::vector<std::string>& languages,
-                bool needed, std::map<std::string, std::string>& out) {
+                bool needed, const settings::Translations& translations, const std::string& id,
+                std::map<std::string, std::string>& out) {
   Table words = glaze.child(key);
   for (const std::string& code : words.keys()) {
     std::string text;
@@ -56,22 +57,25 @@ bool read_words(Table& glaze, const std::string& key, const std::vector<std::str
     else
       out[code] = text;
   }
+  translations.put("glaze", id, key, out);
   for (const std::string& code : languages)
     if (needed && !out.contains(code))
-      glaze.complain(
-          words.present() ? key : "",
-          "The glaze has no " + key + " in the language \"" + code + "\".",
-          "Write " + key + " = { " + code + " = \"...\" }, one entry for each language.");
+      glaze.complain(words.present() ? key : "",
+                     "The glaze has no " + key + " in the language \"" + code + "\".",
+                     "Write " + key + " = { " + code +
+                         " = \"...\" }, one entry for each language, or [glaze." + id +
+                         "] in content/languages/" + code + ".toml.");
   words.finish();
   return !out.empty();
 }
 
 /// False if the glaze cannot be shown.
-bool read_glaze(Table& table, const std::vector<std::string>& languages, Glaze& glaze) {
+bool read_glaze(Table& table, const std::vector<std::string>& languages,
+                const settings::Translations& translations, Glaze& glaze) {
   bool good = settings::read_id(table, glaze.id, "celadon", "white_porcelain");
   if (languages.empty()) table.require("name", "Write name = { en = \"Celadon\" }.");
-  good = read_words(table, "name", languages, true, glaze.name) && good;
-  read_words(table, "about", languages, false, glaze.about);
+  good = read_words(table, "name", languages, true, translations, glaze.id, glaze.name) && good;
+  read_words(table, "about", languages, false, translations, glaze.id, glaze.about);
   GlazeLook& look = glaze.look;
   for (const char* key : {"body", "glass"})
     table.require(key, std::string("Write a colour: ") + key + " = \"#9DB5A0\".");
@@ -99,13 +103,15 @@ const std::string& Glaze::about_in(const std::string& language) const {
   return settings::text_in(about, language);
 }
 
-GlazesRead read_glazes(const std::filesystem::path& file,
-                       const std::vector<std::string>& languages) {
+GlazesRead read_glazes(const std::filesystem::path& file, const std::vector<std::string>& languages,
+                       const settings::Translations& translations) {
   GlazesRead read;
   toml::TomlReader reader(file);
   read.glazes = settings::read_list<Glaze>(
       reader, "glaze", kMostGlazes, "Remove some: the screen has no room for more.",
-      [&](Table& table, Glaze& glaze) { return read_glaze(table, languages, glaze); });
+      [&](Table& table, Glaze& glaze) {
+        return read_glaze(table, languages, translations, glaze);
+      });
   read.problems = reader.problems();
   if (reader.ok() && read.problems.empty() && read.glazes.empty())
     read.problems.push_back({file.string(), "The file contains no glaze.",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/collection/settings/translations.h"
 
 namespace onggi::content {
 
@@ -53,9 +54,10 @@ struct GlazesRead {
 
 /// Reads content/glazes.toml, a [[glaze]] each (kiosk/docs/glazes.md). Each glaze needs a name in
 /// all of `languages`. A glaze without id, name or colours is left out; an invalid number gets its
-/// default.
+/// default. `translations` come before its own texts.
 GlazesRead read_glazes(const std::filesystem::path& file,
-                       const std::vector<std::string>& languages = {});
+                       const std::vector<std::string>& languages = {},
+                       const settings::Translations& translations = {});
 
 /// The colour on a wall in plain light, linear: for a swatch.
 LinearColor swatch(const GlazeLook& look);

@@ -1,5 +1,7 @@
 #include "kiosk/collection/content/language.h"
 
+#include <algorithm>
+
 #include "kiosk/collection/content/language_words.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
@@ -42,7 +44,7 @@ void read_texts(toml::TomlReader::Table table, const std::string& prefix,
 
 }  // namespace
 
-LanguageRead check_language(const std::filesystem::path& file) {
+LanguageRead check_language(const std::filesystem::path& file, const KnownIds& known) {
   LanguageRead read;
   toml::TomlReader reader(file);
   auto root = reader.root();
@@ -69,8 +71,17 @@ LanguageRead check_language(const std::filesystem::path& file) {
     root.complain("", "the language has no words.", "Add a table [text] with key = \"words\".");
   std::vector<WrittenText> written;
   if (text.present()) read_texts(text, "", written);
+  // A fault of one of the exhibit's things leaves the language's own words good.
+  const std::vector<Problem> before = reader.problems();
+  read_translation_tables(root, known);
+  const std::vector<Problem> of_things = reader.problems_since(before);
   root.finish();
   read.problems = reader.problems();
+  std::erase_if(read.problems, [&](const Problem& problem) {
+    return std::ranges::any_of(of_things, [&](const Problem& thing) {
+      return thing.where == problem.where && thing.what == problem.what;
+    });
+  });
   if (text.present()) compare_with_english(text, written);
   read.advice = reader.problems_since(read.problems);
   for (WrittenText& one : written) read.language.texts_[one.key] = std::move(one.words);

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/collection/content/translation_tables.h"
 
 namespace onggi::content {
 
 struct LanguageRead;
 
 /// The texts of one language, content/languages/<code>.toml: `code`, `name`, `right_to_left`,
-/// `decimal`, and a flat table [text] of key = "text", where {name} is a placeholder.
+/// `decimal`, and a flat table [text] of key = "text", where {name} is a placeholder. What it says
+/// of vessels, glazes, steps and missions is read by read_translations().
 class Language {
  public:
   /// The language, or the first Problem of check_language().
@@ -32,7 +34,7 @@ class Language {
   std::vector<std::string> keys() const;
 
  private:
-  friend LanguageRead check_language(const std::filesystem::path& file);
+  friend LanguageRead check_language(const std::filesystem::path& file, const KnownIds& known);
   std::string code_, name_, decimal_ = ".";
   bool right_to_left_ = false;
   std::map<std::string, std::string> texts_;
@@ -45,6 +47,7 @@ struct LanguageRead {
   std::vector<Problem> advice;    ///< Differences from the program's English.
   int keys_checked = 0;
 };
-LanguageRead check_language(const std::filesystem::path& file);
+/// `known`: the ids that the tables of other things may name ([glaze.celadon]).
+LanguageRead check_language(const std::filesystem::path& file, const KnownIds& known = {});
 
 }  // namespace onggi::content

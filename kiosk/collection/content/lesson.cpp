@@ -21,6 +21,7 @@ void read_choice(LessonTable& step, const std::string& key, std::span<const std:
 }
 
 bool read_step_words(LessonTable& step, const std::vector<std::string>& languages,
+                     const settings::Translations& translations, const std::string& id,
                      std::map<std::string, std::string>& out) {
   LessonTable words = step.child("words");
   for (const std::string& code : words.keys()) {
@@ -37,19 +38,22 @@ bool read_step_words(LessonTable& step, const std::vector<std::string>& language
     else
       out[code] = text;
   }
+  translations.put("lesson", id, "words", out);
   for (const std::string& code : languages)
     if (!out.contains(code) && !words.has(code))
-      step.complain(words.present() ? "words" : "",
-                    "The step has no words in the language \"" + code + "\".",
-                    "Write words = { " + code + " = \"...\" }, one entry for each language.");
+      step.complain(
+          words.present() ? "words" : "", "The step has no words in the language \"" + code + "\".",
+          "Write words = { " + code + " = \"...\" }, one entry for each language, or [lesson." +
+              id + "] in content/languages/" + code + ".toml.");
   words.finish();
   return !out.empty();
 }
 
-bool read_step(LessonTable& table, const std::vector<std::string>& languages, LessonStep& step) {
+bool read_step(LessonTable& table, const std::vector<std::string>& languages,
+               const settings::Translations& translations, LessonStep& step) {
   bool good = settings::read_id(table, step.id, "open");
   if (languages.empty()) table.require("words", "Write words = { en = \"Open it.\" }.");
-  good = read_step_words(table, languages, step.words) && good;
+  good = read_step_words(table, languages, translations, step.id, step.words) && good;
   read_choice(table, "hands", kHandsDrawn, step.hands);
   read_choice(table, "until", kDoneWhen, step.until);
   table.number("after", step.after, 3.0, 120.0, "s");
@@ -63,13 +67,15 @@ const std::string& LessonStep::words_in(const std::string& language) const {
   return settings::text_in(words, language);
 }
 
-LessonRead read_lesson(const std::filesystem::path& file,
-                       const std::vector<std::string>& languages) {
+LessonRead read_lesson(const std::filesystem::path& file, const std::vector<std::string>& languages,
+                       const settings::Translations& translations) {
   LessonRead read;
   toml::TomlReader reader(file);
   read.steps = settings::read_list<LessonStep>(
       reader, "step", kMostSteps, "Remove some: at most " + std::to_string(kMostSteps) + " steps.",
-      [&](LessonTable& table, LessonStep& step) { return read_step(table, languages, step); });
+      [&](LessonTable& table, LessonStep& step) {
+        return read_step(table, languages, translations, step);
+      });
   read.problems = reader.problems();
   read.keys_checked = reader.keys_checked();
   return read;

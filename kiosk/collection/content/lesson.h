@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/collection/settings/translations.h"
 
 namespace onggi::content {
 
@@ -46,8 +47,9 @@ struct LessonRead {
 
 /// Reads content/lessons/NAME.toml, a [[step]] each (kiosk/docs/lesson.md), with words in all of
 /// `languages`. A step without id or words is left out; other invalid values get their default. A
-/// file without steps is an empty lesson.
+/// file without steps is an empty lesson. `translations` come before a step's own words.
 LessonRead read_lesson(const std::filesystem::path& file,
-                       const std::vector<std::string>& languages = {});
+                       const std::vector<std::string>& languages = {},
+                       const settings::Translations& translations = {});
 
 }  // namespace onggi::content

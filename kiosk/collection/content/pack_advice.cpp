@@ -78,7 +78,10 @@ void ask_for_the_rest(Table root, const Pack& pack, const std::vector<std::strin
   for (const std::string& language : languages)
     if (!pack.labels.contains(language))
       labels.complain("", "there is no label in the language \"" + language + "\".",
-                      "Write [label." + language + "] with title, culture, date, made and text.");
+                      "Write [label." + language +
+                          "] with title, culture, date, made and text, or [vessel.NAME] with them "
+                          "in content/languages/" +
+                          language + ".toml.");
   if (languages.empty() && pack.labels.empty())
     labels.complain("", "there is no label.",
                     "Write [label.en] with title, culture, date, made and text.");

@@ -10,6 +10,7 @@
 #include "kiosk/collection/settings/hours.h"
 #include "kiosk/collection/settings/reader_limits.h"
 #include "kiosk/collection/settings/rubric.h"
+#include "kiosk/collection/settings/translations.h"
 
 namespace onggi::settings {
 
@@ -87,6 +88,9 @@ struct Exhibit {
   } phone;
   Hours hours;          ///< [hours]: the museum's opening hours.
   ReaderLimits reader;  ///< [reader]: limits for a vessel's file.
+  /// What the languages' files say of vessels, glazes, steps and missions. read_exhibit() leaves it
+  /// empty; content::read_translations() reads it.
+  Translations translations;
 };
 
 /// All problems; empty if there are none. Each has file:line:column, meaning and remedy, and names

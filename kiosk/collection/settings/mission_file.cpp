@@ -16,7 +16,8 @@ using MissionTable = toml::TomlReader::Table;
 
 /// False if no visitor could read what the mission is.
 bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
-               const std::vector<std::string>& languages, std::map<std::string, std::string>& out) {
+               const std::vector<std::string>& languages, const Translations& translations,
+               const std::string& id, std::map<std::string, std::string>& out) {
   MissionTable words = mission.child(key);
   for (const std::string& code : words.keys()) {
     std::string text;
@@ -31,14 +32,16 @@ bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
     else
       out[code] = text;
   }
+  translations.put("mission", id, key, out);
   for (const std::string& code : languages)
     if (!out.contains(code) && !words.has(code))
-      mission.complain(
-          words.present() ? key : "",
-          "The mission has no " + key + " in the language \"" + code + "\".",
-          "Write " + key + " = { " + code +
-              " = \"...\" }, one entry for each language. Until then visitors see it in "
-              "English, or in the first language that has it.");
+      mission.complain(words.present() ? key : "",
+                       "The mission has no " + key + " in the language \"" + code + "\".",
+                       "Write " + key + " = { " + code +
+                           " = \"...\" }, one entry for each language, or [mission." + id +
+                           "] in content/languages/" + code +
+                           ".toml. Until then visitors see it in "
+                           "English, or in the first language that has it.");
   words.finish();
   if (out.empty() && languages.empty())
     mission.complain(words.present() ? key : "", "The mission has no " + key + ".",
@@ -108,7 +111,8 @@ bool read_described(MissionTable& mission, Mission::Described& out) {
 }
 
 bool read_mission(MissionTable& table, const std::vector<std::string>& languages,
-                  const std::vector<std::string>& shelf, Mission& mission) {
+                  const std::vector<std::string>& shelf, const Translations& translations,
+                  Mission& mission) {
   bool good = read_id(table, mission.id, "litre_jar");
   if (good && std::ranges::find(shelf, mission.id) != shelf.end()) {
     table.complain("id", "A vessel on the shelf already has the name \"" + mission.id + "\".",
@@ -116,8 +120,12 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
     good = false;
   }
   table.boolean("on", mission.on);
-  good = read_said(table, "title", kMostTitleLetters, languages, mission.title) && good;
-  good = read_said(table, "about", kMostAboutLetters, languages, mission.about) && good;
+  good = read_said(table, "title", kMostTitleLetters, languages, translations, mission.id,
+                   mission.title) &&
+         good;
+  good = read_said(table, "about", kMostAboutLetters, languages, translations, mission.id,
+                   mission.about) &&
+         good;
   if (!read_kind(table, mission.kind)) return false;  // the other keys depend on the kind
   // A mission that is off may name vessels that are no longer on the shelf.
   const std::vector<std::string> there = mission.on ? shelf : std::vector<std::string>();
@@ -152,14 +160,15 @@ const std::string& Mission::about_in(const std::string& language) const {
 
 MissionsRead read_missions(const std::filesystem::path& file,
                            const std::vector<std::string>& languages,
-                           const std::vector<std::string>& shelf) {
+                           const std::vector<std::string>& shelf,
+                           const Translations& translations) {
   MissionsRead read;
   toml::TomlReader reader(file);
-  read.missions = read_list<Mission>(reader, "mission", kMostMissions,
-                                     "Remove some: visitors see the shelf after them.",
-                                     [&](MissionTable& table, Mission& mission) {
-                                       return read_mission(table, languages, shelf, mission);
-                                     });
+  read.missions = read_list<Mission>(
+      reader, "mission", kMostMissions, "Remove some: visitors see the shelf after them.",
+      [&](MissionTable& table, Mission& mission) {
+        return read_mission(table, languages, shelf, translations, mission);
+      });
   read.problems = reader.problems();
   read.keys_checked = reader.keys_checked();
   return read;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/collection/settings/translations.h"
 
 namespace onggi::settings {
 
@@ -72,9 +73,10 @@ struct MissionsRead {
 /// Reads content/missions.toml, a [[mission]] each (kiosk/docs/missions.md), with a title and words
 /// in all of `languages`. `shelf`: the ids that a mission may name; if empty, any. A mission that
 /// cannot be played is left out; one that only lacks a language stays. A file without missions is
-/// valid.
+/// valid. `translations` come before a mission's own words.
 MissionsRead read_missions(const std::filesystem::path& file,
                            const std::vector<std::string>& languages = {},
-                           const std::vector<std::string>& shelf = {});
+                           const std::vector<std::string>& shelf = {},
+                           const Translations& translations = {});
 
 }  // namespace onggi::settings

@@ -10,6 +10,7 @@
 #include "kiosk/collection/content/glaze.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/content/lesson.h"
+#include "kiosk/collection/content/translation_tables.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/collection/settings/scene_file.h"
 #include "kiosk/exhibit/composition/device_files.h"
@@ -45,36 +46,52 @@ void add(CheckReport& report, const fs::path& file, int keys, std::vector<Proble
   note(report, keys, std::move(problems));
 }
 
+template <class Thing>
+std::vector<std::string> ids_of(const std::vector<Thing>& things) {
+  std::vector<std::string> ids;
+  for (const Thing& thing : things) ids.push_back(thing.id);
+  return ids;
+}
+
 void check_scene(CheckReport& report, const fs::path& file) {
   auto scene = settings::read_scene(file);
   add(report, file, scene.keys_checked, std::move(scene.problems));
 }
 
-void check_language(CheckReport& report, const fs::path& file) {
-  auto language = content::check_language(file);
+void check_language(CheckReport& report, const fs::path& file,
+                    const content::KnownIds& known = {}) {
+  auto language = content::check_language(file, known);
   ++report.languages;
   add(report, file, language.keys_checked, std::move(language.problems));
   note(report, 0, std::move(language.advice));
 }
 
-void check_glazes(CheckReport& report, const fs::path& file,
-                  const std::vector<std::string>& languages = {}) {
-  auto glazes = content::read_glazes(file, languages);
+/// The glazes' ids.
+std::vector<std::string> check_glazes(CheckReport& report, const fs::path& file,
+                                      const std::vector<std::string>& languages = {},
+                                      const settings::Translations& translations = {}) {
+  auto glazes = content::read_glazes(file, languages, translations);
   add(report, file, glazes.keys_checked, std::move(glazes.problems));
+  return ids_of(glazes.glazes);
 }
 
-void check_lesson(CheckReport& report, const fs::path& file,
-                  const std::vector<std::string>& languages = {}) {
-  auto lesson = content::read_lesson(file, languages);
+/// The steps' ids.
+std::vector<std::string> check_lesson(CheckReport& report, const fs::path& file,
+                                      const std::vector<std::string>& languages = {},
+                                      const settings::Translations& translations = {}) {
+  auto lesson = content::read_lesson(file, languages, translations);
   add(report, file, lesson.keys_checked, std::move(lesson.problems));
+  return ids_of(lesson.steps);
 }
 
-/// `exhibit`: the missions' exhibit, null if not known; `shelf`: the ids there.
-void check_missions(CheckReport& report, const fs::path& file,
-                    const std::vector<std::string>& languages,
-                    const settings::Exhibit* exhibit = nullptr,
-                    const std::vector<std::string>& shelf = {}) {
-  auto missions = settings::read_missions(file, languages, shelf);
+/// The missions' ids. `exhibit`: their exhibit, null if not known; `shelf`: the ids there.
+std::vector<std::string> check_missions(CheckReport& report, const fs::path& file,
+                                        const std::vector<std::string>& languages,
+                                        const settings::Exhibit* exhibit = nullptr,
+                                        const std::vector<std::string>& shelf = {}) {
+  auto missions = settings::read_missions(
+      file, languages, shelf,
+      exhibit != nullptr ? exhibit->translations : settings::Translations{});
   if (exhibit != nullptr) {
     const SceneDef scene = settings::read_scene(exhibit->scene).def;
     for (const settings::Mission& mission : missions.missions)
@@ -84,13 +101,15 @@ void check_missions(CheckReport& report, const fs::path& file,
               {file.string() + ", mission " + mission.id, jar.error().what, jar.error().remedy});
   }
   add(report, file, missions.keys_checked, std::move(missions.problems));
+  return ids_of(missions.missions);
 }
 
 std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
                                        const std::vector<std::string>& languages,
                                        const settings::ReaderLimits& limits = {},
-                                       const std::stop_token& stop = {}) {
-  auto shelf = content::check_shelf(path, limits, languages, stop);
+                                       const std::stop_token& stop = {},
+                                       const settings::Translations& translations = {}) {
+  auto shelf = content::check_shelf(path, limits, languages, stop, translations);
   report.vessels += static_cast<int>(shelf.ids.size());
   for (const fs::path& file : shelf.files) look(report, file);
   if (shelf.ids.empty() && shelf.problems.empty())
@@ -104,7 +123,9 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
                          const std::stop_token& stop = {}) {
   const fs::path languages = files::language_folder(file);
   auto read = settings::read_exhibit(file, languages);
-  const settings::Exhibit exhibit = read.exhibit;
+  settings::Exhibit exhibit = read.exhibit;
+  exhibit.translations = content::read_translations(languages, exhibit.languages);
+  content::KnownIds known;
   add(report, file, read.keys_checked, std::move(read.problems));
   std::error_code ignored;
   if (fs::is_regular_file(exhibit.rubric_file, ignored)) look(report, exhibit.rubric_file);
@@ -114,23 +135,28 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
   for (const fs::path& scene : scenes)
     if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
   if (fs::is_regular_file(exhibit.glazes, ignored))
-    check_glazes(report, exhibit.glazes, exhibit.languages);
-  if (exhibit.lesson) check_lesson(report, *exhibit.lesson, exhibit.languages);
+    known["glaze"] = check_glazes(report, exhibit.glazes, exhibit.languages, exhibit.translations);
+  if (exhibit.lesson)
+    known["lesson"] =
+        check_lesson(report, *exhibit.lesson, exhibit.languages, exhibit.translations);
   for (const device::KindInfo& kind : device::device_kinds())
     if (fs::is_regular_file(device_file(exhibit, kind.kind), ignored)) {
       auto device = device_of(exhibit, kind.kind);
       add(report, device_file(exhibit, kind.kind), device.keys_checked, std::move(device.problems));
     }
-  for (const std::string& code : exhibit.languages)
-    if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
-      check_language(report, words);
   std::vector<std::string> shelf;
   if (fs::is_directory(exhibit.shelf, ignored)) {
-    shelf = check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader, stop);
+    shelf = check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader, stop,
+                          exhibit.translations);
     note(report, 0, unknown_names(exhibit, shelf));
+    if (!stop.stop_requested()) known["vessel"] = shelf;
   }
   if (exhibit.missions)
-    check_missions(report, *exhibit.missions, exhibit.languages, &exhibit, shelf);
+    known["mission"] =
+        check_missions(report, *exhibit.missions, exhibit.languages, &exhibit, shelf);
+  for (const std::string& code : exhibit.languages)
+    if (const fs::path words = languages / (code + ".toml"); fs::is_regular_file(words, ignored))
+      check_language(report, words, known);
 }
 
 bool is_scene_table(const std::string& key) {
@@ -151,7 +177,9 @@ void check_toml(CheckReport& report, const fs::path& file,
   const auto has = [&keys](const char* key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
-  if (file.filename() == "vessel.toml" || has("label"))
+  if (has("text") && has("code"))  // it may also have [glaze.ID], and so on
+    check_language(report, file);
+  else if (file.filename() == "vessel.toml" || has("label"))
     check_vessels(report, file.has_parent_path() ? file.parent_path() : fs::path("."), languages);
   else if (has("outer") || has("inner")) {
     auto drawing = content::check_drawing(file);
@@ -162,8 +190,6 @@ void check_toml(CheckReport& report, const fs::path& file,
     check_lesson(report, file, languages);
   } else if (has("mission")) {
     check_missions(report, file, languages);
-  } else if (has("text") && has("code")) {
-    check_language(report, file);
   } else if (has("outline") || has("stars") || has("size_counts")) {
     auto rubric = settings::read_rubric(file);
     add(report, file, rubric.keys_checked, std::move(rubric.problems));

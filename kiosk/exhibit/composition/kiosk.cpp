@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "kiosk/collection/content/translation_tables.h"
 #include "kiosk/exhibit/composition/device_files.h"
 #include "kiosk/exhibit/composition/words.h"
 #include "kiosk/ground/files/local_time.h"
@@ -33,7 +34,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   std::unique_ptr<Kiosk> kiosk(new Kiosk);
   if (auto good = kiosk->read_settings(options); !good) return tl::unexpected(good.error());
   kiosk->shelf_ = std::make_unique<Shelf>(options.shelf.value_or(kiosk->exhibit_.shelf),
-                                          *kiosk->scenes_, kiosk->exhibit_.reader);
+                                          *kiosk->scenes_, kiosk->exhibit_);
   kiosk->missions_ =
       std::make_unique<Missions>(kiosk->exhibit_, *kiosk->scenes_, options.wall, options.mission);
   const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
@@ -131,13 +132,15 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   exhibit_ = std::move(exhibit.exhibit);
   if (!options.languages.empty()) exhibit_.languages = options.languages;
   if (options.scan_seconds) exhibit_.screen.scan_seconds = *options.scan_seconds;
+  exhibit_.translations =
+      content::read_translations(files::language_folder(exhibit_.file), exhibit_.languages);
   scenes_ = std::make_unique<Scenes>(exhibit_);
 
   auto languages = read_languages(exhibit_, options.language);
   if (!languages) return tl::unexpected(languages.error());
   languages_ = std::move(*languages);
   if (exhibit_.lesson) {
-    auto lesson = content::read_lesson(*exhibit_.lesson, exhibit_.languages);
+    auto lesson = content::read_lesson(*exhibit_.lesson, exhibit_.languages, exhibit_.translations);
     files::log_problems(lesson.problems);
     lesson_ = std::move(lesson.steps);
   }

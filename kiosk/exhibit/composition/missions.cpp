@@ -126,7 +126,8 @@ int Missions::todays(const Mission& mission, const std::vector<screens::ShelfCar
 void Missions::read(const std::vector<screens::ShelfCard>& shelf) {
   std::vector<std::string> ids;
   for (const screens::ShelfCard& card : shelf) ids.push_back(card.vessel->id);
-  auto read = settings::read_missions(*exhibit_.missions, exhibit_.languages, ids);
+  auto read =
+      settings::read_missions(*exhibit_.missions, exhibit_.languages, ids, exhibit_.translations);
   files::log_problems(read.problems);
   missions_ = std::move(read.missions);
   for (const Mission& mission : missions_) {

@@ -37,7 +37,7 @@ Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attr
     fires = fires || own.kiln;
   }
   if (!fires) return;
-  auto glazes = content::read_glazes(exhibit.glazes, exhibit.languages);
+  auto glazes = content::read_glazes(exhibit.glazes, exhibit.languages, exhibit.translations);
   files::log_problems(glazes.problems);
   glazes_ = std::move(glazes.glazes);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/scene/lump.h"
+#include "kiosk/collection/content/translation_tables.h"
 #include "kiosk/ground/files/log.h"
 
 namespace fs = std::filesystem;
@@ -31,9 +32,10 @@ void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limit
 
 }  // namespace
 
-Shelf::Shelf(const fs::path& path, const Scenes& scenes, const settings::ReaderLimits& limits)
+Shelf::Shelf(const fs::path& path, const Scenes& scenes, const settings::Exhibit& exhibit)
     : scenes_(scenes),
-      reading_(std::async(std::launch::async, read, path, std::ref(arrivals_), limits)) {}
+      exhibit_(exhibit),
+      reading_(std::async(std::launch::async, read, path, std::ref(arrivals_), exhibit.reader)) {}
 
 Shelf::~Shelf() = default;
 
@@ -55,6 +57,7 @@ void Shelf::take(double now) {
       continue;
     }
     for (content::Vessel& vessel : *read) {
+      content::translate(vessel, exhibit_.translations);
       vessels_.push_back(std::move(vessel));
       screens::ShelfCard card;
       card.vessel = &vessels_.back();

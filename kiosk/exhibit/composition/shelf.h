@@ -18,9 +18,8 @@ namespace onggi::exhibit {
 class Shelf {
  public:
   /// Starts reading `path` (a shelf folder, a pack, or a single GLB/glTF) on a worker.
-  /// `scenes` outlives it.
-  Shelf(const std::filesystem::path& path, const Scenes& scenes,
-        const settings::ReaderLimits& limits = {});
+  /// `scenes` and `exhibit`, whose limits and translations hold, outlive it.
+  Shelf(const std::filesystem::path& path, const Scenes& scenes, const settings::Exhibit& exhibit);
   ~Shelf();
 
   Arrivals::Progress progress() const { return arrivals_.progress(); }
@@ -44,6 +43,7 @@ class Shelf {
   void take(double now);
 
   const Scenes& scenes_;
+  const settings::Exhibit& exhibit_;
   Arrivals arrivals_;
   std::future<void> reading_;
   std::deque<content::Vessel> vessels_;  // not movable: cards point at them

@@ -175,8 +175,7 @@ Result<std::unique_ptr<HeadlessVisits>> HeadlessVisits::open(const std::string& 
   if (!languages) return tl::unexpected(languages.error());
   out->languages_ = std::move(*languages);
   out->scenes_ = std::make_unique<exhibit::Scenes>(out->exhibit_);
-  out->shelf_ =
-      std::make_unique<exhibit::Shelf>(out->exhibit_.shelf, *out->scenes_, out->exhibit_.reader);
+  out->shelf_ = std::make_unique<exhibit::Shelf>(out->exhibit_.shelf, *out->scenes_, out->exhibit_);
   out->shelf_->wait();
   if (out->cards().empty())
     return problem(out->exhibit_.shelf.string(), "No vessel there could be opened.",

@@ -181,5 +181,38 @@ TEST_F(CopiedSite, WhatAVisitorShouldNotReadIsNamed) {
   EXPECT_NE(check().err.find("true size is missing"), std::string::npos) << check().err;
 }
 
+TEST_F(CopiedSite, ATranslatorWritesOneFileAndItsFaultsAreNamedThere) {
+  replace("config/exhibit.toml", "languages = [\"en\", \"ko\"]", "languages = [\"en\", \"nl\"]");
+  replace("config/exhibit.toml", "ko = \"도자기 빚기\"", "nl = \"Maak een pot\"");
+  std::string words = text_of(at("content/languages/en.toml"));
+  words = std::regex_replace(words, std::regex("code = \"en\""), "code = \"nl\"");
+  std::ofstream(at("content/languages/nl.toml")) << words;
+  const std::string before = check().err;
+  for (const char* lacks : {"no label in the language \"nl\"", "no name in the language \"nl\"",
+                            "no words in the language \"nl\"", "no title in the language \"nl\""})
+    EXPECT_NE(before.find(lacks), std::string::npos) << lacks << before;
+  for (const char* id : {"moon_jar", "tea_bowl"})
+    words += std::string("[vessel.") + id + "]\ntitle = \"Pot\"\n";
+  const auto add = [&words](const char* file, const std::string& kind, const std::string& texts) {
+    const std::string text = text_of(file);
+    const std::regex id("\nid = \"([a-z_]+)\"");
+    for (std::sregex_iterator it(text.begin(), text.end(), id), end; it != end; ++it)
+      words += "[" + kind + "." + (*it)[1].str() + "]\n" + texts;
+  };
+  add("content/glazes.toml", "glaze", "name = \"Groen\"\n");
+  add("content/missions.toml", "mission", "title = \"Een liter\"\nabout = \"Maak het.\"\n");
+  add("content/lessons/first_minute.toml", "lesson", "words = \"Raak de klei aan.\"\n");
+  std::ofstream(at("content/languages/nl.toml")) << words;
+  const Outcome good = check();
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  std::ofstream(at("content/languages/nl.toml"))
+      << words + "[glaze.celadn]\nname = \"Groen\"\n[vessel.krug]\ntitle = \"Kruik\"\n";
+  const auto line = std::to_string(std::count(words.begin(), words.end(), '\n') + 1);
+  const std::string bad = check().err;
+  EXPECT_NE(bad.find("nl.toml:" + line), std::string::npos) << bad;
+  EXPECT_NE(bad.find("Did you mean [glaze.celadon]?"), std::string::npos) << bad;
+  EXPECT_NE(bad.find("This exhibit has no vessel \"krug\"."), std::string::npos) << bad;
+}
+
 }  // namespace
 }  // namespace onggi::commands
