@@ -21,14 +21,19 @@ constexpr ToolShape kTools[] = {
      .least = {.radius = 0.01, .thickness = 0.001},
      .most = {.radius = 0.1, .thickness = 0.02},
      .hold = {.along = kUp, .across = kTurn},
-     .smooths = true},
+     .smooths = true,
+     .material = ToolMaterial::edge,
+     .tray = 5,
+     .drawing = "arc 9,12 9,10 -90 90; 9,2 9,22; arc 12.5,12 1.4,1.4 0 360"},
     // A finger's last joint, from the middle of its tip to the middle of the knuckle.
     {.name = "fingertip",
      .body = BodyKind::capsule,
      .usual = {.radius = 0.008, .length = 0.022},
      .least = {.radius = 0.003, .length = 0.001},
      .most = {.radius = 0.02, .length = 0.08},
-     .hold = {.along = {0.5, kHalfRoot3, 0.0}, .across = kTurn}},
+     .hold = {.along = {0.5, kHalfRoot3, 0.0}, .across = kTurn},
+     .tray = 2,
+     .drawing = "9,22 9,8; arc 12,8 3,4 180 360; 15,8 15,22; arc 12,7.5 1.6,2.2 180 360"},
     // A thin plate of wood or steel. Upright with its face to the wall it makes the wall straight;
     // with the wheel still it makes facets.
     {.name = "flat_rib",
@@ -37,7 +42,11 @@ constexpr ToolShape kTools[] = {
      .least = {.radius = 0.005, .length = 0.02, .thickness = 0.001},
      .most = {.radius = 0.06, .length = 0.25, .thickness = 0.02},
      .hold = {.along = kUp, .across = kOut},
-     .smooths = true},
+     .smooths = true,
+     .material = ToolMaterial::edge,
+     .role = ToolRole::rib,
+     .tray = 4,
+     .drawing = "8,2 16,2 16,22 8,22 8,2; arc 12,6 1.4,1.4 0 360"},
     // A loop of ribbon, `thickness` wide, at the end of a handle. What is within the loop comes
     // away
     // with what the ribbon cuts, so that to the clay it is a disc; the clay comes away at once.
@@ -48,7 +57,12 @@ constexpr ToolShape kTools[] = {
      .most = {.radius = 0.04, .thickness = 0.01},
      .hold = {.along = kOut, .across = kTurn},
      .relaxation = 0.2,
-     .cuts = true},
+     .cuts = true,
+     .material = ToolMaterial::edge,
+     .role = ToolRole::trimmer,
+     .tray = 6,
+     .drawing = "arc 12,6 5,5 115.2 424.8; 10.2,10.6 11,13; 13.8,10.6 13,13; "
+                "11,13 13,13 13,23 11,23 11,13"},
     // Incises lines and trims rims. It is thinner than most elements: those it meets give way for
     // the share that it covers, so that a line is at least one element wide.
     {.name = "needle",
@@ -58,20 +72,29 @@ constexpr ToolShape kTools[] = {
      .most = {.radius = 0.003, .length = 0.2},
      .hold = {.along = {0.8, 0.6, 0.0}, .across = kTurn},
      .relaxation = 0.2,
-     .cuts = true},
+     .cuts = true,
+     .material = ToolMaterial::edge,
+     .tray = 7,
+     .drawing = "12,1 12,12; 10.6,12 13.4,12 13.4,23 10.6,23 10.6,12"},
     // The soft side of a hand, laid to the wall: broad, so that what it passes over stays even.
     {.name = "palm",
      .body = BodyKind::ball,
      .usual = {.radius = 0.018},
      .least = {.radius = 0.01},
      .most = {.radius = 0.05},
-     .smooths = true},
+     .smooths = true,
+     .role = ToolRole::outer_hand,
+     .tray = 1,
+     .drawing = "arc 12,15 6,7.5 0 180; 6,15 6,8; 18,15 18,9; arc 7.5,8 1.5,1.6 180 360; 9,8 9,5; "
+                "arc 10.5,5 1.5,1.6 180 360; 12,5 12,12; arc 13.5,5 1.5,1.6 180 360; "
+                "15,5 15,12; arc 16.5,8 1.5,1.6 180 360"},
     // The paper's own tool (Lee, Han & Choi 2008).
     {.name = "sphere",
      .body = BodyKind::ball,
      .usual = {.radius = 0.008},
      .least = {.radius = 0.001},
-     .most = {.radius = 0.05}},
+     .most = {.radius = 0.05},
+     .tray = 8},
     // It gives way itself more than the clay does, and wets what it touches.
     {.name = "sponge",
      .body = BodyKind::ball,
@@ -80,7 +103,11 @@ constexpr ToolShape kTools[] = {
      .most = {.radius = 0.05},
      .softness = 0.15,
      .wets = true,
-     .smooths = true},
+     .smooths = true,
+     .material = ToolMaterial::sponge,
+     .tray = 3,
+     .drawing = "arc 12,13 9.5,7.5 0 360; arc 8.5,11 1.2,1 0 360; arc 14,9.5 1.2,1 0 360; "
+                "arc 12,15 1.2,1 0 360; arc 16.5,14 1,0.9 0 360"},
     // Taut between two hands.
     {.name = "wire",
      .body = BodyKind::wire,
@@ -88,7 +115,10 @@ constexpr ToolShape kTools[] = {
      .least = {.radius = 0.0001, .length = 0.1},
      .most = {.radius = 0.002, .length = 1.0},
      .hold = {.along = kTurn, .across = kUp},
-     .cuts = true},
+     .cuts = true,
+     .material = ToolMaterial::wire,
+     .tray = 9,  // the last, because it ends the pot
+     .drawing = "3,8 3,16; 21,8 21,16; arc 12,12 9,2.4 180 0"},
 };
 
 Vec3 unit(Vec3 v) { return (1.0 / length(v)) * v; }

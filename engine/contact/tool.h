@@ -35,6 +35,22 @@ struct Hold {
   Vec3 across{0, 0, 1};
 };
 
+/// What a tool's working part is made of: how it is drawn, and what is heard when clay rubs on it.
+enum class ToolMaterial : std::uint8_t {
+  skin,    ///< A hand's.
+  sponge,  ///< Porous and soft.
+  edge,    ///< Of wood or metal, with a handle if its body is a capsule or it cuts.
+  wire     ///< Taut.
+};
+
+/// What scripted hands and programs that help a visitor take a tool for. One tool has each.
+enum class ToolRole : std::uint8_t {
+  none,
+  outer_hand,  ///< It supports the wall from outside.
+  rib,         ///< It makes the wall even.
+  trimmer      ///< It takes clay off the foot.
+};
+
 /// A potter's tool: a body and its use. One row of engine/contact/tool.cpp.
 struct ToolShape {
   std::string_view name;  ///< As in a scene's TOML: "sphere".
@@ -50,6 +66,13 @@ struct ToolShape {
   bool cuts = false;     ///< It removes clay instead of pushing it aside.
   bool wets = false;     ///< It brings water to the clay it touches.
   bool smooths = false;  ///< It smooths the wall that it passes, if the scene has that effect.
+
+  ToolMaterial material = ToolMaterial::skin;
+  ToolRole role = ToolRole::none;
+  int tray = 0;  ///< Its place beside the wheel, the smallest first: the order of use.
+  /// Its drawing there: strokes in a square of 24, y down; "9,22 9,8; arc 12,8 3,4 180 360"
+  /// (kiosk/visit/screens/pen_strokes.h).
+  std::string_view drawing{};
 
   bool round() const { return body == BodyKind::ball; }  ///< Its orientation does not matter.
   bool severs() const { return body == BodyKind::wire; }

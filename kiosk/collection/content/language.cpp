@@ -98,8 +98,9 @@ Result<Language> Language::read(const std::filesystem::path& file) {
 std::string Language::say(const std::string& key,
                           const std::map<std::string, std::string>& places) const {
   const auto found = texts_.find(key);
-  if (found == texts_.end()) return "[" + key + "]";
-  const std::string& text = found->second;
+  const std::string* const words = found != texts_.end() ? &found->second : english_text(key);
+  if (words == nullptr) return "[" + key + "]";
+  const std::string& text = *words;
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::size_t close = text[i] == '{' ? text.find('}', i) : std::string::npos;

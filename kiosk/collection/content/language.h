@@ -24,10 +24,12 @@ class Language {
   bool right_to_left() const { return right_to_left_; }
   /// The decimal separator: "." or ",".
   const std::string& decimal() const { return decimal_; }
-  /// The text of `key` with its placeholders filled. A missing key gives "[key]", which fails a
-  /// test. A placeholder without a value stays as written.
+  /// The text of `key` with its placeholders filled; in English if this language lacks it. A key
+  /// that the program does not know gives "[key]", which fails a test. A placeholder without a
+  /// value stays as written.
   std::string say(const std::string& key,
                   const std::map<std::string, std::string>& places = {}) const;
+  /// True if the language itself says `key`.
   bool has(const std::string& key) const;
   /// The names of the placeholders in the text of `key`, sorted, without repeats.
   std::vector<std::string> places(const std::string& key) const;

@@ -67,6 +67,11 @@ void compare_places(WrittenText& text, const std::string& wanted_words) {
 
 }  // namespace
 
+const std::string* english_text(const std::string& key) {
+  const auto found = english().find(key);
+  return found == english().end() ? nullptr : &found->second;
+}
+
 std::vector<std::string> places_in(const std::string& words) {
   std::vector<std::string> out;
   for (std::size_t i = words.find('{'); i != std::string::npos; i = words.find('{', i + 1))

@@ -19,6 +19,9 @@ struct WrittenText {
   std::string name;               ///< and its name there.
 };
 
+/// The program's English for `key`; null if it has no such text. Reads the file once; any thread.
+const std::string* english_text(const std::string& key);
+
 /// The names of the {name} placeholders in `words`, sorted, without repeats.
 std::vector<std::string> places_in(const std::string& words);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/nearest_name.h"
+#include "engine/contact/tool.h"
 #include "engine/effects/kiln.h"
 #include "engine/script/script.h"
 #include "kiosk/collection/settings/scene_file.h"
@@ -16,15 +17,6 @@ namespace {
 
 constexpr double kAway = 0.5;          // m from the axis and the wheel: every tool has space there
 constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
-
-/// In the order of throwing; the wire comes last, because it ends it.
-std::size_t place_in_tray(std::string_view tool) {
-  constexpr std::string_view kOrder[] = {"palm",       "fingertip",    "sponge", "flat_rib",
-                                         "curved_rib", "loop_trimmer", "needle"};
-  return static_cast<std::size_t>(std::find(std::begin(kOrder), std::end(kOrder), tool) -
-                                  std::begin(kOrder)) +
-         (tool == "wire" ? 1 : 0);
-}
 
 }  // namespace
 
@@ -117,11 +109,19 @@ screens::SceneForVisitor Scenes::wheel_of(const std::string& id) const {
     const auto tool = static_cast<std::uint8_t>(n + 1);
     const ToolShape& shape = *find_tool_shape(def.tools[n].name);
     const ToolSize size = sized(shape, def.tools[n].size);
-    if (shape.name == "palm") wheel.palm = tool, wheel.palm_radius = size.radius;
-    if (shape.name == "flat_rib")
-      wheel.rib = screens::SceneForVisitor::Rib{tool, size.length, size.thickness};
-    if (shape.name == "loop_trimmer")
-      wheel.trimmer = screens::SceneForVisitor::Trimmer{tool, size.radius};
+    switch (shape.role) {
+      case ToolRole::outer_hand:
+        wheel.palm = tool, wheel.palm_radius = size.radius;
+        break;
+      case ToolRole::rib:
+        wheel.rib = screens::SceneForVisitor::Rib{tool, size.length, size.thickness};
+        break;
+      case ToolRole::trimmer:
+        wheel.trimmer = screens::SceneForVisitor::Trimmer{tool, size.radius};
+        break;
+      case ToolRole::none:
+        break;
+    }
     if (shape.severs()) wheel.wire = tool;
     const Vec3 at{kAway, kAway, 0};
     const ToolPlace held = hold_tool(shape, at, {}, 0.0, false);
@@ -131,7 +131,7 @@ screens::SceneForVisitor Scenes::wheel_of(const std::string& id) const {
                            kAway - lowest.middle.y + lowest.radius});
   }
   std::stable_sort(wheel.tools.begin(), wheel.tools.end(), [](const auto& a, const auto& b) {
-    return place_in_tray(a.name) < place_in_tray(b.name);
+    return find_tool_shape(a.name)->tray < find_tool_shape(b.name)->tray;
   });
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/contact/tool.h"
 #include "kiosk/picture/render/shaders.h"
 
 namespace onggi::render {
@@ -151,9 +152,16 @@ struct Placer {
   }
 };
 
-bool is_sponge(const HandView& hand) { return hand.name == "sponge"; }
-bool is_needle(const HandView& hand) { return hand.name == "needle"; }
-bool is_loop(const HandView& hand) { return hand.name == "loop_trimmer"; }
+ToolMaterial material_of(const HandView& hand) {
+  const ToolShape* const shape = find_tool_shape(hand.name);
+  return shape != nullptr ? shape->material : ToolMaterial::skin;
+}
+bool is_sponge(const HandView& hand) { return material_of(hand) == ToolMaterial::sponge; }
+bool is_needle(const HandView& hand) { return material_of(hand) == ToolMaterial::edge; }
+bool is_loop(const HandView& hand) {
+  const ToolShape* const shape = find_tool_shape(hand.name);
+  return shape != nullptr && shape->cuts;
+}
 
 }  // namespace
 

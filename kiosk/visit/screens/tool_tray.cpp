@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "engine/contact/tool.h"
+#include "kiosk/visit/screens/pen_strokes.h"
 
 namespace onggi::screens {
 
@@ -17,66 +19,14 @@ constexpr std::string_view kControl = "throw.tool.";
 constexpr float kDrawn = 1.5f;    // em: side of a drawing
 constexpr float kLeading = 1.2f;  // of a name on several lines
 
-/// A stroke of a drawing, in a square of 24 with y down.
-using PenStroke = std::vector<std::pair<float, float>>;
+/// One on each face of a wall.
+constexpr std::string_view kBareHands =
+    "11,3 11,22; 13,3 13,22; arc 4.5,11 5,4 -90 90; arc 19.5,11 5,4 90 270; "
+    "1,7 4.5,7; 1,15 4.5,15; 19.5,7 23,7; 19.5,15 23,15";
 
-PenStroke arc(float x, float y, float rx, float ry, double from, double to) {
-  PenStroke s;
-  constexpr int kParts = 20;
-  for (int i = 0; i <= kParts; ++i) {
-    const double a = from + (to - from) * i / kParts;
-    s.emplace_back(x + rx * static_cast<float>(std::cos(a)),
-                   y + ry * static_cast<float>(std::sin(a)));
-  }
-  return s;
-}
-
-constexpr double kPi = 3.14159265358979;
-
-std::vector<PenStroke> drawing_of(std::string_view tool) {
-  if (tool == "fingertip")
-    return {{{9, 22}, {9, 8}},
-            arc(12, 8, 3, 4, kPi, 2 * kPi),
-            {{15, 8}, {15, 22}},
-            arc(12, 7.5f, 1.6f, 2.2f, kPi, 2 * kPi)};
-  if (tool == "flat_rib")
-    return {{{8, 2}, {16, 2}, {16, 22}, {8, 22}, {8, 2}}, arc(12, 6, 1.4f, 1.4f, 0, 2 * kPi)};
-  if (tool == "curved_rib")
-    return {arc(9, 12, 9, 10, -kPi / 2, kPi / 2),
-            {{9, 2}, {9, 22}},
-            arc(12.5f, 12, 1.4f, 1.4f, 0, 2 * kPi)};
-  if (tool == "needle")
-    return {{{12, 1}, {12, 12}}, {{10.6f, 12}, {13.4f, 12}, {13.4f, 23}, {10.6f, 23}, {10.6f, 12}}};
-  if (tool == "loop_trimmer")
-    return {arc(12, 6, 5, 5, kPi * 0.64, kPi * 2.36),
-            {{10.2f, 10.6f}, {11, 13}},
-            {{13.8f, 10.6f}, {13, 13}},
-            {{11, 13}, {13, 13}, {13, 23}, {11, 23}, {11, 13}}};
-  if (tool == "sponge")
-    return {arc(12, 13, 9.5f, 7.5f, 0, 2 * kPi), arc(8.5f, 11, 1.2f, 1, 0, 2 * kPi),
-            arc(14, 9.5f, 1.2f, 1, 0, 2 * kPi), arc(12, 15, 1.2f, 1, 0, 2 * kPi),
-            arc(16.5f, 14, 1, 0.9f, 0, 2 * kPi)};
-  if (tool == "wire") return {{{3, 8}, {3, 16}}, {{21, 8}, {21, 16}}, arc(12, 12, 9, 2.4f, kPi, 0)};
-  if (tool == "palm")
-    return {arc(12, 15, 6, 7.5f, 0, kPi),
-            {{6, 15}, {6, 8}},
-            {{18, 15}, {18, 9}},
-            arc(7.5f, 8, 1.5f, 1.6f, kPi, 2 * kPi),
-            {{9, 8}, {9, 5}},
-            arc(10.5f, 5, 1.5f, 1.6f, kPi, 2 * kPi),
-            {{12, 5}, {12, 12}},
-            arc(13.5f, 5, 1.5f, 1.6f, kPi, 2 * kPi),
-            {{15, 5}, {15, 12}},
-            arc(16.5f, 8, 1.5f, 1.6f, kPi, 2 * kPi)};
-  // The bare hands: one on each face of a wall.
-  return {{{11, 3}, {11, 22}},
-          {{13, 3}, {13, 22}},
-          arc(4.5f, 11, 5, 4, -kPi / 2, kPi / 2),
-          arc(19.5f, 11, 5, 4, kPi / 2, 1.5 * kPi),
-          {{1, 7}, {4.5f, 7}},
-          {{1, 15}, {4.5f, 15}},
-          {{19.5f, 7}, {23, 7}},
-          {{19.5f, 15}, {23, 15}}};
+std::string_view drawing_of(const std::string& tool) {
+  const ToolShape* const shape = find_tool_shape(tool);
+  return shape != nullptr && !shape->drawing.empty() ? shape->drawing : kBareHands;
 }
 
 /// Layout of the tray: cells side by side, each with a drawing and its name; a row is as high as
@@ -166,7 +116,8 @@ void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
                         on ? t.hairline * 1.5f : 0, view::kCobalt});
     const float side = grid.drawing;
     const float x = turned(left + air, side), top = y + (high - side) / 2;
-    for (PenStroke stroke : drawing_of(n == 0 ? "hands" : wheel.tools[n - 1].name)) {
+    for (PenStroke stroke :
+         pen_strokes(n == 0 ? kBareHands : drawing_of(wheel.tools[n - 1].name))) {
       for (auto& [px, py] : stroke) px = x + px * side / 24, py = top + py * side / 24;
       page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, side / 22)});
     }

@@ -2,15 +2,24 @@
 
 #include <string_view>
 
+#include "engine/contact/tool.h"
+
 namespace onggi::sound {
 
 namespace {
 
 Rub::Kind kind_of(std::string_view tool) {
-  if (tool == "sponge") return Rub::Kind::sponge;
-  if (tool == "wire") return Rub::Kind::wire;
-  // Tools with a handle and an edge.
-  if (tool.ends_with("rib") || tool == "loop_trimmer" || tool == "needle") return Rub::Kind::rib;
+  const ToolShape* const shape = find_tool_shape(tool);
+  switch (shape != nullptr ? shape->material : ToolMaterial::skin) {
+    case ToolMaterial::sponge:
+      return Rub::Kind::sponge;
+    case ToolMaterial::edge:
+      return Rub::Kind::rib;
+    case ToolMaterial::wire:
+      return Rub::Kind::wire;
+    case ToolMaterial::skin:
+      break;
+  }
   return Rub::Kind::hand;
 }
 

@@ -23,6 +23,16 @@ TEST_F(LanguageTest, words_are_filled_into_their_places) {
   EXPECT_EQ(language->keys().size(), 2u);
 }
 
+TEST_F(LanguageTest, what_it_lacks_is_said_in_english) {
+  const auto language = Language::read(
+      write("ko.toml", "code = \"ko\"\nname = \"한국어\"\n[text]\ntool.wire = \"철사\"\n"));
+  ASSERT_TRUE(language) << to_text(language.error());
+  EXPECT_EQ(language->say("tool.wire"), "철사");
+  EXPECT_EQ(language->say("tool.needle"), "Needle");
+  EXPECT_FALSE(language->has("tool.needle"));
+  EXPECT_EQ(language->say("tool.spoon"), "[tool.spoon]") << "nor has the program it";
+}
+
 TEST_F(LanguageTest, tenths_stand_behind_what_the_file_says) {
   const auto read = [&](const std::string& line) {
     return check_language(write(

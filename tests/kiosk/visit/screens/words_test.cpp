@@ -38,15 +38,22 @@ std::vector<content::Language> all_languages() {
   return all;
 }
 
+// The two that are offered from the start say all; another may say a new thing in English until
+// somebody has translated it, and nothing else.
 TEST(Words, EveryLanguageThatComesSaysTheSameThingsWithTheSamePlaces) {
   const auto en = read("en");
   const auto all = all_languages();
   EXPECT_GE(all.size(), 5u);
   std::set<std::string> codes;
+  const settings::Exhibit exhibit;
+  const std::set<std::string> offered(exhibit.languages.begin(), exhibit.languages.end());
   for (const auto& language : all) {
     SCOPED_TRACE(language.code());
     EXPECT_TRUE(codes.insert(language.code()).second) << "two files have one code";
-    EXPECT_EQ(en.keys(), language.keys());
+    for (const std::string& key : language.keys()) EXPECT_TRUE(en.has(key)) << key;
+    if (offered.contains(language.code())) {
+      EXPECT_EQ(en.keys(), language.keys());
+    }
     for (const std::string& key : en.keys())
       EXPECT_EQ(places(en.say(key)), places(language.say(key))) << key;
   }

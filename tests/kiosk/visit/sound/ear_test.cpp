@@ -26,7 +26,7 @@ TEST(Ear, HearsTheWheelAndTheHandThatTouches) {
   EXPECT_EQ(heard.rub[1].slip, 0.9);
 }
 
-TEST(Ear, TellsToolsByTheirNames) {
+TEST(Ear, TellsToolsByWhatTheyAreMadeOf) {
   const auto kind = [](std::string_view tool) { return hear(throwing(tool)).rub[1].kind; };
   for (const char* hand : {"sphere", "fingertip", "palm"}) EXPECT_EQ(kind(hand), Rub::Kind::hand);
   for (const char* rib : {"flat_rib", "curved_rib", "loop_trimmer", "needle"})
