@@ -3,6 +3,7 @@
 #include <array>
 
 #include "kiosk/ground/files/log.h"
+#include "kiosk/visit/screens/screen_kind.h"
 #include "kiosk/visit/sound/ear.h"
 
 namespace onggi::exhibit {
@@ -16,7 +17,7 @@ void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
   const bool heard = visit != nullptr && !dark && visit->volume_share() > 0.0 &&
                      visit->screen() != screens::ScreenId::attract;
   speaker_.volume(heard ? volume_ * visit->volume_share() : 0.0);
-  speaker_.fire(heard && visit->screen() == screens::ScreenId::kiln ? 1.0 : 0.0);
+  speaker_.fire(heard && screens::kind_of(visit->screen()).fires ? 1.0 : 0.0);
 }
 
 void StudioSound::sing(const screens::WheelSnapshot& sight) {

@@ -71,11 +71,6 @@ Result<void> ScriptedVisitor::step(double now) {
       return on_choose();
     case ScreenId::throwing:
       return on_throw(now);
-    case ScreenId::result:
-      if (touched_) return {};
-      touched_ = true;
-      pass("result");
-      return touch("result.keep");
     case ScreenId::kiln:
       return on_kiln();
     case ScreenId::keepsake:
@@ -83,8 +78,13 @@ Result<void> ScriptedVisitor::step(double now) {
     case ScreenId::fault:
       pass("fault");
       return problem("the visit", "The kiosk shows its fault screen.", "Its log says why.", 1);
+    default:
+      break;
   }
-  return {};
+  // A screen that asks for nothing but to go on: where its keyboard begins.
+  if (std::exchange(touched_, true)) return {};
+  pass(std::string(name_of(screen)));
+  return touch(kiosk_.visit().reading().first);
 }
 
 Result<void> ScriptedVisitor::on_choose() {

@@ -72,7 +72,7 @@ void Visit::update(double now) {
     }
   } else {
     const auto& wait = s.desk.world.exhibit->idle;
-    const bool reading = id == ScreenId::result || id == ScreenId::kiln || id == ScreenId::keepsake;
+    const bool reading = kind_of(id).reads_long;
     // A visitor with one switch steps through everything and needs more time.
     const settings::Exhibit::Screen own = s.desk.screen();
     const double step = own.one_switch ? own.scan_seconds : 0.0;

@@ -3,27 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "kiosk/visit/screens/screen_kind.h"
+
 namespace onggi::screens {
 
-std::string_view name_of(ScreenId id) {
-  switch (id) {
-    case ScreenId::attract:
-      return "attract";
-    case ScreenId::choose:
-      return "choose";
-    case ScreenId::throwing:
-      return "throw";
-    case ScreenId::result:
-      return "result";
-    case ScreenId::kiln:
-      return "kiln";
-    case ScreenId::keepsake:
-      return "keepsake";
-    case ScreenId::fault:
-      return "fault";
-  }
-  return "";
-}
+std::string_view name_of(ScreenId id) { return kind_of(id).name; }
 
 std::string_view name_of(VisitNotes::End end) {
   switch (end) {

@@ -7,9 +7,9 @@
 
 namespace onggi::screens {
 
+/// In the order of a visit; a row each in screen_kind.cpp.
 enum class ScreenId { attract, choose, throwing, result, kiln, keepsake, fault };
-std::string_view name_of(
-    ScreenId id);  ///< "attract", "choose", "throw", "result", "kiln", "keepsake", "fault"
+std::string_view name_of(ScreenId id);  ///< ScreenKind::name: "throw", "kiln"
 
 /// The countable facts of a finished visit, without anything about the visitor.
 struct VisitNotes {

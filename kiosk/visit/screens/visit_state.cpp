@@ -3,42 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "kiosk/visit/screens/attract_screen.h"
-#include "kiosk/visit/screens/choose_screen.h"
 #include "kiosk/visit/screens/comfort_page.h"
 #include "kiosk/visit/screens/drift.h"
-#include "kiosk/visit/screens/fault_screen.h"
 #include "kiosk/visit/screens/focus.h"
-#include "kiosk/visit/screens/keepsake_screen.h"
-#include "kiosk/visit/screens/kiln_screen.h"
 #include "kiosk/visit/screens/overlays.h"
-#include "kiosk/visit/screens/result_screen.h"
-#include "kiosk/visit/screens/throwing_screen.h"
 
 namespace onggi::screens {
 
 using view::InputEvent;
 using view::Key;
-
-std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk) {
-  switch (id) {
-    case ScreenId::choose:
-      return make_choose(desk);
-    case ScreenId::throwing:
-      return make_throwing(desk);
-    case ScreenId::result:
-      return make_result(desk);
-    case ScreenId::kiln:
-      return make_kiln(desk);
-    case ScreenId::keepsake:
-      return make_keepsake(desk);
-    case ScreenId::fault:
-      return make_fault(desk);
-    case ScreenId::attract:
-      break;
-  }
-  return make_attract(desk);
-}
 
 /// The words change in place: cross-fade.
 void Visit::State::reworded() {
@@ -65,7 +38,7 @@ void Visit::State::apply_pending_screen() {
     desk.forget();
   else
     desk.notes.enter(to, desk.now);
-  screen = make_screen(to, desk);
+  screen = kind_of(to).make(desk);
   changed();
 }
 

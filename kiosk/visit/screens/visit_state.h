@@ -6,18 +6,17 @@
 
 #include "kiosk/visit/screens/idle.h"
 #include "kiosk/visit/screens/screen.h"
+#include "kiosk/visit/screens/screen_kind.h"
 
 namespace onggi::screens {
 
 /// The overlay on the screen.
 enum class Over { nothing, help, comfort, idle };
 
-std::unique_ptr<Screen> make_screen(ScreenId id, Desk& desk);
-
 /// The inside of a visit: the current screen, its overlay, the keyboard's place.
 struct Visit::State {
   explicit State(const VisitInputs& world)
-      : desk(world), measuring(*world.measure), screen(make_screen(ScreenId::attract, desk)) {}
+      : desk(world), measuring(*world.measure), screen(kind_of(ScreenId::attract).make(desk)) {}
 
   Desk desk;
   Measuring measuring;

@@ -10,6 +10,7 @@
 #include "kiosk/collection/content/lesson.h"
 #include "kiosk/collection/score/score.h"
 #include "kiosk/visit/screens/measured_pot.h"
+#include "kiosk/visit/screens/screen_kind.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::screens {
@@ -124,9 +125,9 @@ TEST(Words, EveryHintAndTitleOfADescriptionHasItsWords) {
 
 TEST(Words, EveryScreenHasItsHelp) {
   for (const auto& language : all_languages())
-    for (const char* screen : {"attract", "choose", "throw", "result", "kiln", "keepsake", "fault"})
+    for (const ScreenKind& screen : screen_kinds())
       for (const char* kind : {"", "_keys"})
-        EXPECT_NE(language.say(std::string("help.") + screen + kind).front(), '[');
+        EXPECT_NE(language.say("help." + std::string(screen.name) + kind).front(), '[');
 }
 
 TEST(Words, EnglishSentencesHaveAtMostTwentyFiveWords) {
