@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kiosk/collection/settings/list_file.h"
+
 namespace onggi::settings {
 namespace {
 
@@ -15,12 +17,6 @@ bool has_control_character(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7F;
   });
-}
-
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // UTF-8: one leading byte a letter
-  }));
 }
 
 /// "en", "ko", "zh-Hant": letters, then parts of letters and digits. It becomes a file's name.
