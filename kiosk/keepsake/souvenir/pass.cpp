@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "kiosk/ground/files/durable_file.h"
-#include "kiosk/ground/files/fetch_note.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace fs = std::filesystem;
@@ -200,7 +200,7 @@ void Passes::take_back(const Pass& pass) const {
 void Passes::note_fetched(const Pass& pass, std::int64_t now) const {
   if (pass.counted.empty()) return;
   // If the disk refuses the note, the page is not counted, but the visitor has it.
-  static_cast<void>(files::leave_fetch_note(
+  static_cast<void>(leave_fetch_note(
       fetched(), {pass.counted, files::local_time(static_cast<std::time_t>(now), files::kDay)}));
 }
 

@@ -18,7 +18,7 @@ struct Pass {
   std::int64_t until = 0;  ///< not valid any more at `until`.
   std::string language{};  ///< Language code of the visit; "": not known.
   bool whole = true;       ///< Its keepsake is complete; false: being written or removed.
-  std::string counted{};   ///< Id under which a fetch is counted: files::FetchNote::id.
+  std::string counted{};   ///< Id under which a fetch is counted: FetchNote::id.
 };
 
 /// The passes to the keepsakes of one folder, each a small file in the subfolder `phone`. The kiosk
@@ -56,7 +56,7 @@ class Passes {
   Result<void> remove_all_of(const Pass& pass) const;
   /// Records in fetched() that a visitor opened the page, once a keepsake, for the visit counter.
   void note_fetched(const Pass& pass, std::int64_t now) const;
-  /// The folder of those notes (files::fetch_notes()).
+  /// The folder of those notes (fetch_notes()).
   std::filesystem::path fetched() const { return folder() / "fetched"; }
   /// Removes a pass whose keepsake was not saved.
   void take_back(const Pass& pass) const;

@@ -151,7 +151,7 @@ void StoreThread::forget() {
 /// Notes stay until they are in the store, so what the disk refuses now is tried again.
 void StoreThread::gather() {
   if (fetched_.empty()) return;
-  const std::vector<files::FetchNote> notes = files::fetch_notes(fetched_, kMostNotes);
+  const std::vector<souvenir::FetchNote> notes = souvenir::fetch_notes(fetched_, kMostNotes);
   if (notes.empty() || !open()) return;
   if (auto good = store_->add_fetches(notes); !good) {
     // Damage found here sets the file aside, as for a visit.
@@ -161,7 +161,7 @@ void StoreThread::gather() {
       say(good.error());
     return;
   }
-  for (const files::FetchNote& note : notes) files::remove_fetch_note(fetched_, note);
+  for (const souvenir::FetchNote& note : notes) souvenir::remove_fetch_note(fetched_, note);
 }
 
 /// Removes the written ones from `visits`. If the file turns out to be damaged, it is set aside,

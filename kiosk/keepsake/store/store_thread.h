@@ -28,8 +28,8 @@ class StoreThread {
   static constexpr std::size_t kMostNotes = 1000;  ///< Collected at once.
 
   /// `months` (of 30 days): how long a visit is counted and a damaged file is kept; 0: forever.
-  /// Checked at the start and every `forget`. Phones' notes in `fetched` (files::fetch_notes()) are
-  /// collected at the start, every `gather` and at the end; "": none.
+  /// Checked at the start and every `forget`. Phones' notes in `fetched` (souvenir::fetch_notes())
+  /// are collected at the start, every `gather` and at the end; "": none.
   StoreThread(std::filesystem::path file, int months, std::chrono::milliseconds forget = kDaily,
               std::filesystem::path fetched = {}, std::chrono::milliseconds gather = kGather);
   /// As end().

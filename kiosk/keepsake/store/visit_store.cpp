@@ -175,13 +175,13 @@ Result<void> VisitStore::add(std::span<const VisitRecord> visits) {
   return failed("A visit could not be counted");
 }
 
-Result<void> VisitStore::add_fetches(std::span<const files::FetchNote> notes) {
+Result<void> VisitStore::add_fetches(std::span<const souvenir::FetchNote> notes) {
   database_.retry();
   const auto written = [&] {
     if (!database_.run("BEGIN IMMEDIATE")) return false;
     // A note that could not be removed after counting comes again.
     Statement fetch(database_, "INSERT OR IGNORE INTO fetches (id, day) VALUES (?,?)");
-    for (const files::FetchNote& note : notes) {
+    for (const souvenir::FetchNote& note : notes) {
       fetch.bind(note.id).bind(note.day);
       fetch.step();
       if (!fetch.done()) return false;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "kiosk/ground/files/fetch_note.h"
+#include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "kiosk/keepsake/store/database.h"
 #include "kiosk/keepsake/store/visit_record.h"
 
@@ -39,7 +39,7 @@ class VisitStore {
   /// Adds all of `visits` in one transaction: all or none.
   Result<void> add(std::span<const VisitRecord> visits);
   /// Adds keepsakes that were opened on a phone, each only once; all of `notes` or none.
-  Result<void> add_fetches(std::span<const files::FetchNote> notes);
+  Result<void> add_fetches(std::span<const souvenir::FetchNote> notes);
   /// Deletes visits and fetches before the local `day`, also from the file's free space and its
   /// log.
   Result<void> forget_before(const std::string& day);

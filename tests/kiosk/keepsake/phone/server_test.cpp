@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "kiosk/ground/files/fetch_note.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/keepsake/phone/page_files.h"
+#include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::phone {
@@ -246,18 +246,18 @@ TEST_F(PhoneTest, ThePageSpeaksAsTheVisitDidAndThePhonesOwnLanguageStandsOnTop) 
 
 TEST_F(PhoneTest, AKeepsakeIsCountedAsFetchedOnceWhoeverOpensItHoweverOften) {
   const std::string one = token(), two = token();
-  EXPECT_TRUE(files::fetch_notes(passes_.fetched(), 9).empty());
+  EXPECT_TRUE(souvenir::fetch_notes(passes_.fetched(), 9).empty());
   get("/k/" + one + "/pot.glb");
   get("/k/" + one.substr(1));
-  EXPECT_TRUE(files::fetch_notes(passes_.fetched(), 9).empty()) << "the page was not opened";
+  EXPECT_TRUE(souvenir::fetch_notes(passes_.fetched(), 9).empty()) << "the page was not opened";
   for (const std::string& each : {one, two, one}) get("/k/" + each);
-  const auto notes = files::fetch_notes(passes_.fetched(), 9);
+  const auto notes = souvenir::fetch_notes(passes_.fetched(), 9);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes[0].day, files::local_time(kNow, files::kDay));
   EXPECT_NE(notes[0].id, one) << "it leads nowhere";
   EXPECT_NE(notes[0].id, two);
   get("/k/" + one + "/delete", "POST");
-  EXPECT_EQ(files::fetch_notes(passes_.fetched(), 9), notes) << "it was fetched all the same";
+  EXPECT_EQ(souvenir::fetch_notes(passes_.fetched(), 9), notes) << "it was fetched all the same";
 }
 
 TEST_F(PhoneTest, AKeepsakeThatCannotBeDeletedIsNotCalledDeletedAndCanBeAskedForAgain) {

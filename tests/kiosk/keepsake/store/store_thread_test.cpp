@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "kiosk/ground/files/fetch_note.h"
 #include "kiosk/ground/files/local_time.h"
+#include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "kiosk/keepsake/store/statistics.h"
 #include "tests/kiosk/keepsake/store/visits.h"
 
@@ -31,7 +31,7 @@ TEST(StoreThread, WhatPhonesFetchedIsTakenUpOnceEachAtTheStartMeanwhileAndAtTheE
   const fs::path notes = folder.path() / "phone/fetched";
   const auto id = [](char c) { return std::string(26, c); };
   const auto leave = [&](char c, const char* day) {
-    EXPECT_TRUE(files::leave_fetch_note(notes, {id(c), day}));
+    EXPECT_TRUE(souvenir::leave_fetch_note(notes, {id(c), day}));
   };
   const auto counted = [&] {
     const auto found = read_statistics(folder.file().string(), "2026-05-01", "2026-05-02");
@@ -43,22 +43,22 @@ TEST(StoreThread, WhatPhonesFetchedIsTakenUpOnceEachAtTheStartMeanwhileAndAtTheE
     StoreThread store(folder.file(), 0, StoreThread::kDaily, notes, std::chrono::milliseconds(20));
     store.finish();
     EXPECT_EQ(counted(), 1) << "the other is of another day";
-    EXPECT_TRUE(files::fetch_notes(notes, 9).empty());
+    EXPECT_TRUE(souvenir::fetch_notes(notes, 9).empty());
     leave('c', "2026-05-02");
-    for (int n = 0; n < 1000 && !files::fetch_notes(notes, 9).empty(); ++n)
+    for (int n = 0; n < 1000 && !souvenir::fetch_notes(notes, 9).empty(); ++n)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     EXPECT_EQ(counted(), 2);
     leave('a', "2026-05-02");  // opened again, or not removed when it was counted
   }
   EXPECT_EQ(counted(), 2);
-  EXPECT_TRUE(files::fetch_notes(notes, 9).empty());
+  EXPECT_TRUE(souvenir::fetch_notes(notes, 9).empty());
   leave('d', "2026-05-02");
   {
     // Nothing is taken up before it is on the disk.
     std::ofstream(folder.path() / "away") << "a file where a folder is wanted";
     StoreThread store(folder.path() / "away/onggi.sqlite", 0, StoreThread::kDaily, notes);
   }
-  EXPECT_EQ(files::fetch_notes(notes, 9).size(), 1u);
+  EXPECT_EQ(souvenir::fetch_notes(notes, 9).size(), 1u);
   // Years later all of it is forgotten.
   { StoreThread store(folder.file(), 1, StoreThread::kDaily, notes); }
   const auto left = read_statistics(folder.file().string(), "", "");

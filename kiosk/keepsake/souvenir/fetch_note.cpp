@@ -1,4 +1,4 @@
-#include "kiosk/ground/files/fetch_note.h"
+#include "kiosk/keepsake/souvenir/fetch_note.h"
 
 #include <algorithm>
 #include <span>
@@ -10,14 +10,14 @@
 
 namespace fs = std::filesystem;
 
-namespace onggi::files {
+namespace onggi::souvenir {
 
 namespace {
 
 constexpr std::size_t kIdLetters = 26, kDayLetters = 10;
 
 bool is_day(const std::string& text) {
-  return text.size() == kDayLetters && begins_like(text + ' ', "9999-99-99");
+  return text.size() == kDayLetters && files::begins_like(text + ' ', "9999-99-99");
 }
 
 }  // namespace
@@ -33,8 +33,8 @@ Result<void> leave_fetch_note(const fs::path& folder, const FetchNote& note) {
     return problem(note.id, "This is not a valid note id.", "Report this with the log.");
   std::error_code error;
   if (fs::exists(folder / note.id, error)) return {};
-  if (auto made = make_folder(folder); !made) return made;
-  return write_durably(folder / note.id, std::as_bytes(std::span(note.day)));
+  if (auto made = files::make_folder(folder); !made) return made;
+  return files::write_durably(folder / note.id, std::as_bytes(std::span(note.day)));
 }
 
 std::vector<FetchNote> fetch_notes(const fs::path& folder, std::size_t most) {
@@ -45,7 +45,7 @@ std::vector<FetchNote> fetch_notes(const fs::path& folder, std::size_t most) {
     FetchNote note;
     note.id = at->path().filename().string();
     if (!is_fetch_id(note.id)) continue;
-    const auto bytes = read_beneath(folder, note.id, kDayLetters);
+    const auto bytes = files::read_beneath(folder, note.id, kDayLetters);
     if (!bytes) continue;
     note.day.assign(bytes->begin(), bytes->end());
     if (is_day(note.day)) notes.push_back(std::move(note));
@@ -58,4 +58,4 @@ void remove_fetch_note(const fs::path& folder, const FetchNote& note) {
   if (is_fetch_id(note.id)) fs::remove(folder / note.id, error);
 }
 
-}  // namespace onggi::files
+}  // namespace onggi::souvenir

@@ -7,7 +7,7 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::files {
+namespace onggi::souvenir {
 
 /// A note that somebody opened a keepsake on a phone. The web server leaves the note in a folder,
 /// and the visit counter collects it. It holds only the day. `id` is random and leads to no
@@ -28,4 +28,4 @@ std::vector<FetchNote> fetch_notes(const std::filesystem::path& folder, std::siz
 /// Removes a counted note. A note that cannot be removed is not counted again.
 void remove_fetch_note(const std::filesystem::path& folder, const FetchNote& note);
 
-}  // namespace onggi::files
+}  // namespace onggi::souvenir

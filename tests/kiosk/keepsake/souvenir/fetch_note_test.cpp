@@ -1,4 +1,4 @@
-#include "kiosk/ground/files/fetch_note.h"
+#include "kiosk/keepsake/souvenir/fetch_note.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::souvenir {
 namespace {
 
 const std::string kOne(26, 'a'), kTwo(26, '7');
 
 TEST(FetchNote, IsReadAsItWasLeftAndTheFirstDayStays) {
-  const test::ScratchFolder scratch;
+  const files::test::ScratchFolder scratch;
   const auto folder = scratch.path() / "phone/fetched";
   EXPECT_TRUE(fetch_notes(folder, 9).empty());
   EXPECT_TRUE(leave_fetch_note(folder, {kOne, "2026-05-04"}));
@@ -28,7 +28,7 @@ TEST(FetchNote, IsReadAsItWasLeftAndTheFirstDayStays) {
 }
 
 TEST(FetchNote, WhatIsNoneIsPassedOverAndNothingElseIsWrittenOrRemoved) {
-  const test::ScratchFolder scratch;
+  const files::test::ScratchFolder scratch;
   const auto& folder = scratch.path();
   for (const std::string& id : {std::string("../x"), std::string(25, 'a'), std::string(27, 'a'),
                                 std::string(26, '/'), std::string(26, 'A')}) {
@@ -43,4 +43,4 @@ TEST(FetchNote, WhatIsNoneIsPassedOverAndNothingElseIsWrittenOrRemoved) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::souvenir
