@@ -5,7 +5,7 @@
 #include "kiosk/lab/commands/lab_commands.h"
 #include "kiosk/wheel/device/stop_forces_on_terminate.h"
 
-// Same set-up as kiosk/program/app/main.cpp, so that measurements match the kiosk.
+// Same set-up as kiosk/program/commands/onggi_main.cpp, so that measurements match the kiosk.
 int main(int argc, char** argv) {
   onggi::files::keep_heap_small();
   onggi::device::stop_forces_on_terminate();
