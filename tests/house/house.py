@@ -254,7 +254,7 @@ def check_layout(root, table):
                 broken.append(f"{name}: belongs in a room of {parts[0]}/{parts[1]}/.")
         if name.endswith("_test.cpp") and parts[0] == "tests":
             mirrored = room_of("/".join(parts[1:]))
-            own = "/".join(parts[:3 if parts[1] == "engine" else 4]) + "/CMakeLists.txt"  # of many rooms: says which itself
+            own = "/".join(parts[:-1][:3 if parts[1] == "engine" else 4]) + "/CMakeLists.txt"  # of many rooms: says which itself
             if (mirrored is None or table.row(mirrored) is None) and own not in names:
                 broken.append(f"{name}: no program runs it. Tests lie where their room lies: "
                               "tests/engine/clay/clay_test.cpp.")

@@ -29,7 +29,7 @@ Result<int> accuracy(const AccuracyArguments& arguments) {
   if (const auto kept = arguments.csv.write(measure::csv_of(*report)); !kept)
     return tl::unexpected(kept.error());
   if (!arguments.plot.wanted()) return 0;
-  const auto drawn = drawing::draw_accuracy(measure::chart_of(*report), arguments.plot.where());
+  const auto drawn = plots::draw_accuracy(measure::chart_of(*report), arguments.plot.where());
   return arguments.plot.write(drawn).map([] { return 0; });
 }
 

@@ -37,7 +37,7 @@ Result<int> bill(const LabArguments& arguments) {
   if (!put) return tl::unexpected(put.error());
   if (*put && !arguments.plot.to_stdout()) std::fputs(measure::text_of(*paid).c_str(), stdout);
   if (!arguments.plot.wanted()) return 0;
-  return arguments.plot.write(drawing::draw_bill(measure::sheet_of(*paid), arguments.plot.where()))
+  return arguments.plot.write(plots::draw_bill(measure::sheet_of(*paid), arguments.plot.where()))
       .map([] { return 0; });
 }
 
@@ -202,14 +202,12 @@ cli::Command lab_command() {
           "Example: onggi lab accuracy\n         onggi lab effects\n         onggi lab stability "
           "--ticks 1e7\n"
           "         onggi lab timing\n         onggi lab loop\n         onggi lab frames\n"
-          "         onggi lab naive\n         onggi lab sound --wav studio.wav\n"
-          "         onggi lab screens --out /tmp/screens\n"
-          "         onggi lab access\n         onggi lab soak --minutes 10\n"
+          "         onggi lab sound\n         onggi lab access\n         onggi lab soak --minutes "
+          "10\n"
           "onggi lab X starts onggi-lab X. onggi lab tune belongs to onggi itself.",
       .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
-                   lab_loop_command(), lab_frames_command(), lab_naive_command(),
-                   lab_scenes_command(), lab_sound_command(), lab_screens_command(),
-                   lab_access_command(), soak_command()}};
+                   lab_loop_command(), lab_frames_command(), lab_scenes_command(),
+                   lab_sound_command(), lab_access_command(), soak_command()}};
 }
 
 }  // namespace onggi::laboratory

@@ -1,10 +1,7 @@
 #include <cstdio>
 #include <memory>
-#include <span>
 
-#include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/paths.h"
-#include "kiosk/ground/files/read_file.h"
 #include "kiosk/ground/files/virtual_display.h"
 #include "kiosk/lab/commands/lab_commands.h"
 #include "kiosk/lab/measure/access_report.h"
@@ -18,21 +15,9 @@ namespace {
 
 struct AccessArguments {
   files::Output json{files::Output::Kind::json};
-  std::string config, window = "1920x1080", language, page;
+  std::string config, window = "1920x1080", language;
   bool displays = false;
 };
-
-constexpr std::size_t kMostPage = 1 << 20;
-
-Result<void> write_table(const std::string& page, const std::string& table) {
-  const auto read = files::read_file(page, kMostPage);
-  if (!read)
-    return problem("--page " + page, "It cannot be read.",
-                   "Name the page that has a place for the table: kiosk/docs/access.md.");
-  const auto written = measure::with_table({read->begin(), read->end()}, table);
-  if (!written) return problem("--page " + page, written.error().what, written.error().remedy);
-  return files::write_durably(page, std::as_bytes(std::span(*written)));
-}
 
 Result<int> access(const AccessArguments& arguments) {
   const auto config = files::exhibit_file(arguments.config);
@@ -51,7 +36,7 @@ Result<int> access(const AccessArguments& arguments) {
   if (!display) return tl::unexpected(display.error());
   auto opened = exhibit::Kiosk::open(options);
   if (!opened) return tl::unexpected(opened.error());
-  const bool all = arguments.displays || !arguments.page.empty();
+  const bool all = arguments.displays;
   const auto reports = measure::measure_access(
       **opened, all ? measure::likely_displays() : std::vector<measure::AccessDisplay>{});
   if (!reports) return tl::unexpected(reports.error());
@@ -62,13 +47,11 @@ Result<int> access(const AccessArguments& arguments) {
   }
   const auto put = drawing::put_report(json, arguments.json);
   if (!put) return tl::unexpected(put.error());
-  const std::string table = measure::table_of(*reports);
   if (*put) {
     std::fputs(measure::text_of(reports->front()).c_str(), stdout);
-    if (all) std::fputs(("\n" + table).c_str(), stdout);
+    if (all) std::fputs(("\n" + measure::table_of(*reports)).c_str(), stdout);
   }
-  if (arguments.page.empty()) return 0;
-  return write_table(arguments.page, table).map([] { return 0; });
+  return 0;
 }
 
 }  // namespace
@@ -80,11 +63,10 @@ cli::Command lab_access_command() {
       .help = "Measure EN 301 549's figures on the exhibit's drawn screens",
       .examples =
           "Example: onggi lab access --window 1080x1920 --json access.json\n"
-          "         onggi lab access --displays --page kiosk/docs/access.md",
+          "         onggi lab access --displays",
       .options = {{"--window", &a->window, "WIDTHxHEIGHT of the screens [1920x1080]"},
                   {"--language", &a->language, "A language of the exhibit [its first]"},
                   {"--displays", &a->displays, "Also measure common kiosk displays, one line each"},
-                  {"--page", &a->page, "Write those lines into the table of this page"},
                   {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
                   {"--json", &a->json, "Write the figures as JSON (- for standard output)"}},
       .run = [a] { return access(*a); }};

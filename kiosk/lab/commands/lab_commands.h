@@ -11,9 +11,7 @@ cli::Command accuracy_command();
 cli::Command lab_access_command();
 cli::Command lab_frames_command();
 cli::Command lab_loop_command();
-cli::Command lab_naive_command();
 cli::Command lab_scenes_command();
-cli::Command lab_screens_command();
 cli::Command lab_sound_command();
 cli::Command soak_command();
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <string_view>
 #include <utility>
 
 #include "kiosk/lab/measure/drawn_figures.h"
@@ -293,21 +292,6 @@ std::string table_of(const std::vector<AccessReport>& reports) {
     out += "\n";
   }
   return out;
-}
-
-Result<std::string> with_table(const std::string& page, const std::string& table) {
-  constexpr std::string_view kTableHead =
-                                 "<!-- The table is written by onggi lab access --page. -->\n",
-                             kTableEnd = "<!-- end of the table -->\n";
-  const std::size_t head = page.find(kTableHead), begin = head + kTableHead.size();
-  const std::size_t end = head == std::string::npos ? head : page.find(kTableEnd, begin);
-  if (end == std::string::npos)
-    return problem(
-        "the page",
-        "It has no place for the table: a line \"<!-- The table is written by onggi lab access "
-        "--page. -->\", and after it \"<!-- end of the table -->\".",
-        "Add both lines where the table belongs.");
-  return page.substr(0, begin) + table + page.substr(end);
 }
 
 }  // namespace onggi::measure

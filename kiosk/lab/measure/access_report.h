@@ -56,7 +56,5 @@ std::string text_of(const AccessReport& report);
 /// A Markdown line for each display: the smallest figure of all its screens, and the screen.
 /// Figures below the requirement are bold.
 std::string table_of(const std::vector<AccessReport>& reports);
-/// `page` with `table` between the two comments that mark its place. Problem if they are missing.
-Result<std::string> with_table(const std::string& page, const std::string& table);
 
 }  // namespace onggi::measure

@@ -12,7 +12,7 @@ namespace {
 
 using Setting = lab::AccuracySetting;
 using Model = Setting::Model;
-using Chart = drawing::AccuracyChart;
+using Chart = plots::AccuracyChart;
 
 std::string grid_name(const Setting& s) {
   return std::to_string(s.rows) + " × " + std::to_string(s.sectors);
@@ -68,7 +68,7 @@ double rms_in_vase(const AccuracyReport& report, const Setting& setting) {
 
 }  // namespace
 
-drawing::AccuracyChart chart_of(const AccuracyReport& report) {
+plots::AccuracyChart chart_of(const AccuracyReport& report) {
   Chart chart;
   chart.title = "What accuracy costs in time";
   chart.subtitle =

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "kiosk/ground/files/json.h"
 #include "kiosk/lab/measure/headless_visit.h"
 
 namespace onggi::measure {
@@ -51,7 +50,5 @@ Result<NaiveTable> measure_naive(const NaivePlan& plan, std::FILE* progress);
 /// The lines for `outcomes`, each with one look for each moment.
 std::vector<NaiveLine> lines_of(const std::vector<HeadlessOutcome>& outcomes,
                                 const std::vector<double>& moments);
-files::Json json_of(const NaiveTable& table);
-std::string text_of(const NaiveTable& table);
 
 }  // namespace onggi::measure

@@ -169,8 +169,8 @@ std::string text_of(const SceneBill& bill) {
   return text;
 }
 
-drawing::BillSheet sheet_of(const SceneBill& bill) {
-  drawing::BillSheet sheet;
+plots::BillSheet sheet_of(const SceneBill& bill) {
+  plots::BillSheet sheet;
   char words[200];
   sheet.title = "What " + bill.scene + " pays for";
   std::snprintf(words, sizeof words,

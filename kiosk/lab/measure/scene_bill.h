@@ -6,7 +6,7 @@
 #include "engine/base/result.h"
 #include "engine/scene/scene_def.h"
 #include "kiosk/ground/files/json.h"
-#include "kiosk/picture/drawing/bill_sheet.h"
+#include "kiosk/lab/plots/bill_sheet.h"
 
 namespace onggi::measure {
 
@@ -37,6 +37,6 @@ Result<SceneBill> bill_of(const std::string& name, const SceneDef& def, int pass
 
 files::Json json_of(const SceneBill& bill);
 std::string text_of(const SceneBill& bill);
-drawing::BillSheet sheet_of(const SceneBill& bill);
+plots::BillSheet sheet_of(const SceneBill& bill);
 
 }  // namespace onggi::measure

@@ -73,28 +73,6 @@ TEST(AccessReport, EveryLikelyDisplayHasRoomForWordsOfTheSizeThatItsDistanceAsks
   EXPECT_TRUE(upright && across && large);
 }
 
-TEST(AccessReport, TheTableTakesThePlaceOfTheOneBeforeAndNothingElseOfThePageChanges) {
-  const std::string page =
-      "# Page\n<!-- The table is written by onggi lab access --page. -->\n| old |\n<!-- end of the "
-      "table -->\nEnd\n";
-  const auto once = with_table(page, "| new |\n");
-  ASSERT_TRUE(once);
-  EXPECT_EQ(*once,
-            "# Page\n<!-- The table is written by onggi lab access --page. -->\n| new |\n<!-- end "
-            "of the table -->\nEnd\n");
-  EXPECT_EQ(with_table(*once, "| new |\n"), *once);
-}
-
-TEST(AccessReport, APageWithoutAPlaceForTheTableIsNamed) {
-  for (const char* page :
-       {"", "# Page\n", "<!-- The table is written by onggi lab access --page. -->\n",
-        "<!-- end of the table -->\n"}) {
-    const auto none = with_table(page, "| new |\n");
-    ASSERT_FALSE(none) << page;
-    EXPECT_NE(none.error().what.find("no place"), std::string::npos);
-  }
-}
-
 TEST(AccessReport, FlashesAreToldWhereTheyWereWatchedForAndNowhereElse) {
   AccessReport one = report({screen("attract", 7.4, 9, 9, 20), screen("label", 7.4, 9, 9, 20)});
   one.screens.front().flashes = 0;

@@ -105,7 +105,7 @@ TEST(AccuracyReport, APersonReadsThatThePrintedForceGrowsWithTheGrid) {
 }
 
 TEST(AccuracyReport, ThePictureHasThePrintedSettingsHollowAndThoseThatBrokeRinged) {
-  const drawing::AccuracyChart chart = chart_of(some_report());
+  const plots::AccuracyChart chart = chart_of(some_report());
   int hollow = 0, ringed = 0;
   for (const auto& line : chart.lines)
     for (const auto& mark : line.marks) {

@@ -37,12 +37,5 @@ TEST(NaiveTable, TellsTheMiddleTheLeastAndWhoBecameHandsomeInTime) {
   EXPECT_EQ(lines[5].points, 85);
 }
 
-TEST(NaiveTable, SaysNeverWhereNoPotBecameHandsome) {
-  NaiveTable table;
-  table.plan.moments = {30, 90};
-  table.lines = lines_of({made("bowl", 60, 0.001, {})}, table.plan.moments);
-  EXPECT_NE(text_of(table).find("never"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace onggi::measure

@@ -69,7 +69,7 @@ class Manual(unittest.TestCase):
                 if [*words, name] != ["lab"]:  # which onggi-lab answers
                     yield from commands(program, [*words, name])
         for name, program, page, least in (("onggi", ARGUMENTS.program, self.page, 13),
-                                           ("onggi-lab", ARGUMENTS.laboratory, self.laboratory, 11)):
+                                           ("onggi-lab", ARGUMENTS.laboratory, self.laboratory, 9)):
             found = list(commands(program, []))
             self.assertGreater(len(found), least)
             described = [d.replace("\\-", "-") for d in re.findall(r"^\.SS \\fB(.*?)\\fR", page, flags=re.M)]

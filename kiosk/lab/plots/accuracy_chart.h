@@ -7,7 +7,7 @@
 
 #include "kiosk/picture/view/frame.h"
 
-namespace onggi::drawing {
+namespace onggi::plots {
 
 /// The cost of accuracy in time, as plain values: microseconds across, millimetres up, both in
 /// decades. To the right of `limit` a tick has no time left.
@@ -73,4 +73,4 @@ struct AccuracyChart {
 /// Allocates; any thread.
 std::vector<std::byte> draw_accuracy(const AccuracyChart& chart, const std::string& file);
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

@@ -1,4 +1,4 @@
-#include "kiosk/picture/drawing/accuracy_chart.h"
+#include "kiosk/lab/plots/accuracy_chart.h"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <utility>
 
-#include "kiosk/picture/drawing/chart_pen.h"
-#include "kiosk/picture/drawing/error_pot.h"
+#include "kiosk/lab/plots/chart_pen.h"
+#include "kiosk/lab/plots/error_pot.h"
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::drawing {
+namespace onggi::plots {
 namespace {
 
 constexpr int kWide = 2000, kHigh = 1710;
@@ -286,7 +286,7 @@ void AccuracySheet::star(double x, double y, double size) {
   }
   cairo_close_path(c_);
   cairo_fill_preserve(c_);
-  ink(kPaper);
+  ink(drawing::kPaper);
   cairo_set_line_width(c_, 2);
   cairo_stroke(c_);
 }
@@ -397,4 +397,4 @@ std::vector<std::byte> draw_accuracy(const AccuracyChart& chart, const std::stri
   return AccuracySheet(chart, file.ends_with(".svg")).draw();
 }
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

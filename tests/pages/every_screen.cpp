@@ -1,4 +1,4 @@
-#include "kiosk/lab/measure/every_screen.h"
+#include "tests/pages/every_screen.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,7 @@
 #include "kiosk/collection/settings/mission_file.h"
 #include "kiosk/exhibit/rehearsal/touch_at.h"
 
-namespace onggi::measure {
+namespace onggi::pages {
 
 namespace {
 
@@ -265,4 +265,4 @@ Result<void> look_at_every_mission(exhibit::Kiosk& kiosk, const LookAtScreen& lo
   return looker.result();
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::pages

@@ -1,4 +1,4 @@
-#include "kiosk/lab/measure/contact_sheets.h"
+#include "tests/pages/contact_sheets.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "kiosk/ground/files/virtual_display.h"
 #include "tests/kiosk/program/commands/temporary_exhibit.h"
 
-namespace onggi::measure {
+namespace onggi::pages {
 namespace {
 
 /// Mean of the differences of two parts of a picture, 0..255.
@@ -102,4 +102,4 @@ TEST(ContactSheets, ASheetThatIsLargerThanAnyPictureIsWholeToItsLastRowAndColumn
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::pages

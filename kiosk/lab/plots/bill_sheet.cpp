@@ -1,4 +1,4 @@
-#include "kiosk/picture/drawing/bill_sheet.h"
+#include "kiosk/lab/plots/bill_sheet.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -6,14 +6,14 @@
 #include "kiosk/picture/drawing/pen.h"
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::drawing {
+namespace onggi::plots {
 namespace {
 
 constexpr int kBillWide = 1600, kBillTop = 250, kBillRow = 64;
 constexpr double kBillMargin = 70, kNames = 220, kColumn = 410, kBar = 270, kFigureText = 24;
 constexpr std::array<view::Color, 3> kBars{view::kCobalt, view::kDeepCeladon, view::kIron};
 
-class BillPainter : private Pen {
+class BillPainter : private drawing::Pen {
  public:
   std::vector<std::byte> draw(const BillSheet& bill, bool vector);
 
@@ -68,4 +68,4 @@ std::vector<std::byte> draw_bill(const BillSheet& bill, const std::string& file)
   return BillPainter().draw(bill, file.ends_with(".svg"));
 }
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

@@ -1,8 +1,8 @@
-#include "kiosk/picture/drawing/error_pot.h"
+#include "kiosk/lab/plots/error_pot.h"
 
 #include <gtest/gtest.h>
 
-namespace onggi::drawing {
+namespace onggi::plots {
 namespace {
 
 TEST(ErrorPot, APotIsAsHighAsAskedStandsOnNothingAndIsColouredByItsErrors) {
@@ -26,4 +26,4 @@ TEST(ErrorPot, TheScaleGoesByDecadesAndBack) {
 }
 
 }  // namespace
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

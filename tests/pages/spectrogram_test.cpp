@@ -1,4 +1,4 @@
-#include "kiosk/picture/drawing/spectrogram.h"
+#include "tests/pages/spectrogram.h"
 
 #include <cairo.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace onggi::drawing {
+namespace onggi::pages {
 namespace {
 
 struct Reader {
@@ -69,4 +69,4 @@ TEST(Spectrogram, ATonesLineLiesAtItsPitchAndWhileItSounds) {
 }
 
 }  // namespace
-}  // namespace onggi::drawing
+}  // namespace onggi::pages

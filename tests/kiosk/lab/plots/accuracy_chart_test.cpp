@@ -1,10 +1,10 @@
-#include "kiosk/picture/drawing/accuracy_chart.h"
+#include "kiosk/lab/plots/accuracy_chart.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace onggi::drawing {
+namespace onggi::plots {
 namespace {
 
 std::string text_of(const std::vector<std::byte>& bytes) {
@@ -77,4 +77,4 @@ TEST(AccuracyChart, ASettingBeyondATicksTimeHasItsName) {
 }
 
 }  // namespace
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

@@ -1,4 +1,4 @@
-#include "kiosk/lab/measure/studio_film.h"
+#include "tests/pages/studio_film.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "kiosk/ground/files/byte_writer.h"
 #include "kiosk/visit/sound/synthesis.h"
 
-namespace onggi::measure {
+namespace onggi::pages {
 
 namespace {
 
@@ -77,15 +77,15 @@ std::vector<std::byte> wav_of(const StudioFilm& film) {
   return out.take();
 }
 
-drawing::Spectrogram spectrogram_of(const StudioFilm& film) {
-  return {
-      .title = "What the studio sounds like",
-      .subtitle =
-          "onggi lab sound --plot FILE: at full volume, 48 kHz, the same samples on every machine. "
-          "Loudness from -90 dB of full scale (paper) to -20 dB (ink).",
-      .samples = film.samples,
-      .rate = sound::kRate,
-      .parts = film.parts};
+Spectrogram spectrogram_of(const StudioFilm& film) {
+  return {.title = "What the studio sounds like",
+          .subtitle =
+              "onggi_page_sound --plot FILE: at full volume, 48 kHz, the same samples on every "
+              "machine. "
+              "Loudness from -90 dB of full scale (paper) to -20 dB (ink).",
+          .samples = film.samples,
+          .rate = sound::kRate,
+          .parts = film.parts};
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::pages

@@ -5,14 +5,16 @@
 #include "kiosk/picture/drawing/pen.h"
 #include "kiosk/picture/drawing/plot_scale.h"
 
-namespace onggi::drawing {
+namespace onggi::plots {
+
+using drawing::Lettering;
 
 inline constexpr double kFullCircle = 6.283185307179586;  // rad
 
 /// The place of a panel in a chart, pixels, and its scales.
 struct ChartPanel {
   double left, right, top, bottom;
-  PlotScale xs, ys;
+  drawing::PlotScale xs, ys;
   double x(double v) const { return left + xs.share(v) * (right - left); }
   double y(double v) const { return bottom - ys.share(v) * (bottom - top); }
   bool holds(double at_x, double at_y) const {
@@ -21,10 +23,10 @@ struct ChartPanel {
 };
 
 /// From `low` to `high`, both above zero.
-PlotScale decades(double low, double high);
+drawing::PlotScale decades(double low, double high);
 
 /// Drawing tools for charts with several panels.
-class ChartPen : protected Pen {
+class ChartPen : protected drawing::Pen {
  protected:
   /// Grid, figures and names of both axes.
   void axes(const ChartPanel& panel, const std::string& across, const std::string& up);
@@ -32,4 +34,4 @@ class ChartPen : protected Pen {
   void disc(double x, double y, double r, view::Color color, bool hollow);
 };
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

@@ -1,10 +1,10 @@
-#include "kiosk/picture/drawing/bill_sheet.h"
+#include "kiosk/lab/plots/bill_sheet.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace onggi::drawing {
+namespace onggi::plots {
 namespace {
 
 TEST(BillSheet, ALineMoreMakesItHigherAndWhatIsLessThanNothingHasNoBar) {
@@ -22,4 +22,4 @@ TEST(BillSheet, ALineMoreMakesItHigherAndWhatIsLessThanNothingHasNoBar) {
 }
 
 }  // namespace
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

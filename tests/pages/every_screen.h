@@ -5,7 +5,7 @@
 
 #include "kiosk/exhibit/composition/kiosk.h"
 
-namespace onggi::measure {
+namespace onggi::pages {
 
 /// Called at every state that a visitor can see, with the kiosk standing still: "throw", "throw
 /// drawer". A Problem ends the walk.
@@ -23,4 +23,4 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
 /// the gallery. Problem if none is on.
 Result<void> look_at_every_mission(exhibit::Kiosk& kiosk, const LookAtScreen& look);
 
-}  // namespace onggi::measure
+}  // namespace onggi::pages

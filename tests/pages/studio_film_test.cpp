@@ -1,4 +1,4 @@
-#include "kiosk/lab/measure/studio_film.h"
+#include "tests/pages/studio_film.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "kiosk/visit/sound/voice.h"
 
-namespace onggi::measure {
+namespace onggi::pages {
 namespace {
 
 double loudness(const StudioFilm& film, std::size_t part) {
@@ -53,4 +53,4 @@ TEST(StudioFilm, IsAWavFileOfItsSamples) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::pages

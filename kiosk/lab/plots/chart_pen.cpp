@@ -1,24 +1,24 @@
-#include "kiosk/picture/drawing/chart_pen.h"
+#include "kiosk/lab/plots/chart_pen.h"
 
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::drawing {
+namespace onggi::plots {
 namespace {
 
 constexpr double kAxisName = 24, kAxisFigure = 20;
 
 }  // namespace
 
-PlotScale decades(double low, double high) {
-  PlotAxis axis;
+drawing::PlotScale decades(double low, double high) {
+  drawing::PlotAxis axis;
   axis.log = true;
   axis.low = low;
   axis.high = high;
-  return PlotScale(axis, low, high, 12);
+  return drawing::PlotScale(axis, low, high, 12);
 }
 
 void ChartPen::axes(const ChartPanel& p, const std::string& across, const std::string& up) {
-  for (const PlotTick& tick : p.ys.ticks()) {
+  for (const drawing::PlotTick& tick : p.ys.ticks()) {
     const double at = p.y(tick.at);
     if (at < p.top - 1 || at > p.bottom + 1) continue;
     ink(view::kFaintInk, tick.label.empty() ? 0.07 : 0.2);
@@ -26,7 +26,7 @@ void ChartPen::axes(const ChartPanel& p, const std::string& across, const std::s
     words(tick.label, p.left - 14, at - 0.68 * kAxisFigure,
           {.px = kAxisFigure, .side = -1, .color = view::kInk});
   }
-  for (const PlotTick& tick : p.xs.ticks()) {
+  for (const drawing::PlotTick& tick : p.xs.ticks()) {
     const double at = p.x(tick.at);
     if (at < p.left - 1 || at > p.right + 1) continue;
     ink(view::kFaintInk, tick.label.empty() ? 0.07 : 0.2);
@@ -45,7 +45,7 @@ void ChartPen::axes(const ChartPanel& p, const std::string& across, const std::s
 void ChartPen::disc(double x, double y, double r, view::Color color, bool hollow) {
   cairo_new_path(c_);
   cairo_arc(c_, x, y, r + 2.5, 0, kFullCircle);
-  ink(kPaper);
+  ink(drawing::kPaper);
   cairo_fill(c_);
   cairo_arc(c_, x, y, hollow ? r - 1.5 : r, 0, kFullCircle);
   ink(color);
@@ -53,4 +53,4 @@ void ChartPen::disc(double x, double y, double r, view::Color color, bool hollow
   hollow ? cairo_stroke(c_) : cairo_fill(c_);
 }
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

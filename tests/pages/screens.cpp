@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/virtual_display.h"
-#include "kiosk/lab/commands/lab_commands.h"
-#include "kiosk/lab/measure/contact_sheets.h"
+#include "tests/pages/contact_sheets.h"
+#include "tests/pages/page_program.h"
 
 namespace fs = std::filesystem;
 
-namespace onggi::laboratory {
+namespace onggi::pages {
 
 namespace {
 
@@ -37,7 +36,7 @@ std::vector<std::string> all_languages(const std::vector<std::string>& own, cons
 }
 
 Result<void> look_at_vessel(exhibit::Kiosk& kiosk, const ScreensArguments& arguments,
-                            const std::vector<measure::SheetPlan>& plans) {
+                            const std::vector<SheetPlan>& plans) {
   int card = 0;
   const auto& cards = kiosk.shelf().cards();
   for (std::size_t i = 0; i < cards.size(); ++i)
@@ -45,15 +44,15 @@ Result<void> look_at_vessel(exhibit::Kiosk& kiosk, const ScreensArguments& argum
   if (cards.empty() || cards[static_cast<std::size_t>(card)].vessel->id != arguments.vessel)
     return problem("--vessel " + arguments.vessel, "The shelf has no vessel with this name.",
                    "Name a vessel in " + kiosk.exhibit().shelf.string() + ".");
-  return measure::draw_contact_sheets(
-      kiosk, [&](const auto& see) { return measure::look_at_every_screen(kiosk, card, see); },
-      plans, arguments.out, arguments.full, say_state);
+  return draw_contact_sheets(
+      kiosk, [&](const auto& see) { return look_at_every_screen(kiosk, card, see); }, plans,
+      arguments.out, arguments.full, say_state);
 }
 
 Result<void> look_at_missions(exhibit::Kiosk& kiosk, const ScreensArguments& arguments,
-                              const std::vector<measure::SheetPlan>& plans) {
-  return measure::draw_contact_sheets(
-      kiosk, [&](const auto& see) { return measure::look_at_every_mission(kiosk, see); }, plans,
+                              const std::vector<SheetPlan>& plans) {
+  return draw_contact_sheets(
+      kiosk, [&](const auto& see) { return look_at_every_mission(kiosk, see); }, plans,
       fs::path(arguments.out) / "missions", arguments.full, say_state);
 }
 
@@ -74,39 +73,40 @@ Result<int> look(const ScreensArguments& arguments) {
                                     files::language_folder(*config));
   auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
   if (!display) return tl::unexpected(display.error());
-  const auto plans = measure::plans(options.languages);
+  const std::vector<SheetPlan> sheets = plans(options.languages);
   // First as the exhibit is, then with all options that a curator can turn on.
   for (const bool missions : {false, true}) {
     if (!missions && arguments.missions) continue;
     options.mission = missions ? exhibit::Missions::kEvery : "";
     auto opened = exhibit::Kiosk::open(options);
     if (!opened) return tl::unexpected(opened.error());
-    const auto drawn = missions ? look_at_missions(**opened, arguments, plans)
-                                : look_at_vessel(**opened, arguments, plans);
+    const auto drawn = missions ? look_at_missions(**opened, arguments, sheets)
+                                : look_at_vessel(**opened, arguments, sheets);
     if (!drawn) return tl::unexpected(drawn.error());
   }
   return 0;
 }
 
 }  // namespace
+}  // namespace onggi::pages
 
-cli::Command lab_screens_command() {
-  const auto a = std::make_shared<ScreensArguments>();
-  return {.name = "screens",
-          .help = "Draw every screen in every size, language and comfort setting",
-          .examples =
-              "Example: onggi lab screens --out /tmp/screens --full\n"
-              "It takes minutes without a GPU, and 15 minutes with --full. It fails "
-              "where words\ndo not fit.",
-          .options = {{.name = "--out",
-                       .field = &a->out,
-                       .help = "Folder for the contact sheets",
-                       .required = true},
-                      {"--full", &a->full, "Also write each picture, as OUT/SIGHT/NN_STATE.jpg"},
-                      {"--missions", &a->missions, "Draw only the missions"},
-                      {"--vessel", &a->vessel, "The vessel to throw, from the shelf [moon_jar]"},
-                      {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
-          .run = [a] { return look(*a); }};
+int main(int argc, char** argv) {
+  onggi::pages::ScreensArguments a;
+  return onggi::pages::run_page_program(
+      {.name = "onggi_page_screens",
+       .help = "Draw every screen in every size, language and comfort setting",
+       .examples =
+           "Example: build/release/bin/onggi_page_screens --out /tmp/screens --full\n"
+           "It takes minutes without a GPU, and 15 minutes with --full. It fails where words\n"
+           "do not fit.",
+       .options = {{.name = "--out",
+                    .field = &a.out,
+                    .help = "Folder for the contact sheets",
+                    .required = true},
+                   {"--full", &a.full, "Also write each picture, as OUT/SIGHT/NN_STATE.jpg"},
+                   {"--missions", &a.missions, "Draw only the missions"},
+                   {"--vessel", &a.vessel, "The vessel to throw, from the shelf [moon_jar]"},
+                   {"--config", &a.config, "The exhibit's TOML [config/exhibit.toml]"}},
+       .run = [&a] { return onggi::pages::look(a); }},
+      argc, argv);
 }
-
-}  // namespace onggi::laboratory

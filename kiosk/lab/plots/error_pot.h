@@ -5,7 +5,7 @@
 #include "kiosk/picture/view/frame.h"
 #include "kiosk/picture/view/image.h"
 
-namespace onggi::drawing {
+namespace onggi::plots {
 
 /// The half of a pot's outside that faces the reader: columns from left to right, foot first.
 struct PotFace {
@@ -26,4 +26,4 @@ view::Color tone_of_error(double off);
 double share_of_error(double off);
 double error_from_share(double share);
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::drawing {
+namespace onggi::pages {
 
 /// A spectrogram: time across, pitch up, and the loudness of each pitch at each moment.
 struct Spectrogram {
@@ -25,4 +25,4 @@ struct Spectrogram {
 /// (paper) to -20 dB of full scale (ink). Allocates; any thread.
 std::vector<std::byte> draw_spectrogram(const Spectrogram& sound, const std::string& file);
 
-}  // namespace onggi::drawing
+}  // namespace onggi::pages

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "kiosk/exhibit/composition/kiosk.h"
-#include "kiosk/lab/measure/every_screen.h"
+#include "tests/pages/every_screen.h"
 
-namespace onggi::measure {
+namespace onggi::pages {
 
 /// One combination of size, language and comfort for all screens.
 struct Sight {
@@ -44,4 +44,4 @@ Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, const ScreenWalk& walk,
                                  const std::filesystem::path& folder, bool full,
                                  const std::function<void(const std::string&)>& told);
 
-}  // namespace onggi::measure
+}  // namespace onggi::pages

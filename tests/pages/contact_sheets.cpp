@@ -1,4 +1,4 @@
-#include "kiosk/lab/measure/contact_sheets.h"
+#include "tests/pages/contact_sheets.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -13,7 +13,7 @@
 
 namespace fs = std::filesystem;
 
-namespace onggi::measure {
+namespace onggi::pages {
 
 namespace {
 
@@ -255,4 +255,4 @@ Result<void> draw_contact_sheets(exhibit::Kiosk& kiosk, const ScreenWalk& walk,
   return album.finish();
 }
 
-}  // namespace onggi::measure
+}  // namespace onggi::pages

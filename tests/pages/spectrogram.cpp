@@ -1,13 +1,13 @@
-#include "kiosk/picture/drawing/spectrogram.h"
+#include "tests/pages/spectrogram.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "kiosk/picture/drawing/chart_pen.h"
+#include "kiosk/lab/plots/chart_pen.h"
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::drawing {
+namespace onggi::pages {
 namespace {
 
 constexpr double kLowest = 30.0, kHighest = 12000.0;   // Hz
@@ -17,7 +17,7 @@ constexpr std::size_t kWindow = 2048;                  // samples
 /// The share of a sine of `hz` in `window`, 1 for a full-range sine. Goertzel's filter: two
 /// multiplications a sample, for pitches at any spacing.
 double share_of(const std::vector<double>& window, double hz, double rate) {
-  const double w = kFullCircle * hz / rate, c = 2.0 * std::cos(w);
+  const double w = plots::kFullCircle * hz / rate, c = 2.0 * std::cos(w);
   double s0 = 0.0, s1 = 0.0, s2 = 0.0;
   for (const double x : window) {
     s0 = x + c * s1 - s2;
@@ -29,20 +29,20 @@ double share_of(const std::vector<double>& window, double hz, double rate) {
   return 4.0 * std::sqrt(std::max(power, 0.0)) / static_cast<double>(window.size());
 }
 
-class SpectrogramPen : private ChartPen {
+class SpectrogramPen : private plots::ChartPen {
  public:
   std::vector<std::byte> draw(const Spectrogram& sound, bool vector) {
     begin(sound.width, sound.height, vector);
     const double seconds = std::max(static_cast<double>(sound.samples.size()) / sound.rate, 1e-3);
-    PlotAxis time;
+    drawing::PlotAxis time;
     time.low = 0.0;
     time.high = seconds;
-    const ChartPanel panel{150.0,
-                           sound.width - 50.0,
-                           210.0,
-                           sound.height - 110.0,
-                           PlotScale(time, 0.0, seconds, 16),
-                           decades(kLowest, kHighest)};
+    const plots::ChartPanel panel{150.0,
+                                  sound.width - 50.0,
+                                  210.0,
+                                  sound.height - 110.0,
+                                  drawing::PlotScale(time, 0.0, seconds, 16),
+                                  plots::decades(kLowest, kHighest)};
     words(sound.title, 40, 30, {.px = 40, .color = view::kInk, .serif = true});
     words(sound.subtitle, 40, 92,
           {.px = 22, .color = view::kFaintInk, .width = sound.width - 80.0, .lines = 2});
@@ -73,10 +73,11 @@ class SpectrogramPen : private ChartPen {
       for (std::size_t n = 0; n < kWindow; ++n) {
         const std::ptrdiff_t at = first + static_cast<std::ptrdiff_t>(n);
         const bool inside = at >= 0 && at < static_cast<std::ptrdiff_t>(sound.samples.size());
-        window[n] = inside
-                        ? sound.samples[static_cast<std::size_t>(at)] *
-                              (0.5 - 0.5 * std::cos(kFullCircle * static_cast<double>(n) / kWindow))
-                        : 0.0;
+        window[n] =
+            inside
+                ? sound.samples[static_cast<std::size_t>(at)] *
+                      (0.5 - 0.5 * std::cos(plots::kFullCircle * static_cast<double>(n) / kWindow))
+                : 0.0;
       }
       for (int y = 0; y < height; y += kUp) {
         const double up = 1.0 - (y + 0.5 * kUp) / height;
@@ -97,9 +98,9 @@ class SpectrogramPen : private ChartPen {
           loud < 0.5 ? paper + (half - paper) * 2 * loud : half + (full - half) * (2 * loud - 1);
       return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0)));
     };
-    const std::uint8_t rgba[4] = {mixed(kPaper.r, middle.r, ink.r),
-                                  mixed(kPaper.g, middle.g, ink.g),
-                                  mixed(kPaper.b, middle.b, ink.b), 255};
+    const std::uint8_t rgba[4] = {mixed(drawing::kPaper.r, middle.r, ink.r),
+                                  mixed(drawing::kPaper.g, middle.g, ink.g),
+                                  mixed(drawing::kPaper.b, middle.b, ink.b), 255};
     for (int y = y0; y < std::min(y0 + h, image.height); ++y)
       for (int x = x0; x < std::min(x0 + w, image.width); ++x)
         std::copy_n(rgba, 4,
@@ -113,4 +114,4 @@ std::vector<std::byte> draw_spectrogram(const Spectrogram& sound, const std::str
   return SpectrogramPen().draw(sound, file.ends_with(".svg"));
 }
 
-}  // namespace onggi::drawing
+}  // namespace onggi::pages

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::drawing {
+namespace onggi::plots {
 
 /// A cost sheet as plain values: a line for each effect, with three figures, each drawn as a bar
 /// relative to the largest of its column.
@@ -24,4 +24,4 @@ struct BillSheet {
 /// Allocates; any thread.
 std::vector<std::byte> draw_bill(const BillSheet& bill, const std::string& file);
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

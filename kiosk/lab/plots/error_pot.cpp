@@ -1,4 +1,4 @@
-#include "kiosk/picture/drawing/error_pot.h"
+#include "kiosk/lab/plots/error_pot.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::drawing {
+namespace onggi::plots {
 namespace {
 
 constexpr double kHalfTurn = 3.14159265358979324;
@@ -106,4 +106,4 @@ view::Image paint_pot(const PotFace& pot, int pixels) {
   return image;
 }
 
-}  // namespace onggi::drawing
+}  // namespace onggi::plots

@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "kiosk/picture/drawing/spectrogram.h"
+#include "tests/pages/spectrogram.h"
 
-namespace onggi::measure {
+namespace onggi::pages {
 
 /// Seventeen seconds of all sounds of the studio in sequence, to listen to and to look at.
 struct StudioFilm {
   std::vector<float> samples;  ///< One channel, sound::kRate a second.
-  std::vector<drawing::Spectrogram::Part> parts;
+  std::vector<Spectrogram::Part> parts;
 };
 /// The same samples on every machine. Allocates.
 StudioFilm studio_film();
 /// As a WAV file of 16 bits.
 std::vector<std::byte> wav_of(const StudioFilm& film);
-drawing::Spectrogram spectrogram_of(const StudioFilm& film);
+Spectrogram spectrogram_of(const StudioFilm& film);
 
-}  // namespace onggi::measure
+}  // namespace onggi::pages
