@@ -39,13 +39,13 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
       std::make_unique<Missions>(kiosk->exhibit_, *kiosk->scenes_, options.wall, options.mission);
   const fs::path kept_in = options.keepsakes.value_or(kiosk->exhibit_.keepsake.folder);
   // A stepped visit is the same everywhere: it uses the scenes' own grids.
-  if (!options.stepped) kiosk->scenes_->tune(kept_in);
+  if (!options.stepped) kiosk->scenes_->tune(kept_in, options.tune);
   if (kiosk->exhibit_.keepsake.gallery)
     kiosk->todays_ = std::make_unique<TodaysPots>(kept_in, options.wall);
   if (kiosk->exhibit_.store.count)
     kiosk->counter_ = std::make_unique<VisitCounter>(files::store_file(kept_in), kiosk->exhibit_,
                                                      souvenir::Passes(kept_in).fetched());
-  auto renderer = render::Renderer::create(options.window);
+  auto renderer = options.renderer(options.window);
   if (!renderer) return tl::unexpected(renderer.error());
   kiosk->renderer_ = std::move(*renderer);
   render::when_display_is_lost([lost = kiosk.get()] {

@@ -22,6 +22,7 @@
 #include "kiosk/exhibit/composition/studio_sound.h"
 #include "kiosk/exhibit/composition/todays_pots.h"
 #include "kiosk/exhibit/composition/visit_counter.h"
+#include "kiosk/exhibit/tuning/tuner.h"
 #include "kiosk/ground/files/wall_clock.h"
 #include "kiosk/picture/render/renderer.h"
 #include "kiosk/visit/screens/visit.h"
@@ -40,7 +41,11 @@ struct KioskOptions {
   bool devices = true;  ///< Use the hand devices that are plugged in.
   /// Where hand devices come from; tests bring their own.
   std::function<std::unique_ptr<device::HidBus>()> bus = device::hidapi_bus;
-  bool stepped = false;  ///< Turn the wheel by hand (advance()), not by the 1 kHz thread.
+  /// Where the window comes from; tests watch one.
+  std::function<Result<std::unique_ptr<render::Renderer>>(const render::WindowOptions&)> renderer =
+      render::Renderer::create;
+  tuning::TunePlan tune{};  ///< How a grid is looked for where a scene asks; tests look briefly.
+  bool stepped = false;     ///< Turn the wheel by hand (advance()), not by the 1 kHz thread.
   std::uint64_t seed = 1;
   /// The clock on the wall, for opening hours; a stepped kiosk is always open.
   std::function<std::time_t()> wall = [] { return files::wall_now(); };

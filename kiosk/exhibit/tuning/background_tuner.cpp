@@ -1,5 +1,6 @@
 #include "kiosk/exhibit/tuning/background_tuner.h"
 
+#include <pthread.h>
 #include <sys/resource.h>
 
 #include <utility>
@@ -10,6 +11,7 @@ BackgroundTuner::BackgroundTuner(std::string name, SceneDef def, TunePlan plan) 
   plan.give_up = [this] { return stop_.load(); };
   thread_ =
       std::thread([this, name = std::move(name), def = std::move(def), plan = std::move(plan)] {
+        pthread_setname_np(pthread_self(), "onggi-tune");  // for top -H, and for a test
         // On Linux this affects only this thread.
         setpriority(PRIO_PROCESS, 0, 19);
         found_ = tune(name, def, plan);

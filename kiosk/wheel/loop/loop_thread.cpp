@@ -65,6 +65,7 @@ LoopTiming LoopThread::timing() const {
 }
 
 void LoopThread::run() {
+  pthread_setname_np(pthread_self(), "onggi-wheel");  // for top -H, and for a test
   flush_denormals();
   lock_error_.store(files::lock_memory());
   sched_param parameter{};

@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <chrono>
 #include <cstdlib>
 #include <span>
-#include <thread>
 
 #include "kiosk/ground/files/memory.h"
 #include "kiosk/keepsake/store/statistics.h"
-#include "tests/kiosk/exhibit/composition/one_jar.h"
+#include "tests/kiosk/exhibit/composition/whole_kiosk.h"
 #include "tests/kiosk/picture/encoding/shown_gif.h"
 #include "tests/support/holes.h"
 #include "tests/support/sanitized.h"
@@ -21,65 +19,6 @@ namespace onggi::exhibit {
 namespace {
 
 using screens::ScreenId;
-
-/// A stepped kiosk with the moon jar on its shelf, where pots are kept as they are thrown.
-class WholeKiosk : public OneJar {
- protected:
-  void SetUp() override {
-    KioskOptions options;
-    options.window = {.width = 640, .height = 360, .visible = false, .title = "Onggi tests"};
-    options.stepped = true;
-    open("paper", keepsake_, options);
-  }
-  void frame() {
-    kiosk_->advance(2);  // Nobody throws.
-    // Shelf, saves and pictures have threads of their own. While they work, the kiosk's time goes
-    // no faster than theirs: else a visitor who waits for a save on a busy machine has long been
-    // idle.
-    const bool waits =
-        kiosk_->doing().turning || kiosk_->doing().saving || !kiosk_->shelf().complete();
-    if (waits) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    kiosk_->frame(now_ += waits ? 0.002 : 0.04, false);
-  }
-  template <class Done>
-  void until(const Done& done) {
-    for (int n = 0; n < 20'000 && !done(); ++n) frame();
-    ASSERT_TRUE(done());
-  }
-  void press(const std::string& control) {
-    SCOPED_TRACE(control);
-    until([&] { return kiosk_->visit().control(control).has_value(); });
-    kiosk_->visit().activate(control, now_);
-    frame();
-  }
-  /// From attract to a pot whose keepsake is on its way, by a hand of its choice.
-  void ask_to_keep_a_pot(bool left_handed) {
-    press("attract.begin");
-    if (left_handed) {
-      press("comfort");
-      press("comfort.left_handed");
-      press("comfort.close");
-    }
-    press("choose.card.0");
-    press("choose.throw");
-    until([&] { return kiosk_->visit().sight().has_value(); });
-    for (int n = 0; n < 100; ++n) frame();  // Four seconds: a shorter visit is counted apart.
-    press("throw.done");
-    press("result.keep");
-  }
-  void keep_a_pot(bool left_handed) {
-    ask_to_keep_a_pot(left_handed);
-    until([&] { return kiosk_->doing().kept && kiosk_->doing().kept->saved; });
-  }
-
-  std::string keepsake_;  ///< More of its table.
-};
-
-/// Without pictures that turn, which take some seconds.
-class StillKiosk : public WholeKiosk {
- protected:
-  StillKiosk() { keepsake_ = "turning = false\n"; }
-};
 
 /// Mean difference of two pictures' tiles of 8 x 8 pixels, in which dither is no more.
 double apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -105,6 +106,63 @@ TEST_F(NightKiosk, InTheDarkHandDevicesAreLookedAfterInEachFrame) {
   const auto before = kiosk_->doing().device_moves;
   EXPECT_TRUE(until([&] { return kiosk_->doing().device_moves > before; }));
   EXPECT_TRUE(kiosk_->doing().dark);
+}
+
+/// A hand is on its puck's first button, or not.
+class PressedKiosk : public NightKiosk {
+ protected:
+  struct Puck final : device::HidPort {
+    explicit Puck(const std::atomic<bool>& held) : held_(held) {}
+    int read(std::span<std::uint8_t> report, int timeout_ms) noexcept override {
+      std::this_thread::sleep_for(std::chrono::milliseconds(timeout_ms));
+      if (down_ == held_) return 0;
+      down_ = !down_;
+      report[0] = 3;
+      report[1] = down_ ? 1 : 0;
+      return 2;
+    }
+    bool write(device::Report) noexcept override { return true; }
+    int feature(std::uint8_t, std::span<std::uint8_t>) noexcept override { return -1; }
+    const std::atomic<bool>& held_;
+    bool down_ = false;
+  };
+  struct Hub final : device::HidBus {
+    explicit Hub(const std::atomic<bool>& held) : held_(held) {}
+    std::vector<device::HidListing> list() override { return Bus(1).list(); }
+    std::unique_ptr<device::HidPort> open(const std::string&) override {
+      return std::make_unique<Puck>(held_);
+    }
+    const std::atomic<bool>& held_;
+  };
+  std::unique_ptr<device::HidBus> plugged() override { return std::make_unique<Hub>(held_); }
+  /// Makes frames until `done`, as its thread gets its turns.
+  template <class Done>
+  bool until(double seconds, const Done& done) {
+    for (int n = 0; n < 300 && !done(); ++n) {
+      frame(seconds);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return done();
+  }
+  std::atomic<bool> held_{false};
+};
+
+// Guards `look_after_devices(now)` before update_night(), and the dark frame's return before the
+// input: a device wakes the screen too, and what was pressed in the dark was not seen.
+TEST_F(PressedKiosk, AButtonOfADeviceWakesTheScreenAndChoosesNothing) {
+  open_by_day();
+  if (IsSkipped()) return;
+  wall_ = at(19);
+  ASSERT_TRUE(until(
+      1, [&] { return kiosk_->doing().dark && kiosk_->doing().device_moves.value_or(0) > 0; }));
+  held_ = true;
+  ASSERT_TRUE(until(0.01, [&] { return !kiosk_->doing().dark; }));
+  held_ = false;
+  for (int n = 0; n < 10; ++n) frame(0.05);
+  EXPECT_EQ(kiosk_->visit().screen(), screens::ScreenId::attract);
+  held_ = true;
+  EXPECT_TRUE(until(0.01, [&] { return kiosk_->visit().screen() != screens::ScreenId::attract; }))
+      << "the next one is meant";
 }
 
 int brightest(const view::Image& image) {

@@ -35,7 +35,7 @@ class OneJar : public ::testing::Test {
         before + "[keepsake]\nfolder = \"" + (folder_ / "kept").string() + "\"\n" + keepsake +
             "[store]\ncount = " + (counted_ ? "true\n" : "false\n"));
     options.shelf = folder_ / "shelf";
-    options.bus = [this] { return std::make_unique<Bus>(pucks_); };
+    options.bus = [this] { return plugged(); };
     auto kiosk = Kiosk::open(options);
     ASSERT_TRUE(kiosk) << to_text(kiosk.error());
     kiosk_ = std::move(*kiosk);
@@ -80,6 +80,8 @@ class OneJar : public ::testing::Test {
     }
     int pucks_;
   };
+
+  virtual std::unique_ptr<device::HidBus> plugged() { return std::make_unique<Bus>(pucks_); }
 
   bool counted_ = false;  ///< Visits are counted, beside the keepsakes.
   int pucks_ = 0;         ///< Plugged in.
