@@ -95,8 +95,8 @@ class Looker {
 void throw_half(exhibit::Kiosk& kiosk, Looker& looker, const Profile& target) {
   auto script = make_script("follow", {kiosk.doing().pot, &target, 1, 1.0});
   if (!script) return;
-  kiosk.potter().play(std::move(*script));
-  looker.until("half a pot", [&] { return kiosk.potter().status().script_progress > 0.45; });
+  kiosk.wheel_host().play(std::move(*script));
+  looker.until("half a pot", [&] { return kiosk.wheel_host().status().script_progress > 0.45; });
 }
 
 void look_into_drawers(Looker& looker, const std::string& name) {
@@ -113,7 +113,7 @@ void throw_pot(exhibit::Kiosk& kiosk, Looker& looker, int card) {
   looker.look_now("throw");
   look_into_drawers(looker, "throw");
   looker.over("help", "throw help");
-  looker.until("the end of the script", [&] { return kiosk.potter().status().script_done; });
+  looker.until("the end of the script", [&] { return kiosk.wheel_host().status().script_done; });
   looker.touch("throw.done");
 }
 

@@ -54,9 +54,9 @@ std::string newtons(double force) {
 
 }  // namespace
 
-HandDevices::HandDevices(loop::WheelHost& potter, std::unique_ptr<device::HidBus> bus,
+HandDevices::HandDevices(loop::WheelHost& wheel_host, std::unique_ptr<device::HidBus> bus,
                          device::DeviceWatch::Define define, const Options& options)
-    : potter_(potter),
+    : wheel_host_(wheel_host),
       options_(options),
       watch_(
           std::move(bus),
@@ -80,7 +80,7 @@ void HandDevices::take(std::unique_ptr<device::HidLink> link) {
       auto hand = std::make_unique<device::HidHand>(used.link, options_.left_handed);
       hand->share(share_ * options_.force);
       used.hand = hand.get();
-      if (potter_.attach(std::move(hand), used.index) == nullptr) {
+      if (wheel_host_.attach(std::move(hand), used.index) == nullptr) {
         used.hand = nullptr;
         used.index = -1;
       }
@@ -103,7 +103,7 @@ void HandDevices::let_go(InUse& used) {
   remarks_.push_back(std::string(device::info_of(used.link->kind()).name) + " at " +
                      used.link->listing().path + " was unplugged or no longer answers.");
   news_.device_removed(used.link->kind());
-  if (used.hand != nullptr) potter_.detach(used.hand);
+  if (used.hand != nullptr) wheel_host_.detach(used.hand);
   watch_.gone(used.link->listing().path);
 }
 
@@ -140,7 +140,7 @@ void HandDevices::share(double of_force) {
 /// Buzzes a dial, which lies under the other hand, when the first hand touches clay.
 void HandDevices::buzz_at_a_touch(double now) {
   bool touching = false;
-  const loop::LoopStatus& status = potter_.view().status;
+  const loop::LoopStatus& status = wheel_host_.view().status;
   for (const HandFeedback& felt : status.feedback.hand)
     touching = touching || (felt.contact && !status.shown);
   const bool before = std::exchange(touching_, touching);

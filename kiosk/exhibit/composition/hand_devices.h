@@ -21,7 +21,7 @@ class HandDevices {
     bool left_handed = false;
     double force = 1.0;  ///< The exhibit's share, 0 (off) .. 1.
   };
-  HandDevices(loop::WheelHost& potter, std::unique_ptr<device::HidBus> bus,
+  HandDevices(loop::WheelHost& wheel_host, std::unique_ptr<device::HidBus> bus,
               device::DeviceWatch::Define define, const Options& options);
   ~HandDevices();
 
@@ -56,7 +56,7 @@ class HandDevices {
                  std::vector<view::InputEvent>& events);
   void buzz_at_a_touch(double now);
 
-  loop::WheelHost& potter_;
+  loop::WheelHost& wheel_host_;
   Options options_;
   device::DeviceWatch watch_;
   std::vector<InUse> used_;

@@ -24,7 +24,7 @@ void Keeping::look(double now) {
 void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& card,
                    screens::Visit& visit) {
   auto taken = take_home(wish, card, language_of(world_.languages, visit.language()),
-                         world_.exhibit, world_.potter, world_.renderer, keepsakes_.token());
+                         world_.exhibit, world_.wheel_host, world_.renderer, keepsakes_.token());
   if (!taken) return visit.keepsake_failed(taken.error());
   if (postcard_ != 0) world_.renderer.drop_picture(postcard_);
   postcard_ = world_.renderer.make_picture(taken->keepsake.postcard);
@@ -32,15 +32,15 @@ void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& 
   const encoding::Caption caption = taken->keepsake.caption;
   kept_ticket_ = saving_ticket_ = keepsakes_.save(std::move(taken->keepsake));
   if (world_.exhibit.keepsake.turning)
-    turning_.begin(saving_ticket_, caption, wish.made, taken->glazing, world_.potter.view().clay,
-                   visit.shown_on().left_handed);
+    turning_.begin(saving_ticket_, caption, wish.made, taken->glazing,
+                   world_.wheel_host.view().clay, visit.shown_on().left_handed);
   kept_ = std::move(taken->visit);
 }
 
 void Keeping::forget(const screens::VisitEnded& wish, const std::string& vessel) {
   // Counted first: the ticket says which save the visit waits for.
   if (world_.counter && wish.notes) world_.counter->visit_over(*wish.notes, vessel, saving_ticket_);
-  world_.potter.stop_recording();
+  world_.wheel_host.stop_recording();
   saving_ticket_ = 0;
   if (postcard_ != 0) world_.renderer.drop_picture(std::exchange(postcard_, 0));
 }
@@ -76,7 +76,7 @@ void Keeping::tell(const Keepsakes::Finished& save, screens::Visit& visit) {
 
 void Keeping::draw_turning(const view::Frame& shown) {
   if (shown.fade > 0) return;
-  auto drawn = turning_.draw(world_.potter.view().clay, world_.renderer);
+  auto drawn = turning_.draw(world_.wheel_host.view().clay, world_.renderer);
   if (drawn) keepsakes_.add(drawn->ticket, std::move(drawn->turning), std::move(drawn->caption));
 }
 

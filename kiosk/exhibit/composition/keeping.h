@@ -35,7 +35,7 @@ class Keeping {
     const settings::Exhibit& exhibit;
     const std::vector<content::Language>& languages;
     render::Renderer& renderer;
-    loop::WheelHost& potter;
+    loop::WheelHost& wheel_host;
     TodaysPots* todays = nullptr;
     VisitCounter* counter = nullptr;
   };

@@ -61,7 +61,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   if (options.stepped) {
     auto stepped = std::make_unique<loop::SteppedWheel>();
     kiosk->stepped_ = stepped.get();
-    kiosk->potter_ = std::move(stepped);
+    kiosk->wheel_host_ = std::move(stepped);
     kiosk->renderer_->set_full_quality(true);
     kiosk->shelf_->wait();
     kiosk->log_unknown_names();
@@ -69,14 +69,15 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   } else {
     auto loop = std::make_unique<loop::LoopThread>();
     for (const std::string& remark : loop->remarks()) files::log_line(remark);
-    kiosk->potter_ = std::move(loop);
+    kiosk->wheel_host_ = std::move(loop);
     if (kiosk->exhibit_.sound.volume > 0.0)
-      kiosk->sound_ = std::make_unique<StudioSound>(*kiosk->potter_, kiosk->exhibit_.sound.volume);
+      kiosk->sound_ =
+          std::make_unique<StudioSound>(*kiosk->wheel_host_, kiosk->exhibit_.sound.volume);
   }
-  kiosk->pot_ = std::make_unique<PotOnWheel>(*kiosk->scenes_, *kiosk->potter_, *kiosk->renderer_,
-                                             options.seed);
+  kiosk->pot_ = std::make_unique<PotOnWheel>(*kiosk->scenes_, *kiosk->wheel_host_,
+                                             *kiosk->renderer_, options.seed);
   kiosk->keeping_ = std::make_unique<Keeping>(
-      Keeping::World{kiosk->exhibit_, kiosk->languages_, *kiosk->renderer_, *kiosk->potter_,
+      Keeping::World{kiosk->exhibit_, kiosk->languages_, *kiosk->renderer_, *kiosk->wheel_host_,
                      kiosk->todays_.get(), kiosk->counter_.get()},
       kept_in);
   kiosk->wall_ = options.wall;
@@ -84,7 +85,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   if (kiosk->exhibit_.hours.kept && !options.stepped) kiosk->night_.emplace(kiosk->exhibit_.hours);
   if (options.devices)
     kiosk->devices_ = std::make_unique<HandDevices>(
-        *kiosk->potter_, options.bus(), defined_devices(kiosk->exhibit_),
+        *kiosk->wheel_host_, options.bus(), defined_devices(kiosk->exhibit_),
         HandDevices::Options{options.stepped, kiosk->exhibit_.screen.left_handed,
                              kiosk->exhibit_.screen.force});
   return kiosk;
@@ -154,8 +155,8 @@ void Kiosk::begin_visit(double now) {
   world.shelf = &shelf_->cards();
   world.lesson = &lesson_;
   world.measure = &renderer_->measure();
-  world.wheel = &potter_->view();
-  world.potter = potter_.get();
+  world.wheel = &wheel_host_->view();
+  world.wheel_commands = wheel_host_.get();
   if (devices_) world.devices = &devices_->news();
   if (todays_) world.todays = &todays_->pots();
   world.missions = &missions_->cards();
@@ -218,7 +219,7 @@ std::vector<view::InputEvent> Kiosk::look_after_devices(double now) {
 
 /// The touch that wakes the screen is not passed on, because the visitor could not see it.
 bool Kiosk::update_night(double now, const std::vector<view::InputEvent>& events) {
-  const bool was = night_->dark(), taken = potter_->view().status.hands_taken;
+  const bool was = night_->dark(), taken = wheel_host_->view().status.hands_taken;
   bool touched = !std::exchange(hands_taken_, taken) && taken;
   for (const view::InputEvent& event : events)
     touched = touched || event.kind == view::InputEvent::Kind::pointer_down ||
@@ -227,8 +228,8 @@ bool Kiosk::update_night(double now, const std::vector<view::InputEvent>& events
   if (dark != was) {
     files::log_line(dark ? "The museum is closed: the screen is dark and the wheel rests."
                          : "The screen is on again.");
-    potter_->wheel(0.0);
-    potter_->pause(dark);
+    wheel_host_->wheel(0.0);
+    wheel_host_->pause(dark);
   }
   renderer_->sleep(dark && exhibit_.hours.screen_off);
   return dark || was;
@@ -264,7 +265,7 @@ bool Kiosk::frame(double now, bool draw) {
   for (const view::InputEvent& event : events)
     if (event.kind == view::InputEvent::Kind::close) open = false;
   if (visit_ && night_ && update_night(now, events)) {
-    potter_->collect();
+    wheel_host_->collect();
     pot_->log_faults();
     keeping_->collect(*visit_);
     be_dark(draw);
@@ -283,9 +284,9 @@ bool Kiosk::frame(double now, bool draw) {
     return open;
   }
 
-  potter_->collect();
+  wheel_host_->collect();
   pot_->log_faults();
-  renderer_->update_clay(potter_->view().clay);
+  renderer_->update_clay(wheel_host_->view().clay);
   keeping_->collect(*visit_);
   if (todays_) todays_->look(now, *renderer_, stepped_ != nullptr);
   visit_->update(now);

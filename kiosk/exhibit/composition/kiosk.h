@@ -97,7 +97,7 @@ class Kiosk {
   screens::Visit& visit() { return *visit_; }
   /// Handles input and speech for blind and one-switch visitors.
   AccessInput& access_input() { return *access_input_; }
-  loop::WheelHost& potter() { return *potter_; }
+  loop::WheelHost& wheel_host() { return *wheel_host_; }
   render::Renderer& renderer() { return *renderer_; }
   Shelf& shelf() { return *shelf_; }
   const settings::Exhibit& exhibit() const { return exhibit_; }
@@ -134,11 +134,11 @@ class Kiosk {
   std::vector<content::Language> languages_;
   std::vector<content::LessonStep> lesson_;
   std::unique_ptr<render::Renderer> renderer_;
-  std::unique_ptr<loop::WheelHost> potter_;
-  loop::SteppedWheel* stepped_ = nullptr;  ///< potter_, where it is turned by hand.
-  std::unique_ptr<StudioSound> sound_;     ///< Null if the exhibit has no sound. Reads potter_'s
-                                           ///< status.
-  std::unique_ptr<HandDevices> devices_;   ///< Null if devices are not used.
+  std::unique_ptr<loop::WheelHost> wheel_host_;
+  loop::SteppedWheel* stepped_ = nullptr;  ///< wheel_host_, where it is turned by hand.
+  std::unique_ptr<StudioSound> sound_;    ///< Null if the exhibit has no sound. Reads wheel_host_'s
+                                          ///< status.
+  std::unique_ptr<HandDevices> devices_;  ///< Null if devices are not used.
   std::unique_ptr<Shelf> shelf_;
   std::unique_ptr<Missions> missions_;
   std::unique_ptr<TodaysPots> todays_;     ///< Null if the gallery is switched off.

@@ -10,9 +10,9 @@
 
 namespace onggi::exhibit {
 
-PotOnWheel::PotOnWheel(const Scenes& scenes, loop::WheelHost& potter, render::Renderer& renderer,
-                       std::uint64_t seed)
-    : scenes_(scenes), potter_(potter), renderer_(renderer), seed_(seed) {}
+PotOnWheel::PotOnWheel(const Scenes& scenes, loop::WheelHost& wheel_host,
+                       render::Renderer& renderer, std::uint64_t seed)
+    : scenes_(scenes), wheel_host_(wheel_host), renderer_(renderer), seed_(seed) {}
 
 Result<void> PotOnWheel::start(const screens::StartPot& wish, const screens::ShelfCard& card) {
   SceneDef def = scenes_.of(card.vessel->id);
@@ -21,26 +21,26 @@ Result<void> PotOnWheel::start(const screens::StartPot& wish, const screens::She
   if (!scene) return tl::unexpected(scene.error());
   def_ = def;
   card_ = wish.card;
-  potter_.start(std::make_unique<Scene>(std::move(*scene)));
-  renderer_.show_clay(potter_.view().clay);
+  wheel_host_.start(std::make_unique<Scene>(std::move(*scene)));
+  renderer_.show_clay(wheel_host_.view().clay);
   ++pots_;
   if (!wish.scripted) {
-    potter_.record(card.vessel->id, seed_);
+    wheel_host_.record(card.vessel->id, seed_);
     show_vessel(renderer_, card);
     return {};
   }
-  potter_.show();
+  wheel_host_.show();
   if (wish.script.empty()) return {};
   auto script = make_script(wish.script, {def, &card.target, seed_ + pots_});
   if (script)
-    potter_.play(std::move(*script));
+    wheel_host_.play(std::move(*script));
   else
     files::log_problem(script.error());
   return {};
 }
 
 void PotOnWheel::log_faults() {
-  for (const std::string& line : faults_.news(potter_.view().status)) files::log_line(line);
+  for (const std::string& line : faults_.news(wheel_host_.view().status)) files::log_line(line);
 }
 
 }  // namespace onggi::exhibit

@@ -17,7 +17,7 @@ namespace onggi::exhibit {
 class PotOnWheel {
  public:
   /// `seed`: of the scripts that play in attract. All else outlives this.
-  PotOnWheel(const Scenes& scenes, loop::WheelHost& potter, render::Renderer& renderer,
+  PotOnWheel(const Scenes& scenes, loop::WheelHost& wheel_host, render::Renderer& renderer,
              std::uint64_t seed);
 
   /// A lump for the vessel of `card`; then a recording begins, or the script that was asked for
@@ -32,7 +32,7 @@ class PotOnWheel {
 
  private:
   const Scenes& scenes_;
-  loop::WheelHost& potter_;
+  loop::WheelHost& wheel_host_;
   render::Renderer& renderer_;
   SceneDef def_;
   int card_ = -1;

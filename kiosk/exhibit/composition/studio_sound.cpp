@@ -8,8 +8,8 @@
 
 namespace onggi::exhibit {
 
-StudioSound::StudioSound(const loop::WheelHost& potter, double volume)
-    : volume_(volume), speaker_([&potter] { return sound::hear(potter.status()); }) {}
+StudioSound::StudioSound(const loop::WheelHost& wheel_host, double volume)
+    : volume_(volume), speaker_([&wheel_host] { return sound::hear(wheel_host.status()); }) {}
 
 void StudioSound::frame(double now, const screens::Visit* visit, bool dark) {
   speaker_.look(now);

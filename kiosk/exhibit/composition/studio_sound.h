@@ -11,8 +11,8 @@ namespace onggi::exhibit {
 /// which is logged once. Main thread; SDL's thread reads the wheel's status.
 class StudioSound {
  public:
-  /// Reads `potter`, which must outlive this; `volume` 0..1.
-  StudioSound(const loop::WheelHost& potter, double volume);
+  /// Reads `wheel_host`, which must outlive this; `volume` 0..1.
+  StudioSound(const loop::WheelHost& wheel_host, double volume);
   /// Call once a frame, `now` in s on a clock that never goes back; `visit` may be null.
   void frame(double now, const screens::Visit* visit, bool dark);
   /// Plays the widths of vessel and pot as pitch, from the foot to the rim.

@@ -42,7 +42,7 @@ view::Frame small_picture(const Profile& made, const std::optional<view::Glazing
 
 Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
                             const content::Language& language, const settings::Exhibit& exhibit,
-                            loop::WheelHost& potter, render::Renderer& renderer,
+                            loop::WheelHost& wheel_host, render::Renderer& renderer,
                             const std::string& token) {
   const content::Label label = card.vessel->label(language.code());
   const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
@@ -57,7 +57,7 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
   kept.height = size * kept.thrown_height;
   if (glaze != nullptr) kept.glaze = glaze->id;
 
-  const bool lent = potter.with_scene([&](Scene& scene) {
+  const bool lent = wheel_host.with_scene([&](Scene& scene) {
     kept.state_hash = scene.state_hash();
     kept.ticks = scene.counters().ticks;
   });
@@ -66,8 +66,9 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
                    "If this happens again, look for a stuck 1 kHz loop in the log.", 1);
   souvenir::Keepsake& keepsake = taken.keepsake;
   // The wheel has paused since the pot was called done, so the view has every row.
-  ClayMesh pot = faced_mesh_of(potter.view().clay);
-  if (potter.dropped_records() == 0) keepsake.replay = potter.replay(kept.state_hash, kept.glaze);
+  ClayMesh pot = faced_mesh_of(wheel_host.view().clay);
+  if (wheel_host.dropped_records() == 0)
+    keepsake.replay = wheel_host.replay(kept.state_hash, kept.glaze);
 
   souvenir::PostcardWords words = postcard_words(language, label, request.score.stars, exhibit);
   std::optional<view::Glazing>& glazing = taken.glazing;

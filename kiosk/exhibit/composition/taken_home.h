@@ -43,7 +43,7 @@ struct TakenHome {
 /// does not return the clay. Main thread.
 Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
                             const content::Language& language, const settings::Exhibit& exhibit,
-                            loop::WheelHost& potter, render::Renderer& renderer,
+                            loop::WheelHost& wheel_host, render::Renderer& renderer,
                             const std::string& token);
 
 }  // namespace onggi::exhibit

@@ -173,7 +173,7 @@ Result<void> ScriptedVisitor::on_throw(double now) {
   if (plan_.two) return on_two(now);
   if (plan_.naive) return on_naive(now);
   if (!playing_) return begin_throwing(now);
-  if (hand_ && !hand_->step(now - std::exchange(moved_at_, now), kiosk_.potter()))
+  if (hand_ && !hand_->step(now - std::exchange(moved_at_, now), kiosk_.wheel_host()))
     return problem("the wheel", "It did not answer the scripted visitor within a second.",
                    "Look for a stuck 1 kHz loop.", 1);
   if (!half_shown_ && progress() > 0.5) {
@@ -196,7 +196,7 @@ Result<void> ScriptedVisitor::begin_throwing(double now) {
   if (!script) return tl::unexpected(script.error());
   pass("throw_begin");
   if (plan_.hand == Plan::Hand::script)
-    kiosk_.potter().play(std::move(*script));
+    kiosk_.wheel_host().play(std::move(*script));
   else if (plan_.hand != Plan::Hand::device_alone)
     hand_ = std::make_unique<VisitorsHand>(std::move(*script), plan_.hand == Plan::Hand::pointer
                                                                    ? VisitorsHand::By::pointer
@@ -211,7 +211,7 @@ double ScriptedVisitor::progress() const {
   if (two_) return std::min(1.0, (now_ - entered_) / TwoPlayerScript::kSeconds);
   if (plan_.hand == Plan::Hand::device_alone) return (now_ - entered_) / plan_.watch;
   if (hand_) return hand_->done() ? 1.0 : hand_->progress();
-  const loop::LoopStatus status = kiosk_.potter().status();
+  const loop::LoopStatus status = kiosk_.wheel_host().status();
   return status.script_done ? 1.0 : std::min(0.999, status.script_progress);
 }
 

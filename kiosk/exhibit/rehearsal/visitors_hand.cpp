@@ -2,10 +2,10 @@
 
 namespace onggi::rehearsal {
 
-bool VisitorsHand::step(double dt, loop::WheelHost& potter) {
+bool VisitorsHand::step(double dt, loop::WheelHost& wheel_host) {
   Hands hands;
   const auto look = [&](double t) {
-    return potter.with_scene([&](Scene& scene) { hands = script_->at(t, scene.clay()); });
+    return wheel_host.with_scene([&](Scene& scene) { hands = script_->at(t, scene.clay()); });
   };
   // The script pauses just before the tool goes down again.
   const double next = time_ + dt;
@@ -20,10 +20,10 @@ bool VisitorsHand::step(double dt, loop::WheelHost& potter) {
     time_ = next;
     down_ = active;
   }
-  potter.wheel(hands.wheel_speed);
-  potter.water(hands.water);
+  wheel_host.wheel(hands.wheel_speed);
+  wheel_host.water(hands.water);
   if (by_ == By::pointer)
-    for (int n = 0; n < kMaxHands; ++n) potter.hand(n, hands.hand[static_cast<std::size_t>(n)]);
+    for (int n = 0; n < kMaxHands; ++n) wheel_host.hand(n, hands.hand[static_cast<std::size_t>(n)]);
   return true;
 }
 

@@ -17,7 +17,7 @@ class VisitorsHand {
 
   VisitorsHand(std::unique_ptr<Script> script, By by) : script_(std::move(script)), by_(by) {}
   /// Call once a frame, `dt` seconds after the last. False if the wheel did not answer.
-  bool step(double dt, loop::WheelHost& potter);
+  bool step(double dt, loop::WheelHost& wheel_host);
   double progress() const { return time_ / script_->duration(); }
   bool done() const { return time_ >= script_->duration(); }
 

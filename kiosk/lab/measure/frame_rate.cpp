@@ -48,7 +48,7 @@ class Watched {
 void Watched::compare(std::vector<double>& similar) {
   const view::Frame frame = kiosk_.shown();
   if (!frame.pot || frame.fade > 0) return;
-  const ClayView& clay = kiosk_.potter().view().clay;
+  const ClayView& clay = kiosk_.wheel_host().view().clay;
   if (clay.rows() == 0) return;
   double radius = 0.01;
   for (const ProfilePoint& at : clay.profile().points) radius = std::max(radius, at.outer);
@@ -116,7 +116,7 @@ Result<FrameDelays> Watched::delays() {
     rehearsal::touch_at(visit, way->x + 2, way->y + 2, files::monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());
   }
-  while (kiosk_.potter().view().status.feedback.wheel_speed != 0) {
+  while (kiosk_.wheel_host().view().status.feedback.wheel_speed != 0) {
     const auto slower = visit.control("throw.slower");
     if (!slower) break;
     for (const auto kind :
@@ -125,7 +125,7 @@ Result<FrameDelays> Watched::delays() {
                   files::monotonic_seconds());
     if (!frame()) return tl::unexpected(closed());
   }
-  const ClayView& clay = kiosk_.potter().view().clay;
+  const ClayView& clay = kiosk_.wheel_host().view().clay;
   std::optional<view::PotView> before = kiosk_.shown().pot;
   std::uint64_t change = clay.change();
   double moved_at = files::monotonic_seconds();

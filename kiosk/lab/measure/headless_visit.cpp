@@ -64,15 +64,15 @@ class Walk {
           world.languages = &languages;
           world.shelf = &cards_;
           world.measure = &words_;
-          world.wheel = &potter.view();
-          world.potter = &potter;
+          world.wheel = &wheel_host.view();
+          world.wheel_commands = &wheel_host;
           if (missions != nullptr) world.missions = &missions->cards();
           return world;
         }()) {}
 
   void frame() {
-    potter.advance(kFrameTicks);
-    potter.collect();
+    wheel_host.advance(kFrameTicks);
+    wheel_host.collect();
     visit_.update(now);
     while (auto request = visit_.take_request()) {
       if (const auto* start = std::get_if<screens::StartPot>(&*request)) begin(start->card);
@@ -117,7 +117,7 @@ class Walk {
   }
   screens::Visit& visit() { return visit_; }
 
-  loop::SteppedWheel potter;
+  loop::SteppedWheel wheel_host;
   double now = 0;
   view::Frame shown;
   bool kept = false;
@@ -133,7 +133,8 @@ class Walk {
     const screens::ShelfCard& which = *card(index);
     SceneDef def = scenes_.of(which.vessel->id);
     def.clay = lump_for(which.target, def);
-    if (auto scene = Scene::create(def)) potter.start(std::make_unique<Scene>(std::move(*scene)));
+    if (auto scene = Scene::create(def))
+      wheel_host.start(std::make_unique<Scene>(std::move(*scene)));
   }
 
   const exhibit::Scenes& scenes_;
@@ -207,7 +208,8 @@ Result<HeadlessOutcome> HeadlessVisits::naive(int card, std::uint64_t seed,
   double looked = -kOften, trouble = -1;
   Profile lump, made;
   const auto note = [&](double seconds) {
-    out.looks.push_back(look_at(which, made, walk.potter.view().clay, exhibit_.rubric, seconds));
+    out.looks.push_back(
+        look_at(which, made, walk.wheel_host.view().clay, exhibit_.rubric, seconds));
   };
   while (out.looks.size() < moments.size() && walk.now < begun + moments.back() + kGrace) {
     walk.frame();
@@ -353,19 +355,19 @@ Result<HeadlessOutcome> HeadlessVisits::careful(int card, std::uint64_t seed) co
   if (!scene) return tl::unexpected(scene.error());
   auto script = make_script("follow", {def, &which.target, seed, 1.0});
   if (!script) return tl::unexpected(script.error());
-  loop::SteppedWheel potter;
-  potter.start(std::make_unique<Scene>(std::move(*scene)));
-  potter.play(std::move(*script));
-  potter.advance(kFrameTicks);
+  loop::SteppedWheel wheel_host;
+  wheel_host.start(std::make_unique<Scene>(std::move(*scene)));
+  wheel_host.play(std::move(*script));
+  wheel_host.advance(kFrameTicks);
   double seconds = kFrameTicks * 1e-3;
-  for (; !potter.status().script_done && seconds < kLongest; seconds += kFrameTicks * 1e-3) {
-    potter.advance(kFrameTicks);
-    potter.collect();
+  for (; !wheel_host.status().script_done && seconds < kLongest; seconds += kFrameTicks * 1e-3) {
+    wheel_host.advance(kFrameTicks);
+    wheel_host.collect();
   }
-  potter.pause(true);
-  while (!potter.refresh_every_row()) potter.advance(1);
-  potter.collect();
-  const ClayView& clay = potter.view().clay;
+  wheel_host.pause(true);
+  while (!wheel_host.refresh_every_row()) wheel_host.advance(1);
+  wheel_host.collect();
+  const ClayView& clay = wheel_host.view().clay;
   const Profile made = clay.profile();
   HeadlessOutcome out{which.vessel->id, seed, {}, std::nullopt, 0};
   out.looks.push_back(look_at(which, made, clay, exhibit_.rubric, seconds));

@@ -79,7 +79,7 @@ Result<TimingPhase> idle(double seconds) {
 }
 
 Result<TimingPhase> drawing_beside(exhibit::Kiosk& kiosk, double seconds) {
-  const auto* loop = dynamic_cast<const loop::LoopThread*>(&kiosk.potter());
+  const auto* loop = dynamic_cast<const loop::LoopThread*>(&kiosk.wheel_host());
   if (loop == nullptr)
     return problem("the loop", "The exhibit does not run it.", "Please report this.", 1);
   double begun = files::monotonic_seconds();
@@ -94,7 +94,7 @@ Result<TimingPhase> drawing_beside(exhibit::Kiosk& kiosk, double seconds) {
     const double from_here = files::monotonic_seconds();
     if (!kiosk.frame(from_here))
       return problem("the window", "It was closed.", "Leave it open.", 1);
-    const double age = age_us(kiosk.potter().view().status);
+    const double age = age_us(kiosk.wheel_host().view().status);
     const double took = (files::monotonic_seconds() - from_here) * 1e6;
     shown.add(age);
     frames.add(took);

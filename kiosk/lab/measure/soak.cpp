@@ -19,7 +19,7 @@ constexpr double kReportEvery = 30.0;
 constexpr double kGrowthAllowed = 16.0;  // MiB
 
 void report(double elapsed, int visits, exhibit::Kiosk& kiosk) {
-  const loop::LoopStatus status = kiosk.potter().status();
+  const loop::LoopStatus status = kiosk.wheel_host().status();
   const render::RenderStatus drawn = kiosk.renderer().status();
   std::fprintf(
       stderr,
@@ -82,7 +82,7 @@ Result<int> soak(const SoakPlan& plan) {
     }
   }
   report(length, visits, kiosk);
-  const auto lost = kiosk.potter().status().deadlines.lost_ticks;
+  const auto lost = kiosk.wheel_host().status().deadlines.lost_ticks;
   const double grown = static_cast<double>(last_quarter - third_quarter) / 1048576.0;
   std::printf(
       "soak: %d visits in %.1f min; memory %+.1f MiB from the third quarter to the last; %llu "

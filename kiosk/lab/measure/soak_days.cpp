@@ -120,7 +120,7 @@ Result<void> SoakDays::frame() {
 }
 
 void SoakDays::note_ticks() {
-  const loop::LoopStatus status = kiosk_->potter().status();
+  const loop::LoopStatus status = kiosk_->wheel_host().status();
   report_.lost_ticks += status.deadlines.lost_ticks;
   report_.ticks += status.deadlines.wakes;
 }
@@ -272,7 +272,7 @@ void SoakDays::sample() {
   at.descriptors = count_in("/proc/self/fd");
   at.threads = count_in("/proc/self/task");
   at.keepsakes = megabytes_in(keepsakes_);
-  if (const auto* loop = dynamic_cast<const loop::LoopThread*>(&kiosk_->potter())) {
+  if (const auto* loop = dynamic_cast<const loop::LoopThread*>(&kiosk_->wheel_host())) {
     const loop::LoopTiming timing = loop->timing();
     at.wake_us = timing.wake_us.since(timing_.wake_us).quantile(0.999);
     at.tick_us = timing.compute_us.since(timing_.compute_us).quantile(0.999);

@@ -94,7 +94,7 @@ void ServiceRun::shows(const exhibit::Kiosk& kiosk) {
 }
 
 void ServiceRun::look(exhibit::Kiosk& kiosk) {
-  const loop::LoopStatus status = kiosk.potter().status();
+  const loop::LoopStatus status = kiosk.wheel_host().status();
   ++health_.frames;
   health_.wakes = status.deadlines.wakes;
   health_.late = status.deadlines.late;

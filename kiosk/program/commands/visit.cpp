@@ -162,7 +162,7 @@ Result<void> walk(exhibit::Kiosk& kiosk, rehearsal::ScriptedVisitor& visitor, in
     if (auto good = visitor.step(now); !good) return good;
     if (visitor.throwing()) {
       if (printed < 0)
-        first_tick = (n + 1) * ticks - static_cast<int>(kiosk.potter().status().ticks);
+        first_tick = (n + 1) * ticks - static_cast<int>(kiosk.wheel_host().status().ticks);
       if (film != nullptr && now - filmed >= kFilmSeconds) {
         film->take(std::to_string(static_cast<int>(now + 0.5)) + "_s");
         filmed = now;

@@ -47,7 +47,7 @@ class Attract final : public Screen {
     if (shows_ == Shows::gallery) gallery_.pointer(e);
   }
   void let_go() override {
-    if (show_ && desk.pot_ready()) show_->let_go(*desk.world.potter);
+    if (show_ && desk.pot_ready()) show_->let_go(*desk.world.wheel_commands);
   }
 
   void update(double dt) override {
@@ -66,7 +66,7 @@ class Attract final : public Screen {
     if (show_) {
       Vec3 right, up, back;
       camera_.basis(right, up, back);
-      show_->update(dt, *desk.world.wheel, card->target, right, *desk.world.potter);
+      show_->update(dt, *desk.world.wheel, card->target, right, *desk.world.wheel_commands);
     }
     if (done_at_ < 0 && (show_ ? show_->done() : desk.status.script_done)) done_at_ = desk.now;
   }

@@ -28,25 +28,25 @@ Demonstration::Demonstration(const SceneForVisitor& wheel, bool left_handed)
   if (wheel.trimmer) trimmer_.emplace(wheel.trimmer->tool, wheel.trimmer->radius);
 }
 
-void Demonstration::send(Vec3 right, loop::WheelCommands& potter) const {
+void Demonstration::send(Vec3 right, loop::WheelCommands& wheel_commands) const {
   auto hands = hands_.input(right);
   if (stage_ == Stage::rib && rib_ && !rib_->done()) hands[0] = rib_->input(side_ * right);
   if (stage_ == Stage::foot && trimmer_ && !trimmer_->done())
     hands[0] = trimmer_->input(side_ * right);
-  for (int n = 0; n < kMaxHands; ++n) potter.hand(n, hands[static_cast<std::size_t>(n)]);
+  for (int n = 0; n < kMaxHands; ++n) wheel_commands.hand(n, hands[static_cast<std::size_t>(n)]);
 }
 
-void Demonstration::turn(double speed, loop::WheelCommands& potter) {
+void Demonstration::turn(double speed, loop::WheelCommands& wheel_commands) {
   if (std::abs(speed - turns_) < 0.3 && speed != 0) return;
   turns_ = speed;
-  potter.wheel(side_ * speed);
+  wheel_commands.wheel(side_ * speed);
 }
 
-void Demonstration::let_go(loop::WheelCommands& potter) {
+void Demonstration::let_go(loop::WheelCommands& wheel_commands) {
   finger_.stop(hands_);
   hands_.lift();
-  potter.water(water_ = false);
-  for (int n = 0; n < kMaxHands; ++n) potter.hand(n, HandInput{});
+  wheel_commands.water(water_ = false);
+  for (int n = 0; n < kMaxHands; ++n) wheel_commands.hand(n, HandInput{});
 }
 
 bool Demonstration::rested(double dt, double seconds) {
@@ -73,13 +73,13 @@ void Demonstration::take_hands(const Profile& target) {
 }
 
 void Demonstration::throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
-                             loop::WheelCommands& potter) {
+                             loop::WheelCommands& wheel_commands) {
   if (!rested(dt, kBreath)) return;
   if (water_) {
     if (for_ < kBreath + kWetting) return;
-    potter.water(water_ = false);
+    wheel_commands.water(water_ = false);
   } else if (strokes_ % 3 == 2 && wheel.status.feedback.wetness < 0.5) {
-    potter.water(water_ = true);
+    wheel_commands.water(water_ = true);
     return;
   }
   const auto stroke = device::next_stroke(wheel.clay, worked_, kNearEnough, kWidens);
@@ -107,10 +107,10 @@ void Demonstration::next_stage(const loop::WheelView& wheel, const Profile& targ
 }
 
 void Demonstration::update(double dt, const loop::WheelView& wheel, const Profile& target,
-                           Vec3 right, loop::WheelCommands& potter) {
+                           Vec3 right, loop::WheelCommands& wheel_commands) {
   if (wheel.clay.rows() == 0 || done()) return;
   if (stage_ == Stage::wire) {
-    if (wire_->update(dt, wheel, right, potter)) enter(Stage::done);
+    if (wire_->update(dt, wheel, right, wheel_commands)) enter(Stage::done);
     return;
   }
   if (stage_ == Stage::stand) {
@@ -120,22 +120,22 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
   }
   double widest = 0;
   for (int j = 0; j < wheel.clay.rows(); ++j) widest = std::max(widest, wheel.clay.mean_outer(j));
-  turn(std::min({kWheel, wheel_.max_speed, kRimSpeed / std::max(widest, 0.01)}), potter);
+  turn(std::min({kWheel, wheel_.max_speed, kRimSpeed / std::max(widest, 0.01)}), wheel_commands);
   bool contact = false;
   for (const HandFeedback& felt : wheel.status.feedback.hand) contact = contact || felt.contact;
 
   if (stage_ == Stage::wet) {
     if (for_ == 0) {
       take_hands(target);
-      potter.water(true);
+      wheel_commands.water(true);
     }
     for_ += dt;
     if (for_ > kWetting + 0.8) {
-      potter.water(false);
+      wheel_commands.water(false);
       enter(Stage::throwing);
     }
   } else if (stage_ == Stage::throwing) {
-    throw_on(dt, wheel, target, potter);
+    throw_on(dt, wheel, target, wheel_commands);
   } else if (stage_ == Stage::foot) {
     if (trimmer_) trimmer_->follow(wheel.clay, target, dt);
     // Go up first: hands that went straight from the foot would pass through the wall.
@@ -148,8 +148,8 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
   }
   finger_.draw(dt, hands_, wheel.clay);
   hands_.follow(wheel.clay, dt, contact);
-  send(right, potter);
-  if (stage_ == Stage::stand) turn(0, potter);
+  send(right, wheel_commands);
+  if (stage_ == Stage::stand) turn(0, wheel_commands);
 }
 
 }  // namespace onggi::screens

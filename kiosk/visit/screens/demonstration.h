@@ -24,21 +24,21 @@ class Demonstration {
 
   /// Call once a frame while the pot is on the wheel. `right`: as in PointerLead::input.
   void update(double dt, const loop::WheelView& wheel, const Profile& target, Vec3 right,
-              loop::WheelCommands& potter);
+              loop::WheelCommands& wheel_commands);
   /// Takes the hands off the clay and the sponge away; the next update() continues.
-  void let_go(loop::WheelCommands& potter);
+  void let_go(loop::WheelCommands& wheel_commands);
   bool done() const { return stage_ == Stage::done; }
 
  private:
   enum class Stage : std::uint8_t { wet, throwing, foot, even, rib, stand, wire, done };
   void enter(Stage stage) { stage_ = stage, for_ = 0; }
-  void send(Vec3 right, loop::WheelCommands& potter) const;
+  void send(Vec3 right, loop::WheelCommands& wheel_commands) const;
   bool rested(double dt, double seconds);
-  void turn(double speed, loop::WheelCommands& potter);
+  void turn(double speed, loop::WheelCommands& wheel_commands);
   void take_hands(const Profile& target);
   void next_stage(const loop::WheelView& wheel, const Profile& target);
   void throw_on(double dt, const loop::WheelView& wheel, const Profile& target,
-                loop::WheelCommands& potter);
+                loop::WheelCommands& wheel_commands);
 
   SceneForVisitor wheel_;
   device::PointerLead hands_;

@@ -139,7 +139,7 @@ const std::string& Desk::note() const {
 
 void Desk::look() {
   status = world.wheel->status;
-  fault_note.update(status, now, *world.potter);
+  fault_note.update(status, now, *world.wheel_commands);
   if (awaited_ && *awaited_ != status.scene_serial) awaited_.reset();
 }
 

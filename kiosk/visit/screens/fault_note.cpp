@@ -17,7 +17,8 @@ constexpr Words kWords[] = {{kFaultForce, "throw.fault_force"},
                             {kFaultTime, "throw.fault_time"}};
 }  // namespace
 
-void FaultNote::update(const loop::LoopStatus& status, double now, loop::WheelCommands& potter) {
+void FaultNote::update(const loop::LoopStatus& status, double now,
+                       loop::WheelCommands& wheel_commands) {
   if (!key_.empty() && now - told_at_ > kTold) key_.clear();
   const std::uint32_t faults = status.feedback.faults;
   if (faults == 0) return;
@@ -27,7 +28,7 @@ void FaultNote::update(const loop::LoopStatus& status, double now, loop::WheelCo
     told_at_ = now;
     break;
   }
-  potter.clear_faults(faults);
+  wheel_commands.clear_faults(faults);
 }
 
 std::vector<std::string> FaultNote::keys() {

@@ -15,7 +15,7 @@ namespace onggi::screens {
 class FaultNote {
  public:
   /// Call once a frame.
-  void update(const loop::LoopStatus& status, double now, loop::WheelCommands& potter);
+  void update(const loop::LoopStatus& status, double now, loop::WheelCommands& wheel_commands);
   /// Language key of the current message; empty: none.
   const std::string& key() const { return key_; }
   /// Every possible key, for reserving space.

@@ -39,7 +39,7 @@ bool MishapWatch::update(Desk& desk) {
 }
 
 void MishapWatch::go_back(Desk& desk) {
-  desk.world.potter->restore();
+  desk.world.wheel_commands->restore();
   going_back_ = now_ != Mishap::none;
   asked_at_ = desk.status.time;
 }

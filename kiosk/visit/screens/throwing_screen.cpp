@@ -47,9 +47,9 @@ class Throwing final : public Screen {
     if (serial_ != desk.status.scene_serial && desk.pot_ready()) {
       // A new pot needs a standing wheel; a pot that was called done was paused.
       serial_ = desk.status.scene_serial;
-      desk.world.potter->pause(false);
+      desk.world.wheel_commands->pause(false);
       speed_.send(desk);
-      desk.world.potter->water(water_.wet());
+      desk.world.wheel_commands->water(water_.wet());
     }
     if (done_) return finish();
     // The pot is cut off, so the throwing is over.
@@ -152,7 +152,7 @@ class Throwing final : public Screen {
       cut_chosen_ = true;
     } else if (control == "throw.renew") {
       let_go();
-      desk.world.potter->renew();
+      desk.world.wheel_commands->renew();
     } else if (control == "throw.restore") {
       let_go();
       mishap_.go_back(desk);
@@ -283,7 +283,7 @@ class Throwing final : public Screen {
     camera_.basis(right, up, back);
     const auto hands = hands_.input(right);
     for (int n = 0; n < kMaxHands; ++n)
-      desk.world.potter->hand(n, hands[static_cast<std::size_t>(n)]);
+      desk.world.wheel_commands->hand(n, hands[static_cast<std::size_t>(n)]);
   }
   /// The target outline, if a hand may work towards it.
   const Profile* aim() const {
@@ -305,7 +305,7 @@ class Throwing final : public Screen {
     let_go();
     const WallHold::Part fine{0, wheel.tool_radius};
     if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
-      desk.world.potter->wheel(0);
+      desk.world.wheel_commands->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
       open_drawer(Drawer::closed);
@@ -321,13 +321,13 @@ class Throwing final : public Screen {
     if (!desk.pot_ready() || std::abs(desk.status.feedback.wheel_speed) > 0.5) return;
     Vec3 right, up, back;
     camera_.basis(right, up, back);
-    if (!cut_off_->update(dt, *desk.world.wheel, right, *desk.world.potter)) return;
+    if (!cut_off_->update(dt, *desk.world.wheel, right, *desk.world.wheel_commands)) return;
     cut_off_.reset();
     finish();
   }
   void set_water(bool on) {
     water_.set(on);
-    desk.world.potter->water(on);
+    desk.world.wheel_commands->water(on);
   }
 
   void move_by_keys(double outward, double up) {
@@ -347,8 +347,8 @@ class Throwing final : public Screen {
     set_water(false);
     // From here on the pot must not sag, dry or spring back, so that the visitor's result and the
     // keepsake match. It is scored when all its rows have arrived.
-    desk.world.potter->pause(true);
-    done_ = !desk.world.potter->refresh_every_row();
+    desk.world.wheel_commands->pause(true);
+    done_ = !desk.world.wheel_commands->refresh_every_row();
     if (done_) return;
     desk.judge(*card);
     desk.go(ScreenId::result);

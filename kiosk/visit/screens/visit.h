@@ -113,7 +113,7 @@ struct VisitInputs {
   const std::vector<ShelfCard>* shelf = nullptr;  ///< May grow at its end.
   const view::TextMeasure* measure = nullptr;
   const loop::WheelView* wheel = nullptr;
-  loop::WheelCommands* potter = nullptr;
+  loop::WheelCommands* wheel_commands = nullptr;
   const std::vector<content::LessonStep>* lesson =
       nullptr;                          ///< Of the first minute at the wheel; may be absent.
   const DeviceNews* devices = nullptr;  ///< May be absent: no news of devices then.

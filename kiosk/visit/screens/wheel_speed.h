@@ -26,7 +26,7 @@ class WheelSpeed {
   }
   /// The other direction for a left hand.
   void send(const Desk& desk) const {
-    desk.world.potter->wheel(desk.screen().left_handed ? -asked_ : asked_);
+    desk.world.wheel_commands->wheel(desk.screen().left_handed ? -asked_ : asked_);
   }
   double asked() const { return asked_; }  ///< rad/s
 

@@ -10,7 +10,7 @@ constexpr double kClear = 0.03;       // m beyond the foot, where it begins and 
 }  // namespace
 
 bool WireCut::update(double dt, const loop::WheelView& wheel, Vec3 right,
-                     loop::WheelCommands& potter) {
+                     loop::WheelCommands& wheel_commands) {
   const double beyond = wheel.clay.radius_at(0.01, WallSide::outside) + kClear;
   if (!begun_) at_ = beyond;
   begun_ = true;
@@ -21,7 +21,7 @@ bool WireCut::update(double dt, const loop::WheelView& wheel, Vec3 right,
   hand.tool = tool_;
   hand.position = {right.x * at_, kWireHigh, right.z * at_};
   hand.handle = {-right.z, 0, right.x};
-  potter.hand(0, hand);
+  wheel_commands.hand(0, hand);
   return !hand.active;
 }
 

@@ -17,7 +17,8 @@ class WireCut {
 
   /// Call once a frame. `right`: as in PointerLead::input. True when the wire has passed the pot;
   /// the hands are then lifted.
-  bool update(double dt, const loop::WheelView& wheel, Vec3 right, loop::WheelCommands& potter);
+  bool update(double dt, const loop::WheelView& wheel, Vec3 right,
+              loop::WheelCommands& wheel_commands);
 
  private:
   std::uint8_t tool_;

@@ -89,14 +89,14 @@ TEST(Attract, HandsComeOffTheClayBeforeTheyTakeAnotherTool) {
   const auto vessel = std::ranges::find(shelf.vessels, "samanid_bowl", &content::Vessel::id);
   ASSERT_NE(vessel, shelf.vessels.end());
   const Pot pot = pot_of(*vessel, scenes);
-  loop::SteppedWheel potter;
-  potter.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
-  Overheard heard(potter);
+  loop::SteppedWheel wheel_host;
+  wheel_host.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
+  Overheard heard(wheel_host);
   screens::Demonstration show(scenes.wheel_of(vessel->id), false);
   for (int frame = 0; !show.done() && frame < 10'000; ++frame) {
-    potter.advance(25);
-    potter.collect();
-    show.update(0.025, potter.view(), pot.target, {1, 0, 0}, heard);
+    wheel_host.advance(25);
+    wheel_host.collect();
+    show.update(0.025, wheel_host.view(), pot.target, {1, 0, 0}, heard);
   }
   EXPECT_EQ(heard.changed_in_the_clay, 0);
   EXPECT_EQ(heard.tools.size(), 4u) << "palm, trimmer, rib and wire";
@@ -110,26 +110,26 @@ TEST(Attract, APotterThrowsEveryVesselOfTheShelfAndNoMomentOfItShowsAScrewThread
   ASSERT_GE(shelf.vessels.size(), 12u);
   for (const content::Vessel& vessel : shelf.vessels) {
     const Pot pot = pot_of(vessel, scenes);
-    loop::SteppedWheel potter;
-    potter.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
+    loop::SteppedWheel wheel_host;
+    wheel_host.start(std::make_unique<Scene>(std::move(*Scene::create(pot.scene))));
     screens::Demonstration show(scenes.wheel_of(vessel.id), false);
     // A vessel has turns of its own, and on the way to it the pot has no more.
     const double most = std::max(kSmooth, rehearsal::smoothness(pot.target).roughness);
     double worst = 0, worst_at = 0, seconds = 0;
     for (int frame = 0; !show.done() && seconds < 240; ++frame, seconds += 0.025) {
-      potter.advance(25);
-      potter.collect();
-      show.update(0.025, potter.view(), pot.target, {1, 0, 0}, potter);
+      wheel_host.advance(25);
+      wheel_host.collect();
+      show.update(0.025, wheel_host.view(), pot.target, {1, 0, 0}, wheel_host);
       if (frame % 4 != 0) continue;
-      const double rough = roughest(potter.view().clay);
+      const double rough = roughest(wheel_host.view().clay);
       if (rough > worst) worst = rough, worst_at = seconds;
     }
     EXPECT_LE(worst, most) << vessel.id << " at " << worst_at << " s";
     // As long as a passer-by who stops: they see the end of it too.
     EXPECT_LT(seconds, 180) << vessel.id;
-    ASSERT_TRUE(potter.refresh_every_row());
-    EXPECT_EQ(potter.view().status.feedback.cut_free, 1.0) << vessel.id;
-    points += score::judge(pot.target, potter.view().clay.profile()).points;
+    ASSERT_TRUE(wheel_host.refresh_every_row());
+    EXPECT_EQ(wheel_host.view().status.feedback.cut_free, 1.0) << vessel.id;
+    points += score::judge(pot.target, wheel_host.view().clay.profile()).points;
   }
   EXPECT_GT(points / static_cast<double>(shelf.vessels.size()), 90.0);
 }

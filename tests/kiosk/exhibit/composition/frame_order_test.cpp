@@ -50,9 +50,9 @@ class FrameOrder : public WholeKiosk {
   test::Watch watch_;
 };
 
-// Guards `potter_->collect()` before `renderer_->update_clay(...)`, and that nothing collects again
-// until the frame is drawn: the clay on the glass, what the screens say of it and a postcard would
-// be of different ticks.
+// Guards `wheel_host_->collect()` before `renderer_->update_clay(...)`, and that nothing collects
+// again until the frame is drawn: the clay on the glass, what the screens say of it and a postcard
+// would be of different ticks.
 TEST_F(FrameOrder, TheGlassShowsTheClayOfTheTickThatTheScreensSpeakOf) {
   press("attract.begin");
   press("choose.card.0");
@@ -60,10 +60,10 @@ TEST_F(FrameOrder, TheGlassShowsTheClayOfTheTickThatTheScreensSpeakOf) {
   until([&] { return kiosk_->visit().sight().has_value(); });
   const auto on_the_wheel = [&] {
     std::uint64_t ticks = 0;
-    EXPECT_TRUE(kiosk_->potter().with_scene([&](Scene& s) { ticks = s.counters().ticks; }));
+    EXPECT_TRUE(kiosk_->wheel_host().with_scene([&](Scene& s) { ticks = s.counters().ticks; }));
     return ticks;
   };
-  const auto seen = [&] { return kiosk_->potter().view().status.ticks; };
+  const auto seen = [&] { return kiosk_->wheel_host().view().status.ticks; };
   std::uint64_t newest = 0, uploaded = 0;
   int drawn = 0;
   watch_.called = [&](const char* call) {
@@ -341,8 +341,8 @@ class PluggedKiosk : public OneJar {
   std::vector<bool> gone_;  ///< Did the wheel turn when the bus went?
 };
 
-// Guards `potter_` above `devices_` in the class: members go last to first, and a device's hand is
-// the wheel's.
+// Guards `wheel_host_` above `devices_` in the class: members go last to first, and a device's hand
+// is the wheel's.
 TEST_F(PluggedKiosk, HandDevicesGoBeforeTheWheelThatTheyLead) {
   for (int n = 0; n < 2000 && kiosk_->doing().device_moves.value_or(0) == 0; ++n) {
     kiosk_->frame(now_ += 1, false);
@@ -370,7 +370,7 @@ TEST(KioskMembers, WhatIsUsedOutlivesItsUsers) {
            {"languages_", {"keeping_", "visit_"}},
            {"lesson_", {"visit_"}},
            {"renderer_", {"pot_", "keeping_", "visit_"}},
-           {"potter_", {"sound_", "devices_", "pot_", "keeping_", "visit_"}},
+           {"wheel_host_", {"sound_", "devices_", "pot_", "keeping_", "visit_"}},
            {"devices_", {"visit_"}},
            {"shelf_", {"visit_"}},
            {"missions_", {"visit_"}},

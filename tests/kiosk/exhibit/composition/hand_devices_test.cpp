@@ -76,8 +76,8 @@ bool frames(HandDevices& devices, double& now, double seconds, Done done) {
 
 TEST(HandDevices, OneThreadThatHangsInItsCableIsSeenThoughTheOtherGoesOn) {
   Cable first, second;
-  loop::SteppedWheel potter;
-  HandDevices devices(potter, std::make_unique<TwoPucks>(first, second),
+  loop::SteppedWheel wheel_host;
+  HandDevices devices(wheel_host, std::make_unique<TwoPucks>(first, second),
                       [](device::DeviceKind kind) { return device::default_def(kind); }, {});
   double now = 0;
   int came = 0;
@@ -97,12 +97,12 @@ TEST(HandDevices, OneThreadThatHangsInItsCableIsSeenThoughTheOtherGoesOn) {
 }
 
 TEST(HandDevices, WhereNothingIsPluggedInNothingCanHang) {
-  loop::SteppedWheel potter;
+  loop::SteppedWheel wheel_host;
   class Nothing final : public device::HidBus {
     std::vector<device::HidListing> list() override { return {}; }
     std::unique_ptr<device::HidPort> open(const std::string&) override { return nullptr; }
   };
-  HandDevices devices(potter, std::make_unique<Nothing>(),
+  HandDevices devices(wheel_host, std::make_unique<Nothing>(),
                       [](device::DeviceKind kind) { return device::default_def(kind); }, {});
   const auto before = devices.moves();
   devices.frame(0.1);

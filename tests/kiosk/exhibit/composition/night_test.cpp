@@ -179,12 +179,12 @@ TEST_F(DarkKiosk, AtNightEveryPixelIsBlackTheClayRestsAndTheMorningFindsItAsItWa
   frame(1);
   ASSERT_TRUE(kiosk_->doing().dark);
   EXPECT_EQ(brightest(kiosk_->picture()), 0);
-  ASSERT_TRUE(kiosk_->potter().refresh_every_row());
-  const auto ticks = kiosk_->potter().status().ticks;
-  const auto wakes = kiosk_->potter().status().deadlines.wakes;
+  ASSERT_TRUE(kiosk_->wheel_host().refresh_every_row());
+  const auto ticks = kiosk_->wheel_host().status().ticks;
+  const auto wakes = kiosk_->wheel_host().status().deadlines.wakes;
   for (int n = 0; n < 4; ++n) frame(3600);
-  EXPECT_EQ(kiosk_->potter().status().ticks, ticks) << "no clay is thrown for nobody";
-  EXPECT_GT(kiosk_->potter().status().deadlines.wakes, wakes) << "but the loop lives";
+  EXPECT_EQ(kiosk_->wheel_host().status().ticks, ticks) << "no clay is thrown for nobody";
+  EXPECT_GT(kiosk_->wheel_host().status().deadlines.wakes, wakes) << "but the loop lives";
   wall_ = at(10);
   frame(1);
   frame(0.1);

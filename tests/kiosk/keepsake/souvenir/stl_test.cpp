@@ -163,14 +163,14 @@ TEST(stl, a_thrown_pot_is_one_closed_body_for_another_reader_too_in_mm_and_of_th
   def.clay = lump_for(target, def);
   auto scene = Scene::create(def);
   ASSERT_TRUE(scene);
-  loop::SteppedWheel potter;
-  potter.start(std::make_unique<Scene>(std::move(*scene)));
-  potter.play(std::move(*make_script("follow", {def, &target, 1, 2.0})));
-  for (int n = 0; n < 600; ++n) potter.advance(20), potter.collect();
-  ASSERT_TRUE(potter.refresh_every_row());
+  loop::SteppedWheel wheel_host;
+  wheel_host.start(std::make_unique<Scene>(std::move(*scene)));
+  wheel_host.play(std::move(*make_script("follow", {def, &target, 1, 2.0})));
+  for (int n = 0; n < 600; ++n) wheel_host.advance(20), wheel_host.collect();
+  ASSERT_TRUE(wheel_host.refresh_every_row());
   double litres = 0;
-  ASSERT_TRUE(potter.with_scene([&](Scene& at) { litres = 1000 * at.clay().volume(); }));
-  const ClayView& clay = potter.view().clay;
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& at) { litres = 1000 * at.clay().volume(); }));
+  const ClayView& clay = wheel_host.view().clay;
   ASSERT_GT(clay.mean_outer(clay.rows() / 2), 0.05) << "it was thrown";
 
   const auto bytes = write_stl(mesh_of(clay), "thrown");

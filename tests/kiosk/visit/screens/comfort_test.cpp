@@ -69,7 +69,7 @@ TEST(Comfort, NothingOfWhatAVisitorChoseIsLeftInAttractOrForTheNext) {
     v.frames(2);
     for (const Comfort::Choice& choice : Comfort::kChoices)
       EXPECT_FALSE(v.visit->shown_on().*choice.of) << choice.name;
-    EXPECT_GT(v.potter.wheels.back(), 0);
+    EXPECT_GT(v.wheel_commands.wheels.back(), 0);
   }
 }
 
@@ -151,13 +151,13 @@ TEST(Comfort, TheWheelTurnsTheOtherWayAtOnceForALeftHandAtIt) {
   Visitor v;
   v.throw_a_pot();
   v.frames(1);
-  ASSERT_GT(v.potter.wheels.back(), 0);
+  ASSERT_GT(v.wheel_commands.wheels.back(), 0);
   const auto words = v.frame.items;
   v.touch("comfort");
   v.touch("comfort.left_handed");
-  EXPECT_LT(v.potter.wheels.back(), 0);
+  EXPECT_LT(v.wheel_commands.wheels.back(), 0);
   v.touch("comfort.left_handed");
-  EXPECT_GT(v.potter.wheels.back(), 0);
+  EXPECT_GT(v.wheel_commands.wheels.back(), 0);
 }
 
 TEST(Comfort, WithLessMotionThePictureChangesAtOnceAndThePotStandsToBeLookedAt) {

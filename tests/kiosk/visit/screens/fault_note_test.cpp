@@ -23,11 +23,11 @@ TEST(FaultNote, WhatTheWheelPutRightIsToldInKindWordsForAWhileAndForgottenAtTheW
       v.frames(1);
       const char* words = korean ? told.ko : told.en;
       EXPECT_EQ(words_in(v.frame).find(words), std::string::npos);
-      EXPECT_EQ(v.potter.cleared, 0u);
+      EXPECT_EQ(v.wheel_commands.cleared, 0u);
       v.status.feedback.faults = told.bit;
       v.show();
       v.status.feedback.faults = 0;
-      EXPECT_EQ(v.potter.cleared, told.bit);
+      EXPECT_EQ(v.wheel_commands.cleared, told.bit);
       v.frames(4);
       EXPECT_NE(words_in(v.frame).find(words), std::string::npos) << words_in(v.frame);
       v.frames(4);
@@ -42,7 +42,7 @@ TEST(FaultNote, OfSeveralThatOneIsToldWhichTheHandFeelsAndAllAreForgotten) {
   v.status.feedback.faults = kFaultInput | kFaultTime | kFaultForce;
   v.show();
   EXPECT_NE(words_in(v.frame).find("eased the force"), std::string::npos);
-  EXPECT_EQ(v.potter.cleared, kFaultInput | kFaultTime | kFaultForce);
+  EXPECT_EQ(v.wheel_commands.cleared, kFaultInput | kFaultTime | kFaultForce);
 }
 
 TEST(FaultNote, NobodyIsToldWhereNobodyIsAtTheWheelButTheWheelForgetsAllTheSame) {
@@ -50,7 +50,7 @@ TEST(FaultNote, NobodyIsToldWhereNobodyIsAtTheWheelButTheWheelForgetsAllTheSame)
   v.status.feedback.faults = kFaultForce;
   v.frames(1);
   EXPECT_EQ(words_in(v.frame).find("eased the force"), std::string::npos);
-  EXPECT_EQ(v.potter.cleared, std::uint32_t{kFaultForce});
+  EXPECT_EQ(v.wheel_commands.cleared, std::uint32_t{kFaultForce});
 }
 
 }  // namespace

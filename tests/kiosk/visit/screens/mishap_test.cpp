@@ -28,10 +28,10 @@ TEST(Mishap, APotThatFellIsSaidKindlyAndOneTouchGoesBackToBeforeTheFall) {
   v.status.feedback.fallen = true;
   v.frames(1);
   EXPECT_NE(words_in(v.frame).find("It collapsed"), std::string::npos);
-  EXPECT_FALSE(v.potter.hands.back().active) << "the hand is off the clay";
+  EXPECT_FALSE(v.wheel_commands.hands.back().active) << "the hand is off the clay";
   v.up(900, 300);
   v.touch("throw.restore");
-  EXPECT_EQ(v.potter.restored, 1);
+  EXPECT_EQ(v.wheel_commands.restored, 1);
   v.status.feedback.fallen = false;
   v.frames(1);
   EXPECT_EQ(words_in(v.frame).find("It collapsed"), std::string::npos);
@@ -46,7 +46,7 @@ TEST(Mishap, AfterAFallTheKeysLeadStraightToTheWayBack) {
   v.key(Key::enter);
   EXPECT_EQ(v.visit->focus(), "throw.restore");
   v.key(Key::enter);
-  EXPECT_EQ(v.potter.restored, 1);
+  EXPECT_EQ(v.wheel_commands.restored, 1);
 }
 
 TEST(Mishap, AWallThatToreIsSaidKindlyWithTheReasonAndOneTouchGoesBack) {
@@ -57,16 +57,16 @@ TEST(Mishap, AWallThatToreIsSaidKindlyWithTheReasonAndOneTouchGoesBack) {
   EXPECT_NE(words_in(v.frame).find("The wall tore"), std::string::npos);
   EXPECT_NE(words_in(v.frame).find("too thin"), std::string::npos);
   EXPECT_NE(words_in(v.frame).find("Undo the tear"), std::string::npos);
-  EXPECT_FALSE(v.potter.hands.back().active) << "the hand is off the clay";
-  EXPECT_FALSE(v.potter.waters.back());
+  EXPECT_FALSE(v.wheel_commands.hands.back().active) << "the hand is off the clay";
+  EXPECT_FALSE(v.wheel_commands.waters.back());
   v.up(900, 300);
   v.touch("throw.restore");
-  EXPECT_EQ(v.potter.restored, 1);
+  EXPECT_EQ(v.wheel_commands.restored, 1);
   v.mend();
   v.frames(1);
   EXPECT_EQ(words_in(v.frame).find("The wall tore"), std::string::npos);
   EXPECT_EQ(words_in(v.frame).find("too thin"), std::string::npos);
-  EXPECT_EQ(v.potter.restored, 1) << "and no further back";
+  EXPECT_EQ(v.wheel_commands.restored, 1) << "and no further back";
 }
 
 TEST(Mishap, AWallThatIsThickAndToreWasOpenedTooFar) {
@@ -107,9 +107,9 @@ TEST(Mishap, BeforeTheTearIsAsManyStepsBackAsItTakes) {
   for (int n = 0; n < 90; ++n) {
     v.status.time += 1.0 / 30;
     v.show();
-    if (v.potter.restored == 3) v.mend();
+    if (v.wheel_commands.restored == 3) v.mend();
   }
-  EXPECT_EQ(v.potter.restored, 3);
+  EXPECT_EQ(v.wheel_commands.restored, 3);
 }
 
 TEST(Mishap, AVisitorWhoThrowsOnAfterATearIsNotTakenBackAnyFurther) {
@@ -120,8 +120,8 @@ TEST(Mishap, AVisitorWhoThrowsOnAfterATearIsNotTakenBackAnyFurther) {
     v.status.time += 1.0 / 30;
     v.show();
   }
-  EXPECT_EQ(v.potter.restored, 1);
-  EXPECT_TRUE(v.potter.hands.back().active);
+  EXPECT_EQ(v.wheel_commands.restored, 1);
+  EXPECT_TRUE(v.wheel_commands.hands.back().active);
 }
 
 TEST(Mishap, AFreshLumpEndsTheWordsOfATearAndAFallGoesBeforeIt) {
@@ -137,7 +137,7 @@ TEST(Mishap, AFreshLumpEndsTheWordsOfATearAndAFallGoesBeforeIt) {
   v.frames(1);
   EXPECT_NE(words_in(v.frame).find("The wall tore"), std::string::npos);
   v.touch("throw.renew");
-  EXPECT_EQ(v.potter.renewed, 1);
+  EXPECT_EQ(v.wheel_commands.renewed, 1);
   v.mend();
   v.touch("throw.less");
   v.frames(1);

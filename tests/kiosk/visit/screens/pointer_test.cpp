@@ -11,9 +11,9 @@ constexpr double kTool = 0.008;
 
 /// The hand outside as it was asked to be last.
 const HandInput& outer(const Visitor& v) {
-  for (auto hand = v.potter.hands.rbegin(); hand != v.potter.hands.rend(); ++hand)
+  for (auto hand = v.wheel_commands.hands.rbegin(); hand != v.wheel_commands.hands.rend(); ++hand)
     if (hand->active && hand->side == SideWish::outside) return *hand;
-  return v.potter.hands.back();
+  return v.wheel_commands.hands.back();
 }
 
 TEST(Pointer, TheFaceComesToBeWhereTheFingerIsOnTheScreen) {
@@ -35,7 +35,7 @@ TEST(Pointer, TheFaceComesToBeWhereTheFingerIsOnTheScreen) {
   v.show();
   EXPECT_TRUE(outer(v).active) << "out of the clay as it goes on";
   v.frames(1);
-  EXPECT_FALSE(v.potter.hands.back().active);
+  EXPECT_FALSE(v.wheel_commands.hands.back().active);
 }
 
 TEST(Pointer, AFingerSetDownElsewhereLiftsHandsThatStillFinishAStroke) {
@@ -52,12 +52,12 @@ TEST(Pointer, AFingerSetDownElsewhereLiftsHandsThatStillFinishAStroke) {
   v.up(x1, y1);
   v.show();
   ASSERT_TRUE(outer(v).active);
-  const std::size_t before = v.potter.hands.size();
+  const std::size_t before = v.wheel_commands.hands.size();
   v.down(x2, y2);
   bool lifted = false;
-  for (std::size_t n = before; n < v.potter.hands.size(); ++n) {
-    lifted = lifted || !v.potter.hands[n].active;
-    EXPECT_TRUE(lifted || v.potter.hands[n].position.x > 0);
+  for (std::size_t n = before; n < v.wheel_commands.hands.size(); ++n) {
+    lifted = lifted || !v.wheel_commands.hands[n].active;
+    EXPECT_TRUE(lifted || v.wheel_commands.hands[n].position.x > 0);
   }
   EXPECT_LT(outer(v).position.x, 0);
 }
@@ -78,7 +78,7 @@ TEST(Pointer, AScrollNotchPressesTwoMillimetresFurther) {
 /// Of the wall that both hands were last asked to hold between them, metres.
 double held_wall(const Visitor& v, double radius) {
   double outside = 0, inside = 0;
-  for (const HandInput& hand : v.potter.hands) {
+  for (const HandInput& hand : v.wheel_commands.hands) {
     if (!hand.active) continue;
     (hand.side == SideWish::outside ? outside : inside) = hand.position.x;
   }
@@ -126,7 +126,7 @@ TEST(Pointer, AFingerBesideTheFirstPressesNoButtonAndEndsNoScreen) {
       v.visit->input({.kind = kind, .x = rect.x + 3, .y = rect.y + 3, .finger = 1}, v.now);
   v.frames(1);
   EXPECT_EQ(v.visit->screen(), ScreenId::throwing);
-  EXPECT_TRUE(v.potter.waters.empty() || !v.potter.waters.back());
+  EXPECT_TRUE(v.wheel_commands.waters.empty() || !v.wheel_commands.waters.back());
 }
 
 }  // namespace

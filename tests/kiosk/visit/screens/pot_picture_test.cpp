@@ -39,8 +39,8 @@ TEST(PotPicture, APotInTheKilnRestsAndTurnsBeforeTheEyeFromTheSpeedItHad) {
   v.status.feedback.wheel_speed = 15;
   v.touch("throw.done");
   ASSERT_EQ(v.visit->screen(), ScreenId::result);
-  EXPECT_TRUE(v.potter.pauses.back());
-  EXPECT_EQ(v.potter.settled, 1);
+  EXPECT_TRUE(v.wheel_commands.pauses.back());
+  EXPECT_EQ(v.wheel_commands.settled, 1);
   v.touch("result.keep");
   const auto turned_in = [&](double seconds) {
     double sum = 0, last = v.frame.pot->clay_angle;
@@ -57,7 +57,7 @@ TEST(PotPicture, APotInTheKilnRestsAndTurnsBeforeTheEyeFromTheSpeedItHad) {
   EXPECT_NEAR(turned_in(1), 1.2, 0.1);
   v.touch("back");
   v.touch("back");
-  EXPECT_FALSE(v.potter.pauses.back());
+  EXPECT_FALSE(v.wheel_commands.pauses.back());
 }
 
 // That no control stands in the shadow is asked of every screen by check_layout().
@@ -111,14 +111,14 @@ TEST(PotPicture, NothingTurnsWhereMotionIsReduced) {
 TEST(PotPicture, APotIsNotJudgedBeforeEveryRowOfItHasArrived) {
   Visitor v;
   v.throw_a_pot();
-  v.potter.answers = false;
+  v.wheel_commands.answers = false;
   v.touch("throw.done");
   v.frames(0.2);
   EXPECT_EQ(v.visit->screen(), ScreenId::throwing);
-  EXPECT_GT(v.potter.settled, 1);
+  EXPECT_GT(v.wheel_commands.settled, 1);
   for (int j = 0; j < v.clay.rows(); ++j)
     v.clay.shape(j, std::vector<float>(16, 0.09f), std::vector<float>(16, 0.05f));
-  v.potter.answers = true;
+  v.wheel_commands.answers = true;
   v.show();
   EXPECT_EQ(v.visit->screen(), ScreenId::result);
   EXPECT_NEAR(v.visit->score().measures.made.belly / v.visit->score().measures.scale, 0.18, 1e-4);

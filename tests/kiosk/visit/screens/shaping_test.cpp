@@ -28,8 +28,8 @@ class Studio {
     world.languages = &languages_;
     world.shelf = &shelf_;
     world.measure = &measure_;
-    world.wheel = &potter.view();
-    world.potter = &potter;
+    world.wheel = &wheel_host.view();
+    world.wheel_commands = &wheel_host;
     visit = std::make_unique<Visit>(world);
     run(0.2);
     event(InputEvent::Kind::pointer_down, 5, 5);
@@ -41,14 +41,14 @@ class Studio {
   }
 
   /// The wheel turns and the screens look away: rows are on their way.
-  void turn_unseen(int ticks) { potter.advance(ticks); }
+  void turn_unseen(int ticks) { wheel_host.advance(ticks); }
   std::optional<MakeKeepsake> keepsake;
 
   void run(double seconds) {
     for (int i = 0; i < static_cast<int>(std::lround(seconds * 30)); ++i) {
       now_ += 1.0 / 30;
-      potter.advance(33);
-      potter.collect();
+      wheel_host.advance(33);
+      wheel_host.collect();
       visit->update(now_);
       while (auto request = visit->take_request()) {
         if (const auto* start = std::get_if<StartPot>(&*request)) begin(*start);
@@ -92,7 +92,7 @@ class Studio {
   }
 
   bool springs;
-  loop::SteppedWheel potter;
+  loop::SteppedWheel wheel_host;
   std::unique_ptr<Visit> visit;
   view::Frame frame;
 
@@ -106,8 +106,8 @@ class Studio {
     auto scene = Scene::create(def);
     ASSERT_TRUE(scene);
     if (start.scripted) return;
-    potter.start(std::make_unique<Scene>(std::move(*scene)));
-    potter.record("jar", 1);
+    wheel_host.start(std::make_unique<Scene>(std::move(*scene)));
+    wheel_host.record("jar", 1);
   }
 
   double now_ = 10;
@@ -120,20 +120,20 @@ class Studio {
 
 TEST(Shaping, AFingerDraggedInwardsBringsTheWallToWhereItIs) {
   Studio studio;
-  const Profile before = studio.potter.view().clay.profile();
+  const Profile before = studio.wheel_host.view().clay.profile();
   const double r = before.outer_at(0.14);
   // Two centimetres in, held for two turns of the wheel.
   studio.stroke({{r - 0.01, 0.14}, {r - 0.02, 0.14}, {r - 0.02, 0.14}}, 1.0);
-  const Profile after = studio.potter.view().clay.profile();
+  const Profile after = studio.wheel_host.view().clay.profile();
   EXPECT_NEAR(after.outer_at(0.14), r - 0.02, 0.001);
   EXPECT_NEAR(after.outer_at(0.05), before.outer_at(0.05), 2e-4);
 }
 
 TEST(Shaping, AStrokeUpwardsDrawsAnEvenGroove) {
   Studio studio;
-  const double r = studio.potter.view().clay.profile().outer_at(0.1);
+  const double r = studio.wheel_host.view().clay.profile().outer_at(0.1);
   studio.stroke({{r, 0.06}, {r - 0.005, 0.06}, {r - 0.005, 0.14}}, 2.5);
-  const Profile after = studio.potter.view().clay.profile();
+  const Profile after = studio.wheel_host.view().clay.profile();
   // Quicker than the clay yields (13 mm of height a turn), so it is not as deep as the finger went;
   // but it is the same depth all along.
   const double depth = r - after.outer_at(0.07);
@@ -145,10 +145,10 @@ TEST(Shaping, AStrokeUpwardsDrawsAnEvenGroove) {
 TEST(Shaping, FromInsideAFingerDraggedOutwardsWidensThePot) {
   Studio studio;
   studio.press("throw.inside");
-  const Profile before = studio.potter.view().clay.profile();
+  const Profile before = studio.wheel_host.view().clay.profile();
   const double r = before.inner_at(0.1);
   studio.stroke({{r, 0.1}, {r + 0.03, 0.1}, {r + 0.03, 0.1}}, 1.5);
-  const Profile after = studio.potter.view().clay.profile();
+  const Profile after = studio.wheel_host.view().clay.profile();
   EXPECT_GT(after.inner_at(0.1), before.inner_at(0.1) + 0.02);
   EXPECT_GE(after.outer_at(0.1), before.outer_at(0.1));
   EXPECT_GT(after.outer_at(0.1), after.inner_at(0.1));
@@ -156,32 +156,32 @@ TEST(Shaping, FromInsideAFingerDraggedOutwardsWidensThePot) {
 
 TEST(Shaping, TheSameStrokeOnTheLeftDoesTheSame) {
   Studio right, left;
-  const double r = right.potter.view().clay.profile().outer_at(0.12);
+  const double r = right.wheel_host.view().clay.profile().outer_at(0.12);
   right.stroke({{r, 0.12}, {r - 0.008, 0.12}, {r - 0.008, 0.12}}, 1.0);
   left.stroke({{-r, 0.12}, {-r + 0.008, 0.12}, {-r + 0.008, 0.12}}, 1.0);
-  EXPECT_NEAR(right.potter.view().clay.profile().outer_at(0.12),
-              left.potter.view().clay.profile().outer_at(0.12), 4e-4);
+  EXPECT_NEAR(right.wheel_host.view().clay.profile().outer_at(0.12),
+              left.wheel_host.view().clay.profile().outer_at(0.12), 4e-4);
 }
 
 TEST(Shaping, AFreshLumpAndBringingItBack) {
   Studio studio;
-  const double r = studio.potter.view().clay.profile().outer_at(0.12);
+  const double r = studio.wheel_host.view().clay.profile().outer_at(0.12);
   studio.stroke({{r, 0.12}, {r - 0.01, 0.12}, {r - 0.01, 0.12}}, 1.0);
-  const double worked = studio.potter.view().clay.profile().outer_at(0.12);
+  const double worked = studio.wheel_host.view().clay.profile().outer_at(0.12);
   studio.press("throw.renew");
   studio.run(1.0);
-  EXPECT_NEAR(studio.potter.view().clay.profile().outer_at(0.12), r, 1e-5);
+  EXPECT_NEAR(studio.wheel_host.view().clay.profile().outer_at(0.12), r, 1e-5);
   studio.press("throw.restore");
   studio.run(1.0);
-  EXPECT_NEAR(studio.potter.view().clay.profile().outer_at(0.12), worked, 1e-5);
+  EXPECT_NEAR(studio.wheel_host.view().clay.profile().outer_at(0.12), worked, 1e-5);
   studio.press("throw.restore");  // the stroke too
   studio.run(1.0);
-  EXPECT_NEAR(studio.potter.view().clay.profile().outer_at(0.12), r, 1e-5);
+  EXPECT_NEAR(studio.wheel_host.view().clay.profile().outer_at(0.12), r, 1e-5);
 }
 
 TEST(Shaping, TheScoreOnTheScreenIsThatOfTheKeptPotAndOfItsReplayToTheBit) {
   Studio studio(true);
-  const double r = studio.potter.view().clay.profile().outer_at(0.1);
+  const double r = studio.wheel_host.view().clay.profile().outer_at(0.1);
   studio.stroke({{r, 0.06}, {r - 0.008, 0.06}, {r - 0.008, 0.14}}, 0.8);
   studio.turn_unseen(60);  // The clay springs back, and its rows are on their way.
   studio.press("throw.done");
@@ -196,11 +196,11 @@ TEST(Shaping, TheScoreOnTheScreenIsThatOfTheKeptPotAndOfItsReplayToTheBit) {
     return score::judge(jar(0.08), made, true, 1.0, settings::Rubric{}).points;
   };
   std::uint64_t hash = 0;
-  ASSERT_TRUE(studio.potter.with_scene([&](Scene& scene) {
+  ASSERT_TRUE(studio.wheel_host.with_scene([&](Scene& scene) {
     hash = scene.state_hash();
     EXPECT_EQ(points_of(scene.clay().profile()), on_screen.points);
   }));
-  const auto replay = Replay::read(studio.potter.replay(hash), "kept");
+  const auto replay = Replay::read(studio.wheel_host.replay(hash), "kept");
   ASSERT_TRUE(replay.has_value());
   std::unique_ptr<Scene> again;
   const auto outcome = run_replay(*replay, &again);
@@ -213,12 +213,12 @@ TEST(Shaping, BackAtTheWheelThePotGoesOn) {
   Studio studio;
   studio.press("throw.done");
   studio.run(1);
-  const std::uint64_t rested = studio.potter.status().ticks;
+  const std::uint64_t rested = studio.wheel_host.status().ticks;
   studio.run(1);
-  EXPECT_EQ(studio.potter.status().ticks, rested);
+  EXPECT_EQ(studio.wheel_host.status().ticks, rested);
   studio.press("back");
   studio.run(1);
-  EXPECT_GT(studio.potter.status().ticks, rested + 500);
+  EXPECT_GT(studio.wheel_host.status().ticks, rested + 500);
 }
 
 }  // namespace

@@ -33,23 +33,23 @@ struct RealWheel {
     SceneDef def;
     def.clay.rows = 120;
     def.clay.sectors = 24;
-    potter.start(std::make_unique<Scene>(std::move(*Scene::create(def))));
-    potter.record("jar", 1);
-    potter.wheel(25);
-    world.wheel = &potter.view();
-    world.potter = &potter;
+    wheel_host.start(std::make_unique<Scene>(std::move(*Scene::create(def))));
+    wheel_host.record("jar", 1);
+    wheel_host.wheel(25);
+    world.wheel = &wheel_host.view();
+    world.wheel_commands = &wheel_host;
     frames(60);
   }
   void frames(int count) {
     for (int n = 0; n < count; ++n) {
-      potter.advance(20);
-      potter.collect();
-      show.draw(0.02, hands, potter.view().clay);
+      wheel_host.advance(20);
+      wheel_host.collect();
+      show.draw(0.02, hands, wheel_host.view().clay);
       bool contact = false;
-      for (const HandFeedback& f : potter.view().status.feedback.hand) contact |= f.contact;
-      hands.follow(potter.view().clay, 0.02, contact);
+      for (const HandFeedback& f : wheel_host.view().status.feedback.hand) contact |= f.contact;
+      hands.follow(wheel_host.view().clay, 0.02, contact);
       const auto both = hands.input({1, 0, 0});
-      for (int h = 0; h < kMaxHands; ++h) potter.hand(h, both[static_cast<std::size_t>(h)]);
+      for (int h = 0; h < kMaxHands; ++h) wheel_host.hand(h, both[static_cast<std::size_t>(h)]);
     }
   }
   // A stroke from a press of the button to the hands being off again.
@@ -60,7 +60,7 @@ struct RealWheel {
     EXPECT_FALSE(show.showing());
     frames(60);
   }
-  loop::SteppedWheel potter;
+  loop::SteppedWheel wheel_host;
   VisitInputs world;
   device::PointerLead hands{{6, 0.018}, {0, 0.008}};
   ShowMe show;
@@ -69,23 +69,23 @@ struct RealWheel {
 TEST(ShowMe, StrokesBringAPotNearerAndAreRecordedLikeAnyHandsAndTakenBackOneByOne) {
   RealWheel wheel;
   const Profile target = jar(0.075, 0.05, 0.05);
-  const double lump = off(wheel.potter.view().clay, target);
+  const double lump = off(wheel.wheel_host.view().clay, target);
   wheel.stroke(target);
-  ASSERT_TRUE(wheel.potter.refresh_every_row());
-  EXPECT_GT(wheel.potter.view().clay.radius_at(0.1, WallSide::inside), 0.025)
+  ASSERT_TRUE(wheel.wheel_host.refresh_every_row());
+  EXPECT_GT(wheel.wheel_host.view().clay.radius_at(0.1, WallSide::inside), 0.025)
       << "a thick wall is opened first";
   ClayView before;
   for (int n = 0; n < 5; ++n) {
-    ASSERT_TRUE(wheel.potter.refresh_every_row());
-    before = wheel.potter.view().clay;
+    ASSERT_TRUE(wheel.wheel_host.refresh_every_row());
+    before = wheel.wheel_host.view().clay;
     wheel.stroke(target);
   }
-  ASSERT_TRUE(wheel.potter.refresh_every_row());
-  EXPECT_LT(off(wheel.potter.view().clay, target), 0.5 * lump);
+  ASSERT_TRUE(wheel.wheel_host.refresh_every_row());
+  EXPECT_LT(off(wheel.wheel_host.view().clay, target), 0.5 * lump);
 
   std::uint64_t hash = 0;
-  ASSERT_TRUE(wheel.potter.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
-  const auto replay = Replay::read(wheel.potter.replay(hash), "test");
+  ASSERT_TRUE(wheel.wheel_host.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
+  const auto replay = Replay::read(wheel.wheel_host.replay(hash), "test");
   ASSERT_TRUE(replay.has_value());
   const auto outcome = run_replay(*replay);
   ASSERT_TRUE(outcome.has_value());
@@ -94,11 +94,11 @@ TEST(ShowMe, StrokesBringAPotNearerAndAreRecordedLikeAnyHandsAndTakenBackOneByOn
   // A touch of more than three seconds is taken back in steps of three (engine/clay/history.h).
   double apart = 1;
   for (int step = 0; step < 8 && apart > 1e-6; ++step) {
-    ASSERT_TRUE(wheel.potter.view().status.can_restore);
-    wheel.potter.restore();
+    ASSERT_TRUE(wheel.wheel_host.view().status.can_restore);
+    wheel.wheel_host.restore();
     wheel.frames(60);
-    ASSERT_TRUE(wheel.potter.refresh_every_row());
-    apart = off(wheel.potter.view().clay, before);
+    ASSERT_TRUE(wheel.wheel_host.refresh_every_row());
+    apart = off(wheel.wheel_host.view().clay, before);
   }
   EXPECT_LE(apart, 1e-6);
 }
@@ -109,12 +109,12 @@ TEST(ShowMe, ItGoesOnUntilItIsPressedAgain) {
   v.touch("throw.show");
   v.frames(1.5);
   EXPECT_NE(words_in(v.frame).find("Watch:"), std::string::npos);
-  ASSERT_GE(v.potter.hands.size(), 2u);
-  EXPECT_TRUE(v.potter.hands[v.potter.hands.size() - 2].active);
+  ASSERT_GE(v.wheel_commands.hands.size(), 2u);
+  EXPECT_TRUE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active);
   v.touch("throw.show");
   v.frames(0.1);
   EXPECT_EQ(words_in(v.frame).find("Watch:"), std::string::npos);
-  EXPECT_FALSE(v.potter.hands[v.potter.hands.size() - 2].active);
+  EXPECT_FALSE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active);
 }
 
 TEST(ShowMe, HeldItEndsWhereItIsLetGo) {
@@ -141,7 +141,8 @@ TEST(ShowMe, WhoTouchesThePotTakesOverAtOnceAndAMouseThatOnlyPassesDoesNot) {
   v.down(900, 300);
   v.frames(0.2);
   EXPECT_EQ(words_in(v.frame).find("Watch:"), std::string::npos);
-  EXPECT_TRUE(v.potter.hands[v.potter.hands.size() - 2].active) << "the visitor's own";
+  EXPECT_TRUE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active)
+      << "the visitor's own";
   v.up(900, 300);
 }
 

@@ -77,8 +77,8 @@ TEST(StrokeBoard, AStrokeIsMadeByTheVisitorsHandsWhereItWasAskedAndToldUntilItIs
   ScreenText reading = v.visit->reading();
   EXPECT_TRUE(reading.working);
   EXPECT_NE(words_in(v.frame).find("Narrow, High: the hands are at work."), std::string::npos);
-  ASSERT_GE(v.potter.hands.size(), 2u);
-  const HandInput& hand = v.potter.hands[v.potter.hands.size() - 2];
+  ASSERT_GE(v.wheel_commands.hands.size(), 2u);
+  const HandInput& hand = v.wheel_commands.hands[v.wheel_commands.hands.size() - 2];
   EXPECT_TRUE(hand.active);
   EXPECT_GT(hand.position.y, 0.5 * 0.2) << "high on the wall";
   v.frames(20);
@@ -135,7 +135,7 @@ TEST(StrokeBoard, APartSaysHowMuchItIsOffAndWhetherItIsTheOneThatIsWorked) {
 TEST(StrokeBoard, ArrowsTabAndEnterComeToEveryControlAndMoveNoHand) {
   Visitor v = at_the_wheel();
   v.key(view::Key::next);
-  const std::size_t before = v.potter.hands.size();
+  const std::size_t before = v.wheel_commands.hands.size();
   std::set<std::string> seen;
   const std::size_t all = v.visit->controls().size();
   for (std::size_t n = 0; n < all; ++n) {
@@ -149,8 +149,8 @@ TEST(StrokeBoard, ArrowsTabAndEnterComeToEveryControlAndMoveNoHand) {
   EXPECT_NE(v.visit->focus(), at);
   v.key(view::Key::next);
   EXPECT_EQ(v.visit->focus(), at);
-  for (std::size_t n = before; n < v.potter.hands.size(); ++n)
-    EXPECT_FALSE(v.potter.hands[n].active);
+  for (std::size_t n = before; n < v.wheel_commands.hands.size(); ++n)
+    EXPECT_FALSE(v.wheel_commands.hands[n].active);
   ASSERT_TRUE(v.key_to("throw.ask.4"));
   v.frames(1);
   EXPECT_TRUE(v.visit->reading().working);

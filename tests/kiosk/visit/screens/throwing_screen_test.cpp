@@ -145,7 +145,7 @@ TEST(ThrowingScreen, TwoDrawersHoldAllElseAndAHandOnThePotClosesThem) {
     v.down(x, y);
     v.show();
     EXPECT_TRUE(v.visit->control("throw.done"));
-    EXPECT_TRUE(v.potter.hands.back().active) << "and the touch is a touch";
+    EXPECT_TRUE(v.wheel_commands.hands.back().active) << "and the touch is a touch";
   }
 }
 

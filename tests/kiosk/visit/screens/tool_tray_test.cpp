@@ -31,9 +31,9 @@ struct AtTheTray : Visitor {
   }
   /// The last that was asked of a hand at the clay.
   const HandInput& working() const {
-    for (auto hand = potter.hands.rbegin(); hand != potter.hands.rend(); ++hand)
+    for (auto hand = wheel_commands.hands.rbegin(); hand != wheel_commands.hands.rend(); ++hand)
       if (hand->active) return *hand;
-    return potter.hands.back();
+    return wheel_commands.hands.back();
   }
 };
 
@@ -71,12 +71,12 @@ TEST(ToolTray, ASceneWithoutToolsHasNoTray) {
 TEST(ToolTray, AToolIsOneHandsAndMeetsTheClayWithItsOwnFace) {
   AtTheTray v;
   v.touch("throw.tool.1");
-  v.potter.hands.clear();
+  v.wheel_commands.hands.clear();
   v.set_down(0.055, 0.1);
   EXPECT_EQ(v.working().tool, kRib);
   EXPECT_EQ(v.working().side, SideWish::outside);
   EXPECT_NEAR(v.working().position.x, 0.055 + 0.0015, 1e-4);
-  for (const HandInput& hand : v.potter.hands)
+  for (const HandInput& hand : v.wheel_commands.hands)
     EXPECT_FALSE(hand.active && hand.side == SideWish::inside);
 }
 
@@ -103,10 +103,10 @@ TEST(ToolTray, TheWireWaitsForTheWheelPassesUnderThePotAndEndsTheThrowing) {
   AtTheTray v;
   v.status.feedback.wheel_speed = 20;
   v.touch("throw.tool.2");
-  EXPECT_EQ(v.potter.wheels.back(), 0.0);
-  v.potter.hands.clear();
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 0.0);
+  v.wheel_commands.hands.clear();
   v.frames(1);
-  for (const HandInput& hand : v.potter.hands) EXPECT_FALSE(hand.active);
+  for (const HandInput& hand : v.wheel_commands.hands) EXPECT_FALSE(hand.active);
   v.status.feedback.wheel_speed = 0;
   double most = -1, least = 1;
   for (int i = 0; i < 200 && v.visit->screen() == ScreenId::throwing; ++i) {

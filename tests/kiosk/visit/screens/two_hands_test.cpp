@@ -34,7 +34,7 @@ struct AtWheel : Visitor {
     touch("choose.mission.0");
     touch("choose.throw");
     frames(1);
-    potter.hands.clear();
+    wheel_commands.hands.clear();
   }
   /// Where `x` right of the axis at the height `y` is on the screen; m.
   std::pair<float, float> at(double x, double y) const {
@@ -54,7 +54,7 @@ struct AtWheel : Visitor {
   /// Hand 0 and 1 as the wheel was told last.
   std::array<HandInput, 2> told() {
     show();
-    const auto& all = potter.hands;
+    const auto& all = wheel_commands.hands;
     return {all[all.size() - 2], all[all.size() - 1]};
   }
 };
@@ -141,15 +141,15 @@ TEST(TwoHands, TheMouseTakesNothingFromTheKeyboardAmongTheButtons) {
   EXPECT_EQ(v.visit->focus(), "throw.done") << "whoever is there stays";
   EXPECT_TRUE(v.told()[0].active && v.told()[1].active) << "and both hands work on";
   ASSERT_TRUE(v.key_to("throw.water"));
-  EXPECT_TRUE(v.potter.waters.back());
+  EXPECT_TRUE(v.wheel_commands.waters.back());
   ASSERT_TRUE(v.key_to("throw.wheel"));
   ASSERT_TRUE(v.visit->control("throw.faster"));
   v.up(x - 4, y);
   mouse_works(-8);
   ASSERT_TRUE(v.visit->control("throw.faster")) << "nor is their drawer closed";
-  const double before = v.potter.wheels.back();
+  const double before = v.wheel_commands.wheels.back();
   ASSERT_TRUE(v.key_to("throw.faster"));
-  EXPECT_GT(v.potter.wheels.back(), before);
+  EXPECT_GT(v.wheel_commands.wheels.back(), before);
   v.key(Key::back);
   v.key(Key::back);
   EXPECT_EQ(v.visit->focus(), "") << "the arrows move the hand again";

@@ -20,17 +20,17 @@ TEST(Visit, AttractThrowsWithAPottersHandsWhichAreLiftedWhenSomebodyBegins) {
   v.frames(1);
   EXPECT_EQ(std::get<StartPot>(v.requests().front()).script, "");
   v.frames(8);
-  ASSERT_FALSE(v.potter.wheels.empty());
-  EXPECT_GT(v.potter.wheels.back(), 10.0);
-  ASSERT_GE(v.potter.waters.size(), 2u);
-  EXPECT_TRUE(v.potter.waters.front());
-  EXPECT_TRUE(std::ranges::any_of(v.potter.hands, &HandInput::active));
-  v.potter.hands.clear();
+  ASSERT_FALSE(v.wheel_commands.wheels.empty());
+  EXPECT_GT(v.wheel_commands.wheels.back(), 10.0);
+  ASSERT_GE(v.wheel_commands.waters.size(), 2u);
+  EXPECT_TRUE(v.wheel_commands.waters.front());
+  EXPECT_TRUE(std::ranges::any_of(v.wheel_commands.hands, &HandInput::active));
+  v.wheel_commands.hands.clear();
   v.touch("attract.begin");
   EXPECT_EQ(v.visit->screen(), ScreenId::choose);
-  ASSERT_GE(v.potter.hands.size(), 2u);
-  EXPECT_FALSE(v.potter.hands[v.potter.hands.size() - 2].active);
-  EXPECT_FALSE(v.potter.hands.back().active);
+  ASSERT_GE(v.wheel_commands.hands.size(), 2u);
+  EXPECT_FALSE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active);
+  EXPECT_FALSE(v.wheel_commands.hands.back().active);
 }
 
 TEST(Visit, WhereClayIsKeptAttractThrowsAPotByScriptAndNamesItAtTheEnd) {
@@ -171,27 +171,27 @@ TEST(Visit, AStrokeOrARenewedLumpCanBeTakenBackWhileThereIsOne) {
   Visitor v;
   v.throw_a_pot();
   v.touch("throw.renew");
-  EXPECT_EQ(v.potter.renewed, 1);
+  EXPECT_EQ(v.wheel_commands.renewed, 1);
   EXPECT_FALSE(v.visit->control("throw.restore"));
   v.status.can_restore = true;
   v.show();
   v.touch("throw.restore");
-  EXPECT_EQ(v.potter.restored, 1);
-  EXPECT_EQ(v.potter.renewed, 1);
+  EXPECT_EQ(v.wheel_commands.restored, 1);
+  EXPECT_EQ(v.wheel_commands.renewed, 1);
 }
 
 TEST(Visit, TheWheelTurnsByItselfAndCanBeMadeSlowerUntilItStands) {
   Visitor v;
   v.throw_a_pot();
-  ASSERT_FALSE(v.potter.wheels.empty());
-  EXPECT_NEAR(v.potter.wheels.back(), 25, 0.1);
+  ASSERT_FALSE(v.wheel_commands.wheels.empty());
+  EXPECT_NEAR(v.wheel_commands.wheels.back(), 25, 0.1);
   for (int i = 0; i < 20; ++i) v.touch("throw.slower");
-  EXPECT_EQ(v.potter.wheels.back(), 0);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 0);
   v.touch("throw.less");
   v.frames(3);
   EXPECT_NE(words_in(v.frame).find("The wheel has stopped"), std::string::npos);
   for (int i = 0; i < 30; ++i) v.touch("throw.faster");
-  EXPECT_NEAR(v.potter.wheels.back(), 31.4, 1e-9);
+  EXPECT_NEAR(v.wheel_commands.wheels.back(), 31.4, 1e-9);
 }
 
 TEST(Visit, AVisitorSetsHowMuchForceIsFeltDownToOffAndTheNextBeginsWithAll) {
@@ -223,15 +223,15 @@ TEST(Visit, WaterIsASwitchForATapAndASpongeForALongPress) {
   Visitor v;
   v.throw_a_pot();
   v.touch("throw.water");
-  EXPECT_TRUE(v.potter.waters.back());
+  EXPECT_TRUE(v.wheel_commands.waters.back());
   v.touch("throw.water");
-  EXPECT_FALSE(v.potter.waters.back());
+  EXPECT_FALSE(v.wheel_commands.waters.back());
   const auto rect = *v.visit->control("throw.water");
   v.down(rect.x + 5, rect.y + 5);
   v.frames(1);
-  EXPECT_TRUE(v.potter.waters.back());
+  EXPECT_TRUE(v.wheel_commands.waters.back());
   v.up(rect.x + 5, rect.y + 5);
-  EXPECT_FALSE(v.potter.waters.back());
+  EXPECT_FALSE(v.wheel_commands.waters.back());
 }
 
 TEST(Visit, LeftHandsGetTheMirroredPageAndWheel) {
@@ -240,7 +240,7 @@ TEST(Visit, LeftHandsGetTheMirroredPageAndWheel) {
   Visitor left;
   left.exhibit.screen.left_handed = true;
   left.throw_a_pot();
-  EXPECT_LT(left.potter.wheels.back(), 0);
+  EXPECT_LT(left.wheel_commands.wheels.back(), 0);
   EXPECT_LT(right.visit->control("throw.done")->x, 640);
   EXPECT_GT(left.visit->control("throw.done")->x, 640);
 }
@@ -313,20 +313,20 @@ TEST(Visit, TheWholeVisitGoesByKeyboardAlone) {
   ASSERT_EQ(v.visit->screen(), ScreenId::throwing);
   v.show();
   v.key(Key::left);
-  ASSERT_FALSE(v.potter.hands.empty());
-  EXPECT_TRUE(v.potter.hands.back().active);
+  ASSERT_FALSE(v.wheel_commands.hands.empty());
+  EXPECT_TRUE(v.wheel_commands.hands.back().active);
   // Of a thick wall the hand inside stays, the one outside comes.
   const auto outside = [&] {
-    return std::ranges::find(v.potter.hands.rbegin(), v.potter.hands.rend(), SideWish::outside,
-                             &HandInput::side)
+    return std::ranges::find(v.wheel_commands.hands.rbegin(), v.wheel_commands.hands.rend(),
+                             SideWish::outside, &HandInput::side)
         ->position.x;
   };
   const double begun = outside();
   v.key(Key::left);
   EXPECT_LT(outside(), begun);
-  const double low = v.potter.hands.back().position.y;
+  const double low = v.wheel_commands.hands.back().position.y;
   v.key(Key::up);
-  EXPECT_GT(v.potter.hands.back().position.y, low);
+  EXPECT_GT(v.wheel_commands.hands.back().position.y, low);
   v.key(Key::enter);
   ASSERT_TRUE(v.key_to("throw.inside"));
   ASSERT_TRUE(v.key_to("throw.done"));

@@ -108,7 +108,7 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
   world.measure = measure ? measure : &plain;
   world.wheel = &view;
   world.lesson = &lesson;
-  world.potter = &potter;
+  world.wheel_commands = &wheel_commands;
   world.devices = &news;
   world.todays = &todays;
   world.missions = &missions;

@@ -18,7 +18,7 @@ class PlainMeasure final : public view::TextMeasure {
 };
 
 /// Remembers what the screens asked of the wheel.
-class RecordingPotter final : public loop::WheelCommands {
+class RecordedCommands final : public loop::WheelCommands {
  public:
   void start(std::unique_ptr<Scene>) override {}
   void play(std::unique_ptr<Script>) override {}
@@ -94,7 +94,7 @@ class Visitor {
   content::Vessel jar_of_mission;
   SceneForVisitor wheel;  // of every card
   PlainMeasure plain;
-  RecordingPotter potter;
+  RecordedCommands wheel_commands;
   DeviceNews news;
   loop::WheelView view;
   ClayView& clay = view.clay;

@@ -35,22 +35,22 @@ TEST(Potter, NeitherATickNorACollectedRowAllocates) {
   def.clay.sectors = 64;
   def.volume.emplace();
   def.moisture->sponge_height = 0.04;
-  SteppedWheel potter;
-  potter.start(std::make_unique<Scene>(std::move(*Scene::create(def))));
+  SteppedWheel wheel_host;
+  wheel_host.start(std::make_unique<Scene>(std::move(*Scene::create(def))));
   HandInput hand;
   hand.active = true;
   int rows = 0;
   long before = 0;
   for (int frame = 0; frame < 200; ++frame) {
     if (frame == 20) before = allocations;
-    potter.wheel(15);
+    wheel_host.wheel(15);
     hand.position = {0.063 - 2e-5 * frame, 0.1, 0};
-    potter.hand(0, hand);
-    potter.take(0, static_cast<std::uint8_t>(frame / 40));
-    potter.clear_faults(~0u);
-    potter.water(frame % 2 == 0);
-    potter.advance(33);
-    rows += potter.collect();
+    wheel_host.hand(0, hand);
+    wheel_host.take(0, static_cast<std::uint8_t>(frame / 40));
+    wheel_host.clear_faults(~0u);
+    wheel_host.water(frame % 2 == 0);
+    wheel_host.advance(33);
+    rows += wheel_host.collect();
   }
   EXPECT_EQ(allocations, before);
   EXPECT_GT(rows, 1000);

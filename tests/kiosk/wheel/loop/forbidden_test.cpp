@@ -105,32 +105,32 @@ TEST(Loop, InAHundredThousandTicksWithEveryEffectAndADeviceNothingIsAllocatedLoc
   auto link = device::HidLink::begin(std::move(parts), device::HidLink::Turning::by_thread);
   ASSERT_TRUE(link);
 
-  SteppedWheel potter;
-  ASSERT_NE(potter.attach(std::make_unique<device::HidHand>(std::move(link)), 0), nullptr);
-  potter.start(pot(def));
+  SteppedWheel wheel_host;
+  ASSERT_NE(wheel_host.attach(std::make_unique<device::HidHand>(std::move(link)), 0), nullptr);
+  wheel_host.start(pot(def));
   std::uint64_t ticks = 0, touched = 0, pressed = 0;
   bool tore = false;
   for (int frame = 0; frame < 4000; ++frame) {
-    potter.wheel(12.0);
-    potter.water(frame % 100 < 20);
-    if (frame % 1000 == 999) potter.restore();
+    wheel_host.wheel(12.0);
+    wheel_host.water(frame % 100 < 20);
+    if (frame % 1000 == 999) wheel_host.restore();
     // The device keeps its own time, in which 100 s are a blink: the other hand keeps the clay's,
     // up and down the wall and deeper each time, and then there are a new lump and another tool.
     const int stroke = frame % 200;
     const std::size_t tools = def.tools.size() + 1;
     if (stroke == 1)
-      potter.take(1, static_cast<std::uint8_t>(static_cast<std::size_t>(frame / 200) % tools));
-    if (stroke == 199) potter.renew();
+      wheel_host.take(1, static_cast<std::uint8_t>(static_cast<std::size_t>(frame / 200) % tools));
+    if (stroke == 199) wheel_host.renew();
     HandInput other;
     other.active = stroke > 2 && stroke < 190;
     other.position = {-0.0635 + 4e-5 * stroke, 0.06 + 0.03 * std::sin(0.1 * frame), 0.0};
-    potter.hand(1, other);
+    wheel_host.hand(1, other);
     on_the_tick = true;
-    potter.advance(25);
+    wheel_host.advance(25);
     on_the_tick = false;
     ticks += 25;
-    potter.collect();
-    const auto& felt = potter.view().status.feedback;
+    wheel_host.collect();
+    const auto& felt = wheel_host.view().status.feedback;
     touched += felt.hand[0].contact ? 1 : 0;
     pressed += felt.hand[1].contact ? 1 : 0;
     tore = tore || felt.torn;

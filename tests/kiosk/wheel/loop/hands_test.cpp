@@ -39,12 +39,12 @@ class NotedHand final : public device::HandDevice {
 };
 
 /// The hand comes to the wall from outside at 5 mm/s, for `ticks`.
-void come(SteppedWheel& potter, Notes& notes, const SceneDef& def, int ticks, double y) {
+void come(SteppedWheel& wheel_host, Notes& notes, const SceneDef& def, int ticks, double y) {
   notes.hand = press_at(def, -0.0002);
   notes.hand.position.y = y;
   for (int n = 0; n < ticks; ++n) {
     notes.hand.position.x -= 5e-6;
-    potter.advance(1);
+    wheel_host.advance(1);
   }
 }
 
@@ -98,70 +98,70 @@ TEST(HandDevices, WhileTicksComeTooLateForcesGoDownAndThenComeBackSlowly) {
 
 TEST(HandDevices, WhateverADeviceReportsReachesTheScene) {
   Notes notes;
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
+  wheel_host.start(pot(def));
   notes.hand = {{-0.09, 0.07, 0.01}, true, SideWish::outside, tool_of(def, "flat_rib"),
                 {0.1, 1.0, 0.2},     0.3};
-  ASSERT_NE(potter.attach(std::make_unique<NotedHand>(notes), 1), nullptr);
-  potter.advance(1);
-  potter.collect();
-  EXPECT_EQ(potter.view().status.hands.hand[1], notes.hand);
-  const HandView& seen = potter.view().status.hand[1];
+  ASSERT_NE(wheel_host.attach(std::make_unique<NotedHand>(notes), 1), nullptr);
+  wheel_host.advance(1);
+  wheel_host.collect();
+  EXPECT_EQ(wheel_host.view().status.hands.hand[1], notes.hand);
+  const HandView& seen = wheel_host.view().status.hand[1];
   EXPECT_TRUE(seen.present);
   EXPECT_EQ(seen.name, "flat_rib");
   EXPECT_EQ(seen.body, BodyKind::box);
   EXPECT_EQ(seen.at, notes.hand.position);
   EXPECT_NEAR(length(cross(seen.along, notes.hand.handle)), 0.0, 1e-12);
   EXPECT_NEAR(dot(seen.along, seen.across), 0.0, 1e-12);
-  EXPECT_FALSE(potter.view().status.hand[0].present);
+  EXPECT_FALSE(wheel_host.view().status.hand[0].present);
 }
 
 TEST(HandDevices, OfSeveralForOneHandTheLastThatIsInUseLeadsAndItAloneFeelsTheClay) {
   Notes first, last;
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  potter.attach(std::make_unique<NotedHand>(first), 0);
-  potter.attach(std::make_unique<NotedHand>(last), 0);
-  come(potter, first, def, 700, 0.1);
+  wheel_host.start(pot(def));
+  wheel_host.attach(std::make_unique<NotedHand>(first), 0);
+  wheel_host.attach(std::make_unique<NotedHand>(last), 0);
+  come(wheel_host, first, def, 700, 0.1);
   EXPECT_GT(length(first.felt.back().force), 0.0);
   EXPECT_EQ(length(last.felt.back().force), 0.0);
-  come(potter, last, def, 700, 0.05);
-  EXPECT_EQ(potter.status().hands.hand[0], last.hand);
+  come(wheel_host, last, def, 700, 0.05);
+  EXPECT_EQ(wheel_host.status().hands.hand[0], last.hand);
   EXPECT_EQ(length(first.felt.back().force), 0.0);
   EXPECT_GT(length(last.felt.back().force), 0.0);
   last.hand.active = false;
-  potter.advance(1);
-  EXPECT_EQ(potter.status().hands.hand[0], first.hand);
+  wheel_host.advance(1);
+  EXPECT_EQ(wheel_host.status().hands.hand[0], first.hand);
 }
 
 TEST(HandDevices, ADeviceThatLeavesFeelsNothingMoreAndIsDestroyedOnceTheLoopHasLetGo) {
   Notes notes;
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  device::HandDevice* const name = potter.attach(std::make_unique<NotedHand>(notes), 0);
-  come(potter, notes, def, 700, 0.1);
+  wheel_host.start(pot(def));
+  device::HandDevice* const name = wheel_host.attach(std::make_unique<NotedHand>(notes), 0);
+  come(wheel_host, notes, def, 700, 0.1);
   EXPECT_GT(length(notes.felt.back().force), 0.0);
-  potter.detach(name);
-  potter.collect();
+  wheel_host.detach(name);
+  wheel_host.collect();
   EXPECT_FALSE(notes.gone) << "the loop still has it";
-  potter.advance(1);
+  wheel_host.advance(1);
   EXPECT_EQ(length(notes.felt.back().force), 0.0);
-  EXPECT_FALSE(potter.status().hand[0].present);
-  potter.collect();
+  EXPECT_FALSE(wheel_host.status().hand[0].present);
+  wheel_host.collect();
   EXPECT_TRUE(notes.gone);
 }
 
 TEST(HandDevices, OneTooManyIsTurnedAway) {
   std::vector<Notes> notes(WheelLoop::kMostDevices);
   Notes third_hand;
-  SteppedWheel potter;
-  for (Notes& each : notes) potter.attach(std::make_unique<NotedHand>(each), 0);
-  potter.attach(std::make_unique<NotedHand>(third_hand), 2);
-  potter.advance(1);
-  potter.collect();
+  SteppedWheel wheel_host;
+  for (Notes& each : notes) wheel_host.attach(std::make_unique<NotedHand>(each), 0);
+  wheel_host.attach(std::make_unique<NotedHand>(third_hand), 2);
+  wheel_host.advance(1);
+  wheel_host.collect();
   // The pointers of both hands were there before.
   for (std::size_t n = 0; n < notes.size(); ++n)
     EXPECT_EQ(notes[n].gone, n >= notes.size() - kMaxHands) << n;
@@ -184,17 +184,17 @@ class CountedHand final : public device::HandDevice {
 TEST(HandDevices, OneMayComeAndGoWhileTheLoopRuns) {
   std::atomic<int> reads{0};
   bool gone = false;
-  LoopThread potter;
-  potter.start(pot(small_scene()));
+  LoopThread wheel_host;
+  wheel_host.start(pot(small_scene()));
   for (int round = 0; round < 3; ++round) {
     gone = false;
     device::HandDevice* const name =
-        potter.attach(std::make_unique<CountedHand>(reads, gone), round % kMaxHands);
+        wheel_host.attach(std::make_unique<CountedHand>(reads, gone), round % kMaxHands);
     const int before = reads;
     while (reads < before + 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    potter.detach(name);
+    wheel_host.detach(name);
     for (int n = 0; n < 2000 && !gone; ++n) {
-      potter.collect();
+      wheel_host.collect();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     ASSERT_TRUE(gone);
@@ -203,85 +203,85 @@ TEST(HandDevices, OneMayComeAndGoWhileTheLoopRuns) {
 
 TEST(HandDevices, AForceStopsWhereThePotRestsAndWhereAScriptMovesTheHands) {
   Notes notes;
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  potter.attach(std::make_unique<NotedHand>(notes), 0);
-  come(potter, notes, def, 700, 0.1);
+  wheel_host.start(pot(def));
+  wheel_host.attach(std::make_unique<NotedHand>(notes), 0);
+  come(wheel_host, notes, def, 700, 0.1);
   ASSERT_GT(length(notes.felt.back().force), 0.0);
-  potter.pause(true);
-  potter.advance(1);
+  wheel_host.pause(true);
+  wheel_host.advance(1);
   EXPECT_EQ(length(notes.felt.back().force), 0.0);
-  potter.pause(false);
-  come(potter, notes, def, 700, 0.05);
+  wheel_host.pause(false);
+  come(wheel_host, notes, def, 700, 0.05);
   ASSERT_GT(length(notes.felt.back().force), 0.0);
   auto script = make_script("groove", {def, nullptr, 1, 1.0});
   ASSERT_TRUE(script);
-  potter.play(std::move(*script));
+  wheel_host.play(std::move(*script));
   for (int n = 0; n < 3000; ++n) {
-    potter.advance(1);
+    wheel_host.advance(1);
     ASSERT_EQ(length(notes.felt.back().force), 0.0);
   }
 }
 
 TEST(HandDevices, AToolThatIsTakenIsHeldUntilAnotherOneIsOrThePotIsNew) {
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  potter.hand(1, press_at(def, -0.02));
-  potter.advance(1);
-  EXPECT_EQ(potter.status().hand[1].name, "sphere");
+  wheel_host.start(pot(def));
+  wheel_host.hand(1, press_at(def, -0.02));
+  wheel_host.advance(1);
+  EXPECT_EQ(wheel_host.status().hand[1].name, "sphere");
   for (std::size_t k = 0; k < def.tools.size(); ++k) {
-    potter.take(1, static_cast<std::uint8_t>(k + 1));
-    potter.advance(2);
-    EXPECT_EQ(potter.status().hand[1].name, def.tools[k].name);
+    wheel_host.take(1, static_cast<std::uint8_t>(k + 1));
+    wheel_host.advance(2);
+    EXPECT_EQ(wheel_host.status().hand[1].name, def.tools[k].name);
   }
-  potter.start(pot(def));
-  potter.hand(1, press_at(def, -0.02));
-  potter.advance(1);
-  EXPECT_EQ(potter.status().hand[1].name, "sphere");
+  wheel_host.start(pot(def));
+  wheel_host.hand(1, press_at(def, -0.02));
+  wheel_host.advance(1);
+  EXPECT_EQ(wheel_host.status().hand[1].name, "sphere");
 }
 
 TEST(HandDevices, AVisitWithEveryToolInTwoHandsIsTheOneItsReplayThrows) {
   Notes notes;  // of a device that knows its handle
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   SceneDef def = small_scene();
   def.volume.emplace();
   def.walls.emplace();
   def.smoothing.emplace();
-  potter.start(pot(def));
-  potter.record("test", 7);
-  potter.wheel(12);
-  potter.attach(std::make_unique<NotedHand>(notes), 1);
+  wheel_host.start(pot(def));
+  wheel_host.record("test", 7);
+  wheel_host.wheel(12);
+  wheel_host.attach(std::make_unique<NotedHand>(notes), 1);
   const std::size_t tools = def.tools.size() + 1;
   std::vector<bool> touched(tools);
   for (std::size_t k = 0; k < tools; ++k) {
     const std::size_t other = (k + 3) % tools;
-    potter.take(0, static_cast<std::uint8_t>(k));
-    potter.take(1, static_cast<std::uint8_t>(other));
+    wheel_host.take(0, static_cast<std::uint8_t>(k));
+    wheel_host.take(1, static_cast<std::uint8_t>(other));
     for (int n = 0; n < 150; ++n) {
       HandInput hand = press_at(def, 0.0);
       hand.position = {0.13 - 0.0006 * n, 0.11, 0.01};
-      potter.hand(0, hand);
+      wheel_host.hand(0, hand);
       const double a = 0.02 * n;
       notes.hand = {{-0.12 + 0.0006 * n, 0.05, 0},   n > 10, SideWish::outside, 0,
                     {std::sin(a), 1.0, std::cos(a)}, a};
-      potter.advance(4);
-      potter.collect();
-      const LoopStatus& status = potter.view().status;
+      wheel_host.advance(4);
+      wheel_host.collect();
+      const LoopStatus& status = wheel_host.view().status;
       touched[k] = touched[k] || status.feedback.hand[0].contact;
       touched[other] = touched[other] || status.feedback.hand[1].contact;
     }
-    potter.hand(0, HandInput{});
+    wheel_host.hand(0, HandInput{});
     notes.hand = {};
-    potter.advance(4);
+    wheel_host.advance(4);
   }
   for (std::size_t k = 0; k < tools; ++k) EXPECT_TRUE(touched[k]) << k;
-  EXPECT_GT(potter.view().clay.cut_free, 0.0) << "the wire cut";
-  EXPECT_EQ(potter.view().status.feedback.faults, 0u);
+  EXPECT_GT(wheel_host.view().clay.cut_free, 0.0) << "the wire cut";
+  EXPECT_EQ(wheel_host.view().status.feedback.faults, 0u);
   std::uint64_t hash = 0;
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
-  const auto replay = Replay::read(potter.replay(hash), "test");
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
+  const auto replay = Replay::read(wheel_host.replay(hash), "test");
   ASSERT_TRUE(replay.has_value());
   const auto outcome = run_replay(*replay);
   ASSERT_TRUE(outcome.has_value());
@@ -299,43 +299,43 @@ class WildPotter final : public WheelHost {
 };
 
 TEST(Faults, EachIsToldInTheLogOncePerPotAndComesAgainOnlyOnceItWasForgotten) {
-  WildPotter potter;
+  WildPotter wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
+  wheel_host.start(pot(def));
   FaultLog log;
   const auto look = [&](double dt = 1e-3) {
-    potter.tick(dt);
-    potter.collect();
-    return log.news(potter.view().status);
+    wheel_host.tick(dt);
+    wheel_host.collect();
+    return log.news(wheel_host.view().status);
   };
   EXPECT_TRUE(look().empty());
   HandInput lost = press_at(def, 0.0);
   lost.position.x = std::numeric_limits<double>::quiet_NaN();
-  potter.hand(0, lost);
+  wheel_host.hand(0, lost);
   const auto hand = look();
   ASSERT_EQ(hand.size(), 1u);
   EXPECT_NE(hand[0].find("impossible position"), std::string::npos);
-  EXPECT_EQ(potter.view().status.feedback.faults, std::uint32_t{kFaultInput});
+  EXPECT_EQ(wheel_host.view().status.feedback.faults, std::uint32_t{kFaultInput});
   const auto time = look(0.02);
   ASSERT_EQ(time.size(), 1u) << "the hand is known already";
   EXPECT_NE(time[0].find("5 ms"), std::string::npos);
-  potter.hand(0, HandInput{});
-  potter.clear_faults(kFaultInput);
+  wheel_host.hand(0, HandInput{});
+  wheel_host.clear_faults(kFaultInput);
   EXPECT_TRUE(look().empty());
-  EXPECT_EQ(potter.view().status.feedback.faults, std::uint32_t{kFaultTime});
-  potter.clear_faults(kFaultTime);
+  EXPECT_EQ(wheel_host.view().status.feedback.faults, std::uint32_t{kFaultTime});
+  wheel_host.clear_faults(kFaultTime);
   EXPECT_TRUE(look().empty());
-  EXPECT_EQ(potter.view().status.feedback.faults, 0u);
+  EXPECT_EQ(wheel_host.view().status.feedback.faults, 0u);
   EXPECT_TRUE(look(0.02).empty()) << "a kind that the log has of this pot";
-  EXPECT_EQ(potter.view().status.feedback.faults, std::uint32_t{kFaultTime});
-  potter.start(pot(def));
+  EXPECT_EQ(wheel_host.view().status.feedback.faults, std::uint32_t{kFaultTime});
+  wheel_host.start(pot(def));
   look();
   EXPECT_EQ(look(0.02).size(), 1u) << "another pot";
 }
 
 // The printed model divides nothing by nothing where a hand is on the axis (engine/docs/paper.md).
 TEST(Faults, AForceThatIsNoNumberIsToldAndForgottenLikeTheOthers) {
-  WildPotter potter;
+  WildPotter wheel_host;
   SceneDef def = small_scene();
   def.clay = {.rows = 80,
               .sectors = 64,
@@ -347,46 +347,46 @@ TEST(Faults, AForceThatIsNoNumberIsToldAndForgottenLikeTheOthers) {
   def.moisture.reset();
   def.friction.reset();
   def.paper.emplace();
-  potter.start(pot(def));
+  wheel_host.start(pot(def));
   FaultLog log;
   HandInput hand;
   hand.active = true;
   hand.position = {0.0, 0.036, 0.0};
-  potter.hand(0, hand);
-  potter.tick(1e-3);
-  potter.collect();
-  EXPECT_NE(potter.view().status.feedback.faults & kFaultForce, 0u);
-  const auto force = log.news(potter.view().status);
+  wheel_host.hand(0, hand);
+  wheel_host.tick(1e-3);
+  wheel_host.collect();
+  EXPECT_NE(wheel_host.view().status.feedback.faults & kFaultForce, 0u);
+  const auto force = log.news(wheel_host.view().status);
   ASSERT_EQ(force.size(), 1u);
   EXPECT_NE(force[0].find("not a number"), std::string::npos);
-  EXPECT_TRUE(log.news(potter.view().status).empty());
-  potter.hand(0, HandInput{});
-  for (int n = 0; n < 400; ++n) potter.tick(1e-3);  // It comes off slowly.
-  potter.clear_faults(kFaultForce);
-  potter.tick(1e-3);
-  potter.collect();
-  EXPECT_EQ(potter.view().status.feedback.faults, 0u);
+  EXPECT_TRUE(log.news(wheel_host.view().status).empty());
+  wheel_host.hand(0, HandInput{});
+  for (int n = 0; n < 400; ++n) wheel_host.tick(1e-3);  // It comes off slowly.
+  wheel_host.clear_faults(kFaultForce);
+  wheel_host.tick(1e-3);
+  wheel_host.collect();
+  EXPECT_EQ(wheel_host.view().status.feedback.faults, 0u);
 }
 
 TEST(Faults, WhatWasForgottenAtTheWheelIsNoDifferenceToTheReplay) {
-  WildPotter potter;
+  WildPotter wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  potter.record("test", 1);
+  wheel_host.start(pot(def));
+  wheel_host.record("test", 1);
   HandInput lost = press_at(def, 0.001);
   for (int n = 0; n < 100; ++n) {
     lost.position.y = n == 50 ? std::numeric_limits<double>::infinity() : 0.1;
-    potter.hand(0, lost);
-    potter.tick(1e-3);
-    potter.collect();
+    wheel_host.hand(0, lost);
+    wheel_host.tick(1e-3);
+    wheel_host.collect();
   }
-  EXPECT_NE(potter.view().status.feedback.faults, 0u);
-  potter.clear_faults(~0u);
-  potter.tick(1e-3);
-  potter.collect();
+  EXPECT_NE(wheel_host.view().status.feedback.faults, 0u);
+  wheel_host.clear_faults(~0u);
+  wheel_host.tick(1e-3);
+  wheel_host.collect();
   std::uint64_t hash = 0;
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
-  const auto replay = Replay::read(potter.replay(hash), "test");
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
+  const auto replay = Replay::read(wheel_host.replay(hash), "test");
   ASSERT_TRUE(replay.has_value());
   EXPECT_EQ(run_replay(*replay)->replayed_hash, hash);
 }

@@ -163,35 +163,35 @@ TEST(Potter, ARowThatToreIsSeenTornAndHealsByGoingBack) {
 }
 
 TEST(Potter, OnceTheViewIsLevelAnUntouchedPotSendsNoRows) {
-  SteppedWheel potter;
-  potter.start(pot(small_scene()));
+  SteppedWheel wheel_host;
+  wheel_host.start(pot(small_scene()));
   for (int i = 0; i < 20; ++i) {
-    potter.advance(20);
-    potter.collect();
+    wheel_host.advance(20);
+    wheel_host.collect();
   }
-  potter.advance(100);
-  EXPECT_EQ(potter.collect(), 0);
+  wheel_host.advance(100);
+  EXPECT_EQ(wheel_host.collect(), 0);
 }
 
 TEST(Potter, ThePotThrownOnTheThreadIsTheOneItsReplayThrows) {
-  LoopThread potter;
+  LoopThread wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  potter.record("test", 7);
-  potter.wheel(15);
+  wheel_host.start(pot(def));
+  wheel_host.record("test", 7);
+  wheel_host.wheel(15);
   for (int i = 0; i < 40; ++i) {
-    potter.hand(0, press_at(def, 0.0002 * i));
-    potter.water(i > 20);
-    potter.collect();
+    wheel_host.hand(0, press_at(def, 0.0002 * i));
+    wheel_host.water(i > 20);
+    wheel_host.collect();
     std::this_thread::sleep_for(std::chrono::milliseconds(8));
   }
   std::uint64_t hash = 0, ticks = 0;
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) {
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) {
     hash = scene.state_hash();
     ticks = scene.counters().ticks;
   }));
   EXPECT_GT(ticks, 50u);
-  const auto bytes = potter.replay(hash);
+  const auto bytes = wheel_host.replay(hash);
   const auto replay = Replay::read(bytes, "test");
   ASSERT_TRUE(replay.has_value());
   EXPECT_EQ(replay->ticks.size(), ticks);
@@ -201,23 +201,23 @@ TEST(Potter, ThePotThrownOnTheThreadIsTheOneItsReplayThrows) {
 }
 
 TEST(Potter, APotOnLoanComesBackAndTurnsOn) {
-  LoopThread potter;
-  potter.start(pot(small_scene()));
+  LoopThread wheel_host;
+  wheel_host.start(pot(small_scene()));
   std::uint64_t before = 0;
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { before = scene.counters().ticks; }));
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) { before = scene.counters().ticks; }));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   std::uint64_t after = 0;
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { after = scene.counters().ticks; }));
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) { after = scene.counters().ticks; }));
   EXPECT_GT(after, before);
 }
 
 TEST(Potter, AFloodOfWishesNeitherBlocksNorLeaks) {
-  LoopThread potter;
+  LoopThread wheel_host;
   for (int i = 0; i < 40; ++i) {
-    potter.start(pot(small_scene()));
-    for (int k = 0; k < 100; ++k) potter.hand(k % 3, press_at(small_scene(), 1e-3));
+    wheel_host.start(pot(small_scene()));
+    for (int k = 0; k < 100; ++k) wheel_host.hand(k % 3, press_at(small_scene(), 1e-3));
   }
-  EXPECT_TRUE(potter.with_scene([](Scene&) {}));
+  EXPECT_TRUE(wheel_host.with_scene([](Scene&) {}));
 }
 
 /// A loop that stands still until it is told to turn.
@@ -232,44 +232,44 @@ class StalledPotter final : public WheelHost {
 };
 
 TEST(Potter, APotThatComesBackTooLateGoesOnTurning) {
-  StalledPotter potter;
-  potter.start(pot(small_scene()));
-  potter.turn();
-  EXPECT_FALSE(potter.with_scene([](Scene&) { FAIL() << "the loop has not answered"; }));
-  potter.turn();     // Hands the pot back, after the host gave up.
-  potter.collect();  // Puts it on again.
-  potter.turn();
-  potter.turn();
-  EXPECT_EQ(potter.status().ticks, 3u);
+  StalledPotter wheel_host;
+  wheel_host.start(pot(small_scene()));
+  wheel_host.turn();
+  EXPECT_FALSE(wheel_host.with_scene([](Scene&) { FAIL() << "the loop has not answered"; }));
+  wheel_host.turn();     // Hands the pot back, after the host gave up.
+  wheel_host.collect();  // Puts it on again.
+  wheel_host.turn();
+  wheel_host.turn();
+  EXPECT_EQ(wheel_host.status().ticks, 3u);
 }
 
 TEST(Potter, TheNextVisitorNeverGetsThePotOfTheLast) {
-  StalledPotter potter;
-  potter.start(pot(small_scene()));
-  for (int i = 0; i < 5; ++i) potter.turn();
-  EXPECT_FALSE(potter.with_scene([](Scene&) {}));
-  potter.turn();
-  potter.start(pot(small_scene()));
-  potter.turn();
-  potter.collect();
-  potter.turn();
-  EXPECT_EQ(potter.status().scene_serial, 2u);
-  EXPECT_EQ(potter.status().ticks, 2u);
+  StalledPotter wheel_host;
+  wheel_host.start(pot(small_scene()));
+  for (int i = 0; i < 5; ++i) wheel_host.turn();
+  EXPECT_FALSE(wheel_host.with_scene([](Scene&) {}));
+  wheel_host.turn();
+  wheel_host.start(pot(small_scene()));
+  wheel_host.turn();
+  wheel_host.collect();
+  wheel_host.turn();
+  EXPECT_EQ(wheel_host.status().scene_serial, 2u);
+  EXPECT_EQ(wheel_host.status().ticks, 2u);
 }
 
 TEST(Potter, APausedWheelStandsStill) {
-  SteppedWheel potter;
-  potter.start(pot(small_scene()));
-  potter.wheel(15);
-  potter.advance(500);
-  const LoopStatus before = potter.status();
-  potter.pause(true);
-  potter.advance(500);
-  EXPECT_EQ(potter.status().ticks, before.ticks);
-  EXPECT_EQ(potter.status().feedback.wheel_angle, before.feedback.wheel_angle);
-  potter.pause(false);
-  potter.advance(1);
-  EXPECT_EQ(potter.status().ticks, before.ticks + 1);
+  SteppedWheel wheel_host;
+  wheel_host.start(pot(small_scene()));
+  wheel_host.wheel(15);
+  wheel_host.advance(500);
+  const LoopStatus before = wheel_host.status();
+  wheel_host.pause(true);
+  wheel_host.advance(500);
+  EXPECT_EQ(wheel_host.status().ticks, before.ticks);
+  EXPECT_EQ(wheel_host.status().feedback.wheel_angle, before.feedback.wheel_angle);
+  wheel_host.pause(false);
+  wheel_host.advance(1);
+  EXPECT_EQ(wheel_host.status().ticks, before.ticks + 1);
 }
 
 }  // namespace

@@ -23,45 +23,45 @@ void expect_the_view_is_the_clay(WheelHost& host) {
 }
 
 TEST(WheelView, WhatAHandPressesIntoTheClayReachesTheViewRowForRow) {
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  potter.wheel(15);
-  potter.hand(0, press_at(def, 0.004));
-  potter.advance(800);
-  potter.hand(0, HandInput{});
+  wheel_host.start(pot(def));
+  wheel_host.wheel(15);
+  wheel_host.hand(0, press_at(def, 0.004));
+  wheel_host.advance(800);
+  wheel_host.hand(0, HandInput{});
   for (int i = 0; i < 30; ++i) {  // It comes off slowly.
-    potter.advance(20);
-    potter.collect();
+    wheel_host.advance(20);
+    wheel_host.collect();
   }
-  EXPECT_LT(potter.view().clay.radius_at(def.clay.height / 2, WallSide::outside),
+  EXPECT_LT(wheel_host.view().clay.radius_at(def.clay.height / 2, WallSide::outside),
             def.clay.outer_radius - 0.002);
-  expect_the_view_is_the_clay(potter);
+  expect_the_view_is_the_clay(wheel_host);
 }
 
 TEST(WheelView, ARimThatIsPressedDownReachesTheView) {
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   SceneDef def = small_scene();
   def.clay.inner_radius = 0.049;
-  potter.start(pot(def));
-  potter.wheel(15);
+  wheel_host.start(pot(def));
+  wheel_host.wheel(15);
   HandInput hand;
   hand.active = true;
   for (int n = 0; n < 60; ++n) {
     hand.position = {0.052, def.clay.height + def.tool.radius + 0.002 - n * 0.0001, 0};
-    potter.hand(0, hand);
-    potter.advance(20);
-    potter.collect();
+    wheel_host.hand(0, hand);
+    wheel_host.advance(20);
+    wheel_host.collect();
   }
-  potter.hand(0, HandInput{});
+  wheel_host.hand(0, HandInput{});
   for (int i = 0; i < 30; ++i) {  // It comes off slowly.
-    potter.advance(20);
-    potter.collect();
+    wheel_host.advance(20);
+    wheel_host.collect();
   }
-  EXPECT_LT(potter.view().clay.rim_height(), def.clay.height - 0.001);
-  expect_the_view_is_the_clay(potter);
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) {
-    const Profile shown = potter.view().clay.profile();
+  EXPECT_LT(wheel_host.view().clay.rim_height(), def.clay.height - 0.001);
+  expect_the_view_is_the_clay(wheel_host);
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) {
+    const Profile shown = wheel_host.view().clay.profile();
     const Profile real = scene.clay().profile();
     ASSERT_EQ(shown.points.size(), real.points.size());
     for (std::size_t n = 0; n < real.points.size(); ++n) {
@@ -72,30 +72,30 @@ TEST(WheelView, ARimThatIsPressedDownReachesTheView) {
 }
 
 /// A pot on which a rim press is under way, seen as it was some ticks ago.
-void press_rim(SteppedWheel& potter, SceneDef& def) {
+void press_rim(SteppedWheel& wheel_host, SceneDef& def) {
   def.clay.inner_radius = 0.049;
-  potter.start(pot(def));
-  potter.wheel(15);
+  wheel_host.start(pot(def));
+  wheel_host.wheel(15);
   for (int n = 0; n < 60; ++n) {
     HandInput hand;
     hand.active = true;
     hand.position = {0.052, def.clay.height + def.tool.radius + 0.002 - n * 0.0001, 0};
-    potter.hand(0, hand);
-    potter.advance(20);
-    if (n < 50) potter.collect();
+    wheel_host.hand(0, hand);
+    wheel_host.advance(20);
+    if (n < 50) wheel_host.collect();
   }
 }
 
 TEST(WheelView, ASettledViewIsTheClayToTheBitThoughRowsWereOnTheirWay) {
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   SceneDef def = small_scene();
-  press_rim(potter, def);
-  const double before = potter.view().clay.rim_height();
-  ASSERT_TRUE(potter.refresh_every_row());
-  EXPECT_LT(potter.view().clay.rim_height(), before) << "some were";
-  expect_the_view_is_the_clay(potter);
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) {
-    const Profile seen = potter.view().clay.profile(), real = scene.clay().profile();
+  press_rim(wheel_host, def);
+  const double before = wheel_host.view().clay.rim_height();
+  ASSERT_TRUE(wheel_host.refresh_every_row());
+  EXPECT_LT(wheel_host.view().clay.rim_height(), before) << "some were";
+  expect_the_view_is_the_clay(wheel_host);
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) {
+    const Profile seen = wheel_host.view().clay.profile(), real = scene.clay().profile();
     ASSERT_EQ(seen.points.size(), real.points.size());
     for (std::size_t n = 0; n < real.points.size(); ++n) {
       EXPECT_EQ(seen.points[n].height, real.points[n].height);
@@ -104,13 +104,13 @@ TEST(WheelView, ASettledViewIsTheClayToTheBitThoughRowsWereOnTheirWay) {
     }
   }));
   // What was on its way when it was settled does not come after it.
-  potter.advance(1);
-  potter.hand(0, HandInput{});
+  wheel_host.advance(1);
+  wheel_host.hand(0, HandInput{});
   for (int i = 0; i < 30; ++i) {  // It comes off slowly.
-    potter.advance(20);
-    potter.collect();
+    wheel_host.advance(20);
+    wheel_host.collect();
   }
-  expect_the_view_is_the_clay(potter);
+  expect_the_view_is_the_clay(wheel_host);
 }
 
 TEST(WheelView, RowsThatOnlyMovedComeWithoutRadii) {
@@ -151,53 +151,53 @@ TEST(WheelView, RowsThatOnlyMovedComeWithoutRadii) {
 }
 
 TEST(WheelView, APotThatRestsDoesNotSagAndNoHandIsAtIt) {
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   const SceneDef def = small_scene();
-  potter.start(pot(def));
-  potter.wheel(15);
-  potter.hand(0, press_at(def, 0.002));
-  potter.advance(100);
-  potter.collect();
-  EXPECT_TRUE(potter.view().status.hand[0].present);
-  EXPECT_TRUE(potter.view().status.feedback.hand[0].contact);
-  potter.pause(true);
-  ASSERT_TRUE(potter.refresh_every_row());
+  wheel_host.start(pot(def));
+  wheel_host.wheel(15);
+  wheel_host.hand(0, press_at(def, 0.002));
+  wheel_host.advance(100);
+  wheel_host.collect();
+  EXPECT_TRUE(wheel_host.view().status.hand[0].present);
+  EXPECT_TRUE(wheel_host.view().status.feedback.hand[0].contact);
+  wheel_host.pause(true);
+  ASSERT_TRUE(wheel_host.refresh_every_row());
   std::uint64_t hash = 0;
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
-  potter.advance(1000);
-  potter.collect();
-  EXPECT_FALSE(potter.view().status.hand[0].present);
-  EXPECT_FALSE(potter.view().status.feedback.hand[0].contact);
-  EXPECT_TRUE(potter.view().status.hands.hand[0].active) << "but a hand that moves is noticed";
-  ASSERT_TRUE(potter.with_scene([&](Scene& scene) { EXPECT_EQ(scene.state_hash(), hash); }));
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) { hash = scene.state_hash(); }));
+  wheel_host.advance(1000);
+  wheel_host.collect();
+  EXPECT_FALSE(wheel_host.view().status.hand[0].present);
+  EXPECT_FALSE(wheel_host.view().status.feedback.hand[0].contact);
+  EXPECT_TRUE(wheel_host.view().status.hands.hand[0].active) << "but a hand that moves is noticed";
+  ASSERT_TRUE(wheel_host.with_scene([&](Scene& scene) { EXPECT_EQ(scene.state_hash(), hash); }));
 }
 
 TEST(WheelView, APotThatTheWireCutFreeStandsWhileTheWheelTurnsOn) {
-  SteppedWheel potter;
+  SteppedWheel wheel_host;
   SceneDef def = small_scene();
-  potter.start(pot(def));
+  wheel_host.start(pot(def));
   const auto wire = static_cast<std::uint8_t>(
       std::ranges::find(def.tools, "wire", &SceneTool::name) - def.tools.begin() + 1);
-  potter.wheel(10);
-  potter.take(0, wire);
+  wheel_host.wheel(10);
+  wheel_host.take(0, wire);
   HandInput hand;
   hand.active = true;
   for (int n = 0; n < 1000; ++n) {
     hand.position = {0.10 - 0.00025 * n, 0.004, 0};
-    potter.hand(0, hand);
-    potter.advance(2);
-    potter.collect();
-    const ClayView& clay = potter.view().clay;
+    wheel_host.hand(0, hand);
+    wheel_host.advance(2);
+    wheel_host.collect();
+    const ClayView& clay = wheel_host.view().clay;
     if (clay.cut_free < 1.0) {
-      ASSERT_EQ(clay.angle, potter.view().status.feedback.wheel_angle);
+      ASSERT_EQ(clay.angle, wheel_host.view().status.feedback.wheel_angle);
     }
   }
-  EXPECT_EQ(potter.view().clay.cut_free, 1.0);
-  const double stands = potter.view().clay.angle;
-  potter.advance(137);
-  potter.collect();
-  EXPECT_EQ(potter.view().clay.angle, stands);
-  EXPECT_NE(potter.view().status.feedback.wheel_angle, stands);
+  EXPECT_EQ(wheel_host.view().clay.cut_free, 1.0);
+  const double stands = wheel_host.view().clay.angle;
+  wheel_host.advance(137);
+  wheel_host.collect();
+  EXPECT_EQ(wheel_host.view().clay.angle, stands);
+  EXPECT_NE(wheel_host.view().status.feedback.wheel_angle, stands);
 }
 
 }  // namespace
