@@ -55,8 +55,8 @@ std::span<const DefField<SlumpDef>> SlumpDef::fields() {
 namespace effects {
 
 // What the row would do if it stood alone.
-Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& volume,
-                          const Around& around, int j) const noexcept {
+Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& volume,
+                         const Around& around, int j) const noexcept {
   const double area = clay.areas()->of(j);
   const double load = def.density * kGravity * (above_ + 0.5 * volume.of_row(j));
   const double weight = load / area;
@@ -77,6 +77,7 @@ Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& v
   const double rate = over / (3.0 * def.viscosity * weak);
   const double ways = (2.0 * weight + hoop) / (2.0 * (weight + hoop));
   double strain = ways * rate * seconds_;
+  double room = kMostStrain;
   if (hoop < yield) {
     // As the row widens, the weight w on it spreads: w' = -ways w (w - bears) / 3 eta, of which the
     // share f = 1 - bears / w that it does not bear falls by an even pace. It stops where it
@@ -86,20 +87,34 @@ Slump::Flow Slump::wanted(const SlumpDef& def, const Clay& clay, const Volume& v
     if (share <= kStands) return {};
     const double falls = -portable::expm1(-ways * bears * seconds_ / (3.0 * def.viscosity * weak));
     strain = log_1_plus(share * falls * weight / bears);
+    room = log_1_plus(over / bears);
   }
   const double each = std::min(strain, kMostStrain) / (2.0 * weight + hoop);
-  return {(2.0 * hoop + weight) * each, (weight - hoop) * each};
+  return {{(2.0 * hoop + weight) * each, (weight - hoop) * each}, 0.0, room};
 }
 
-// A ring of a shell drags its neighbours along over sqrt(R t) (Timoshenko & Woinowsky-Krieger,
-// chapter 15: within a fifth of it), and the row's area is 2 pi R t. Down and up again, the share
-// falls with distance alike on both sides, e-fold in a reach: exactly, so that it does on any grid.
-const Slump::Flow& Slump::share(const Clay& clay, int j, const Flow& next) noexcept {
-  const double reach = std::sqrt(clay.areas()->of(j) / (2.0 * portable::kPi));
-  const double part = -portable::expm1(-clay.row_thickness(j) / reach);
-  shared_.girth += part * (next.girth - shared_.girth);
-  shared_.thickness += part * (next.thickness - shared_.thickness);
-  return shared_;
+// A ring of a shell hangs on its neighbours over sqrt(R t) (Timoshenko & Woinowsky-Krieger, chapter
+// 15: within a fifth of it), and the row's area is 2 pi R t. What it does, e, and what it would do
+// alone, f: e - R t e'' = f between rows that yield; a row that stands does nothing, and holds
+// them. Where a wall ends, at the rim, the floor and the wheel head, e = f. So an even rise of f is
+// left as it is. Thomas' algorithm, of which this is the half on the way down: the grid has no say.
+Slump::Ring Slump::beside(Clay& clay, int j, Ring ring) const noexcept {
+  if (ring.room <= 0.0) return ring;
+  const int foot = clay.floor_rows();
+  if (j <= foot || j + 1 >= clay.rows()) return ring;
+  const auto hangs = [&](int lower) {
+    const double both = known_area(clay, lower) + clay.areas()->of(lower + 1);
+    const double apart = 0.5 * (clay.row_thickness(lower) + clay.row_thickness(lower + 1));
+    return both / (4.0 * portable::kPi * apart);
+  };
+  const Ring& above = ring_[static_cast<std::size_t>(j + 1)];
+  const double up = hangs(j), down = hangs(j - 1);
+  const double own = clay.row_thickness(j);
+  const double part = 1.0 / (own + up * (1.0 - above.below) + down);
+  ring.flow = {part * (own * ring.flow.girth + up * above.flow.girth),
+               part * (own * ring.flow.thickness + up * above.flow.thickness)};
+  ring.below = part * down;
+  return ring;
 }
 
 bool Slump::wanted(const Effects& def) { return def.slump.has_value(); }
@@ -124,32 +139,41 @@ void Slump::sweep_down(const SlumpDef& def, Clay& clay, const Volume& volume, co
                        int till) noexcept {
   for (; clay.rows() - 1 - next_ < till; --next_) {
     known_area(clay, next_);  // another effect may have moved the row since it was measured
-    const Flow alone = wanted(def, clay, volume, around, next_);
-    yielded_ = yielded_ || alone.shorter() > 0.0;
-    if (next_ == clay.rows() - 1) shared_ = alone;
-    flow_[static_cast<std::size_t>(next_)] = share(clay, next_, alone);
+    const Ring ring = alone(def, clay, volume, around, next_);
+    yielded_ = yielded_ || ring.room > 0.0;
+    ring_[static_cast<std::size_t>(next_)] = beside(clay, next_, ring);
     above_ += volume.of_row(next_);
   }
 }
 
 void Slump::sweep_up(Clay& clay, int till) noexcept {
   for (; next_ < till; ++next_) {
-    const auto n = static_cast<std::size_t>(next_);
-    known_area(clay, next_);
-    const Flow flow = share(clay, next_, flow_[n]);
+    const Ring& ring = ring_[static_cast<std::size_t>(next_)];
+    Flow flow = {ring.flow.girth + ring.below * passed_.girth,
+                 ring.flow.thickness + ring.below * passed_.thickness};
+    passed_ = flow;
+    if (!(flow.shorter() > 0.0)) continue;
+    // Neighbours that have farther to go take no row beyond where it stands.
+    const double part = std::min(1.0, ring.room / flow.shorter());
+    flow = {part * flow.girth, part * flow.thickness};
     sunk_ += clay.row_thickness(next_) * -portable::expm1(-flow.shorter());
-    Flow& owed = owed_[n];
-    owed.girth += flow.girth;
-    owed.thickness += flow.thickness;
-    const double asked = owed.shorter();
-    if (asked < kLeastStrain) continue;
-    const double wider =
-        reshape_row(clay, next_, portable::exp(owed.girth), portable::exp(owed.thickness));
-    // What floats rounded off stays owed; what the clay's limits did not let it do is forgotten.
-    const double left = (asked - portable::log(wider)) / asked;
-    const double keep = std::fabs(left) < kRounded ? left : 0.0;
-    owed = {keep * owed.girth, keep * owed.thickness};
+    move(clay, next_, flow);
   }
+}
+
+void Slump::move(Clay& clay, int j, const Flow& flow) noexcept {
+  Flow& owed = owed_[static_cast<std::size_t>(j)];
+  owed.girth += flow.girth;
+  owed.thickness += flow.thickness;
+  const double asked = owed.shorter();
+  if (asked < kLeastStrain) return;
+  known_area(clay, j);
+  const double wider =
+      reshape_row(clay, j, portable::exp(owed.girth), portable::exp(owed.thickness));
+  // What floats rounded off stays owed; what the clay's limits did not let it do is forgotten.
+  const double left = (asked - portable::log(wider)) / asked;
+  const double keep = std::fabs(left) < kRounded ? left : 0.0;
+  owed = {keep * owed.girth, keep * owed.thickness};
 }
 
 void Slump::end(const SlumpDef& def, const Clay& clay) noexcept {
@@ -187,7 +211,7 @@ void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& 
       sweep_ = Sweep::up;
       round_.begin();
       next_ = 0;
-      shared_ = flow_.front();
+      passed_ = {};
     }
     sweep_up(clay, round_.go_on(left, seconds_up(clay), clay.rows()));
     if (round_.over()) end(def, clay);
@@ -197,14 +221,15 @@ void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& 
 // A sweep goes on where it was, between the same rows.
 void Slump::row_divided(const Clay&, const RowDivided& divided) noexcept {
   const int j = divided.row;
-  for (std::vector<Flow>* flows : {&flow_, &owed_})
-    clay::open_place(*flows, j + 1, (*flows)[static_cast<std::size_t>(j)]);
+  clay::open_place(ring_, j + 1, ring_[static_cast<std::size_t>(j)]);
+  clay::open_place(owed_, j + 1, owed_[static_cast<std::size_t>(j)]);
   if (sweep_ == Sweep::down ? j <= next_ : j < next_) ++next_;
 }
 
 void Slump::rows_joined(const Clay&, const RowsJoined& joined) noexcept {
   const int j = joined.row;
-  for (std::vector<Flow>* flows : {&flow_, &owed_}) clay::close_place(*flows, j + 1);
+  clay::close_place(ring_, j + 1);
+  clay::close_place(owed_, j + 1);
   if (sweep_ == Sweep::down && j == next_)
     above_ -= joined.upper;  // it is weighed again, with the lower
   if (j + 1 <= (sweep_ == Sweep::down ? next_ : next_ - 1)) --next_;
@@ -220,10 +245,12 @@ void Slump::forget(Clay&, const Laid&) noexcept {
 
 void Slump::add_to(StateHash& hash, const Clay& clay) const {
   const auto rows = static_cast<std::size_t>(clay.rows());
-  for (const std::vector<Flow>* flows : {&flow_, &owed_})
-    for (const Flow& flow : std::span(*flows).first(rows))
-      for (const double v : {flow.girth, flow.thickness}) hash.add(v);
-  for (const double v : {shared_.girth, shared_.thickness, above_, seconds_, sunk_, speed_,
+  for (const Ring& ring : std::span(ring_).first(rows))
+    for (const double v : {ring.flow.girth, ring.flow.thickness, ring.below, ring.room})
+      hash.add(v);
+  for (const Flow& flow : std::span(owed_).first(rows))
+    for (const double v : {flow.girth, flow.thickness}) hash.add(v);
+  for (const double v : {passed_.girth, passed_.thickness, above_, seconds_, sunk_, speed_,
                          calm_speed_, calm_wetness_, sagged_})
     hash.add(v);
   round_.add_to(hash);

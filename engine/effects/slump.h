@@ -12,7 +12,8 @@ namespace onggi {
 struct SlumpDef {
   double yield_stress = 6000.0;  ///< tau_y of plastic clay in shear, Pa, 100..1e6 (5 to 10 kPa; an
                                  ///< estimate from soils). Lower: pots must stay low. A straight
-                                 ///< wall stands up to sqrt(3) tau_y / (density g): 0.54 m.
+                                 ///< wall stands up to sqrt(3) tau_y / (density g): 0.54 m. The
+                                 ///< same clay has WallsDef::bending_strength sqrt(3) tau_y.
   double viscosity = 1e4;   ///< Pa s above the yield stress, 10..1e8. Lower: a fall is quicker.
   double density = 1950.0;  ///< kg/m^3, 500..4000.
   double fall =
@@ -25,17 +26,18 @@ struct SlumpDef {
 
 namespace effects {
 
-/// Sinks the rows that yield and those that hang on them: a sweep from the rim down finds what
-/// yields, one back up shares that among neighbours and moves the clay, by what it flows in as long
-/// as both sweeps last: 25 ms each, and on the finest grids the second longer (Round::lasting). So
-/// nothing is later than that, whatever the tick. Less than a row's radii can hold in floats is
-/// kept until it is enough. Asleep while nothing yields and nothing changes. Allocates only when
-/// made.
+/// Sinks the rows that yield, as fast as their neighbours let them: a sweep from the rim down finds
+/// what yields, one back up solves for what neighbours carry and moves the clay, by what it flows
+/// in as long as both sweeps last: 25 ms each, and on the finest grids the second longer
+/// (Round::lasting). So nothing is later than that, whatever the tick. A row that carries its load
+/// is not moved, and one that does not is moved no farther than until it does. Less than a row's
+/// radii can hold in floats is kept until it is enough. Asleep while nothing yields and nothing
+/// changes. Allocates only when made.
 class Slump {
  public:
   /// `room`: rows at the most.
   explicit Slump(int room)
-      : flow_(static_cast<std::size_t>(room)), owed_(static_cast<std::size_t>(room)) {}
+      : ring_(static_cast<std::size_t>(room)), owed_(static_cast<std::size_t>(room)) {}
 
   static constexpr bool kAsksMoves = false;
   static bool wanted(const Effects& def);
@@ -73,21 +75,28 @@ class Slump {
     double girth = 0.0, thickness = 0.0;
     double shorter() const { return girth + thickness; }
   };
+  // A row as the sweep down leaves it.
+  struct Ring {
+    Flow flow;           // what it does where the row below stands still,
+    double below = 0.0;  // and the share in which it also does as that row does
+    double room = 0.0;   // growth of its area with which it carries its load, as a logarithm
+  };
   enum class Sweep : std::uint8_t { ended, down, up };
 
-  Flow wanted(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
-              int j) const noexcept;
+  Ring alone(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
+             int j) const noexcept;
   void begin(const Clay& clay) noexcept;
   void sweep_down(const SlumpDef& def, Clay& clay, const Volume& volume, const Around& around,
                   int till) noexcept;
   void sweep_up(Clay& clay, int till) noexcept;
   void end(const SlumpDef& def, const Clay& clay) noexcept;
-  // Takes `next` into what the rows before it share.
-  const Flow& share(const Clay& clay, int j, const Flow& next) noexcept;
+  // What a row does beside those that the sweep has passed.
+  Ring beside(Clay& clay, int j, Ring ring) const noexcept;
+  void move(Clay& clay, int j, const Flow& flow) noexcept;
 
-  std::vector<Flow> flow_;  // of every row, as the sweep down left it
+  std::vector<Ring> ring_;
   std::vector<Flow> owed_;  // to every row, not enough yet to move it
-  Flow shared_;             // by the rows that the sweep has passed
+  Flow passed_;             // by the row that the sweep up passed last
   Sweep sweep_ = Sweep::ended;
   Round round_;
   int next_ = 0;          // row of this sweep

@@ -50,7 +50,7 @@ TEST(Slump, RowsHangOnEachOtherSoThatABandThatYieldsBulgesAndNoRowStandsOutAsADi
   SceneDef def = tube(0.3);
   def.clay.rows = 300;
   def.clay.sectors = 16;
-  def.moisture->sponge_height = 0.02;
+  def.moisture->sponge_height = 0.06;
   def.slump->yield_stress = 4000.0;
   Scene scene = made(def);
   Hands sponge;
@@ -98,14 +98,15 @@ TEST(Slump, SinksWithoutEverRisingAndComesToRestWhereTheClayCarriesItAtAnyTick) 
     end[n++] = last;
     // Every row carries what is on it, and those that sank just do.
     const SlumpDef& def = *scene.def().slump;
+    const double fresh = scene.def().clay.height / scene.def().clay.rows;
     double above = 0.0;
     for (int j = scene.clay().rows() - 1; j >= 0; --j) {
       const double own = scene.clay().measured_area(j) * scene.clay().row_thickness(j);
       const double stress =
           def.density * 9.81 * (above + 0.5 * own) / scene.clay().measured_area(j);
       EXPECT_LE(stress, std::sqrt(3.0) * def.yield_stress * 1.002) << j;
-      if (j < 8) {  // a row that a neighbour drags along gets a little wider than it has to
-        EXPECT_GE(stress, std::sqrt(3.0) * def.yield_stress * 0.99) << j;
+      if (scene.clay().row_thickness(j) < 0.999 * fresh) {
+        EXPECT_GE(stress, std::sqrt(3.0) * def.yield_stress * 0.9999) << j;
       }
       above += own;
     }
@@ -188,7 +189,7 @@ TEST(Slump, APotThatIsSpunTooFastSpreads) {
 TEST(Slump, AFallIsReportedAndOneStepBackPutsThePotBackAsItStood) {
   SceneDef def = tube(0.25);
   def.moisture->sponge_height = 0.05;
-  def.slump->viscosity = 2e4;  // so that it takes more than one step of the history
+  def.slump->viscosity = 1.4e4;  // so that it takes more than one step of the history
   Scene scene = made(def);
   run(scene, 2.0);
   EXPECT_FALSE(scene.fallen());
