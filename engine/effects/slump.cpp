@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kGravity = 9.81;
 constexpr double kRoot3 = 1.7320508075688772;
+// A disc that turns, of clay that keeps its volume (Poisson's ratio 1/2): its greatest stress, in
+// the middle and alike in all directions, is (3 + 1/2) / 8 of density (omega R)^2 (Timoshenko &
+// Goodier, Theory of Elasticity, article 32).
+constexpr double kDisc = 0.4375;
 constexpr double kSweep = 0.025;       // s: one down, one up, 20 times a second
 constexpr double kMostStrain = 0.1;    // a sweep: a fall takes a few of them
 constexpr double kStands = 1e-6;       // a row that stood if it were so much shorter, stands
@@ -60,11 +64,10 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
   const double area = clay.areas()->of(j);
   const double load = def.density * kGravity * (above_ + 0.5 * volume.of_row(j));
   const double weight = load / area;
-  double hoop = 0.0;
-  if (j >= clay.floor_rows()) {
-    const double rim_speed = around.wheel_speed * middle_of(clay, j);
-    hoop = def.density * rim_speed * rim_speed;
-  }
+  const bool solid = j < clay.floor_rows();
+  const double middle = solid ? 0.0 : middle_of(clay, j);
+  const double squared = solid ? kDisc * area / portable::kPi : middle * middle;
+  const double hoop = def.density * around.wheel_speed * around.wheel_speed * squared;
   const double weak = around.moisture != nullptr
                           ? strength(*around.moisture_def, around.moisture->of_row(clay.stored(j)))
                           : 1.0;
@@ -73,9 +76,10 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
   if (over <= 0.0) return {};
 
   // Flow as the deviator of the two stresses (Levy and Mises): under weight alone the ring becomes
-  // wider and thicker alike; a hoop's pull makes it wider and thinner.
+  // wider and thicker alike; a hoop's pull makes it wider and thinner. A disc is pulled alike in
+  // all directions of its plane, and only becomes wider.
   const double rate = over / (3.0 * def.viscosity * weak);
-  const double ways = (2.0 * weight + hoop) / (2.0 * (weight + hoop));
+  const double ways = solid ? 1.0 : (2.0 * weight + hoop) / (2.0 * (weight + hoop));
   double strain = ways * rate * seconds_;
   double room = kMostStrain;
   if (hoop < yield) {
@@ -89,7 +93,9 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
     strain = log_1_plus(share * falls * weight / bears);
     room = log_1_plus(over / bears);
   }
-  const double each = std::min(strain, kMostStrain) / (2.0 * weight + hoop);
+  strain = std::min(strain, kMostStrain);
+  if (solid) return {{0.5 * strain, 0.5 * strain}, 0.0, room};
+  const double each = strain / (2.0 * weight + hoop);
   return {{(2.0 * hoop + weight) * each, (weight - hoop) * each}, 0.0, room};
 }
 

@@ -177,5 +177,78 @@ TEST(SlumpWitness, APotSagsAsFastAsTheLawOfEachHeightSays) {
       }
 }
 
+// A lump that is solid but for a rim of a few rows.
+SceneDef solid_lump() {
+  SceneDef def;
+  def.clay.rows = 100;
+  def.clay.sectors = 48;
+  def.clay.height = 0.1;
+  def.clay.outer_radius = 0.07;
+  def.clay.inner_radius = 0.06;
+  def.clay.floor_thickness = 0.095;
+  def.wheel.acceleration = 1000.0;
+  def.volume.emplace();
+  def.slump.emplace();
+  def.slump->yield_stress = 2000.0;
+  def.slump->viscosity = 1e5;
+  return def;
+}
+
+// Of a disc of density rho that turns, (3 + 1/2) / 8 rho (omega R)^2 pulls in its middle.
+double pull_of(const SceneDef& def, double omega, double area) {
+  return 0.4375 * def.slump->density * omega * omega * area / 3.14159265358979;
+}
+
+double load_on(const SceneDef& def, const Clay& clay, int row) {
+  double above = 0.0;
+  for (int j = clay.rows() - 1; j > row; --j)
+    above += clay.measured_area(j) * clay.row_thickness(j);
+  return def.slump->density * kGravity *
+         (above + 0.5 * clay.measured_area(row) * clay.row_thickness(row));
+}
+
+TEST(SlumpWitness, ASolidLumpSpreadsFromTheSpeedAtWhichItsMiddleYields) {
+  const SceneDef def = solid_lump();
+  Scene lump = made(def);
+  const double area = lump.clay().measured_area(0);
+  const double rest = yield_of(def) - load_on(def, lump.clay(), 0) / area;
+  const double critical = std::sqrt(rest / pull_of(def, 1.0, area));
+  for (const double part : {0.995, 1.005}) {
+    Scene scene = made(def);
+    Hands hands;
+    hands.wheel_speed = part * critical;
+    for (int n = 0; n < 4000; ++n) scene.step(hands, 0.001);
+    EXPECT_EQ(scene.clay().measured_area(0) > area, part > 1.0) << part;
+    EXPECT_EQ(scene.clay().measured_area(90), area) << part;  // with less on it
+  }
+}
+
+TEST(SlumpWitness, ASolidLumpThatIsSpunTooFastBecomesWiderAndLowerAtItsRate) {
+  const SceneDef def = solid_lump();
+  Scene scene = made(def);
+  Hands hands;
+  hands.wheel_speed = 31.0;
+  const double area = scene.clay().measured_area(0);
+  const double volume = scene.clay().volume();
+  const int row = 50;
+  const double load = load_on(def, scene.clay(), row);
+  constexpr double kSeconds = 8.0;
+  for (int n = 0; n < std::lround(kSeconds / 0.001); ++n) scene.step(hands, 0.001);
+  // A' = A (load / A + pull(A) - sqrt(3) tau_y) / 3 eta, from when the wheel has its speed. Heun.
+  double a = area;
+  constexpr double kStep = 1e-3;
+  const auto rate = [&](double now) {
+    return now * (load / now + pull_of(def, 31.0, now) - yield_of(def)) /
+           (3.0 * def.slump->viscosity);
+  };
+  for (int n = 0; n < std::lround((kSeconds - 0.031) / kStep); ++n) {
+    const double first = rate(a);
+    a += 0.5 * kStep * (first + rate(a + kStep * first));
+  }
+  witnessed("spun, solid lump", "a disc's pull, Levy and Mises: growth of its area in 8 s",
+            std::fabs((scene.clay().measured_area(row) - area) / (a - area) - 1.0), 0.02);
+  EXPECT_NEAR(scene.clay().volume() / volume, 1.0, 2e-9);
+}
+
 }  // namespace
 }  // namespace onggi::effects
