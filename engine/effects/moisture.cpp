@@ -35,9 +35,15 @@ Moisture::Moisture(const MoistureDef& def, int rows, int room) : rows_(rows) {
 
 void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seconds, bool sponge,
                            std::span<const double> heights) noexcept {
+  const double faded = portable::exp(-seconds / def.drying_time);
+  // Under a sponge both go on: w' = (1 - w) / wetting_time - (w - air) / drying_time, which falls
+  // towards `towards` at the sum of both rates.
+  const double still_to_soak = sponge ? portable::exp(-seconds / def.wetting_time) : 1.0;
+  const double towards =
+      sponge ? (def.drying_time + def.air * def.wetting_time) / (def.drying_time + def.wetting_time)
+             : def.air;
   if (row_.empty()) {
-    mean_ = sponge ? mean_ - (1.0 - mean_) * portable::expm1(-seconds / def.wetting_time)
-                   : def.air + (mean_ - def.air) * portable::exp(-seconds / def.drying_time);
+    mean_ = towards + (mean_ - towards) * faded * still_to_soak;
     if (mean_ < 1e-9) mean_ = 0.0;
     return;
   }
@@ -45,7 +51,6 @@ void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seco
   if (air_ != def.air)
     for (double& wet : row_) wet += (air_ - def.air) / decay_;
   air_ = def.air;
-  const double faded = portable::exp(-seconds / def.drying_time);
   mean_ = air_ + (mean_ - air_) * faded;
   decay_ *= faded;
   // Before digits are lost in the factor; once in a quarter of an hour.
@@ -54,24 +59,33 @@ void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seco
     decay_ = 1.0;
   }
   if (!sponge) return;
-  const double share = -portable::expm1(-seconds / def.wetting_time);
-  const double reach = 0.5 * def.sponge_height;
-  const int end = clay.rows();
-  if (heights.empty())
-    for (const int row : clay.stored()) soak_row(row, share);
-  for (const double height : heights)
-    for (int j = clay.first_row_above(height - reach);
-         j < end && clay.row_height(j) < height + reach; ++j)
-      soak_row(clay.stored(j), share);
+  // Of a row that has dried as all do: where it is to be is less * (w - air) + more.
+  const Soaked soaked{still_to_soak, (towards - air_) * (1.0 - faded * still_to_soak)};
+  if (heights.empty()) {
+    for (const int row : clay.stored()) soak_row(row, soaked);
+  } else {
+    soak_bands(clay, 0.5 * def.sponge_height, heights, soaked);
+  }
   mean_ = std::clamp(mean_, 0.0, 1.0);
 }
 
-void Moisture::soak_row(int stored, double share) noexcept {
+// Where bands lie over each other, two sponges bring no more water than one.
+void Moisture::soak_bands(const Clay& clay, double reach, std::span<const double> heights,
+                          const Soaked& soaked) noexcept {
+  const double lowest = std::ranges::min(heights);
+  int done = 0;
+  for (const double height : {lowest, heights.front(), heights.back()})
+    for (int j = std::max(done, clay.first_row_above(height - reach));
+         j < clay.rows() && clay.row_height(j) < height + reach; done = ++j)
+      soak_row(clay.stored(j), soaked);
+}
+
+void Moisture::soak_row(int stored, const Soaked& soaked) noexcept {
   double& row = row_[static_cast<std::size_t>(stored)];
-  const double wet = air_ + row * decay_;
-  const double more = share * (1.0 - wet);
-  row += more / decay_;
-  mean_ += more / static_cast<double>(rows_);
+  const double dry = row * decay_;
+  const double wet = soaked.less * dry + soaked.more;
+  row = wet / decay_;
+  mean_ += (wet - dry) / static_cast<double>(rows_);
 }
 
 void Moisture::row_divided(const Clay& clay, int from, int to) noexcept {

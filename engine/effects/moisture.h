@@ -22,9 +22,9 @@ struct MoistureDef {
                               ///< dry ones, 0.005..1; in between by powers of it. Strength falls
                               ///< about 35 times from the plastic to the liquid limit. For slump.
   double air = 0.0;  ///< Wetness that the clay dries towards, 0..1: a damp room leaves it wet.
-  double sponge_height = 0.0;  ///< m, 0..1: height of the band that the sponge wets, about each
-                               ///< hand. 0: all of the pot alike, and no row has a wetness of its
-                               ///< own. Fixed when the scene is made.
+  double sponge_height = 0.0;  ///< m, 0..1: height of the band that a sponge wets, about itself. 0:
+                               ///< all of the pot alike, and no row has a wetness of its own. Fixed
+                               ///< when the scene is made.
 
   static constexpr const char* kName = "moisture";
   static std::span<const DefField<MoistureDef>> fields();
@@ -45,8 +45,9 @@ class Moisture {
   Moisture(const MoistureDef& def, int rows, int room);
   Moisture(const MoistureDef& def, int rows) : Moisture(def, rows, rows) {}
 
-  /// Stage 3 of the pipeline. With `sponge`, it is held at `heights` (m, on the rows of `clay`);
-  /// none means the whole pot. O(rows under the sponge).
+  /// Stage 3 of the pipeline. With `sponge`, it is held at `heights` (m, on the rows of `clay`; two
+  /// at the most); none means the whole pot. A row under two sponges soaks as under one. The air
+  /// dries what is soaked, too. O(rows under the sponge).
   void soak_or_dry(const MoistureDef& def, const Clay& clay, double seconds, bool sponge,
                    std::span<const double> heights) noexcept;
 
@@ -67,7 +68,14 @@ class Moisture {
   void add_to(StateHash& hash, const Clay& clay) const;
 
  private:
-  void soak_row(int stored, double share) noexcept;
+  // What a sponge makes in a tick of a row that has dried in it: w - air becomes less (w - air) +
+  // more.
+  struct Soaked {
+    double less = 1.0, more = 0.0;
+  };
+  void soak_row(int stored, const Soaked& soaked) noexcept;
+  void soak_bands(const Clay& clay, double reach, std::span<const double> heights,
+                  const Soaked& soaked) noexcept;
 
   // All rows dry at one pace, so that one factor does for them: a stored row is air + row_[] *
   // decay_.

@@ -75,16 +75,18 @@ void Scene::State::turn_wheel(Tick& tick) noexcept {
   if (wheel_angle >= full) wheel_angle = 0.0;  // -tiny + 2 pi rounds to 2 pi
 }
 
-// Stage 3. The sponge is at the hands.
-void Scene::State::soak_or_dry(const Tick& tick, bool sponge) noexcept {
+// Stage 3. A sponge wets where it touches the clay. Water that is asked for with no sponge in hand
+// comes with the hands, wherever they are.
+void Scene::State::soak_or_dry(const Tick& tick, bool water) noexcept {
   if (!moisture) return;
-  for (const scene::HandState& h : hand)
-    if (h.present && h.contact.touching()) sponge |= tools[h.tool].shape->wets;
   std::array<double, kMaxHands> heights{};
   std::size_t held = 0;
-  for (const scene::HandState& h : hand)
-    if (h.present) heights[held++] = h.at.y;
-  moisture->soak_or_dry(*def.moisture, clay, tick.dt, sponge, std::span(heights).first(held));
+  for (const scene::HandState& h : hand) {
+    const bool sponge = h.contact.touching() && tools[h.tool].shape->wets;
+    if (h.present && (water || sponge)) heights[held++] = h.at.y;
+  }
+  moisture->soak_or_dry(*def.moisture, clay, tick.dt, water || held > 0,
+                        std::span(heights).first(held));
 }
 
 double Scene::State::wetness_at(double height) const {
