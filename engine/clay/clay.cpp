@@ -82,10 +82,10 @@ void Clay::keep_areas() {
   for (int j = 0; j < rows(); ++j) areas_->set(j, measured_area(j));
 }
 
-void Clay::keep_displacements() {
+void Clay::keep_displacements(bool rounded) {
   if (!displacements_.empty()) return;
   displacements_.reserve(2);
-  for (int n = 0; n < 2; ++n) displacements_.emplace_back(room(), stride_);
+  for (int n = 0; n < 2; ++n) displacements_.emplace_back(room(), stride_, rounded);
 }
 
 void Clay::forget_displacements() {

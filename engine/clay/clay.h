@@ -136,9 +136,10 @@ class Clay {
   void keep_areas();
   RowAreas* areas() { return areas_ ? &*areas_ : nullptr; }
   const RowAreas* areas() const { return areas_ ? &*areas_ : nullptr; }
-  /// Starts keeping how far contact moves each element in a tick (displacements.h); the caller of
-  /// the tick clears them. Allocates. Null if nobody asked.
-  void keep_displacements();
+  /// From now on it is kept how far contact moves each element in a tick (displacements.h); whoever
+  /// runs the tick clears them. With `rounded`, what rounding leaves over of an effect's work is
+  /// kept too (Displacements::rounded). Allocates. Null where nobody asked.
+  void keep_displacements(bool rounded = true);
   Displacements* displacements(bool inside) {
     return displacements_.empty() ? nullptr : &displacements_[inside ? 1 : 0];
   }

@@ -17,8 +17,10 @@ class Displacements {
  public:
   static constexpr int kBlock = 8;
 
-  Displacements(int rows, int stride)
+  /// With `rounded`, it also keeps what rounding left over of what an effect did to the face.
+  Displacements(int rows, int stride, bool rounded = false)
       : by_(static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride)),
+        rounded_(rounded ? by_.size() : 0),
         blocks_(static_cast<std::size_t>(stride / kBlock)),
         stride_(static_cast<std::size_t>(stride)) {
     forget_where(rows);
@@ -26,7 +28,11 @@ class Displacements {
 
   /// By stored row (row_order.h). Metres, >= 0: inwards outside, outwards inside. stride() floats.
   float* row(int stored) { return by_.data() + static_cast<std::size_t>(stored) * stride_; }
-  /// The row at place `j` may have been moved within these blocks.
+  /// Of stored row 0, and the others a stride() apart: what is owed to each radius, less than a
+  /// float's last digit, m. Null where it is not kept. A row that comes to stand elsewhere keeps
+  /// its own: nobody would see a digit of another.
+  float* rounded() { return rounded_.empty() ? nullptr : rounded_.data(); }
+  /// Something of the row at place `j` may have been moved, within these blocks.
   void mark(int j, BlockRun run) {
     first_ = std::min(first_, j);
     end_ = std::max(end_, j + 1);
@@ -72,6 +78,7 @@ class Displacements {
   }
 
   std::vector<float> by_;
+  std::vector<float> rounded_;
   std::vector<std::uint8_t> blocks_;  // 1 where marked
   std::size_t stride_;
   int first_ = 0, end_ = 0;

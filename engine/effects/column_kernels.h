@@ -39,8 +39,9 @@ struct Even {
   const float* up = nullptr;       ///< flow times inverse.
   float* change = nullptr;         ///< To work with.
   double* gained = nullptr;        ///< Grows by what each row's squares of radii did.
-  float* extent = nullptr;  ///< Of each row: the largest, or inside smallest, radius written.
-  float hole_min = 0.0f;    ///< No inner radius gets smaller, m.
+  float* rounded = nullptr;  ///< What is owed to each radius, of stored row 0, m; null: nothing is.
+  float* extent = nullptr;   ///< Of each row: the largest, or inside smallest, radius written.
+  float hole_min = 0.0f;     ///< No inner radius gets smaller, m.
 };
 
 /// How a row may move.

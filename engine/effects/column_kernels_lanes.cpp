@@ -91,6 +91,15 @@ ONGGI_INLINE void share_columns(const Even& c, const Float8* over, Float8* share
   }
 }
 
+// A radius that changed by `by` from `before`, to a float; what is left over stays owed. A change
+// that is less than a float's last digit would be lost in every tick, and adds up so.
+ONGGI_INLINE Float8 moved_by(Float8 before, Float8 by, Mask8 there, float* owed) {
+  const Float8 all_of_it = by + load(owed);
+  const Float8 then = before + all_of_it;
+  store(only(there, all_of_it - (then - before)), owed);
+  return then;
+}
+
 template <bool outside>
 ONGGI_INLINE bool even_columns_as(const Even& c) {
   Float8 over[kMostBlocks];
@@ -103,6 +112,7 @@ ONGGI_INLINE bool even_columns_as(const Even& c) {
   for (int k = 0; k < c.at.rows; ++k) {
     const float* const changes = of_row(c.change, c.at, k);
     float* const face = in_row(c.at.face, c.at, k);
+    float* const owed = c.rounded != nullptr ? in_row(c.rounded, c.at, k) : nullptr;
     Float8 gained = all(0.0f);
     Float8 most = all(0.0f);
     Float8 reach = all(outside ? 0.0f : 1e9f);
@@ -111,7 +121,8 @@ ONGGI_INLINE bool even_columns_as(const Even& c) {
       const Float8 change = share[b] * (load(changes + kLanes * b) - over[b]);
       const Float8 root = sqrt(larger(before * before + change, all(0.0f)));
       const Mask8 there = real(before);
-      Float8 moved = before + change / (before + root);
+      const Float8 by = change / (before + root);
+      Float8 moved = owed == nullptr ? before + by : moved_by(before, by, there, owed + kLanes * b);
       // Squares of a row far out are rounded by more than a hole at its least holds.
       if constexpr (!outside) moved = larger(moved, hole);
       const Float8 then = select(there, moved, before);

@@ -35,7 +35,7 @@ void Smoothing::run(const StageWork& work) noexcept {
 
 void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double bottom, double top,
                      double seconds) noexcept {
-  const Displacements& displacements = *clay.displacements(side == WallSide::inside);
+  Displacements& displacements = *clay.displacements(side == WallSide::inside);
   if (!displacements.any()) return;
   const bool outside = side == WallSide::outside;
   const int lowest = outside ? 0 : clay.floor_rows();
@@ -73,6 +73,7 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
                             up_.data(),
                             change_.data(),
                             gained_.data(),
+                            nullptr,
                             extent_.data(),
                             static_cast<float>(clay.def().radius_min)};
   const column_kernels::Table& kernels = column_kernels::of(clay.vectors());
@@ -83,6 +84,7 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
       work.at.blocks = std::min(run.end - block, column_kernels::kMostBlocks);
       work.at.face = (outside ? outer : inner) + i;
       work.at.other = (outside ? inner : outer) + i;
+      work.rounded = displacements.rounded() != nullptr ? displacements.rounded() + i : nullptr;
       changed |= kernels.even(work);
     }
   if (!changed) return;

@@ -78,7 +78,7 @@ std::unique_ptr<RowEffects> RowEffects::make(const Effects& def, Clay& clay) {
     for (int j = 0; j < clay.rows(); ++j) lay_row(kStages, def, clay, j);
   const bool asks_moves = any_asks_moves(kStages, def);
   if (def.walls || asks_moves) clay.keep_areas();
-  if (asks_moves) clay.keep_displacements();
+  if (asks_moves) clay.keep_displacements(def.smoothing.has_value());
   const auto make = [&]<class S>(std::optional<S>& stage) {
     if (S::wanted(def)) stage.emplace(S::make(def, clay));
   };
