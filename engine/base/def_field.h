@@ -23,7 +23,8 @@ struct DefField {
   const char* key;
   Value Def::*value;
   double least, most;
-  const char* unit;  ///< "m", "s"; "" where it has none.
+  const char* unit;                ///< "m", "s"; "" where it has none.
+  const char* formerly = nullptr;  ///< The key that it had before: files that have it still open.
 };
 
 /// Calls `visit` with each DefField of a Def: counts, numbers, switches.

@@ -19,7 +19,7 @@ std::span<const DefField<WallsDef>> WallsDef::fields() {
       {"support", &WallsDef::support, 0.001, 0.2, "m"},
       {"tear_thickness", &WallsDef::tear_thickness, 0.0, 0.02, "m"},
       {"tear_strain", &WallsDef::tear_strain, 0.0, 10.0, ""},
-      {"yield_stress", &WallsDef::yield_stress, 0.0, 1e6, "Pa"},
+      {"bending_strength", &WallsDef::bending_strength, 0.0, 1e6, "Pa", "yield_stress"},
   };
   return kFields;
 }
@@ -41,7 +41,7 @@ double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept {
 }
 
 double wall_bears(const WallsDef& def, double thickness, double strength) noexcept {
-  return portable::kPi * strength * def.yield_stress * thickness * thickness;
+  return portable::kPi * strength * def.bending_strength * thickness * thickness;
 }
 
 double wall_push(double normal, double bears, double along) noexcept {

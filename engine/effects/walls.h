@@ -16,8 +16,10 @@ struct WallsDef {
                                 ///< does. Otherwise more than the clay's wall_min.
   double tear_strain = 0.0;  ///< 0..10: share by which a ring may get wider than the lump was; more
                              ///< tears it. 0: none does. Lower: bowls must be opened with care.
-  double yield_stress = 0.0;  ///< Pa, 0..1e6: of the clay as a wall that bends under a hand.
-                              ///< Higher: thin walls are felt as harder. 0: a wall bears any push.
+  double bending_strength = 0.0;  ///< sigma, Pa, 0..1e6: pull or push along one way at which clay
+                                  ///< yields, as in a wall that bends under a hand. sqrt(3) times
+                                  ///< SlumpDef::yield_stress, which is in shear. Higher: thin walls
+                                  ///< are felt as harder. 0: a wall bears any push.
 
   static constexpr const char* kName = "walls";
   static std::span<const DefField<WallsDef>> fields();
@@ -36,7 +38,7 @@ double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept;
 /// What a wall bears of a hand's push before it bends, N: the plastic collapse load of a plate that
 /// is held all round under a point (four pi times its plastic moment, sigma t^2 / 4; Save,
 /// Massonnet & de Saxce, Plastic Limit Analysis of Plates, Shells and Disks, 1997). `strength` is
-/// the share that water leaves of the yield stress. Rises with the square of the thickness. A free
+/// the share that water leaves of the strength. Rises with the square of the thickness. A free
 /// rim, which bears less, is not modelled.
 double wall_bears(const WallsDef& def, double thickness, double strength) noexcept;
 

@@ -141,6 +141,7 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
   if (body.empty())
     return malformed("The replay is damaged or cut short: its checksum is of other bytes.");
   Replay replay;
+  replay.earlier_laws = version < kVersion;
   std::string unknown;
   const bool read = read_scene(io, version, replay.def, unknown);
   if (!unknown.empty())
@@ -185,6 +186,7 @@ Result<ReplayOutcome> run_replay(const Replay& replay, std::unique_ptr<Scene>* s
   ReplayOutcome outcome;
   outcome.vessel_id = replay.vessel_id;
   outcome.glaze = replay.glaze;
+  outcome.earlier_laws = replay.earlier_laws;
   outcome.seed = replay.seed;
   outcome.recorded_hash = replay.final_hash;
 

@@ -39,7 +39,9 @@ class ReplayWriter {
 /// Result of a replay.
 struct ReplayOutcome {
   std::string vessel_id;
-  std::string glaze;  ///< Empty: not fired.
+  std::string glaze;          ///< "": not fired.
+  bool earlier_laws = false;  ///< Recorded when clay had other laws: the same hands make a pot that
+                              ///< may differ, and its hashes are another engine's.
   std::uint64_t seed = 0;
   std::uint64_t ticks = 0;
   std::uint64_t recorded_hash = 0;  ///< The hash written at the end.
@@ -53,6 +55,7 @@ struct ReplayOutcome {
 struct Replay {
   SceneDef def;
   std::string vessel_id;
+  bool earlier_laws = false;  ///< As in ReplayOutcome.
   std::uint64_t seed = 0;
   struct Note {
     std::uint64_t tick = 0;  ///< Ticks done when it was noted.

@@ -11,9 +11,8 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 12;
-inline constexpr std::uint32_t kOldestVersion = 11;  ///< Oldest version that is still read
-                                                     ///< (replay_scene.h).
+inline constexpr std::uint32_t kVersion = 13;        ///< Of the bytes, and of the laws of the clay.
+inline constexpr std::uint32_t kOldestVersion = 11;  ///< That is still read (replay_scene.h).
 
 /// A tick is a byte of flags for the fields that follow (0: nothing changed), or one of the marks
 /// below.

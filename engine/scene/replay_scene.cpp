@@ -70,7 +70,8 @@ Place place_of(SceneDef& def, std::string_view table, std::string_view key) {
   Place place;
   at_table(def, table, [&]<class Def>(Def& one) {
     each_field<Def>([&](const auto& field) {
-      if (key == field.key) place.point_to(one.*(field.value));
+      if (key == field.key || (field.formerly != nullptr && key == field.formerly))
+        place.point_to(one.*(field.value));
     });
   });
   return place;

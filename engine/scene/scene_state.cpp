@@ -261,7 +261,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     const ToolSize& size = tools[h.tool].size;
     const ToolPlace place{h.at, h.along, h.across};
     Press& press = tick.press[n];
-    if (effects::kBuilt && def.walls && def.walls->yield_stress > 0.0) {
+    if (effects::kBuilt && def.walls && def.walls->bending_strength > 0.0) {
       const double share = bends(tick, n);
       press.force = share * press.force;
       press.normal *= share;

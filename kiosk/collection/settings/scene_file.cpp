@@ -80,7 +80,20 @@ class SceneReader {
   }
   template <class Def>
   void read_fields(Def& def) {
-    each_field<Def>([&](const auto& field) { value(field.key, def.*(field.value)); });
+    each_field<Def>([&](const auto& field) {
+      if constexpr (std::is_same_v<decltype(def.*(field.value)), double&>)
+        if (field.formerly != nullptr) read_renamed(field.key, field.formerly, def.*(field.value));
+      value(field.key, def.*(field.value));
+    });
+  }
+  /// Files that have a field's old key still mean it.
+  void read_renamed(const std::string& key, const std::string& formerly, double& field) {
+    if (!table_.has(formerly)) return;
+    const double before = field;
+    if (table_.number(formerly, field, -kAny, kAny))
+      put_back_[name_ + "." + key] = [&field, before] { field = before; };
+    table_.complain(formerly, formerly + " is now called " + key + ", and is read as that.",
+                    "Write " + key + " in its place.");
   }
   /// Reads a clay by name; numbers written beside it override it.
   void read_body(KilnDef& kiln) {

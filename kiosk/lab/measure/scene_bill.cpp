@@ -39,8 +39,8 @@ constexpr BillPart kBillParts[] = {
      [](SceneDef& def) { return zeroed(def.walls, &WallsDef::tear_thickness); }},
     {WallsDef::kName, "tear_strain",
      [](SceneDef& def) { return zeroed(def.walls, &WallsDef::tear_strain); }},
-    {WallsDef::kName, "yield_stress",
-     [](SceneDef& def) { return zeroed(def.walls, &WallsDef::yield_stress); }},
+    {WallsDef::kName, "bending_strength",
+     [](SceneDef& def) { return zeroed(def.walls, &WallsDef::bending_strength); }},
 };
 
 Result<Worked> worked(const SceneDef& def, int passes) {

@@ -14,7 +14,7 @@ namespace onggi::measure {
 /// with it against the scene without it and everything that needs it. Shape and force are the
 /// largest of three pieces of work: a finger, both hands, a palm or sponge.
 struct BillLine {
-  std::string effect;         ///< "walls"; for an option its key in the scene: "yield_stress".
+  std::string effect;         ///< "walls"; for an option its key in the scene: "bending_strength".
   std::string part_of;        ///< The effect whose row contains this one; empty: a row of its own.
   double us = 0.0;            ///< Of a tick's median; noise may make it negative.
   double shape_mm = 0.0;      ///< Root mean square of the outlines' difference.

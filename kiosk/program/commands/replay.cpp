@@ -30,6 +30,7 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
                            {"recorded_hash", rehearsal::hash_text(outcome->recorded_hash)},
                            {"hashes_checked", outcome->hashes_checked},
                            {"first_difference_tick", outcome->first_difference_tick},
+                           {"earlier_laws", outcome->earlier_laws},
                            {"same", same}}),
       json_file);
   if (!free) return tl::unexpected(free.error());
@@ -39,7 +40,11 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
               << (outcome->glaze.empty() ? "" : "glaze " + terminal::plain(outcome->glaze) + ", ")
               << (same ? "the same pot, bit for bit (" : "a different pot from the recorded one (")
               << rehearsal::hash_text(outcome->replayed_hash) << ")\n";
-  if (!same && outcome->first_difference_tick >= 0)
+  if (!same && outcome->earlier_laws)
+    std::cerr << name
+              << ": This visit was recorded when clay sagged and soaked by other laws, so the same "
+                 "hands now make a slightly different pot; the keepsake shows the pot as it was.\n";
+  else if (!same && outcome->first_difference_tick >= 0)
     std::cerr << name << ": first different at tick " << outcome->first_difference_tick << "\n";
   return same ? 0 : 1;
 }

@@ -53,7 +53,7 @@ TEST(EffectField, EveryNumberHasItsUsualValueAndItsEnds) {
   expect<WallsDef>("walls", std::to_array<Told>({{"support", 0.03, 0.001, 0.2},
                                                  {"tear_thickness", 0.0, 0.0, 0.02},
                                                  {"tear_strain", 0.0, 0.0, 10.0},
-                                                 {"yield_stress", 0.0, 0.0, 1e6}}));
+                                                 {"bending_strength", 0.0, 0.0, 1e6}}));
   expect<WobbleDef>("wobble", std::to_array<Told>({{"off_centre", 0.004, 0.0, 0.03},
                                                    {"centring_time", 0.05, 0.002, 60.0},
                                                    {"reach", 0.03, 0.001, 1.0}}));

@@ -123,13 +123,13 @@ RC_GTEST_PROP(WallsProperty, SupportFadesWithDistanceAlongTheWallAndNeverLeavesZ
 }
 
 // The greatest force on a finger that comes in by 3 mm in 0.3 s, N.
-double pushed(double thickness, double yield_stress, bool held) {
+double pushed(double thickness, double strength, bool held) {
   SceneDef def = small();
   def.clay.rows = 200;
   def.clay.sectors = 180;
   def.clay.wall_min = 0.001;
   def.clay.inner_radius = def.clay.outer_radius - thickness;
-  def.walls->yield_stress = yield_stress;
+  def.walls->bending_strength = strength;
   def.guard = {20.0, 1e5, 0.05};
   Scene scene = made(def);
   Hands hands;
@@ -179,7 +179,7 @@ TEST(Walls, TheWallBehindAToolIsThatOfItsOwnRowWhicheverWayItStands) {
 
 TEST(Walls, BearAPushByTheSquareOfTheirThicknessAndNeverMore) {
   WallsDef def;
-  def.yield_stress = 8000.0;
+  def.bending_strength = 8000.0;
   const double bears = wall_bears(def, 0.004, 1.0);
   EXPECT_NEAR(bears, 0.4021, 1e-4);
   EXPECT_NEAR(wall_bears(def, 0.008, 0.5), 2.0 * bears, 1e-12);

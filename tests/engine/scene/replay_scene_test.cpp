@@ -21,8 +21,9 @@ Bytes file(const std::string& name) {
   return bytes;
 }
 
-// Written by the last engine of version 11: 300 ticks, a hash every 100.
-TEST(ReplayScene, AFileOfTheOldVersionWithEveryEffectReplaysToItsHash) {
+// Written by the last engine of version 11: 300 ticks, a hash every 100. Clay has had other laws
+// since (slump, moisture), so it plays to another pot.
+TEST(ReplayScene, AFileOfTheOldVersionWithEveryEffectPlaysByTheLawsOfTodayAndSaysSo) {
   const Result<Replay> replay = Replay::read(file("version_11_effects.onggi"), "old");
   ASSERT_TRUE(replay) << to_text(replay.error());
   const SceneDef& def = replay->def;
@@ -42,7 +43,8 @@ TEST(ReplayScene, AFileOfTheOldVersionWithEveryEffectReplaysToItsHash) {
   EXPECT_EQ(replay->glaze, "celadon");
   const Result<ReplayOutcome> outcome = run_replay(*replay);
   ASSERT_TRUE(outcome);
-  EXPECT_EQ(outcome->first_difference_tick, -1);
+  EXPECT_TRUE(outcome->earlier_laws);
+  EXPECT_EQ(outcome->ticks, 300u);
   EXPECT_EQ(outcome->hashes_checked, 4u);
   EXPECT_EQ(outcome->replayed_hash, 0x00e595cbcda3ce29u);
 }
@@ -121,6 +123,27 @@ TEST(ReplayScene, AnEffectOrANumberThatThisEngineDoesNotHaveIsNamed) {
     EXPECT_NE(replay.error().what.find(where), std::string::npos) << replay.error().what;
     EXPECT_EQ(replay.error().exit_code, 2);
   }
+}
+
+// As a visit of version 12 has it: the old name of walls' strength.
+TEST(ReplayScene, AKeyOfBeforeIsReadAsWhatItIsCalledNow) {
+  SceneDef def;
+  def.walls.emplace();
+  def.walls->bending_strength = 9000.0;
+  Bytes bytes = written(def);
+  const auto at = find(bytes, "bending_strength");
+  ASSERT_NE(at, bytes.end());
+  const std::string old = "yield_stress";
+  *(at - 4) = static_cast<std::byte>(old.size());
+  std::transform(old.begin(), old.end(), at, [](char c) { return static_cast<std::byte>(c); });
+  const auto rest = at + static_cast<std::ptrdiff_t>(old.size());
+  bytes.erase(rest, rest + 4);
+  bytes[8] = std::byte{12};  // the version
+  const Result<Replay> replay = read(bytes);
+  ASSERT_TRUE(replay) << to_text(replay.error());
+  EXPECT_TRUE(replay->earlier_laws);
+  EXPECT_EQ(replay->def.walls->bending_strength, 9000.0);
+  EXPECT_FALSE(read(written(def))->earlier_laws);
 }
 
 // As in a file that is older than the number.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -240,6 +241,37 @@ TEST(scene, what_the_engine_refuses_is_told_at_its_line_and_the_rest_is_kept) {
   EXPECT_THAT(r.problems[2].remedy, HasSubstr("Did you mean contact"));
   EXPECT_EQ(r.def.clay.rows, ClayDef{}.rows);
   EXPECT_EQ(r.def.clay.height, 0.3);
+}
+
+TEST(scene, a_key_of_before_is_read_and_told_with_its_new_name) {
+  const SceneRead r = read("[walls]\nsupport = 0.02\nyield_stress = 7000\n");
+  ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":3:16"));
+  EXPECT_EQ(r.problems[0].what,
+            "yield_stress is now called bending_strength, and is read as that.");
+  EXPECT_EQ(r.problems[0].remedy, "Write bending_strength in its place.");
+  ASSERT_TRUE(r.def.walls);
+  EXPECT_EQ(r.def.walls->bending_strength, 7000.0);
+  EXPECT_EQ(r.def.walls->support, 0.02);
+  const SceneRead both = read("[walls]\nyield_stress = 7000\nbending_strength = 8000\n");
+  EXPECT_EQ(both.def.walls->bending_strength, 8000.0);
+  const SceneRead wild = read("[walls]\nyield_stress = -1\nsupport = 0.02\n");
+  EXPECT_THAT(wild.problems, SizeIs(2)) << all(wild.problems);
+  EXPECT_EQ(wild.def.walls->bending_strength, WallsDef{}.bending_strength);
+  EXPECT_EQ(wild.def.walls->support, 0.02);
+}
+
+// By Mises clay yields along one way at sqrt(3) times what it bears in shear.
+TEST(scene, shipped_clay_is_as_strong_to_a_finger_as_to_its_weight) {
+  int both = 0;
+  for (const char* name : {"first_touch", "studio", "master"}) {
+    const SceneDef def = read_scene(std::string("config/scenes/") + name + ".toml").def;
+    if (!def.walls || !def.slump) continue;
+    ++both;
+    EXPECT_NEAR(def.walls->bending_strength / (std::sqrt(3.0) * def.slump->yield_stress), 1.0, 1e-3)
+        << name;
+  }
+  EXPECT_EQ(both, 1);  // master
 }
 
 TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {

@@ -53,15 +53,16 @@ const BillLine* line_for(const SceneBill& bill, const std::string& name) {
 TEST(SceneBill, WhatWallsAreAskedForBesidesHasARowOfItsOwnWithinTheirs) {
   SceneDef def = small();
   def.walls.emplace();
-  ASSERT_EQ(line_for(*bill_of("mine", def, 1), "yield_stress"), nullptr) << "nobody asks for it";
-  def.walls->yield_stress = 9000.0;
+  ASSERT_EQ(line_for(*bill_of("mine", def, 1), "bending_strength"), nullptr)
+      << "nobody asks for it";
+  def.walls->bending_strength = 9000.0;
   def.walls->tear_thickness = 0.006;
   def.moisture.emplace();
   def.moisture->sponge_height = 0.06;
   const auto bill = bill_of("mine", def, 1);
   ASSERT_TRUE(bill);
   ASSERT_EQ(bill->lines.size(), 5u);
-  const BillLine* felt = line_for(*bill, "yield_stress");
+  const BillLine* felt = line_for(*bill, "bending_strength");
   ASSERT_NE(felt, nullptr);
   EXPECT_EQ(felt->part_of, "walls");
   EXPECT_EQ(felt->shape_mm, 0.0);
@@ -75,7 +76,7 @@ TEST(SceneBill, WhatWallsAreAskedForBesidesHasARowOfItsOwnWithinTheirs) {
     EXPECT_TRUE(above.effect == line.part_of || above.part_of == line.part_of)
         << line.effect << " stands with its effect";
   }
-  EXPECT_NE(text_of(*bill).find("of it yield_stress"), std::string::npos);
+  EXPECT_NE(text_of(*bill).find("of it bending_strength"), std::string::npos);
   EXPECT_NE(json_of(*bill).text().find("\"part_of\": \"walls\""), std::string::npos);
 }
 

@@ -72,7 +72,7 @@ SceneDef every_effect() {
     if (!effect) effect.emplace();
   });
   def.moisture->sponge_height = 0.04;
-  def.walls->yield_stress = 9000.0;
+  def.walls->bending_strength = 9000.0;
   def.walls->tear_thickness = 0.006;
   def.walls->tear_strain = 2.0;
   return def;
