@@ -21,6 +21,7 @@ constexpr double kMostStrain = 0.1;    // a sweep: a fall takes a few of them
 constexpr double kStands = 1e-6;       // a row that stood if it were so much shorter, stands
 constexpr double kLeastStrain = 3e-6;  // that radii can hold: a float has 6e-8 of it
 constexpr double kRounded = 0.1;       // of a strain: what is off by more was not rounding
+constexpr double kNearest = 1e-3;      // of a row's height
 constexpr double kWheelStirs = 0.2;    // rad/s
 constexpr double kWaterStirs = 0.01;
 
@@ -73,7 +74,7 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
                           : 1.0;
   const double yield = kRoot3 * def.yield_stress * weak;
   const double over = weight + hoop - yield;
-  if (over <= 0.0) return {};
+  if (over <= 0.0) return {{}, 0.0, over / yield};
 
   // Flow as the deviator of the two stresses (Levy and Mises): under weight alone the ring becomes
   // wider and thicker alike; a hoop's pull makes it wider and thinner. A disc is pulled alike in
@@ -88,7 +89,7 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
     // stands, and never beyond.
     const double bears = yield - hoop;
     const double share = over / weight;
-    if (share <= kStands) return {};
+    if (share <= kStands) return {{}, 0.0, -share};
     const double falls = -portable::expm1(-ways * bears * seconds_ / (3.0 * def.viscosity * weak));
     strain = log_1_plus(share * falls * weight / bears);
     room = log_1_plus(over / bears);
@@ -114,7 +115,9 @@ Slump::Ring Slump::beside(Clay& clay, int j, Ring ring) const noexcept {
     return both / (4.0 * portable::kPi * apart);
   };
   const Ring& above = ring_[static_cast<std::size_t>(j + 1)];
-  const double up = hangs(j), down = hangs(j - 1);
+  // Of a row that stands, what it would bear besides says how near this one it is that clay stands.
+  const double beyond = above.room > 0.0 ? 1.0 : ring.room / (ring.room - above.room);
+  const double up = hangs(j) / std::max(beyond, kNearest), down = hangs(j - 1);
   const double own = clay.row_thickness(j);
   const double part = 1.0 / (own + up * (1.0 - above.below) + down);
   ring.flow = {part * (own * ring.flow.girth + up * above.flow.girth),

@@ -79,7 +79,8 @@ class Slump {
   struct Ring {
     Flow flow;           // what it does where the row below stands still,
     double below = 0.0;  // and the share in which it also does as that row does
-    double room = 0.0;   // growth of its area with which it carries its load, as a logarithm
+    double room = 0.0;   // growth of its area with which it carries its load, as a logarithm; of a
+                         // row that stands, what it could bear besides, as a negative share
   };
   enum class Sweep : std::uint8_t { ended, down, up };
 
