@@ -89,8 +89,7 @@ std::vector<std::string> inner_parts(const std::string& path) {
 }
 
 /// Opens step by step beneath `folder`, so that nobody can insert a link on the way.
-Descriptor open_beneath(const std::filesystem::path& folder,
-                        const std::vector<std::string>& parts) {
+Descriptor descend(const std::filesystem::path& folder, const std::vector<std::string>& parts) {
   Descriptor at(::open(folder.empty() ? "." : folder.c_str(), kFlags | O_DIRECTORY));
   for (std::size_t i = 0; at.open() && i < parts.size(); ++i) {
     const int kind = i + 1 < parts.size() ? O_DIRECTORY : 0;
@@ -115,22 +114,28 @@ tl::expected<Bytes, ReadFault> read_beneath(const std::filesystem::path& folder,
                                             const std::string& uri, std::size_t most) {
   const std::vector<std::string> parts = inner_parts(percent_decoded(uri));
   if (parts.empty()) return fault(Kind::outside);
-  const Descriptor at = open_beneath(folder, parts);
+  const Descriptor at = descend(folder, parts);
   if (!at.open()) return not_beneath(errno);
   return read_open(at, most);
 }
 
-tl::expected<std::filesystem::path, ReadFault> find_beneath(const std::filesystem::path& folder,
-                                                            const std::string& uri) {
+tl::expected<Descriptor, ReadFault> open_beneath(const std::filesystem::path& folder,
+                                                 const std::string& uri) {
   const std::vector<std::string> parts = inner_parts(percent_decoded(uri));
   if (parts.empty()) return fault(Kind::outside);
-  const Descriptor at = open_beneath(folder, parts);
+  Descriptor at = descend(folder, parts);
   if (!at.open()) return not_beneath(errno);
   struct stat found {};
   if (::fstat(at.get(), &found) != 0) return fault(Kind::unreadable, errno);
   if (!S_ISREG(found.st_mode)) return fault(S_ISDIR(found.st_mode) ? Kind::folder : Kind::special);
+  return at;
+}
+
+tl::expected<std::filesystem::path, ReadFault> find_beneath(const std::filesystem::path& folder,
+                                                            const std::string& uri) {
+  if (const auto at = open_beneath(folder, uri); !at) return tl::unexpected(at.error());
   std::filesystem::path out = folder;
-  for (const std::string& part : parts) out /= part;
+  for (const std::string& part : inner_parts(percent_decoded(uri))) out /= part;
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/ground/files/descriptor.h"
 
 namespace onggi::files {
 
@@ -36,6 +37,10 @@ tl::expected<Bytes, ReadFault> read_file(const std::filesystem::path& file, std:
 /// symbolic links are refused.
 tl::expected<Bytes, ReadFault> read_beneath(const std::filesystem::path& folder,
                                             const std::string& uri, std::size_t most);
+
+/// That regular file, opened for a reader who takes a piece at a time; the same rules apply.
+tl::expected<Descriptor, ReadFault> open_beneath(const std::filesystem::path& folder,
+                                                 const std::string& uri);
 
 /// The path of that regular file, for a reader that opens it itself; the same rules apply.
 tl::expected<std::filesystem::path, ReadFault> find_beneath(const std::filesystem::path& folder,
