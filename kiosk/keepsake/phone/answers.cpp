@@ -44,6 +44,19 @@ std::string asked_for(std::string_view query, std::string_view name) {
   return {};
 }
 
+/// The file, or what `ask` wants of it.
+Answer part_of(souvenir::KeepsakeFile opened, const File& file, const Ask& ask) {
+  // A phone goes on where it stopped, but not into another file.
+  const bool same = ask.if_range.empty() || ask.if_range == '"' + opened.tag + '"';
+  const ByteRange range = byte_range(same ? ask.range : "", opened.size);
+  Answer answer{.status = 200, .type = file.type, .file_name = file.saved ? file.name : ""};
+  if (range.kind == ByteRange::Kind::span) answer.status = 206;
+  if (range.kind == ByteRange::Kind::beyond) answer = {.status = 416, .type = ""};
+  answer.span = range.span;
+  answer.file = std::move(opened);
+  return answer;
+}
+
 }  // namespace
 
 Answer Answers::nothing_here(const Ask& ask) const {
@@ -51,12 +64,13 @@ Answer Answers::nothing_here(const Ask& ask) const {
   return {.body = sentence_page(own != nullptr ? *own : languages_.all().front(), "nothing")};
 }
 
-Answer Answers::to(const Ask& ask) const {
+Answer Answers::to(const Ask& ask) {
   const std::string_view target = ask.target;
-  if (ask.method == "GET")
+  const bool get = ask.method == "GET" || ask.method == "HEAD";
+  if (get)
     for (const auto& [name, type, text] : kPageFiles)
       if (target == name) return {.status = 200, .type = type, .body = text};
-  if (const Probe* probe = ask.method == "GET" ? probe_of(target) : nullptr; probe != nullptr)
+  if (const Probe* probe = get ? probe_of(target) : nullptr; probe != nullptr)
     return {.status = probe->status,
             .type = std::string(probe->type),
             .body = std::string(probe->body)};
@@ -82,21 +96,19 @@ Answer Answers::to(const Ask& ask) const {
       return {.status = 500, .body = sentence_page(*words, "not_deleted")};
     return {.status = 200, .body = sentence_page(*words, "deleted")};
   }
-  if (ask.method != "GET" || !pass->whole) return nothing_here(ask);
+  if (!get || !pass->whole) return nothing_here(ask);
   if (slash == std::string_view::npos) {
-    passes_.note_fetched(*pass, now);
+    // Whoever asks for the head alone has not opened the page.
+    if (ask.method == "GET") passes_.note_fetched(*pass, now);
     return {.status = 200,
             .body = visitors_page(pass->token, *words, own, languages_,
                                   passes_.has_file(*pass, souvenir::kTurning))};
   }
   for (const File& file : kFiles) {
     if (what != file.name) continue;
-    auto bytes = passes_.file_of(*pass, file.name);
-    if (!bytes) break;
-    return {.status = 200,
-            .type = file.type,
-            .body = std::move(*bytes),
-            .file_name = file.saved ? file.name : ""};
+    auto opened = passes_.open_file(*pass, file.name);
+    if (!opened) break;
+    return part_of(std::move(*opened), file, ask);
   }
   return nothing_here(ask);
 }

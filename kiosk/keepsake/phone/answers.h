@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "kiosk/keepsake/phone/byte_range.h"
 #include "kiosk/keepsake/phone/phone_words.h"
-#include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/souvenir/open_passes.h"
 
 namespace onggi::phone {
 
@@ -14,6 +16,8 @@ namespace onggi::phone {
 struct Ask {
   std::string method, target;  ///< "GET", "/k/TOKEN"
   std::string languages{};     ///< Accept-Language
+  std::string range{};         ///< Range: of a file alone,
+  std::string if_range{};      ///< and only if the file still has this tag (If-Range).
 };
 
 /// The answer to it.
@@ -22,36 +26,40 @@ struct Answer {
   std::string type = "text/html; charset=utf-8";
   std::string body{};
   std::string file_name{};  ///< If not empty: the file is saved under this name.
+  std::optional<souvenir::KeepsakeFile> file{};  ///< Its bytes follow the body:
+  Span span{};                                   ///< these.
 };
 
 /// The visitor's page and its files:
 ///   GET  /k/TOKEN               the page: postcard, turning pot, downloads, delete; in the
 ///                               visit's language, or that of ?lang=CODE
 ///   GET  /k/TOKEN/postcard.jpg, turning.gif, pot.glb, pot.stl
+///                               whole, or one span of bytes
 ///   POST /k/TOKEN/delete        removes every copy at once
 ///   GET  /page.js, .css, .svg   the same for everybody
 ///   GET  /generate_204 ...      network checks of phones (probes.h)
-/// All other requests, also with a wrong, expired or deleted token, get the same answer. Uses no
-/// socket. One thread.
+/// HEAD is answered like GET; whoever sends the answer leaves out its content. All other requests,
+/// also with a wrong, expired or deleted token, get the same answer. Uses no socket. One thread.
 class Answers {
  public:
   /// `clock` gives s since 1970.
-  Answers(souvenir::Passes passes, std::function<std::int64_t()> clock,
+  Answers(souvenir::OpenPasses passes, std::function<std::int64_t()> clock,
           PhoneLanguages languages = {})
       : passes_(std::move(passes)), clock_(std::move(clock)), languages_(std::move(languages)) {}
 
-  Answer to(const Ask& ask) const;
-  /// Call it at least once a minute: records that the server runs, and removes expired passes.
-  void look_after() const {
+  Answer to(const Ask& ask);
+  /// Call it at least once a minute, and again while it returns true: records that the server runs,
+  /// and removes expired passes, a few in each call.
+  bool look_after() {
     passes_.serve();
-    passes_.forget(clock_());
+    return passes_.forget_some(clock_());
   }
   void end() const { passes_.end_serving(); }
 
  private:
   Answer nothing_here(const Ask& ask) const;
 
-  souvenir::Passes passes_;
+  souvenir::OpenPasses passes_;
   std::function<std::int64_t()> clock_;
   PhoneLanguages languages_;
 };

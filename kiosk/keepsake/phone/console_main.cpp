@@ -6,6 +6,7 @@
 
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/phone/server.h"
+#include "kiosk/keepsake/souvenir/pass.h"
 
 namespace {
 
@@ -52,14 +53,12 @@ onggi::Result<Arguments> read(int count, char** values) {
 }
 
 onggi::Result<int> give(const Arguments& a) {
-  const std::filesystem::path visit = a.pass;
   char* end = nullptr;
   const double hours = std::strtod(a.hours.c_str(), &end);
   if (end == a.hours.c_str() || *end != '\0' || !(hours > 0.0 && hours <= 24.0 * 365.0))
     return onggi::problem("--hours " + a.hours, "This is not a valid time.",
                           "Write hours, 1 to 8760.");
-  const auto pass = onggi::souvenir::Passes(visit.parent_path())
-                        .give(visit.filename().string(), std::time(nullptr), hours);
+  const auto pass = onggi::souvenir::Passes::give_at_the_desk(a.pass, std::time(nullptr), hours);
   if (!pass) return tl::unexpected(pass.error());
   std::cout << "/k/" << pass->token << '\n';
   return 0;
@@ -81,29 +80,23 @@ std::filesystem::path languages_for(const std::filesystem::path& keepsakes) {
 }
 
 onggi::Result<int> serve(const Arguments& a) {
-  const auto colon = a.listen.rfind(':');
-  const std::string port = colon == std::string::npos ? "" : a.listen.substr(colon + 1);
-  char* end = nullptr;
-  const long number = std::strtol(port.c_str(), &end, 10);
-  if (port.empty() || *end != '\0' || number < 0 || number > 65535)
-    return onggi::problem("--listen " + a.listen, "This is not an address with a port.",
-                          "Write one such as 127.0.0.1:8080.");
+  const auto at = onggi::phone::listening(a.listen);
+  if (!at) return tl::unexpected(at.error());
   if (!std::filesystem::is_directory(a.keepsakes))
     return onggi::problem("--keepsakes " + a.keepsakes, "This is not a folder.",
                           "Name the exhibit's keepsake folder.");
   std::vector<onggi::Problem> remarks;
-  const onggi::phone::Answers answers(
-      onggi::souvenir::Passes(a.keepsakes),
+  onggi::phone::Answers answers(
+      onggi::souvenir::OpenPasses(a.keepsakes),
       [] { return static_cast<std::int64_t>(std::time(nullptr)); },
       onggi::phone::PhoneLanguages::read(
           a.languages.empty() ? languages_for(a.keepsakes) : std::filesystem::path(a.languages),
           remarks));
   for (const onggi::Problem& remark : remarks) std::cerr << onggi::to_text(remark) << '\n';
-  const auto server = onggi::phone::Server::listen(a.listen.substr(0, colon),
-                                                   static_cast<std::uint16_t>(number), answers);
+  const auto server = onggi::phone::Server::listen(at->address, at->port, answers);
   if (!server) return tl::unexpected(server.error());
   std::cout << "listening at port " << (*server)->port() << std::endl;
-  (*server)->run([&answers] { answers.look_after(); });
+  (*server)->run([&answers] { return answers.look_after(); });
   answers.end();
   return 0;
 }

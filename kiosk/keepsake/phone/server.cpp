@@ -1,139 +1,144 @@
 #include "kiosk/keepsake/phone/server.h"
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
+#include <charconv>
 #include <chrono>
 #include <csignal>
-#include <optional>
+#include <unordered_map>
 #include <utility>
+
+#include "kiosk/keepsake/phone/connection_shares.h"
+#include "kiosk/keepsake/phone/descriptor_limit.h"
 
 namespace onggi::phone {
 
 namespace {
 
 namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = boost::beast::http;
 using boost::system::error_code;
 using Tcp = asio::ip::tcp;
 
-constexpr std::chrono::seconds kPatience{10};
-constexpr std::uint32_t kMostOfAHead = 8192;
-constexpr std::uint64_t kMostOfABody = 1024;
-constexpr int kMostAtOnce = 64;
+// Descriptors for all but connections and their files.
+constexpr std::size_t kOwnDescriptors = 16;
+// Before another try where the system has no connection to give.
+constexpr std::chrono::milliseconds kBreath{100};
 
-/// One request and its answer.
-class Call : public std::enable_shared_from_this<Call> {
- public:
-  Call(Tcp::socket socket, const Answers& answers, int& open)
-      : stream_(std::move(socket)), answers_(answers), open_(open) {
-    ++open_;
-    parser_.header_limit(kMostOfAHead);
-    parser_.body_limit(kMostOfABody);
-  }
-  ~Call() { --open_; }
-  Call(const Call&) = delete;
-  Call& operator=(const Call&) = delete;
+/// Connections at once, each with a file.
+std::size_t most_at_once(std::size_t wanted) {
+  const std::size_t limit = descriptor_limit(2 * wanted + kOwnDescriptors);
+  return std::clamp<std::size_t>((limit - std::min(limit, kOwnDescriptors)) / 2, 1, wanted);
+}
 
-  void begin() {
-    stream_.expires_after(kPatience);
-    http::async_read(stream_, buffer_, parser_,
-                     [self = shared_from_this()](error_code error, std::size_t) {
-                       if (!error) self->answer();
-                     });
-  }
-
- private:
-  void answer() {
-    const auto& request = parser_.get();
-    Ask ask;
-    ask.method = std::string(request.method_string());
-    ask.target = std::string(request.target());
-    ask.languages = std::string(request[http::field::accept_language]);
-    Answer given = answers_.to(ask);
-    response_.version(11);
-    response_.result(static_cast<unsigned>(given.status));
-    if (!given.type.empty()) response_.set(http::field::content_type, given.type);
-    response_.set(http::field::cache_control, "no-store");
-    response_.set("X-Robots-Tag", "noindex, nofollow");
-    response_.set("X-Content-Type-Options", "nosniff");
-    response_.set("Referrer-Policy", "no-referrer");
-    response_.set("Content-Security-Policy",
-                  "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
-                  "connect-src 'self'; form-action 'self'; frame-ancestors 'none'; base-uri "
-                  "'none'");
-    if (!given.file_name.empty())
-      response_.set(http::field::content_disposition,
-                    "attachment; filename=\"" + given.file_name + "\"");
-    response_.keep_alive(false);
-    response_.body() = std::move(given.body);
-    response_.prepare_payload();
-    // RFC 9110, 8.6: an answer without content has no length, and phones check that.
-    if (given.status == 204) response_.erase(http::field::content_length);
-    stream_.expires_after(kPatience);
-    http::async_write(stream_, response_,
-                      [self = shared_from_this()](error_code error, std::size_t) {
-                        if (!error)
-                          self->stream_.socket().shutdown(Tcp::socket::shutdown_send, error);
-                      });
-  }
-
-  beast::tcp_stream stream_;
-  beast::flat_buffer buffer_{2 * kMostOfAHead};
-  http::request_parser<http::string_body> parser_;
-  http::response<http::string_body> response_;
-  const Answers& answers_;
-  int& open_;
-};
+std::string name_of(const Tcp::socket& socket) {
+  error_code error;
+  const asio::ip::address address = socket.remote_endpoint(error).address();
+  if (address.is_v6() && address.to_v6().is_v4_mapped())
+    return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
+  return address.to_string();
+}
 
 }  // namespace
 
+Result<Listening> listening(const std::string& text) {
+  Listening found;
+  const auto colon = text.rfind(':');
+  const std::string port = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), found.port);
+  if (port.empty() || error != std::errc() || end != port.data() + port.size())
+    return problem("--listen " + text, "This is not an address with a port.",
+                   "Write one such as 127.0.0.1:8080 or [::1]:8080.");
+  found.address = text.substr(0, colon);
+  if (found.address.starts_with('[') && found.address.ends_with(']'))
+    found.address = found.address.substr(1, found.address.size() - 2);
+  return found;
+}
+
 struct Server::Inside {
-  explicit Inside(const Answers& of) : answers(of) {}
+  Inside(Answers& of, const Limits& limits)
+      : answers(of), patience(limits.patience), shares(most_at_once(limits.connections)) {}
+  Answers& answers;
+  Patience patience;
+  ConnectionShares shares;
+  std::unordered_map<ConnectionShares::Number, std::weak_ptr<Call>> calls;
+  // After what its calls use: they go with it.
   asio::io_context context{1};
   Tcp::acceptor acceptor{context};
-  asio::steady_timer timer{context};
-  const Answers& answers;
-  int open = 0;
+  asio::steady_timer timer{context}, breath{context};
 
   void accept() {
     acceptor.async_accept([this](error_code error, Tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
-      // Close a connection beyond the limit; the phone can ask again.
-      if (!error && open < kMostAtOnce)
-        std::make_shared<Call>(std::move(socket), answers, open)->begin();
-      accept();
+      if (!error) {
+        take(std::move(socket));
+        return accept();
+      }
+      // Somebody who has gone already, or no descriptor left: to ask at once would be to ask
+      // without an end.
+      breath.expires_after(kBreath);
+      breath.async_wait([this](error_code stopped) {
+        if (!stopped) accept();
+      });
     });
   }
-  void every_minute(const std::function<void()>& work) {
-    work();
+  void take(Tcp::socket socket) {
+    const ConnectionShares::Entry entry = shares.enter(name_of(socket));
+    if (const auto out = calls.find(entry.out); out != calls.end())
+      if (const auto call = out->second.lock()) call->end();
+    // A refused phone can ask again.
+    if (entry.in == 0) return;
+    const auto number = entry.in;
+    const auto call = std::make_shared<Call>(
+        std::move(socket), answers, patience, [this, number] { shares.asked(number); },
+        [this, number] {
+          shares.leave(number);
+          calls.erase(number);
+        });
+    calls.emplace(number, call);
+    call->begin();
+  }
+  void every_minute(const std::function<bool()>& work) {
+    turns(work);
     timer.expires_after(std::chrono::minutes(1));
     timer.async_wait([this, &work](error_code error) {
       if (!error) every_minute(work);
     });
   }
+  void turns(const std::function<bool()>& work) {
+    if (at_work) return;
+    at_work = true;
+    turn(work);
+  }
+  void turn(const std::function<bool()>& work) {
+    at_work = work();
+    if (at_work) asio::post(context, [this, &work] { turn(work); });
+  }
+  bool at_work = false;
 };
 
 Server::Server(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
 Server::~Server() = default;
 
 Result<std::unique_ptr<Server>> Server::listen(const std::string& address, std::uint16_t port,
-                                               const Answers& answers) {
-  const std::string where = address + ':' + std::to_string(port);
+                                               Answers& answers, const Limits& limits) {
+  const bool v6 = address.find(':') != std::string::npos;
+  const std::string where = (v6 ? '[' + address + ']' : address) + ':' + std::to_string(port);
   error_code error;
   const auto ip = asio::ip::make_address(address, error);
   if (error)
-    return problem(where, "This is not an IP address.", "Write one such as 127.0.0.1:8080.");
-  auto inside = std::make_unique<Inside>(answers);
+    return problem(where, "This is not an IP address.",
+                   "Write one such as 127.0.0.1:8080 or [::1]:8080.");
+  auto inside = std::make_unique<Inside>(answers, limits);
   const Tcp::endpoint end(ip, port);
   inside->acceptor.open(end.protocol(), error);
   if (!error) inside->acceptor.set_option(Tcp::acceptor::reuse_address(true), error);
   if (!error) inside->acceptor.bind(end, error);
-  if (!error) inside->acceptor.listen(kMostAtOnce, error);
+  if (!error) inside->acceptor.listen(Tcp::acceptor::max_listen_connections, error);
   if (error)
     return problem(where, "The server for phones cannot start: " + error.message() + ".",
                    "Name an address of this machine and a free port.", 1);
@@ -142,13 +147,15 @@ Result<std::unique_ptr<Server>> Server::listen(const std::string& address, std::
 
 std::uint16_t Server::port() const { return inside_->acceptor.local_endpoint().port(); }
 
-void Server::run(const std::function<void()>& minutely) {
+void Server::run(const std::function<bool()>& look_after) {
   asio::signal_set signals(inside_->context, SIGINT, SIGTERM);
   signals.async_wait([this](error_code error, int) {
     if (!error) stop();
   });
+  // sendfile() to a phone that has gone raises it.
+  std::signal(SIGPIPE, SIG_IGN);
   inside_->accept();
-  inside_->every_minute(minutely);
+  inside_->every_minute(look_after);
   inside_->context.run();
 }
 

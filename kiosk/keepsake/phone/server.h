@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -7,22 +8,42 @@
 
 #include "engine/base/result.h"
 #include "kiosk/keepsake/phone/answers.h"
+#include "kiosk/keepsake/phone/call.h"
 
 namespace onggi::phone {
 
-/// Answers phones over HTTP/1.1 on one thread: small requests, no keep-alive, at most ten seconds
-/// each and 64 at once. Writes no log of requests.
+/// An address with a port, as somebody writes it: "127.0.0.1:8080", "[::1]:8080" or "::1:8080".
+struct Listening {
+  std::string address;  ///< Without brackets.
+  std::uint16_t port = 0;
+};
+/// Problem, exit 2, if `text` is none. Whether the machine has the address is not asked.
+Result<Listening> listening(const std::string& text);
+
+/// Answers phones over HTTP/1.1 on one thread: small requests, no keep-alive. Writes no log of
+/// requests.
 class Server {
  public:
+  struct Limits {
+    /// Connections at once; fewer where the system allows fewer open files, for each may have a
+    /// file. ConnectionShares says who goes when more come.
+    std::size_t connections = 4096;
+    Patience patience{};
+  };
   /// Listens at `address` (an IP of this machine) and `port` (0: any free one). Problem, exit 1, if
   /// it cannot.
   static Result<std::unique_ptr<Server>> listen(const std::string& address, std::uint16_t port,
-                                                const Answers& answers);
+                                                Answers& answers, const Limits& limits);
+  static Result<std::unique_ptr<Server>> listen(const std::string& address, std::uint16_t port,
+                                                Answers& answers) {
+    return listen(address, port, answers, Limits());
+  }
   ~Server();
 
   std::uint16_t port() const;
-  /// Answers until stop(). Calls `minutely` at the start and once a minute.
-  void run(const std::function<void()>& minutely);
+  /// Answers until stop(). Calls `look_after` at the start and once a minute; while it returns
+  /// true, again, as soon as those who were waiting have had their turn.
+  void run(const std::function<bool()>& look_after);
   /// Any thread, or a signal handler.
   void stop();
 

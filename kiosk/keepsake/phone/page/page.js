@@ -175,8 +175,30 @@ function hold(canvas) {
   return look;
 }
 
+// The bytes of `address`. Where the way to the kiosk breaks, it goes on from where it stopped; after five breaks
+// without a byte between them it gives up.
+async function taken(address) {
+  let parts = [], has = 0, tag = "", tries = 5;
+  for (;;) {
+    try {
+      const answer = await fetch(address, has ? { headers: { Range: `bytes=${has}-`, "If-Range": tag } } : {});
+      if (!answer.ok) throw new RangeError("not there");
+      if (answer.status === 200) [parts, has] = [[], 0];
+      tag = answer.headers.get("ETag");
+      const reader = answer.body.getReader();
+      for (let part; !(part = await reader.read()).done; tries = 5) {
+        parts.push(part.value);
+        has += part.value.length;
+      }
+      return new Blob(parts).arrayBuffer();
+    } catch (broken) {
+      if (broken instanceof RangeError || --tries === 0) throw broken;
+      await new Promise((later) => setTimeout(later, 1000));
+    }
+  }
+}
+
 const canvas = document.getElementById("pot");
-fetch(canvas.dataset.glb)
-  .then((answer) => answer.arrayBuffer())
+taken(canvas.dataset.glb)
   .then((bytes) => show(canvas, readPot(bytes)))
   .catch(() => { canvas.parentElement.hidden = true; });

@@ -7,7 +7,7 @@
 #include <ctime>
 #include <thread>
 
-#include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/souvenir/open_passes.h"
 #include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::exhibit {
@@ -56,7 +56,7 @@ TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
 
 TEST(Keepsakes, APassIsGivenWhilePhonesAreAnsweredAndOnlyThen) {
   const ScratchFolder scratch;
-  const souvenir::Passes passes(scratch.path());
+  souvenir::OpenPasses passes(scratch.path());
   Keepsakes keepsakes(scratch.path(), {100, 0}, 24.0);
   const auto kept = [&] {
     souvenir::Keepsake keepsake;

@@ -1,7 +1,4 @@
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -13,7 +10,9 @@
 #include <vector>
 
 #include "kiosk/keepsake/phone/server.h"
+#include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
+#include "tests/kiosk/keepsake/phone/phone_client.h"
 
 // Whoever guesses at tokens. In each run of the tests 20,000 times; ten million by
 //   ONGGI_GUESSES=10000000 build/release/bin/onggi_test_kiosk_keepsake_phone
@@ -78,6 +77,7 @@ class Guess : public ::testing::Test {
   }
   files::test::ScratchFolder scratch_;
   souvenir::Passes passes_{scratch_.path()};
+  souvenir::OpenPasses open_{scratch_.path()};
   std::vector<std::string> tokens_;
   std::mt19937_64 random_{305};
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
@@ -85,41 +85,27 @@ class Guess : public ::testing::Test {
 };
 
 TEST_F(Guess, NoneOfManyHitsAndEachCostsTheSameWork) {
-  const souvenir::Passes::Work wanted{20 * souvenir::Passes::kTokenLetters, 1};
+  const std::size_t letters = 20 * souvenir::kTokenLetters;
   int unlike = 0;
   for (int n = 1; n <= guesses_; ++n) {
-    souvenir::Passes::Work work;
-    hits_ += passes_.find(next(), kNow + 60, &work) ? 1 : 0;
-    unlike += work == wanted ? 0 : 1;
+    souvenir::OpenPasses::Work work;
+    hits_ += open_.find(next(), kNow + 60, &work) ? 1 : 0;
+    unlike += work.letters == letters && work.files == 1 ? 0 : 1;
     progress(n, "at the function");
   }
   EXPECT_EQ(hits_, 0);
   EXPECT_EQ(unlike, 0);
   for (const std::string& token : tokens_)
-    EXPECT_TRUE(passes_.find(token, kNow + 60)) << "a true one";
+    EXPECT_TRUE(open_.find(token, kNow + 60)) << "a true one";
 }
 
 TEST_F(Guess, NoneOfManyOverASocketHearsAnythingButTheOneAnswer) {
-  const Answers answers(passes_, [] { return kNow + 60; });
+  Answers answers(open_, [] { return kNow + 60; });
   auto server = Server::listen("127.0.0.1", 0, answers);
   ASSERT_TRUE(server);
-  std::thread runs([&] { (*server)->run([] {}); });
+  std::thread runs([&] { (*server)->run([] { return false; }); });
   const auto hear = [&](const std::string& target) {
-    std::string heard;
-    const int phone = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons((*server)->port());
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    const std::string words = "GET " + target + " HTTP/1.1\r\nHost: kiosk\r\n\r\n";
-    if (connect(phone, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0 &&
-        send(phone, words.data(), words.size(), MSG_NOSIGNAL) > 0) {
-      char some[4096];
-      for (ssize_t n = 0; (n = recv(phone, some, sizeof some, 0)) > 0;)
-        heard.append(some, static_cast<std::size_t>(n));
-    }
-    close(phone);
-    return heard;
+    return test::hear((*server)->port(), test::request(target));
   };
   const std::string nothing = hear("/");
   EXPECT_EQ(nothing.substr(0, 12), "HTTP/1.1 404");

@@ -1,97 +1,27 @@
 #include "kiosk/keepsake/phone/server.h"
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <thread>
 #include <vector>
 
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/keepsake/phone/page_files.h"
 #include "kiosk/keepsake/souvenir/fetch_note.h"
-#include "tests/kiosk/ground/files/disk.h"
+#include "tests/kiosk/keepsake/phone/phone_fixture.h"
 
 namespace onggi::phone {
 namespace {
 
 namespace fs = std::filesystem;
-using files::test::ScratchFolder;
+using test::kHour;
+using test::kNow;
+using test::kVisit;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr std::int64_t kNow = 1'780'000'000, kHour = 3600;
-constexpr const char* kVisit = "2026-05-04_141503_moon_jar";
-
-/// A folder of keepsakes with two visits in it, and phones that ask over real sockets.
-class PhoneTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    for (const char* visit : {kVisit, "2026-05-04_150000_meiping"}) {
-      fs::create_directories(keepsakes_ / visit);
-      for (const char* file : {"postcard.png", "postcard.jpg", "pot.glb", "pot.stl", "visit.onggi"})
-        std::ofstream(keepsakes_ / visit / file) << file << " of " << visit;
-    }
-    auto server = Server::listen("127.0.0.1", 0, answers_);
-    ASSERT_TRUE(server) << to_text(server.error());
-    server_ = std::move(*server);
-    runs_ = std::thread([this] { server_->run([] {}); });
-  }
-  void TearDown() override {
-    if (!server_) return;
-    server_->stop();
-    runs_.join();
-  }
-  std::string token(double hours = 24, const std::string& language = {}) {
-    const auto pass = passes_.give(kVisit, now_, hours, language);
-    EXPECT_TRUE(pass) << to_text(pass.error());
-    return pass->token;
-  }
-  /// Says `words` to the server and hears it to the end.
-  std::string hear(const std::string& words) const {
-    const int phone = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(server_->port());
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    std::string heard;
-    if (connect(phone, reinterpret_cast<sockaddr*>(&to), sizeof to) == 0 &&
-        send(phone, words.data(), words.size(), MSG_NOSIGNAL) ==
-            static_cast<ssize_t>(words.size())) {
-      char some[4096];
-      for (ssize_t n = 0; (n = recv(phone, some, sizeof some, 0)) > 0;)
-        heard.append(some, static_cast<std::size_t>(n));
-    }
-    close(phone);
-    return heard;
-  }
-  std::string get(const std::string& target, const std::string& method = "GET",
-                  const std::string& languages = {}) const {
-    return hear(method + " " + target + " HTTP/1.1\r\nHost: kiosk\r\n" +
-                (languages.empty() ? "" : "Accept-Language: " + languages + "\r\n") + "\r\n");
-  }
-  static std::string body(const std::string& answer) {
-    const auto end = answer.find("\r\n\r\n");
-    return end == std::string::npos ? "" : answer.substr(end + 4);
-  }
-
-  ScratchFolder folder_;
-  fs::path keepsakes_ = folder_.path() / "kept";
-  std::atomic<std::int64_t> now_{kNow};
-  souvenir::Passes passes_{keepsakes_};
-  std::vector<Problem> remarks_;
-  Answers answers_{passes_, [this] { return now_.load(); },
-                   PhoneLanguages::read("content/languages", remarks_)};
-  std::unique_ptr<Server> server_;
-  std::thread runs_;
-};
+class PhoneTest : public test::PhoneTest {};
 
 TEST_F(PhoneTest, AVisitorFindsPostcardPotAndPrintOnThePageAndNoOtherVisitor) {
   const std::string at = "/k/" + token(), page = get(at);
@@ -102,14 +32,14 @@ TEST_F(PhoneTest, AVisitorFindsPostcardPotAndPrintOnThePageAndNoOtherVisitor) {
        {"Cache-Control: no-store", "noindex", "default-src 'none'", "no-referrer"})
     EXPECT_THAT(page, HasSubstr(told));
   EXPECT_THAT(page, Not(HasSubstr("2026-05-04"))) << "nothing says when it was made";
-  EXPECT_EQ(body(get(at + "/postcard.jpg")), std::string("postcard.jpg of ") + kVisit);
-  EXPECT_EQ(body(get(at + "/pot.glb")), std::string("pot.glb of ") + kVisit);
+  EXPECT_EQ(test::body_of(get(at + "/postcard.jpg")), std::string("postcard.jpg of ") + kVisit);
+  EXPECT_EQ(test::body_of(get(at + "/pot.glb")), std::string("pot.glb of ") + kVisit);
   const std::string stl = get(at + "/pot.stl");
-  EXPECT_EQ(body(stl), std::string("pot.stl of ") + kVisit);
+  EXPECT_EQ(test::body_of(stl), std::string("pot.stl of ") + kVisit);
   EXPECT_THAT(stl, HasSubstr("attachment; filename=\"pot.stl\""));
-  EXPECT_EQ(body(get("/page.js")), k_page_js);
-  EXPECT_EQ(body(get("/page.css")), k_page_css);
-  EXPECT_EQ(body(get("/page.svg")), k_page_svg);
+  EXPECT_EQ(test::body_of(get("/page.js")), k_page_js);
+  EXPECT_EQ(test::body_of(get("/page.css")), k_page_css);
+  EXPECT_EQ(test::body_of(get("/page.svg")), k_page_svg);
 }
 
 TEST_F(PhoneTest, ThePictureThatTurnsIsOfferedFromWhenItIsThere) {
@@ -120,7 +50,7 @@ TEST_F(PhoneTest, ThePictureThatTurnsIsOfferedFromWhenItIsThere) {
   EXPECT_THAT(get(at), HasSubstr("download href=\"" + at + "/turning.gif\""));
   const std::string gif = get(at + "/turning.gif");
   EXPECT_THAT(gif, HasSubstr("Content-Type: image/gif"));
-  EXPECT_EQ(body(gif), "it turns");
+  EXPECT_EQ(test::body_of(gif), "it turns");
   EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
   EXPECT_FALSE(fs::exists(keepsakes_ / kVisit));
 }
@@ -135,7 +65,7 @@ TEST_F(PhoneTest, WhoeverHasNoPassIsToldTheSameWhateverIsAsked) {
   near.back() = near.back() == 'a' ? 'b' : 'a';
   const std::string nothing = get("/");
   EXPECT_THAT(nothing, StartsWith("HTTP/1.1 404"));
-  EXPECT_THAT(body(nothing), HasSubstr("nothing here"));
+  EXPECT_THAT(test::body_of(nothing), HasSubstr("nothing here"));
   for (const std::string& target :
        {"/k/" + near, "/k/" + expired, "/k/" + expired + "/pot.glb", "/k/" + other->token,
         std::string("/k/"), std::string("/k"), "/k/" + good.substr(1), "/k/" + good + "x",
@@ -186,20 +116,27 @@ TEST_F(PhoneTest, APageIsThereForItsHoursAndAClockThatJumpsMakesItNoOlder) {
 }
 
 TEST_F(PhoneTest, APhoneThatSaysNothingOrNonsenseKeepsNobodyWaiting) {
-  std::vector<int> silent;
-  for (int n = 0; n < 20; ++n) {
-    silent.push_back(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(server_->port());
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(connect(silent.back(), reinterpret_cast<sockaddr*>(&to), sizeof to), 0);
-  }
+  std::vector<test::PhoneConnection> silent;
+  for (int n = 0; n < 20; ++n) silent.emplace_back(server_->port());
   EXPECT_EQ(hear("\r\n\r\nNONSENSE\r\n\r\n"), "");
   EXPECT_EQ(hear("GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n"), "");
   EXPECT_EQ(hear("POST / HTTP/1.1\r\nContent-Length: 9999999\r\n\r\n"), "");
   EXPECT_THAT(get("/k/" + token()), StartsWith("HTTP/1.1 200"));
-  for (const int phone : silent) close(phone);
+}
+
+TEST(Listening, AnAddressHasItsPortBehindItAndOneOfTheSixthKindMayStandInBrackets) {
+  const std::pair<const char*, const char*> wanted[] = {
+      {"127.0.0.1:8080", "127.0.0.1"},         {"[::1]:8080", "::1"}, {"::1:8080", "::1"},
+      {"[fe80::1%eth0]:8080", "fe80::1%eth0"}, {":8080", ""},         {"[::]:8080", "::"}};
+  for (const auto& [text, address] : wanted) {
+    const auto found = listening(text);
+    ASSERT_TRUE(found) << text;
+    EXPECT_EQ(found->address, address);
+    EXPECT_EQ(found->port, 8080);
+  }
+  for (const char* text : {"", "8080", "127.0.0.1", "127.0.0.1:", "127.0.0.1:80a", "[::1]",
+                           "127.0.0.1:65536", "127.0.0.1:-1", "127.0.0.1: 80"})
+    EXPECT_FALSE(listening(text)) << text;
 }
 
 TEST_F(PhoneTest, AHundredPassesAreAllDifferentAndUseEveryLetterAlike) {
@@ -227,10 +164,10 @@ TEST_F(PhoneTest, AHundredPassesAreAllDifferentAndUseEveryLetterAlike) {
 TEST_F(PhoneTest, ThePageSpeaksAsTheVisitDidAndThePhonesOwnLanguageStandsOnTop) {
   EXPECT_TRUE(remarks_.empty()) << to_text(remarks_.front());
   const std::string at = "/k/" + token(24, "ar");
-  const std::string page = body(get(at, "GET", "de-DE,de;q=0.9"));
+  const std::string page = test::body_of(get(at, "GET", "de-DE,de;q=0.9"));
   EXPECT_THAT(page, HasSubstr("<html lang=\"ar\" dir=\"rtl\">"));
   EXPECT_THAT(page, HasSubstr("<p class=\"own\"><a lang=\"de\""));
-  EXPECT_THAT(body(get(at, "GET", "ar")), Not(HasSubstr("class=\"own\"")));
+  EXPECT_THAT(test::body_of(get(at, "GET", "ar")), Not(HasSubstr("class=\"own\"")));
   for (const char* code : {"de", "en", "es", "fr", "ja", "ko", "zh"}) {
     const std::string chosen = at + "?lang=" + code;
     EXPECT_THAT(page, HasSubstr("href=\"" + chosen + "\""));
@@ -294,13 +231,13 @@ TEST_F(PhoneTest, APhoneThatAsksWhetherItsNetworkIsGoodIsToldSoToTheByte) {
   for (const auto& [target, bytes] : wanted) {
     const std::string answer = get(target);
     EXPECT_THAT(answer, StartsWith("HTTP/1.1 200")) << target;
-    EXPECT_EQ(body(answer), bytes) << target;
+    EXPECT_EQ(test::body_of(answer), bytes) << target;
     EXPECT_THAT(answer, HasSubstr("Content-Length: " + std::to_string(bytes.size()) + "\r\n"));
   }
   for (const char* target : {"/generate_204", "/gen_204"}) {
     const std::string answer = get(target);
     EXPECT_THAT(answer, StartsWith("HTTP/1.1 204")) << target;
-    EXPECT_EQ(body(answer), "") << target;
+    EXPECT_EQ(test::body_of(answer), "") << target;
     EXPECT_THAT(answer, Not(HasSubstr("Content-Length"))) << "RFC 9110, 8.6";
   }
   EXPECT_EQ(get("/generate_204", "POST"), get("/"));

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "kiosk/keepsake/souvenir/open_passes.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"
 
@@ -31,14 +35,22 @@ class PassTest : public ::testing::Test {
     return static_cast<std::size_t>(std::distance(begin(all), end(all)));
   }
   files::test::ScratchFolder scratch_;
+  /// As if the last change of the folder was long ago.
+  void settle() const {
+    fs::last_write_time(scratch_.path() / "phone",
+                        fs::file_time_type::clock::now() - std::chrono::hours(1));
+  }
   Passes passes_{scratch_.path()};
+  OpenPasses open_{scratch_.path()};
 };
 
 TEST_F(PassTest, EveryTokenCostsTheSameWorkRightOrWrongAndHoweverNearlyRight) {
   for (int n = 0; n < 6; ++n) give();
   const Pass good = give(), expired = give(1);
   const std::int64_t now = kNow + 2 * kHour;
-  const Passes::Work wanted{8 * Passes::kTokenLetters, 1};
+  settle();
+  open_.find("", now);
+  const OpenPasses::Work wanted{8 * kTokenLetters, 1, 0};
   std::set<std::string> asked{"",
                               "a",
                               good.token,
@@ -54,15 +66,15 @@ TEST_F(PassTest, EveryTokenCostsTheSameWorkRightOrWrongAndHoweverNearlyRight) {
     asked.insert(good.token.substr(0, n));
   }
   for (const std::string& token : asked) {
-    Passes::Work work;
-    EXPECT_EQ(passes_.find(token, now, &work).has_value(), token == good.token) << token;
+    OpenPasses::Work work;
+    EXPECT_EQ(open_.find(token, now, &work).has_value(), token == good.token) << token;
     EXPECT_EQ(work, wanted) << token;
   }
 }
 
 TEST_F(PassTest, IsReadAsItWasGivenAndOneOfAnOlderOnggiTooWithoutWhatItDidNotKnow) {
   const Pass given = give();
-  const auto found = passes_.find(given.token, kNow);
+  const auto found = open_.find(given.token, kNow);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->visit, kVisit);
   EXPECT_EQ(found->language, "ko");
@@ -72,11 +84,11 @@ TEST_F(PassTest, IsReadAsItWasGivenAndOneOfAnOlderOnggiTooWithoutWhatItDidNotKno
   std::ofstream(scratch_.path() / "phone" / old) << kVisit << '\n'
                                                  << kNow << '\n'
                                                  << kNow + kHour << '\n';
-  const auto older = passes_.find(old, kNow);
+  const auto older = open_.find(old, kNow);
   ASSERT_TRUE(older);
   EXPECT_EQ(older->language, "");
   EXPECT_EQ(older->counted, "");
-  passes_.note_fetched(*older, kNow);
+  open_.note_fetched(*older, kNow);
   EXPECT_FALSE(fs::exists(passes_.fetched())) << "there is no name to count it under";
 }
 
@@ -84,25 +96,133 @@ TEST_F(PassTest, IsGivenForATokenThatThePostcardHasAlreadyAndForNoOther) {
   const auto token = Passes::new_token();
   ASSERT_TRUE(token);
   ASSERT_TRUE(passes_.give(kVisit, kNow, 24, "en", *token));
-  EXPECT_TRUE(passes_.find(*token, kNow));
+  EXPECT_TRUE(open_.find(*token, kNow));
   for (const std::string& other : {std::string("../x"), token->substr(1), *token + "a"})
     EXPECT_FALSE(passes_.give(kVisit, kNow, 24, "en", other)) << other;
   passes_.take_back({*token, kVisit});
-  EXPECT_FALSE(passes_.find(*token, kNow));
+  EXPECT_FALSE(open_.find(*token, kNow));
 }
 
 TEST_F(PassTest, OneOfAKeepsakeThatIsStillBeingWrittenIsNotForgottenAndNotYetWhole) {
   const Pass pass = give();
   const fs::path partial = scratch_.path() / (std::string(kVisit) + kPartial);
   fs::rename(scratch_.path() / kVisit, partial);
-  passes_.forget(kNow + 60);
-  ASSERT_TRUE(passes_.find(pass.token, kNow));
-  EXPECT_FALSE(passes_.find(pass.token, kNow)->whole);
+  open_.forget_some(kNow + 60);
+  ASSERT_TRUE(open_.find(pass.token, kNow));
+  EXPECT_FALSE(open_.find(pass.token, kNow)->whole);
   fs::rename(partial, scratch_.path() / kVisit);
-  EXPECT_TRUE(passes_.find(pass.token, kNow)->whole);
+  EXPECT_TRUE(open_.find(pass.token, kNow)->whole);
   fs::remove(scratch_.path() / kVisit);
-  passes_.forget(kNow + 60);
+  open_.forget_some(kNow + 60);
   EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(PassTest, TheFolderIsListedWhenItHasChangedAndNotForEachPhone) {
+  give();
+  settle();
+  OpenPasses::Work work;
+  const auto lists = [&](const std::string& token) {
+    open_.find(token, kNow, &work);
+    return work.lists;
+  };
+  EXPECT_EQ(lists("a"), 1u);
+  for (int n = 0; n < 5; ++n) EXPECT_EQ(lists("a"), 0u);
+  // Another process gives a pass and takes it back; each is seen at once, without a time between.
+  for (int n = 0; n < 20; ++n) {
+    const Pass pass = give();
+    EXPECT_TRUE(open_.find(pass.token, kNow));
+    Passes(scratch_.path()).take_back(pass);
+    EXPECT_FALSE(open_.find(pass.token, kNow));
+  }
+  EXPECT_EQ(lists("a"), 1u) << "a change just now may leave no other time";
+  settle();
+  EXPECT_EQ(lists("a"), 1u);
+  EXPECT_EQ(lists("a"), 0u);
+  open_.serve();
+  settle();
+  lists("a");
+  open_.serve();
+  EXPECT_EQ(lists("a"), 0u) << "to say again that phones are answered changes no name";
+}
+
+TEST_F(PassTest, TidyingReadsEachPassOnceAndAFewInATurnHoweverManyThereAre) {
+  constexpr std::size_t kMany = 500;
+  std::vector<Pass> passes{give(), give(1)};
+  fs::create_directories(scratch_.path() / "2026-05-04_150000_meiping");
+  while (passes.size() < kMany) {
+    Pass pass = passes[passes.size() % 2];
+    pass.token = *Passes::new_token();
+    std::ofstream(scratch_.path() / "phone" / pass.token) << text_of(pass);
+    passes.push_back(pass);
+  }
+  std::size_t turns = 0, read = 0, lists = 0;
+  for (bool more = true; more; ++turns) {
+    OpenPasses::Work work;
+    more = open_.forget_some(kNow + 2 * kHour, &work);
+    EXPECT_LE(work.files, OpenPasses::kAtATurn);
+    EXPECT_EQ(work.letters, 0u);
+    read += work.files;
+    lists += work.lists;
+  }
+  EXPECT_EQ(read, kMany);
+  EXPECT_EQ(lists, 1u);
+  EXPECT_EQ(turns, (kMany + OpenPasses::kAtATurn - 1) / OpenPasses::kAtATurn);
+  EXPECT_EQ(files(), kMany / 2) << "every second one was expired";
+  for (std::size_t n = 0; n < kMany; ++n)
+    EXPECT_EQ(open_.find(passes[n].token, kNow + 2 * kHour).has_value(), n % 2 == 0);
+}
+
+TEST_F(PassTest, DeletingReadsNoPassThatIsKnownToBeAnotherVisits) {
+  const std::string other = "2026-05-04_150000_meiping";
+  fs::create_directories(scratch_.path() / other);
+  for (int n = 0; n < 40; ++n) give();
+  const auto mine = passes_.give(other, kNow, 24);
+  ASSERT_TRUE(mine);
+  while (open_.forget_some(kNow)) {
+  }
+  const auto late = passes_.give(other, kNow, 24);
+  ASSERT_TRUE(late);
+  OpenPasses::Work work;
+  ASSERT_TRUE(open_.remove_all_of(*mine, &work));
+  EXPECT_EQ(work.files, 2u) << "its own, and one that tidying has not met";
+  EXPECT_EQ(files(), 40u);
+  EXPECT_FALSE(open_.find(mine->token, kNow));
+  EXPECT_FALSE(open_.find(late->token, kNow));
+}
+
+TEST_F(PassTest, WhatTheDiskCannotSayJustNowIsNotForgotten) {
+  const Pass pass = give();
+  const fs::path file = scratch_.path() / "phone" / pass.token;
+  fs::rename(file, scratch_.path() / "aside");
+  fs::create_symlink("nowhere", file);
+  open_.forget_some(kNow);
+  EXPECT_TRUE(fs::is_symlink(file)) << "it could not be read";
+  EXPECT_FALSE(open_.find(pass.token, kNow));
+  fs::remove(file);
+  std::ofstream(file) << "no pass";
+  open_.forget_some(kNow);
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST_F(PassTest, TheDeskMayWriteAVisitWithASlashAndNamesNoneThatIsNotThereOrALink) {
+  const std::string visit = (scratch_.path() / kVisit).string();
+  for (const std::string& name : {visit, visit + "/", visit + "//", visit + "/."}) {
+    const auto pass = Passes::give_at_the_desk(name, kNow, 24);
+    ASSERT_TRUE(pass) << to_text(pass.error());
+    EXPECT_TRUE(open_.find(pass->token, kNow)) << name;
+  }
+  const std::string linked = (scratch_.path() / "2026-05-04_150000_linked").string();
+  fs::create_directory_symlink(scratch_.path() / kVisit, linked);
+  const std::size_t before = files();
+  for (const std::string& name :
+       {(scratch_.path() / "2026-05-04_150000_not_there").string(), linked, linked + "/",
+        scratch_.path().string(), std::string(), std::string("/")}) {
+    const auto pass = Passes::give_at_the_desk(name, kNow, 24);
+    ASSERT_FALSE(pass) << name;
+    EXPECT_EQ(pass.error().exit_code, 2);
+    EXPECT_EQ(pass.error().where, name);
+  }
+  EXPECT_EQ(files(), before);
 }
 
 }  // namespace

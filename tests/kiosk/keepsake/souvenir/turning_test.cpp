@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "kiosk/keepsake/souvenir/open_passes.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"
@@ -70,7 +71,7 @@ TEST(TurningPicture, WhoDeletesAKeepsakeDeletesWhatAPowerCutLeftOfItsTurningPict
   std::ofstream(left / "turning.gif") << "half";
   const auto pass = passes.give(kVisit, 1000, 24);
   ASSERT_TRUE(pass);
-  EXPECT_TRUE(passes.remove_all_of(*pass));
+  EXPECT_TRUE(OpenPasses(scratch.path()).remove_all_of(*pass));
   EXPECT_FALSE(fs::exists(scratch.path() / kVisit));
   EXPECT_FALSE(fs::exists(left));
 }

@@ -1,0 +1,165 @@
+#include "kiosk/keepsake/phone/call.h"
+
+#include <sys/socket.h>
+
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/write.hpp>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace onggi::phone {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace http = boost::beast::http;
+using boost::system::error_code;
+using Tcp = asio::ip::tcp;
+
+constexpr std::uint32_t kMostOfAHead = 8192;
+constexpr std::uint64_t kMostOfABody = 1024;
+
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+/// The head of `given`, as it is sent.
+std::string head_of(const Answer& given) {
+  http::response<http::empty_body> head;
+  head.version(11);
+  head.result(static_cast<unsigned>(given.status));
+  if (!given.type.empty()) head.set(http::field::content_type, given.type);
+  head.set(http::field::cache_control, "no-store");
+  head.set("X-Robots-Tag", "noindex, nofollow");
+  head.set("X-Content-Type-Options", "nosniff");
+  head.set("Referrer-Policy", "no-referrer");
+  head.set("Content-Security-Policy",
+           "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
+           "connect-src 'self'; form-action 'self'; frame-ancestors 'none'; base-uri "
+           "'none'");
+  if (!given.file_name.empty())
+    head.set(http::field::content_disposition, "attachment; filename=" + quoted(given.file_name));
+  if (given.file) {
+    const std::string of = '/' + std::to_string(given.file->size);
+    head.set(http::field::accept_ranges, "bytes");
+    head.set(http::field::etag, quoted(given.file->tag));
+    if (given.status == 206)
+      head.set(http::field::content_range,
+               "bytes " + std::to_string(given.span.from) + '-' +
+                   std::to_string(given.span.from + given.span.length - 1) + of);
+    if (given.status == 416) head.set(http::field::content_range, "bytes *" + of);
+  }
+  head.keep_alive(false);
+  // RFC 9110, 8.6: an answer without content has no length, and phones check that.
+  if (given.status != 204) head.content_length(given.body.size() + given.span.length);
+  std::ostringstream text;
+  text << head;
+  return std::move(text).str();
+}
+
+}  // namespace
+
+Call::Call(Tcp::socket socket, Answers& answers, const Patience& patience,
+           std::function<void()> asked, std::function<void()> closed)
+    : socket_(std::move(socket)),
+      timer_(socket_.get_executor()),
+      buffer_(2 * kMostOfAHead),
+      answers_(answers),
+      patience_(patience),
+      asked_(std::move(asked)),
+      closed_(std::move(closed)) {
+  parser_.header_limit(kMostOfAHead);
+  parser_.body_limit(kMostOfABody);
+}
+
+Call::~Call() { closed_(); }
+
+void Call::begin() {
+  timer_.expires_after(patience_.asking);
+  // The timer alone keeps no call.
+  timer_.async_wait([weak = weak_from_this()](error_code error) {
+    if (const auto self = weak.lock(); self && !error) self->end();
+  });
+  http::async_read(socket_, buffer_, parser_,
+                   [self = shared_from_this()](error_code error, std::size_t) {
+                     if (!error) self->answer();
+                   });
+}
+
+void Call::end() {
+  error_code ignored;
+  timer_.cancel();
+  socket_.close(ignored);
+}
+
+void Call::answer() {
+  if (!socket_.is_open()) return;
+  asked_();
+  const auto& request = parser_.get();
+  Ask ask;
+  ask.method = std::string(request.method_string());
+  ask.target = std::string(request.target());
+  ask.languages = std::string(request[http::field::accept_language]);
+  ask.range = std::string(request[http::field::range]);
+  ask.if_range = std::string(request[http::field::if_range]);
+  Answer given = answers_.to(ask);
+  std::string text = head_of(given);
+  // HEAD asks for the head of the answer to GET.
+  const bool content = ask.method != "HEAD";
+  if (content) text += given.body;
+  files::Descriptor file;
+  if (given.file) file = std::move(given.file->file);
+  sending_.emplace(std::move(text), std::move(file), content ? given.span : Span{});
+  error_code error;
+  socket_.native_non_blocking(true, error);
+  keep_small(socket_.native_handle());
+  moved_ = Clock::now();
+  watch();
+  send_on();
+}
+
+void Call::send_on() {
+  if (!socket_.is_open()) return;
+  const int socket = socket_.native_handle();
+  const std::uint64_t before = sending_->given();
+  const Sending::Step step = sending_->step(socket);
+  if (step == Sending::Step::broken) return end();
+  if (step == Sending::Step::all) {
+    // What a phone said beyond its request is taken: a connection that is closed with words unread
+    // tells the phone to forget what is still on its way.
+    char rest[1024];
+    while (::recv(socket, rest, sizeof rest, MSG_DONTWAIT) > 0) {
+    }
+    error_code ignored;
+    socket_.shutdown(Tcp::socket::shutdown_send, ignored);
+    return end();
+  }
+  if (sending_->given() != before) {
+    moved_ = Clock::now();
+    unconfirmed_ = unconfirmed(socket).value_or(0);
+    if (!deleted_ && sending_->deleted()) deleted_ = moved_;
+  }
+  if (deleted_ && Clock::now() - *deleted_ > patience_.progress) return end();
+  socket_.async_wait(Tcp::socket::wait_write, [self = shared_from_this()](error_code error) {
+    if (!error) self->send_on();
+  });
+}
+
+void Call::watch() {
+  timer_.expires_at(moved_ + patience_.progress);
+  timer_.async_wait([weak = weak_from_this()](error_code error) {
+    const auto self = weak.lock();
+    if (!self || error || !self->socket_.is_open()) return;
+    // The socket may be full while what is in it still arrives, slowly.
+    const auto now = Clock::now();
+    const std::size_t left = unconfirmed(self->socket_.native_handle()).value_or(0);
+    if (left < self->unconfirmed_) {
+      self->unconfirmed_ = left;
+      self->moved_ = now;
+    }
+    if (now - self->moved_ >= self->patience_.progress) return self->end();
+    self->watch();
+  });
+}
+
+}  // namespace onggi::phone

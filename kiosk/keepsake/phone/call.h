@@ -1,0 +1,61 @@
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "kiosk/keepsake/phone/answers.h"
+#include "kiosk/keepsake/phone/sending.h"
+
+namespace onggi::phone {
+
+/// How long a phone is waited for.
+struct Patience {
+  std::chrono::milliseconds asking{5000};     ///< From the connection to the whole request.
+  std::chrono::milliseconds progress{10000};  ///< Without a byte that arrives; also what a download
+                                              ///< has left when its keepsake is deleted.
+};
+
+/// One connection: a request of at most 8 KiB head and 1 KiB body, and its answer. Closes itself.
+/// Held alive by what it waits for. One thread.
+class Call : public std::enable_shared_from_this<Call> {
+ public:
+  /// `asked` is called when the request is whole, `closed` when the call goes.
+  Call(boost::asio::ip::tcp::socket socket, Answers& answers, const Patience& patience,
+       std::function<void()> asked, std::function<void()> closed);
+  ~Call();
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+
+  void begin();
+  /// Closes the connection now.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void answer();
+  void send_on();
+  void watch();
+
+  boost::asio::ip::tcp::socket socket_;
+  boost::asio::steady_timer timer_;
+  boost::beast::flat_buffer buffer_;
+  boost::beast::http::request_parser<boost::beast::http::string_body> parser_;
+  Answers& answers_;
+  Patience patience_;
+  std::function<void()> asked_, closed_;
+  std::optional<Sending> sending_;
+  Clock::time_point moved_{};                   // when a byte was last given or confirmed
+  std::size_t unconfirmed_ = 0;                 // as of then
+  std::optional<Clock::time_point> deleted_{};  // when the file was first seen to be deleted
+};
+
+}  // namespace onggi::phone

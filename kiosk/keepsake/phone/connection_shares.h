@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+
+namespace onggi::phone {
+
+/// Which connections are open, by the address that they come from, and which one has to go when
+/// one more comes. Uses no socket. A connection is silent until it has asked for something.
+///   1. No address has more than its share: its own oldest silent one goes; if it has none, the
+///      newcomer is refused.
+///   2. If everything is taken, the oldest silent one of the address with the most silent ones
+///      goes.
+///   3. If nobody is silent, the oldest one of the address with the most goes, where that is still
+///      more than the newcomer's address has with it; else the newcomer is refused.
+/// So many idle connections of one address cost no other address anything. One thread.
+class ConnectionShares {
+ public:
+  using Number = std::uint64_t;  ///< Of a connection; later ones have larger numbers.
+
+  /// `all` connections at once, 1 or more; of one address half of that.
+  explicit ConnectionShares(std::size_t all) : all_(all < 1 ? 1 : all) {}
+
+  struct Entry {
+    Number in = 0;   ///< The newcomer's number; 0: it is refused.
+    Number out = 0;  ///< The one to be closed for it, no longer counted; 0: none.
+  };
+  Entry enter(const std::string& address);
+  /// It has asked for something.
+  void asked(Number number);
+  /// It is closed. One that is not counted, or not any more, is no mistake.
+  void leave(Number number);
+
+  std::size_t open() const { return addresses_of_.size(); }
+  std::size_t share() const { return all_ < 2 ? 1 : all_ / 2; }
+
+ private:
+  struct Address {
+    std::set<Number> silent, asking;  // oldest first
+    std::size_t all() const { return silent.size() + asking.size(); }
+  };
+  std::size_t all_;
+  Number last_ = 0;
+  std::map<std::string, Address> addresses_;
+  std::unordered_map<Number, std::string> addresses_of_;
+};
+
+}  // namespace onggi::phone

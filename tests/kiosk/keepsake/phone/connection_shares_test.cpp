@@ -1,0 +1,106 @@
+#include "kiosk/keepsake/phone/connection_shares.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace onggi::phone {
+namespace {
+
+TEST(ConnectionShares, IdleOnesOfOneAddressGoBeforeAnybodyElse) {
+  ConnectionShares shares(8);
+  const auto visitor = shares.enter("visitor").in;
+  std::vector<ConnectionShares::Number> idle;
+  for (int n = 0; n < 4; ++n) idle.push_back(shares.enter("idle").in);
+  for (int n = 0; n < 100; ++n) {
+    const auto entry = shares.enter("idle");
+    EXPECT_NE(entry.in, 0u) << "the newest comes in";
+    EXPECT_EQ(entry.out, idle.front()) << "and the oldest of its own goes";
+    idle.erase(idle.begin());
+    idle.push_back(entry.in);
+  }
+  EXPECT_EQ(shares.open(), 5u);
+  shares.asked(visitor);
+  EXPECT_EQ(shares.enter("another").out, 0u);
+}
+
+TEST(ConnectionShares, WhereEverythingIsTakenTheOldestSilentOneGoesAndADownloadGoesOn) {
+  ConnectionShares shares(6);
+  const auto download = shares.enter("a").in, silent = shares.enter("a").in;
+  shares.asked(download);
+  for (const char* address : {"b", "c", "d", "e"}) shares.asked(shares.enter(address).in);
+  EXPECT_EQ(shares.enter("f").out, silent);
+  EXPECT_EQ(shares.open(), 6u);
+}
+
+TEST(ConnectionShares, AnAddressFullOfDownloadsRefusesItsOwnAndGivesOneToAnother) {
+  ConnectionShares shares(8);
+  for (const char* address : {"a", "b"})
+    for (int n = 0; n < 4; ++n) shares.asked(shares.enter(address).in);
+  EXPECT_EQ(shares.enter("a").in, 0u);
+  const auto entry = shares.enter("c");
+  EXPECT_NE(entry.in, 0u);
+  EXPECT_EQ(entry.out, 1u) << "the oldest of the most";
+}
+
+// Whoever comes and goes in whatever order.
+TEST(ConnectionShares, NobodyWhoHoldsLittleIsClosedForWhoeverHoldsMuch) {
+  EXPECT_TRUE(rc::check([] {
+    const auto all = *rc::gen::inRange<std::size_t>(1, 24);
+    ConnectionShares shares(all);
+    std::map<ConnectionShares::Number, std::pair<std::string, bool>> open;  // asked: true
+    const auto of = [&](const std::string& address, bool silent_alone) {
+      std::size_t count = 0;
+      for (const auto& [number, what] : open)
+        count += what.first == address && !(silent_alone && what.second) ? 1 : 0;
+      return count;
+    };
+    for (const int act : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1000))) {
+      if (act % 10 < 6) {
+        const std::string address(1, static_cast<char>('a' + act / 10 % 4 * (act % 3)));
+        bool any_silent = false;
+        for (const auto& [number, what] : open) any_silent |= !what.second;
+        const std::size_t held = of(address, false);
+        const auto entry = shares.enter(address);
+        if (entry.out != 0) {
+          const auto [victim, asked] = open.at(entry.out);
+          // The share, or everything, was taken.
+          RC_ASSERT(held == shares.share() || open.size() == all);
+          if (held == shares.share()) RC_ASSERT(victim == address && !asked);
+          if (asked) RC_ASSERT(!any_silent && of(victim, false) > held + 1);
+          if (!asked)
+            for (const auto& [number, what] : open) {
+              if (what.second) continue;
+              RC_ASSERT(held == shares.share() || of(what.first, true) <= of(victim, true));
+              RC_ASSERT(what.first != victim || number >= entry.out);
+            }
+          open.erase(entry.out);
+        }
+        if (entry.in == 0) {
+          RC_ASSERT(held == shares.share() || open.size() == all);
+          RC_ASSERT(of(address, true) == 0u);
+        } else {
+          open[entry.in] = {address, false};
+        }
+      } else if (!open.empty()) {
+        auto one = open.begin();
+        std::advance(one, static_cast<std::size_t>(act / 10) % open.size());
+        if (act % 10 < 8) {
+          shares.asked(one->first);
+          one->second.second = true;
+        } else {
+          shares.leave(one->first);
+          open.erase(one);
+        }
+      }
+      RC_ASSERT(shares.open() == open.size());
+      RC_ASSERT(open.size() <= all);
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace onggi::phone
