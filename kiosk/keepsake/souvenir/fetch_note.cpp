@@ -1,9 +1,14 @@
 #include "kiosk/keepsake/souvenir/fetch_note.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <span>
 #include <system_error>
 
+#include "kiosk/ground/files/descriptor.h"
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/read_file.h"
@@ -31,10 +36,19 @@ bool is_fetch_id(std::string_view id) {
 Result<void> leave_fetch_note(const fs::path& folder, const FetchNote& note) {
   if (!is_fetch_id(note.id))
     return problem(note.id, "This is not a valid note id.", "Report this with the log.");
+  const fs::path file = folder / note.id, part = folder / ('.' + note.id + ".part");
   std::error_code error;
-  if (fs::exists(folder / note.id, error)) return {};
+  // A power cut may have left the name without its day.
+  if (const auto size = fs::file_size(file, error); !error && size > 0) return {};
   if (auto made = files::make_folder(folder); !made) return made;
-  return files::write_durably(folder / note.id, std::as_bytes(std::span(note.day)));
+  files::Descriptor written(::open(
+      part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644));
+  if (written.open() && files::write_all(written.get(), std::as_bytes(std::span(note.day))) &&
+      written.close() && ::rename(part.c_str(), file.c_str()) == 0)
+    return {};
+  const int fault = errno;
+  fs::remove(part, error);
+  return tl::unexpected(files::disk_problem(file, "write", fault));
 }
 
 std::vector<FetchNote> fetch_notes(const fs::path& folder, std::size_t most) {

@@ -21,7 +21,9 @@ struct FetchNote {
 /// True for 26 letters or digits.
 bool is_fetch_id(std::string_view id);
 /// Writes the note into `folder`, which is created if missing. An existing note with this id stays.
-/// Problem: exit 1 if the disk refuses, exit 2 if the id is invalid. Blocks; any thread.
+/// Whole or not there; does not wait for the disk, because a page waits for it: a power cut within
+/// the next half minute may lose the note, and the next call writes it again. Problem: exit 1 if
+/// the disk refuses, exit 2 if the id is invalid. Any thread, two with the same id not at once.
 Result<void> leave_fetch_note(const std::filesystem::path& folder, const FetchNote& note);
 /// The notes in `folder`, at most `most`; other files are ignored. Blocks; any thread.
 std::vector<FetchNote> fetch_notes(const std::filesystem::path& folder, std::size_t most);

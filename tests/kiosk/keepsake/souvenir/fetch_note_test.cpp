@@ -27,6 +27,17 @@ TEST(FetchNote, IsReadAsItWasLeftAndTheFirstDayStays) {
   EXPECT_EQ(fetch_notes(folder, 9), (std::vector<FetchNote>{{kTwo, "2026-05-06"}}));
 }
 
+TEST(FetchNote, OneThatAPowerCutLeftWithoutItsDayIsWrittenAgainAndNoPartStays) {
+  const test::ScratchFolder scratch;
+  std::ofstream(scratch.path() / kOne).close();
+  EXPECT_TRUE(fetch_notes(scratch.path(), 9).empty());
+  EXPECT_TRUE(leave_fetch_note(scratch.path(), {kOne, "2026-05-04"}));
+  EXPECT_EQ(fetch_notes(scratch.path(), 9), (std::vector<FetchNote>{{kOne, "2026-05-04"}}));
+  std::filesystem::create_directory(scratch.path() / kTwo);
+  EXPECT_FALSE(leave_fetch_note(scratch.path(), {kTwo, "2026-05-04"})) << "something is in its way";
+  EXPECT_EQ(test::names_in(scratch.path()), (std::vector<std::string>{kTwo, kOne}));
+}
+
 TEST(FetchNote, WhatIsNoneIsPassedOverAndNothingElseIsWrittenOrRemoved) {
   const files::test::ScratchFolder scratch;
   const auto& folder = scratch.path();
