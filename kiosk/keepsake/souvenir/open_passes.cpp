@@ -26,9 +26,21 @@ namespace {
 
 constexpr std::uint64_t kMostOfAKeepsake = 256u << 20;
 constexpr std::int64_t kClockBack = 24 * 3600;  // s
-// Times of a folder are as coarse as two seconds on some disks: a change within that time of the
-// last one may leave the same time.
-constexpr std::int64_t kCoarsestTime = 2;  // s
+// A change so soon after another may leave the folder the same time: the system's clock for files
+// goes in steps of 10 ms at most, and some disks keep whole seconds, or every second one.
+constexpr std::int64_t kFineStep = 100'000'000, kCoarseStep = 2'000'000'000;  // ns
+
+std::int64_t nanoseconds(const timespec& time) {
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+/// True if no change after `listed` can leave the folder the time `changed`.
+bool is_settled(const timespec& changed, const timespec& listed) {
+  const std::int64_t ago = nanoseconds(listed) - nanoseconds(changed);
+  const std::int64_t step = changed.tv_nsec == 0 ? kCoarseStep : kFineStep;
+  // A time from the future is no trouble: a change would set it to now.
+  return ago > step || ago < -step;
+}
 
 bool in_time(const Pass& pass, std::int64_t now) {
   return now < pass.until && now > pass.from - kClockBack;
@@ -50,6 +62,8 @@ OpenPasses::Slot OpenPasses::slot_of(std::string_view token) {
 void OpenPasses::refresh(Work& work) {
   const FolderStamp now = stamp_of_passes(keepsakes_);
   if (settled_ && now == listed_) return;
+  timespec clock{};
+  ::clock_gettime(CLOCK_REALTIME, &clock);
   std::vector<std::string> tokens = tokens_of(keepsakes_);
   ++work.lists;
   // What is known of a token stays known.
@@ -64,11 +78,7 @@ void OpenPasses::refresh(Work& work) {
   slots_.resize(tokens_.size());
   std::transform(tokens_.begin(), tokens_.end(), slots_.begin(), slot_of);
   listed_ = now;
-  timespec clock{};
-  ::clock_gettime(CLOCK_REALTIME, &clock);
-  // A time from the future is no trouble: a change would set it to now.
-  const std::int64_t ago = clock.tv_sec - now.changed.tv_sec;
-  settled_ = ago > kCoarsestTime || ago < -kCoarsestTime;
+  settled_ = is_settled(now.changed, clock);
 }
 
 OpenPasses::Keepsake OpenPasses::keepsake_of(const std::string& visit) const {

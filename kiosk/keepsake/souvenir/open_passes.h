@@ -38,8 +38,8 @@ class OpenPasses {
   };
   /// The pass of this token if it is valid at `now`. Every token causes the same work: all letters
   /// of all passes are compared, and one pass is read, perhaps that of another token. The folder is
-  /// listed if it changed since, or less than two seconds before, the last listing. A pass also
-  /// ends if the clock was set back by more than a day.
+  /// listed if it changed since the last listing, or so shortly before that its time may be the
+  /// same. A pass also ends if the clock was set back by more than a day.
   std::optional<Pass> find(std::string_view token, std::int64_t now, Work* work = nullptr);
   /// A file of its keepsake, one of souvenir's; nothing if it is missing, a link, or larger than
   /// 256 MiB. A folder that is a link is not followed.

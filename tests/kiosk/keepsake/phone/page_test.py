@@ -22,6 +22,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import browser as browsers  # noqa: E402
+import slow_way  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 VISIT = "2026-05-04_141503_moon_jar"
@@ -298,6 +299,28 @@ class PageTest(unittest.TestCase):
                 self.browser.until(lambda: (to / file).is_file() and
                                    (to / file).stat().st_size == (self.kept / VISIT / file).stat().st_size, file)
                 self.assertEqual((to / file).read_bytes(), (self.kept / VISIT / file).read_bytes(), file)
+
+    def test_over_a_slow_way_that_breaks_the_pot_goes_on_from_where_it_stopped(self):
+        port = int(self.at.rsplit(":", 1)[1])
+        size = (self.kept / VISIT / "pot.glb").stat().st_size
+        with slow_way.SlowWay(port, breaks=("pot.glb",), after=size // 2) as way, self.page() as page:
+            page.go(f"http://127.0.0.1:{way.port}{self.token()}")
+            page.wait("!document.getElementById('turning').hidden", "the pot is shown", 60.0)
+            self.assertTrue(0.1 < covered(page.value(POT)) < 0.9, "and whole")
+            self.assertEqual(page.value("document.querySelector('img').naturalWidth > 0"), True)
+            spans = [int(span.split("=")[1].rstrip("-")) for line, span in way.asked if "pot.glb" in line and span]
+            self.assertGreater(len(spans), 0, way.asked)
+            self.assertEqual(spans, sorted(spans), "each goes on, and none begins anew")
+        # What is taken by a slow phone is whole as well.
+        with slow_way.SlowWay(port) as way, self.page() as page:
+            page.go(f"http://127.0.0.1:{way.port}{self.token()}")
+            to = self.folder / "slowly"
+            self.browser.say("Browser.setDownloadBehavior", behavior="allow", browserContextId=page.context,
+                             downloadPath=str(to), eventsEnabled=True)
+            page.tap('a.take[href$="pot.stl"]')
+            whole = (self.kept / VISIT / "pot.stl").read_bytes()
+            self.browser.until(lambda: (to / "pot.stl").is_file() and (to / "pot.stl").stat().st_size == len(whole), "pot.stl", 60.0)
+            self.assertEqual((to / "pot.stl").read_bytes(), whole)
 
     def test_deleting_asks_first_and_then_nothing_is_left_of_it_not_even_behind_the_back_button(self):
         visit = "2026-05-04_150000_meiping"
