@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "kiosk/ground/files/durable_file.h"
-#include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
