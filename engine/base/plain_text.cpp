@@ -74,6 +74,16 @@ std::string plain(std::string_view text) {
   return out;
 }
 
+std::size_t columns(std::string_view text) {
+  std::size_t used = 0;
+  while (!text.empty()) {
+    const Character c = first_of(text);
+    used += c.bytes == 0 ? 1 : columns_of(c.code);
+    text.remove_prefix(c.bytes == 0 ? 1 : c.bytes);
+  }
+  return used;
+}
+
 std::string column(std::string_view text, std::size_t width) {
   std::string out = plain(text);
   std::size_t bytes = 0, used = 0;

@@ -17,4 +17,7 @@ std::string plain(std::string_view text);
 /// combining mark none (the wide blocks of Unicode's East Asian Width). Allocates.
 std::string column(std::string_view text, std::size_t width);
 
+/// Columns that `text`, which is UTF-8, takes in such a table.
+std::size_t columns(std::string_view text);
+
 }  // namespace onggi::terminal

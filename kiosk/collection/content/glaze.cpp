@@ -5,6 +5,7 @@
 
 #include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
+#include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -45,17 +46,15 @@ void read_share(Table& table, const std::string& key, double most, float& out) {
 }
 
 /// Texts by language; if `needed`, all of `languages` are required.
-bool read_words(Table& glaze, const std::string& key, const std::vector<std::string>& languages,
-                bool needed, const settings::Translations& translations, const std::string& id,
+bool read_words(Table& glaze, const std::string& key, settings::TextBound most,
+                const std::vector<std::string>& languages, bool needed,
+                const settings::Translations& translations, const std::string& id,
                 std::map<std::string, std::string>& out) {
   Table words = glaze.child(key);
   for (const std::string& code : words.keys()) {
     std::string text;
-    if (!words.text(code, text)) continue;
-    if (text.find_first_not_of(' ') == std::string::npos)
-      words.complain(code, key + "." + code + " is empty.", "Write its words, or leave it out.");
-    else
-      out[code] = text;
+    if (settings::read_visitor_text(words, code, key + "." + code, most, text))
+      out[code] = std::move(text);
   }
   translations.put("glaze", id, key, out);
   for (const std::string& code : languages)
@@ -74,8 +73,11 @@ bool read_glaze(Table& table, const std::vector<std::string>& languages,
                 const settings::Translations& translations, Glaze& glaze) {
   bool good = settings::read_id(table, glaze.id, "celadon", "white_porcelain");
   if (languages.empty()) table.require("name", "Write name = { en = \"Celadon\" }.");
-  good = read_words(table, "name", languages, true, translations, glaze.id, glaze.name) && good;
-  read_words(table, "about", languages, false, translations, glaze.id, glaze.about);
+  good = read_words(table, "name", settings::bounds::kGlazeName, languages, true, translations,
+                    glaze.id, glaze.name) &&
+         good;
+  read_words(table, "about", settings::bounds::kGlazeAbout, languages, false, translations,
+             glaze.id, glaze.about);
   GlazeLook& look = glaze.look;
   for (const char* key : {"body", "glass"})
     table.require(key, std::string("Write a colour: ") + key + " = \"#9DB5A0\".");

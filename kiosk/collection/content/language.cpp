@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kiosk/collection/content/language_words.h"
+#include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -32,8 +33,10 @@ void read_texts(toml::TomlReader::Table table, const std::string& prefix,
     std::string words;
     if (!table.text(key, words)) continue;
     const std::string full = prefix + key;
-    if (words.empty())
-      table.complain(key, full + " is empty.", "Write its words, or leave the key out.");
+    if (settings::is_blank(words))
+      table.complain(
+          key, full + (words.empty() ? " is empty." : " has only characters that nobody can see."),
+          "Write its words, or leave the key out.");
     if (const std::string fault = brace_fault(words); !fault.empty())
       table.complain(key, "in " + full + ", " + fault + ".",
                      "Write a placeholder as {name}, in one pair of braces.");
@@ -52,7 +55,8 @@ LanguageRead check_language(const std::filesystem::path& file, const KnownIds& k
   root.require("code", "Write the language's code: code = \"ko\".");
   root.require("name", "Write the language's own name: name = \"한국어\".");
   root.text("code", read.language.code_);
-  root.text("name", read.language.name_);
+  settings::read_visitor_text(root, "name", "name", settings::bounds::kLanguageName,
+                              read.language.name_);
   root.boolean("right_to_left", read.language.right_to_left_);
   std::string decimal;
   if (root.text("decimal", decimal)) {

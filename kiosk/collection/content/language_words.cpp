@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/base/nearest_name.h"
+#include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::content {
 namespace {
@@ -92,6 +93,11 @@ void compare_with_english(toml::TomlReader::Table text, std::vector<WrittenText>
     const auto wanted = english().find(one.key);
     if (wanted != english().end()) {
       compare_places(one, wanted->second);
+      const settings::TextBound bound = settings::bound_beside(wanted->second);
+      const auto fault = settings::fault_of(one.words, one.key, bound);
+      if (!fault || settings::is_blank(one.words)) continue;
+      one.table.complain(one.name, fault->what, fault->remedy);
+      one.words = settings::fitted(one.words, bound);
       continue;
     }
     const std::string meant = meant_by(one.key, missing);

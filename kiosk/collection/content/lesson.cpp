@@ -5,6 +5,7 @@
 #include "engine/base/nearest_name.h"
 #include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
+#include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -26,17 +27,9 @@ bool read_step_words(LessonTable& step, const std::vector<std::string>& language
   LessonTable words = step.child("words");
   for (const std::string& code : words.keys()) {
     std::string text;
-    if (!words.text(code, text)) continue;
-    if (text.find_first_not_of(' ') == std::string::npos)
-      words.complain(code, "words." + code + " is empty.", "Write a sentence, or leave it out.");
-    else if (settings::letters(text) > kMostStepLetters)
-      words.complain(code,
-                     "words." + code + " has " + std::to_string(settings::letters(text)) +
-                         " letters, but a step has room for " + std::to_string(kMostStepLetters) +
-                         ".",
-                     "Say it in one short sentence, or in two steps.");
-    else
-      out[code] = text;
+    if (settings::read_visitor_text(words, code, "words." + code, settings::bounds::kStepWords,
+                                    text))
+      out[code] = std::move(text);
   }
   translations.put("lesson", id, "words", out);
   for (const std::string& code : languages)

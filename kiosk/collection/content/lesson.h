@@ -35,8 +35,6 @@ struct LessonStep {
 };
 
 inline constexpr std::size_t kMostSteps = 12;
-/// Longest text of a step, so that it can be read at a glance.
-inline constexpr std::size_t kMostStepLetters = 120;
 
 /// The steps of a file and everything found wrong in it, with line and column.
 struct LessonRead {

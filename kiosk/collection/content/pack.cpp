@@ -4,6 +4,7 @@
 
 #include "kiosk/collection/content/address.h"
 #include "kiosk/collection/content/pack_advice.h"
+#include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -54,8 +55,12 @@ void read_labels(toml::TomlReader::Table& root, PackRead& read) {
     Label label;
     table.require("title", "Give the vessel's name in this language.");
     table.text("title", label.title);
-    if (table.has("title") && is_blank(label.title))
-      table.complain("title", "the title is empty.", "Give the vessel's name in this language.");
+    if (table.has("title") && settings::is_blank(label.title))
+      table.complain("title",
+                     label.title.find_first_not_of(" \t\r\n") == std::string::npos
+                         ? "the title is empty."
+                         : "the title has only characters that nobody can see.",
+                     "Give the vessel's name in this language.");
     table.text("culture", label.culture);
     table.text("date", label.date);
     table.text("made", label.made);
@@ -131,7 +136,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.text("address", pack.address);
   // require() reports only missing keys, so report empty ones here.
   for (const auto& [key, text] : {std::pair{"licence", &pack.licence}, {"credit", &pack.credit}})
-    if (root.has(key) && is_blank(*text))
+    if (root.has(key) && settings::is_blank(*text))
       root.complain(key, std::string(key) + " is empty.",
                     key == std::string("licence")
                         ? "Say under which licence the shape is shown: licence = \"CC0-1.0\"."
@@ -145,6 +150,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   read.problems = reader.problems();
   keep_good_addresses(root, pack);
   ask_for_the_rest(root, pack, languages);
+  fit_to_screens(root, pack);
   read.advice = reader.problems_since(read.problems);
   read.keys_checked = reader.keys_checked();
   return read;

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cctype>
 
+#include "kiosk/collection/settings/visitor_text.h"
+
 namespace onggi::content {
 namespace {
 
 using Table = toml::TomlReader::Table;
+using settings::is_blank;
+using settings::TextBound;
 
 /// True for placeholder words such as "not known", which no visitor should read.
 bool is_no_answer(std::string text) {
@@ -45,6 +49,40 @@ void ask_for_label(Table labels, const std::string& language, const Label& label
                    "Shorten it to what visitors can see.");
 }
 
+template <class Owner>
+struct BoundedField {
+  const char* key;
+  std::string Owner::*text;
+  TextBound bound;
+};
+constexpr BoundedField<Pack> kPackFields[] = {
+    {"institution", &Pack::institution, settings::bounds::kInstitution},
+    {"accession", &Pack::accession, settings::bounds::kAccession},
+    {"source", &Pack::source, settings::bounds::kSource},
+    {"credit", &Pack::credit, settings::bounds::kCredit},
+    {"licence", &Pack::licence, settings::bounds::kLicence}};
+constexpr BoundedField<Label> kLabelFields[] = {
+    {"title", &Label::title, settings::bounds::kTitle},
+    {"culture", &Label::culture, settings::bounds::kCulture},
+    {"date", &Label::date, settings::bounds::kDate},
+    {"made", &Label::made, settings::bounds::kMade},
+    {"text", &Label::text, settings::bounds::kText},
+    {"credit", &Label::credit, settings::bounds::kLabelCredit}};
+
+/// Blank texts are asked for elsewhere.
+template <class Owner, std::size_t kCount>
+void fit(Table& table, const std::string& prefix, Owner& owner,
+         const BoundedField<Owner> (&fields)[kCount]) {
+  for (const BoundedField<Owner>& field : fields) {
+    std::string& text = owner.*field.text;
+    if (is_blank(text)) continue;
+    if (const auto fault = settings::fault_of(text, prefix + field.key, field.bound)) {
+      table.complain(field.key, fault->what, fault->remedy);
+      text = settings::fitted(text, field.bound);
+    }
+  }
+}
+
 }  // namespace
 
 int count_words(const std::string& text) {
@@ -57,8 +95,6 @@ int count_words(const std::string& text) {
   }
   return words;
 }
-
-bool is_blank(const std::string& text) { return count_words(text) == 0; }
 
 void ask_for_the_rest(Table root, const Pack& pack, const std::vector<std::string>& languages) {
   if (pack.true_height == 0.0 && pack.true_diameter == 0.0 && pack.unit == 0.0)
@@ -85,6 +121,15 @@ void ask_for_the_rest(Table root, const Pack& pack, const std::vector<std::strin
   if (languages.empty() && pack.labels.empty())
     labels.complain("", "there is no label.",
                     "Write [label.en] with title, culture, date, made and text.");
+}
+
+void fit_to_screens(Table root, Pack& pack) {
+  fit(root, "", pack, kPackFields);
+  auto labels = root.child("label");
+  for (auto& [language, label] : pack.labels) {
+    Table table = labels.child(language);
+    fit(table, "label." + language + ".", label, kLabelFields);
+  }
 }
 
 }  // namespace onggi::content

@@ -1,34 +1,16 @@
 #include "kiosk/collection/content/translation_tables.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include "engine/base/nearest_name.h"
 #include "kiosk/collection/content/address.h"
-#include "kiosk/collection/content/lesson.h"
 #include "kiosk/collection/content/pack_advice.h"
-#include "kiosk/collection/content/vessel.h"
-#include "kiosk/collection/settings/mission_file.h"
+#include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::content {
 namespace {
 
-/// A text that a language's file may say of a thing.
-struct TranslatedText {
-  const char* kind;
-  const char* key;
-  /// What is wrong with it, a whole sentence; empty: nothing. Null: any text will do.
-  std::string (*fault)(const std::string& text) = nullptr;
-};
-
-template <std::size_t most>
-std::string too_many_letters(const std::string& text) {
-  const auto letters =
-      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; });  // UTF-8
-  if (letters <= static_cast<std::ptrdiff_t>(most)) return "";
-  return "It has " + std::to_string(letters) + " letters, but there is room for only " +
-         std::to_string(most) + ".";
-}
+namespace bounds = settings::bounds;
 
 std::string too_many_words(const std::string& text) {
   const int words = count_words(text);
@@ -37,19 +19,28 @@ std::string too_many_words(const std::string& text) {
          std::to_string(kMostLabelWords) + ".";
 }
 
+/// A text that a language's file may say of a thing.
+struct TranslatedText {
+  const char* kind;
+  const char* key;
+  settings::TextBound most;
+  /// What else is wrong with it, a whole sentence; empty: nothing. Null: nothing else can be.
+  std::string (*fault)(const std::string& text) = nullptr;
+};
+
 constexpr TranslatedText kTexts[] = {
-    {"vessel", "title"},
-    {"vessel", "culture"},
-    {"vessel", "date"},
-    {"vessel", "made"},
-    {"vessel", "text", too_many_words},
-    {"vessel", "credit"},
-    {"vessel", "address", fault_of_address},
-    {"glaze", "name"},
-    {"glaze", "about"},
-    {"lesson", "words", too_many_letters<kMostStepLetters>},
-    {"mission", "title", too_many_letters<settings::kMostTitleLetters>},
-    {"mission", "about", too_many_letters<settings::kMostAboutLetters>},
+    {"vessel", "title", bounds::kTitle},
+    {"vessel", "culture", bounds::kCulture},
+    {"vessel", "date", bounds::kDate},
+    {"vessel", "made", bounds::kMade},
+    {"vessel", "text", bounds::kText, too_many_words},
+    {"vessel", "credit", bounds::kLabelCredit},
+    {"vessel", "address", bounds::kSource, fault_of_address},
+    {"glaze", "name", bounds::kGlazeName},
+    {"glaze", "about", bounds::kGlazeAbout},
+    {"lesson", "words", bounds::kStepWords},
+    {"mission", "title", bounds::kMissionTitle},
+    {"mission", "about", bounds::kMissionAbout},
 };
 
 /// "vessel" is how a visitor's thing is called in its Problem.
@@ -62,11 +53,8 @@ void read_thing(toml::TomlReader::Table table, const std::string& kind,
   for (const TranslatedText& one : kTexts) {
     std::string text;
     if (kind != one.kind || !table.text(one.key, text)) continue;
-    std::string fault;
-    if (is_blank(text))
-      fault = std::string(one.key) + " is empty.";
-    else if (one.fault != nullptr)
-      fault = one.fault(text);
+    std::string fault = one.fault != nullptr ? one.fault(text) : "";
+    if (const auto other = settings::fault_of(text, one.key, one.most)) fault = other->what;
     if (fault.empty())
       out[one.key] = std::move(text);
     else

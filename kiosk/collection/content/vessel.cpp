@@ -12,6 +12,7 @@
 #include "kiosk/collection/content/mesh_file.h"
 #include "kiosk/collection/content/pack.h"
 #include "kiosk/collection/content/scan_document.h"
+#include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::content {
 
@@ -73,8 +74,11 @@ Result<Vessel> measured(const Order& order, const GltfModel& model, const NamedP
   vessel.extracted.warnings.insert(vessel.extracted.warnings.end(), model.warnings.begin(),
                                    model.warnings.end());
   vessel.given = model.credit.after(order.document);
-  if (vessel.credit.empty()) vessel.credit = vessel.given.line();
-  if (vessel.licence.empty()) vessel.licence = vessel.given.licence;
+  // A scan's own words are cut here; nobody can be asked to correct them.
+  using settings::fitted;
+  namespace bounds = settings::bounds;
+  if (vessel.credit.empty()) vessel.credit = fitted(vessel.given.line(), bounds::kLabelCredit);
+  if (vessel.licence.empty()) vessel.licence = fitted(vessel.given.licence, bounds::kLicence);
   if (vessel.source.empty()) vessel.source = vessel.given.source;
   // Trust only a museum's own document for the museum's page; a scan may name any page.
   if (vessel.address.empty()) vessel.address = order.document.address;
@@ -322,12 +326,17 @@ Label Vessel::label(const std::string& language) const {
   made.address = address;
   const std::string name = node.substr(0, node.find("/*"));
   const auto in = given.titles.find(language);
-  made.title = !name.empty()              ? title_of(name)
-               : in != given.titles.end() ? in->second
-                                          : title_of(!given.title.empty() ? given.title : id);
-  made.culture = given.culture;
+  const std::string title = !name.empty() ? title_of(name)
+                            : in != given.titles.end()
+                                ? in->second
+                                : title_of(!given.title.empty() ? given.title : id);
+  // A file can have any name, and a document any words.
+  using settings::fitted;
+  namespace bounds = settings::bounds;
+  made.title = fitted(settings::is_blank(title) ? title_of(id) : title, bounds::kTitle);
+  made.culture = fitted(given.culture, bounds::kCulture);
   // From a document; a scan's date is the scan's own.
-  if (!given.culture.empty()) made.date = given.date;
+  if (!given.culture.empty()) made.date = fitted(given.date, bounds::kDate);
   return made;
 }
 

@@ -4,8 +4,10 @@
 
 #include "kiosk/collection/settings/exhibit_settings.h"
 #include "kiosk/collection/settings/hours_table.h"
+#include "kiosk/collection/settings/keepsake_place.h"
 #include "kiosk/collection/settings/setting_readers.h"
 #include "kiosk/collection/settings/text_in.h"
+#include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::settings {
@@ -20,7 +22,7 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   std::map<std::string, std::string> titles;
   for (const std::string& code : languages) {
     std::string text;
-    if (read_line(table, code, "title." + code, text)) {
+    if (read_visitor_text(table, code, "title." + code, bounds::kExhibitTitle, text)) {
       titles[code] = text;
     } else if (!table.has(code) && (table.present() || !out.contains(code))) {
       table.complain("", "There is no title for the language \"" + code + "\".",
@@ -80,7 +82,13 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_title(root, exhibit.languages, exhibit.title);
   read_vessel_scenes(root.child("vessel_scenes"), folder, exhibit);
   read_hours(root.child("hours"), exhibit.hours);
+  check_keepsake_place(root.child("keepsake"), exhibit, language_folder);
   root.finish();
+  // A power cut or a full disk while an editor saves leaves an empty file. Its defaults would show
+  // another museum's title, and keep visitors' pots elsewhere.
+  if (reader.ok() && reader.keys_checked() == 0)
+    root.complain("", "The exhibit file has no settings. It may have been cut while it was saved.",
+                  "Put back a copy of it, or write at least credit = \"YOUR MUSEUM\".");
 
   read.problems.insert(read.problems.begin(), reader.problems().begin(), reader.problems().end());
   read.keys_checked += reader.keys_checked();

@@ -103,9 +103,9 @@ struct ExhibitRead {
   int keys_checked = 0;
 };
 
-/// Reads an exhibit, and checks that the shelf, the scene and (if `language_folder` is given) a
-/// <code>.toml for every language exist. On problems, `exhibit` holds every valid value and
-/// defaults elsewhere, so that the kiosk can open.
+/// Reads an exhibit, and checks that it has settings at all, and that the shelf, the scene and (if
+/// `language_folder` is given) a <code>.toml for every language exist. On problems, `exhibit` holds
+/// every valid value and defaults elsewhere, so that the kiosk can open.
 ExhibitRead read_exhibit(const std::filesystem::path& file,
                          const std::filesystem::path& language_folder = {});
 

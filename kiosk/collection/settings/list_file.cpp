@@ -6,11 +6,6 @@
 
 namespace onggi::settings {
 
-std::size_t letters(const std::string& utf8) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 bool read_id(toml::TomlReader::Table& entry, std::string& id, const std::string& example,
              const std::string& other) {
   entry.require("id", "Write a short name of letters, digits and _: id = \"" + example + "\".");

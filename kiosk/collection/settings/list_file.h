@@ -14,9 +14,6 @@ namespace onggi::settings {
 /// What files with a list of [[name]] have in common: lessons, glazes, missions. Each function
 /// notes Problems in its table. Allocates.
 
-/// Letters as they are read, not bytes.
-std::size_t letters(const std::string& utf8);
-
 /// Reads the key `id`: 1 to 40 lower-case letters, digits and _. False if it is missing or invalid.
 /// The remedies show `example`, and `other` where it was invalid ("": the same).
 bool read_id(toml::TomlReader::Table& entry, std::string& id, const std::string& example,

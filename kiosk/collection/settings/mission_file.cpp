@@ -6,6 +6,7 @@
 #include "engine/base/nearest_name.h"
 #include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
+#include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::settings {
@@ -15,22 +16,13 @@ namespace {
 using MissionTable = toml::TomlReader::Table;
 
 /// False if no visitor could read what the mission is.
-bool read_said(MissionTable& mission, const std::string& key, std::size_t most,
+bool read_said(MissionTable& mission, const std::string& key, TextBound most,
                const std::vector<std::string>& languages, const Translations& translations,
                const std::string& id, std::map<std::string, std::string>& out) {
   MissionTable words = mission.child(key);
   for (const std::string& code : words.keys()) {
     std::string text;
-    if (!words.text(code, text)) continue;
-    if (text.find_first_not_of(' ') == std::string::npos)
-      words.complain(code, key + "." + code + " is empty.", "Write words, or leave it out.");
-    else if (letters(text) > most)
-      words.complain(code,
-                     key + "." + code + " has " + std::to_string(letters(text)) +
-                         " letters, but there is room for only " + std::to_string(most) + ".",
-                     "Use fewer words.");
-    else
-      out[code] = text;
+    if (read_visitor_text(words, code, key + "." + code, most, text)) out[code] = std::move(text);
   }
   translations.put("mission", id, key, out);
   for (const std::string& code : languages)
@@ -120,10 +112,10 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
     good = false;
   }
   table.boolean("on", mission.on);
-  good = read_said(table, "title", kMostTitleLetters, languages, translations, mission.id,
+  good = read_said(table, "title", bounds::kMissionTitle, languages, translations, mission.id,
                    mission.title) &&
          good;
-  good = read_said(table, "about", kMostAboutLetters, languages, translations, mission.id,
+  good = read_said(table, "about", bounds::kMissionAbout, languages, translations, mission.id,
                    mission.about) &&
          good;
   if (!read_kind(table, mission.kind)) return false;  // the other keys depend on the kind

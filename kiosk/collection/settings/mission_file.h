@@ -58,8 +58,6 @@ inline constexpr std::array<std::string_view, 4> kMissionKinds{"today", "describ
                                                                "two_hands"};
 inline constexpr std::array<std::string_view, 2> kSecondHands{"finger", "keys"};
 inline constexpr std::size_t kMostMissions = 6;
-inline constexpr std::size_t kMostTitleLetters = 40;   ///< Longest title, which fits a card.
-inline constexpr std::size_t kMostAboutLetters = 240;  ///< Longest description.
 /// Litres that a description may ask for: what hands can shape on this wheel.
 inline constexpr double kLeastLitres = 0.1, kMostLitres = 3.0;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kiosk/collection/settings/list_file.h"
+#include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::settings {
 namespace {
@@ -10,7 +10,6 @@ namespace {
 namespace fs = std::filesystem;
 using Table = toml::TomlReader::Table;
 
-constexpr std::size_t kMostLetters = 120;  // fits the postcard's credit line and a screen's title
 constexpr std::size_t kMostLanguages = 12;
 
 bool has_control_character(const std::string& text) {
@@ -59,25 +58,8 @@ bool read_file(const Setting& setting, SettingReading& reading, bool needed, fs:
 
 void read_words(const Setting& setting, SettingReading& reading) {
   const std::string key(setting.key);
-  read_line(reading.table, key, key, value_of<std::string>(setting, reading));
-}
-
-bool read_line(Table& table, const std::string& key, const std::string& name, std::string& out) {
-  std::string text;
-  if (!table.text(key, text)) return false;
-  std::string what;
-  if (text.find_first_not_of(' ') == std::string::npos) what = name + " is empty.";
-  if (has_control_character(text)) what = name + " has a line break or tab in it.";
-  if (letters(text) > kMostLetters) {
-    what = name + " has " + std::to_string(letters(text)) + " letters, but only " +
-           std::to_string(kMostLetters) + " fit.";
-  }
-  if (what.empty()) {
-    out = text;
-    return true;
-  }
-  table.complain(key, what, "Write one line of 1 to " + std::to_string(kMostLetters) + " letters.");
-  return false;
+  read_visitor_text(reading.table, key, key, bounds::kExhibitCredit,
+                    value_of<std::string>(setting, reading));
 }
 
 bool read_path(Table& table, const std::string& key, const fs::path& folder, fs::path& out) {

@@ -34,9 +34,6 @@ void read_phone_address(const Setting& setting, SettingReading& reading);
 void read_network(const Setting& setting, SettingReading& reading);
 void read_password(const Setting& setting, SettingReading& reading);
 
-/// Reads one line of text that visitors see, called `name`. True if valid.
-bool read_line(toml::TomlReader::Table& table, const std::string& key, const std::string& name,
-               std::string& out);
 /// Reads a path relative to `folder`; an invalid one leaves the default. True if valid.
 bool read_path(toml::TomlReader::Table& table, const std::string& key,
                const std::filesystem::path& folder, std::filesystem::path& out);

@@ -51,5 +51,12 @@ TEST(PlainText, AColumnIsAsWideAsItIsSeenAndNeverCutsACharacter) {
   EXPECT_EQ(column("jar", 0), "");
 }
 
+TEST(PlainText, ColumnsAreCountedAsTheyAreSet) {
+  EXPECT_EQ(columns("jar"), 3u);
+  EXPECT_EQ(columns("달항아리"), 8u);
+  EXPECT_EQ(columns("a\u0308b"), 2u);
+  EXPECT_EQ(columns("\xff磁"), 3u) << "a byte that is no UTF-8 is one question mark";
+}
+
 }  // namespace
 }  // namespace onggi::terminal

@@ -87,6 +87,9 @@ TEST_F(LanguageTest, what_differs_from_the_programs_english_is_named_and_still_s
       {{"help = \"Help\"\n", "help = \"Help\"\nnonsense = \"x\"\n"}, {"all.nonsense", "Remove it"}},
       {{"rpm = \"{rpm} rpm\"", "rpm = \"{turns} rpm\""}, {"{turns}", "Its placeholders are {rpm}"}},
       {{"rpm = \"{rpm} rpm\"", "rpm = \"turning\""}, {"throw.rpm lacks {rpm}"}},
+      {{"back = \"Back\"", "back = \"Back, and then some more words than a button has\""},
+       {"all.back has 48 letters, but there is room for only 28"}},
+      {{"back = \"Back\"", "back = \"Ba\\u001bck\""}, {"control character U+001B"}},
       {{"back = \"Back\"", "back = \"{way} back\""}, {"{way}", "Remove the braces"}}};
   for (const auto& [slip, words] : slips) {
     const std::string all = changed(slip.first, slip.second);

@@ -65,7 +65,8 @@ TEST_F(LessonTest, WordsThatLackOrAreTooManyForAGlanceAreNamed) {
           .problems[0]
           .what,
       HasSubstr("\"ko\""));
-  const std::string lots(121, 'a');
+  std::string lots = "b";
+  for (int i = 0; i < 60; ++i) lots += " a";
   const LessonRead r = read("[[step]]\nid = \"a\"\nwords = { en = \"" + lots +
                             "\", ko = \"가\" }\nhands = \"up\"\nuntil = \"cut\"\n");
   ASSERT_THAT(r.problems, SizeIs(1));

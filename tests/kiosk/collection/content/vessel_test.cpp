@@ -6,6 +6,8 @@
 #include "engine/profile/measures.h"
 #include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/content/glb.h"
+#include "kiosk/collection/content/pack.h"
+#include "kiosk/collection/settings/visitor_text.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/collection/content/temporary.h"
 #include "tests/support/open_shelf.h"
@@ -61,6 +63,53 @@ TEST_F(VesselTest, a_pack_brings_its_label_credit_and_true_size) {
   }
   EXPECT_NEAR(low, 0.0f, 1e-3);
   EXPECT_NEAR(high, 0.305f, 1e-3);
+}
+
+TEST_F(VesselTest, a_text_that_no_screen_shows_is_said_with_its_line_and_letters_and_is_cut) {
+  write_mesh("jar/vessel.glb", shapes::jar());
+  const auto with = [this](const std::string& line) {
+    write("jar/vessel.toml", kWholeToml + "text = \"Foot.\"\n[label.fr]\n" + line);
+    const PackRead read = read_pack(folder_ / "jar/vessel.toml");
+    std::string all;
+    for (const Problem& p : read.advice) all += to_text(p) + "\n";
+    for (const Problem& p : read.problems) all += "left off: " + to_text(p) + "\n";
+    return all;
+  };
+  std::string five_thousand = "A";
+  for (int i = 0; i < 2500; ++i) five_thousand += " b";
+  const std::string long_title = with("title = \"" + five_thousand + "\"\n");
+  EXPECT_NE(long_title.find("vessel.toml:19:9: label.fr.title has 5001 letters, but there is room "
+                            "for only 60."),
+            std::string::npos)
+      << long_title;
+  EXPECT_EQ(long_title.find("left off"), std::string::npos);
+  const auto vessel = load_vessel(folder_ / "jar");
+  ASSERT_TRUE(vessel);
+  EXPECT_EQ(settings::letters(vessel->label("fr").title), settings::bounds::kTitle.letters);
+  for (const char* key : {"culture", "date", "made", "text", "credit"}) {
+    const std::string said =
+        with("title = \"T\"\n" + std::string(key) + " = \"" + five_thousand + "\"\n");
+    EXPECT_NE(said.find("vessel.toml:20:"), std::string::npos) << said;
+    EXPECT_NE(said.find(std::string(key) + " has 5001 letters"), std::string::npos) << said;
+  }
+  EXPECT_NE(with("title = \"" + std::string(41, 'm') + "\"\n").find("a word of 41 letters"),
+            std::string::npos);
+  EXPECT_NE(with("title = \"a\\nb\\u0000c\\u001b[31m\"\n").find("label.fr.title has a line break"),
+            std::string::npos);
+  EXPECT_NE(with("title = \"\\u200b\\u200b\"\n").find("left off"), std::string::npos);
+  EXPECT_NE(with("title = \"\\u200b\\u200b\"\n").find("nobody can see"), std::string::npos);
+}
+
+TEST_F(VesselTest, a_scans_own_words_are_cut_to_what_a_label_shows) {
+  Vessel vessel;
+  vessel.id = "jar";
+  for (int i = 0; i < 900; ++i) vessel.given.title += "jar ";
+  vessel.given.culture = vessel.given.date = vessel.given.title;
+  EXPECT_EQ(settings::letters(vessel.label("en").title), settings::bounds::kTitle.letters);
+  EXPECT_EQ(settings::letters(vessel.label("en").culture), settings::bounds::kCulture.letters);
+  EXPECT_EQ(settings::letters(vessel.label("en").date), settings::bounds::kDate.letters);
+  vessel.given.title = "\u200b\u3164";
+  EXPECT_EQ(vessel.label("en").title, "Jar") << "a name that can be seen";
 }
 
 TEST_F(VesselTest, a_bare_file_is_named_after_itself_and_an_absurd_size_is_made_sensible) {

@@ -48,10 +48,15 @@ class ExhibitTest : public ::testing::Test {
   fs::path museum_;
 };
 
-TEST_F(ExhibitTest, an_empty_file_is_an_exhibit_of_defaults) {
+TEST_F(ExhibitTest, a_file_without_a_setting_is_a_problem_and_its_exhibit_has_the_defaults) {
+  for (const char* cut :
+       {"", "# The museum's own.\n", "\n\n", "[keepsake]\n", "[screen]\n[title]\n"}) {
+    const ExhibitRead empty = read(cut);
+    EXPECT_THAT(all(empty.problems), HasSubstr("The exhibit file has no settings.")) << cut;
+    EXPECT_THAT(all(empty.problems), HasSubstr("exhibit.toml:1:1: The exhibit")) << cut;
+  }
+  EXPECT_THAT(read("credit = \"us\"\n").problems, IsEmpty());
   const ExhibitRead r = read("");
-  EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 0);
   EXPECT_EQ(r.exhibit.shelf, museum_ / "content/vessels");
   EXPECT_EQ(r.exhibit.scene, museum_ / "exhibit/scenes/first_touch.toml");
   EXPECT_EQ(r.exhibit.keepsake.folder, museum_ / "keepsakes");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "kiosk/collection/settings/visitor_text.h"
 #include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::settings {
@@ -111,7 +112,7 @@ TEST_F(MissionFile, OneThatNobodyCouldBeToldOfIsLeftOut) {
     EXPECT_THAT(r.missions, IsEmpty());
     EXPECT_FALSE(r.problems.empty());
   }
-  const std::string endless(kMostTitleLetters + 1, 'x');
+  const std::string endless(bounds::kMissionTitle.letters + 1, 'x');
   const MissionsRead r = read(
       "[[mission]]\nid = \"a\"\nkind = \"today\"\nabout = { en = \"Throw it.\" }\ntitle = { en = "
       "\"" +

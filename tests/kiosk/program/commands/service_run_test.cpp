@@ -42,6 +42,17 @@ class Service {
   Outcome run(const std::string& exhibit, const std::string& signal, int seconds) const {
     const std::string config =
         write_exhibit(folder_, "first_touch", exhibit + "[keepsake]\nfolder = \"keepsakes\"\n");
+    return run_config(config, signal, seconds);
+  }
+  /// The same with an exhibit file of this `text` alone.
+  Outcome run_file(const std::string& text, const std::string& signal, int seconds) const {
+    const std::string config = (folder_ / "exhibit.toml").string();
+    std::ofstream(config) << text;
+    return run_config(config, signal, seconds);
+  }
+
+ private:
+  Outcome run_config(const std::string& config, const std::string& signal, int seconds) const {
     const std::string err = (folder_ / "err").string();
     const std::string command =
         "STATE_DIRECTORY='" + (folder_ / "state").string() + "' RUNTIME_DIRECTORY='" +
@@ -51,7 +62,6 @@ class Service {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, "", text_of(err)};
   }
 
- private:
   TemporaryFolder folder_;
   Result<std::unique_ptr<files::VirtualDisplay>> display_;
 };
@@ -96,6 +106,15 @@ TEST(ServiceRun,
   service.keep_as_last_good("crediit = \"a slip that nobody minded\"\n");
   EXPECT_THAT(service.run("crediit = \"us\"\n", "TERM", 2).err,
               Not(HasSubstr("The last good exhibit is shown")));
+}
+
+TEST(ServiceRun, AnExhibitFileThatAPowerCutLeftEmptyGivesWayToTheLastGoodOneToo) {
+  const Service service;
+  if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
+  service.keep_as_last_good(kAnother);
+  const Outcome empty = service.run_file("", "TERM", 2);
+  EXPECT_THAT(empty.err, HasSubstr("The exhibit file has no settings."));
+  EXPECT_THAT(empty.err, HasSubstr("The last good exhibit is shown"));
 }
 
 TEST(ServiceRun, AKilledKioskIsACrashAndOneThatEndsAsAskedIsNone) {
