@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "kiosk/ground/files/output_kind.h"
 #include "kiosk/lab/plots/chart_pen.h"
 #include "kiosk/picture/view/palette.h"
 
@@ -111,7 +112,7 @@ class SpectrogramPen : private plots::ChartPen {
 }  // namespace
 
 std::vector<std::byte> draw_spectrogram(const Spectrogram& sound, const std::string& file) {
-  return SpectrogramPen().draw(sound, file.ends_with(".svg"));
+  return SpectrogramPen().draw(sound, files::is_svg(file));
 }
 
 }  // namespace onggi::pages

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "engine/base/plain_text.h"
+
 namespace onggi::rehearsal {
 
 namespace {
@@ -89,9 +91,9 @@ std::string visit_summary(const exhibit::KeptVisit& kept) {
   char score[64];
   std::snprintf(score, sizeof score, "%.1f of 100, %d of 5 stars", kept.score.points,
                 kept.score.stars);
-  std::string text = kept.vessel_id + ": " + score + "\n";
+  std::string text = terminal::plain(kept.vessel_id) + ": " + score + "\n";
   const auto files = files_of(kept);
-  if (!files.empty()) text += "The keepsake picture: " + files.front() + "\n";
+  if (!files.empty()) text += "The keepsake picture: " + terminal::plain(files.front()) + "\n";
   return text;
 }
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <variant>
 #include <vector>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/ground/cli/man_page.h"
 
 namespace onggi::cli {
@@ -21,20 +23,50 @@ CLI::Option* add_field(CLI::App& to, const Option& option, bool* field) {
 std::string not_finite(const std::string& text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  return read.ec == std::errc() && !std::isfinite(value) ? text + " is not a finite number" : "";
+  const bool named = read.ec == std::errc() && !std::isfinite(value);
+  return named || read.ec == std::errc::result_out_of_range ? text + " is not a finite number" : "";
 }
 
 CLI::Option* add_field(CLI::App& to, const Option& option, double* field) {
   return to.add_option(option.name, *field, option.help)->check(not_finite);
 }
+/// An empty word is most often a shell's unset variable. Taken for "not given", the command would
+/// do something else than it was asked for.
+std::string not_empty(const std::string& text) {
+  return text.empty() ? "it is empty: name something, or leave the option out" : "";
+}
 CLI::Option* add_field(CLI::App& to, const Option& option, files::Output* field) {
-  return to.add_option(option.name, field->where(), option.help);
+  return to.add_option(option.name, field->where(), option.help)->check(not_empty);
 }
-template <class Field>
-CLI::Option* add_field(CLI::App& to, const Option& option, Field* field) {
-  return to.add_option(option.name, *field, option.help);
+CLI::Option* add_field(CLI::App& to, const Option& option, std::string* field) {
+  return to.add_option(option.name, *field, option.help)->check(not_empty);
 }
-
+/// CLI11 takes the nearest number that fits for one that is too large.
+template <class Whole>
+std::string not_whole(const std::string& text) {
+  Whole value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec == std::errc::result_out_of_range)
+    return text + " is too large: write at most " +
+           std::to_string(std::numeric_limits<Whole>::max());
+  return read.ec != std::errc() || read.ptr != end ? "\"" + text + "\" is not a whole number" : "";
+}
+CLI::Option* add_field(CLI::App& to, const Option& option, int* field) {
+  return to.add_option(option.name, *field, option.help)->check(not_whole<int>);
+}
+CLI::Option* add_field(CLI::App& to, const Option& option, std::uint64_t* field) {
+  return to.add_option(option.name, *field, option.help)->check(not_whole<std::uint64_t>);
+}
+/// For numbers from 0 upwards. CLI11's own message has a number of 309 digits.
+std::string below_zero(const std::string& text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end)
+    return "\"" + text + "\" is not a number: write one of at least 0";
+  return value < 0.0 ? text + " is below 0: write a number of at least 0" : "";
+}
 void add_option(CLI::App& to, const Option& option) {
   CLI::Option* added =
       std::visit([&](auto* field) { return add_field(to, option, field); }, option.field);
@@ -42,7 +74,7 @@ void add_option(CLI::App& to, const Option& option) {
   if (std::isfinite(option.most))
     added->check(CLI::Range(option.least, option.most));
   else if (option.least == 0.0)
-    added->check(CLI::NonNegativeNumber);
+    added->check(below_zero);
   if (option.shows_default) added->capture_default_str();
   if (option.hidden) added->group("");
 }
@@ -121,11 +153,12 @@ int run_command_line(const Command& program, const std::string& version, int arg
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::cerr << program.name << ": " << error.what() << "\n  See " << program.name
+    // It repeats words of the command line, which may hold a terminal's commands.
+    std::cerr << program.name << ": " << terminal::plain(error.what()) << "\n  See " << program.name
               << " --help, or " << program.name << " COMMAND --help, for the options.\n";
     return 2;
   } catch (const std::exception& error) {
-    std::cerr << program.name << ": " << error.what()
+    std::cerr << program.name << ": " << terminal::plain(error.what())
               << "\n  This is a fault of the program: please report it with the log above.\n";
     return 1;
   }

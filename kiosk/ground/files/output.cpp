@@ -53,6 +53,28 @@ const char* name_of(Output::Kind kind) {
   return "picture of this kind";
 }
 
+const char* format_of(Output::Kind kind) {
+  return kind == Output::Kind::picture ? "PNG" : name_of(kind);
+}
+
+const char* endings_of(Output::Kind kind) {
+  switch (kind) {
+    case Output::Kind::json:
+      return ".json";
+    case Output::Kind::csv:
+      return ".csv";
+    case Output::Kind::glb:
+      return ".glb";
+    case Output::Kind::wav:
+      return ".wav";
+    case Output::Kind::archive:
+      return ".tar.gz";
+    case Output::Kind::picture:
+      break;
+  }
+  return ".png or .svg";
+}
+
 fs::path folder_for(const std::string& where) {
   const fs::path folder = fs::path(where).parent_path();
   return folder.empty() ? fs::path(".") : folder;
@@ -122,6 +144,13 @@ bool Output::clashes_with(const Output& other) const {
 Result<void> Output::check() const {
   if (!wanted() || to_stdout()) return {};
   const FileInfo found = standing(where_);
+  const bool file = !found.there || S_ISREG(found.info.st_mode);
+  if (file && !forced_ && !name_agrees(where_, kind_))
+    return problem(
+        where_,
+        "The name ends in " + fs::path(where_).extension().string() +
+            ", but this is written as a " + format_of(kind_) + ".",
+        std::string("Name a file that ends in ") + endings_of(kind_) + ", or add --force.");
   if (!found.there) return check_new(where_);
   const mode_t mode = found.info.st_mode;
   if (S_ISCHR(mode) || S_ISFIFO(mode)) return {};

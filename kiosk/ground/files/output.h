@@ -13,6 +13,7 @@ namespace onggi::files {
 /// - replaces a disk, a folder or a socket;
 /// - replaces a file that this run has read (note_read()), or, unless forced, a file of another
 /// kind; an empty file is of every kind;
+/// - gives a file a name that ends as another kind does, unless forced;
 /// - creates a folder.
 class Output {
  public:

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -53,7 +55,69 @@ std::string read_to(std::ifstream& in, std::size_t most) {
   return text;
 }
 
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return ending;
+}
+
+struct Ending {
+  std::string_view text;
+  std::optional<Output::Kind> kind;  // none: this program writes no such file
+};
+constexpr Ending kEndings[] = {{".json", Output::Kind::json},
+                               {".csv", Output::Kind::csv},
+                               {".png", Output::Kind::picture},
+                               {".svg", Output::Kind::picture},
+                               {".glb", Output::Kind::glb},
+                               {".wav", Output::Kind::wav},
+                               {".gz", Output::Kind::archive},
+                               {".tgz", Output::Kind::archive},
+                               {".gif", {}},
+                               {".jpg", {}},
+                               {".jpeg", {}},
+                               {".webp", {}},
+                               {".bmp", {}},
+                               {".tif", {}},
+                               {".tiff", {}},
+                               {".pdf", {}},
+                               {".ps", {}},
+                               {".eps", {}},
+                               {".gltf", {}},
+                               {".obj", {}},
+                               {".stl", {}},
+                               {".ply", {}},
+                               {".mp3", {}},
+                               {".ogg", {}},
+                               {".flac", {}},
+                               {".zip", {}},
+                               {".xz", {}},
+                               {".bz2", {}},
+                               {".zst", {}},
+                               {".tar", {}},
+                               {".toml", {}},
+                               {".onggi", {}},
+                               {".xml", {}},
+                               {".html", {}},
+                               {".md", {}},
+                               {".xls", {}},
+                               {".xlsx", {}},
+                               {".ods", {}},
+                               {".tsv", {}},
+                               {".yaml", {}},
+                               {".yml", {}}};
+
 }  // namespace
+
+bool is_svg(const std::filesystem::path& file) { return ending_of(file) == ".svg"; }
+
+bool name_agrees(const std::filesystem::path& file, Output::Kind kind) {
+  const std::string ending = ending_of(file);
+  const auto* const known = std::ranges::find(kEndings, ending, &Ending::text);
+  return known == std::end(kEndings) || known->kind == kind;
+}
 
 bool is_of_kind(const std::filesystem::path& file, Output::Kind kind) {
   std::ifstream in(file, std::ios::binary);
@@ -78,7 +142,7 @@ bool is_of_kind(const std::filesystem::path& file, Output::Kind kind) {
     case Output::Kind::picture:
       break;
   }
-  if (file.extension() == ".svg") return head.find("<svg") != std::string::npos;
+  if (is_svg(file)) return head.find("<svg") != std::string::npos;
   return head.starts_with("\x89PNG\r\n");
 }
 

@@ -12,4 +12,11 @@ namespace onggi::files {
 /// of JSON. Allocates; any thread.
 bool is_of_kind(const std::filesystem::path& file, Output::Kind kind);
 
+/// False if the name of `file` ends as files of another kind do (".gif" for a picture, ".csv" for
+/// JSON), in whatever case. True for endings that are not known, and for none. Reads nothing.
+bool name_agrees(const std::filesystem::path& file, Output::Kind kind);
+
+/// True if a picture of this name is drawn as an SVG: it ends in ".svg" or ".SVG".
+bool is_svg(const std::filesystem::path& file);
+
 }  // namespace onggi::files

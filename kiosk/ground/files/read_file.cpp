@@ -25,7 +25,9 @@ tl::unexpected<ReadFault> fault(Kind kind, int error = 0) {
 }
 
 tl::unexpected<ReadFault> not_opened(int error) {
-  return fault(error == ENOENT || error == ENOTDIR ? Kind::missing : Kind::closed, error);
+  // No file can have a name that is too long.
+  const bool missing = error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG;
+  return fault(missing ? Kind::missing : Kind::closed, error);
 }
 
 tl::expected<Bytes, ReadFault> read_open(const Descriptor& file, std::size_t most) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/collection/settings/scene_file.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/replay_file.h"
@@ -100,7 +101,7 @@ Result<int> stability(StabilityArguments& arguments) {
     if (!replay) return tl::unexpected(replay.error());
     const auto said = measure::check_replay(*replay);
     if (!said) return tl::unexpected(said.error());
-    std::printf("%s: %s\n", arguments.check.c_str(), said->c_str());
+    std::printf("%s: %s\n", terminal::plain(arguments.check).c_str(), said->c_str());
     return 0;
   }
   arguments.plan.folder = arguments.out;

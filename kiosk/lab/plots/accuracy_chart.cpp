@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
+#include "kiosk/ground/files/output_kind.h"
 #include "kiosk/lab/plots/chart_pen.h"
 #include "kiosk/lab/plots/error_pot.h"
 #include "kiosk/picture/view/palette.h"
@@ -394,7 +394,7 @@ std::vector<std::byte> AccuracySheet::draw() {
 }  // namespace
 
 std::vector<std::byte> draw_accuracy(const AccuracyChart& chart, const std::string& file) {
-  return AccuracySheet(chart, file.ends_with(".svg")).draw();
+  return AccuracySheet(chart, files::is_svg(file)).draw();
 }
 
 }  // namespace onggi::plots

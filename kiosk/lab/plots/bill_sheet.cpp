@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "kiosk/ground/files/output_kind.h"
 #include "kiosk/picture/drawing/pen.h"
 #include "kiosk/picture/view/palette.h"
 
@@ -65,7 +66,7 @@ std::vector<std::byte> BillPainter::draw(const BillSheet& bill, bool vector) {
 }  // namespace
 
 std::vector<std::byte> draw_bill(const BillSheet& bill, const std::string& file) {
-  return BillPainter().draw(bill, file.ends_with(".svg"));
+  return BillPainter().draw(bill, files::is_svg(file));
 }
 
 }  // namespace onggi::plots

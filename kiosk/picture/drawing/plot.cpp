@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kiosk/ground/files/output_kind.h"
 #include "kiosk/picture/drawing/pen.h"
 #include "kiosk/picture/drawing/plot_scale.h"
 #include "kiosk/picture/view/palette.h"
@@ -315,7 +316,7 @@ std::vector<std::byte> PlotSheet::draw() {
 }  // namespace
 
 std::vector<std::byte> draw_plot(const Plot& plot, const std::string& file) {
-  return PlotSheet(plot, file.ends_with(".svg")).draw();
+  return PlotSheet(plot, files::is_svg(file)).draw();
 }
 
 }  // namespace onggi::drawing

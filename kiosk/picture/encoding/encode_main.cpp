@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/picture/encoding/gif.h"
 #include "kiosk/picture/encoding/picture_bytes.h"
 
@@ -180,7 +181,7 @@ int describe(const char* file) {
   as_it_is.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::open(file, &as_it_is);
   if (!input) {
-    std::cerr << "onggi-encode: " << OIIO::geterror() << "\n";
+    std::cerr << "onggi-encode: " << onggi::terminal::plain(OIIO::geterror()) << "\n";
     return 1;
   }
   const OIIO::ImageSpec& spec = input->spec();
@@ -193,7 +194,7 @@ int describe(const char* file) {
   }
   std::vector<unsigned char> pixels(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data())) {
-    std::cerr << "onggi-encode: " << input->geterror() << "\n";
+    std::cerr << "onggi-encode: " << onggi::terminal::plain(input->geterror()) << "\n";
     return 1;
   }
   const std::size_t few = std::min<std::size_t>(pixels.size(), 64);

@@ -95,10 +95,11 @@ Result<int> import_vessel(const ImportArguments& arguments) {
   if (auto good = files::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
       !good)
     return tl::unexpected(good.error());
-  std::cout << (folder / "vessel.glb").string() << ": the shape, " << glb->size() / 1024 << " kB\n"
-            << (folder / "vessel.toml").string()
-            << ": complete this file; to see what is missing, run: onggi check " << folder.string()
-            << '\n';
+  std::cout << terminal::plain((folder / "vessel.glb").string()) << ": the shape, "
+            << glb->size() / 1024 << " kB\n"
+            << terminal::plain((folder / "vessel.toml").string())
+            << ": complete this file; to see what is missing, run: onggi check "
+            << terminal::plain(folder.string()) << '\n';
   for (const std::string& warning : vessel->extracted.warnings)
     std::cout << "  note: " << terminal::plain(warning) << '\n';
   return 0;

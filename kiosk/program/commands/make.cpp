@@ -21,8 +21,8 @@ Result<int> make(const MakeArguments& arguments) {
   const auto glb = content::make_glb(*drawing);
   if (auto good = arguments.out.write(glb); !good) return tl::unexpected(good.error());
   if (arguments.out.to_stdout()) return 0;
-  std::cout << arguments.out.where() << ": " << terminal::plain(drawing->title) << ", "
-            << glb.size() / 1024 << " kB\n";
+  std::cout << terminal::plain(arguments.out.where()) << ": " << terminal::plain(drawing->title)
+            << ", " << glb.size() / 1024 << " kB\n";
   return 0;
 }
 

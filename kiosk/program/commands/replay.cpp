@@ -41,11 +41,12 @@ Result<int> replay(const std::string& name, const files::Output& json_file) {
               << (same ? "the same pot, bit for bit (" : "a different pot from the recorded one (")
               << rehearsal::hash_text(outcome->replayed_hash) << ")\n";
   if (!same && outcome->earlier_laws)
-    std::cerr << name
+    std::cerr << terminal::plain(name)
               << ": This visit was recorded when clay sagged and soaked by other laws, so the same "
                  "hands now make a slightly different pot; the keepsake shows the pot as it was.\n";
   else if (!same && outcome->first_difference_tick >= 0)
-    std::cerr << name << ": first different at tick " << outcome->first_difference_tick << "\n";
+    std::cerr << terminal::plain(name) << ": first different at tick "
+              << outcome->first_difference_tick << "\n";
   return same ? 0 : 1;
 }
 

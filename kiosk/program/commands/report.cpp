@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/ground/files/output.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/program/commands/commands.h"
@@ -33,10 +34,11 @@ Result<int> report(const ReportArguments& arguments) {
   if (!packed) return tl::unexpected(packed.error());
   if (auto written = arguments.to.write(*packed); !written) return tl::unexpected(written.error());
   if (arguments.to.to_stdout()) return 0;
-  std::cout << "Wrote " << arguments.to.where() << ", " << packed->size() / 1024 + 1 << " kB:\n";
+  std::cout << "Wrote " << terminal::plain(arguments.to.where()) << ", "
+            << packed->size() / 1024 + 1 << " kB:\n";
   for (const BundlePart& part : parts) std::cout << "  " << part.name << '\n';
   std::cout << "It holds nothing about visitors. Check it before you send it: tar -xzf "
-            << arguments.to.where() << '\n';
+            << terminal::plain(arguments.to.where()) << '\n';
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/plain_text.h"
 #include "engine/scene/lump.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/score/likeness.h"
@@ -101,8 +102,9 @@ void print_summary(const Shape& target, const Shape& pot, const score::Score& sc
   const double each = known ? 1000.0 * true_scale : 100.0 / m.target.height;
   const double high = each * m.target.height;
   const char* unit = known ? "mm" : "% of the height";
-  std::printf("%s\n  as an answer to %s: %.1f of 100, %d of 5 stars\n", pot.file.c_str(),
-              target.file.c_str(), score.points, score.stars);
+  std::printf("%s\n  as an answer to %s: %.1f of 100, %d of 5 stars\n",
+              terminal::plain(pot.file).c_str(), terminal::plain(target.file).c_str(), score.points,
+              score.stars);
   if (score.largest)
     std::printf("  %s\n", words.say(score.largest->key, score.largest->places).c_str());
   if (m.scale != 1.0) std::printf("  The pot is compared at %.3g of its size.\n", m.scale);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/plain_text.h"
 #include "kiosk/collection/settings/scene_file.h"
 #include "kiosk/exhibit/tuning/machine.h"
 #include "kiosk/exhibit/tuning/scene_writer.h"
@@ -49,7 +50,9 @@ Result<int> tune(const TuneArguments& arguments) {
   }
   const auto put = drawing::put_report(json_of(*grid), arguments.json);
   if (!put) return tl::unexpected(put.error());
-  if (*put) std::printf("%s: %s\n", file.c_str(), tuning::words_of(*grid).c_str());
+  if (*put)
+    std::printf("%s: %s\n", terminal::plain(file.string()).c_str(),
+                tuning::words_of(*grid).c_str());
   return grid->in_time ? 0 : 1;
 }
 

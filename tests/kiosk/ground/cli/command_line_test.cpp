@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -31,6 +32,7 @@ class CommandLine : public ::testing::Test {
   std::string pot_, ran_, said_;
   double speed_ = 60;
   std::uint64_t seed_ = 1;
+  files::Output json_{files::Output::Kind::json};
   bool left_ = false, right_ = false;
   Command program_{
       .name = "wheel",
@@ -48,6 +50,7 @@ class CommandLine : public ::testing::Test {
                                  .shows_default = true},
                                 {.name = "--seed", .field = &seed_, .help = "Any", .least = 0},
                                 {"--left", &left_, "To the left"},
+                                {"--json", &json_, "A report"},
                                 {.name = "--right",
                                  .field = &right_,
                                  .help = "To the right",
@@ -86,7 +89,14 @@ TEST_F(CommandLine, what_is_wrong_is_the_inputs_fault_and_nothing_runs) {
            {{"turn", "jar", "--speed", "-nan(1)"}, "--speed"},
            {{"turn", "jar", "--speed", "NaN"}, "not a finite number"},
            {{"turn", "jar", "--speed", "inf"}, "not a finite number"},
-           {{"turn", "jar", "--seed", "-1"}, "-1"},
+           {{"turn", "jar", "--speed", "1e400"}, "not a finite number"},
+           {{"turn", "jar", "--seed", "-1"}, "\"-1\" is not a whole number"},
+           {{"turn", "jar", "--seed", "x"}, "\"x\" is not a whole number"},
+           {{"turn", "jar", "--seed", "99999999999999999999999"}, "is too large"},
+           {{"turn", "jar", "--seed", "1.5"}, "not a whole number"},
+           {{"turn", ""}, "it is empty"},
+           {{"turn", "jar", "--json", ""}, "it is empty"},
+           {{"turn", "jar", "--json="}, "--json"},
            {{"turn", "jar", "--left", "--right"}, "excludes"},
            {{"turn", "jar", "bowl"}, "bowl"},
            {{"tool"}, "subcommand is required"},
@@ -96,6 +106,27 @@ TEST_F(CommandLine, what_is_wrong_is_the_inputs_fault_and_nothing_runs) {
     EXPECT_NE(said_.find(told), std::string::npos) << said_;
     EXPECT_NE(said_.find("See wheel --help"), std::string::npos) << said_;
     EXPECT_EQ(ran_, "");
+  }
+}
+
+TEST_F(CommandLine, no_message_repeats_a_control_character_or_a_number_of_hundreds_of_digits) {
+  const char* const commands = "\x1b[31mred\a\x7f\xc2\x9b\n\r";
+  for (const std::vector<const char*>& words :
+       std::vector<std::vector<const char*>>{{commands},
+                                             {"turn", "jar", commands},
+                                             {"turn", "jar", "--speed", commands},
+                                             {"turn", "jar", "--seed", commands},
+                                             {"turn", "jar", "--json", "a.json", commands},
+                                             {"tool", commands}}) {
+    EXPECT_EQ(run(words), 2);
+    for (const char c : {'\x1b', '\a', '\x7f', '\r'})
+      EXPECT_EQ(said_.find(c), std::string::npos) << said_;
+    EXPECT_EQ(said_.find("\xc2\x9b"), std::string::npos);
+    EXPECT_EQ(std::count(said_.begin(), said_.end(), '\n'), 2) << said_;
+  }
+  for (const char* number : {"x", "-1", "1e400", "", "99999999999999999999999"}) {
+    EXPECT_EQ(run({"turn", "jar", "--seed", number}), 2) << number;
+    EXPECT_LT(said_.size(), 200u) << said_;
   }
 }
 

@@ -90,15 +90,39 @@ TEST_F(AnOutput, never_takes_the_place_of_a_file_of_another_kind_unless_it_is_fo
     }
 }
 
+TEST_F(AnOutput, has_a_name_that_ends_as_its_kind_does_or_in_nothing_that_is_known) {
+  const std::pair<const char*, Kind> good[] = {
+      {"a.json", Kind::json}, {"a.png", Kind::picture},    {"a.SVG", Kind::picture},
+      {"a.glb", Kind::glb},   {"a.tar.gz", Kind::archive}, {"a.tgz", Kind::archive},
+      {"a", Kind::picture},   {"tmp.Xq3", Kind::json},     {"a.txt", Kind::json},
+      {"a.json", Kind::json}, {"a.2026", Kind::csv},       {"a.WAV", Kind::wav}};
+  for (const auto& [name, kind] : good) EXPECT_TRUE(to(name, kind).check()) << name;
+  const std::pair<const char*, Kind> wrong[] = {{"q.gif", Kind::picture},  {"q.jpg", Kind::picture},
+                                                {"q.JPEG", Kind::picture}, {"q.json", Kind::csv},
+                                                {"q.csv", Kind::json},     {"q.pdf", Kind::picture},
+                                                {"q.gltf", Kind::glb},     {"q.mp3", Kind::wav},
+                                                {"q.zip", Kind::archive},  {"q.toml", Kind::json}};
+  for (const auto& [name, kind] : wrong) {
+    Output out = to(name, kind);
+    const auto said = out.write(std::string("x"));
+    ASSERT_FALSE(said) << name;
+    EXPECT_EQ(said.error().exit_code, 2);
+    EXPECT_THAT(said.error().what, HasSubstr("The name ends in ." + std::string(name).substr(2)));
+    EXPECT_FALSE(fs::exists(path(name)));
+    out.force();
+    EXPECT_TRUE(out.check()) << name;
+  }
+}
+
 TEST_F(AnOutput, may_take_the_place_of_an_empty_file_and_keeps_its_rights) {
-  there("empty.glb", "");
-  fs::permissions(path("empty.glb"), fs::perms::owner_all | fs::perms::group_read);
+  there("empty.json", "");
+  fs::permissions(path("empty.json"), fs::perms::owner_all | fs::perms::group_read);
   // Only root gives files away; anyone else's is their own already.
   const uid_t owner = ::geteuid() == 0 ? 12345 : ::geteuid();
-  ASSERT_EQ(::chown(path("empty.glb").c_str(), owner, static_cast<gid_t>(-1)), 0);
-  ASSERT_TRUE(to("empty.glb", Kind::json).write(std::string("{}")));
+  ASSERT_EQ(::chown(path("empty.json").c_str(), owner, static_cast<gid_t>(-1)), 0);
+  ASSERT_TRUE(to("empty.json", Kind::json).write(std::string("{}")));
   struct stat info {};
-  ASSERT_EQ(::stat(path("empty.glb").c_str(), &info), 0);
+  ASSERT_EQ(::stat(path("empty.json").c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 07777, 0740u);
   EXPECT_EQ(info.st_uid, owner);
 }
