@@ -9,6 +9,8 @@
 #include <cstring>
 #include <vector>
 
+#include "kiosk/collection/settings/visitor_text.h"
+
 namespace onggi::render {
 namespace {
 
@@ -70,6 +72,17 @@ std::vector<std::uint8_t> ink_of(const unsigned char* from, std::size_t stride, 
     mask.insert(mask.end(), row + left, row + right);
   }
   return mask;
+}
+
+/// The part of `text` that is shaped. A file may hold anything, but a frame must not wait for it.
+std::string shapeable(const std::string& text) {
+  std::size_t end = text.size();
+  if (end > Typesetter::kMostBytes) {
+    end = Typesetter::kMostBytes;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+  }
+  std::string out = settings::with_breaks(std::string_view(text).substr(0, end));
+  return end < text.size() ? out + "…" : out;
 }
 
 void keep_together(std::size_t start, std::size_t end, PangoAttrList* attributes) {
@@ -146,7 +159,8 @@ struct Typesetter::Pango {
     g_object_unref(map);
   }
 
-  PangoLayout* layout(const std::string& text, const view::TextStyle& s, float width) const {
+  PangoLayout* layout(const std::string& whole, const view::TextStyle& s, float width) const {
+    const std::string text = shapeable(whole);
     PangoLayout* layout = pango_layout_new(context);
     PangoFontDescription* font = pango_font_description_from_string(families(s).c_str());
     pango_font_description_set_absolute_size(font, std::round(s.px * PANGO_SCALE));

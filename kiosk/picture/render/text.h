@@ -15,6 +15,9 @@ namespace onggi::render {
 /// used pages first. Main thread.
 class Typesetter final : public view::TextMeasure {
  public:
+  /// Of a paragraph, which is cut there with an ellipsis; 13 ms at most in narrow lines.
+  static constexpr std::size_t kMostBytes = 4096;
+
   Typesetter();
   ~Typesetter() override;
 

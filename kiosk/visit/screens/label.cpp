@@ -64,29 +64,46 @@ float paragraph_gap(const view::TextStyle& style) { return style.px * 0.5f; }
 std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
                                       const view::TextStyle& style, const view::Rect& box) {
   const float width = std::min(box.w, style.px * 0.52f * 55.0f);
-  const auto height = [&](const std::string& words) {
-    return page.size(words, style, width).height;
-  };
   std::vector<LabelPart> parts(1);
   float used = 0;  // height of the last part's whole paragraphs
   for (const std::string& paragraph : paragraphs) {
-    std::string words;
-    for (const std::string& sentence : sentences(paragraph)) {
+    const std::vector<std::string> all = sentences(paragraph);
+    std::size_t at = 0;
+    const auto words_of = [&](std::size_t count) {
+      std::string words;
+      for (std::size_t i = at; i < at + count; ++i) words = joined(words, all[i]);
+      return words;
+    };
+    const auto height = [&](std::size_t count) {
+      return page.size(words_of(count), style, width).height;
+    };
+    while (at < all.size()) {
       const float before = parts.back().empty() ? 0.0f : used + paragraph_gap(style);
-      const std::string longer = joined(words, sentence);
-      if (before + height(longer) <= box.h) {
-        words = longer;
-        continue;
+      const auto fits = [&](std::size_t count) { return before + height(count) <= box.h; };
+      // The most sentences that fit. They grow taller with each, so halve the doubt: a paragraph of
+      // hundreds is measured a few times.
+      const std::size_t rest = all.size() - at;
+      std::size_t most = 0, too_many = 1;
+      if (fits(1)) most = fits(rest) ? rest : 1, too_many = most == rest ? rest + 1 : rest;
+      while (most + 1 < too_many) {
+        const std::size_t middle = most + (too_many - most) / 2;
+        (fits(middle) ? most : too_many) = middle;
       }
-      if (!words.empty()) parts.back().push_back(std::move(words));
-      if (!parts.back().empty()) parts.emplace_back();
-      used = 0;
-      words = sentence;
-      if (height(words) > box.h) page.overflowed();
+      const bool alone = most == 0 && parts.back().empty();
+      if (alone) {
+        page.overflowed();
+        most = 1;
+      }
+      if (most > 0) {
+        used = before + height(most);
+        parts.back().push_back(words_of(most));
+        at += most;
+      }
+      if (at < all.size()) {
+        parts.emplace_back();
+        used = 0;
+      }
     }
-    if (words.empty()) continue;
-    used += (parts.back().empty() ? 0.0f : paragraph_gap(style)) + height(words);
-    parts.back().push_back(std::move(words));
   }
   return parts;
 }

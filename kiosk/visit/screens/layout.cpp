@@ -95,7 +95,8 @@ TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int hei
     t.body *= kLarger;
     t.lead = std::max(t.lead, t.body * kLeadOfLarger);
   }
-  t.target = static_cast<float>(std::clamp(15.0 * px_per_mm, 28.0, short_side / 10.0));
+  // In a strip of a wall-sized screen a tenth is less than 28 pixels.
+  t.target = static_cast<float>(std::min(std::max(15.0 * px_per_mm, 28.0), short_side / 10.0));
   t.gap = t.body * 0.5f * (1 - gives.titles * kGapsGive);
   t.margin = static_cast<float>(std::round(short_side * 0.06));
   t.hairline = static_cast<float>(std::max(1.0, std::round(short_side / 720.0)));

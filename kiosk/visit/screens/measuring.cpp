@@ -1,8 +1,26 @@
 #include "kiosk/visit/screens/measuring.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace onggi::screens {
+namespace {
+
+// More texts than one layout of a long label or of a large shelf asks for.
+constexpr std::size_t kMostKnown = 16384;
+
+/// As if each letter were half as wide as high, and a wide one, of three bytes, as wide as high.
+view::TextMeasure::Size guessed(const std::string& words, const view::TextStyle& style,
+                                float width) {
+  const float whole = style.px * std::max(1.0f, 0.5f * static_cast<float>(words.size()));
+  const float lines = width > 0 ? std::ceil(whole / std::max(width, style.px)) : 1.0f;
+  return {width > 0 ? std::min(whole, width) : whole,
+          std::round(style.px * style.line_height) * lines};
+}
+
+}  // namespace
 
 view::TextMeasure::Size Measuring::operator()(const std::string& words,
                                               const view::TextStyle& style, float width) {
@@ -12,8 +30,12 @@ view::TextMeasure::Size Measuring::operator()(const std::string& words,
                 static_cast<double>(style.line_height), static_cast<double>(width));
   std::string key = head + style.language + '\n' + words;
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
-  // Countdowns and speeds make new words for months, so clear the cache instead of growing it.
-  if (known_.size() > 2000) known_.clear();
+  // Countdowns and speeds make new words for months, so drop old ones instead of growing.
+  if (known_.size() >= kMostKnown) older_ = std::exchange(known_, {});
+  if (const auto found = older_.find(key); found != older_.end())
+    return known_[std::move(key)] = found->second;
+  if (spent()) return guessed(words, style, width);
+  bytes_ += words.size() + kEach;
   return known_[std::move(key)] = measure_.measure(words, style, width);
 }
 

@@ -82,9 +82,17 @@ void VesselLabel::lay_out(Page& page) {
   std::vector<Button> onward{{"choose.throw",
                               desk_.say(mission != nullptr ? "mission.begin" : "choose.throw"),
                               Look::solid}};
-  if (several)
-    onward.push_back({"choose.more", desk_.say(part_ + 1 < parts_ ? "choose.more" : "choose.first"),
-                      Look::outline});
+  if (several) {
+    const std::string more = desk_.say("choose.more"), first = desk_.say("choose.first");
+    Button button{"choose.more", part_ + 1 < parts_ ? more : first, Look::outline};
+    // Always room for the longer words: else the last part has another room than the first, and
+    // their number changes with every frame.
+    button.room =
+        page.size(Button{"", more}, words.w).width < page.size(Button{"", first}, words.w).width
+            ? first
+            : more;
+    onward.push_back(std::move(button));
+  }
   if (alike_ >= 0)
     onward.push_back({"choose.alike",
                       desk_.say("choose.alike", {{"vessel", desk_.label(alike_).title}}),

@@ -95,6 +95,7 @@ void Visit::update(double now) {
 
 view::Frame Visit::frame(int width, int height) {
   State& s = *state_;
+  s.measuring.begin_frame();
   s.keep_focus();
   s.lay_out_fitting(width, height);
   const std::string was = s.focused;

@@ -270,6 +270,8 @@ void Visit::State::lay_out_fitting(int width, int height) {
   int again = 3;
   for (;;) {
     page = std::make_unique<Page>(lay_out(width, height, give_way(tight, desk.screen().low_reach)));
+    // A page of guessed sizes decides nothing. The next frame goes on from here.
+    if (measuring.spent()) return;
     if (page->restarted() && again-- > 0) continue;
     if (!page->overflow() || tight >= kLastGiveWay) return;
     ++tight;

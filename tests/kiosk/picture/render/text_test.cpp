@@ -28,6 +28,27 @@ TEST(Typesetter, KeepsTheLineHeightInEveryScript) {
   }
 }
 
+TEST(Typesetter, AParagraphOfAnyLengthIsShapedAsOneOfFourThousandBytes) {
+  const Typesetter type;
+  const view::TextStyle style{.px = 20, .line_height = 1.4f};
+  for (const char* letter : {"a ", "m", "\u78c1", "\u062c"}) {
+    std::string text;
+    while (text.size() < 100000) text += letter;
+    std::string most = text.substr(0, Typesetter::kMostBytes / 12 * 12);
+    const float lines = type.measure(text, style, 400).height / 28.0f;
+    EXPECT_GE(lines, type.measure(most, style, 400).height / 28.0f) << letter;
+    EXPECT_LE(lines, type.measure(most, style, 400).height / 28.0f + 2) << letter;
+  }
+}
+
+TEST(Typesetter, ALongWordBreaksAfterFortyLettersSoThatItsTimeGrowsWithItsLengthAlone) {
+  const Typesetter type;
+  const view::TextStyle style{.px = 20, .line_height = 1.4f};
+  const float forty = type.measure(std::string(40, 'm'), style, 0).width;
+  EXPECT_FLOAT_EQ(type.measure(std::string(41, 'm'), style, forty * 1.02f).width, forty);
+  EXPECT_FLOAT_EQ(type.measure(std::string(200, 'm'), style, forty * 1.02f).height, 5 * 28.0f);
+}
+
 TEST(Typesetter, NumbersAreTabular) {
   const Typesetter type;
   EXPECT_EQ(type.measure("1111", {.px = 40}, 0).width, type.measure("8888", {.px = 40}, 0).width);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/picture/render/text.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 #include "tests/support/open_shelf.h"
@@ -41,6 +42,7 @@ void check_all(int width, int height, bool larger = false) {
     v.keep_today(20);
     v.show();
     walk(v, [&](const std::string& name) { check_layout(v, fonts, language.code() + " " + name); });
+    EXPECT_LE(v.most_measured, Measuring::kMostBytes / 2) << "no page of these is ever guessed";
   }
 }
 
@@ -86,6 +88,54 @@ TEST(Fonts, EveryVesselsLabelIsReadToItsEndInEveryLanguage) {
       v.touch("back");
     }
   }
+}
+
+/// As many letters as `bound` has, of words of a label in that writing.
+std::string as_long_as(settings::TextBound bound, const std::string& words) {
+  std::string all;
+  while (settings::letters(all) < bound.letters) all += words;
+  return settings::fitted(all, bound);
+}
+
+TEST(Fonts, ALabelAsLongAsCheckAllowsIsReadToItsEndOnEveryScreen) {
+  namespace bounds = settings::bounds;
+  const render::Typesetter fonts;
+  const std::pair<const char*, const char*> writings[] = {
+      {"en", "A jar that potters threw of dark clay. "},
+      {"de", "Vorratsgefäße der Töpferwerkstatt. "},
+      {"ko", "물레로 빚은 큰 항아리입니다. "},
+      {"ja", "大きな壺をろくろで挽いています。"},
+      {"ar", "شُكّل الوعاء الكبير على العجلة. "}};
+  for (const auto& [width, height] :
+       {std::pair(1280, 720), {1920, 1080}, {1080, 1920}, {1024, 600}})
+    for (const auto& [code, words] : writings) {
+      auto language = content::Language::read(std::string("content/languages/") + code + ".toml");
+      ASSERT_TRUE(language);
+      Visitor v(2, &fonts);
+      v.languages = {*language};
+      v.width = width;
+      v.height = height;
+      for (content::Vessel& vessel : v.vessels)
+        vessel.labels[code] = {
+            as_long_as(bounds::kTitle, words),          as_long_as(bounds::kCulture, words),
+            as_long_as(bounds::kDate, words),           as_long_as(bounds::kMade, words),
+            as_long_as(bounds::kText, words) + " Ende", as_long_as(bounds::kLabelCredit, words)};
+      v.show();
+      v.touch("attract.begin");
+      v.frames(1);
+      check_layout(v, fonts, std::string("shelf ") + code);
+      v.touch("choose.card.0");
+      v.frames(1);
+      std::string read;
+      for (int part = 0; part < 80; ++part) {
+        read += words_in(v.frame);
+        check_layout(v, fonts, std::string("label ") + code);
+        if (!v.visit->control("choose.more")) break;
+        if (read.find("Ende") != std::string::npos) break;
+        v.touch("choose.more");
+      }
+      EXPECT_NE(read.find("Ende"), std::string::npos) << code << " " << width;
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/visit/screens/measuring.h"
 #include "kiosk/visit/screens/visit.h"
 
 namespace onggi::screens {
@@ -15,6 +16,20 @@ namespace onggi::screens {
 class PlainMeasure final : public view::TextMeasure {
  public:
   Size measure(const std::string& text, const view::TextStyle& style, float width) const override;
+};
+
+/// Measures with another, and counts the bytes of words that it was asked for.
+class CountingMeasure final : public view::TextMeasure {
+ public:
+  explicit CountingMeasure(const view::TextMeasure& other) : other_(other) {}
+  Size measure(const std::string& text, const view::TextStyle& style, float width) const override {
+    asked += text.size() + Measuring::kEach;
+    return other_.measure(text, style, width);
+  }
+  mutable std::size_t asked = 0;  ///< In this frame.
+
+ private:
+  const view::TextMeasure& other_;
 };
 
 /// Remembers what the screens asked of the wheel.
@@ -94,6 +109,8 @@ class Visitor {
   content::Vessel jar_of_mission;
   SceneForVisitor wheel;  // of every card
   PlainMeasure plain;
+  std::unique_ptr<CountingMeasure> counting;
+  std::size_t most_measured = 0;  ///< Bytes of words, in any frame so far.
   RecordedCommands wheel_commands;
   DeviceNews news;
   loop::WheelView view;
