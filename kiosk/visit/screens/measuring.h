@@ -12,8 +12,8 @@ namespace onggi::screens {
 class Measuring {
  public:
   /// Bytes of words a frame, each text counted with kEach more. The exhibit's own pages need at
-  /// most half of it (tests/kiosk/visit/screens/fonts_test.cpp).
-  static constexpr std::size_t kMostBytes = 96 * 1024, kEach = 64;
+  /// most three quarters of it (tests/kiosk/visit/screens/fonts_test.cpp).
+  static constexpr std::size_t kMostBytes = 64 * 1024, kEach = 64;
 
   explicit Measuring(const view::TextMeasure& measure) : measure_(measure) {}
   void begin_frame() { bytes_ = 0; }
