@@ -274,6 +274,19 @@ TEST(scene, shipped_clay_is_as_strong_to_a_finger_as_to_its_weight) {
   EXPECT_EQ(both, 1);  // master
 }
 
+TEST(scene, a_grid_that_the_engine_takes_and_no_kiosk_draws_is_told_and_is_not_used) {
+  EXPECT_THAT(read("[clay]\nrows = 2048\nsectors = 2048\n").problems, IsEmpty());
+  EXPECT_THAT(read("[clay]\nsectors = 8192\n").problems, IsEmpty());
+  for (const char* grid : {"[clay]\nrows = 2049\nsectors = 2048\n", "[clay]\nrows = 20000\n",
+                           "[clay]\nrows = 4096\nsectors = 8192\n"}) {
+    const SceneRead r = read(grid);
+    ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
+    EXPECT_THAT(r.problems[0].where, EndsWith(":2:8"));
+    EXPECT_THAT(r.problems[0].what, HasSubstr("a kiosk draws at most 4194304"));
+    EXPECT_EQ(r.def.clay.rows, ClayDef{}.rows);
+  }
+}
+
 TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {
   const SceneRead r = read("[tool]\nradius = 0.01\n[clay]\ninner_radius = 0.09\nrows = 100\n");
   ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
