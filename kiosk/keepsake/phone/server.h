@@ -27,7 +27,7 @@ class Server {
   struct Limits {
     /// Connections at once; fewer where the system allows fewer open files, for each may have a
     /// file. ConnectionShares says who goes when more come.
-    std::size_t connections = 4096;
+    std::size_t connections = 16384;
     Patience patience{};
   };
   /// Listens at `address` (an IP of this machine) and `port` (0: any free one). Problem, exit 1, if
