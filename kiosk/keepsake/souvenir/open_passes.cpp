@@ -174,7 +174,7 @@ Result<void> OpenPasses::remove_all_of(const Pass& pass, Work* work) {
 void OpenPasses::note_fetched(const Pass& pass, std::int64_t now) const {
   if (pass.counted.empty()) return;
   // If the disk refuses the note, the page is not counted, but the visitor has it.
-  static_cast<void>(souvenir::leave_fetch_note(
+  static_cast<void>(leave_fetch_note(
       Passes(keepsakes_).fetched(),
       {pass.counted, files::local_time(static_cast<std::time_t>(now), files::kDay)}));
 }

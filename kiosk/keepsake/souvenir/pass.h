@@ -31,7 +31,7 @@ class Passes {
                                        double hours);
   /// Removes a pass whose keepsake was not saved.
   void take_back(const Pass& pass) const;
-  /// The folder of phones' notes (souvenir::fetch_notes()).
+  /// The folder of phones' notes (fetch_notes()).
   std::filesystem::path fetched() const { return folder() / "fetched"; }
   /// True if OpenPasses::serve() was called less than kSilent seconds ago, so that phones get an
   /// answer.

@@ -21,7 +21,7 @@ struct Pass {
   std::int64_t until = 0;  ///< not valid any more at `until`.
   std::string language{};  ///< Language code of the visit; "": not known.
   bool whole = true;       ///< Its keepsake is complete; false: being written or removed.
-  std::string counted{};   ///< Id under which a fetch is counted: souvenir::FetchNote::id.
+  std::string counted{};   ///< Id under which a fetch is counted: FetchNote::id.
 };
 
 /// 128 bits of the system's randomness, five a letter.

@@ -28,14 +28,14 @@ TEST(FetchNote, IsReadAsItWasLeftAndTheFirstDayStays) {
 }
 
 TEST(FetchNote, OneThatAPowerCutLeftWithoutItsDayIsWrittenAgainAndNoPartStays) {
-  const test::ScratchFolder scratch;
+  const files::test::ScratchFolder scratch;
   std::ofstream(scratch.path() / kOne).close();
   EXPECT_TRUE(fetch_notes(scratch.path(), 9).empty());
   EXPECT_TRUE(leave_fetch_note(scratch.path(), {kOne, "2026-05-04"}));
   EXPECT_EQ(fetch_notes(scratch.path(), 9), (std::vector<FetchNote>{{kOne, "2026-05-04"}}));
   std::filesystem::create_directory(scratch.path() / kTwo);
   EXPECT_FALSE(leave_fetch_note(scratch.path(), {kTwo, "2026-05-04"})) << "something is in its way";
-  EXPECT_EQ(test::names_in(scratch.path()), (std::vector<std::string>{kTwo, kOne}));
+  EXPECT_EQ(files::test::names_in(scratch.path()), (std::vector<std::string>{kTwo, kOne}));
 }
 
 TEST(FetchNote, WhatIsNoneIsPassedOverAndNothingElseIsWrittenOrRemoved) {
