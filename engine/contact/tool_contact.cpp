@@ -185,12 +185,14 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   }
 
   Press press;
+  FacePush face;
   on_floor_ = false;
   const double seconds = sweep.seconds / of;
   if (on_rim_) {
     press = press_rim(clay, ball_step(sweep, n, of), yielding);
   } else {
     press = sweep.shape->press(clay, side_, place, sweep.size, seconds, yielding);
+    face = {press.force, press.normal};
     const double hangs = place.at.y - (lowest.middle.y - lowest.radius);  // below `at`
     const double bottom = std::min(sweep.from.y, sweep.to.y) - hangs;
     if (side_ == WallSide::inside && bottom < clay.floor_top()) {
@@ -210,6 +212,8 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   sum_.depth = std::max(sum_.depth, press.depth);
   sum_.visited += press.visited;
   sum_.touched += press.touched;
+  face_.force += share * turned(face.force, c, s);
+  face_.normal += share * face.normal;
 }
 
 }  // namespace onggi

@@ -32,6 +32,13 @@ int steps_for(const ToolSweep& sweep, double relaxation_time,
 /// Enough for a ball of 1 mm on a wheel of 600 rpm, 0.1 m from the axis, in a tick of 5 ms.
 inline constexpr int kMostSteps = 256;
 
+/// The part of a press that lies on a face of the wall, and pushes the wall aside: not what the rim
+/// and the floor bear.
+struct FacePush {
+  Vec3 force;         ///< N.
+  double normal = 0;  ///< Sum of the elements' normal forces, N.
+};
+
 /// One tool's contact with the clay, over time: where it works, and the press. No allocation.
 class ToolContact {
  public:
@@ -41,7 +48,12 @@ class ToolContact {
 
   /// Sum since begin_tick(): force and normal as means over the tick, depth as the maximum.
   const Press& reaction() const { return sum_; }
-  void begin_tick() { sum_ = {}; }
+  /// The part of reaction() that pushes the wall aside.
+  const FacePush& on_face() const { return face_; }
+  void begin_tick() {
+    sum_ = {};
+    face_ = {};
+  }
   /// The hand was lifted or is new: the next step chooses the side again.
   void release() { touching_ = false; }
 
@@ -66,6 +78,7 @@ class ToolContact {
   bool on_rim_ = false;
   bool on_floor_ = false;
   Press sum_;
+  FacePush face_;
 };
 
 }  // namespace onggi

@@ -42,15 +42,21 @@ double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept;
 /// rim, which bears less, is not modelled.
 double wall_bears(const WallsDef& def, double thickness, double strength) noexcept;
 
-/// The share of a push of `normal` N that a hand feels of a wall that bears `bears`, of which
-/// `along` (0..1, what the other hand does not hold) has to bear it: 1 / sqrt(1 + (along N / P)^2).
-/// Wall and clay under the finger give way one behind the other, so the push is never more than P,
-/// and far below it as it was.
-double wall_push(double normal, double bears, double along) noexcept;
+/// What a hand feels of a push of `normal` N on a wall that bears `bears` (N, infinite where the
+/// clay is solid), of which `held` (0..normal) rests on the other hand: held + W / sqrt(1 + (W /
+/// P)^2), W = normal - held. Wall and clay under the finger give way one behind the other, so the
+/// wall gives never more than P, and far below it all of W. Nowhere steeper than `normal` itself,
+/// in either of the two. N.
+double wall_push(double normal, double bears, double held) noexcept;
 
-/// Mean thickness of the wall at `at` (clay frame, m) within 8 mm to each side, in its row, m;
-/// infinite where the clay is solid. O(elements there).
+/// Mean thickness of the wall at `at` (clay frame, m) within 8 mm to each side, m: of the rows
+/// above and below it by the distance of their middles, and of elements that are in part within by
+/// that part, so that it has no steps. Infinite at the floor's top and below. O(elements there).
 double wall_thickness(const Clay& clay, Vec3 at) noexcept;
+
+/// How much of a push at `height` (m) the wall has to bear itself, 0..1: from 0 where the clay is
+/// solid smoothly to 1 at 8 mm above it, where the foot holds the wall no more.
+double clear_of_foot(const Clay& clay, double height) noexcept;
 
 }  // namespace effects
 }  // namespace onggi

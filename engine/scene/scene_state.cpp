@@ -163,6 +163,32 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     tick.side[n] = hand[n].contact.side();
     tick.place[n] = hand[n].contact.place();
   }
+  if (effects::kBuilt && def.walls && def.walls->bending_strength > 0.0) bend_walls(tick);
+}
+
+// Stage 5. A wall that bends under a hand gives it less than the clay under the hand alone would.
+// Rim and floor do not bend, so only what lies on a face is less.
+void Scene::State::bend_walls(Tick& tick) const noexcept {
+  const double angle = tick.angle_from + tick.turn;
+  const double c = portable::cos(angle), s = portable::sin(angle);
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    const FacePush& face = hand[n].contact.on_face();
+    if (!presses(hand[n]) || face.normal <= 0.0) continue;
+    // The other hand holds no more of this push than it pushes itself.
+    double held = 0.0;
+    const ToolContact& other = hand[1 - n].contact;
+    const Vec3 way = tick.sweep[n].to;
+    if (presses(hand[1 - n]) && other.side() != hand[n].contact.side())
+      held = effects::wall_support(*def.walls, way, tick.sweep[1 - n].to) *
+             std::min(face.normal, other.on_face().normal);
+    const double alone = effects::clear_of_foot(clay, way.y) * (face.normal - held);
+    const double strong = moisture ? effects::strength(*def.moisture, wetness_at(way.y)) : 1.0;
+    const Vec3 at{c * way.x + s * way.z, way.y, c * way.z - s * way.x};
+    const double bears = effects::wall_bears(*def.walls, effects::wall_thickness(clay, at), strong);
+    const double felt = effects::wall_push(face.normal, bears, face.normal - alone);
+    tick.press[n].force += (felt / face.normal - 1.0) * face.force;
+    tick.press[n].normal += felt - face.normal;
+  }
 }
 
 // Stages 5 and 6. A long tick, after a late thread, is worked in parts.
@@ -238,19 +264,7 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   row_effects->run(def, clay, rows);
 }
 
-// Share of a press that is felt on a wall that bends.
-double Scene::State::bends(const Tick& tick, std::size_t n) const noexcept {
-  const scene::HandState& h = hand[n];
-  if (tick.press[n].normal <= 0.0 || h.contact.place() != beside(h.contact.side())) return 1.0;
-  const double angle = tick.angle_from + tick.turn;
-  const double c = portable::cos(angle), s = portable::sin(angle);
-  const Vec3 at{c * h.at.x + s * h.at.z, h.at.y, c * h.at.z - s * h.at.x};
-  const double strong = moisture ? effects::strength(*def.moisture, wetness_at(h.at.y)) : 1.0;
-  const double bears = effects::wall_bears(*def.walls, effects::wall_thickness(clay, at), strong);
-  return effects::wall_push(tick.press[n].normal, bears, tick.along[n]);
-}
-
-// Stage 7. Reaction, friction, and the wheel head, the stop that is not clay.
+// Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
 void Scene::State::feel(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
     scene::HandState& h = hand[n];
@@ -260,12 +274,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     const ToolShape& shape = *tools[h.tool].shape;
     const ToolSize& size = tools[h.tool].size;
     const ToolPlace place{h.at, h.along, h.across};
-    Press& press = tick.press[n];
-    if (effects::kBuilt && def.walls && def.walls->bending_strength > 0.0) {
-      const double share = bends(tick, n);
-      press.force = share * press.force;
-      press.normal *= share;
-    }
+    const Press& press = tick.press[n];
     Vec3 force = press.force;
     const double strength = length(press.force);
     force::Touch& touch = tick.touch[n];

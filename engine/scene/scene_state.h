@@ -92,7 +92,7 @@ struct Scene::State {
   void press_clay(Tick& tick) noexcept;
   void press_and_work(Tick& tick) noexcept;
   void work_on_rows(const Tick& tick) noexcept;
-  double bends(const Tick& tick, std::size_t n) const noexcept;
+  void bend_walls(Tick& tick) const noexcept;
   void feel(Tick& tick) noexcept;
   void press_as_printed(Tick& tick) noexcept;
   Feedback guard_and_report(const Tick& tick) noexcept;

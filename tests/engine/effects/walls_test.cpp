@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "engine/math/random.h"
 #include "tests/engine/effects/random_hands.h"
 
 namespace onggi::effects {
@@ -137,7 +138,7 @@ double pushed(double thickness, double strength, bool held) {
   double most = 0.0;
   for (int n = 0; n < 300; ++n) {
     const double out = def.clay.outer_radius + def.tool.radius - 1e-5 * n;
-    const double in = def.clay.inner_radius - def.tool.radius;
+    const double in = def.clay.inner_radius - def.tool.radius + 1e-5 * n;  // it pushes as much
     hands.hand[0] = {{out, 0.1, 0.0}, true, SideWish::outside};
     if (held) hands.hand[1] = {{in, 0.1, 0.0}, true, SideWish::inside};
     most = std::max(most, length(scene.step(hands, 0.001).hand[0].force));
@@ -160,21 +161,47 @@ TEST(Walls, AThinWallIsFeltAsSofterThanAThickOneUnlessTheOtherHandHoldsIt) {
   EXPECT_GT(pushed(0.003, 9000.0, true), 0.9 * pushed(0.003, 0.0, true)) << "held from inside";
 }
 
-TEST(Walls, TheWallBehindAToolIsThatOfItsOwnRowWhicheverWayItStands) {
+// 10 mm and a tenth of one more for each row.
+Clay tapered() {
   ClayDef def;
   def.rows = 100;
   def.sectors = 90;
   Clay clay = std::move(*Clay::create(def));
-  const auto thickness = [](int j) { return 0.010f + 0.0001f * static_cast<float>(j); };
   for (int j = 0; j < clay.rows(); ++j)
-    for (float& r : clay.inner_mut(j)) r = 0.055f - thickness(j);
-  for (int j = clay.floor_rows(); j < clay.rows(); ++j)
+    for (float& r : clay.inner_mut(j)) r = 0.055f - (0.010f + 0.0001f * static_cast<float>(j));
+  return clay;
+}
+
+TEST(Walls, TheWallBehindAToolIsThatOfItsOwnHeightWhicheverWayItStands) {
+  const Clay clay = tapered();
+  for (int j = clay.floor_rows() + 1; j < clay.rows(); ++j)
     for (const double distance : {0.0, 0.01, 0.055})
       for (const double angle : {0.0, 1e-9, 1.0, 3.1415, -3.1415, -1.0, -1e-9})
-        ASSERT_NEAR(wall_thickness(clay, {distance * std::cos(angle), clay.row_height(j) - 1e-6,
+        ASSERT_NEAR(wall_thickness(clay, {distance * std::cos(angle), clay.row_height(j) - 0.0005,
                                           distance * std::sin(angle)}),
-                    static_cast<double>(thickness(j)), 1e-7)
+                    0.010 + 0.0001 * (j - 0.25), 1e-7)
             << "row " << j << " at " << angle << ", " << distance << " m from the axis";
+  EXPECT_NEAR(wall_thickness(clay, {0.055, 0.5, 0}), 0.010 + 0.0001 * 99, 1e-7) << "above the rim";
+  EXPECT_EQ(wall_thickness(clay, {0.055, clay.floor_top(), 0}), HUGE_VAL) << "solid";
+}
+
+TEST(Walls, TheWallBehindAToolHasNoStepsWhateverItsShape) {
+  Clay clay = tapered();
+  Random random(5);
+  for (int j = clay.floor_rows(); j < clay.rows(); ++j)
+    for (float& r : clay.inner_mut(j)) r -= static_cast<float>(random.uniform(0.0, 0.005));
+  for (int round = 0; round < 300; ++round) {
+    const double angle = random.uniform(-4.0, 4.0), way = random.uniform(-4.0, 4.0);
+    Vec3 at{0.055 * std::cos(angle), random.uniform(0.0145, 0.2), 0.055 * std::sin(angle)};
+    double last = wall_thickness(clay, at);
+    // Rows are 2 mm and elements 4 mm: 5 mm more or less in one is 5 um in a micrometre at most.
+    for (int n = 0; n < 3000; ++n) {
+      at += 1e-6 * Vec3{std::cos(way), std::sin(way), std::sin(way)};
+      const double now = wall_thickness(clay, at);
+      ASSERT_LT(std::fabs(now - last), 5e-6) << round;
+      last = now;
+    }
+  }
 }
 
 TEST(Walls, BearAPushByTheSquareOfTheirThicknessAndNeverMore) {
@@ -185,14 +212,39 @@ TEST(Walls, BearAPushByTheSquareOfTheirThicknessAndNeverMore) {
   EXPECT_NEAR(wall_bears(def, 0.008, 0.5), 2.0 * bears, 1e-12);
   double last = 0.0, steepest = 0.0;
   for (double normal = 0.01; normal < 50.0; normal *= 1.1) {
-    const double felt = normal * wall_push(normal, bears, 1.0);
+    const double felt = wall_push(normal, bears, 0.0);
     EXPECT_LT(felt, bears);
     if (last > 0.0) steepest = std::max(steepest, (felt - last) / (normal / 11.0));
     EXPECT_GT(felt, last);
-    EXPECT_EQ(wall_push(normal, bears, 0.0), 1.0) << "held";
+    EXPECT_EQ(wall_push(normal, bears, normal), normal) << "held";
     last = felt;
   }
   EXPECT_LT(steepest, 1.0 + 1e-3) << "no stiffer than the clay, so what a device bears is enough";
+}
+
+TEST(Walls, AreFeltAsMoreByNoMoreThanTheOtherHandHoldsMore) {
+  for (const double normal : {0.1, 1.0, 5.0})
+    for (const double bears : {0.0, 0.1, 1.0}) {
+      double last = wall_push(normal, bears, 0.0);
+      for (double held = 0.0; held < normal; held += 0.01 * normal) {
+        const double felt = wall_push(normal, bears, held);
+        EXPECT_GE(felt, held);
+        EXPECT_LE(felt, held + bears);
+        EXPECT_GE(felt, last - 1e-12);
+        EXPECT_LE(felt, last + 0.01 * normal + 1e-12);
+        last = felt;
+      }
+    }
+}
+
+TEST(Walls, TheFootHoldsThemByNoStep) {
+  const Clay clay = tapered();
+  const double top = clay.floor_top();
+  EXPECT_EQ(clear_of_foot(clay, top - 0.01), 0.0);
+  EXPECT_EQ(clear_of_foot(clay, top), 0.0);
+  EXPECT_EQ(clear_of_foot(clay, top + 0.008), 1.0);
+  for (double up = 0.0; up < 0.01; up += 1e-6)
+    ASSERT_NEAR(clear_of_foot(clay, top + up), clear_of_foot(clay, top + up + 1e-6), 2e-4);
 }
 
 TEST(Walls, WhateverHandsDoNoFaceCrossesTheOther) {
