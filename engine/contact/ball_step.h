@@ -5,7 +5,7 @@
 namespace onggi {
 
 /// One step of the sphere that stands for a tool where it presses from above: on the rim and on the
-/// floor. A tool of another shape gives the sphere whose lowest point is its own. In the clay's
+/// floor. A tool of another shape gives the lowest sphere within it. In the clay's
 /// turning frame. Metres, seconds.
 struct BallStep {
   Vec3 from;           ///< Centre as the step begins.

@@ -172,6 +172,12 @@ double ToolShape::smallest_feature(const ToolSize& size) const noexcept {
   return body == BodyKind::box || body == BodyKind::cylinder ? size.thickness : size.radius;
 }
 
+body::Ball ToolShape::within(const ToolPlace& place, const ToolSize& size,
+                             Vec3 towards) const noexcept {
+  return with_body(body, place, size,
+                   [&](const auto& there) -> body::Ball { return there.within(towards); });
+}
+
 body::Ball ToolShape::support(const ToolPlace& place, const ToolSize& size,
                               Vec3 towards) const noexcept {
   return with_body(body, place, size,

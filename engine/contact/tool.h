@@ -81,8 +81,12 @@ struct ToolShape {
   double reach(const ToolSize& size) const noexcept;
   /// Its finest part, m, > 0: in one step it goes at most a quarter of that.
   double smallest_feature(const ToolSize& size) const noexcept;
-  /// Its farthest point `towards` (unit) is this ball's: above the rim and the floor, where it
-  /// touches the wheel head, and where clay rubs on it.
+  /// The ball in it that stands for it above the rim and the floor: none of it lies outside the
+  /// tool, so that a tool that touches nothing feels nothing; and none of its kind lies farther
+  /// `towards` (unit).
+  body::Ball within(const ToolPlace& place, const ToolSize& size, Vec3 towards) const noexcept;
+  /// Its farthest point `towards` (unit) is this ball's: where it touches the wheel head, and where
+  /// clay rubs on it.
   body::Ball support(const ToolPlace& place, const ToolSize& size, Vec3 towards) const noexcept;
 
   /// body::press() and body::depth() of what it is there. A wire presses nothing.

@@ -56,7 +56,7 @@ BallStep ball_step(const ToolSweep& sweep, int n, int of) {
   const auto lowest = [&](double share) {
     const double angle = sweep.angle_from + share * (sweep.angle_to - sweep.angle_from);
     const ToolPlace place = place_at(sweep, share, portable::cos(angle), portable::sin(angle));
-    return sweep.shape->support(place, sweep.size, kDown);
+    return sweep.shape->within(place, sweep.size, kDown);
   };
   const body::Ball from = lowest(1.0 * n / of);
   return {from.middle, lowest((n + 1.0) / of).middle, from.radius, sweep.seconds / of};
@@ -176,7 +176,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   const double c = portable::cos(angle);
   const double s = portable::sin(angle);
   const ToolPlace place = place_at(sweep, middle, c, s);
-  const body::Ball lowest = sweep.shape->support(place, sweep.size, kDown);
+  const body::Ball lowest = sweep.shape->within(place, sweep.size, kDown);
 
   if (!touching_) {
     if (!choose_place(clay, place, lowest, sweep)) return;

@@ -12,6 +12,7 @@ struct Ball {
 
   /// The ball itself: its farthest point is its own.
   Ball support(Vec3 /*towards*/) const noexcept { return *this; }
+  Ball within(Vec3 /*towards*/) const noexcept { return *this; }
 };
 
 /// Radius of a sphere's cross-section `dy` from its centre; -1 if there is none. Factored, so that

@@ -74,6 +74,14 @@ Ball Box::support(Vec3 towards) const noexcept {
   return support_ball(point, farthest, std::min(kBluntestEdge, half[2]), towards);
 }
 
+Ball Box::within(Vec3 towards) const noexcept {
+  const double radius = std::min({kBluntestEdge, half[0], half[1], half[2]});
+  Vec3 at = middle;
+  for (std::size_t k = 0; k < 3; ++k)
+    at += ((half[k] - radius) * support_end(axis[k], towards)) * axis[k];
+  return {at, radius};
+}
+
 Box::Section Box::section(double y) const noexcept {
   return {slab_section(middle, axis[0], half[0], y), slab_section(middle, axis[1], half[1], y),
           slab_section(middle, axis[2], half[2], y)};

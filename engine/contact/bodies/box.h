@@ -25,6 +25,9 @@ struct Box {
   /// The ball of its farthest point `towards` (unit). If a face or an edge faces that way, of its
   /// middle. At most as large as the third half length or kBluntestEdge.
   Ball support(Vec3 towards) const noexcept;
+  /// A ball in it, as thick as it is or as kBluntestEdge, that lies as far `towards` (unit) as such
+  /// a ball can; where a face or an edge faces that way, in its middle.
+  Ball within(Vec3 towards) const noexcept;
 
   /// The section itself: the intersection of three slabs.
   struct Section {

@@ -60,6 +60,10 @@ Ball Capsule::support(Vec3 towards) const noexcept {
   return support_ball(tip + (part * length) * axis, farthest, radius, towards);
 }
 
+Ball Capsule::within(Vec3 towards) const noexcept {
+  return {tip + ((0.5 + 0.5 * support_end(axis, towards)) * length) * axis, radius};
+}
+
 Capsule::Section Capsule::section(double y) const noexcept {
   const Vec3 far = end();
   return {rod_section(tip, axis, radius, y), static_cast<float>(length), static_cast<float>(far.x),

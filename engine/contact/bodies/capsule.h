@@ -20,6 +20,9 @@ struct Capsule {
   Outline outline(double y) const noexcept;
   /// The ball of its farthest point `towards` (unit); if its side faces that way, of its middle.
   Ball support(Vec3 towards) const noexcept;
+  /// The ball in it that lies farthest `towards` (unit); where its side faces that way, in its
+  /// middle.
+  Ball within(Vec3 towards) const noexcept;
 
   /// The section itself: two balls, and the rod between.
   struct Section {

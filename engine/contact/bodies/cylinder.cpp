@@ -67,6 +67,16 @@ Ball Cylinder::support(Vec3 towards) const noexcept {
   return support_ball(point, farthest, std::min(kBluntestEdge, radius()), towards);
 }
 
+Ball Cylinder::within(Vec3 towards) const noexcept {
+  const double thick = box_.half[2];
+  const double ball = std::min({kBluntestEdge, radius(), thick});
+  const Vec3 flat = towards - dot(axis(), towards) * axis();
+  const double edge = length(flat);
+  Vec3 at = box_.middle + ((thick - ball) * support_end(axis(), towards)) * axis();
+  if (edge > 1e-9) at += ((radius() - ball) * std::min(edge / kSquareTo, 1.0) / edge) * flat;
+  return {at, ball};
+}
+
 Cylinder::Section Cylinder::section(double y) const noexcept {
   return {rod_section(box_.middle, axis(), radius(), y),
           slab_section(box_.middle, axis(), box_.half[2], y)};

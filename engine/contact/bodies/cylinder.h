@@ -23,6 +23,9 @@ class Cylinder {
   /// The ball of its farthest point `towards` (unit); if a face faces that way, of its middle. At
   /// most as large as its radius or kBluntestEdge.
   Ball support(Vec3 towards) const noexcept;
+  /// A ball in it, as thick as it is or as kBluntestEdge, that lies as far `towards` (unit) as such
+  /// a ball can; where a face faces that way, in its middle.
+  Ball within(Vec3 towards) const noexcept;
 
   /// The section itself: the intersection of a rod and a slab.
   struct Section {
