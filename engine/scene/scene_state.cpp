@@ -14,7 +14,10 @@ namespace {
 constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
-constexpr double kOfAQuadratic = 2.0;  // d F / d l in F / l for F ~ l^2, a round body
+// Of two pushes from both sides of a wall, the lesser as a share of the greater: below the first
+// one hand only grazes the wall, above the second both pinch it.
+constexpr double kGrazes = 0.5, kPinches = 0.7;
+constexpr double kOfAQuadratic = 2.0;  // d F / d l of F ~ l^2, which is a round body's, in F / l
 
 // Elements are pressed by `depth` at most, so the stiffness is at least `normal` / `depth`: just
 // that for a flat body, twice that for a round one.
@@ -163,31 +166,61 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     tick.side[n] = hand[n].contact.side();
     tick.place[n] = hand[n].contact.place();
   }
-  if (effects::kBuilt && def.walls && def.walls->bending_strength > 0.0) bend_walls(tick);
+  Faces face{};
+  for (std::size_t n = 0; n < hand.size(); ++n)
+    if (presses(hand[n])) face[n] = hand[n].contact.on_face();
+  Faces felt = face;
+  balance(tick, felt);
+  if (effects::kBuilt && def.walls && def.walls->bending_strength > 0.0) bend_walls(tick, felt);
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    if (felt[n].normal == face[n].normal) continue;
+    tick.press[n].force += felt[n].force - face[n].force;
+    tick.press[n].normal += felt[n].normal - face[n].normal;
+  }
+}
+
+// Stage 5. Two hands that pinch a wall: it has no mass, so each feels as much as the other. The
+// outer face is longer than the inner one, so that equal presses add up to unlike forces; what the
+// pinch has in common is the mean. A hand that only grazes the wall while the other presses it
+// takes no part in that.
+void Scene::State::balance(const Tick& tick, Faces& face) const noexcept {
+  const double less = std::min(face[0].normal, face[1].normal);
+  if (!(less > 0.0) || hand[0].contact.side() == hand[1].contact.side()) return;
+  const double more = std::max(face[0].normal, face[1].normal);
+  const double alike = std::clamp((less / more - kGrazes) / (kPinches - kGrazes), 0.0, 1.0);
+  if (alike == 0.0) return;
+  const WallsDef& walls = def.walls ? *def.walls : WallsDef{};
+  const double facing = effects::wall_support(walls, tick.sweep[0].to, tick.sweep[1].to);
+  const double mean = 0.5 * (less + more);
+  for (FacePush& one : face) {
+    const double normal = one.normal + facing * alike * (mean - one.normal);
+    one.force = (normal / one.normal) * one.force;
+    one.normal = normal;
+  }
 }
 
 // Stage 5. A wall that bends under a hand gives it less than the clay under the hand alone would.
 // Rim and floor do not bend, so only what lies on a face is less.
-void Scene::State::bend_walls(Tick& tick) const noexcept {
+void Scene::State::bend_walls(const Tick& tick, Faces& face) const noexcept {
   const double angle = tick.angle_from + tick.turn;
   const double c = portable::cos(angle), s = portable::sin(angle);
+  const std::array<double, kMaxHands> pushed{face[0].normal, face[1].normal};
   for (std::size_t n = 0; n < hand.size(); ++n) {
-    const FacePush& face = hand[n].contact.on_face();
-    if (!presses(hand[n]) || face.normal <= 0.0) continue;
+    if (face[n].normal <= 0.0) continue;
     // The other hand holds no more of this push than it pushes itself.
     double held = 0.0;
-    const ToolContact& other = hand[1 - n].contact;
+    const double normal = face[n].normal;
     const Vec3 way = tick.sweep[n].to;
-    if (presses(hand[1 - n]) && other.side() != hand[n].contact.side())
+    if (pushed[1 - n] > 0.0 && hand[0].contact.side() != hand[1].contact.side())
       held = effects::wall_support(*def.walls, way, tick.sweep[1 - n].to) *
-             std::min(face.normal, other.on_face().normal);
-    const double alone = effects::clear_of_foot(clay, way.y) * (face.normal - held);
+             std::min(normal, pushed[1 - n]);
+    const double alone = effects::clear_of_foot(clay, way.y) * (normal - held);
     const double strong = moisture ? effects::strength(*def.moisture, wetness_at(way.y)) : 1.0;
     const Vec3 at{c * way.x + s * way.z, way.y, c * way.z - s * way.x};
     const double bears = effects::wall_bears(*def.walls, effects::wall_thickness(clay, at), strong);
-    const double felt = effects::wall_push(face.normal, bears, face.normal - alone);
-    tick.press[n].force += (felt / face.normal - 1.0) * face.force;
-    tick.press[n].normal += felt - face.normal;
+    const double felt = effects::wall_push(normal, bears, normal - alone);
+    face[n].force = (felt / normal) * face[n].force;
+    face[n].normal = felt;
   }
 }
 
@@ -279,7 +312,8 @@ void Scene::State::feel(Tick& tick) noexcept {
     const double strength = length(press.force);
     force::Touch& touch = tick.touch[n];
     touch = touch_of(press, std::max(press.normal, strength), shape.severs());
-    touch.relaxation = shape.relaxation * yielding_at(h.at.y).relaxation_time;
+    // A soft tool gives way itself: it takes that much longer for the clay to (tool_contact.cpp).
+    touch.relaxation = shape.relaxation / shape.softness * yielding_at(h.at.y).relaxation_time;
     if (effects::kBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
       const double mu = effects::friction_coefficient(friction, wetness_at(h.at.y));
