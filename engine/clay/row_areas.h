@@ -40,6 +40,12 @@ class RowAreas {
     if (cut) cut_[static_cast<std::size_t>(j)] += area;
     changed_.add(j);
   }
+  /// Row `j`, which something else made lower or smaller, lost this for good: of its cross-section,
+  /// at the thickness that it has now.
+  void cut_off(int j, double area) {
+    cut_[static_cast<std::size_t>(j)] += area;
+    changed_.add(j);
+  }
   /// Row `j` lost and gained so much since it was measured that float sums may be off: a quarter of
   /// its area, for a tenth of a millionth.
   bool drifted(int j) const {

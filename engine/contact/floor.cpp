@@ -74,7 +74,11 @@ Press press_floor(Clay& clay, const BallStep& step, const Yielding& yielding) no
   while (clay.floor_rows() > 0 && clay.row_height(clay.floor_rows() - 1) >= level) {
     const double dy = step.to.y - clay.row_height(clay.floor_rows() - 1);
     const double square = (step.radius - dy) * (step.radius + dy);
+    const int j = clay.floor_rows() - 1;
+    const bool cut = yielding.cut && clay.areas() != nullptr;
+    const double whole = cut ? clay.measured_area(j) : 0.0;
     clay.open_floor_row(reach + std::sqrt(std::max(square, 0.0)));
+    if (cut) clay.areas()->cut_off(j, whole - clay.measured_area(j));
     ++out.visited;
   }
   clay.lower_floor(level);

@@ -82,6 +82,10 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
   return sum;
 }
 
+double area_of(const Clay& clay, int j) {
+  return clay.areas()->known(j) ? clay.areas()->of(j) : clay.measured_area(j);
+}
+
 // 1 at the rim, 0 and level at `reach` below it.
 double fall_off(double below, double reach) {
   const double t = std::clamp(1.0 - below / reach, 0.0, 1.0);
@@ -90,8 +94,8 @@ double fall_off(double below, double reach) {
 
 // Presses the rows at the top together, by `sink` in all, or as far as they go; metres. A row gives
 // up a share of what it still can; `reach` is measured in that, so that the press goes deeper down
-// once the rows at the top are firm.
-double lower_rim(Clay& clay, double sink, double reach) {
+// once the rows at the top are firm. `cut`: what that takes from them is gone.
+double lower_rim(Clay& clay, double sink, double reach, bool cut) {
   const double thinnest = kThinnestRow * clay.first_thickness();
   const auto spare = [&](int j) { return std::max(clay.row_thickness(j) - thinnest, 0.0); };
   // The row over the floor carries the floor's top.
@@ -111,7 +115,10 @@ double lower_rim(Clay& clay, double sink, double reach) {
   above = 0.0;
   for (int j = clay.rows() - 1; j >= end; --j) {
     const double free = spare(j);
-    clay.set_row_thickness(j, clay.row_thickness(j) - part * free * (1.0 - above / reach));
+    const double lower = part * free * (1.0 - above / reach);
+    const double left = clay.row_thickness(j) - lower;
+    clay.set_row_thickness(j, left);
+    if (cut && clay.areas() != nullptr) clay.areas()->cut_off(j, area_of(clay, j) * lower / left);
     above += free;
   }
   clay.restack(end);
@@ -238,7 +245,7 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
   const double rate = sum.up / (ring * sum.deepest);
   const double wanted =
       -sum.deepest * portable::expm1(-rate * step.seconds / yielding.relaxation_time);
-  const double sunk = lower_rim(clay, wanted, reach);
+  const double sunk = lower_rim(clay, wanted, reach, yielding.cut);
   if (most > kSnap) flare(clay, under, push.data(), reach);
 
   // Mean over the step.
