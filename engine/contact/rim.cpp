@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/clay/lip.h"
+#include "engine/contact/crown.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -13,11 +14,11 @@ namespace {
 constexpr double kSnap = 2e-8;         // m: a press below this is none; a height is no float
 constexpr double kThinnestRow = 0.25;  // of its first thickness: a row pressed together is firm
 
-// Gauss and Legendre's places and weights on -1..1: exact to the eleventh power.
-constexpr std::array<double, 6> kNode{-0.932469514203152, -0.661209386466265, -0.238619186083197,
-                                      0.238619186083197,  0.661209386466265,  0.932469514203152};
-constexpr std::array<double, 6> kWeight{0.171324492379170, 0.360761573048139, 0.467913934572691,
-                                        0.467913934572691, 0.360761573048139, 0.171324492379170};
+// Gauss and Legendre's places and weights on -1..1: exact to the seventh power.
+constexpr std::array<double, 4> kNode{-0.861136311594053, -0.339981043584856, 0.339981043584856,
+                                      0.861136311594053};
+constexpr std::array<double, 4> kWeight{0.347854845137454, 0.652145154862546, 0.652145154862546,
+                                        0.347854845137454};
 
 // The sectors whose rays a ball can meet: `count` from `first` on, round the axis.
 struct Sectors {
@@ -38,9 +39,13 @@ Sectors sectors_under(const Clay& clay, Vec3 at, double radius) {
 
 // What one sector of the rim takes up, summed over its area: m^3, for each radian of the sector.
 struct SectorPress {
-  double along = 0.0, off = 0.0, up = 0.0;  // press times the ball's normal
-  double all = 0.0;                         // press
-  double deepest = 0.0;                     // m
+  // What moves the clay: press times the ball's normal.
+  double along = 0.0, up = 0.0;
+  // What is felt: a pressure times the normal, summed over the ball's own surface, of which a level
+  // area bears A / n_y (crown.h). It is the gradient of an energy.
+  double felt_along = 0.0, felt_off = 0.0, felt_up = 0.0;
+  double felt = 0.0;     // its size, whatever the direction
+  double deepest = 0.0;  // m
 };
 
 // Upright rays stand `off` the ball's centre, which is `along` from the axis; `above` the crown,
@@ -66,18 +71,32 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
   const double edge = std::min(0.5 * (outer - inner), kLipRadius);
   const double crown_begin = inner > 0.0 ? inner + edge : 0.0;
   sum.deepest = std::max(depth_at(std::clamp(along, crown_begin, outer - edge)), 0.0);
-  for (std::size_t n = 0; n < kNode.size(); ++n) {
-    const double rho = 0.5 * (begin + end) + 0.5 * (end - begin) * kNode[n];
-    const double press = depth_at(rho);
-    if (press <= 0.0) continue;
-    const double area = 0.5 * (end - begin) * kWeight[n] * rho;
-    const double x = along - rho;
-    const double rise = std::sqrt(std::max(square - x * x, 0.0));
-    sum.along += press * area * x / radius;
-    sum.off += press * area * off / radius;
-    sum.up += press * area * rise / radius;
-    sum.all += press * area;
-    sum.deepest = std::max(sum.deepest, press);
+  // Flat top and round edges one after the other: across a lip's edge the press has a bend, and
+  // what one set of places made of both was not the gradient of any energy.
+  const double bounds[] = {begin, std::clamp(crown_begin, begin, end),
+                           std::clamp(outer - edge, begin, end), end};
+  for (std::size_t part = 0; part < 3; ++part) {
+    const double half_way = 0.5 * (bounds[part + 1] - bounds[part]);
+    if (half_way <= 0.0) continue;
+    const double middle = 0.5 * (bounds[part + 1] + bounds[part]);
+    for (std::size_t n = 0; n < kNode.size(); ++n) {
+      const double rho = middle + half_way * kNode[n];
+      const double press = depth_at(rho);
+      if (press <= 0.0) continue;
+      const double area = half_way * kWeight[n] * rho;
+      const double x = along - rho;
+      const double rise = std::sqrt(std::max(square - x * x, 0.0));
+      sum.along += press * area * x / radius;
+      sum.up += press * area * rise / radius;
+      if (rise > 0.0) {  // no press is more than twice the rise, so that none of these is large
+        const double borne = pressure_at(press, radius) * area / rise;
+        sum.felt_along += borne * x;
+        sum.felt_off += borne * off;
+        sum.felt_up += borne * rise;
+        sum.felt += borne * radius;
+      }
+      sum.deepest = std::max(sum.deepest, press);
+    }
   }
   return sum;
 }
@@ -230,9 +249,10 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
         std::fabs(aside) > kSnap ? static_cast<float>(aside * gone) : 0.0f;
     most = std::max(most, std::fabs(aside));
     if (press.deepest <= kSnap) continue;
-    force += Vec3{press.along * c - press.off * s, press.up, press.along * s + press.off * c};
+    force += Vec3{press.felt_along * c - press.felt_off * s, press.felt_up,
+                  press.felt_along * s + press.felt_off * c};
     sum.up += press.up;
-    sum.all += press.all;
+    sum.felt += press.felt;
     sum.deepest = std::max(sum.deepest, press.deepest);
     ++out.touched;
   }
@@ -251,7 +271,7 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
   // Mean over the step.
   const double felt = yielding.stiffness * sector * (1.0 - 0.5 * sunk / sum.deepest);
   out.force = felt * force;
-  out.normal = felt * sum.all;
+  out.normal = felt * sum.felt;
   out.depth = sum.deepest;
   return out;
 }

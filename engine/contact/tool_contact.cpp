@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/clay/lip.h"
+#include "engine/contact/crown.h"
 #include "engine/contact/floor.h"
 #include "engine/contact/rim.h"
 #include "engine/math/portable.h"
@@ -71,6 +73,14 @@ Yielding yielding_under(const ToolShape& shape, const Yielding& clay) {
 
 // Over the top, and steeper than the bisector of the rim's corners.
 bool over_rim(const Beyond& b) { return b.crown > 0.0 && b.crown >= std::max(b.outer, b.inner); }
+
+// How much of what a round tool feels is the edge's, 0..1: all of it where its print comes so near
+// the rim that clay is nearer to the crown than to the face, from there over 2 mm below nothing.
+double edge_share(double above_middle, double radius, double depth) {
+  constexpr double kFade = 0.002;  // m
+  const double print = std::sqrt(depth * std::max(2.0 * radius - depth, 0.0));
+  return std::clamp(1.0 + (print + depth + kLipRadius - above_middle) / kFade, 0.0, 1.0);
+}
 
 // How far from the axis the clay is that `sweep`'s tool presses, m. Deep beside a tool it is
 // farther than where the tool comes nearest to the axis, but never by half.
@@ -168,6 +178,44 @@ void ToolContact::change_place(const Clay& clay, const body::Ball& lowest) noexc
   }
 }
 
+namespace {
+
+// The floor ends where the clay does: a ball near its outer edge feels that, and one beyond it
+// nothing.
+Press press_on_floor(Clay& clay, const BallStep& step, const body::Ball& ball,
+                     const Yielding& yielding) {
+  const int row = std::max(clay.floor_rows() - 1, 0);
+  const double whole = double{*std::ranges::min_element(clay.outer(row))} - ball.radius;
+  constexpr double kFade = 0.002;  // m
+  const double share =
+      std::min((axis_distance(ball.middle) - whole + kLipRadius) / kFade + 1.0, 1.0);
+  if (share <= 0.0) return press_floor(clay, step, yielding);
+  const EdgePush edge =
+      push_at_edge(clay, WallSide::outside, ball.middle, ball.radius, clay.floor_top(), false);
+  if (edge.top_normal + edge.face_normal <= 0.0) return {};
+  Press press = press_floor(clay, step, yielding);
+  const double stiffness = share * yielding.stiffness;
+  press.force = (1.0 - share) * press.force + stiffness * (edge.top + edge.face);
+  press.normal = (1.0 - share) * press.normal + stiffness * (edge.top_normal + edge.face_normal);
+  return press;
+}
+
+// Of `press`, `share` is felt as `edge` has it; what of that is not on a face is returned. What
+// lies on a face fades in the step as the wall's press does.
+FacePush feel_edge(const EdgePush& edge, double share, double seconds, const Yielding& yielding,
+                   Press& press) {
+  if (share == 0.0) return {};
+  const double rate = yielding.relaxation_time / seconds;
+  const double on_face = share * yielding.stiffness * rate * -portable::expm1(-1.0 / rate);
+  const double off_face = share * yielding.stiffness;
+  const FacePush rest{off_face * edge.top, off_face * edge.top_normal};
+  press.force = (1.0 - share) * press.force + on_face * edge.face + rest.force;
+  press.normal = (1.0 - share) * press.normal + on_face * edge.face_normal + rest.normal;
+  return rest;
+}
+
+}  // namespace
+
 void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
                        const Yielding& clays) noexcept {
   const Yielding yielding = yielding_under(*sweep.shape, clays);
@@ -185,24 +233,38 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   }
 
   Press press;
-  FacePush face;
+  FacePush off_face;
   on_floor_ = false;
   const double seconds = sweep.seconds / of;
+  // Over the edge and near it a round tool feels one law, whichever moves the clay.
+  const double above = clay.rim_height() - place.at.y;
+  const bool at_edge = sweep.shape->round() && above < 2.5 * lowest.radius + kLipRadius;
+  const bool hollow = clay.floor_rows() < clay.rows();
+  EdgePush edge;
+  if (at_edge)
+    edge = push_at_edge(clay, hollow ? side_ : WallSide::outside, place.at, lowest.radius,
+                        clay.rim_height(), hollow);
   if (on_rim_) {
     press = press_rim(clay, ball_step(sweep, n, of), yielding);
+    off_face = at_edge && press.touched > 0 ? feel_edge(edge, 1.0, seconds, yielding, press)
+                                            : FacePush{press.force, press.normal};
   } else {
     press = sweep.shape->press(clay, side_, place, sweep.size, seconds, yielding);
-    face = {press.force, press.normal};
+    if (at_edge && press.touched > 0)
+      off_face =
+          feel_edge(edge, edge_share(above, lowest.radius, press.depth), seconds, yielding, press);
     const double hangs = place.at.y - (lowest.middle.y - lowest.radius);  // below `at`
     const double bottom = std::min(sweep.from.y, sweep.to.y) - hangs;
     if (side_ == WallSide::inside && bottom < clay.floor_top()) {
-      const Press floor = press_floor(clay, ball_step(sweep, n, of), yielding);
+      const Press floor = press_on_floor(clay, ball_step(sweep, n, of), lowest, yielding);
       on_floor_ = floor.touched > 0;
       press.force += floor.force;
       press.normal += floor.normal;
       press.depth = std::max(press.depth, floor.depth);
       press.visited += floor.visited;
       press.touched += floor.touched;
+      off_face.force += floor.force;
+      off_face.normal += floor.normal;
     }
   }
   touching_ = press.touched > 0;
@@ -212,8 +274,9 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   sum_.depth = std::max(sum_.depth, press.depth);
   sum_.visited += press.visited;
   sum_.touched += press.touched;
-  face_.force += share * turned(face.force, c, s);
-  face_.normal += share * face.normal;
+  if (off_face.normal == 0.0) return;
+  off_face_.force += share * turned(off_face.force, c, s);
+  off_face_.normal += share * off_face.normal;
 }
 
 }  // namespace onggi

@@ -49,10 +49,12 @@ class ToolContact {
   /// Sum since begin_tick(): force and normal as means over the tick, depth as the maximum.
   const Press& reaction() const { return sum_; }
   /// The part of reaction() that pushes the wall aside.
-  const FacePush& on_face() const { return face_; }
+  FacePush on_face() const {
+    return {sum_.force - off_face_.force, sum_.normal - off_face_.normal};
+  }
   void begin_tick() {
     sum_ = {};
-    face_ = {};
+    off_face_ = {};
   }
   /// The hand was lifted or is new: the next step chooses the side again.
   void release() { touching_ = false; }
@@ -78,7 +80,7 @@ class ToolContact {
   bool on_rim_ = false;
   bool on_floor_ = false;
   Press sum_;
-  FacePush face_;
+  FacePush off_face_;  // of sum_, what rim and floor bear
 };
 
 }  // namespace onggi

@@ -22,9 +22,9 @@ struct PassivityLimits {
 /// between them. When it is overdrawn, damping on the force pays it back.
 ///
 /// The wheel is a motor. Its work on the hand through the clay (force times the clay's velocity) is
-/// credited. Clay does not give back what it took, so no credit exceeds what the coupling's and the
-/// clay's springs can hold now; no debt exceeds kMostDebt, so that an old one is not paid for ever.
-/// No allocation; the same bits everywhere; one thread.
+/// credited. Clay gives next to nothing back of what it took (engine/docs/contact.md), so no credit
+/// exceeds what the coupling's and the clay's springs can hold now; no debt exceeds kMostDebt, so
+/// that an old one is not paid for ever. No allocation; the same bits everywhere; one thread.
 class PassivityControl {
  public:
   static constexpr int kMostDelay = 8;

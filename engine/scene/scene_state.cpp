@@ -166,12 +166,14 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     tick.side[n] = hand[n].contact.side();
     tick.place[n] = hand[n].contact.place();
   }
+  const bool bends = effects::kBuilt && def.walls && def.walls->bending_strength > 0.0;
+  if (!bends && !(presses(hand[0]) && presses(hand[1]))) return;
   Faces face{};
   for (std::size_t n = 0; n < hand.size(); ++n)
     if (presses(hand[n])) face[n] = hand[n].contact.on_face();
   Faces felt = face;
   balance(tick, felt);
-  if (effects::kBuilt && def.walls && def.walls->bending_strength > 0.0) bend_walls(tick, felt);
+  if (bends) bend_walls(tick, felt);
   for (std::size_t n = 0; n < hand.size(); ++n) {
     if (felt[n].normal == face[n].normal) continue;
     tick.press[n].force += felt[n].force - face[n].force;

