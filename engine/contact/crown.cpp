@@ -7,7 +7,7 @@
 #include "engine/clay/lip.h"
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::contact {
 namespace {
 
 struct Node {
@@ -159,4 +159,4 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
   return out;
 }
 
-}  // namespace onggi
+}  // namespace onggi::contact

@@ -4,7 +4,7 @@
 #include "engine/clay/wall_side.h"
 #include "engine/math/vec.h"
 
-namespace onggi {
+namespace onggi::contact {
 
 /// What clay pushes a ball by near an edge of it: of a pot's rim, or of a solid top. Each point of
 /// the ball's surface bears a pressure that is a figure of its place in the clay alone, of how far
@@ -31,4 +31,4 @@ double pressure_at(double deep, double radius) noexcept;
 /// The same on an endless flat top that the ball's lowest point is `depth` (m) below: upward, m^3.
 double push_on_flat(double depth, double radius) noexcept;
 
-}  // namespace onggi
+}  // namespace onggi::contact

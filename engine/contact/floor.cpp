@@ -62,7 +62,7 @@ Press press_floor(Clay& clay, const BallStep& step, const Yielding& yielding) no
   // What the tool went deeper and is not pressed, the floor went down.
   const double sunk = std::clamp(first + share * way - given.end, 0.0, top - lowest);
   const double mean = std::max(given.mean, 0.0);
-  out.force.y = share * yielding.stiffness * push_on_flat(mean, step.radius);
+  out.force.y = share * yielding.stiffness * contact::push_on_flat(mean, step.radius);
   out.normal = out.force.y;
   // A hand below the wheel head presses the clay that stands on it, and no more.
   out.depth = std::min(std::max(first, gap - sunk), top);

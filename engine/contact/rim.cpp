@@ -89,7 +89,7 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
       sum.along += press * area * x / radius;
       sum.up += press * area * rise / radius;
       if (rise > 0.0) {  // no press is more than twice the rise, so that none of these is large
-        const double borne = pressure_at(press, radius) * area / rise;
+        const double borne = contact::pressure_at(press, radius) * area / rise;
         sum.felt_along += borne * x;
         sum.felt_off += borne * off;
         sum.felt_up += borne * rise;

@@ -190,8 +190,8 @@ Press press_on_floor(Clay& clay, const BallStep& step, const body::Ball& ball,
   const double share =
       std::min((axis_distance(ball.middle) - whole + kLipRadius) / kFade + 1.0, 1.0);
   if (share <= 0.0) return press_floor(clay, step, yielding);
-  const EdgePush edge =
-      push_at_edge(clay, WallSide::outside, ball.middle, ball.radius, clay.floor_top(), false);
+  const contact::EdgePush edge = contact::push_at_edge(clay, WallSide::outside, ball.middle,
+                                                       ball.radius, clay.floor_top(), false);
   if (edge.top_normal + edge.face_normal <= 0.0) return {};
   Press press = press_floor(clay, step, yielding);
   const double stiffness = share * yielding.stiffness;
@@ -202,13 +202,13 @@ Press press_on_floor(Clay& clay, const BallStep& step, const body::Ball& ball,
 
 // Of `press`, `share` is felt as `edge` has it; what of that is not on a face is returned. What
 // lies on a face fades in the step as the wall's press does.
-FacePush feel_edge(const EdgePush& edge, double share, double seconds, const Yielding& yielding,
-                   Press& press) {
+contact::FacePush feel_edge(const contact::EdgePush& edge, double share, double seconds,
+                            const Yielding& yielding, Press& press) {
   if (share == 0.0) return {};
   const double rate = yielding.relaxation_time / seconds;
   const double on_face = share * yielding.stiffness * rate * -portable::expm1(-1.0 / rate);
   const double off_face = share * yielding.stiffness;
-  const FacePush rest{off_face * edge.top, off_face * edge.top_normal};
+  const contact::FacePush rest{off_face * edge.top, off_face * edge.top_normal};
   press.force = (1.0 - share) * press.force + on_face * edge.face + rest.force;
   press.normal = (1.0 - share) * press.normal + on_face * edge.face_normal + rest.normal;
   return rest;
@@ -233,21 +233,21 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   }
 
   Press press;
-  FacePush off_face;
+  contact::FacePush off_face;
   on_floor_ = false;
   const double seconds = sweep.seconds / of;
   // Over the edge and near it a round tool feels one law, whichever moves the clay.
   const double above = clay.rim_height() - place.at.y;
   const bool at_edge = sweep.shape->round() && above < 2.5 * lowest.radius + kLipRadius;
   const bool hollow = clay.floor_rows() < clay.rows();
-  EdgePush edge;
+  contact::EdgePush edge;
   if (at_edge)
-    edge = push_at_edge(clay, hollow ? side_ : WallSide::outside, place.at, lowest.radius,
-                        clay.rim_height(), hollow);
+    edge = contact::push_at_edge(clay, hollow ? side_ : WallSide::outside, place.at, lowest.radius,
+                                 clay.rim_height(), hollow);
   if (on_rim_) {
     press = press_rim(clay, ball_step(sweep, n, of), yielding);
     off_face = at_edge && press.touched > 0 ? feel_edge(edge, 1.0, seconds, yielding, press)
-                                            : FacePush{press.force, press.normal};
+                                            : contact::FacePush{press.force, press.normal};
   } else {
     press = sweep.shape->press(clay, side_, place, sweep.size, seconds, yielding);
     if (at_edge && press.touched > 0)

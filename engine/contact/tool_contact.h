@@ -32,12 +32,16 @@ int steps_for(const ToolSweep& sweep, double relaxation_time,
 /// Enough for a ball of 1 mm on a wheel of 600 rpm, 0.1 m from the axis, in a tick of 5 ms.
 inline constexpr int kMostSteps = 256;
 
+namespace contact {
+
 /// The part of a press that lies on a face of the wall, and pushes the wall aside: not what the rim
 /// and the floor bear.
 struct FacePush {
   Vec3 force;         ///< N.
   double normal = 0;  ///< Sum of the elements' normal forces, N.
 };
+
+}  // namespace contact
 
 /// One tool's contact with the clay, over time: where it works, and the press. No allocation.
 class ToolContact {
@@ -49,7 +53,7 @@ class ToolContact {
   /// Sum since begin_tick(): force and normal as means over the tick, depth as the maximum.
   const Press& reaction() const { return sum_; }
   /// The part of reaction() that pushes the wall aside.
-  FacePush on_face() const {
+  contact::FacePush on_face() const {
     return {sum_.force - off_face_.force, sum_.normal - off_face_.normal};
   }
   void begin_tick() {
@@ -80,7 +84,7 @@ class ToolContact {
   bool on_rim_ = false;
   bool on_floor_ = false;
   Press sum_;
-  FacePush off_face_;  // of sum_, what rim and floor bear
+  contact::FacePush off_face_;  // of sum_, what rim and floor bear
 };
 
 }  // namespace onggi

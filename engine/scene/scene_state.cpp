@@ -194,7 +194,7 @@ void Scene::State::balance(const Tick& tick, Faces& face) const noexcept {
   const WallsDef& walls = def.walls ? *def.walls : WallsDef{};
   const double facing = effects::wall_support(walls, tick.sweep[0].to, tick.sweep[1].to);
   const double mean = 0.5 * (less + more);
-  for (FacePush& one : face) {
+  for (contact::FacePush& one : face) {
     const double normal = one.normal + facing * alike * (mean - one.normal);
     one.force = (normal / one.normal) * one.force;
     one.normal = normal;

@@ -92,7 +92,8 @@ struct Scene::State {
   void press_clay(Tick& tick) noexcept;
   void press_and_work(Tick& tick) noexcept;
   void work_on_rows(const Tick& tick) noexcept;
-  using Faces = std::array<FacePush, kMaxHands>;  // what each hand presses on a face of the wall
+  using Faces =
+      std::array<contact::FacePush, kMaxHands>;  // what each hand presses on a face of the wall
   void balance(const Tick& tick, Faces& face) const noexcept;
   void bend_walls(const Tick& tick, Faces& face) const noexcept;
   void feel(Tick& tick) noexcept;
