@@ -186,18 +186,19 @@ void Scene::State::press_clay(Tick& tick) noexcept {
 // pinch has in common is the mean. A hand that only grazes the wall while the other presses it
 // takes no part in that.
 void Scene::State::balance(const Tick& tick, Faces& face) const noexcept {
-  const double less = std::min(face[0].normal, face[1].normal);
+  const std::array<double, kMaxHands> strength{length(face[0].force), length(face[1].force)};
+  const double less = std::min(strength[0], strength[1]);
   if (!(less > 0.0) || hand[0].contact.side() == hand[1].contact.side()) return;
-  const double more = std::max(face[0].normal, face[1].normal);
+  const double more = std::max(strength[0], strength[1]);
   const double alike = std::clamp((less / more - kGrazes) / (kPinches - kGrazes), 0.0, 1.0);
   if (alike == 0.0) return;
   const WallsDef& walls = def.walls ? *def.walls : WallsDef{};
   const double facing = effects::wall_support(walls, tick.sweep[0].to, tick.sweep[1].to);
   const double mean = 0.5 * (less + more);
-  for (contact::FacePush& one : face) {
-    const double normal = one.normal + facing * alike * (mean - one.normal);
-    one.force = (normal / one.normal) * one.force;
-    one.normal = normal;
+  for (std::size_t n = 0; n < face.size(); ++n) {
+    const double share = 1.0 + facing * alike * (mean - strength[n]) / strength[n];
+    face[n].force = share * face[n].force;
+    face[n].normal *= share;
   }
 }
 

@@ -81,7 +81,7 @@ TEST(ClosedPaths, NoneThatASearchFindsGainsMoreThanTheSumsAreWrong) {
     Random random(11);
     Clay clay = cylinder(about.thickness);
     Work most;
-    for (int start = 0; start < 4; ++start) {
+    for (int start = 0; start < 2; ++start) {
       const auto place = [&] {
         return Vec3{random.uniform(about.from, about.to),
                     kRim + random.uniform(about.lowest, 0.012), random.uniform(-0.004, 0.004)};
