@@ -193,7 +193,7 @@ TEST(Replay, UnderARightChecksumAnotherVersionAndBytesBehindTheEndAreStillRefuse
   };
   EXPECT_EQ(fault(body), "it was read");
   auto other = body;
-  other[8] ^= std::byte{1};  // behind the eight bytes that say what it is
+  other[8] = std::byte{replay_bytes::kVersion + 1};  // behind the eight bytes that say what it is
   EXPECT_NE(fault(other).find("another version"), std::string::npos) << fault(other);
   auto longer = body;
   longer.push_back(std::byte{0});

@@ -99,7 +99,7 @@ TEST_F(TranslationTables, that_do_not_fit_or_are_empty_are_named_and_left_out) {
                              "address = \"www\"\n";
   const std::string all = advice(tables);
   for (const char* fault :
-       {"It has 121 letters", "It has 41 letters", "name is empty.", "de.toml:12"})
+       {"words has 121 letters", "title has 41 letters", "name is empty.", "de.toml:12"})
     EXPECT_NE(all.find(fault), std::string::npos) << fault << "\n" << all;
   EXPECT_TRUE(read(tables).languages.empty());
 }
