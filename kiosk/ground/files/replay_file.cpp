@@ -11,15 +11,15 @@ constexpr std::size_t kLargest = 1u << 30;  // Over ten hours of restless hands.
 }
 
 Result<Replay> read_replay(const std::filesystem::path& file) {
-  using Kind = files::ReadFault::Kind;
+  using Fault = files::ReadFault::Kind;
   const std::string name = file.string();
   const auto bytes = files::read_file(file, kLargest);
   if (bytes) return Replay::read(std::as_bytes(std::span(*bytes)), name);
   switch (bytes.error().kind) {
-    case Kind::too_large:
+    case Fault::too_large:
       return problem(name, "It is over 1 GiB, larger than any visit.", "Name a visit.onggi.");
-    case Kind::closed:
-    case Kind::unreadable:
+    case Fault::closed:
+    case Fault::unreadable:
       return problem(name, "It could not be read.", "Check its permissions and disk.", 1);
     default:
       return problem(name, "There is no such file.", "Name the visit.onggi of a kept visit.");
