@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "kiosk/collection/settings/wifi_code.h"
+#include "tests/kiosk/collection/settings/all_problems.h"
 
 namespace onggi::settings {
 namespace {
@@ -18,12 +19,6 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-std::string all(const Problems& problems) {
-  std::string out;
-  for (const Problem& p : problems) out += to_text(p) + "\n";
-  return out;
-}
 
 /// A museum's own folder: exhibit/exhibit.toml, exhibit/scenes/first_touch.toml, content/vessels.
 class ExhibitTest : public ::testing::Test {

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "tests/kiosk/collection/settings/all_problems.h"
 #include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::settings {
@@ -15,12 +16,6 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-std::string all(const Problems& problems) {
-  std::string out;
-  for (const Problem& p : problems) out += to_text(p) + "\n";
-  return out;
-}
 
 /// A museum's folder: exhibit/exhibit.toml, config/exhibit.toml, content/vessels.
 class KeepsakePlace : public ::testing::Test {

@@ -10,6 +10,7 @@
 
 #include "engine/scene/scene.h"
 #include "kiosk/collection/settings/scene_file.h"
+#include "tests/kiosk/collection/settings/all_problems.h"
 
 namespace onggi::settings {
 namespace {
@@ -19,12 +20,6 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-std::string all(const std::vector<Problem>& problems) {
-  std::string out;
-  for (const Problem& p : problems) out += to_text(p) + "\n";
-  return out;
-}
 
 SceneRead read(const std::string& text) {
   const fs::path file =
