@@ -95,9 +95,9 @@ TEST_F(NightKiosk, InTheDarkHandDevicesAreLookedAfterInEachFrame) {
   wall_ = at(19);
   // Its thread takes its turns when the machine lets it, and finding the device wakes the screen.
   const auto until = [&](const auto& done) {
-    for (int n = 0; n < 5000 && !done(); ++n) {
-      frame(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (int n = 0; n < 300 && !done(); ++n) {
+      frame(10);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return done();
   };
