@@ -39,31 +39,31 @@ std::string tidy(std::string text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-const json* member(const json& object, const std::string& key) {
+const json* member(const json& object, std::string_view key) {
   if (!object.is_object()) return nullptr;
   const auto found = object.find(key);
   return found == object.end() ? nullptr : &*found;
 }
 
-const json& within(const json& object, const std::string& key) {
+const json& within(const json& object, std::string_view key) {
   static const json kNothing;
   const json* found = member(object, key);
   return found == nullptr ? kNothing : *found;
 }
 
-const json& list_of(const json& object, const std::string& key) {
+const json& list_of(const json& object, std::string_view key) {
   static const json kEmpty = json::array();
   const json& found = within(object, key);
   return found.is_array() ? found : kEmpty;
 }
 
-int index_in(const json& object, const std::string& key, int otherwise) {
+int index_in(const json& object, std::string_view key, int otherwise) {
   const json& value = within(object, key);
   return value.is_number_unsigned() && value.get<std::uint64_t>() < 1u << 30 ? value.get<int>()
                                                                              : otherwise;
 }
 
-std::string string_in(const json& object, const std::string& key) {
+std::string string_in(const json& object, std::string_view key) {
   const json& value = within(object, key);
   return value.is_string() ? value.get<std::string>() : std::string();
 }

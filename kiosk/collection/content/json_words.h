@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 namespace onggi::content::json_words {
 
@@ -15,15 +16,15 @@ std::string lower(std::string text);
 /// One line without control characters, cut between two characters of UTF-8.
 std::string tidy(std::string text);
 /// The member of `object`, or nullptr; nullptr for anything that is not an object.
-const nlohmann::json* member(const nlohmann::json& object, const std::string& key);
+const nlohmann::json* member(const nlohmann::json& object, std::string_view key);
 /// The same as a value: null JSON if there is none.
-const nlohmann::json& within(const nlohmann::json& object, const std::string& key);
+const nlohmann::json& within(const nlohmann::json& object, std::string_view key);
 /// The list `key` of `object`; empty if there is none.
-const nlohmann::json& list_of(const nlohmann::json& object, const std::string& key);
+const nlohmann::json& list_of(const nlohmann::json& object, std::string_view key);
 /// The index `key` of `object`, 0 to 2^30 - 1; else `otherwise`.
-int index_in(const nlohmann::json& object, const std::string& key, int otherwise = -1);
+int index_in(const nlohmann::json& object, std::string_view key, int otherwise = -1);
 /// The text `key` of `object` as it is; "" if it is none.
-std::string string_in(const nlohmann::json& object, const std::string& key);
+std::string string_in(const nlohmann::json& object, std::string_view key);
 /// A value as words: a string, a list of them, one in a language (JSON-LD's "@language", IIIF's
 /// {"en": [...]}), or a name inside an object. English goes before other languages.
 std::string words_of(const nlohmann::json& value, int depth = 0);
