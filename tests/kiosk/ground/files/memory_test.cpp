@@ -15,8 +15,8 @@
 namespace onggi::files {
 namespace {
 
-using test::Holes;
-using test::resident_mib;
+using onggi::test::Holes;
+using onggi::test::resident_mib;
 
 TEST(Memory, HolesInTheHeapGoBackToTheSystemBetweenTwoVisitors) {
   if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";

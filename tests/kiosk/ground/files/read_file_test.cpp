@@ -12,7 +12,7 @@ namespace onggi::files {
 namespace {
 
 using namespace test;
-using Kind = ReadFault::Kind;
+using Fault = ReadFault::Kind;
 
 class ReadFile : public ::testing::Test {
  protected:
@@ -29,7 +29,7 @@ class ReadFile : public ::testing::Test {
     return bytes ? std::string(bytes->begin(), bytes->end())
                  : "fault " + std::to_string(static_cast<int>(bytes.error().kind));
   }
-  static std::string fault(Kind kind) { return "fault " + std::to_string(static_cast<int>(kind)); }
+  static std::string fault(Fault kind) { return "fault " + std::to_string(static_cast<int>(kind)); }
   ScratchFolder scratch_;
 };
 
@@ -39,7 +39,7 @@ TEST_F(ReadFile, a_file_is_read_whole_up_to_the_limit_and_refused_beyond) {
   EXPECT_EQ(read_file(file, 12)->size(), 12u);
   const auto large = read_file(file, 11);
   ASSERT_FALSE(large);
-  EXPECT_EQ(large.error().kind, Kind::too_large);
+  EXPECT_EQ(large.error().kind, Fault::too_large);
   EXPECT_EQ(large.error().size, 12u);
 }
 
@@ -47,16 +47,16 @@ TEST_F(ReadFile, what_says_that_it_is_empty_and_is_not_is_read_to_its_end) {
   const auto status = read_file("/proc/self/status", 1u << 20);
   ASSERT_TRUE(status);
   EXPECT_GT(status->size(), 100u);
-  EXPECT_EQ(read_file("/proc/self/status", 20).error().kind, Kind::too_large);
+  EXPECT_EQ(read_file("/proc/self/status", 20).error().kind, Fault::too_large);
 }
 
 TEST_F(ReadFile, nothing_but_a_file_is_read_and_a_pipe_is_not_waited_for) {
-  EXPECT_EQ(read_file(scratch_.path() / "gone", 9).error().kind, Kind::missing);
-  EXPECT_EQ(read_file(scratch_.path(), 9).error().kind, Kind::folder);
-  EXPECT_EQ(read_file("/dev/zero", 9).error().kind, Kind::special);
+  EXPECT_EQ(read_file(scratch_.path() / "gone", 9).error().kind, Fault::missing);
+  EXPECT_EQ(read_file(scratch_.path(), 9).error().kind, Fault::folder);
+  EXPECT_EQ(read_file("/dev/zero", 9).error().kind, Fault::special);
   const fs::path pipe = scratch_.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(read_file(pipe, 9).error().kind, Kind::special);
+  EXPECT_EQ(read_file(pipe, 9).error().kind, Fault::special);
 }
 
 TEST_F(ReadFile, beneath_a_folder_lies_what_is_in_it_and_nothing_else) {
@@ -64,11 +64,11 @@ TEST_F(ReadFile, beneath_a_folder_lies_what_is_in_it_and_nothing_else) {
   EXPECT_EQ(beneath("./deep//c"), "deep");
   for (const char* out : {"../secret", "deep/../../secret", "%2e%2e/secret", "/etc/passwd", "",
                           "https://x/y", "deep\\c", "deep/c%00"})
-    EXPECT_EQ(beneath(out), fault(Kind::outside)) << out;
-  EXPECT_EQ(beneath("link"), fault(Kind::link));
-  EXPECT_EQ(beneath("up/secret"), fault(Kind::link));
-  EXPECT_EQ(beneath("deep/gone"), fault(Kind::missing));
-  EXPECT_EQ(beneath("deep"), fault(Kind::folder));
+    EXPECT_EQ(beneath(out), fault(Fault::outside)) << out;
+  EXPECT_EQ(beneath("link"), fault(Fault::link));
+  EXPECT_EQ(beneath("up/secret"), fault(Fault::link));
+  EXPECT_EQ(beneath("deep/gone"), fault(Fault::missing));
+  EXPECT_EQ(beneath("deep"), fault(Fault::folder));
 }
 
 TEST_F(ReadFile, where_a_file_lies_beneath_a_folder_is_told_by_the_same_rules) {
@@ -79,10 +79,10 @@ TEST_F(ReadFile, where_a_file_lies_beneath_a_folder_is_told_by_the_same_rules) {
   EXPECT_EQ(read_file(*deep, 100)->size(), 4u);
   EXPECT_EQ(*find_beneath(in, "a%20b.bin"), in / "a b.bin");
   ASSERT_EQ(mkfifo((in / "pipe").c_str(), 0600), 0);
-  const std::pair<const char*, Kind> not_there[] = {{"../secret", Kind::outside},
-                                                    {"up/secret", Kind::link},
-                                                    {"deep", Kind::folder},
-                                                    {"pipe", Kind::special}};
+  const std::pair<const char*, Fault> not_there[] = {{"../secret", Fault::outside},
+                                                     {"up/secret", Fault::link},
+                                                     {"deep", Fault::folder},
+                                                     {"pipe", Fault::special}};
   for (const auto& [name, kind] : not_there) {
     const auto found = find_beneath(in, name);
     ASSERT_FALSE(found) << name;

@@ -12,7 +12,7 @@ namespace {
 constexpr int kRows = 90, kSectors = 128;
 constexpr double kHeight = 0.18, kPi = 3.14159265358979;
 
-double jar(double t) { return 0.05 + 0.02 * std::sin(3.0 * t); }
+double bellied(double t) { return 0.05 + 0.02 * std::sin(3.0 * t); }
 double bowl(double t) { return 0.03 + 0.06 * t; }
 double shouldered(double t) { return 0.06 - 0.04 * t * t * t; }
 double bottle(double t) { return t < 0.6 ? 0.06 : 0.06 - 0.09 * (t - 0.6); }
@@ -56,13 +56,13 @@ class TheClaysRadii : public StudioTest {
 };
 
 TEST_F(TheClaysRadii, AreKeptWithinTwoMicrometres) {
-  const ClayView clay = clay_of(jar);
+  const ClayView clay = clay_of(bellied);
   surface_.show(clay);
   EXPECT_LT(worst(surface_, clay), 2e-6);
 }
 
 TEST_F(TheClaysRadii, GoUpOnlyWhereTheyMoved) {
-  ClayView clay = clay_of(jar);
+  ClayView clay = clay_of(bellied);
   surface_.show(clay);
   swell(clay, 40, 10, 21, 0.001f);
   swell(clay, 41, 12, 25, 0.001f);
@@ -74,7 +74,7 @@ TEST_F(TheClaysRadii, GoUpOnlyWhereTheyMoved) {
 }
 
 TEST_F(TheClaysRadii, ThatCreepAddUp) {
-  ClayView clay = clay_of(jar);
+  ClayView clay = clay_of(bellied);
   surface_.show(clay);
   const std::uint64_t before = calls::so_far().bytes;
   for (int n = 0; n < 200; ++n) {
@@ -90,7 +90,7 @@ TEST_F(TheClaysRadii, ThatCreepAddUp) {
 }
 
 TEST_F(TheClaysRadii, ThatOutgrowTheirStepsAreTakenAnew) {
-  ClayView clay = clay_of(jar);
+  ClayView clay = clay_of(bellied);
   surface_.show(clay);
   swell(clay, 50, 0, kSectors, 0.06f);
   surface_.update(clay);
@@ -107,7 +107,7 @@ TEST_F(TheClaysRadii, OfAnotherPotReplaceThem) {
 // Every shape as seen from near and far, level and from above.
 template <typename Check>
 void from_everywhere(ClaySurface& surface, Check&& check) {
-  for (double (*shape)(double) : {jar, bowl, shouldered, bottle, plate}) {
+  for (double (*shape)(double) : {bellied, bowl, shouldered, bottle, plate}) {
     const ClayView clay = clay_of(shape);
     surface.show(clay);
     Texture levels;

@@ -19,8 +19,8 @@ using Gallery = StudioTest;
 double vase(double t) {
   return 0.034 + 0.030 * std::sin(3.5 * t + 0.1) * (1.0 - 0.35 * t) + 0.004 * t;
 }
-double bowl(double t) { return 0.028 + 0.062 * std::sqrt(t); }
-double jar(double t) { return 0.056 + 0.004 * std::sin(3.1 * t); }
+double tea_bowl(double t) { return 0.028 + 0.062 * std::sqrt(t); }
+double moon_jar(double t) { return 0.056 + 0.004 * std::sin(3.1 * t); }
 
 const ClayDef kVase = grid_of(400, 360, 0.20, 0.010);
 
@@ -84,7 +84,7 @@ TEST_F(Gallery, EveryGlazeOfTheExhibitOnAVase) {
 TEST_F(Gallery, ABowlAndADeepJar) {
   Renderer& r = renderer();
   const ClayDef shape = grid_of(300, 360, 0.08, 0.008);
-  r.show_clay(thrown_clay(shape, bowl, 0.005, 0.0002));
+  r.show_clay(thrown_clay(shape, tea_bowl, 0.005, 0.0002));
   view::Frame frame = frame_with_pot(kWidth, kHeight, 0.08, 0.09);
   r.draw(frame);
   keep_for_looking(r.read_pixels(), "bowl_dry");
@@ -94,7 +94,7 @@ TEST_F(Gallery, ABowlAndADeepJar) {
   keep_for_looking(r.read_pixels(), "bowl_fired");
 
   const ClayDef deep = grid_of(400, 360, 0.20, 0.010);
-  r.show_clay(thrown_clay(deep, jar, 0.007, 0.00015));
+  r.show_clay(thrown_clay(deep, moon_jar, 0.007, 0.00015));
   frame = frame_with_pot(kWidth, kHeight, 0.20, 0.06);
   frame.pot->camera.elevation = 0.6;
   frame.pot->wetness = 0.6;

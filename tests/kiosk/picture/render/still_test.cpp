@@ -7,7 +7,7 @@
 namespace onggi::render::testing {
 namespace {
 
-double jar(double t) { return 0.04 + 0.02 * t; }
+double flared(double t) { return 0.04 + 0.02 * t; }
 
 /// A window whose pot has just been turning, drawn as finely as there is time for.
 class APotThatComesToRest : public StudioTest {
@@ -16,7 +16,7 @@ class APotThatComesToRest : public StudioTest {
     StudioTest::SetUp();
     if (IsSkipped()) return;
     renderer().set_full_quality(false);
-    renderer().show_clay(thrown_clay(grid_of(120, 120, 0.15, 0.01), jar, 0.006, 0.0005));
+    renderer().show_clay(thrown_clay(grid_of(120, 120, 0.15, 0.01), flared, 0.006, 0.0005));
     frame_ = frame_with_pot(640, 400, 0.15, 0.06);
     for (int i = 0; i < 5; ++i) {
       frame_.pot->wheel_angle = frame_.pot->clay_angle = 0.2 * i;
@@ -58,7 +58,7 @@ TEST_F(APotThatComesToRest, KeepsItsPictureWhileWordsChange) {
 TEST_F(APotThatComesToRest, MovesAgainAtOnceWhenAHandOrTheClayDoes) {
   stand(4);
   const view::Image before = renderer().read_pixels();
-  ClayView thinner = thrown_clay(grid_of(120, 120, 0.15, 0.01), jar, 0.003, 0.0);
+  ClayView thinner = thrown_clay(grid_of(120, 120, 0.15, 0.01), flared, 0.003, 0.0);
   renderer().show_clay(thinner);
   renderer().draw(frame_);
   EXPECT_NE(renderer().read_pixels().rgba, before.rgba);

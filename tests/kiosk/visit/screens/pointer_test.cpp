@@ -97,21 +97,21 @@ TEST(Pointer, TwoFingersThatCloseThinTheWallBetweenTheHands) {
                    v.now);
     v.show();
   };
-  using Kind = view::InputEvent::Kind;
-  finger(Kind::pointer_down, 0, 0.055, 0.1);
+  using Event = view::InputEvent::Kind;
+  finger(Event::pointer_down, 0, 0.055, 0.1);
   v.frames(1);
   const double alone = held_wall(v, kTool);
   EXPECT_NEAR(alone, 0.033, 1e-3);  // the lump's own wall
-  finger(Kind::pointer_down, 1, 0.015, 0.1);
+  finger(Event::pointer_down, 1, 0.015, 0.1);
   v.frames(1);
   EXPECT_NEAR(held_wall(v, kTool), alone, 1e-4);
-  finger(Kind::pointer_move, 1, 0.035, 0.1);  // Half as far: no more than a bite at a time.
+  finger(Event::pointer_move, 1, 0.035, 0.1);  // Half as far: no more than a bite at a time.
   v.frames(1);
   EXPECT_NEAR(held_wall(v, kTool), alone - 0.002, 1e-4);
-  finger(Kind::pointer_move, 1, 0.016, 0.1);  // A fortieth closer.
+  finger(Event::pointer_move, 1, 0.016, 0.1);  // A fortieth closer.
   v.frames(1);
   EXPECT_NEAR(held_wall(v, kTool), alone * 39 / 40, 1e-4);
-  finger(Kind::pointer_up, 1, 0.016, 0.1);
+  finger(Event::pointer_up, 1, 0.016, 0.1);
   v.frames(1);
   EXPECT_NEAR(held_wall(v, kTool), alone, 1e-4);
 }

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace onggi::device {
 namespace {
-
-constexpr double kPi = 3.14159265358979;
 
 struct Joined {
   double lag_ms = 0.0;     // behind the hand,
@@ -21,7 +20,7 @@ struct Joined {
 /// A hand that goes 20 mm to and fro 1.5 times a second, told every `apart` ms.
 Joined join(int apart, double smoothing) {
   ReportInterpolation joining;
-  const auto hand = [](double ms) { return 0.02 * std::sin(2.0 * kPi * 1.5e-3 * ms); };
+  const auto hand = [](double ms) { return 0.02 * std::sin(2.0 * std::numbers::pi * 1.5e-3 * ms); };
   std::vector<double> out, told;
   std::uint64_t reports = 0;
   double place = 0.0;
