@@ -16,7 +16,7 @@ double seconds_to(double reach, double height, double press, double rise) {
 }  // namespace
 
 PointerLead::At PointerLead::within(At at) const {
-  return {std::clamp(at.reach, 0.0, kFurthest), std::clamp(at.height, lowest_, highest_)};
+  return {std::clamp(at.reach, 0.0, kFurthest), std::clamp(at.height, lowest_, highest_), at.light};
 }
 
 void PointerLead::touch(const ClayView& clay, Grip grip, double height) {
@@ -27,6 +27,7 @@ void PointerLead::touch(const ClayView& clay, Grip grip, double height) {
   upwards_ = 0;
   first_.reset();
   second_.reset();
+  began_.reset();
   wall_ = 0;
   down_for_ = 0;
   lowest_ = hold_.lowest(clay);
@@ -41,21 +42,38 @@ void PointerLead::grab(Vec2 at, const ClayView& clay, Grip grip) {
   sign_ = at.x < 0 ? -1 : 1;
   touch(clay, grip, at.y);
   grabbed_ = true;
-  scrolled_ = 0;
+  scrolled_ = rests_ = across_ = 0;
+  if (std::abs(at.x) < at_.reach - kInFront) began_ = heads_ = at;
   drag(at);
+}
+
+/// True while a pointer that went down in front of the pot has not shown that it works the wall.
+bool PointerLead::on_its_way(Vec2 at) {
+  if (!began_) return false;
+  const double aside = std::abs(at.x - heads_.x), along = std::abs(at.y - heads_.y);
+  bool works = false;
+  if (std::max(aside, along) > kHeading) {
+    works = along > kSteep * aside;
+    heads_ = at;
+  }
+  if (second_ || works || std::abs(at.x) > at_.reach) began_.reset();
+  return began_.has_value();
 }
 
 void PointerLead::drag(Vec2 at) {
   if (!grabbed_) return;
+  if (!first_ || at != *first_) rests_ = 0;
   first_ = at;
-  double reach = sign_ * at.x, height = at.y;
+  const bool light = on_its_way(at);
+  if (light && sign_ * at.x < 0) sign_ = -sign_, across_ = kAcross;
+  double reach = std::abs(at.x), height = at.y;
   if (second_) {
-    reach = std::max(reach, sign_ * second_->x);
+    reach = std::max(reach, std::abs(second_->x));
     height = 0.5 * (height + second_->y);
     const double apart = length(*second_ - at);
     wall_ = thick_ * apart / spread_;
   }
-  drawn_.push_back(within({reach + scrolled_, height}));
+  drawn_.push_back(within({reach + scrolled_, height, light}));
 }
 
 void PointerLead::pinch(std::optional<Vec2> at, const ClayView& clay) {
@@ -71,6 +89,11 @@ void PointerLead::pinch(std::optional<Vec2> at, const ClayView& clay) {
 
 void PointerLead::release() {
   if (!grabbed_) return;
+  if (began_ && first_) {  // it lifts where it was set down, or farther in: a press
+    const bool press = std::abs(first_->x) < std::abs(began_->x) + kInFront;
+    began_.reset();
+    if (press) drag(*first_);
+  }
   grabbed_ = false;
   second_.reset();
   finishing_ = true;
@@ -99,7 +122,8 @@ double PointerLead::behind() const {
   double sum = 0;
   At from = at_;
   for (const At& to : drawn_) {
-    sum += seconds_to(to.reach - from.reach, to.height - from.height, kPress, kRise);
+    sum +=
+        seconds_to(to.light ? 0.0 : to.reach - from.reach, to.height - from.height, kPress, kRise);
     from = to;
   }
   return sum;
@@ -108,9 +132,11 @@ double PointerLead::behind() const {
 void PointerLead::go_along(double seconds, double press, double rise) {
   while (!drawn_.empty() && seconds > 0) {
     const At to = drawn_.front();
-    const double needs = seconds_to(to.reach - at_.reach, to.height - at_.height, press, rise);
+    const double inward = to.light ? 0.0 : to.reach - at_.reach;
+    const double needs = seconds_to(inward, to.height - at_.height, press, rise);
     const double share = needs <= seconds ? 1.0 : seconds / needs;
-    at_.reach += share * (to.reach - at_.reach);
+    at_.reach += share * inward;
+    at_.light = to.light;
     at_.height += share * (to.height - at_.height);
     seconds -= needs;
     if (share == 1.0) drawn_.pop_front();
@@ -135,6 +161,11 @@ bool PointerLead::come_out(const ClayView& clay, double dt) {
 void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
   if (!active_ || clay.rows() == 0) return;
   down_for_ += dt;
+  across_ -= dt;
+  if (began_ && (rests_ += dt) > kRest) {
+    began_.reset();
+    if (first_) drag(*first_);
+  }
   const bool in_clay = pressing || down_for_ < kSettingDown;
   const double hurry = std::max(1.0, behind() / kBehind);
   const bool solid = hold_.solid(clay, at_.height);
@@ -149,14 +180,15 @@ void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
     return;
   }
   at_ = within(at_);
-  pass_.go(hold_, clay, at_.height, at_.reach, dt);
+  pass_.go(hold_, clay, at_.height, at_.light ? std::nullopt : std::optional(at_.reach), dt);
+  if (at_.light) at_.reach = pass_.reach();
   hands_ = hold_.stand(clay, reach(), at_.height, wall_);
 }
 
 std::array<HandInput, kMaxHands> PointerLead::input(Vec3 right) const {
   std::array<HandInput, kMaxHands> hands;
   const auto place = [&](HandInput& hand, SideWish side, const WallHold::Stand& stand) {
-    hand.active = active_ && stand.there;
+    hand.active = active_ && stand.there && across_ <= 0;
     hand.side = side;
     hand.tool = stand.part.tool;
     const double away = sign_ * stand.radius;

@@ -17,7 +17,11 @@ namespace onggi::device {
 /// hands just touch the clay at its height. Then they follow the drawn line at a potter's pace,
 /// including corners: the face they work moves to the line, as far as one pass allows (WallPass).
 /// When the pointer lifts, they finish the line and go on a little as they come out of the clay.
-/// Main thread.
+///
+/// A pointer that goes down in front of the pot, inside its outline, is a hand on its way: it only
+/// touches the wall until it comes out to the face, goes up or down along the wall, rests, or lifts
+/// farther in. So a stroke from the wheel's head out to the line opens the pot and never digs into
+/// it first. What counts is the distance from the axis, on either side of it. Main thread.
 class PointerLead {
  public:
   /// m/s along the wall and towards the axis or away, in clay and in the air. A pointer crosses the
@@ -27,6 +31,11 @@ class PointerLead {
   static constexpr double kSolid = 0.01;
   /// s that the hands may lag before they hurry, and s that they continue after the pointer lifts.
   static constexpr double kBehind = 6.0, kFinish = 4.0;
+  /// m inside the outline from which a pointer is on its way; rise over run of a stroke along the
+  /// wall, over so many m; and s of rest that mean "press here".
+  static constexpr double kInFront = 0.004, kSteep = 3, kHeading = 0.008, kRest = 0.3;
+  /// s that the hands are off the clay while they change sides.
+  static constexpr double kAcross = 0.05;
 
   PointerLead(WallHold::Part broad, WallHold::Part fine) : hold_(broad, fine) {}
 
@@ -69,10 +78,12 @@ class PointerLead {
  private:
   struct At {
     double reach = 0, height = 0;
+    bool light = false;  ///< The hands only touch: the reach is the wall's own.
   };
   void touch(const ClayView& clay, Grip grip, double height);
   bool come_out(const ClayView& clay, double dt);
   void go_along(double seconds, double press, double rise);
+  bool on_its_way(Vec2 at);
   At within(At at) const;
 
   WallHold hold_;
@@ -81,8 +92,12 @@ class PointerLead {
   std::deque<At> drawn_;  ///< The drawn points that are not followed yet.
   At at_;
   bool active_ = false, grabbed_ = false, finishing_ = false, easing_ = false;
-  double upwards_ = 0;  ///< +1 if they last went up, -1 down, 0 not known yet.
+  std::optional<Vec2> began_;  ///< Where the pointer went down, while it is on its way to the wall.
+  Vec2 heads_;                 ///< Where it last was kHeading ago.
+  double rests_ = 0;           ///< s since it moved.
+  double upwards_ = 0;         ///< +1 if they last went up, -1 down, 0 not known yet.
   double sign_ = 1;
+  double across_ = 0;    ///< s until they are on the other side.
   double scrolled_ = 0;  ///< m by which a mouse's wheel shifted the reach.
   double lowest_ = 0, highest_ = 1;
   std::optional<Vec2> first_, second_;  ///< The pointers.

@@ -39,8 +39,8 @@ bool WallPass::out() const {
   return eased_ >= std::min(kOut, 2 * std::abs(leaving_)) || std::abs(leaving_) < kNoMark;
 }
 
-void WallPass::go(const WallHold& hold, const ClayView& clay, double height, double reach,
-                  double dt) {
+void WallPass::go(const WallHold& hold, const ClayView& clay, double height,
+                  std::optional<double> reach, double dt) {
   const double moved = std::abs(height - at_);
   on_ = std::max(-kStay, on_ + kPressOn * dt - moved);
   at_ = height;
@@ -68,7 +68,7 @@ void WallPass::go(const WallHold& hold, const ClayView& clay, double height, dou
     return;
   }
   const double step = kSlope * moved + kDeeper * dt;
-  asked_ += std::clamp(within(reach) - stood_.radius - asked_, -step, step);
+  asked_ += std::clamp(within(reach.value_or(stood_.radius)) - stood_.radius - asked_, -step, step);
   depth_ += (asked_ - depth_) * std::min(1.0, moved / kSoftWay + dt / kSoftTime);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "engine/clay/clay_view.h"
 #include "kiosk/wheel/device/wall_hold.h"
@@ -39,8 +40,9 @@ class WallPass {
   /// Takes hold of `clay` at `height`, m, and starts the first pass.
   void begin(const WallHold& hold, const ClayView& clay, double height);
   /// The hands are at `height` now, `dt` s after the last call, and the face should be `reach` from
-  /// the axis, m.
-  void go(const WallHold& hold, const ClayView& clay, double height, double reach, double dt);
+  /// the axis, m; nothing: where the pass found it.
+  void go(const WallHold& hold, const ClayView& clay, double height, std::optional<double> reach,
+          double dt);
   /// From now on the hands only come out of the clay as they move along it.
   void ease_out();
   /// True when they are out, or had nothing to come out of.

@@ -105,26 +105,26 @@ TEST_F(StillKiosk, HolesInTheHeapGoBackWhenItsVisitorHasGoneAndNotBefore) {
   if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";
   files::keep_heap_small();
   keep_a_pot(false);
-  const test::Holes holes;
-  const double before = test::resident_mib();
+  const onggi::test::Holes holes;
+  const double before = onggi::test::resident_mib();
   for (int n = 0; n < 50; ++n) frame();
-  EXPECT_GT(test::resident_mib(), before - 0.1 * test::Holes::kMib)
+  EXPECT_GT(onggi::test::resident_mib(), before - 0.1 * onggi::test::Holes::kMib)
       << "somebody looks at the keepsake";
   press("keepsake.done");
   until([&] { return kiosk_->doing().nobody_is_here; });
   frame();
-  EXPECT_LT(test::resident_mib(), before - 0.7 * test::Holes::kMib);
+  EXPECT_LT(onggi::test::resident_mib(), before - 0.7 * onggi::test::Holes::kMib);
 }
 
 TEST(Kiosk, AnExhibitIsOpenedInPagesAnewAndNotInThoseOfTheOneBefore) {
   if (ONGGI_SANITIZED) GTEST_SKIP() << "a sanitizer owns malloc";
   files::keep_heap_small();
-  const test::Holes holes;
-  const double before = test::resident_mib();
+  const onggi::test::Holes holes;
+  const double before = onggi::test::resident_mib();
   KioskOptions options;
   options.config = "/nowhere/exhibit.toml";
   EXPECT_FALSE(Kiosk::open(options));
-  EXPECT_LT(test::resident_mib(), before - 0.9 * test::Holes::kMib);
+  EXPECT_LT(onggi::test::resident_mib(), before - 0.9 * onggi::test::Holes::kMib);
 }
 
 }  // namespace

@@ -65,6 +65,44 @@ RC_GTEST_PROP(PointerLead, TheFaceComesToBeWhereThePointerStays, ()) {
   RC_ASSERT(hand.behind() < 1e-9);
 }
 
+/// The least radius that was wanted of the face while `hand` follows a drag from `from` to `to`.
+double least_reach(Vec2 from, Vec2 to, double rest) {
+  const ClayView clay = lump();
+  PointerLead hand(kPalm, kFinger);
+  hand.grab(from, clay, Grip::both);
+  double least = hand.reach();
+  for (int n = 0; n <= 30; ++n) {
+    const double share = n / 30.0;
+    hand.drag({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+    hand.follow(clay, kFrame, true);
+    least = std::min(least, hand.reach());
+  }
+  for (double t = 0; t < rest; t += kFrame) {
+    hand.follow(clay, kFrame, true);
+    least = std::min(least, hand.reach());
+  }
+  return least;
+}
+
+TEST(PointerLead, AFingerThatCrossesTheFrontOfThePotOnlyTouchesItUntilItRestsOrWorksTheWall) {
+  EXPECT_NEAR(least_reach({-0.02, 0.0}, {0.06, 0.04}, 0), 0.055, 1e-4) << "out to the line";
+  EXPECT_NEAR(least_reach({0.03, 0.08}, {-0.03, 0.08}, 0), 0.055, 1e-4) << "from side to side";
+  EXPECT_LT(least_reach({-0.02, 0.08}, {0.04, 0.08}, 2), 0.05) << "it rests in the clay";
+  EXPECT_LT(least_reach({0.04, 0.04}, {0.04, 0.12}, 0), 0.05) << "it goes up along the wall";
+}
+
+TEST(PointerLead, HandsThatChangeSidesAreOffTheClayMeanwhile) {
+  const ClayView clay = lump();
+  PointerLead hand(kPalm, kFinger);
+  hand.grab({-0.01, 0.0}, clay, Grip::both);
+  EXPECT_LT(hand.input(kRight)[0].position.x, 0);
+  hand.drag({0.01, 0.0});
+  EXPECT_FALSE(hand.input(kRight)[0].active) << "or they would go through the pot";
+  let_pass(hand, clay, 0.1);
+  EXPECT_TRUE(hand.input(kRight)[0].active);
+  EXPECT_GT(hand.input(kRight)[0].position.x, 0);
+}
+
 TEST(PointerLead, AStrokeDrawnInATenthOfASecondIsFollowedAtAPottersPaceCornersAndAll) {
   const ClayView clay = lump();
   PointerLead hand(kPalm, kFinger);
