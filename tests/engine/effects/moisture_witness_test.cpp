@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/engine/effects/random_hands.h"
-#include "tests/engine/effects/witness.h"
+#include "tests/engine/effects/witnessed.h"
 
 namespace onggi::effects {
 namespace {

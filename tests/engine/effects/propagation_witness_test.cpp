@@ -7,7 +7,7 @@
 
 #include "engine/effects/propagation.h"
 #include "tests/engine/effects/random_hands.h"
-#include "tests/engine/effects/witness.h"
+#include "tests/engine/effects/witnessed.h"
 
 namespace onggi::effects {
 namespace {

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <string>
 
+#include "engine/lab/closed_form.h"
 #include "tests/engine/effects/random_hands.h"
-#include "tests/engine/effects/witness.h"
+#include "tests/engine/effects/witnessed.h"
 
 namespace onggi::effects {
 namespace {
 
 using namespace effects_test;
+namespace closed_form = lab::closed_form;
 
 // Written from the equations in engine/docs/effects.md alone. A height z under the rim of a
 // straight tube bears density g z and flows until it bears no more than sqrt(3) tau_y; its area
@@ -51,13 +53,6 @@ SceneDef scene_of(const Pot& pot, double critical, double viscosity, int rows) {
 
 double yield_of(const SceneDef& def) { return std::sqrt(3.0) * def.slump->yield_stress; }
 
-// How far a column sinks in the end of which each height bears as much as `from` to `to` of clay of
-// its own, and can bear `stands`: a height z that bore too much is shorter by stands / z.
-double column_end(double from, double to, double stands) {
-  const double yields = std::max(from, stands);
-  return to > yields ? to - yields - stands * std::log(to / yields) : 0.0;
-}
-
 // The end of the wall, and of the floor: there the wall weighs as much as a shorter one of its
 // area.
 double closed_end(const Pot& pot, double critical) {
@@ -65,7 +60,8 @@ double closed_end(const Pot& pot, double critical) {
   const double stands = critical * wall;
   const double hole = pot.inner / pot.outer;
   const double on_floor = wall * (1.0 - hole * hole);
-  return column_end(0.0, wall, stands) + column_end(on_floor, on_floor + pot.floor, stands);
+  return closed_form::sagged_end(0.0, wall, stands) +
+         closed_form::sagged_end(on_floor, on_floor + pot.floor, stands);
 }
 
 // Runs until the rim sinks by less than 2 um/s, or nothing yields; `most` seconds at the most.
@@ -137,27 +133,19 @@ TEST(SlumpWitness, TheEndIsTheSameOnAnyGridAtAnyTickAndHoweverSlowlyClayFlows) {
   }
 }
 
-// The course: every height by itself, w' = -w (w - sqrt(3) tau_y) / 3 eta. Heun's rule.
+// The course: every height by itself.
 double sinks_by_law(const Pot& pot, const SceneDef& def, double seconds) {
   constexpr int kRows = 500;
   const double each = pot.height / kRows;
-  const double step = std::min(0.01, 0.1 * def.slump->viscosity / yield_of(def));
   const double hole = pot.inner / pot.outer;
   double sum = 0.0;
   for (int j = 0; j < kRows; ++j) {
     double bears = each * (j + 0.5);  // of its own clay
     if (bears > pot.height - pot.floor) bears -= (pot.height - pot.floor) * hole * hole;
     const double weight = def.slump->density * kGravity * bears;
-    const auto rate = [&](double strain) {
-      return std::max(weight * std::exp(-strain) - yield_of(def), 0.0) /
-             (3.0 * def.slump->viscosity);
-    };
-    double strain = 0.0;
-    for (int n = 0; n < std::lround(seconds / step); ++n) {
-      const double first = rate(strain);
-      strain += 0.5 * step * (first + rate(strain + step * first));
-    }
-    sum += each * (1.0 - std::exp(-strain));
+    sum += each * (1.0 - closed_form::sagging_stress(weight, yield_of(def), def.slump->viscosity,
+                                                     seconds) /
+                             weight);
   }
   return sum;
 }

@@ -1,4 +1,4 @@
-#include "tests/support/closed_form.h"
+#include "engine/lab/closed_form.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,6 @@
 namespace onggi::lab {
 namespace {
 
-namespace closed_form = test::closed_form;
 using portable::kPi;
 constexpr double kTau = 0.00949;
 constexpr double kBall = 0.008;

@@ -1,4 +1,4 @@
-#include "tests/support/closed_form.h"
+#include "engine/lab/closed_form.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "engine/math/portable.h"
 
-namespace onggi::test::closed_form {
+namespace onggi::lab::closed_form {
 namespace {
 
 // Gauss and Legendre's eight places and weights on -1..1, one half of each.
@@ -68,6 +68,19 @@ double light_force(double ball, double cylinder, double depth, double stiffness)
   return stiffness * portable::kPi * depth * depth * std::sqrt(round * ball);
 }
 
+double flat_force(double ball, double depth, double stiffness) {
+  constexpr int kRings = 4000;
+  const double above = ball - depth;
+  const double wide = std::sqrt((ball - above) * (ball + above));
+  double sum = 0.0;
+  for (int n = 0; n < kRings; ++n) {
+    const double out = wide * (n + 0.5) / kRings;
+    const double down = std::sqrt((ball - out) * (ball + out));
+    sum += (down - above) * down / ball * out;
+  }
+  return stiffness * 2.0 * portable::kPi * sum * wide / kRings;
+}
+
 double groove(double outer, double ball, double distance, double above) {
   if (std::fabs(above) >= ball) return outer;
   return std::min(outer, distance - std::sqrt((ball - above) * (ball + above)));
@@ -83,4 +96,16 @@ double weight_above(const ConicWall& wall, double from, double density) {
          (frustum(wall.foot_outer, wall.rim_outer) - frustum(wall.foot_inner, wall.rim_inner));
 }
 
-}  // namespace onggi::test::closed_form
+double sagging_stress(double stress, double yield, double viscosity, double seconds) {
+  if (stress <= yield) return stress;
+  // (w - yield) / w falls as an exponential.
+  const double over = (stress - yield) / stress;
+  return yield / (1.0 - over * portable::exp(-yield * seconds / (3.0 * viscosity)));
+}
+
+double sagged_end(double from, double to, double stands) {
+  const double yields = std::max(from, stands);
+  return to > yields ? to - yields - stands * portable::log(to / yields) : 0.0;
+}
+
+}  // namespace onggi::lab::closed_form

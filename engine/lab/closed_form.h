@@ -1,9 +1,9 @@
 #pragma once
 
 /// What the law of contact comes to where it can be worked out with pen and paper: nothing here
-/// knows a grid, a tick or a float. What a laboratory measures is held to it. SI units; no
-/// allocation, any thread.
-namespace onggi::test::closed_form {
+/// knows a grid, a tick or a float. What a laboratory measures, and the engine, is held to it. SI
+/// units; no allocation, any thread.
+namespace onggi::lab::closed_form {
 
 /// Press that is left `seconds` after a tool was put `press` (m) deep into clay of relaxation time
 /// `tau` (s) and held: a Maxwell element, l0 e^(-t/tau).
@@ -26,6 +26,10 @@ double lens_volume(double ball, double cylinder, double distance);
 /// ball.
 double light_force(double ball, double cylinder, double depth, double stiffness);
 
+/// Force (N) on a ball that is `depth` deep in a wide flat face: `stiffness` (N/m^3) times press
+/// times its part along the face's normal, a plain sum over rings.
+double flat_force(double ball, double depth, double stiffness);
+
 /// Radius (m) of clay that was `outer` once a ball held `distance` from the axis has cut it for
 /// many turns, `above` (m) the ball's middle: the envelope min(outer, distance - sqrt(ball^2 -
 /// above^2)).
@@ -38,4 +42,14 @@ struct ConicWall {
 /// What the part of it above `from` (m, 0..height) weighs, N: frusta, density (kg/m^3) and 9.81.
 double weight_above(const ConicWall& wall, double from, double density);
 
-}  // namespace onggi::test::closed_form
+/// Stress (Pa) along one way, after `seconds`, of clay that bore `stress` and yields at `yield`
+/// (Pa, > 0), Bingham's of `viscosity` (Pa s): w' = -w (w - yield) / (3 viscosity), since its area
+/// grows with its strain. Its height is less by the same factor.
+double sagging_stress(double stress, double yield, double viscosity, double seconds);
+
+/// How far a column sinks in the end (m) of which each height bears as much as `from` to `to` (m)
+/// of clay of its own, and can bear `stands` (m): a height z that bore too much is shorter by
+/// stands / z.
+double sagged_end(double from, double to, double stands);
+
+}  // namespace onggi::lab::closed_form
