@@ -202,13 +202,15 @@ cli::Command lab_command() {
       .examples =
           "Example: onggi lab accuracy\n         onggi lab effects\n         onggi lab stability "
           "--ticks 1e7\n"
-          "         onggi lab timing\n         onggi lab loop\n         onggi lab frames\n"
+          "         onggi lab witness\n         onggi lab timing\n         onggi lab loop\n"
+          "         onggi lab frames\n"
           "         onggi lab sound\n         onggi lab access\n         onggi lab soak --minutes "
           "10\n"
           "onggi lab X starts onggi-lab X. onggi lab tune belongs to onggi itself.",
       .commands = {accuracy_command(), effects_command(), stability_command(), timing_command(),
                    lab_loop_command(), lab_frames_command(), lab_scenes_command(),
-                   lab_sound_command(), lab_access_command(), soak_command()}};
+                   lab_sound_command(), lab_access_command(), lab_witness_command(),
+                   soak_command()}};
 }
 
 }  // namespace onggi::laboratory

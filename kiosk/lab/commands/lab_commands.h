@@ -13,6 +13,7 @@ cli::Command lab_frames_command();
 cli::Command lab_loop_command();
 cli::Command lab_scenes_command();
 cli::Command lab_sound_command();
+cli::Command lab_witness_command();
 cli::Command soak_command();
 
 }  // namespace onggi::laboratory

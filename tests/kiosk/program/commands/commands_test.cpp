@@ -13,9 +13,10 @@ namespace onggi::commands {
 namespace {
 
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
-  for (const char* command : {"", "run", "visit", "replay", "check", "vessel", "vessel make",
-                              "vessel inspect", "vessel import", "score", "soak", "lab",
-                              "lab effects", "lab stability", "lab timing", "devices"}) {
+  for (const char* command :
+       {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect",
+        "vessel import", "score", "soak", "lab", "lab effects", "lab stability", "lab timing",
+        "lab witness", "devices"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;

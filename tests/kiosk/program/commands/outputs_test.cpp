@@ -71,7 +71,7 @@ TEST(Outputs, AFolderThatIsNotThereIsToldBeforeTheWorkAndNotMade) {
   const std::string no = (folder / "no").string();
   for (const std::string& command : std::initializer_list<std::string>{
            "lab effects --json ", "lab accuracy --csv ", "lab loop --plot ",
-           "lab stability --json ", "lab timing --plot ", "devices --json ",
+           "lab stability --json ", "lab timing --plot ", "lab witness --json ", "devices --json ",
            "vessel make " + kJar + "profile.toml -o ", "score " + kJar + " " + kJar + " --json "}) {
     const Outcome run = onggi(command + no + "/such/file");
     EXPECT_EQ(run.exit_code, 2) << command;
