@@ -33,7 +33,7 @@ set yrange [-0.02:0.2]
 set xlabel "ball's middle above the rim, mm" textcolor rgb ink
 set ylabel "force, N" textcolor rgb ink offset 1,0
 set label 4 "outwards" at -14,0.165 textcolor rgb corrected
-set label 5 "up" at 3.2,0.022 textcolor rgb paper
+set label 5 "up" at -1.5,0.030 textcolor rgb paper
 set label 6 "over the rim's edge, 2 mm deep" at graph 0.5,1.06 center textcolor rgb ink
 plot data using (rim(column("a"))):"b" with lines linecolor rgb corrected linewidth 2, \
      data using (rim(column("a"))):"c" with lines linecolor rgb paper linewidth 2
