@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 6> kDoneWhen{"touched", "opened", 
 
 /// One step of a lesson.
 struct LessonStep {
-  std::string id;                            ///< "centre"; letters, digits and _; 1..40 of them.
+  std::string id;                            ///< "touch"; letters, digits and _; 1..40 of them.
   std::map<std::string, std::string> words;  ///< Words by language: a sentence or two.
   HandsDrawn hands = HandsDrawn::around;
   DoneWhen until = DoneWhen::touched;

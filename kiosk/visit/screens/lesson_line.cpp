@@ -28,6 +28,19 @@ double share_on_line(const Profile& made, const Profile& target) {
   }
   return static_cast<double>(near) / (kHeights - 1);
 }
+/// True where the line asks for it. To open a lump that is wider than its vessel everywhere would
+/// be wrong.
+bool asked_for(DoneWhen what, const Profile* target, const Profile& made) {
+  if (what != DoneWhen::opened || target == nullptr || made.points.empty()) return true;
+  const double height = std::min(target->height(), made.height());
+  constexpr int kHeights = 48;
+  for (int n = 1; n < kHeights; ++n) {
+    const double h = height * n / kHeights;
+    const bool hollow = h > made.floor_height();
+    if (hollow && target->outer_at(h) > made.outer_at(h) + tolerance(*target)) return true;
+  }
+  return false;
+}
 }  // namespace
 
 const LessonStep* LessonLine::shown(const Desk& desk) {
@@ -77,7 +90,8 @@ void LessonLine::update(Desk& desk, double dt, const Profile* target, const Prof
   if (step == nullptr) return;
   if (alone) watch(desk, dt, target, made);
   in_step_ += dt;
-  while (step != nullptr && (has(step->until) || in_step_ > step->after)) {
+  while (step != nullptr &&
+         (has(step->until) || in_step_ > step->after || !asked_for(step->until, target, made))) {
     ++desk.lesson_step;
     in_step_ = 0;
     step = shown(desk);

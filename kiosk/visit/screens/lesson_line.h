@@ -7,8 +7,9 @@
 namespace onggi::screens {
 
 /// Leads one visitor through the exhibit's lesson: a step is shown until the visitor has done it or
-/// its time is up. A step that was done earlier is skipped. The desk keeps the position, so that no
-/// step comes twice when the visitor leaves the wheel and returns.
+/// its time is up. A step that was done earlier is skipped, and so is one that the line denies. The
+/// desk keeps the position, so that no step comes twice when the visitor leaves the wheel and
+/// returns.
 class LessonLine {
  public:
   /// Call once a frame with the pot on the wheel. `alone`: the visitor's own hands work.

@@ -23,11 +23,11 @@ class LessonTest : public Temporary {
   }
 };
 
-TEST(Lesson, TheExhibitsOwnIsWithoutFaultAndGoesFromCentreToCut) {
+TEST(Lesson, TheExhibitsOwnIsWithoutFaultAndGoesFromTouchToRim) {
   const LessonRead r = read_lesson("content/lessons/first_minute.toml", {"en", "ko"});
   EXPECT_THAT(r.problems, IsEmpty()) << to_text(r.problems.front());
-  ASSERT_THAT(r.steps, SizeIs(6));
-  const char* ids[] = {"centre", "open", "pull", "shape", "rim", "cut"};
+  ASSERT_THAT(r.steps, SizeIs(5));
+  const char* ids[] = {"touch", "open", "pull", "shape", "rim"};
   double seconds = 0;
   for (std::size_t n = 0; n < r.steps.size(); ++n) {
     EXPECT_EQ(r.steps[n].id, ids[n]);
