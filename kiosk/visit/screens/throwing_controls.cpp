@@ -20,6 +20,7 @@ namespace {
 
 constexpr float kPotAbove = 0.4f;         // of the shorter side of the reach
 constexpr float kMostUsed = 4.0f / 3.0f;  // of the least touch target: 20 mm
+constexpr double kBlink = 1.2;            // s, of the water button while the clay is too dry
 constexpr float kColumn = 0.3f, kLargerColumn = 0.42f, kWidestColumn = 0.5f;  // of the width
 
 constexpr const char *kToolsWay = "throw.tools", *kWheelWay = "throw.wheel",
@@ -63,12 +64,14 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
     add("throw.restore", fell ? "throw.before_fall" : "throw.before_tear", Look::solid,
         desk.status.can_restore);
   } else {
-    add("throw.water", "throw.water", now.water ? Look::solid : Look::outline, true, now.water);
+    const bool blinks = now.dry && std::fmod(desk.now, kBlink) < kBlink / 2;
+    add("throw.water", "throw.water", now.water || blinks ? Look::solid : Look::outline, true,
+        now.water);
     // Reserve its place, unless the exhibit never shows anything.
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
       add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
   }
-  add("throw.done", "throw.done", happened ? Look::outline : Look::solid, true);
+  add("throw.done", "throw.done", happened || !now.touched ? Look::outline : Look::solid, true);
   // Items that come and go are last, in a reserved place.
   if (!happened) add("throw.restore", "throw.restore", Look::outline, now.restore);
   column.foot_grid(cells, page.type().target * kMostUsed, page.where().mirrored);

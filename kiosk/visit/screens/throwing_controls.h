@@ -25,6 +25,8 @@ struct ThrowingControls {
   double speed = 0;  ///< Requested wheel speed, rad/s.
   device::Grip grip = device::Grip::both;
   bool water = false, cut = false;
+  bool dry = false;      ///< Water would help now: its button blinks.
+  bool touched = false;  ///< The visitor has touched this pot: before it, Done is no step onward.
   bool restore = false;  ///< A stroke can be undone.
   Button show = {};      ///< "Show me".
   bool skip = false;     ///< A lesson can be skipped.

@@ -30,6 +30,8 @@ using view::Key;
 namespace {
 
 constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
+constexpr double kDry = 20.0;    // s on dry clay until water would help,
+constexpr double kAsk = 6.0;     // and s more in which the words ask for it
 
 /// The wheel, the clay and the visitor's hand.
 class Throwing final : public Screen {
@@ -39,7 +41,8 @@ class Throwing final : public Screen {
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     if (!by_buttons()) return "";
-    const char* usual = menu_ ? "throw.done" : StrokeBoard::kFirst;
+    const bool shows = !touched_ && aim() != nullptr && !dark() && !hands_.two();
+    const char* usual = !menu_ ? StrokeBoard::kFirst : shows ? "throw.show" : "throw.done";
     return drawer_ != Drawer::closed ? "throw.less" : mishap_ ? "throw.restore" : usual;
   }
 
@@ -83,7 +86,8 @@ class Throwing final : public Screen {
     // Say nothing about the previous pot.
     if (desk.pot_ready())
       hint_.update(desk.now, {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
-                              dry_ > 20.0, desk.wheel().tool_radius, MeasuredPot::hint(desk)});
+                              dry() && dry_ < kDry + kAsk, desk.wheel().tool_radius,
+                              MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -116,6 +120,8 @@ class Throwing final : public Screen {
                                grip(),
                                water_.wet(),
                                cut_,
+                               dry(),
+                               touched_,
                                desk.status.can_restore && whole,
                                show_.button(desk, aim() == nullptr || dark() || hands_.two()),
                                whole && LessonLine::shown(desk) != nullptr,
@@ -266,6 +272,8 @@ class Throwing final : public Screen {
  private:
   /// The keys move among buttons instead of moving the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
+  /// Water would help.
+  bool dry() const { return dry_ > kDry; }
   bool working() const { return show_.showing() || hands_.active() || cut_off_; }
   std::vector<PartOff> parts() const {
     return parts_off(desk.shelf_card(desk.card), picture_.made());

@@ -123,6 +123,48 @@ TEST(ThrowingScreen, NothingMovesWhenThereIsAStrokeToTakeBackOrTheDrawerOpens) {
   }
 }
 
+/// `control` stands on a filled box.
+bool solid(const Visitor& v, const std::string& control) {
+  const auto rect = v.visit->control(control);
+  return rect && std::ranges::any_of(v.frame.items, [&](const view::Item& item) {
+           const auto* box = std::get_if<view::Box>(&item);
+           return box != nullptr && box->rect == *rect && box->fill.a > 0.9f;
+         });
+}
+
+TEST(ThrowingScreen, DoneIsTheStepOnwardOnceTheClayWasTouchedAndNotBefore) {
+  AtTheWheel v(1920, 1080);
+  EXPECT_FALSE(solid(v, "throw.done"));
+  v.key(view::Key::enter);
+  EXPECT_EQ(v.visit->reading().first, "throw.show") << "Enter twice keeps no untouched lump";
+  v.status.feedback.hand[0].contact = true;
+  v.show();
+  EXPECT_TRUE(solid(v, "throw.done"));
+  EXPECT_EQ(v.visit->reading().first, "throw.done");
+}
+
+TEST(ThrowingScreen, WaterIsAskedForOnceThenItsButtonBlinksAndTheShapesHintComesBack) {
+  AtTheWheel v(1920, 1080);
+  const auto says = [&](const char* key) {
+    return words_in(v.frame).find(v.languages[0].say(key)) != std::string::npos;
+  };
+  v.status.feedback.hand[0].contact = true;
+  v.frames(19);
+  EXPECT_FALSE(says("hint.dry"));
+  v.frames(4);
+  EXPECT_TRUE(says("hint.dry"));
+  v.frames(8);
+  EXPECT_FALSE(says("hint.dry"));
+  std::set<bool> looks;
+  for (int n = 0; n < 60; ++n) v.show(), looks.insert(solid(v, "throw.water"));
+  EXPECT_EQ(looks.size(), 2u) << "it blinks";
+  v.status.feedback.wetness = 0.5;
+  v.frames(0.1);
+  looks.clear();
+  for (int n = 0; n < 60; ++n) v.show(), looks.insert(solid(v, "throw.water"));
+  EXPECT_EQ(looks, std::set<bool>{false});
+}
+
 TEST(ThrowingScreen, TwoDrawersHoldAllElseAndAHandOnThePotClosesThem) {
   const std::vector<std::string> of_tools{"throw.tool.0", "throw.tool.8", "throw.both",
                                           "throw.outside", "throw.inside"},
