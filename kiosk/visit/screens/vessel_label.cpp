@@ -79,9 +79,12 @@ void VesselLabel::lay_out(Page& page) {
   column.foot_buttons(standing_buttons(desk_, true));
   column.foot_space(t.gap * 1.5f);
   const bool several = parts_ > 1;
-  std::vector<Button> onward{{"choose.throw",
-                              desk_.say(mission != nullptr ? "mission.begin" : "choose.throw"),
-                              Look::solid}};
+  // In a row of its own below the others, so that it has one place on every label.
+  column.foot_buttons({{"choose.throw",
+                        desk_.say(mission != nullptr ? "mission.begin" : "choose.throw"),
+                        Look::solid}});
+  column.foot_space(t.gap);
+  std::vector<Button> onward;
   if (several) {
     const std::string more = desk_.say("choose.more"), first = desk_.say("choose.first");
     Button button{"choose.more", part_ + 1 < parts_ ? more : first, Look::outline};

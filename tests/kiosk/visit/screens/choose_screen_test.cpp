@@ -358,5 +358,31 @@ TEST(TheShelf, IsNotTurnedByTheLiftOfTheTouchThatBegan) {
   EXPECT_FALSE(v.visit->control("choose.card.0")) << "a touch on what peeks in turns it";
 }
 
+TEST(ChooseScreen, TheStepOnwardHasOnePlaceOnEveryLabelHoweverMuchItSays) {
+  for (const auto& [w, h] : {std::pair{1920, 1080}, {1080, 1920}, {1366, 768}}) {
+    Visitor v(4);
+    v.width = w;
+    v.height = h;
+    v.show();
+    const std::string word = "Fired upside down in ashes. ";
+    for (std::size_t n = 0; n < 4; ++n)
+      for (std::size_t m = 0; m < n * n * 12; ++m) v.vessels[n].labels["en"].text += word;
+    v.vessels[1].labels["en"].title = "A jar with a very long name that no other jar has";
+    std::set<std::pair<float, float>> places;
+    for (std::size_t n = 0; n < 4; ++n) {
+      v.touch("attract.begin");
+      v.frames(1);
+      v.touch("choose.card." + std::to_string(n));
+      v.frames(1);
+      const auto at = v.visit->control("choose.throw");
+      ASSERT_TRUE(at);
+      places.insert({at->x, at->y});
+      while (v.visit->screen() != ScreenId::attract) v.touch("back");
+      v.frames(1);
+    }
+    EXPECT_EQ(places.size(), 1u) << w << "x" << h;
+  }
+}
+
 }  // namespace
 }  // namespace onggi::screens
