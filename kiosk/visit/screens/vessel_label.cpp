@@ -80,9 +80,9 @@ void VesselLabel::lay_out(Page& page) {
   column.foot_space(t.gap * 1.5f);
   const bool several = parts_ > 1;
   // In a row of its own below the others, so that it has one place on every label.
-  column.foot_buttons({{"choose.throw",
-                        desk_.say(mission != nullptr ? "mission.begin" : "choose.throw"),
-                        Look::solid}});
+  column.foot_buttons(
+      {{"choose.throw", desk_.say(mission != nullptr ? "mission.begin" : "choose.throw"),
+        Look::solid}});
   column.foot_space(t.gap);
   std::vector<Button> onward;
   if (several) {

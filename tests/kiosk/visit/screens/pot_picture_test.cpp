@@ -66,14 +66,14 @@ TEST(PotPicture, IsTheSameInAMirrorWhereWordsStandAtTheRightItsLightToo) {
     Visitor right(9, nullptr, true), left(9, nullptr, true);
     left.exhibit.screen.left_handed = true;
     for (Visitor* v : {&right, &left}) std::tie(v->width, v->height) = std::pair(width, height);
-    const auto same = [&, width = width](const char* screen) {
-      SCOPED_TRACE(screen + std::to_string(width));
+    const auto same = [&, wide = width](const char* screen) {
+      SCOPED_TRACE(screen + std::to_string(wide));
       for (Visitor* v : {&right, &left}) v->frames(1);
       const view::PotView &a = *right.frame.pot, &b = *left.frame.pot;
       EXPECT_FALSE(a.window_right);
       EXPECT_TRUE(b.window_right);
       EXPECT_NEAR(a.camera.distance, b.camera.distance, 1e-6) << "it is as large";
-      EXPECT_NEAR(a.camera.centre_x, static_cast<float>(width) - b.camera.centre_x, 0.5f);
+      EXPECT_NEAR(a.camera.centre_x, static_cast<float>(wide) - b.camera.centre_x, 0.5f);
     };
     same("attract");
     for (Visitor* v : {&right, &left}) v->throw_a_pot();

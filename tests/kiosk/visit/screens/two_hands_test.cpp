@@ -131,10 +131,10 @@ TEST(TwoHands, TheMouseTakesNothingFromTheKeyboardAmongTheButtons) {
   v.key(Key::enter);
   EXPECT_EQ(v.visit->focus(), "throw.done");
   const auto [x, y] = v.at(0.06, 0.1);
-  const auto mouse_works = [&, x = x, y = y](float by) {
-    v.down(x, y);
+  const auto mouse_works = [&, from = x, high = y](float by) {
+    v.down(from, high);
     v.show();
-    v.move(x + by, y);
+    v.move(from + by, high);
     v.frames(0.2);
   };
   mouse_works(-4);
