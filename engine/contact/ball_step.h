@@ -4,12 +4,12 @@
 
 namespace onggi {
 
-/// One step of the sphere that stands for a tool where it presses from above: on the rim and on the
-/// floor. A tool of another shape gives the lowest sphere within it. In the clay's
-/// turning frame. Metres, seconds.
+/// One step of the sphere that represents a tool pressing from above, on the rim or the floor. For
+/// a tool of another shape it is the lowest sphere inside the tool. Clay's turning frame. Metres,
+/// seconds.
 struct BallStep {
-  Vec3 from;           ///< Centre as the step begins.
-  Vec3 to;             ///< Centre as it ends; at most about radius / 4 away.
+  Vec3 from;           ///< Centre at the start.
+  Vec3 to;             ///< Centre at the end; moves at most about radius / 4.
   double radius = 0;   ///< > 0.
   double seconds = 0;  ///< > 0.
 };

@@ -25,7 +25,7 @@ void plan_rows(const Clay& clay, const BallWindow& window, WallSide side, int fi
   for (int k = count; k % 8 != 0; ++k) rows.above[k] = rows.extent[k] = 0.0f;
 
   const double per_radian = clay.sectors() / (2.0 * portable::kPi);
-  // Two whole turns added keep the figures positive, where casting is flooring.
+  // Add two whole turns: for positive figures a cast is a floor.
   const int turns = 2 * clay.sectors();
   const ClayDef& def = clay.def();
   const WindowFigures figures{

@@ -9,7 +9,7 @@
 
 namespace onggi::contact {
 
-/// How long rows are.
+/// Size of a row.
 struct RowShape {
   explicit RowShape(const Clay& clay) : sectors(clay.sectors()), blocks(clay.stride() / 8) {}
   int sectors, blocks;
@@ -22,8 +22,8 @@ constexpr std::int64_t elements_in(const BlockRun* ranges, int used) {
   return std::int64_t{8} * blocks;
 }
 
-/// The blocks that hold the elements `low` to `high`, whole numbers from -sectors to 2 sectors - 1,
-/// wrapped round the axis. Gives how many of `ranges` (1 or 2) are used.
+/// Finds the blocks that contain elements `low` to `high`, wrapped round the axis. Both are whole
+/// numbers from -sectors to 2 sectors - 1. Returns how many of `ranges` (1 or 2) are used.
 inline int wrapped_blocks(RowShape row, int low, int high, BlockRun* ranges) noexcept {
   const int sectors = row.sectors;
   const int all = row.blocks;
@@ -47,24 +47,24 @@ inline int wrapped_blocks(RowShape row, int low, int high, BlockRun* ranges) noe
   return 2;
 }
 
-/// Which elements a ball can touch: rows by height, and in each row one or two ranges of blocks
+/// The elements that a ball can touch: rows by height, and in each row one or two ranges of blocks
 /// round the ball's angle. Clay frame, metres.
 struct BallWindow {
   BallWindow(const Clay& clay, Vec3 at, double radius) noexcept;
 
-  double height, radius;   ///< Of the ball's middle; its radius.
-  double distance;         ///< Of its middle from the axis.
-  double middle;           ///< Its angle, in elements, -sectors/2 .. sectors/2; 0 is the first ray.
-  int first_row, end_row;  ///< The rows that it reaches, [first, end).
+  double height, radius;   ///< Height of the ball's middle; its radius.
+  double distance;         ///< From the axis to the middle.
+  double middle;           ///< Angle in elements, -sectors/2 .. sectors/2; 0 is the first ray.
+  int first_row, end_row;  ///< Rows it reaches, [first, end).
 };
 
-/// What can be touched, on the `side` face, of the rows `first` to `first + count - 1` (1 to
-/// kPlannedRows of the window's): elements whose ray the ball meets where it passes the row's
-/// extent (Clay::outer_most). None that the ball presses by 80 nm is ever left out. Which else are
-/// in does not change what a press comes to.
+/// Finds what can be touched on the `side` face of the rows `first` to `first + count - 1` (1 to
+/// kPlannedRows of the window's rows): the elements whose ray meets the ball within the row's
+/// extent (Clay::outer_most). Includes every element that the ball presses by 80 nm or more. Extra
+/// elements do not change the result of a press.
 void plan_rows(const Clay& clay, const BallWindow& window, WallSide side, int first, int count,
                BallWindows& rows) noexcept;
-/// And the blocks of reached row `k`: how many of `ranges` (1 or 2) are used.
+/// Finds the blocks of reached row `k`. Returns how many of `ranges` (1 or 2) are used.
 inline int blocks_of(RowShape row, const BallWindows& rows, int k, BlockRun* ranges) noexcept {
   const int turns = 2 * row.sectors;
   // The element beyond the upper end covers the rounding.

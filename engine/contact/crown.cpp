@@ -13,7 +13,7 @@ namespace {
 struct Node {
   double at, weight;  // on -1..1
 };
-// Gauss and Legendre's, of heights and of angles.
+// Gauss-Legendre nodes and weights, for heights and for angles.
 constexpr std::array<Node, 7> kLevels{{{-0.949107912342759, 0.129484966168870},
                                        {-0.741531185599394, 0.279705391489277},
                                        {-0.405845151377397, 0.381830050505119},
@@ -27,15 +27,15 @@ constexpr std::array<Node, 6> kAngles{{{-0.932469514203152, 0.171324492379170},
                                        {0.238619186083197, 0.467913934572691},
                                        {0.661209386466265, 0.360761573048139},
                                        {0.932469514203152, 0.171324492379170}}};
-// Of a face that is round about the axis the wall's law has more outside and less inside than a
-// flat one's, by this share of press over radius.
+// On a face round about the axis, the wall's law gives a larger press outside and a smaller one
+// inside than on a flat face, by this share of press over radius.
 constexpr double kRoundness = 0.75;
-constexpr double kFar = 1.0;  // m: of a face that is not there
+constexpr double kFar = 1.0;  // m: distance of a face that is missing
 
 // A level of the clay, between two rows.
 struct Level {
   int below, above;
-  double up;  // 0: as the one below, 1: as the one above
+  double up;  // 0: at the row below, 1: at the row above
 
   double of(std::span<const float> low, std::span<const float> high, std::size_t i) const {
     return (1.0 - up) * double{low[i]} + up * double{high[i]};
@@ -62,8 +62,8 @@ double pressure_at(double deep, double radius) noexcept {
 
 double push_on_flat(double depth, double radius) noexcept {
   if (!(depth > 0.0)) return 0.0;
-  // Sum over the cap of press times the upright share of the normal. Sunk in wholly, it is the
-  // half ball's, and the rest of the depth on its disc.
+  // Integral over the cap of press times the upward part of the normal. For a ball that is fully
+  // sunk: the half ball's, plus the remaining depth on its disc.
   const double above = radius - std::min(depth, radius);
   const double cube = radius * radius * radius;
   const double half =
@@ -75,7 +75,7 @@ double push_on_flat(double depth, double radius) noexcept {
 EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, double top,
                       bool hollow) noexcept {
   EdgePush out;
-  // From within, what is solid is the floor's.
+  // From inside, the solid part belongs to the floor.
   const bool within = hollow && side == WallSide::inside;
   const int lowest = within ? clay.floor_rows() : 0;
   const double low = std::max(at.y - radius, within ? clay.floor_top() : 0.0);
@@ -85,9 +85,9 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
   const Vec3 away = d > 1e-9 ? Vec3{at.x / d, 0.0, at.z / d} : Vec3{1.0, 0.0, 0.0};
   const double turn = portable::atan2(at.z, at.x);
   const double per_radian = clay.sectors() / (2.0 * portable::kPi);
-  // A tool that comes over the rim may leave the wall by its other face; one whose middle is below
-  // the rim may not, or a deep press would draw it through the wall. Between, that face is as far
-  // off as this.
+  // A tool that comes over the rim may leave the wall by its other face. A tool whose middle is
+  // below the rim may not, or a deep press would pull it through the wall. In between, the other
+  // face counts as this much farther away.
   const double kept = 2.0 * std::max(top + 0.25 * radius - at.y, 0.0);
 
   constexpr int kParts = 2;
@@ -100,7 +100,7 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
       const Level level = level_of(clay, y, lowest);
       const auto outers = std::array{clay.outer(level.below), clay.outer(level.above)};
       const auto inners = std::array{clay.inner(level.below), clay.inner(level.above)};
-      // The part of the circle that may lie in clay, on both sides of the middle's own direction.
+      // The part of the circle that may lie in clay, on both sides of the direction to the middle.
       const double most =
           double{std::max(clay.outer_most(level.below), clay.outer_most(level.above))};
       const double least =
@@ -120,7 +120,7 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
         const double aside = portable::atan2(off, along);
         const double area = radius * half * node.weight * 0.5 * (end - begin) * angle.weight;
         for (const double sign : {-1.0, 1.0}) {
-          // Between two sectors' rays.
+          // Interpolate between two sectors' rays.
           const double place = (turn + sign * aside) * per_radian - 0.5 + 2 * clay.sectors();
           const int whole = static_cast<int>(place);
           const double part_of = place - whole;
@@ -140,7 +140,7 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
               std::min(from_outer + (outside ? 0.0 : kept), from_inner + (outside ? kept : 0.0));
           const double deep = std::min(to_face, to_top);
           if (deep <= 0.0) continue;
-          // Round it is only to what is pushed out by a face: outside more, inside less.
+          // Only clay that a face pushes out counts as round: more outside, less inside.
           const double which =
               hollow ? std::clamp(2.0 * (from_inner - from_outer) / std::max(outer - inner, 1e-6),
                                   -1.0, 1.0)

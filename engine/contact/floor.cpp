@@ -9,14 +9,14 @@
 namespace onggi {
 namespace {
 
-constexpr double kSnap = 2e-8;  // m: a press below this is none; a height is no float
+constexpr double kSnap = 2e-8;  // m: a smaller press counts as none; heights are doubles
 
 // (1 - e^-x) / x and (1 - that) / x, also where x is nearly 0.
 double mean_decay(double x) { return x > 0.0 ? -portable::expm1(-x) / x : 1.0; }
 double mean_lag(double x) { return x > 1e-4 ? (1.0 - mean_decay(x)) / x : 0.5 - x / 6.0; }
 
-// A press l on clay that gives way at x = dt / tau while the tool comes `deeper` by an even pace:
-// dl/dt = -l/tau + deeper/dt, exactly.
+// A press l on clay that yields at x = dt / tau, while the tool goes `deeper` at a constant speed.
+// Exact solution of dl/dt = -l/tau + deeper/dt.
 struct Given {
   double end, mean;
 };
@@ -25,8 +25,9 @@ Given give_way(double l, double deeper, double x) {
   return {l * (1.0 - x * decay) + deeper * decay, l * decay + deeper * mean_lag(x)};
 }
 
-// The share of the floor, from the axis to the tool's far edge, that a ball `depth` deep and `off`
-// the axis covers: what that share gives way, the turning wheel spreads over all of it.
+// The share of the floor, from the axis to the tool's far edge, that a ball covers: the ball is
+// `depth` deep and `off` from the axis. The turning wheel spreads what yields there over all of
+// that floor.
 double covered(double radius, double depth, double off) {
   const double deep = std::min(depth, radius);
   const double print = std::sqrt(deep * (2.0 * radius - deep));
@@ -40,18 +41,18 @@ Press press_floor(Clay& clay, const BallStep& step, const Yielding& yielding) no
   Press out;
   const double top = clay.floor_top();
   const double l0 = top - (step.from.y - step.radius);
-  const double gap = top - (step.to.y - step.radius);  // l at the end, had the floor not given way
+  const double gap = top - (step.to.y - step.radius);  // l at the end if the floor did not yield
   if (clay.floor_rows() == 0 || std::max(l0, gap) <= kSnap) return out;
 
-  // The share of the step in touch.
+  // The share of the step in which the ball touches.
   const double way = gap - l0;
   const double begin = l0 < 0.0 ? -l0 / way : 0.0;
   const double end = gap < 0.0 ? -l0 / way : 1.0;
   const double share = end - begin;
   const double first = std::max(l0, 0.0);
 
-  // A floor at its thinnest is firm, and so is one that a tool is found deep in: it was not pressed
-  // there.
+  // The floor is firm at its thinnest. It is also firm if a tool starts deep inside it, because
+  // that tool did not press its way there.
   const double lowest = std::min(clay.def().floor_min, top);
   const double off = 0.5 * (axis_distance(step.from) + axis_distance(step.to));
   const bool firm = top <= lowest || first > step.radius;
@@ -59,12 +60,12 @@ Press press_floor(Clay& clay, const BallStep& step, const Yielding& yielding) no
       firm ? 0.0 : covered(step.radius, std::max(0.5 * (first + std::max(gap, 0.0)), kSnap), off);
   const double x = rate * share * step.seconds / yielding.relaxation_time;
   const Given given = give_way(first, share * way, x);
-  // What the tool went deeper and is not pressed, the floor went down.
+  // The floor sinks by the tool's travel minus the press that is left.
   const double sunk = std::clamp(first + share * way - given.end, 0.0, top - lowest);
   const double mean = std::max(given.mean, 0.0);
   out.force.y = share * yielding.stiffness * contact::push_on_flat(mean, step.radius);
   out.normal = out.force.y;
-  // A hand below the wheel head presses the clay that stands on it, and no more.
+  // A hand below the wheel head presses only the clay that stands on the wheel head.
   out.depth = std::min(std::max(first, gap - sunk), top);
   out.touched = 1;
   if (sunk <= 0.0) return out;

@@ -9,11 +9,11 @@
 
 namespace onggi::contact {
 
-/// How one body presses rows, on one kind of vectors. No allocation, any thread.
+/// How one body presses rows, compiled for one kind of vectors. No allocation, any thread.
 template <class Body>
 struct BodyKernel {
-  /// Presses `count` rows one after the other, on the `side` face, and adds to `sums`; or, where
-  /// they are the step's last, gives in `total` what all of them come to.
+  /// Presses `count` rows on the `side` face, one after the other, and adds to `sums`. For the
+  /// step's last rows, writes the step's total to `total` instead.
   RowsPressed (*press)(WallSide side, const StepFigures& step, const BodyFigures<Body>& body,
                        const RowPlaces& places, BodyRow<Body>* rows, int count, PressSums& sums,
                        PressTotal* total);
@@ -22,13 +22,13 @@ struct BodyKernel {
                  const RowPlaces& places, const BodyRow<Body>* rows, int count);
 };
 
-/// What ball windows are found by, for all rows alike.
+/// Figures for finding ball windows, the same for all rows.
 struct WindowFigures {
-  float radius, distance;     ///< Of the ball; of its middle from the axis, m.
+  float radius, distance;     ///< The ball's radius, and its middle's distance from the axis, m.
   float per_radius;           ///< 1 / m
-  float per_radian, radians;  ///< Elements in a radian, and the other way.
-  float middle;               ///< The ball's angle in elements, `turns` added: always positive.
-  float limit;                ///< Rows where the ball asks for more than this (m) need care.
+  float per_radian, radians;  ///< Elements per radian, and radians per element.
+  float middle;               ///< The ball's angle in elements, plus `turns`: always positive.
+  float limit;                ///< A row needs care if the ball asks for more than this, m.
 };
 
 /// Everything that is compiled for each kind of vectors.
@@ -37,17 +37,17 @@ struct Kernels {
   const BodyKernel<body::Capsule>* capsule;
   const BodyKernel<body::Box>* box;
   const BodyKernel<body::Cylinder>* cylinder;
-  /// Fills all of `rows` but what it is to be given.
+  /// Fills all of `rows` except its given figures.
   void (*windows)(WallSide side, const WindowFigures& figures, int count, BallWindows& rows);
-  /// Half the angle of eight sections of radius `r`, `d` from the axis, tangents `t`, with rows of
-  /// `extent`; negative where nothing is reached.
+  /// Half the angle that eight sections reach in rows of `extent`: radius `r`, distance `d` from
+  /// the axis, tangents `t`. Negative if nothing is reached.
   void (*half_windows)(WallSide side, const float* d, const float* r, const float* t,
                        const float* extent, float* half);
   /// Largest outer, or smallest inner, radius of a row's `side` face, m.
   float (*extent)(WallSide side, int stride, const float* face);
 };
 
-/// The kernels of one kind of vectors, which vectors_here() must contain.
+/// The kernels for one kind of vectors, which vectors_here() must contain.
 const Kernels& kernels(Vectors kind) noexcept;
 
 }  // namespace onggi::contact

@@ -3,7 +3,7 @@
 
 namespace onggi::ONGGI_LANES {
 
-// One in each body's file.
+// Each is defined in its body's file.
 extern const contact::BodyKernel<body::Ball> kBall;
 extern const contact::BodyKernel<body::Capsule> kCapsule;
 extern const contact::BodyKernel<body::Box> kBox;
@@ -28,7 +28,7 @@ void half_windows(WallSide side, const float* d, const float* r, const float* t,
 }
 
 float outer_extent(int stride, const float* outer) {
-  Float8 most[2] = {all(0.0f), all(0.0f)};  // two, since one would wait for itself
+  Float8 most[2] = {all(0.0f), all(0.0f)};  // two, because one would wait for its own last result
   int i = 0;
   for (; i + 2 * kLanes <= stride; i += 2 * kLanes) {
     most[0] = larger(load(outer + i), most[0]);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * portable::kPi;
 
-// Elements whose angle, in the studio's frame, lies in eq. 2's interval: `count` from `first` on.
+// Elements whose angle (studio frame) lies in eq. 2's interval: `count` elements from `first`.
 struct Interval {
   int first = 0;
   int count = 0;
@@ -31,27 +31,28 @@ Interval eq2(Vec3 at, double radius, double wheel_angle, int sectors) {
   return {((first % sectors) + sectors) % sectors, count};
 }
 
-// A row of elements against the sphere, clay frame: what all of them share is worked out once, and
-// the direction and its divisions wait for contact. So would anybody write these equations who
-// means them to be quick; the corrected model's speed is told against this (tests/bench/README.md).
+// A row of elements against the sphere, clay frame. Computes once what the elements share, and
+// computes the direction, with its divisions, only on contact. Anybody who wants these equations to
+// be fast would write them so; the corrected model's speed is compared with this
+// (tests/bench/README.md).
 struct Row {
   WallSide mode;
   Vec3 h;
   double d;
   double dy;
-  double r;         // of the section; not a number where there is none
-  double r_square;  // r r, not H_r H_r - dy dy: as printed
+  double r;         // of the section; NaN if there is none
+  double r_square;  // r r, not H_r H_r - dy dy: as printed in the paper
 };
 
-// Names are the paper's.
+// The names are the paper's.
 struct Collision {
   double p = 0;       // eqs. 3, 4
   double l = 0;       // eq. 5
-  double held = 0;    // how far along the element's line E or M lies
+  double held = 0;    // distance of E or M along the element's line
   double length = 0;  // of H - E or H - M
 };
 
-// False where nothing is met.
+// False without contact.
 bool collide(const Row& row, double s_r, double cos, double sin, Collision& c) {
   const double off = row.h.z * cos - row.h.x * sin;
   const double square = row.r_square - off * off;
@@ -60,8 +61,8 @@ bool collide(const Row& row, double s_r, double cos, double sin, Collision& c) {
   const double half_chord = std::sqrt(square);
   const bool outside = row.mode == WallSide::outside;
 
-  // The line C-S meets the section at two points; E1 is the nearer to C. With the axis within the
-  // section, "nearer" may be the one behind the axis.
+  // The line C-S meets the section at two points. E1 is the nearer to C. If the section contains
+  // the axis, the nearer point may lie behind the axis.
   const double reach = outside ? std::fabs(std::fabs(along) - half_chord)  // ||E - C||
                                : std::fabs(along) + half_chord;
   const auto distance = [&](double held) {
@@ -74,7 +75,7 @@ bool collide(const Row& row, double s_r, double cos, double sin, Collision& c) {
     const double e2 = along + half_chord;
     c.held = (std::fabs(e2) < std::fabs(e1)) == outside ? e2 : e1;
     c.length = distance(c.held);
-  } else {  // a line, and M the middle of E1 and E2
+  } else {  // a line, with M the middle of E1 and E2
     c.held = along;
     c.length = distance(along);
     c.p = row.r - c.length;  // r lies in the row's plane, H - M does not
@@ -125,7 +126,7 @@ PaperTouch PaperModel::tick(Clay& clay, WallSide mode, Vec3 at, double radius, d
     const double r = std::sqrt(radius * radius - dy * dy);
     const Row row{mode, h, d, dy, r, r * r};
     bool moved = false;
-    // Up to the circle's end, and from its beginning on.
+    // To the end of the circle, then on from its start.
     for (int begin = window.first, left = window.count; left > 0; begin = 0) {
       const int end = std::min(begin + left, clay.sectors());
       left -= end - begin;

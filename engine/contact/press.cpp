@@ -16,7 +16,7 @@ using contact::BodyKernel;
 using contact::BodyRow;
 using contact::kPlannedRows;
 
-// How the rows that a body may touch are found: which of some rows there are, and what of each.
+// Finds the rows that a body may touch, and the blocks of each.
 template <class Body>
 class Plan {
  public:
@@ -75,7 +75,7 @@ class Plan {
 
  private:
   static constexpr int kFew = 8;
-  // A body that stands upright is cut alike by all rows: a flat rib, as potters hold it.
+  // An upright body has the same cut in all rows: a flat rib, as potters hold it.
   static constexpr bool kMayStand = requires(const Body& b) { b.upright(); };
   const Clay& clay_;
   WallSide side_;
@@ -89,8 +89,8 @@ class Plan {
 };
 
 // A block of elements that begins beside a ball may end behind the axis, where rays meet the ball
-// too, from the wrong end: on coarse grids, of balls that are wide as seen from the axis. `sine`:
-// of half that angle. By cos x >= 1 - x^2 / 2.
+// from the wrong end. It happens on coarse grids with balls that look wide from the axis. `sine`:
+// of half that angle. Uses cos x >= 1 - x^2 / 2.
 bool reaches_far_half(int sectors, double sine) {
   const double half_block = portable::kPi * (Displacements::kBlock + 1) / sectors;
   return sine >= 1.0 - 0.5 * half_block * half_block;
@@ -146,7 +146,7 @@ const BodyKernel<Cylinder>& kernel_of(const contact::Kernels& all, const Cylinde
   return *all.cylinder;
 }
 
-// Inside, the solid floor rows are a stop instead (stops.h).
+// Inside, the solid floor rows act as a stop instead (stops.h).
 int first_pressed_row(const Clay& clay, WallSide side, int first) {
   return side == WallSide::inside ? std::max(first, clay.floor_rows()) : first;
 }
@@ -163,12 +163,12 @@ contact::StepFigures figures_of(const Clay& clay, WallSide side) {
   return step;
 }
 
-// Bit k: k >= from.
+// Bits k >= from.
 std::uint32_t rows_from(int from) {
   return from <= 0 ? ~std::uint32_t{0} : from >= kPlannedRows ? 0 : ~std::uint32_t{0} << from;
 }
 
-// Of the rows planned together, from `first` on.
+// The rows planned together, starting at `first`.
 contact::RowPlaces places_of(Clay& clay, WallSide side, int first, double weight,
                              std::uint32_t careful) {
   const bool outside = side == WallSide::outside;
@@ -187,8 +187,8 @@ contact::RowPlaces places_of(Clay& clay, WallSide side, int first, double weight
           careful};
 }
 
-// Some rows that a body presses in one step: made ready for its kernel, and what came of them told
-// to the clay.
+// A group of rows that a body presses in one step. Prepares them for the kernel and writes the
+// results back to the clay.
 template <class Body>
 class Pressing {
  public:
@@ -196,10 +196,10 @@ class Pressing {
       : clay_(clay), side_(side), cut_(yielding.cut) {
     if (clay.areas() != nullptr && !cut_)
       displacements_ =
-          clay.displacements(side == WallSide::inside);  // what is cut off drags nothing along
+          clay.displacements(side == WallSide::inside);  // clay that is cut off drags nothing along
   }
 
-  // Those of `reached` from row `first` on. Gives how many there is work on.
+  // Prepares the rows of `reached`, counted from row `first`. Returns how many rows have work.
   int prepare(const Plan<Body>& plan, int first, std::uint32_t reached) {
     RowAreas* const areas = clay_.areas();
     int used = 0;
@@ -208,7 +208,7 @@ class Pressing {
       row.k = std::countr_zero(reached);
       if (areas != nullptr) {
         const int j = first + row.k;
-        if (areas->any_torn() && areas->torn(j)) continue;  // hands pass through it
+        if (areas->any_torn() && areas->torn(j)) continue;  // hands pass through torn rows
         row.displacement =
             displacements_ != nullptr ? displacements_->row(clay_.stored(j)) : areas->spare_row();
       }
@@ -219,8 +219,8 @@ class Pressing {
   }
   BodyRow<Body>* rows() { return rows_; }
 
-  // Those of `reached` that may lose no area, and of them those that do not give way at all; what
-  // is cut off raises nothing.
+  // Rows of `reached` that may lose no area, and the rows among them that do not yield at all. Cut
+  // clay raises nothing.
   struct Held {
     std::uint32_t firm = 0, rigid = 0;
   };
@@ -253,7 +253,8 @@ class Pressing {
           clay_.widen_extent(j, row.behind_most, 1e9f);
       }
       if (areas == nullptr || (pressed.changed >> row.k & 1u) == 0) continue;
-      // A wall at its thinnest that an edge pushes aside gets larger: none of that is cut off.
+      // A wall at its thinnest grows where an edge pushes it aside. None of that growth was cut
+      // off.
       areas->lose(j, portable::kPi / clay_.sectors() * double{row.lost}, cut_ && row.lost > 0.0f);
       if (displacements_ != nullptr)
         for (int r = 0; r < row.used; ++r) displacements_->mark(j, row.ranges[r]);
@@ -282,7 +283,7 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
   step.mean = static_cast<float>(rate * gone);
   step.along = static_cast<float>(yielding.along);
   step.keeps = clay.areas() != nullptr;
-  // The mean press over the step is (tau/dt)(1 - e^(-dt/tau)) of the first.
+  // The mean press over the step is (tau/dt)(1 - e^(-dt/tau)) of the first press.
   const double weight = yielding.stiffness * 2.0 * portable::kPi / clay.sectors() * rate * gone;
 
   Plan<Body> plan(clay, side, body, at);
@@ -308,7 +309,7 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
     };
     some(reached & ~firm, step, last && firm == 0);
     if (firm == 0) continue;
-    // A wall that may lose no area moves as a whole; what has no other face does not give way.
+    // A wall that may lose no area moves as a whole. Clay without a second face does not yield.
     const std::uint32_t walls = rows_from(places.hollow_from) & ~rigid;
     contact::StepFigures held = step;
     held.along = 1.0f;
@@ -317,8 +318,8 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
     some(firm & ~walls, held, last);
   }
   if (out.touched == 0) return out;
-  // Pressing leaves the extent of a row's face wider than the face, so that more is looked at than
-  // need be: whose turn it is of the window's rows is measured anew.
+  // Pressing leaves a row's stored extent wider than its face, so too many elements are examined.
+  // Measure one of the window's rows again, in turn.
   const int j = first_row + clay.next_measured(end_row - first_row);
   if (side == WallSide::outside)
     clay.set_extent(j, all.extent(side, clay.stride(), clay.outer(j).data()), clay.inner_least(j));
@@ -327,7 +328,8 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
 
   out.force = {double{total.x}, double{total.y}, double{total.z}};
   out.normal = double{total.normal};
-  // Elements in part covered reach a little beyond the body's surface, and so does their normal.
+  // Partly covered elements reach a little beyond the body's surface, so their normals may be
+  // longer than 1. The force is at most the sum of the normal forces.
   const double strength = length(out.force);
   if (strength > out.normal) out.force = (out.normal / strength) * out.force;
   out.depth = double{total.depth};
@@ -356,7 +358,7 @@ double depth(const Clay& clay, WallSide side, const Body& body, Vec3 at,
       visited += contact::elements_in(row.ranges, row.used);
     }
     if (used == 0) continue;
-    // Its kernel only reads.
+    // The depth kernel only reads.
     const contact::RowPlaces places =
         places_of(const_cast<Clay&>(clay), side, first, 0.0, plan.careful());
     deepest = std::max(deepest, kernel.depth(side, step, figures, places, rows, used));

@@ -1,12 +1,12 @@
 #pragma once
 
 // How any body presses the rows it reaches, eight elements at a time. A body's file in bodies/
-// gives a Law, which tells how it meets one row:
+// gives a Law, which defines how the body meets one row:
 //
 //   struct Law {
 //     using Body = ...;                          // what press.cpp plans: rows are BodyRow<Body>
 //     static constexpr bool kPlain = ...;        // it has rows that need no care
-//     static constexpr bool kEdges = ...;        // what is felt at its edges is looked at
+//     static constexpr bool kEdges = ...;        // the force at its edges is computed
 //     struct Row {
 //       Row(const BodyFigures<Body>&, const BodyRow<Body>&);
 //       template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin, Float8 face)
@@ -15,8 +15,8 @@
 //     static void collect(const BodyFigures<Body>&, const RowSum&, float area, Reaction&);
 //   };
 //
-// A row may have a Meeting of its own with more in it, for its react(); where there is kEdges,
-// `left` and `right`: the shares of an element that are not covered. For *_lanes.cpp only.
+// A row may define its own Meeting with more members, for its react(). With kEdges it also has
+// `left` and `right`: the uncovered shares of an element. For *_lanes.cpp only.
 
 #include "engine/clay/wall_side.h"
 #include "engine/contact/edge_lanes.h"
@@ -34,21 +34,20 @@ using contact::RowsPressed;
 using contact::RowTask;
 using contact::StepFigures;
 
-// A press below 80 nm is none: a float's step at 12 cm is 7 nm, a tenth of it is what 1 ms of the
-// stiffest clay takes away, and rest must be rest.
+// A press below 80 nm counts as none, so that resting clay rests. A float's step at 12 cm is 7 nm,
+// which is a tenth of what 1 ms of the stiffest clay takes away.
 inline constexpr float kSnap = 8e-8f;
 
-/// How eight rays meet a body's section: where the body's near end (pressing from outside) or far
-/// end (from inside) lies along each, in metres from the axis, negative beyond it. `covered`, 0..1,
-/// is how much of each element the section covers; it counts only where the meeting is `careful`.
+/// How eight rays meet a body's section. `end`: the body's near end (pressing from outside) or far
+/// end (from inside) along each ray, metres from the axis, negative beyond it. `covered`, 0..1: the
+/// share of each element that the section covers; used only if the meeting is `careful`.
 struct Meeting {
   Float8 end;
   Float8 covered;
   Mask8 hit;
 };
 
-/// Sums over rows of one thickness, of weight = press times radius. What x, y and z are is the
-/// body's to say.
+/// Sums over rows of one thickness, with weight = press times radius. The body defines x, y and z.
 struct RowSum {
   Float8 weight, x, y, z;
 };
@@ -58,16 +57,16 @@ struct Reaction {
   Float8 normal, x, y, z;
 };
 
-// Positive is a press: S - E1 from outside, E2 - S from inside.
+// Positive means pressed: S - E1 from outside, E2 - S from inside.
 template <WallSide side>
 ONGGI_INLINE Float8 press_of(Float8 face, Float8 target) {
   return side == WallSide::outside ? face - target : target - face;
 }
 
-// Most rows are plain. Some need care: near the axis, and near the clay's limits, a body may ask
-// for more than the clay allows; a body outside works the half of the clay that it stands over, not
-// what lies beyond the axis; and where the press is deep at the section's very edges, an element
-// counts for the share that is covered, or the force would step as elements come and go.
+// Most rows are plain. Three cases need care. Near the axis and near the clay's limits, a body may
+// ask for more than the clay allows. A body outside works only the half of the clay on its own side
+// of the axis. Where the press is deep at the section's edges, an element counts by its covered
+// share, or the force would step as elements come and go.
 template <WallSide side, bool careful>
 ONGGI_INLINE Float8 target_of(Float8 end, const StepFigures& step) {
   if constexpr (!careful) return end;
@@ -76,14 +75,15 @@ ONGGI_INLINE Float8 target_of(Float8 end, const StepFigures& step) {
 
 struct Pressed {
   RowSum sum;
-  Float8 depth;         // deepest of each lane
-  Float8 behind;        // the farthest that the other face was carried
-  Float8 lost;          // what the row lost, as a sum of squares of radii; only where that is kept
-  float* displacement;  // of the row: grows by what each element was moved; likewise
+  Float8 depth;         // deepest in each lane
+  Float8 behind;        // farthest that the other face was moved
+  Float8 lost;          // lost by the row, as a sum of squares of radii; only if areas are kept
+  float* displacement;  // of the row: adds each element's displacement; only if areas are kept
   int touched;
 };
 
-// The other face as it goes along: with the share `along` of the area that the pressed face lost.
+// The other face after it follows: it moves by the share `along` of the area that the pressed face
+// lost.
 template <WallSide side>
 ONGGI_INLINE Float8 gone_along(const StepFigures& step, Float8 back, Float8 lost) {
   const Float8 share = lost * all(step.along);
@@ -92,9 +92,9 @@ ONGGI_INLINE Float8 gone_along(const StepFigures& step, Float8 back, Float8 lost
                                    : sqrt(smaller(back * back + share, most));
 }
 
-// One block of eight elements that are met and of which some are pressed, with the target held
-// where it is in the middle of the step: exact exponential relaxation, second order in the step for
-// a target that moves. Clay gives way without what is felt `beside` it.
+// Presses one block of eight elements, some of which are touched. The target is held at its place
+// in the middle of the step: exact exponential relaxation, second order in the step for a moving
+// target. The force that edges add, `beside`, does not move the clay.
 template <WallSide side, bool careful, bool hollow, bool keeps, bool edges, class Row, class Met>
 ONGGI_INLINE void press_met(const Row& row, const StepFigures& step, float* face, float* behind,
                             int i, Float8 radius, const Met& m, Float8 press, Mask8 touch,
@@ -108,7 +108,7 @@ ONGGI_INLINE void press_met(const Row& row, const StepFigures& step, float* face
     lost = side == WallSide::outside ? (radius - now) * (radius + now)
                                      : (now - radius) * (now + radius);
   if constexpr (hollow) {
-    // The other face is carried along where the wall would be too thin.
+    // Move the other face along where the wall would become too thin.
     const Float8 back = load(behind + i);
     const Float8 thin = all(step.wall_min);
     Float8 least = side == WallSide::outside ? now - thin : now + thin;
@@ -131,8 +131,8 @@ ONGGI_INLINE void press_met(const Row& row, const StepFigures& step, float* face
     pressed.lost = pressed.lost + lost;
     store(load(pressed.displacement + i) + given, pressed.displacement + i);
   }
-  // As a press fades, the face goes by as much: the mean of press times radius over the step is
-  // that of the press times the mean of both ends.
+  // As a press fades, the face moves by as much. So the mean of press times radius over the step is
+  // the press's mean times the mean of the first and last radius.
   const Float8 whole = edges ? only(touch, larger(felt + beside, all(0.0f))) : felt;
   row.react(pressed.sum, whole * (all(0.5f) * (radius + now)), m, load(step.ray_cos + i),
             load(step.ray_sin + i));
@@ -164,8 +164,8 @@ ONGGI_INLINE void press_row(const Row& row, const StepFigures& step, const RowTa
   }
 }
 
-// The same where edges are looked at: a block is pressed when both its neighbours were met. The
-// second range begins where the first ends, at the first ray. Beyond them nothing is met.
+// The same with edges: presses a block once both its neighbours have been met. The second range
+// begins where the first ends, at the first ray. Outside the ranges nothing is met.
 template <WallSide side, bool hollow, bool keeps, class Row>
 ONGGI_INLINE void press_edged_row(const Row& row, const StepFigures& step, const RowTask& task,
                                   int stride, int sectors, float* face, float* behind,
@@ -179,7 +179,7 @@ ONGGI_INLINE void press_edged_row(const Row& row, const StepFigures& step, const
     typename Row::Met met;
     Edged edged;
   };
-  Block three[3];  // taken in turns, since copies of them would cost more than the rest
+  Block three[3];  // reused in turn: copying them would cost more than the rest
   Block *before = three, *here = three + 1, *after = three + 2;
   Edged first{};
   int at = 0, next = (task.ranges[0].begin > 0 ? task.ranges[0].begin * kLanes : stride) - kLanes;
@@ -225,8 +225,8 @@ struct Kernel {
     return static_cast<float>(places.weight * thickness);
   }
 
-  // What is read for every block is copied first: a vector may be stored to anything, so that
-  // compilers read what is behind a reference anew after each.
+  // Copy first what every block reads. Compilers assume that storing a vector may change anything,
+  // and would read referenced values again after each store.
   template <WallSide side, bool keeps>
   static RowsPressed press_rows(const StepFigures& given, const BodyFigures<Body>& body,
                                 const RowPlaces& places, BodyRow<Body>* rows, int count,

@@ -11,16 +11,16 @@
 namespace onggi {
 namespace {
 
-constexpr double kSnap = 2e-8;         // m: a press below this is none; a height is no float
-constexpr double kThinnestRow = 0.25;  // of its first thickness: a row pressed together is firm
+constexpr double kSnap = 2e-8;         // m: a smaller press counts as none; heights are doubles
+constexpr double kThinnestRow = 0.25;  // of its first thickness: a row this compressed is firm
 
-// Gauss and Legendre's places and weights on -1..1: exact to the seventh power.
+// Gauss-Legendre nodes and weights on -1..1: exact up to the seventh power.
 constexpr std::array<double, 4> kNode{-0.861136311594053, -0.339981043584856, 0.339981043584856,
                                       0.861136311594053};
 constexpr std::array<double, 4> kWeight{0.347854845137454, 0.652145154862546, 0.652145154862546,
                                         0.347854845137454};
 
-// The sectors whose rays a ball can meet: `count` from `first` on, round the axis.
+// The sectors whose rays a ball can meet: `count` sectors from `first`, round the axis.
 struct Sectors {
   int first, count;
 };
@@ -37,19 +37,19 @@ Sectors sectors_under(const Clay& clay, Vec3 at, double radius) {
   return {(first + all) % all, count};
 }
 
-// What one sector of the rim takes up, summed over its area: m^3, for each radian of the sector.
+// The press on one sector of the rim, integrated over its area: m^3 per radian of the sector.
 struct SectorPress {
   // What moves the clay: press times the ball's normal.
   double along = 0.0, up = 0.0;
-  // What is felt: a pressure times the normal, summed over the ball's own surface, of which a level
-  // area bears A / n_y (crown.h). It is the gradient of an energy.
+  // What is felt: a pressure times the normal, integrated over the ball's own surface. A level area
+  // A corresponds to A / n_y of that surface (crown.h). This force is the gradient of an energy.
   double felt_along = 0.0, felt_off = 0.0, felt_up = 0.0;
-  double felt = 0.0;     // its size, whatever the direction
+  double felt = 0.0;     // magnitude, without direction
   double deepest = 0.0;  // m
 };
 
-// Upright rays stand `off` the ball's centre, which is `along` from the axis; `above` the crown,
-// which is `crown` over the wheel head.
+// Upright rays pass the ball's centre at `off`. The centre is `along` from the axis and `above` the
+// crown. `crown` is the crown's height over the wheel head.
 SectorPress press_sector(double inner, double outer, double along, double off, double above,
                          double crown, double radius) {
   SectorPress sum;
@@ -64,15 +64,15 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
   const auto depth_at = [&](double rho) {
     const double rise = std::sqrt(std::max(square - (along - rho) * (along - rho), 0.0));
     const double drop = lip_drop(inner, outer, rho);
-    // A ball that is sunk in wholly covers no more of the ray than its own chord, and one that
-    // reaches below the wheel head no more than there is clay.
+    // A fully sunk ball covers no more of the ray than its own chord. A ball that reaches below the
+    // wheel head covers no more than the clay there.
     return std::min({rise - above - drop, 2.0 * rise, crown});
   };
   const double edge = std::min(0.5 * (outer - inner), kLipRadius);
   const double crown_begin = inner > 0.0 ? inner + edge : 0.0;
   sum.deepest = std::max(depth_at(std::clamp(along, crown_begin, outer - edge)), 0.0);
-  // Flat top and round edges one after the other: across a lip's edge the press has a bend, and
-  // what one set of places made of both was not the gradient of any energy.
+  // Integrate the flat top and the round edges separately. The press has a bend at a lip's edge,
+  // and one set of nodes across it did not give the gradient of an energy.
   const double bounds[] = {begin, std::clamp(crown_begin, begin, end),
                            std::clamp(outer - edge, begin, end), end};
   for (std::size_t part = 0; part < 3; ++part) {
@@ -88,7 +88,7 @@ SectorPress press_sector(double inner, double outer, double along, double off, d
       const double rise = std::sqrt(std::max(square - x * x, 0.0));
       sum.along += press * area * x / radius;
       sum.up += press * area * rise / radius;
-      if (rise > 0.0) {  // no press is more than twice the rise, so that none of these is large
+      if (rise > 0.0) {  // a press is at most twice the rise, so these stay finite
         const double borne = contact::pressure_at(press, radius) * area / rise;
         sum.felt_along += borne * x;
         sum.felt_off += borne * off;
@@ -105,19 +105,19 @@ double area_of(const Clay& clay, int j) {
   return clay.areas()->known(j) ? clay.areas()->of(j) : clay.measured_area(j);
 }
 
-// 1 at the rim, 0 and level at `reach` below it.
+// 1 at the rim, 0 with zero slope at `reach` below it.
 double fall_off(double below, double reach) {
   const double t = std::clamp(1.0 - below / reach, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
-// Presses the rows at the top together, by `sink` in all, or as far as they go; metres. A row gives
-// up a share of what it still can; `reach` is measured in that, so that the press goes deeper down
-// once the rows at the top are firm. `cut`: what that takes from them is gone.
+// Compresses the top rows by `sink` in all, or as far as they can go; metres. Each row gives up a
+// share of its spare thickness. `reach` is measured in spare thickness, so the press goes deeper
+// once the top rows are firm. `cut`: the removed clay is gone.
 double lower_rim(Clay& clay, double sink, double reach, bool cut) {
   const double thinnest = kThinnestRow * clay.first_thickness();
   const auto spare = [&](int j) { return std::max(clay.row_thickness(j) - thinnest, 0.0); };
-  // The row over the floor carries the floor's top.
+  // The lowest row above the floor carries the floor's top.
   const bool solid = clay.floor_rows() == clay.rows();
   const int lowest = solid ? clay.first_row_above(clay.def().floor_min) : clay.floor_rows() + 1;
   double above = 0.0;
@@ -144,14 +144,14 @@ double lower_rim(Clay& clay, double sink, double reach, bool cut) {
   return part * room;
 }
 
-// What a pushed face may come to, and has come to.
+// How far a face was pushed.
 struct Extent {
-  std::array<float, 8> outer, inner;  // eight at a time: the farthest, the nearest
-  std::array<float, 8> lost;          // of the squares of radii
+  std::array<float, 8> outer, inner;  // eight at a time: farthest outer, nearest inner
+  std::array<float, 8> lost;          // from the squares of radii
 };
 
-// Pushes `count` neighbours by their share of `push`, both faces. Plain loops of eight, which
-// compilers turn into vectors; the bits are those of one at a time.
+// Pushes both faces of `count` neighbours by their share of `push`. Compilers turn these loops of
+// eight into vector code; the bits are the same as one at a time.
 void shift(float* outer, float* inner, const float* push, int count, float share,
            const ClayDef& def, Extent& extent) {
   const auto wall_min = static_cast<float>(def.wall_min);
@@ -226,8 +226,8 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
   const double gone = -portable::expm1(-step.seconds / yielding.relaxation_time);
   out.visited = under.count;
 
-  // What every sector under the ball takes up, and how far that pushes it aside.
-  std::array<float, clay::kMostSectors> push;  // not cleared: only `under.count` are used
+  // The press on every sector under the ball, and how far it pushes the sector aside.
+  std::array<float, clay::kMostSectors> push;  // not cleared: only the first `under.count` are used
   SectorPress sum;
   Vec3 force;
   double area = 0.0;
@@ -258,7 +258,7 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
   }
   if (out.touched == 0) return out;
 
-  // The ring goes down as one, by the share of its area that gives way.
+  // The whole ring sinks together, by the share of its area that yields.
   const double ring = area / under.count * clay.sectors();
   const double thickness = area / girth;
   const double reach = rim_reach(girth / under.count, thickness, step.radius);
@@ -279,8 +279,8 @@ Press press_once(Clay& clay, const BallStep& step, const Yielding& yielding) {
 }  // namespace
 
 Press press_rim(Clay& clay, const BallStep& step, const Yielding& yielding) noexcept {
-  // What is pressed aside and what is pressed down depend on each other: no part is so long that
-  // the clay gives way by more than an eighth in it.
+  // The sideways push and the downward press depend on each other. So no part is long enough for
+  // the clay to yield by more than an eighth.
   const int parts = static_cast<int>(
       std::clamp(std::ceil(8.0 * step.seconds / yielding.relaxation_time), 1.0, 8.0));
   const Vec3 way = step.to - step.from;

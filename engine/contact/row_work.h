@@ -8,96 +8,99 @@
 
 namespace onggi::contact {
 
-/// What goes between press.cpp, which knows the clay, and the kernels, which know only floats.
-/// Plain data: kernels are compiled for processors that the rest is not compiled for (lanes.h).
+/// Data passed between press.cpp, which knows the clay, and the kernels, which know only floats.
+/// Plain data, because kernels are compiled for other processors than the rest (lanes.h).
 
-/// Rows are planned and pressed so many at a time.
+/// Rows planned and pressed together.
 inline constexpr int kPlannedRows = 32;
 
-/// What holds for all elements of a step.
+/// Figures for all elements of a step.
 struct StepFigures {
   const float* ray_cos = nullptr;
   const float* ray_sin = nullptr;
-  float limit = 0;     ///< How far the face may be pressed, m: the clay keeps radius_min, wall_min
-                       ///< and radius_max.
+  /// Limit of the pressed face, m: the clay keeps radius_min, wall_min and radius_max.
+  float limit = 0;
   float wall_min = 0;  ///< m
-  float gone = 0;      ///< 1 - e^(-dt/tau): how much of a press the clay gives way by in the step.
-  float mean = 0;      ///< (tau/dt) (1 - e^(-dt/tau)): of a press, its mean over the step.
+  float gone = 0;      ///< 1 - e^(-dt/tau): share of a press by which the clay yields in the step.
+  float mean = 0;      ///< (tau/dt) (1 - e^(-dt/tau)): mean of a press over the step, as a share.
   float along = 0;     ///< Yielding::along
-  float farthest = 0;  ///< That the other face may go, m: radius_min outside, radius_max inside.
-  bool keeps;          ///< What rows lose is summed, and the other face may go along.
+  float farthest = 0;  ///< Limit of the other face, m: radius_min outside, radius_max inside.
+  bool keeps;          ///< Sum what rows lose; the other face may follow.
 };
 
-/// Where rows lie that are planned together, and what is known of each: row k is the k-th of them.
+/// Where the rows planned together are stored, and facts about each. Row k is the k-th of them.
 struct RowPlaces {
-  float* face;                ///< Of stored row 0: worked.
-  float* behind;              ///< The other.
-  int stride;                 ///< Floats from one stored row to the next.
-  int sectors;                ///< Of them; the rest is padding.
-  const int* stored;          ///< By row: as which it is stored.
-  const float* behind_start;  ///< By row: no element of the other face is farther that way.
+  float* face;                ///< Worked face of stored row 0.
+  float* behind;              ///< The other face.
+  int stride;                 ///< Floats between stored rows.
+  int sectors;                ///< In a row; the rest is padding.
+  const int* stored;          ///< By row: index of its stored row.
+  const float* behind_start;  ///< By row: no element of the other face lies farther that way.
   const double* thickness;    ///< By row, m.
   double weight;              ///< Force per press, radius and thickness.
-  int hollow_from;            ///< Rows from here on have another face.
-  std::uint32_t careful;      ///< Bit k: row k is pressed with care (press_lanes.h).
+  int hollow_from;            ///< Rows from here on have a second face.
+  std::uint32_t careful;      ///< Bit k: press row k with care (press_lanes.h).
 };
 
-/// One row that a body presses, and what came of it. Filled whole by whoever asks: nothing is set
-/// beforehand, since a step has many.
+/// One row to press, and the result. The caller fills all of it: there are no defaults, because a
+/// step has many rows.
 struct RowTask {
-  int k;                ///< In RowPlaces.
-  int used;             ///< Of `ranges`.
+  int k;                ///< Index in RowPlaces.
+  int used;             ///< How many of `ranges`.
   BlockRun ranges[2];   ///< They never share a block.
-  float* displacement;  ///< Grows by what each element was moved; only where StepFigures::keeps.
+  float* displacement;  ///< Adds each element's displacement; only if StepFigures::keeps.
 
-  float behind_most;  ///< The farthest that the other face was carried; where RowsPressed::carried.
-  float lost;         ///< Sum of squares of radii; where StepFigures::keeps.
+  float behind_most;  ///< Farthest that the other face was moved; set only if in
+                      ///< RowsPressed::carried.
+  float lost;         ///< Sum of squares of radii; set only if StepFigures::keeps.
 };
 
-/// What came of all rows of a call.
+/// The results of all rows of a call.
 struct RowsPressed {
-  int blocks = 0;             ///< Looked at, of eight elements.
+  int blocks = 0;             ///< Blocks of eight elements looked at.
   int touched = 0;            ///< Elements pressed.
-  std::uint32_t changed = 0;  ///< Bit k: of row k.
-  std::uint32_t carried = 0;  ///< Bit k: and its other face was carried beyond behind_start.
+  std::uint32_t changed = 0;  ///< Bit k: row k changed.
+  std::uint32_t carried = 0;  ///< Bit k: row k's other face moved beyond behind_start.
 };
 
-/// A row, and the section that a Body of faces and rods has with it.
+/// A row, and its section with a Body of faces and rods.
 template <class Body>
 struct BodyRow : RowTask {
   typename Body::Section section;
   const body::Outline* outline;
   float sector;  ///< Angle of an element, rad.
-  float share;   ///< Of the row's height that is covered.
+  float share;   ///< Share of the row's height that is covered.
 };
 
-/// The sections of kPlannedRows rows with a ball, circles, and which elements they can touch: an
-/// array each, since they are worked out eight at a time. Metres.
+/// Circles in which kPlannedRows rows cut a ball, and the elements that they can touch. One array
+/// each, because they are computed eight at a time. Metres.
 struct BallWindows {
-  float above[kPlannedRows];         ///< Given: middle of the ball above the row.
-  float extent[kPlannedRows];        ///< Given: of the face, Clay::outer_most() or inner_least().
-  float section[kPlannedRows];       ///< Radius of the circle.
-  float edge[kPlannedRows];          ///< Farthest from its middle that the ray of an element
-                                     ///< covered in part may pass.
-  float per_width[kPlannedRows];     ///< 1 / m: of an element at the circle's tangents.
+  float above[kPlannedRows];    ///< Input: height of the ball's middle above the row.
+  float extent[kPlannedRows];   ///< Input: the face's Clay::outer_most() or inner_least().
+  float section[kPlannedRows];  ///< Radius of the circle.
+  float edge[kPlannedRows];  ///< Farthest from the circle's middle that the ray of a partly covered
+                             ///< element may pass.
+  float per_width[kPlannedRows];     ///< 1 / (element width at the circle's tangents), 1/m.
   float most_covered[kPlannedRows];  ///< Share of an element that the circle can cover, 0..1.
-  float above_radii[kPlannedRows];   ///< Middle of the ball above the row, over its radius.
-  int low[kPlannedRows], high[kPlannedRows];  ///< Elements between which it touches, two turns on.
-  std::uint32_t reached;                      ///< Bit k: row k has something that can be touched.
-  std::uint32_t careful;  ///< Bit k: the row is to be pressed with care (press_lanes.h).
+  float above_radii[kPlannedRows];   ///< Height of the ball's middle above the row, over the ball's
+                                     ///< radius.
+  int low[kPlannedRows],
+      high[kPlannedRows];  ///< First and last element that it touches, plus two turns.
+  std::uint32_t reached;   ///< Bit k: row k has elements to touch.
+  std::uint32_t careful;   ///< Bit k: press the row with care (press_lanes.h).
 };
 
 template <>
 struct BodyRow<body::Ball> : RowTask {};
 
-/// What all rows of a body have in common.
+/// Figures that all rows of a body share.
 template <class Body>
 struct BodyFigures {};
 template <>
 struct BodyFigures<body::Ball> {
   float x, z;               ///< Its middle, m.
   float per_radius;         ///< 1 / m
-  float x_radii, z_radii;   ///< Its middle from the axis, over its radius.
+  float x_radii, z_radii;   ///< Its middle, from the axis, over its radius.
   const BallWindows* rows;  ///< By RowTask::k.
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFew = 8;
 
-// Half the angle between the outermost elements that each row's circle reaches; negative: none.
+// For each row's circle, half the angle between the outermost elements it reaches; negative: none.
 struct Circles {
   float half[kFew];
   float extent[kFew];
@@ -61,23 +61,22 @@ Circles circles_of(const Clay& clay, WallSide side, int first, int count, const 
   return out;
 }
 
-// How many elements beyond the body's angles some may lie that it covers in part: half of one,
-// which is as wide as the face, and so, seen from the axis, wider where the body is nearer to it.
+// How many elements beyond the body's angles may be partly covered. It is half an element, as wide
+// as at the face. Seen from the axis, that is a larger angle if the body is nearer the axis.
 double margin_of(const Clay& clay, const SolidWindow& window, WallSide side, double face) {
   if (side == WallSide::inside || window.nearest >= face) return 0.5;
   return window.nearest * clay.sectors() > face ? 0.5 * face / window.nearest : clay.sectors();
 }
 
-// The blocks of elements at those angles, and `margin` elements beyond. Gives how many runs they
-// are.
+// Finds the blocks at those angles, widened by `margin` elements. Returns the number of runs.
 int blocks_within(const Clay& clay, const RowShape& shape, const body::Turn& turn, double margin,
                   BlockRun* ranges) {
   if (turn.half < 0.0) return 0;
   const double per_radian = clay.sectors() / (2.0 * portable::kPi);
-  // Between a turn below and a turn above: a hull's angle is reckoned from a point in it.
+  // Between minus one turn and plus one turn, because a hull's angle starts from a point in it.
   const double beyond = turn.middle * per_radian - 0.5;
   const double middle = beyond < 0.0 ? beyond + clay.sectors() : beyond;
-  // One element more for the rounding.
+  // One more element for rounding.
   const double reach = turn.half * per_radian + margin;
   return wrapped_blocks(shape, static_cast<int>(std::floor(middle - reach)),
                         static_cast<int>(std::floor(middle + reach)) + 1, ranges);
@@ -88,13 +87,13 @@ int blocks_within(const Clay& clay, const RowShape& shape, const body::Turn& tur
 SolidWindow::SolidWindow(const Clay& clay, const body::Heights& between, const body::Hull& hull,
                          const body::Approach& of, Vec3 at) noexcept
     : heights(between),
-      // Rows whose middles it misses may still be covered in part.
+      // Rows whose middle the body misses may still be partly covered.
       first_row(std::max(clay.first_row_above(between.low) - 1, 0)),
       end_row(std::min(clay.first_row_above(between.high) + 1, clay.rows())),
       turn(body::turn_of(hull, at)),
       approach(of) {
   const body::AxisReach reach = body::reach_of(hull, at);
-  // Along the ray of an element that the body meets at its edge, it is a little nearer.
+  // The ray of an element whose edge touches the body meets it a little nearer the axis.
   const double half_sector = portable::kPi / clay.sectors();
   slanting = 1.0 - 0.5 * half_sector * half_sector;
   nearest = reach.nearest * slanting;
@@ -118,8 +117,8 @@ bool cover_row(const Clay& clay, const SolidWindow& window, WallSide side, int j
 void plan_rows(const Clay& clay, const SolidWindow& window, WallSide side, int first, int count,
                const bool* covered, SolidReach* rows) noexcept {
   const Circles circles = circles_of(clay, side, first, count, covered, rows);
-  // Rows where a rod is cut alike are given the angles of the one that it reaches
-  // farthest, and worked out once: an element more there costs less than its own arc tangents.
+  // Rows with the same cut of a rod share the angles of the row that reaches farthest, computed
+  // once. One extra element costs less than the row's own arc tangents.
   const RowShape shape(clay);
   int like = -1;
   double margin = 0.0;  // elements beyond
@@ -161,8 +160,8 @@ AlikeRows::AlikeRows(const body::Outline& of) noexcept : outline(of) {
   tangent = std::max(static_cast<float>(body::cross_section(away, circle.radius)), 0.0f);
 }
 
-// They are given the angles of the one that the body reaches farthest, worked out once: an element
-// more in the others costs less than their own arc tangents.
+// Rows share the angles of the row that the body reaches farthest, computed once. One extra element
+// costs less than the row's own arc tangents.
 void plan_alike_rows(const Clay& clay, const SolidWindow& window, WallSide side,
                      const AlikeRows& alike, int first, int count, const bool* covered,
                      SolidReach* rows) noexcept {

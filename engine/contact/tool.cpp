@@ -12,9 +12,9 @@ constexpr Vec3 kUp{0, 1, 0};
 constexpr Vec3 kTurn{0, 0, 1};
 constexpr double kHalfRoot3 = 0.86602540378443865;
 
-// By name, which is the order that scenes number them in. Metres.
+// By name: scenes number tools in this order. Metres.
 constexpr ToolShape kTools[] = {
-    // A disc whose rim shapes the wall to its own curve; upright and edge on, inside and outside.
+    // A disc whose edge shapes the wall to its own curve. Held upright, edge on, inside or outside.
     {.name = "curved_rib",
      .body = BodyKind::cylinder,
      .usual = {.radius = 0.04, .thickness = 0.004},
@@ -34,8 +34,8 @@ constexpr ToolShape kTools[] = {
      .hold = {.along = {0.5, kHalfRoot3, 0.0}, .across = kTurn},
      .tray = 2,
      .drawing = "9,22 9,8; arc 12,8 3,4 180 360; 15,8 15,22; arc 12,7.5 1.6,2.2 180 360"},
-    // A thin plate of wood or steel. Upright with its face to the wall it makes the wall straight;
-    // with the wheel still it makes facets.
+    // A thin plate of wood or steel. Upright with its face to the wall, it makes the wall straight.
+    // On a still wheel it makes facets.
     {.name = "flat_rib",
      .body = BodyKind::box,
      .usual = {.radius = 0.02, .length = 0.09, .thickness = 0.003},
@@ -47,9 +47,8 @@ constexpr ToolShape kTools[] = {
      .role = ToolRole::rib,
      .tray = 4,
      .drawing = "8,2 16,2 16,22 8,22 8,2; arc 12,6 1.4,1.4 0 360"},
-    // A loop of ribbon, `thickness` wide, at the end of a handle. What is within the loop comes
-    // away
-    // with what the ribbon cuts, so that to the clay it is a disc; the clay comes away at once.
+    // A loop of ribbon, `thickness` wide, at the end of a handle. The clay within the loop comes
+    // away with the clay that the ribbon cuts, so the clay meets a disc. It comes away at once.
     {.name = "loop_trimmer",
      .body = BodyKind::cylinder,
      .usual = {.radius = 0.008, .thickness = 0.003},
@@ -63,8 +62,8 @@ constexpr ToolShape kTools[] = {
      .tray = 6,
      .drawing = "arc 12,6 5,5 115.2 424.8; 10.2,10.6 11,13; 13.8,10.6 13,13; "
                 "11,13 13,13 13,23 11,23 11,13"},
-    // Incises lines and trims rims. It is thinner than most elements: those it meets give way for
-    // the share that it covers, so that a line is at least one element wide.
+    // Incises lines and trims rims. It is thinner than most elements: an element yields by its
+    // covered share, so a line is at least one element wide.
     {.name = "needle",
      .body = BodyKind::capsule,
      .usual = {.radius = 0.0006, .length = 0.06},
@@ -76,7 +75,7 @@ constexpr ToolShape kTools[] = {
      .material = ToolMaterial::edge,
      .tray = 7,
      .drawing = "12,1 12,12; 10.6,12 13.4,12 13.4,23 10.6,23 10.6,12"},
-    // The soft side of a hand, laid to the wall: broad, so that what it passes over stays even.
+    // The soft side of a hand, laid on the wall: broad, so the wall stays even.
     {.name = "palm",
      .body = BodyKind::ball,
      .usual = {.radius = 0.018},
@@ -95,7 +94,7 @@ constexpr ToolShape kTools[] = {
      .least = {.radius = 0.001},
      .most = {.radius = 0.05},
      .tray = 8},
-    // It gives way itself more than the clay does, and wets what it touches.
+    // Softer than the clay. Wets what it touches.
     {.name = "sponge",
      .body = BodyKind::ball,
      .usual = {.radius = 0.03},
@@ -117,13 +116,13 @@ constexpr ToolShape kTools[] = {
      .hold = {.along = kTurn, .across = kUp},
      .cuts = true,
      .material = ToolMaterial::wire,
-     .tray = 9,  // the last, because it ends the pot
+     .tray = 9,  // last, because it ends the pot
      .drawing = "3,8 3,16; 21,8 21,16; arc 12,12 9,2.4 180 0"},
 };
 
 Vec3 unit(Vec3 v) { return (1.0 / length(v)) * v; }
 
-// Calls `with` the body that the tool is there; a wire's is its middle.
+// Calls `with` with the tool's body at `at`; a wire has only its middle.
 template <class With>
 auto with_body(BodyKind kind, const ToolPlace& at, const ToolSize& size, With with) {
   switch (kind) {
@@ -218,7 +217,7 @@ ToolPlace hold_tool(const ToolShape& shape, Vec3 at, Vec3 handle, double roll,
   const Vec3 usual_across = to_studio(shape.hold.across);
   const double reach = length(handle);
   const Vec3 along = reach > 1e-9 ? (1.0 / reach) * handle : usual_along;
-  // The usual way across, as near as the handle leaves it.
+  // The usual direction across, as nearly as the handle allows.
   Vec3 across = usual_across - dot(usual_across, along) * along;
   if (length(across) < 1e-3) across = usual_along - dot(usual_along, along) * along;
   across = unit(across);

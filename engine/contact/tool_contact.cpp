@@ -12,16 +12,16 @@
 namespace onggi {
 namespace {
 
-// Turned about the axis by the angle whose cosine and sine are given, from x towards z.
+// `p` turned about the axis, from x towards z, by the angle with cosine `c` and sine `s`.
 Vec3 turned(Vec3 p, double c, double s) { return {c * p.x - s * p.z, p.y, s * p.x + c * p.z}; }
 
-// The wall's faces at the tool's height (the top row above the rim) and angle. Clay frame.
+// The wall's faces at the tool's height (the top row if above the rim) and angle. Clay frame.
 struct WallThere {
   double outer, inner;
 };
 
-// How far a place is beyond the rim's crown, the outer and the inner face: the largest says by
-// which way it is out of the wall, or nearest to being so. Metres.
+// Distance of a point beyond the rim's crown, the outer face and the inner face, m. The largest
+// shows where the point is out of the wall, or nearest to being out.
 struct Beyond {
   double crown, outer, inner;
 };
@@ -42,8 +42,8 @@ Beyond beyond(const Clay& clay, Vec3 at) {
 
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
 
-// Where the tool is at `share` (0..1) of the sweep, in a frame turned by the angle whose cosine and
-// sine are given.
+// The tool's place at `share` (0..1) of the sweep, in a frame turned by the angle with cosine `c`
+// and sine `s`.
 ToolPlace place_at(const ToolSweep& sweep, double share, double c, double s) {
   ToolPlace place{turned(sweep.from + share * (sweep.to - sweep.from), c, -s)};
   if (!sweep.shape->round()) {
@@ -53,7 +53,7 @@ ToolPlace place_at(const ToolSweep& sweep, double share, double c, double s) {
   return place;
 }
 
-// The ball that stands for the tool above the rim and the floor, in step `n` of `of`.
+// The ball that represents the tool above the rim and the floor, in step `n` of `of`.
 BallStep ball_step(const ToolSweep& sweep, int n, int of) {
   const auto lowest = [&](double share) {
     const double angle = sweep.angle_from + share * (sweep.angle_to - sweep.angle_from);
@@ -64,26 +64,27 @@ BallStep ball_step(const ToolSweep& sweep, int n, int of) {
   return {from.middle, lowest((n + 1.0) / of).middle, from.radius, sweep.seconds / of};
 }
 
-// What the tool makes of the clay's own. A soft tool is a spring before the clay: of the press, the
-// clay has `softness`, so that much less is felt, and that much longer it takes to give way.
+// How the clay yields under this tool. A soft tool is a spring in front of the clay, and the clay
+// gets the share `softness` of the press. So the force is that much smaller, and the clay takes
+// that much longer to yield.
 Yielding yielding_under(const ToolShape& shape, const Yielding& clay) {
   return {clay.relaxation_time * shape.relaxation / shape.softness, clay.stiffness * shape.softness,
           shape.cuts ? 0.0 : clay.along, shape.cuts};
 }
 
-// Over the top, and steeper than the bisector of the rim's corners.
+// Above the crown, and nearer straight up than the bisector of the rim's corners.
 bool over_rim(const Beyond& b) { return b.crown > 0.0 && b.crown >= std::max(b.outer, b.inner); }
 
-// How much of what a round tool feels is the edge's, 0..1: all of it where its print comes so near
-// the rim that clay is nearer to the crown than to the face, from there over 2 mm below nothing.
+// Share of a round tool's force that the edge gives, 0..1. It is 1 where the tool's print comes so
+// near the rim that clay is nearer to the crown than to the face, and fades to 0 over 2 mm below.
 double edge_share(double above_middle, double radius, double depth) {
   constexpr double kFade = 0.002;  // m
   const double print = std::sqrt(depth * std::max(2.0 * radius - depth, 0.0));
   return std::clamp(1.0 + (print + depth + kLipRadius - above_middle) / kFade, 0.0, 1.0);
 }
 
-// How far from the axis the clay is that `sweep`'s tool presses, m. Deep beside a tool it is
-// farther than where the tool comes nearest to the axis, but never by half.
+// Distance from the axis to the clay that `sweep`'s tool presses, m. Clay deep beside a tool is
+// farther away than the tool's nearest point to the axis, but never by half.
 double clay_distance(const ToolSweep& sweep, std::optional<WallSide> pressed) {
   const double out = std::max(axis_distance(sweep.from), axis_distance(sweep.to));
   const BodyKind body = sweep.shape->body;
@@ -92,9 +93,9 @@ double clay_distance(const ToolSweep& sweep, std::optional<WallSide> pressed) {
                                        : out + sweep.size.radius;
 }
 
-// What turning clay passes over, m: the tool's smallest feature, but where a flat rib lies on the
-// outside with its face, clay comes to it as to a fingertip, unless an edge is nearer than that to
-// where the face is nearest to the axis.
+// Length of the tool that turning clay passes over, m: usually the smallest feature. A flat rib
+// that lies on the outside with its face meets clay as a fingertip does, unless an edge is nearer
+// to the place where the face is nearest to the axis.
 double passed_over(const ToolSweep& sweep, std::optional<WallSide> pressed) {
   const double smallest = sweep.shape->smallest_feature(sweep.size);
   if (sweep.shape->body != BodyKind::box || pressed != WallSide::outside) return smallest;
@@ -135,7 +136,7 @@ bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place, const b
 
   const bool on_floor = at.y - radius < clay.floor_top();
   if (over_rim(beyond(clay, at))) {
-    // A solid lump is opened in its middle. Elsewhere its top is its rim.
+    // A solid lump is opened in its middle. Elsewhere its top counts as a rim.
     const bool solid = clay.floor_rows() == clay.rows();
     on_rim_ = !(on_floor && nearer);
     if (solid && !on_rim_) side_ = WallSide::inside;
@@ -148,7 +149,7 @@ bool ToolContact::choose_place(const Clay& clay, const ToolPlace& place, const b
   const bool floor_there = on_floor && side_ == WallSide::inside;
   if (beside_wall || here <= radius) return here > 0.0 || floor_there;
   // Over the rim or within the wall, and deep at first touch: the tool came along the other face.
-  // Taking it for this one would cut the whole wall away.
+  // Choosing this face would cut the whole wall away.
   const double there = depth(other(side_));
   if (there < here) side_ = other(side_);
   return there > 0.0 || floor_there;
@@ -159,7 +160,7 @@ void ToolContact::change_place(const Clay& clay, const body::Ball& lowest) noexc
   if (!on_rim_ && at.y <= clay.rim_height()) return;
   const Beyond b = beyond(clay, at);
   const double band =
-      0.1 * lowest.radius;  // so that a tool that trembles at a corner does not flutter
+      0.1 * lowest.radius;  // stops a tool that trembles at a corner from flickering between sides
   if (on_rim_) {
     if (b.outer > std::max(0.0, b.crown + band)) {
       on_rim_ = false;
@@ -169,19 +170,19 @@ void ToolContact::change_place(const Clay& clay, const body::Ball& lowest) noexc
       side_ = WallSide::inside;
     }
   } else if (b.inner > b.crown && side_ == WallSide::outside) {
-    side_ = WallSide::inside;  // carried right across in one step
+    side_ = WallSide::inside;  // carried across the wall in one step
   } else if (b.outer > b.crown && side_ == WallSide::inside) {
     side_ = WallSide::outside;
   } else {
-    // In a hole that is being opened the tool stays on the floor.
+    // In a hole that is being opened, the tool stays on the floor.
     on_rim_ = !on_floor_ && b.crown > std::max(b.outer, b.inner) + band;
   }
 }
 
 namespace {
 
-// The floor ends where the clay does: a ball near its outer edge feels that, and one beyond it
-// nothing.
+// The floor ends where the clay ends. A ball near the clay's outer edge feels the edge, and a ball
+// beyond it feels nothing.
 Press press_on_floor(Clay& clay, const BallStep& step, const body::Ball& ball,
                      const Yielding& yielding) {
   const int row = std::max(clay.floor_rows() - 1, 0);
@@ -200,8 +201,8 @@ Press press_on_floor(Clay& clay, const BallStep& step, const body::Ball& ball,
   return press;
 }
 
-// Of `press`, `share` is felt as `edge` has it; what of that is not on a face is returned. What
-// lies on a face fades in the step as the wall's press does.
+// Replaces the share `share` of `press`'s force by `edge`'s. Returns the part that is not on a
+// face. The part on a face fades during the step as the wall's press does.
 contact::FacePush feel_edge(const contact::EdgePush& edge, double share, double seconds,
                             const Yielding& yielding, Press& press) {
   if (share == 0.0) return {};
@@ -236,7 +237,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   contact::FacePush off_face;
   on_floor_ = false;
   const double seconds = sweep.seconds / of;
-  // Over the edge and near it a round tool feels one law, whichever moves the clay.
+  // Over the edge and near it, one law gives a round tool's force, whichever part moves the clay.
   const double above = clay.rim_height() - place.at.y;
   const bool at_edge = sweep.shape->round() && above < 2.5 * lowest.radius + kLipRadius;
   const bool hollow = clay.floor_rows() < clay.rows();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Window planning for eight rows at once (window.h). For *_lanes.cpp only.
+// Plans windows for eight rows at once (ball_window.h). For *_lanes.cpp only.
 
 #include "engine/clay/wall_side.h"
 #include "engine/contact/kernels.h"
@@ -12,9 +12,8 @@ static_assert(contact::kPlannedRows % kLanes == 0);
 
 inline constexpr float kQuarterTurn = 1.57079632679489662f;
 
-// Never less than the arc cosine of c (-1..1), and at most 4 % or 0.05 rad more. From
-// asin(s) <= s (1 + (pi/2 - 1) s^2) for 0 <= s <= 1, since (asin(s)/s - 1)/s^2 grows, and from
-// asin(c) >= c + c^3/6.
+// At least the arc cosine of c (-1..1), and at most 4 % or 0.05 rad more. From asin(s) <= s (1 +
+// (pi/2 - 1) s^2) for 0 <= s <= 1, since (asin(s)/s - 1)/s^2 grows, and from asin(c) >= c + c^3/6.
 ONGGI_INLINE Float8 widest_acos(Float8 c) {
   const Float8 one = all(1.0f);
   const Float8 quarter = all(kQuarterTurn);
@@ -27,15 +26,15 @@ ONGGI_INLINE Float8 widest_acos(Float8 c) {
   return select(c < all(0.0f), quarter + size + bend * cube, acute);
 }
 
-// Where the tool's ball, of radius r in the row, passes the row's extent s: its end lies at d -+ r
-// before the tool and at t at the tangents, and passes s in between, where the circle round the
-// axis and the circle round the tool cross. Gives half the window's angle, negative where nothing
-// is reached.
+// Where the tool's ball, of radius r in the row, passes the row's extent s. The ball's end lies at
+// d -+ r in front of the tool and at t at the tangents. It passes s in between, where the circle
+// round the axis crosses the circle round the tool. Returns half the window's angle, negative if
+// nothing is reached.
 template <WallSide side>
 ONGGI_INLINE Float8 half_window(Float8 d, Float8 r, Float8 t, Float8 s) {
   const Float8 between = (d - r) * (d + r);
   const Float8 tiny = all(1e-9f);
-  // Rounding may take a ray's end for a little nearer than it is.
+  // Rounding may place a ray's end a little too near.
   const Float8 slack = all(4e-8f);
   Mask8 reached, full;
   if constexpr (side == WallSide::outside) {
@@ -50,7 +49,7 @@ ONGGI_INLINE Float8 half_window(Float8 d, Float8 r, Float8 t, Float8 s) {
     s = larger(s, select(d < r, r - d, t));
   }
   const Float8 twice = all(2.0f) * d * larger(s, tiny);
-  // Near 1 a rounding of the cosine is the square of the angle's.
+  // Near 1, a rounding error in the cosine is the square of the angle's.
   const Float8 cosine = (between + s * s) / larger(twice, all(1e-18f)) - all(1e-6f);
   const Float8 bounded = larger(smaller(cosine, all(1.0f)), all(-1.0f));
   const Float8 half = select(full, all(2.0f * kQuarterTurn), widest_acos(bounded));
@@ -72,10 +71,10 @@ ONGGI_INLINE void ball_windows_of(const contact::WindowFigures& figures, int cou
     const Float8 off = abs(above);
     const Float8 section = sqrt(larger((radius - off) * (radius + off), zero));
     const Float8 tangent = sqrt(larger((distance - section) * (distance + section), zero));
-    // Elements of which only a part is covered lie up to half a width beyond.
+    // Partly covered elements lie up to half a width beyond.
     const Float8 angle = half_window<side>(distance, section, tangent, extent);
     const Float8 half = all(0.5f) + angle * all(figures.per_radian);
-    // Where the section ends on the ray that passes half an element within its edge.
+    // Where the section ends on the ray that passes half an element inside its edge.
     const Float8 width = larger(tangent * all(figures.radians), all(1e-9f));
     const Float8 within = section - all(0.5f) * width;
     const Float8 along = sqrt(larger((distance - within) * (distance + within), zero));
@@ -91,7 +90,7 @@ ONGGI_INLINE void ball_windows_of(const contact::WindowFigures& figures, int cou
     const Float8 end = side == WallSide::outside ? along - chord : along + chord;
     const Float8 slack = all(1e-6f);
     const Mask8 deep = side == WallSide::outside ? extent + slack > end : extent - slack < end;
-    // Near the axis, and near the clay's limits, the ball may ask for more than there is.
+    // Near the axis and near the clay's limits, the ball may ask for more than there is.
     const Mask8 beyond = side == WallSide::outside
                              ? distance - section < all(figures.limit) + slack
                              : distance + section > all(figures.limit) - slack;

@@ -8,21 +8,21 @@
 namespace onggi {
 namespace {
 
-constexpr double kStrip = 0.002;   // m: what the clay's resistance to the wire is likened to
+constexpr double kStrip = 0.002;   // m: width and depth of the strip that models the drag
 constexpr double kSlow = 0.01;     // m/s: below this the drag fades, as friction does
-constexpr double kAhead = 0.0003;  // m before the wire where its clay is looked for
-constexpr double kWhole = 0.9999;  // a section cut so far hangs by nothing
-constexpr int kLooks = 256;        // places along the wire that are looked at
+constexpr double kAhead = 0.0003;  // m in front of the wire where its clay is looked for
+constexpr double kWhole = 0.9999;  // a section cut this far is free
+constexpr int kLooks = 256;        // places examined along the wire
 constexpr float kUncut = 1e9f;
 
-// Into the clay's frame, which is turned by `angle`.
+// Turns `p` into the clay's frame, which is turned by `angle`.
 Vec3 in_clay(Vec3 p, double angle) {
   const double c = portable::cos(angle);
   const double s = portable::sin(angle);
   return {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
 }
 
-// Level, and at a right angle to the wire; on the side of the axis that `at` is.
+// Level, at a right angle to the wire, on the same side of the axis as `at`.
 Vec3 across_wire(Vec3 along, Vec3 at) {
   const double level = axis_distance(along);
   if (level < 1e-6) return {};
@@ -45,7 +45,7 @@ void WireCut::forget() noexcept {
 }
 
 void WireCut::cut(const Clay& clay, int row, const WireSweep& sweep, Vec3 way) noexcept {
-  const double before = dot(sweep.to, way);  // the axis from the wire
+  const double before = dot(sweep.to, way);  // from the wire to the axis
   const Vec3 lengthwise{-way.z, 0.0, way.x};
   const double aside = dot(sweep.to, lengthwise);
   const Vec3 m = in_clay(way, sweep.angle);
@@ -56,8 +56,8 @@ void WireCut::cut(const Clay& clay, int row, const WireSweep& sweep, Vec3 way) n
     const double c = double{clay.ray_cos()[i]};
     const double s = double{clay.ray_sin()[i]};
     const double facing = m.x * c + m.z * s;
-    // Where the wire crosses the ray: in front of the axis it has come in from outside; beyond, it
-    // goes out from the axis.
+    // The place where the wire crosses the ray. In front of the axis the wire came in from outside;
+    // behind it, the wire goes outwards from the axis.
     const bool in_front = facing >= 0.0;
     double at = -1.0;
     if (in_front == (before > 0.0)) at = before / facing;
@@ -80,13 +80,13 @@ void WireCut::cut(const Clay& clay, int row, const WireSweep& sweep, Vec3 way) n
   share_ = std::max(share_, share > kWhole ? 1.0 : share);
 }
 
-// How many places along the wire, `step` apart, have clay before them.
+// How many places along the wire, `step` apart, have clay in front of them.
 int WireCut::looks_in_clay(const Clay& clay, int row, const WireSweep& sweep, Vec3 way,
                            double& step) const noexcept {
   const Vec3 lengthwise{-way.z, 0.0, way.x};
   const double ahead = dot(sweep.to, way) - kAhead;
   const double aside = dot(sweep.to, lengthwise);
-  // No more of the wire than can be in clay.
+  // Only the part of the wire that can be in clay.
   const double reach = std::min(0.5 * sweep.length, clay.def().radius_max + std::fabs(aside));
   step = 2.0 * reach / kLooks;
   const double per_radian = clay.sectors() / (2.0 * portable::kPi);

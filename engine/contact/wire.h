@@ -12,27 +12,27 @@ namespace onggi {
 /// A taut wire's path through one tick, studio frame.
 struct WireSweep {
   Vec3 from, to;       ///< Its middle, m.
-  Vec3 along;          ///< Its direction; what of it is level counts.
+  Vec3 along;          ///< Its direction; only the level part counts.
   double length = 0;   ///< m
-  double angle = 0;    ///< Of the clay as the tick ends, rad.
+  double angle = 0;    ///< The clay's angle as the tick ends, rad.
   double seconds = 0;  ///< > 0.
 };
 
-/// How one hand draws it.
+/// How one hand draws the wire.
 struct WireHand {
-  bool drawing = false;  ///< It began outside of the clay.
-  Vec3 way;              ///< From the axis to where it began, level and across the wire; unit.
+  bool drawing = false;  ///< It started outside the clay.
+  Vec3 way;              ///< From the axis to the start, level and across the wire; unit.
 };
 
-/// The slit of a wire under a pot. A wire is drawn level through the clay at the height at which it
-/// first meets it; each ray of that row is cut from outside inwards and from the axis outwards.
+/// The slit of a wire under a pot. The wire is drawn level through the clay, at the height where it
+/// first meets it. Each ray of that row is cut from outside inwards and from the axis outwards.
 /// When the whole section is cut, the clay above is free. Not safe across threads.
 class WireCut {
  public:
-  explicit WireCut(int sectors);  ///< Allocates all it will use.
+  explicit WireCut(int sectors);  ///< Allocates everything it will use.
 
-  /// The force is against the hand's way, in proportion to the width of clay before the wire, as
-  /// if a strip 2 mm wide were pressed by 2 mm at `stiffness` (N/m^3). A hand that begins within
+  /// The force opposes the hand's motion, in proportion to the width of clay in front of the wire,
+  /// as if a strip 2 mm wide were pressed by 2 mm at `stiffness` (N/m^3). A hand that begins within
   /// the clay cuts nothing until it has been outside. No allocation; O(sectors).
   Press draw(const Clay& clay, const WireSweep& sweep, WireHand& hand, double stiffness) noexcept;
   /// Resets it for a new lump.
@@ -41,7 +41,7 @@ class WireCut {
   bool begun() const { return begun_; }
   bool free() const { return share_ >= 1.0; }
   double share() const { return share_; }    ///< Share of the section that is cut, 0..1.
-  double height() const { return height_; }  ///< Of the slit, m; once begun.
+  double height() const { return height_; }  ///< Height of the slit, m; valid once begun.
   void add_to(StateHash& hash) const;
 
  private:
@@ -49,7 +49,7 @@ class WireCut {
   int looks_in_clay(const Clay& clay, int row, const WireSweep& sweep, Vec3 way,
                     double& step) const noexcept;
 
-  std::vector<float> from_outside_, from_axis_;  // of each ray: cut down to, and up to, m
+  std::vector<float> from_outside_, from_axis_;  // each ray is cut inwards to, and outwards to, m
   bool begun_ = false;
   double height_ = 0.0;
   double share_ = 0.0;

@@ -3,8 +3,8 @@
 namespace onggi::ONGGI_LANES {
 namespace {
 
-// A ball's section with a row is a circle. Every end E lies on the ball, so H - E is radius long:
-// no normal needs a length. The sums are those of weight, and of weight times E; H comes in once.
+// A ball's section with a row is a circle. Every end E lies on the ball, so |H - E| is the radius
+// and no normal needs a length. The row sums weight, and weight times E; H is added once.
 struct BallLaw {
   using Body = body::Ball;
   static constexpr bool kPlain = true;
@@ -12,9 +12,9 @@ struct BallLaw {
 
   struct Row {
     using Met = Meeting;
-    Float8 section;     // radius of the row's circle; negative where there is none
-    Float8 at_x, at_z;  // of its middle
-    Float8 edge;        // farthest that an element's ray may pass that is covered in part
+    Float8 section;     // radius of the row's circle; negative if there is none
+    Float8 at_x, at_z;  // the circle's middle
+    Float8 edge;  // farthest from the middle that the ray of a partly covered element may pass
     Float8 per_width, most_covered;
     Float8 above;  // H above the row, over the ball's radius
 

@@ -4,13 +4,14 @@
 
 namespace onggi {
 
-/// The shape of a tool in the clay and on the screen, by its ToolPlace and ToolSize.
+/// The shape of a tool in the clay and on the screen. ToolPlace and ToolSize give its place and
+/// size.
 enum class BodyKind : std::uint8_t {
   ball,      ///< `radius` round `at`.
   capsule,   ///< `radius` round the line from `at`, `length` along.
-  box,       ///< Round `at`: `length` along, `thickness` across, and 2 `radius` the third way.
-  cylinder,  ///< Round `at`: `radius`, and `thickness` across, which is its axis.
-  wire,      ///< `length` along, round `at`: it presses nothing, and cuts the pot free (wire.h).
+  box,       ///< Centred on `at`: `length` along, `thickness` across, and 2 `radius` the third way.
+  cylinder,  ///< Centred on `at`: a disc of `radius`, its axis across, `thickness` thick.
+  wire,  ///< Centred on `at`, `length` along. It presses nothing; it cuts the pot free (wire.h).
 };
 
 }  // namespace onggi

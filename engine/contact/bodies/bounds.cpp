@@ -45,7 +45,7 @@ Turn turn_of(const Hull& hull, Vec3 at) noexcept {
     low = std::min(low, angle - half);
     high = std::max(high, angle + half);
   }
-  // Balls that lie within half a turn have the axis outside of their hull.
+  // Balls within half a turn: the axis lies outside their hull.
   if (high - low >= portable::kPi) return {base, kAllRound};
   return {base + 0.5 * (low + high), 0.5 * (high - low)};
 }
@@ -56,7 +56,7 @@ AxisReach reach_of(const Hull& hull, Vec3 at) noexcept {
   AxisReach reach{1e9, 0.0};
   for (int n = 0; n < hull.count; ++n) {
     const Vec3 p = hull.middle[static_cast<std::size_t>(n)];
-    // A point is at least as far from the axis as it is in any one direction.
+    // A point's distance from the axis is at least its distance in any one direction.
     const double along = away > 0.0 ? (p.x * at.x + p.z * at.z) / away : 0.0;
     reach.nearest = std::min(reach.nearest, along);
     reach.farthest = std::max(reach.farthest, axis_distance(p));
@@ -71,8 +71,8 @@ Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse)
   const double v = length(Vec2{double{o.vx}, double{o.vz}});
   const double round = double{o.round};
   if (away < 1e-6 || std::max(u, v) <= 2.0 * round + 1e-9) return coarse;
-  // The parallelogram with its rounded corners made square, in a frame whose x goes through its
-  // middle. Its thin way may be nothing but rounding.
+  // The parallelogram, its rounded corners made square, in a frame whose x axis goes through its
+  // middle. Its thin side may be only rounding error.
   const double rx = double{o.x} / away;
   const double rz = double{o.z} / away;
   const auto turned = [&](double x, double z) { return Vec2{x * rx + z * rz, z * rx - x * rz}; };
@@ -85,9 +85,9 @@ Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse)
 
   const bool outside = side == WallSide::outside;
   const double limit = outside ? extent + kSlack : std::max(extent - kSlack, 0.0);
-  // Most rows of a tool that is held before the wall end here.
+  // Most rows of a tool held in front of the wall end here.
   if (outside && away - std::fabs(a.x) - std::fabs(b.x) > limit) return {coarse.middle, -1.0};
-  // What it spans there ends at corners, or where its sides cross the extent's circle.
+  // The span ends at corners, or where sides cross the extent's circle.
   double low = 1e9;
   double high = -1e9;
   const auto take = [&](Vec2 p) {
@@ -99,7 +99,7 @@ Turn turn_of(const Outline& o, WallSide side, double extent, const Turn& coarse)
     const Vec2 p = corner[n];
     const Vec2 way = corner[(n + 1) % 4] - p;
     const double beyond = dot(p, p) - limit * limit;
-    if (p.x < 1e-6) return coarse;  // it may hold the axis
+    if (p.x < 1e-6) return coarse;  // it may contain the axis
     if (outside ? beyond <= 0.0 : beyond >= 0.0) take(p);
     const double square = dot(way, way);
     const double along = dot(p, way);

@@ -22,8 +22,8 @@ Hull Box::hull() const noexcept {
 }
 
 Outline Box::outline(double y) const noexcept {
-  // The steepest direction is solved for; the plane then leaves the other two free, each as far as
-  // the rest of the block still comes up or down to the plane.
+  // Solve for the steepest direction. The plane leaves the other two free, as far as the rest of
+  // the block reaches the plane.
   std::size_t steep = 0;
   for (std::size_t k = 1; k < 3; ++k)
     if (std::fabs(axis[k].y) > std::fabs(axis[steep].y)) steep = k;

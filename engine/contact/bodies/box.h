@@ -8,8 +8,8 @@
 
 namespace onggi::body {
 
-/// A block round `middle`: half lengths `half` along the unit directions `axis`, which are at right
-/// angles. Clay frame, metres.
+/// A block centred on `middle`. `half` are half lengths along the unit directions `axis`, which are
+/// at right angles. Clay frame, metres.
 struct Box {
   Vec3 middle;
   std::array<Vec3, 3> axis;
@@ -17,29 +17,29 @@ struct Box {
 
   Heights heights() const noexcept;
   Hull hull() const noexcept;
-  /// No bound: as potters hold it, it stands upright, and its rows are alike.
+  /// No bound: potters hold a rib upright, and an upright rib's rows are alike.
   Approach approach() const noexcept { return {}; }
-  /// Bound of its section with the level plane at `y`: exact where no corner lies in the cut; else
-  /// a little wide.
+  /// Bound of the box's section with the level plane at `y`. Exact if the cut contains no corner;
+  /// else a little wide.
   Outline outline(double y) const noexcept;
-  /// The ball of its farthest point `towards` (unit). If a face or an edge faces that way, of its
-  /// middle. At most as large as the third half length or kBluntestEdge.
+  /// The ball at the farthest point `towards` (unit), or at the middle of the face or edge that
+  /// faces that way. Radius: at most the third half length and kBluntestEdge.
   Ball support(Vec3 towards) const noexcept;
-  /// A ball in it, as thick as it is or as kBluntestEdge, that lies as far `towards` (unit) as such
-  /// a ball can; where a face or an edge faces that way, in its middle.
+  /// The ball inside the box that lies farthest `towards` (unit), or at the middle of the face or
+  /// edge that faces that way. Radius: at most the box's half thickness and kBluntestEdge.
   Ball within(Vec3 towards) const noexcept;
 
-  /// The section itself: the intersection of three slabs.
+  /// The exact section: the intersection of three slabs.
   struct Section {
     SlabSection a, b, c;
   };
   Section section(double y) const noexcept;
 
-  /// Upright: every level plane between its ends cuts it alike, except for slab `a`.
+  /// Upright: every level plane between the ends gives the same cut, except for slab `a`.
   bool upright() const noexcept {
     return axis[0].x == 0.0 && axis[0].z == 0.0 && axis[1].y == 0.0 && axis[2].y == 0.0;
   }
-  /// section(y) of an upright box, derived from that of another of its planes.
+  /// section(y) of an upright box, derived from `other`, its section at another height.
   Section section_like(const Section& other, double y) const noexcept;
 };
 

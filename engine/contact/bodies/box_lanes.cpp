@@ -17,7 +17,7 @@ struct BoxShape {
         both<side>(in_slab<side>(b, cos, sin, beside), in_slab<side>(c, cos, sin, beside));
     if (asked) {
       const FacingInterval last = both<side>(in_slab<side>(a, cos, sin, beside), in);
-      // Number by number: compilers take a copy of all of it through memory.
+      // Copy number by number: compilers copy the whole struct through memory.
       in.near = last.near;
       in.far = last.far;
       in.x = last.x;

@@ -18,7 +18,7 @@ Hull Capsule::hull() const noexcept {
   return hull;
 }
 
-// Its sections are within those of the endless rod.
+// The capsule's sections lie within those of an endless rod.
 Approach Capsule::approach() const noexcept {
   Approach of;
   if (std::fabs(axis.y) < kAskew) return of;
@@ -30,7 +30,7 @@ Approach Capsule::approach() const noexcept {
 }
 
 Outline Capsule::outline(double y) const noexcept {
-  // The part of its line that comes within the radius of the plane.
+  // The part of its line within `radius` of the plane.
   double from = 0.0;
   double to = length;
   double nearest = 0.0;

@@ -16,19 +16,21 @@ struct Capsule {
   Heights heights() const noexcept;
   Hull hull() const noexcept;
   Approach approach() const noexcept;
-  /// Bound of its section with the level plane at `y`; a little wide if it lies askew.
+  /// Bound of the capsule's section with the level plane at `y`; a little wide if the capsule is
+  /// tilted.
   Outline outline(double y) const noexcept;
-  /// The ball of its farthest point `towards` (unit); if its side faces that way, of its middle.
+  /// The ball at the farthest point `towards` (unit); at the capsule's middle if its side faces
+  /// that way.
   Ball support(Vec3 towards) const noexcept;
-  /// The ball in it that lies farthest `towards` (unit); where its side faces that way, in its
-  /// middle.
+  /// The ball inside that lies farthest `towards` (unit); at the capsule's middle if its side faces
+  /// that way.
   Ball within(Vec3 towards) const noexcept;
 
-  /// The section itself: two balls, and the rod between.
+  /// The exact section: two balls, and the rod between them.
   struct Section {
     RodSection rod;
     float length;
-    float end_x, end_y, end_z;  ///< The far end, from the row's height.
+    float end_x, end_y, end_z;  ///< The far end, relative to the row's height.
   };
   Section section(double y) const noexcept;
 };

@@ -21,7 +21,7 @@ struct CapsuleShape {
     const float square = (radius - y) * (radius + y);
     return all(square > 0.0f ? __builtin_sqrtf(square) : 0.0f);
   }
-  // What is in any of the balls at its ends and the rod between them.
+  // The union of the two end balls and the rod between them.
   template <WallSide side>
   ONGGI_INLINE FacingInterval interval(Float8 c, Float8 s, Float8 beside) const {
     const Interval a = in_ball(tip_circle, rod.mx, rod.mz, c, s, beside);

@@ -21,7 +21,7 @@ Box box_round(Vec3 middle, Vec3 axis, double radius, double half) {
 Cylinder::Cylinder(Vec3 middle, Vec3 axis, double radius, double half) noexcept
     : box_(box_round(middle, axis, radius, half)) {}
 
-// A point of it is so far up its face as height is left by how far it is through it.
+// A point's height is the sum of two parts: its place up the face, and its place through the disc.
 Approach Cylinder::approach() const noexcept {
   const Vec3 first = box_.axis[0], up = box_.axis[1];
   Approach of;
@@ -38,7 +38,7 @@ Approach Cylinder::approach() const noexcept {
 }
 
 Outline Cylinder::outline(double y) const noexcept {
-  // How far up its face the plane can cut it at least; there its level chord is longest.
+  // The lowest place up its face that the plane can cut. The level chord is longest there.
   const double rise = box_.axis[1].y;
   const double up = std::fabs(y - box_.middle.y) - box_.half[2] * std::fabs(axis().y);
   Box narrow = box_;

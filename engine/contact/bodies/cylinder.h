@@ -7,7 +7,7 @@
 
 namespace onggi::body {
 
-/// A disc round `middle`: `radius`, and `half` its thickness to either side along `axis` (unit).
+/// A disc centred on `middle`. It reaches `half` its thickness to either side along `axis` (unit).
 /// Clay frame, metres.
 class Cylinder {
  public:
@@ -18,16 +18,16 @@ class Cylinder {
   Heights heights() const noexcept { return box_.heights(); }
   Hull hull() const noexcept { return box_.hull(); }
   Approach approach() const noexcept;
-  /// Bound of its section with the level plane at `y`; a little wide if it stands askew.
+  /// Bound of the disc's section with the level plane at `y`; a little wide if the disc is tilted.
   Outline outline(double y) const noexcept;
-  /// The ball of its farthest point `towards` (unit); if a face faces that way, of its middle. At
-  /// most as large as its radius or kBluntestEdge.
+  /// The ball at the farthest point `towards` (unit), or at the middle of a face that faces that
+  /// way. Radius: at most the disc's radius and kBluntestEdge.
   Ball support(Vec3 towards) const noexcept;
-  /// A ball in it, as thick as it is or as kBluntestEdge, that lies as far `towards` (unit) as such
-  /// a ball can; where a face faces that way, in its middle.
+  /// The ball inside the disc that lies farthest `towards` (unit), or at the middle of a face that
+  /// faces that way. Radius: at most the disc's half thickness and kBluntestEdge.
   Ball within(Vec3 towards) const noexcept;
 
-  /// The section itself: the intersection of a rod and a slab.
+  /// The exact section: the intersection of a rod and a slab.
   struct Section {
     RodSection rod;
     SlabSection faces;
@@ -35,7 +35,7 @@ class Cylinder {
   Section section(double y) const noexcept;
 
  private:
-  Box box_;  // round it: level, up its face, through it
+  Box box_;  // bounding box; axes: level, up its face, through it
 };
 
 }  // namespace onggi::body

@@ -1,7 +1,8 @@
 #pragma once
 
-// Where eight rays of a row enter and leave what bodies are made of: slabs, rods, balls. A ray
-// stands at t (cos, 0, sin) + beside (-sin, 0, cos), at the row's height. For *_lanes.cpp only.
+// Where eight rays of a row enter and leave slabs, rods and balls, the parts of which bodies are
+// made. The point t of a ray is t (cos, 0, sin) + beside (-sin, 0, cos), at the row's height. For
+// *_lanes.cpp only.
 
 #include "engine/clay/wall_side.h"
 #include "engine/contact/bodies/sections.h"
@@ -16,13 +17,14 @@ using body::SlabSection;
 struct Interval {
   Float8 near, far;
 };
-/// The unit direction in which clay pushes the body at the worked end: against the outer normal.
+/// An Interval, and the unit direction in which clay pushes the body at the worked end: against the
+/// outer normal.
 struct FacingInterval {
   Float8 near, far;
   Float8 x, y, z;
 };
 
-/// The figures of a cut as kernels read them: spread over eight lanes once a row.
+/// The figures of a cut for kernels, spread over eight lanes once per row.
 struct SlabLanes {
   Float8 nx, ny, nz, half, off;
 
@@ -67,14 +69,14 @@ ONGGI_INLINE FacingInterval in_slab(const SlabLanes& slab, Float8 c, Float8 s, F
   const Float8 k = slab.off + beside * (slab.nz * c - slab.nx * s);
   const Float8 a = (all(0.0f) - slab.half - k) / slope;
   const Float8 b = (slab.half - k) / slope;
-  // The normal that points along the ray, or against it.
+  // Turn the normal to point along the ray, or against it.
   const Float8 way = all(side == WallSide::outside ? 1.0f : -1.0f);
   const Float8 sign = select(slope < all(0.0f), all(0.0f) - way, way);
   return {smaller(a, b), larger(a, b), slab.nx * sign, slab.ny * sign, slab.nz * sign};
 }
 
-/// By the common perpendicular of ray and line, so that nothing cancels where the ray grazes the
-/// rod. If the ray misses, far is before near.
+/// Uses the common perpendicular of ray and line, to avoid cancellation where the ray grazes the
+/// rod. If the ray misses, far < near.
 ONGGI_INLINE Interval in_rod(const RodLanes& rod, Float8 c, Float8 s, Float8 beside) {
   const Float8 along = rod.ax * c + rod.az * s;
   const Float8 aside = rod.az * c - rod.ax * s;
@@ -88,12 +90,12 @@ ONGGI_INLINE Interval in_rod(const RodLanes& rod, Float8 c, Float8 s, Float8 bes
   const Float8 half = select(chord > all(0.0f), sqrt(larger(chord, all(0.0f))), all(-1.0f));
   return {middle - half / square, middle + half / square};
 }
-/// How far along the rod's line the ray's point t is, from the point `middle`.
+/// Distance along the rod's line from its point `middle` to the ray's point t.
 ONGGI_INLINE Float8 along_rod(const RodLanes& rod, Float8 t, Float8 c, Float8 s, Float8 beside) {
   return rod.m_along + beside * (rod.az * c - rod.ax * s) + t * (rod.ax * c + rod.az * s);
 }
-/// From the ray's point t to the line's point `q` along, over the radius: for t on the rod the unit
-/// inner normal.
+/// From the ray's point t to the line's point at `q`, divided by the radius. If t lies on the rod,
+/// this is the unit inner normal.
 ONGGI_INLINE FacingInterval facing_rod(const RodLanes& rod, const Interval& in, Float8 t, Float8 q,
                                        Float8 c, Float8 s, Float8 beside) {
   const Float8 over = rod.over_radius;
@@ -101,7 +103,7 @@ ONGGI_INLINE FacingInterval facing_rod(const RodLanes& rod, const Interval& in, 
           (rod.my + q * rod.ay) * over, (rod.mz + q * rod.az - (t * s + beside * c)) * over};
 }
 
-/// A ball of `radius` round (x, y, z), y from the row's height; `section` is its circle's radius
+/// A ball centred on (x, y, z), with y from the row's height. `section` is the radius of its circle
 /// there. Empty if the ray misses.
 ONGGI_INLINE Interval in_ball(Float8 section, Float8 x, Float8 z, Float8 c, Float8 s,
                               Float8 beside) {
@@ -113,7 +115,7 @@ ONGGI_INLINE Interval in_ball(Float8 section, Float8 x, Float8 z, Float8 c, Floa
   return {select(met, along - half, all(1e9f)), select(met, along + half, all(-1e9f))};
 }
 
-/// The intersection. The worked end is the one that lies deeper in.
+/// The intersection. The worked end is the deeper one.
 template <WallSide side>
 ONGGI_INLINE FacingInterval both(const FacingInterval& a, const FacingInterval& b) {
   const Mask8 second = side == WallSide::outside ? b.near > a.near : b.far < a.far;

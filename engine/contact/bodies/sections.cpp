@@ -6,7 +6,7 @@ namespace onggi::body {
 
 SlabSection slab_section(Vec3 middle, Vec3 normal, double half, double y) noexcept {
   const double off = normal.y * (y - middle.y) - normal.x * middle.x - normal.z * middle.z;
-  // Level planes: off_zero() (interval_lanes.h) lets rays leave them 10 m and more away.
+  // For level planes: off_zero() (interval_lanes.h) lets rays leave them 10 m and more away.
   const bool between = normal.x == 0.0 && normal.z == 0.0 && half - std::fabs(off) > 1e-6;
   return {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z),
           static_cast<float>(half),     static_cast<float>(off),      !between};

@@ -1,8 +1,8 @@
 #pragma once
 
 // How a body other than a ball meets a row: how much of each element it covers, where it ends on
-// their rays, and which way its surface faces there. The body's file gives the interval of its
-// section on a ray:
+// the elements' rays, and which way its surface faces there. The body's file gives the interval of
+// its section on a ray:
 //
 //   struct Shape {
 //     using Body = ...;
@@ -26,11 +26,11 @@ struct FacingMeeting {
   Float8 x, y, z;
 };
 
-// An element is a strip as wide as its sector. The part that the section covers gives way and is
-// felt; the body's end is taken in the middle of that part. So a body narrower than an element
-// still finds the element, and the force does not step as elements come and go. Coverage changes at
-// the pace of edges, by the sector's width at the edge. At the face, centimetres farther out of a
-// disc deep in clay, it would be wider.
+// An element is a strip as wide as its sector. Only the part that the section covers gives way and
+// is felt. The body's end is taken in the middle of that part. So a body narrower than an element
+// still finds the element, and the force does not step as elements come and go. Coverage uses the
+// sector's width at the body's edge, because the edge sets how fast coverage changes. The width at
+// the face would be too large for a disc deep in clay, whose edge is centimetres nearer the axis.
 template <class Shape>
 struct SolidLaw {
   using Body = typename Shape::Body;
@@ -61,8 +61,9 @@ struct SolidLaw {
     struct Strip {
       Float8 low, high;
     };
-    // The place of an outline's corner beside a ray, in elements. Outside, a corner within the clay
-    // uses its own distance from the axis, which sets its pace; other corners use the face's.
+    // The place of an outline's corner beside a ray, in elements. From outside, a corner within the
+    // clay uses its own distance from the axis, which sets how fast it passes. Other corners use
+    // the face's.
     template <WallSide side>
     ONGGI_INLINE Float8 in_elements(Float8 beside, Float8 along, Float8 face) const {
       Float8 from = face;
