@@ -28,7 +28,7 @@ Given give_way(double l, double deeper, double x) {
 // The share of the floor, from the axis to the tool's far edge, that a ball covers: the ball is
 // `depth` deep and `off` from the axis. The turning wheel spreads what yields there over all of
 // that floor.
-double covered(double radius, double depth, double off) {
+double covered_share(double radius, double depth, double off) {
   const double deep = std::min(depth, radius);
   const double print = std::sqrt(deep * (2.0 * radius - deep));
   const double share = print / (print + off);
@@ -57,7 +57,8 @@ Press press_floor(Clay& clay, const BallStep& step, const Yielding& yielding) no
   const double off = 0.5 * (axis_distance(step.from) + axis_distance(step.to));
   const bool firm = top <= lowest || first > step.radius;
   const double rate =
-      firm ? 0.0 : covered(step.radius, std::max(0.5 * (first + std::max(gap, 0.0)), kSnap), off);
+      firm ? 0.0
+           : covered_share(step.radius, std::max(0.5 * (first + std::max(gap, 0.0)), kSnap), off);
   const double x = rate * share * step.seconds / yielding.relaxation_time;
   const Given given = give_way(first, share * way, x);
   // The floor sinks by the tool's travel minus the press that is left.

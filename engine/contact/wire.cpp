@@ -12,7 +12,7 @@ constexpr double kStrip = 0.002;   // m: width and depth of the strip that model
 constexpr double kSlow = 0.01;     // m/s: below this the drag fades, as friction does
 constexpr double kAhead = 0.0003;  // m in front of the wire where its clay is looked for
 constexpr double kWhole = 0.9999;  // a section cut this far is free
-constexpr int kLooks = 256;        // places examined along the wire
+constexpr int kWireSamples = 256;  // places examined along the wire
 constexpr float kUncut = 1e9f;
 
 // Turns `p` into the clay's frame, which is turned by `angle`.
@@ -81,17 +81,17 @@ void WireCut::cut(const Clay& clay, int row, const WireSweep& sweep, Vec3 way) n
 }
 
 // How many places along the wire, `step` apart, have clay in front of them.
-int WireCut::looks_in_clay(const Clay& clay, int row, const WireSweep& sweep, Vec3 way,
-                           double& step) const noexcept {
+int WireCut::samples_in_clay(const Clay& clay, int row, const WireSweep& sweep, Vec3 way,
+                             double& step) const noexcept {
   const Vec3 lengthwise{-way.z, 0.0, way.x};
   const double ahead = dot(sweep.to, way) - kAhead;
   const double aside = dot(sweep.to, lengthwise);
   // Only the part of the wire that can be in clay.
   const double reach = std::min(0.5 * sweep.length, clay.def().radius_max + std::fabs(aside));
-  step = 2.0 * reach / kLooks;
+  step = 2.0 * reach / kWireSamples;
   const double per_radian = clay.sectors() / (2.0 * portable::kPi);
   int count = 0;
-  for (int n = 0; n < kLooks; ++n) {
+  for (int n = 0; n < kWireSamples; ++n) {
     const double on = aside - reach + (n + 0.5) * step;
     const Vec3 p = in_clay(ahead * way + on * lengthwise, sweep.angle);
     const double away = axis_distance(p);
@@ -117,7 +117,7 @@ Press WireCut::draw(const Clay& clay, const WireSweep& sweep, WireHand& hand,
   double step = 0.0;
   Press press;
   press.visited = clay.sectors();
-  press.touched = looks_in_clay(clay, row, sweep, hand.way, step);
+  press.touched = samples_in_clay(clay, row, sweep, hand.way, step);
   const double before = dot(sweep.to, hand.way);
   if (!begun_ && before < double{clay.outer_most(row)}) {
     begun_ = true;

@@ -46,8 +46,8 @@ class WireCut {
 
  private:
   void cut(const Clay& clay, int row, const WireSweep& sweep, Vec3 way) noexcept;
-  int looks_in_clay(const Clay& clay, int row, const WireSweep& sweep, Vec3 way,
-                    double& step) const noexcept;
+  int samples_in_clay(const Clay& clay, int row, const WireSweep& sweep, Vec3 way,
+                      double& step) const noexcept;
 
   std::vector<float> from_outside_, from_axis_;  // each ray is cut inwards to, and outwards to, m
   bool begun_ = false;
