@@ -2,8 +2,8 @@
 
 namespace onggi::effects {
 
-/// False only in an engine that was built without any effect's stage (-DONGGI_WITHOUT_EFFECTS), to
-/// which tests/determinism/without_effects.py compares the whole one.
+/// False only in an engine built without effects (-DONGGI_WITHOUT_EFFECTS).
+/// tests/determinism/without_effects.py compares that engine with the whole one.
 #ifdef ONGGI_WITHOUT_EFFECTS
 inline constexpr bool kBuilt = false;
 #else

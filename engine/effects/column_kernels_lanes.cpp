@@ -6,7 +6,7 @@ namespace {
 
 using namespace column_kernels;
 
-// e^-3 is taken off, so that the pull ends without a step: propagation.h.
+// e^-3, subtracted so that the pull ends without a step: propagation.h.
 constexpr float kOff = 0.049787068367863944f;
 constexpr float kScale = 1.0f / (1.0f - kOff);
 
@@ -18,12 +18,12 @@ ONGGI_INLINE float* of_row(float* eights, const Columns& at, int k) {
   return eights + kLanes * at.blocks * k;
 }
 
-// Thomas' algorithm for the changes x of the squares of radii, which are q now:
-// (w_k + f_k + f_k-1) x_k - f_k x_k+1 - f_k-1 x_k-1 = f_k (q_k+1 - q_k) - f_k-1 (q_k - q_k-1).
-// Of differences floats keep their digits, and a column that is even stays so to the bit.
+// Thomas' algorithm. x are the changes of the squares of radii q: (w_k + f_k + f_k-1) x_k - f_k
+// x_k+1 - f_k-1 x_k-1 = f_k (q_k+1 - q_k) - f_k-1 (q_k - q_k-1). Solving for differences keeps a
+// float's digits, and an even column stays even to the bit.
 ONGGI_INLINE void solve_columns(const Even& c) {
   Float8 radius[kMostBlocks];
-  Float8 below[kMostBlocks];  // what flowed in from the row below, before
+  Float8 below[kMostBlocks];  // inflow from the row below, before
   Float8 change[kMostBlocks];
   for (int b = 0; b < c.at.blocks; ++b) {
     radius[b] = load(in_row(c.at.face, c.at, 0) + kLanes * b);
@@ -48,7 +48,8 @@ ONGGI_INLINE void solve_columns(const Even& c) {
   }
 }
 
-// Back down; what rounding left over is to be taken from all rows, so that no clay is made of it.
+// Substitutes back down. What rounding added is averaged, to be subtracted from all rows, so that
+// no clay is created.
 ONGGI_INLINE void end_columns(const Even& c, Float8* over) {
   Float8 change[kMostBlocks];
   for (int b = 0; b < c.at.blocks; ++b) change[b] = over[b] = all(0.0f);
@@ -65,8 +66,8 @@ ONGGI_INLINE void end_columns(const Even& c, Float8* over) {
   for (int b = 0; b < c.at.blocks; ++b) over[b] = over[b] * all(c.per_weight);
 }
 
-// A column where the wall would get too thin goes only as far as it may, all of it alike: then it
-// has lost nothing, and is still between what it was and what it would be.
+// Where the wall would get too thin, scales down the whole column's change. So the column loses no
+// clay, and stays between its old and its full change.
 template <bool outside>
 ONGGI_INLINE void share_columns(const Even& c, const Float8* over, Float8* share) {
   const Float8 zero = all(0.0f);
@@ -91,8 +92,8 @@ ONGGI_INLINE void share_columns(const Even& c, const Float8* over, Float8* share
   }
 }
 
-// A radius that changed by `by` from `before`, to a float; what is left over stays owed. A change
-// that is less than a float's last digit would be lost in every tick, and adds up so.
+// Adds `by` to the radius `before`, as a float. The remainder stays owed: otherwise a change below
+// a float's last digit would be lost in every tick.
 ONGGI_INLINE Float8 moved_by(Float8 before, Float8 by, Mask8 there, float* owed) {
   const Float8 all_of_it = by + load(owed);
   const Float8 then = before + all_of_it;
@@ -123,7 +124,7 @@ ONGGI_INLINE bool even_columns_as(const Even& c) {
       const Mask8 there = real(before);
       const Float8 by = change / (before + root);
       Float8 moved = owed == nullptr ? before + by : moved_by(before, by, there, owed + kLanes * b);
-      // Squares of a row far out are rounded by more than a hole at its least holds.
+      // In a wide row, rounding of the squares can be larger than the smallest hole's square.
       if constexpr (!outside) moved = larger(moved, hole);
       const Float8 then = select(there, moved, before);
       store(then, face + kLanes * b);
@@ -145,15 +146,15 @@ bool even_columns(const Even& work) {
   return work.at.outside ? even_columns_as<true>(work) : even_columns_as<false>(work);
 }
 
-// The strongest pull of the rows behind, each element's for itself: as it was there, and faded by e
-// to the distance over the reach.
+// The strongest pull of the rows behind, for each element: the pull at its source, fading with
+// e^-(distance / reach).
 struct Pull {
   Float8 source[kMostBlocks], carried[kMostBlocks];
 
   ONGGI_INLINE explicit Pull(int blocks) {
     for (int b = 0; b < blocks; ++b) source[b] = carried[b] = all(0.0f);
   }
-  // What eight elements follow beyond what they moved by themselves; `own` grows by it.
+  // What eight elements follow beyond their own motion; adds it to `own`.
   ONGGI_INLINE Float8 on(int b, Float8 faded, float* own) {
     const Float8 moved = load(own);
     const Float8 weaker = carried[b] * faded;
@@ -186,15 +187,16 @@ ONGGI_INLINE void move_row_as(const Drag& d, int k, const float* ways) {
 template <bool outside>
 ONGGI_INLINE void move_row(const Drag& d, int k, const float* ways) {
   if (d.give != nullptr && d.give[k] == Give::rigid) return;
-  // Solid rows have no other face, and from inside none at all.
+  // Solid rows have no other face. From inside they have none to move.
   if (!outside || k >= d.hollow_from)
     move_row_as<outside, true>(d, k, ways);
   else
     move_row_as<true, false>(d, k, ways);
 }
 
-// Up, from the lowest pressed row. Above them nothing moved by itself, and a pull only fades: where
-// it drags nothing, it will drag nothing farther up. Gives the row after the last that moved.
+// Drags upwards, from the lowest pressed row. Above the pressed rows nothing moved by itself, and a
+// pull only fades: once it drags nothing, it drags nothing farther up. Returns the row after the
+// last that moved.
 template <bool outside>
 ONGGI_INLINE int drag_up(const Drag& d) {
   Pull pull(d.at.blocks);
@@ -215,7 +217,7 @@ ONGGI_INLINE int drag_up(const Drag& d) {
   return d.at.rows;
 }
 
-// And down, where rows move by what both ways came to. Gives the last row that moved.
+// Drags downwards, and moves rows by what both directions came to. Returns the last row that moved.
 template <bool outside>
 ONGGI_INLINE int drag_down(const Drag& d) {
   Pull pull(d.at.blocks);

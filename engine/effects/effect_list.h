@@ -16,9 +16,9 @@
 
 namespace onggi {
 
-/// The effects of a scene (engine/docs/effects.md): one that is present is simulated; one that is
-/// absent costs no byte and no instruction. A new one is its file pair and a word in each list of
-/// this file.
+/// The effects of a scene (engine/docs/effects.md). A present effect is simulated; an absent one
+/// costs no byte and no instruction. To add one, write its pair of files and add a word to each
+/// list of this file.
 struct Effects {
   std::optional<MoistureDef> moisture = MoistureDef{};
   std::optional<WallsDef> walls;
@@ -29,11 +29,11 @@ struct Effects {
   std::optional<SlumpDef> slump;  ///< Needs volume.
   std::optional<VolumeDef> volume;
   std::optional<FrictionDef> friction = FrictionDef{};
-  std::optional<KilnDef> kiln;  ///< Of the visit's end: no stage of the tick.
+  std::optional<KilnDef> kiln;  ///< At the visit's end; not a stage of the tick.
 };
 
-/// Calls `visit` with every effect of `def`, a std::optional<XDef>. SceneDef, which has them, may
-/// be const.
+/// Calls `visit` with every effect of `def`, a std::optional<XDef>. `def` is a SceneDef, const or
+/// not.
 template <class AnyEffects, class Visit>
 void each_effect(AnyEffects& def, Visit&& visit) {
   visit(def.moisture);
@@ -50,7 +50,7 @@ void each_effect(AnyEffects& def, Visit&& visit) {
 
 namespace effects {
 
-/// Those that work on rows, in the pipeline's order: 6.1 to 6.7.
+/// The effects that work on rows, in the pipeline's order: 6.1 to 6.7.
 using RowStages = Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume>;
 
 }  // namespace effects

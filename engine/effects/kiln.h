@@ -10,11 +10,11 @@ namespace onggi {
 /// The end of a visit: the pot dries, is fired, and comes out smaller under its glaze. Nothing runs
 /// on the tick. Defaults are stoneware's.
 struct KilnDef {
-  double drying_shrinkage = 0.0625;  ///< s_d, 0..0.15: share of every length lost as water goes.
-  double firing_shrinkage = 0.0666;  ///< s_f, 0..0.2: share of the remaining length that firing
-                                     ///< takes. Higher: denser ware.
-  double glaze_thickness = 0.0005;   ///< m, 0..0.002: thickness of the glass. Thicker: deeper
-                                     ///< colour. 0: bare pot.
+  double drying_shrinkage = 0.0625;  ///< s_d, 0..0.15: share of every length lost in drying.
+  /// s_f, 0..0.2: share of the remaining length lost in firing. Higher: denser ware.
+  double firing_shrinkage = 0.0666;
+  double glaze_thickness = 0.0005;  ///< m, 0..0.002: thickness of the glass. Thicker: deeper
+                                    ///< colour. 0: bare pot.
 
   static constexpr const char* kName = "kiln";
   static std::span<const DefField<KilnDef>> fields();

@@ -36,8 +36,8 @@ Moisture::Moisture(const MoistureDef& def, int rows, int room) : rows_(rows) {
 void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seconds, bool sponge,
                            std::span<const double> heights) noexcept {
   const double faded = portable::exp(-seconds / def.drying_time);
-  // Under a sponge both go on: w' = (1 - w) / wetting_time - (w - air) / drying_time, which falls
-  // towards `towards` at the sum of both rates.
+  // Under a sponge both happen: w' = (1 - w) / wetting_time - (w - air) / drying_time. The wetness
+  // approaches `towards` at the sum of both rates.
   const double still_to_soak = sponge ? portable::exp(-seconds / def.wetting_time) : 1.0;
   const double towards =
       sponge ? (def.drying_time + def.air * def.wetting_time) / (def.drying_time + def.wetting_time)
@@ -47,19 +47,19 @@ void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seco
     if (mean_ < 1e-9) mean_ = 0.0;
     return;
   }
-  // The room may have changed.
+  // The room's dampness may have changed.
   if (air_ != def.air)
     for (double& wet : row_) wet += (air_ - def.air) / decay_;
   air_ = def.air;
   mean_ = air_ + (mean_ - air_) * faded;
   decay_ *= faded;
-  // Before digits are lost in the factor; once in a quarter of an hour.
+  // Before the factor loses digits; once in a quarter of an hour.
   if (decay_ < 1e-6) {
     for (double& wet : row_) wet *= decay_;
     decay_ = 1.0;
   }
   if (!sponge) return;
-  // Of a row that has dried as all do: where it is to be is less * (w - air) + more.
+  // Applied to a row that has already dried as all rows do: less * (w - air) + more.
   const Soaked soaked{still_to_soak, (towards - air_) * (1.0 - faded * still_to_soak)};
   if (heights.empty()) {
     for (const int row : clay.stored()) soak_row(row, soaked);
@@ -69,7 +69,7 @@ void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seco
   mean_ = std::clamp(mean_, 0.0, 1.0);
 }
 
-// Where bands lie over each other, two sponges bring no more water than one.
+// Where bands overlap, two sponges bring no more water than one.
 void Moisture::soak_bands(const Clay& clay, double reach, std::span<const double> heights,
                           const Soaked& soaked) noexcept {
   const double lowest = std::ranges::min(heights);

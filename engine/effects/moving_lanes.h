@@ -1,20 +1,20 @@
 #pragma once
 
-// How eight elements of a face move, and the other face with them. For *_lanes.cpp only.
+// Moves eight elements of a face, and the other face with them. For *_lanes.cpp only.
 
 #include "engine/effects/row_kernels.h"
 #include "engine/math/lanes.h"
 
 namespace onggi::ONGGI_LANES {
 
-inline constexpr float kBeyondClay = 2.0f;  // m: no radius, but padding
+inline constexpr float kBeyondClay = 2.0f;  // m: padding, not a radius
 
 ONGGI_INLINE Mask8 real(Float8 radius) { return abs(radius) < all(kBeyondClay); }
 ONGGI_INLINE Float8 within(Float8 v, Float8 low, Float8 high) {
   return smaller(larger(v, low), high);
 }
 
-/// FaceMoved, lane by lane.
+/// FaceMoved for each lane.
 struct MovedLanes {
   Float8 lost = all(0.0f), outermost = all(0.0f), innermost = all(1e9f);
 
@@ -23,7 +23,7 @@ struct MovedLanes {
   }
 };
 
-/// By `way` (m), as move_face() says.
+/// Moves by `way` (m), as move_face() describes.
 template <bool outside, bool hollow>
 ONGGI_INLINE void move_lanes(const row_kernels::FaceMove& how, Float8 way, float* face,
                              float* behind, MovedLanes& sums) {
@@ -31,7 +31,7 @@ ONGGI_INLINE void move_lanes(const row_kernels::FaceMove& how, Float8 way, float
   const Float8 radius = load(face);
   const Mask8 moves = (abs(way) > zero) & real(radius);
   if (none(moves)) return;
-  // A face that is beyond a limit already goes no further.
+  // A face already beyond a limit goes no farther.
   const Float8 asked = outside ? radius - way : radius + way;
   const Float8 held = within(asked, smaller(all(how.near), radius), larger(all(how.far), radius));
   const Float8 now = select(moves, held, radius);

@@ -8,11 +8,12 @@
 namespace onggi {
 namespace {
 
-// Where e^-3 of a pull is left nothing follows; rounding and fading_over() are a little off.
+// Nothing follows where less than e^-3 of a pull is left. The rest allows for rounding and the
+// error of fading_over().
 constexpr double kReaches = 3.01;
 
-// e^-x, x >= 0: rows are close, and 100 of them differ in height. Pade's (2, 2) is off by x^5/720,
-// 4e-5 at a half.
+// e^-x, x >= 0. Rows are close, and 100 of them differ in height. Pade's (2, 2): error x^5/720,
+// 4e-5 at 0.5.
 double fading_over(double x) {
   if (x > 0.5) return portable::exp(-x);
   const double even = 1.0 + x * x / 12.0;
@@ -44,17 +45,17 @@ void Propagation::run(const StageWork& work) noexcept {
   drag(*work.def.propagation, work.clay, work.side, work.along(work.side));
 }
 
-// Two sweeps over the pressed rows, one up and one down, each carrying the strongest pull of the
-// rows behind it: so a row is looked at twice, not once for every row that was pressed. The work
-// list is that of the displacements, blocks that contact touched: a fingertip 2 mm deep is over 12
-// elements of 360, two or three blocks of 45.
+// Two sweeps over the pressed rows, one up and one down. Each carries the strongest pull of the
+// rows behind it, so a row is visited twice, not once per pressed row. The work list is the
+// displacements' list of blocks that contact touched: a fingertip 2 mm deep covers 12 elements of
+// 360, two or three blocks of 45.
 void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
                        double along) noexcept {
   Displacements& displacements = *clay.displacements(side == WallSide::inside);
   if (!displacements.any()) return;
   const bool outside = side == WallSide::outside;
   const double beyond = kReaches * def.reach;
-  // Inside, the floor holds: its rows have no inner face.
+  // Inside, the floor does not move: its rows have no inner face.
   const int bottom = outside ? 0 : clay.floor_rows();
   int low = displacements.first_row();
   for (const double y = clay.row_height(low); low > bottom; --low)
@@ -64,7 +65,7 @@ void Propagation::drag(const PropagationDef& def, Clay& clay, WallSide side,
     if (clay.row_height(high) - y > beyond) break;
   const int count = high - low;
 
-  // Rows of one height have one fading: most of a lump's.
+  // Rows of equal height share one fading factor. Most of a lump's rows are equal.
   double last = -1.0;
   float fading = 1.0f;
   for (int k = 0; k < count; ++k) {

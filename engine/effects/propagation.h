@@ -10,11 +10,11 @@
 
 namespace onggi {
 
-/// Clay hangs together: what is pressed drags the wall above and below it along, less with distance
-/// (Lee & Choi 2009). Without it a tool's edge leaves an edge.
+/// Pressed clay drags the wall above and below it along, less with distance (Lee & Choi 2009).
+/// Without it a tool leaves a sharp edge.
 struct PropagationDef {
-  double reach = 0.004;  ///< m, 0.0005..0.05: at this distance about a third follows, at three
-                         ///< times this nothing. Higher: softer lines.
+  double reach = 0.004;  ///< m, 0.0005..0.05: about a third of the motion follows at this distance,
+                         ///< none at three times it. Higher: softer lines.
 
   static constexpr const char* kName = "propagation";
   static std::span<const DefField<PropagationDef>> fields();
@@ -22,7 +22,7 @@ struct PropagationDef {
 
 namespace effects {
 
-/// Drags the rows about those that moved. Allocates only when made; one thread.
+/// Drags the rows near those that moved. Allocates only when made; one thread.
 class Propagation : public KeepsNoRows {
  public:
   explicit Propagation(int rows);
@@ -32,16 +32,16 @@ class Propagation : public KeepsNoRows {
   static Propagation make(const Effects&, Clay& clay) { return Propagation(clay.room()); }
   void run(const StageWork& work) noexcept;
 
-  /// Stage 6.1: no row is moved by more than the strongest of those about it, times its share; one
-  /// that moved that far by itself is left alone. `along`: see limits_of(). The displacements grow
-  /// by what was dragged. O(elements moved, and three reaches beyond).
+  /// Stage 6.1. A row moves at most as far as the strongest pull near it, after fading. A row that
+  /// moved that far by itself stays. `along`: see limits_of(). Adds what was dragged to the
+  /// displacements. O(elements moved, and three reaches beyond).
   void drag(const PropagationDef& def, Clay& clay, WallSide side, double along) noexcept;
 
  private:
-  // By row, from the lowest that may be dragged.
+  // By row, from the lowest row that may be dragged.
   std::vector<float> fading_;  // from the row below
   std::vector<column_kernels::Give> give_;
-  std::vector<float> more_;   // eight columns at once, a row after the other
+  std::vector<float> more_;   // eight columns at once, row after row
   std::vector<double> lost_;  // sum of squares of radii, in this tick
   std::vector<float> outermost_, innermost_;
 };

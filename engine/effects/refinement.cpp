@@ -7,12 +7,12 @@
 namespace onggi::effects {
 namespace {
 
-// Below this share of the rows that a scene keeps to spare, others are joined to have more.
+// Below this share of the scene's spare rows, rows are joined to free more.
 constexpr double kFew = 0.125;
 
 }  // namespace
 
-// The first pair from the last one on that may be joined, of few; pairs take turns.
+// The first pair, from the last one on, that may be joined. Examines a few pairs; pairs take turns.
 Refinement::Change Refinement::joined(const Clay& clay) noexcept {
   const double first = clay.first_thickness();
   for (int n = 0; n < clay.rows(); ++n) {

@@ -6,29 +6,29 @@
 
 namespace onggi::effects {
 
-/// The grid follows the clay: which rows are divided as they get thick, and which are joined so
-/// that there are rows to spare (h-refinement and coarsening). It only says so; clay/row_division.h
-/// does it. Needs no memory but itself; one thread.
+/// Adapts the grid to the clay (h-refinement and coarsening): which rows to divide as they get
+/// thick, and which to join to keep spare rows. It only decides; clay/row_division.h does it. Needs
+/// no other memory; one thread.
 class Refinement {
  public:
-  /// Rows beyond the lump's that a scene keeps for it.
+  /// Rows that a scene keeps for it, in addition to the lump's.
   static int spare_rows(const ClayDef& def) { return def.rows; }
-  /// Of a fresh lump's thickness: a row above is divided, and two that are joined come to no more
-  /// than kJoined, so that nothing is divided and joined in turns.
+  /// As multiples of a fresh lump's row thickness. A thicker row is divided. Two joined rows come
+  /// to at most kJoined, so that no row is divided and joined in turn.
   static constexpr double kDivided = 1.6;
   static constexpr double kJoined = 1.4;
   /// A join moves the outline by at most this share of the thinner row's thickness.
   static constexpr double kJoinError = 0.05;
-  /// Changes in a tick, and pairs that are looked at for it.
+  /// Changes per tick, and pairs examined per tick.
   static constexpr int kMostChanges = 4;
 
   struct Change {
     enum class Kind : std::uint8_t { none, divide, join } kind = Kind::none;
-    int row = 0;  ///< The row, or the lower of two.
+    int row = 0;  ///< The row, or the lower of the two.
   };
-  /// Stage 6.8, up to kMostChanges times a tick: the next thing to be done. Rows take turns from
-  /// the foot up. `clay` is as Volume::keep() left it, or divide_row() and join_rows() did. O(rows
-  /// / 64), and O(sectors) where spare rows are few.
+  /// Stage 6.8, up to kMostChanges times a tick: the next change to make. Rows take turns from the
+  /// foot up. `clay` is as Volume::keep(), divide_row() or join_rows() left it. O(rows / 64), and
+  /// O(sectors) if few spare rows are left.
   Change next(const Clay& clay, Volume& volume) noexcept;
   void add_to(StateHash& hash) const;
 

@@ -5,7 +5,7 @@ namespace {
 
 using namespace row_kernels;
 
-// What comes back of eight elements; `left` is what is left of them then.
+// How far eight elements come back; updates `left`.
 ONGGI_INLINE Float8 springs(const Spring& how, float* left) {
   const Float8 was = load(left);
   const Float8 back = select(was < all(how.least), was, was * all(how.gone));
@@ -58,7 +58,7 @@ FaceMoved push_elements(const RowPush& how, int stride, const float* ray_cos, co
     const Mask8 there = real(out);
     const Float8 in_now =
         how.hollow ? select(there, within(in + way, all(how.least), most - wall), in) : in;
-    const Float8 hole = how.hollow ? in_now : all(how.least);  // that a solid row may get
+    const Float8 hole = how.hollow ? in_now : all(how.least);  // that a solid row may get later
     const Float8 out_now = select(there, within(out + way, hole + wall, most), out);
     store(in_now, inner + i);
     store(out_now, outer + i);

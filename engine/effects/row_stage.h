@@ -23,24 +23,24 @@ class Volume;
 
 inline constexpr std::size_t kMostHands = 2;
 
-/// A hand as contact left it.
+/// A hand after contact.
 struct HandThere {
   Vec3 at;               ///< Clay frame, in the middle of the tick, m.
-  double normal = 0.0;   ///< N; 0 where it presses nothing.
-  bool on_wall = false;  ///< Not clear, nor on the rim or the floor.
+  double normal = 0.0;   ///< N; 0 if it presses nothing.
+  bool on_wall = false;  ///< Touches the wall: not clear, not on the rim or the floor.
   WallSide side = WallSide::outside;
-  double along = 0.0;    ///< Share of its press with which the wall gives way as a whole.
-  double smooths = 0.0;  ///< How far up and down it evens the wall, m; 0 where it does not.
+  double along = 0.0;    ///< Share of its press by which the wall moves as a whole.
+  double smooths = 0.0;  ///< How far up and down it smooths the wall, m; 0 if it does not.
 };
 
-/// What a tick brings the stages.
+/// A tick's input to the stages.
 struct RowTick {
-  Moisture* moisture = nullptr;      ///< Null where it is absent.
-  clay::History* history = nullptr;  ///< Likewise.
+  Moisture* moisture = nullptr;      ///< Null if absent.
+  clay::History* history = nullptr;  ///< Null if absent.
   double wheel_speed = 0.0;          ///< Of the clay, rad/s.
   double seconds = 0.0;
   bool touched = false;    ///< A hand pressed clay.
-  std::uint64_t step = 0;  ///< clay::History::depth(); 0 where nothing can be taken back.
+  std::uint64_t step = 0;  ///< clay::History::depth(); 0 without undo.
   std::array<HandThere, kMostHands> hand{};
 };
 
@@ -49,41 +49,41 @@ struct StageWork {
   const Effects& def;
   Clay& clay;
   const RowTick& tick;
-  Volume* volume = nullptr;           ///< Null where it is absent.
-  WallSide side = WallSide::outside;  ///< The face whose presses have their turn,
-  double side_seconds = 0.0;          ///< and the time since it had its last one.
-  bool laid = false;                  ///< A lump was put on since the last tick.
+  Volume* volume = nullptr;           ///< Null if absent.
+  WallSide side = WallSide::outside;  ///< The face whose turn it is,
+  double side_seconds = 0.0;          ///< and the time since its last turn.
+  bool laid = false;                  ///< A lump was laid since the last tick.
 
-  /// Share with which the wall gives way as a whole where its face `face` is moved by no press of
-  /// its own: as under the hand on that face, and as one that nobody holds where there is no hand.
+  /// Share by which the wall moves as a whole where face `face` moves without a press of its own:
+  /// as under the hand on that face, or, without a hand there, as a wall that nobody holds.
   double along(WallSide face) const noexcept;
 };
 
-/// Row `row` was divided: its upper half is row `row` + 1. Stored (Clay::stored): `from`, `to`.
+/// Row `row` was divided: its upper half is row `row` + 1. `from`, `to`: their stored rows
+/// (Clay::stored).
 struct RowDivided {
   int row = 0;
   int from = 0, to = 0;
 };
-/// Row `row` has taken up the row above it, which was stored at `to` and held `upper` m^3.
+/// Row `row` took up the row above it, which was stored at `to` and held `upper` m^3.
 struct RowsJoined {
   int row = 0;
   int from = 0, to = 0;
   double upper = 0.0;
 };
-/// How the clay came to be laid anew.
+/// Why the clay was laid anew.
 struct Laid {
-  bool fresh = false;      ///< A fresh lump; else the clay as it once was.
-  std::uint64_t step = 0;  ///< clay::History::depth(), of the step in which it was laid, or that
-                           ///< was taken back with all after it.
+  bool fresh = false;      ///< True for a fresh lump; false for undo.
+  std::uint64_t step = 0;  ///< clay::History::depth() of the step in which it was laid, or of the
+                           ///< earliest step that was taken back.
 };
 
 /// A stage of the pipeline that works on rows after the press (engine/docs/pipeline.md, stage 6).
-/// Every one says for itself what each of these means to it, so that none can be forgotten. Nothing
-/// but make() allocates.
+/// Every stage must define each of these, so that none is forgotten. Only make() allocates.
 template <class S>
 concept Stage = requires(S& stage, const S& as_it_is, const Effects& def, Clay& clay,
                          const StageWork& work, StateHash& hash) {
-  { S::kAsksMoves } -> std::convertible_to<bool>;  ///< It asks what contact moved in the tick.
+  { S::kAsksMoves } -> std::convertible_to<bool>;  ///< It reads what contact moved in the tick.
   { S::wanted(def) } -> std::same_as<bool>;        ///< The scene has it.
   { S::make(def, clay) } -> std::same_as<S>;
   { stage.run(work) }
@@ -96,13 +96,12 @@ concept Stage = requires(S& stage, const S& as_it_is, const Effects& def, Clay& 
   noexcept;  ///< The clay was laid anew.
   as_it_is.add_to(hash, clay);
 };
-// A stage may have more, which it is then asked for:
-//   static void lay_row(const Effects&, Clay&, int j)       how row j of a fresh lump is laid
-//   bool measure_some(Clay&, int element_budget) noexcept   what it needs of a laid clay; true:
-//   done bool loaded(int stored) const                           this stored row may not be joined
-//   now
+// Optional members, called if a stage has them:
+//  static void lay_row(const Effects&, Clay&, int j)       lays row j of a fresh lump
+//  bool measure_some(Clay&, int element_budget) noexcept   measures a laid clay; true when done
+//  bool loaded(int stored) const                           this stored row may not be joined now
 
-/// For a stage that keeps nothing of the rows from one tick to the next.
+/// For a stage that keeps no data of rows between ticks.
 struct KeepsNoRows {
   void row_divided(const Clay&, const RowDivided&) noexcept {}
   void rows_joined(const Clay&, const RowsJoined&) noexcept {}

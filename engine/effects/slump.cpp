@@ -12,15 +12,15 @@ namespace {
 
 constexpr double kGravity = 9.81;
 constexpr double kRoot3 = 1.7320508075688772;
-// A disc that turns, of clay that keeps its volume (Poisson's ratio 1/2): its greatest stress, in
-// the middle and alike in all directions, is (3 + 1/2) / 8 of density (omega R)^2 (Timoshenko &
-// Goodier, Theory of Elasticity, article 32).
+// Largest stress in a turning disc of clay that keeps its volume (Poisson's ratio 1/2): (3 + 1/2) /
+// 8 of density (omega R)^2, in the middle, equal in all directions (Timoshenko & Goodier, Theory of
+// Elasticity, article 32).
 constexpr double kDisc = 0.4375;
 constexpr double kSweep = 0.025;       // s: one down, one up, 20 times a second
-constexpr double kMostStrain = 0.1;    // a sweep: a fall takes a few of them
-constexpr double kStands = 1e-6;       // a row that stood if it were so much shorter, stands
-constexpr double kLeastStrain = 3e-6;  // that radii can hold: a float has 6e-8 of it
-constexpr double kRounded = 0.1;       // of a strain: what is off by more was not rounding
+constexpr double kMostStrain = 0.1;    // per sweep: a fall takes a few sweeps
+constexpr double kStands = 1e-6;       // share: a row overloaded by less counts as standing
+constexpr double kLeastStrain = 3e-6;  // smallest strain worth moving: a float radius resolves 6e-8
+constexpr double kRounded = 0.1;       // share of a strain: a larger remainder is not rounding
 constexpr double kNearest = 1e-3;      // of a row's height
 constexpr double kWheelStirs = 0.2;    // rad/s
 constexpr double kWaterStirs = 0.01;
@@ -40,7 +40,7 @@ double middle_of(const Clay& clay, int j) {
   return 0.5 * sum / kPlaces;
 }
 
-// log(1 + x), x >= 0, without cancellation: four terms of its series, to 1e-14 of it.
+// log(1 + x), x >= 0, without cancellation: four terms of its series, relative error 1e-14.
 double log_1_plus(double x) {
   return x < 1e-3 ? x * (1.0 - x * (0.5 - x * (1.0 / 3.0 - 0.25 * x))) : portable::log(1.0 + x);
 }
@@ -59,7 +59,7 @@ std::span<const DefField<SlumpDef>> SlumpDef::fields() {
 
 namespace effects {
 
-// What the row would do if it stood alone.
+// The row's flow if it stood alone.
 Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& volume,
                          const Around& around, int j) const noexcept {
   const double area = clay.areas()->of(j);
@@ -76,17 +76,17 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
   const double over = weight + hoop - yield;
   if (over <= 0.0) return {{}, 0.0, over / yield};
 
-  // Flow as the deviator of the two stresses (Levy and Mises): under weight alone the ring becomes
-  // wider and thicker alike; a hoop's pull makes it wider and thinner. A disc is pulled alike in
-  // all directions of its plane, and only becomes wider.
+  // Flow follows the deviator of the two stresses (Levy-Mises). Weight alone makes the ring wider
+  // and thicker alike; a hoop's pull makes it wider and thinner. A disc is pulled alike in all
+  // directions of its plane, and only becomes wider.
   const double rate = over / (3.0 * def.viscosity * weak);
   const double ways = solid ? 1.0 : (2.0 * weight + hoop) / (2.0 * (weight + hoop));
   double strain = ways * rate * seconds_;
   double room = kMostStrain;
   if (hoop < yield) {
-    // As the row widens, the weight w on it spreads: w' = -ways w (w - bears) / 3 eta, of which the
-    // share f = 1 - bears / w that it does not bear falls by an even pace. It stops where it
-    // stands, and never beyond.
+    // As the row widens, the weight w on it spreads: w' = -ways w (w - bears) / 3 eta. The
+    // unsupported share f = 1 - bears / w falls at an even rate. The row stops where it carries its
+    // load, never beyond.
     const double bears = yield - hoop;
     const double share = over / weight;
     if (share <= kStands) return {{}, 0.0, -share};
@@ -100,11 +100,11 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
   return {{(2.0 * hoop + weight) * each, (weight - hoop) * each}, 0.0, room};
 }
 
-// A ring of a shell hangs on its neighbours over sqrt(R t) (Timoshenko & Woinowsky-Krieger, chapter
-// 15: within a fifth of it), and the row's area is 2 pi R t. What it does, e, and what it would do
-// alone, f: e - R t e'' = f between rows that yield; a row that stands does nothing, and holds
-// them. Where a wall ends, at the rim, the floor and the wheel head, e = f. So an even rise of f is
-// left as it is. Thomas' algorithm, of which this is the half on the way down: the grid has no say.
+// A ring of a shell is coupled to its neighbours over sqrt(R t) (Timoshenko & Woinowsky-Krieger,
+// chapter 15: within a fifth of it), and the row's area is 2 pi R t. e is the row's flow and f its
+// flow alone. Between rows that yield, e - R t e'' = f. A row that stands does not flow, and holds
+// its neighbours. Where a wall ends (rim, floor, wheel head), e = f, so an even rise of f is
+// unchanged. Independent of the grid. This is the downward half of Thomas' algorithm.
 Slump::Ring Slump::beside(Clay& clay, int j, Ring ring) const noexcept {
   if (ring.room <= 0.0) return ring;
   const int foot = clay.floor_rows();
@@ -115,7 +115,7 @@ Slump::Ring Slump::beside(Clay& clay, int j, Ring ring) const noexcept {
     return both / (4.0 * portable::kPi * apart);
   };
   const Ring& above = ring_[static_cast<std::size_t>(j + 1)];
-  // Of a row that stands, what it would bear besides says how near this one it is that clay stands.
+  // The spare strength of a standing row shows how near to this row the clay begins to stand.
   const double beyond = above.room > 0.0 ? 1.0 : ring.room / (ring.room - above.room);
   const double up = hangs(j) / std::max(beyond, kNearest), down = hangs(j - 1);
   const double own = clay.row_thickness(j);
@@ -162,7 +162,7 @@ void Slump::sweep_up(Clay& clay, int till) noexcept {
                  ring.flow.thickness + ring.below * passed_.thickness};
     passed_ = flow;
     if (!(flow.shorter() > 0.0)) continue;
-    // Neighbours that have farther to go take no row beyond where it stands.
+    // Neighbours with farther to go do not take a row beyond where it stands.
     const double part = std::min(1.0, ring.room / flow.shorter());
     flow = {part * flow.girth, part * flow.thickness};
     sunk_ += clay.row_thickness(next_) * -portable::expm1(-flow.shorter());
@@ -179,7 +179,7 @@ void Slump::move(Clay& clay, int j, const Flow& flow) noexcept {
   known_area(clay, j);
   const double wider =
       reshape_row(clay, j, portable::exp(owed.girth), portable::exp(owed.thickness));
-  // What floats rounded off stays owed; what the clay's limits did not let it do is forgotten.
+  // What floats rounded off stays owed. What the clay's limits prevented is forgotten.
   const double left = (asked - portable::log(wider)) / asked;
   const double keep = std::fabs(left) < kRounded ? left : 0.0;
   owed = {keep * owed.girth, keep * owed.thickness};
@@ -227,7 +227,7 @@ void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& 
   }
 }
 
-// A sweep goes on where it was, between the same rows.
+// The sweep continues where it was, between the same rows.
 void Slump::row_divided(const Clay&, const RowDivided& divided) noexcept {
   const int j = divided.row;
   clay::open_place(ring_, j + 1, ring_[static_cast<std::size_t>(j)]);
@@ -240,7 +240,7 @@ void Slump::rows_joined(const Clay&, const RowsJoined& joined) noexcept {
   clay::close_place(ring_, j + 1);
   clay::close_place(owed_, j + 1);
   if (sweep_ == Sweep::down && j == next_)
-    above_ -= joined.upper;  // it is weighed again, with the lower
+    above_ -= joined.upper;  // it is weighed again, together with the lower row
   if (j + 1 <= (sweep_ == Sweep::down ? next_ : next_ - 1)) --next_;
 }
 

@@ -43,7 +43,7 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
   const int count = std::min(displacements.end_row(), clay.first_row_above(top)) - first;
   if (count < 2) return;
   const double pace = def.pace * seconds;
-  double below = 0.0;  // the flow from there, and its share in the row's pivot
+  double below = 0.0;  // flow from the row below, and its share in this row's pivot
   double up = 0.0;
   double total = 0.0;
   for (int k = 0; k < count; ++k) {
@@ -88,8 +88,8 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
       changed |= kernels.even(work);
     }
   if (!changed) return;
-  // Rows trade clay: what a row gained in area is its own now. What rounding left over stays with
-  // the first, so that the whole has not changed by a bit.
+  // Rows trade clay: a row keeps the area it gained. The first row takes the rounding error, so
+  // that the total does not change by a bit.
   const double each = portable::kPi / clay.sectors() * (outside ? 1.0 : -1.0);
   double left = 0.0;
   for (int k = 0; k < count; ++k) {

@@ -9,11 +9,11 @@
 
 namespace onggi {
 
-/// A rib or a sponge evens the wall that it goes along: throwing lines fade, and their clay fills
-/// the grooves. The tools that do are those whose ToolShape::smooths.
+/// A rib or sponge smooths the wall that it passes: throwing lines fade, and their clay fills the
+/// grooves. Tools with ToolShape::smooths do this.
 struct SmoothingDef {
-  double pace = 1e-4;  ///< D, m^2/s, 1e-6..1e-2: lines of width L fade at (2 pi / L)^2 D a second
-                       ///< under the tool. Higher: gone in one turn.
+  double pace = 1e-4;  ///< D, m^2/s, 1e-6..1e-2: under the tool, lines of width L fade at (2 pi /
+                       ///< L)^2 D a second. Higher: gone in one turn.
 
   static constexpr const char* kName = "smoothing";
   static std::span<const DefField<SmoothingDef>> fields();
@@ -21,9 +21,8 @@ struct SmoothingDef {
 
 namespace effects {
 
-/// Diffusion of R^2, whose integral over height is volume, along the wall: implicit, so that any
-/// tick is stable, nothing gets larger than the largest or smaller than the least, and no clay is
-/// lost. Allocates only when made; one thread.
+/// Diffusion along the wall of R^2, whose integral over height is volume. Implicit: stable at any
+/// tick, makes no new extremes, and loses no clay. Allocates only when made; one thread.
 class Smoothing : public KeepsNoRows {
  public:
   explicit Smoothing(int rows);
@@ -33,8 +32,8 @@ class Smoothing : public KeepsNoRows {
   static Smoothing make(const Effects&, Clay& clay) { return Smoothing(clay.room()); }
   void run(const StageWork& work) noexcept;
 
-  /// Stage 6.3: evens the elements that moved in this tick, and what lies between them up and down,
-  /// of rows whose middles are from `bottom` to `top` (m). O(those).
+  /// Stage 6.3: smooths the elements that moved in this tick and the elements between them up and
+  /// down, in rows whose middles lie from `bottom` to `top` (m). O(those elements).
   void even(const SmoothingDef& def, Clay& clay, WallSide side, double bottom, double top,
             double seconds) noexcept;
 
@@ -42,9 +41,9 @@ class Smoothing : public KeepsNoRows {
   std::vector<float> weight_;  // of the row: its height
   std::vector<float> flow_;    // to the row above, m
   std::vector<float> up_, inverse_;
-  std::vector<float> change_;   // eight columns at once, a row after the other
-  std::vector<double> gained_;  // sum of squares of radii, each row in this tick
-  std::vector<float> extent_;   // largest, or inside smallest, radius written
+  std::vector<float> change_;   // eight columns at once, row after row
+  std::vector<double> gained_;  // by row: sum of squares of radii in this tick
+  std::vector<float> extent_;   // largest radius written, or inside the smallest
 };
 
 }  // namespace effects

@@ -9,7 +9,7 @@
 namespace onggi {
 namespace {
 
-constexpr double kTurns = 8.0;  // turns of every row in Springback::time: few enough that a step is
+constexpr double kTurns = 8.0;  // turns per row in SpringbackDef::time: few, so that each step is
                                 // well above a float's digits
 
 }  // namespace
@@ -73,7 +73,7 @@ void Springback::row_back(Clay& clay, WallSide side, int j, double time, double 
   const auto n = static_cast<std::size_t>(stored);
   row_kernels::Spring how;
   how.gone = static_cast<float>(-portable::expm1(-(now_ - f.seen[n]) / time));
-  how.least = kLeastMove;  // the last bit comes back at once, so that rest is rest
+  how.least = kLeastMove;  // the last bit comes back at once, so that resting clay rests
   f.seen[n] = now_;
   float* const left = f.left.data() + n * stride_;
   float most = 0.0f;
@@ -87,7 +87,7 @@ void Springback::row_back(Clay& clay, WallSide side, int j, double time, double 
     was_moved(clay, j, sprung.moved);
     most = sprung.left;
   } else {
-    // Clay that no longer gives way still forgets its load.
+    // Clay that no longer yields still forgets its load.
     for (std::size_t i = 0; i < stride_; ++i) {
       left[i] -= left[i] < how.least ? left[i] : left[i] * how.gone;
       most = std::max(most, left[i]);

@@ -12,12 +12,12 @@
 
 namespace onggi {
 
-/// Elastic share of a press, which comes back when the tool goes on (standard linear solid: the
-/// contact's relaxation in series with this spring and its own damper).
+/// Elastic share of a press, which comes back when the tool moves on (standard linear solid: the
+/// contact's relaxation in series with this spring and its damper).
 struct SpringbackDef {
   double share = 0.15;  ///< Share of a press that comes back, 0..0.5. Higher: leathery; lines need
                         ///< deeper presses.
-  double time = 0.2;    ///< s, 0.01..10: time in which two thirds of that come back.
+  double time = 0.2;    ///< s, 0.01..10: time in which two thirds of that comes back.
 
   static constexpr const char* kName = "springback";
   static std::span<const DefField<SpringbackDef>> fields();
@@ -50,7 +50,7 @@ class Springback {
   /// The upper half of a loaded row is loaded too.
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
   void rows_joined(const Clay&, const RowsJoined&) noexcept {}  // loaded rows are never joined
-  /// Afterwards nothing is loaded. O(rows that were).
+  /// Clears all loads. O(loaded rows).
   void forget(Clay&, const Laid&) noexcept;
 
   bool asleep() const { return loaded_rows_ == 0; }

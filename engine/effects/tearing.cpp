@@ -8,7 +8,7 @@
 namespace onggi::effects {
 namespace {
 
-constexpr double kRound = 0.1;     // s, in which every row can be looked at
+constexpr double kRound = 0.1;     // s: every row can be checked within it
 constexpr std::size_t kLumps = 4;  // lumps whose tears are kept for undo, at least
 
 }  // namespace
@@ -38,14 +38,14 @@ bool Tearing::tears_now(const WallsDef& def, const Clay& clay, int j) const noex
 }
 
 void Tearing::note(Event event) noexcept {
-  // Tears of old lumps are forgotten. A lump that comes back by undo is looked at anew.
+  // Forget tears of old lumps. A lump that undo brings back is checked anew.
   if (events_.size() == kLumps * lump_)
     events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(lump_));
   if (!events_.empty()) event.step = std::max(event.step, events_.back().step);
   events_.push_back(event);
 }
 
-// Takes the row whose turn it is; -1 if none waits.
+// Takes the next row in turn; -1 if none waits.
 int Tearing::next_unseen() noexcept {
   int j = unseen_.take(next_);
   if (j < 0) j = unseen_.take();

@@ -10,28 +10,30 @@
 namespace onggi::effects {
 namespace {
 
-// A pressed rim carries a tenth of all rows down.
+// A pressed rim pushes down a tenth of all rows.
 constexpr double kElementsPerSecond = 16384e3;
-// What two hands take from at once, where it may get no higher: 256 rows of 512, 0.2 ms.
+// The most that two hands take from at once where the clay may get no higher: 256 rows of 512, 0.2
+// ms.
 constexpr int kElementsAtOnce = 131072;
-constexpr double kLongestWait = 0.1;  // s, of any row on any grid
-// Where clay gives way no more: so far before its limits that a tick goes not beyond them, and
-// where what presses it is told so.
+constexpr double kLongestWait = 0.1;  // s, for any row on any grid
+// Share of a limit at which clay stops yielding: low enough that a tick does not pass the limit,
+// and that the press is told.
 constexpr double kHeld = 0.95;
-constexpr double kFirm = 0.98;        // of that
-constexpr double kLittle = 1e-6;      // of an area: a float's rounding and what sums to it
-constexpr double kSameClay = 1e-9;    // of the lump: rows are measured in floats
-constexpr double kNeverEmpty = 1e-3;  // of a row's clay stays: V and h are divided by
-constexpr double kRaised = 1.25;      // of a fresh lump's rows: thinner ones nobody asks about
+constexpr double kFirm = 0.98;      // share of kHeld
+constexpr double kLittle = 1e-6;    // share of an area: a float's rounding and its sums
+constexpr double kSameClay = 1e-9;  // share of the lump: rows are measured in floats
+constexpr double kNeverEmpty =
+    1e-3;                         // share of a row's clay that stays, because V and h are divisors
+constexpr double kRaised = 1.25;  // times a fresh lump's rows: nobody asks about thinner ones
 
-// Row `j` gets `more` area (m^2), every element alike, outwards as far as it may and then inwards;
-// gives the area that it then has.
+// Adds `more` area (m^2) to row `j`, every element alike: outwards as far as possible, then
+// inwards. Returns the row's new area.
 double thicken(Clay& clay, int j, double more) {
   const ClayDef& def = clay.def();
   const auto farthest = static_cast<float>(def.radius_max * def.radius_max);
   const auto nearest = static_cast<float>(def.radius_min * def.radius_min);
   const double wanted = clay.areas()->of(j) + more;
-  constexpr int kRounds = 4;  // elements that may go no farther leave theirs to the others
+  constexpr int kRounds = 4;  // an element at its limit leaves its share to the others
   for (int round = 0; round < kRounds; ++round) {
     const double left = wanted - clay.areas()->of(j);
     if (left <= kLittle * wanted) break;
@@ -53,9 +55,9 @@ double thicken(Clay& clay, int j, double more) {
   return clay.areas()->of(j);
 }
 
-// Of `volume`, what went with `cut` of a row's area, of which `left` is there now, where the row is
-// `thick`. Two edges that push a wall at its thinnest to and fro in one tick cut more than there
-// was at once: then it is a share of what came under them.
+// The part of `volume` that went with the area `cut`, in a row `thick` high with the area `left`
+// now. Two edges that push a wall at its thinnest to and fro in one tick cut more than was there at
+// once; then the part is a share of all the clay that came under them.
 double cut_off(double volume, double cut, double left, double thick) {
   const double gone = cut * thick;
   return gone < 0.5 * volume ? gone : volume * cut / (left + cut);
@@ -84,22 +86,22 @@ bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
   return clay.row_thickness(j) < thickness_[static_cast<std::size_t>(j)];
 }
 
-// Held to `height`, a ring that has more clay than fits becomes wider and its wall thicker, alike;
-// one that got larger otherwise meanwhile gives its height for that. Gives its area.
+// Makes a ring with more clay than fits in `height` wider and its wall thicker, by the same factor.
+// A ring that grew for another reason gives up height instead. Returns its area.
 double Volume::widen(Clay& clay, int j, double area, double height) noexcept {
   const double volume = volume_[static_cast<std::size_t>(j)];
   const double wider = std::sqrt(volume / (area * height));
   if (wider > 1.0) area *= reshape_row(clay, j, wider, wider);
-  // Somewhere at its widest already, it can only become thicker elsewhere.
+  // Already at its widest somewhere, it can only thicken elsewhere.
   const double left = volume / height - area;
   return left > kLittle * area ? thicken(clay, j, left) : area;
 }
 
-// The work list is the areas' set of changed rows, taken from the foot up. A row that lost area
-// gets higher at once: a division. One that was pressed down, or that may get no higher, must be
-// reshaped, element by element, and a pressed rim brings a tenth of all rows: those beyond a call's
-// budget stay on the list. No clay is lost meanwhile: one that may get no higher does once, and is
-// rigid for so long.
+// Works through the areas' set of changed rows from the foot up. A row that lost area gets higher
+// at once: one division. A row that was pressed down, or may get no higher, must be reshaped
+// element by element, and a pressed rim brings a tenth of all rows. Rows beyond a call's budget
+// stay on the list. No clay is lost meanwhile: a row that may get no higher still gets higher once,
+// and is rigid until its turn.
 void Volume::keep(Clay& clay, double seconds) noexcept {
   RowAreas& areas = *clay.areas();
   const int most_widened = static_cast<int>(std::ceil(
@@ -117,24 +119,24 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
   double headroom = tallest - clay.rim_height();
   for (int j = areas.take_changed(0); j >= 0; j = areas.take_changed(j + 1)) {
     const auto n = static_cast<std::size_t>(j);
-    // Contact sums what it took in floats, and the errors add up: 5e-9 of a row after 37 s of
-    // collaring, 400 x 360. So that an hour's are no more, one row in 64 is measured, each in its
-    // turn; and a row that was turned over, at once.
+    // Contact sums in floats, and the errors add up: 5e-9 of a row after 37 s of collaring, 400 x
+    // 360. To stay that small over an hour, one row in 64 is measured in turn, and a row that was
+    // turned over is measured at once.
     if ((static_cast<unsigned>(changed++) + turn_) % 64 == 0 || areas.drifted(j))
       areas.set(j, clay.measured_area(j));
     if (lowest < 0) lowest = j;
     double area = known_area(clay, j);
     const double now = clay.row_thickness(j);
-    // What rows trade is given and gained to the last bit, or the whole would change; but for a row
-    // that is asked for more than it can give, which keeps a little that its neighbours have too.
+    // Rows give and gain the same amount to the last bit, or the total would change. The exception
+    // is a row that is asked for more than it has: it keeps a little that its neighbours also get.
     const double given = areas.take_given(j) * now;
     volume_[n] = std::max(volume_[n] - given, kNeverEmpty * volume_[n]);
     volume_[n] -= cut_off(volume_[n], areas.take_cut(j), area, now);
     const bool down = pressed_down(clay, j);
     const double most = down ? now : std::min(thickest, now + std::max(headroom, 0.0));
     if (down || volume_[n] / area > most) {
-      // Those below widen_from_ had their turn in the call before: began each call at the foot, a
-      // rim that is pressed all the time would be waited for for ever.
+      // Rows below widen_from_ had their turn in the last call. If each call began at the foot, a
+      // rim that is pressed all the time would wait for ever.
       if (down) {
         const bool waits = j < widen_from_ || widened == most_widened;
         if (widened == most_widened && stopped == 0) stopped = j;
@@ -159,8 +161,8 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
   if (lowest < 0) return;
   ++turn_;
   widen_from_ = stopped;
-  // Setting the heights put these rows on the list again: it is cleared, and those that wait are
-  // put back. They are known by their thickness, so that no second set is kept.
+  // Setting the heights put these rows on the list again. Clear it, and put back those that wait.
+  // Their thickness tells which they are, so no second set is kept.
   for (int j = areas.take_changed(lowest); j >= 0; j = areas.take_changed(j + 1)) {
   }
   for (int j = lowest; waiting > 0 && j < clay.rows(); ++j) {
@@ -169,7 +171,7 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
     areas.mark(j);
     --waiting;
   }
-  // Once, however many rows changed: all above the lowest move.
+  // Once, however many rows changed: all rows above the lowest move.
   clay.restack(lowest);
 }
 
@@ -202,7 +204,7 @@ void Volume::note_step(const Clay& clay, std::uint64_t step) noexcept {
 
 void Volume::return_to(Clay& clay, std::uint64_t step) noexcept {
   const double share = noted_[step % kSteps] / sum(clay);
-  if (std::fabs(share - 1.0) < kSameClay) return;  // not a bit of it is touched then
+  if (std::fabs(share - 1.0) < kSameClay) return;  // then no bit changes
   for (int j = 0; j < clay.rows(); ++j) {
     volume_[static_cast<std::size_t>(j)] *= share;
     clay.areas()->mark(j);
@@ -266,8 +268,8 @@ double known_area(Clay& clay, int j) noexcept {
 double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   const ClayDef& def = clay.def();
   const double more = girth * thickness;
-  // A hole at its least has no room for a wall that thickens inwards: the row grows as a whole
-  // then. Judged by the row's ends as if they were one element's: such a row may be a few early.
+  // The smallest hole has no room for a wall that thickens inwards, so the row grows as a whole.
+  // Judged by the row's extremes as if they were one element: some rows switch a little early.
   const double hole = 0.5 * ((girth + thickness) * double{clay.inner_least(j)} -
                              (thickness - girth) * double{clay.outer_most(j)});
   if (j < clay.floor_rows() || (thickness > girth && hole < def.radius_min))
@@ -275,8 +277,7 @@ double reshape_row(Clay& clay, int j, double girth, double thickness) noexcept {
   float* outer = clay.pressable_outer(j).data();
   float* inner = clay.pressable_inner(j).data();
   const row_kernels::Table& kernels = row_kernels::of(clay.vectors());
-  // A wall that gets no thinner, of a ring that is known to stay within its largest radius, need
-  // not be looked at.
+  // A wall that gets no thinner needs no check if its ring surely stays within its largest radius.
   const double within = double{clay.outer_most(j)};
   if (thickness < 1.0 || within * std::max(girth, thickness) > def.radius_max) {
     const row_kernels::WallBounds now = kernels.bounds(clay.stride(), outer, inner);

@@ -10,9 +10,9 @@ namespace onggi {
 
 namespace {
 
-constexpr double kBeside = 0.008;  // m: about as far as a finger bends a wall
+constexpr double kBeside = 0.008;  // m: about as far as a finger bends a wall sideways
 
-// 0 below 0, 1 above 1, level at both.
+// 0 below 0, 1 above 1, zero slope at both.
 double smooth_step(double share) {
   const double t = std::clamp(share, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -33,12 +33,12 @@ std::span<const DefField<WallsDef>> WallsDef::fields() {
 namespace effects {
 
 double wall_support(const WallsDef& def, Vec3 pressing, Vec3 holding) noexcept {
-  // Apart along the wall: up, and round it where the pressing hand is.
+  // Distance along the wall: up, and round it at the pressing hand's radius.
   const double radius = axis_distance(pressing);
   const double inward = axis_distance(holding);
   const double both = std::max(radius * inward, 1e-12);
   const double cosine = (pressing.x * holding.x + pressing.z * holding.z) / both;
-  // The chord of the angle between: no arc cosine, and the far side is far.
+  // The chord of the angle between them. It needs no arc cosine, and the far side counts as far.
   const double chord = radius * std::sqrt(std::max(2.0 - 2.0 * cosine, 0.0));
   const double up = pressing.y - holding.y;
   const double apart = std::sqrt(up * up + chord * chord) / def.support;
@@ -62,7 +62,7 @@ double clear_of_foot(const Clay& clay, double height) noexcept {
 
 double wall_thickness(const Clay& clay, Vec3 at) noexcept {
   if (at.y <= clay.floor_top()) return std::numeric_limits<double>::infinity();
-  // The rows whose middles lie about that height. Solid ones have no wall.
+  // The rows whose middles lie just below and above that height. Solid rows have no wall.
   const int rows = clay.rows();
   const int above = std::clamp(clay.first_row_above(at.y), clay.floor_rows(), rows - 1);
   const int below = std::max(above - 1, clay.floor_rows());

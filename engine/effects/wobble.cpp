@@ -11,21 +11,22 @@
 namespace onggi {
 namespace {
 
-constexpr double kRound = 0.02;       // s
-constexpr double kLeastShare = 2e-5;  // share of the offset: less is below a float's digits
-constexpr double kRest = 1e-6;        // m: closer than this is centred
-constexpr double kStrip = 0.002;      // m: lower than what a tool touches
-constexpr double kAside = 1e-7;       // m: keeps rounding from deciding in which strip a row is
-constexpr double kTurn = 0.001;       // s
+constexpr double kRound = 0.02;  // s
+constexpr double kLeastShare =
+    2e-5;                         // share of the offset: a smaller one is below a float's digits
+constexpr double kRest = 1e-6;    // m: closer counts as centred
+constexpr double kStrip = 0.002;  // m: lower than the part of a tool that touches
+constexpr double kAside = 1e-7;   // m: keeps rounding from deciding a row's strip
+constexpr double kTurn = 0.001;   // s
 constexpr double kGolden = 0.6180339887498949;
 
-// The face of a circle `radius` about (off, 0), along a ray whose cosine and sine are given.
+// The face of a circle of `radius` centred on (off, 0), along the ray with this cosine and sine.
 double circle_along(double radius, double off, double cosine, double sine) {
   const double beside = off * sine;
   return off * cosine + std::sqrt(std::max((radius - beside) * (radius + beside), 0.0));
 }
 
-// The nearest of kDirections round the compass to a unit vector.
+// The nearest of kDirections compass directions to a unit vector.
 std::size_t direction_of(double x, double z) {
   constexpr double kTan[] = {0.198912367379658, 0.668178637919299};  // of 11.25 and 33.75 degrees
   const double ax = std::fabs(x);
@@ -121,7 +122,7 @@ void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noex
   const double z = to * hand.at.z;
   const double impulse = hand.normal * seconds;
   Gathered& gathered = sweeps_[n].next;
-  // A ring pushed the whole way round is off to one side of each push.
+  // Kept apart by direction: a ring pushed all round is off to another side at each push.
   Push& push = gathered.push[direction_of(x, z)];
   push.x += x * impulse;
   push.z += z * impulse;
@@ -133,8 +134,8 @@ void Wobble::press(std::size_t n, const CentringHand& hand, double seconds) noex
 void Wobble::begin(const WobbleDef& def, const Clay& clay, Sweep& sweep) noexcept {
   sweep.now = std::exchange(sweep.next, {});
   sweep.height = sweep.now.raised / sweep.now.impulse;
-  // Strips follow from heights alone, so that the grid does not decide when a row has its turn.
-  // Rows and hands stand at round figures; the offset keeps rounding from deciding.
+  // Strips depend on heights alone, so that the grid does not decide when a row has its turn. Rows
+  // and hands stand at round figures; the offset keeps rounding from deciding.
   const double low = std::max(sweep.height - def.reach, 0.0) + kAside;
   const double high = std::max(std::min(sweep.height + def.reach, clay.rim_height()) - low, 0.0);
   sweep.strips = std::clamp(static_cast<int>(high / kStrip), 1, kMostStrips);
@@ -192,12 +193,12 @@ void Wobble::go_on(const WobbleDef& def, Clay& clay, Sweep& sweep, double second
   if (sweep.round.over()) return;
   const int rows = sweep.bound[slot(sweep.strips)] - sweep.bound[0];
   const double whole = Round::lasting(kRound, 1.0 * rows * clay.stride());
-  // Turns are taken at whole milliseconds, whatever the tick.
+  // Turns happen at whole milliseconds, whatever the tick.
   const int turns = static_cast<int>(whole / kTurn + 0.5);
   const double share = 1.0 * static_cast<int>(sweep.round.go_on(seconds, whole) * turns) / turns;
   for (int k = 0; k < sweep.strips; ++k) {
     const int from = sweep.bound[slot(k)], to = sweep.bound[slot(k + 1)];
-    // Each strip starts at another part of a row; else all would take their turns in one tick.
+    // Each strip starts at a different part of a row; else all would take their turns in one tick.
     const double ahead = kGolden * k - static_cast<int>(kGolden * k);
     const int done = share < 1.0 ? static_cast<int>(share * (to - from) + ahead) : to - from;
     int& edge = sweep.edge[slot(k)];
