@@ -60,8 +60,8 @@ std::span<const DefField<SlumpDef>> SlumpDef::fields() {
 namespace effects {
 
 // The row's flow if it stood alone.
-Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& volume,
-                         const Around& around, int j) const noexcept {
+Slump::Ring Slump::flow_alone(const SlumpDef& def, const Clay& clay, const Volume& volume,
+                              const Around& around, int j) const noexcept {
   const double area = clay.areas()->of(j);
   const double load = def.density * kGravity * (above_ + 0.5 * volume.of_row(j));
   const double weight = load / area;
@@ -105,7 +105,7 @@ Slump::Ring Slump::alone(const SlumpDef& def, const Clay& clay, const Volume& vo
 // flow alone. Between rows that yield, e - R t e'' = f. A row that stands does not flow, and holds
 // its neighbours. Where a wall ends (rim, floor, wheel head), e = f, so an even rise of f is
 // unchanged. Independent of the grid. This is the downward half of Thomas' algorithm.
-Slump::Ring Slump::beside(Clay& clay, int j, Ring ring) const noexcept {
+Slump::Ring Slump::coupled(Clay& clay, int j, Ring ring) const noexcept {
   if (ring.room <= 0.0) return ring;
   const int foot = clay.floor_rows();
   if (j <= foot || j + 1 >= clay.rows()) return ring;
@@ -148,9 +148,9 @@ void Slump::sweep_down(const SlumpDef& def, Clay& clay, const Volume& volume, co
                        int till) noexcept {
   for (; clay.rows() - 1 - next_ < till; --next_) {
     known_area(clay, next_);  // another effect may have moved the row since it was measured
-    const Ring ring = alone(def, clay, volume, around, next_);
+    const Ring ring = flow_alone(def, clay, volume, around, next_);
     yielded_ = yielded_ || ring.room > 0.0;
-    ring_[static_cast<std::size_t>(next_)] = beside(clay, next_, ring);
+    ring_[static_cast<std::size_t>(next_)] = coupled(clay, next_, ring);
     above_ += volume.of_row(next_);
   }
 }

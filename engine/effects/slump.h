@@ -83,15 +83,15 @@ class Slump {
   };
   enum class Sweep : std::uint8_t { ended, down, up };
 
-  Ring alone(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
-             int j) const noexcept;
+  Ring flow_alone(const SlumpDef& def, const Clay& clay, const Volume& volume, const Around& around,
+                  int j) const noexcept;
   void begin(const Clay& clay) noexcept;
   void sweep_down(const SlumpDef& def, Clay& clay, const Volume& volume, const Around& around,
                   int till) noexcept;
   void sweep_up(Clay& clay, int till) noexcept;
   void end(const SlumpDef& def, const Clay& clay) noexcept;
   // Couples a row's flow with the rows that the sweep has passed.
-  Ring beside(Clay& clay, int j, Ring ring) const noexcept;
+  Ring coupled(Clay& clay, int j, Ring ring) const noexcept;
   void move(Clay& clay, int j, const Flow& flow) noexcept;
 
   std::vector<Ring> ring_;
