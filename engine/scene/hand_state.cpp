@@ -6,9 +6,9 @@
 namespace onggi::scene {
 namespace {
 
-constexpr double kFarthestHand = 10.0;    // metres, each axis: no device reaches beyond
-constexpr double kSmallestReach = 0.004;  // m: least tool size for the check of jumps, a quarter of
-                                          // the way of a tick
+constexpr double kFarthestHand = 10.0;  // metres per axis: no device reaches farther
+// m: smallest tool size for the jump check, which is four sizes a tick
+constexpr double kSmallestReach = 0.004;
 
 bool plausible(Vec3 p) {
   return is_finite(p) && std::fabs(p.x) <= kFarthestHand && std::fabs(p.y) <= kFarthestHand &&
@@ -45,7 +45,7 @@ bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep
   }
   const Tool& mine = tools[tool];
   const Vec3 to = good ? in.position : at;
-  // No hand goes four tool radii in a tick: it was set down elsewhere.
+  // No hand moves four tool radii in a tick: it was put down elsewhere.
   if (present &&
       length(to - at) > 4.0 * std::max(mine.shape->smallest_feature(mine.size), kSmallestReach))
     leave();

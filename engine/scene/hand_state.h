@@ -15,7 +15,7 @@
 
 namespace onggi::scene {
 
-/// A tool that lies to hand, with all sizes filled in.
+/// A tool of the scene, with all sizes filled in.
 struct Tool {
   const ToolShape* shape = nullptr;
   ToolSize size;
@@ -25,20 +25,21 @@ std::vector<Tool> tools_of(const SceneDef& def);
 
 /// One hand between ticks.
 struct HandState {
-  Vec3 at;                // last accepted place,
-  Vec3 along, across;     // direction of handle and face,
+  Vec3 at;                // last accepted position,
+  Vec3 along, across;     // directions of handle and face,
   std::uint8_t tool = 0;  // and tool
-  bool present = false;   // active, and its place is known
+  bool present = false;   // active, with a known position
   ToolContact contact;
   WireHand wire;
   force::Guard guard;
-  force::HandVelocity velocity;  // only kept if the scene has friction
+  force::HandVelocity velocity;  // used only if the scene has friction
 
-  /// Takes a sample of an active hand; if it is invalid, keeps the last one and returns false. If
-  /// the hand is present, `sweep` gets its way through the tick; the caller fills in angles and
-  /// seconds.
+  /// Takes a sample of an active hand. An invalid one is dropped: the last one stays, and the
+  /// result is false. For a present hand, sets the path of `sweep` for the tick; the caller fills
+  /// in angles and seconds.
   bool take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept;
-  /// The next valid sample is an arrival: no sweep from the last place, no force yet.
+  /// Call when the hand leaves. The next valid sample is an arrival: no sweep from the last
+  /// position, no force yet.
   void leave() noexcept;
   void add_to(StateHash& hash, std::span<const Tool> tools) const;
 

@@ -19,8 +19,8 @@ constexpr double kBellyAt = 0.55;                        // of the height
 constexpr double kSlim = 1.9;                            // height over the belly's radius
 constexpr double kWidest = 0.11, kNarrowest = 0.018;     // m: the belly's radius
 constexpr double kTallest = 0.2;                         // m
-constexpr double kDrawnWall = 0.006;  // m, of the outline that a lump is laid for
-constexpr double kExact = 0.001;      // of the volume
+constexpr double kDrawnWall = 0.006;  // m: wall of the outline for which a lump is laid
+constexpr double kExact = 0.001;      // relative error of the volume
 
 double radius_of(double share, double belly, double mouth) {
   const double quarter = 0.5 * portable::kPi;

@@ -8,11 +8,12 @@
 namespace onggi {
 namespace {
 
-constexpr double kFingertip = 0.008;   // room for a tool of this radius inside
+constexpr double kFingertip = 0.008;   // m: a tool of this radius fits inside
 constexpr double kKeptWall = 0.014;    // m: thick enough to stand
 constexpr double kOpenedWall = 0.006;  // m: wall of a ring that opens as a whole to the belly
-constexpr double kBroad = 1.25;        // of the belly's radius: a lump that is cut down
-constexpr double kUnlike = 0.06;  // least RMS distance from the target's outline, of its height
+constexpr double kBroad = 1.25;        // times the belly's radius: a lump to be cut down
+// share of the target's height: least RMS distance from its outline
+constexpr double kUnlike = 0.06;
 
 // RMS distance of the target's outline from a cylinder of `radius`, m.
 double mean_distance(const Profile& target, double radius) {
@@ -33,9 +34,8 @@ double widest_below(const Profile& target, double height) {
   return widest;
 }
 
-// Inner radius of a lump that is `outer` wide. Where rings keep their clay, a bore of half the
-// radius would become solid in a neck of half the belly. So the lump has the belly's clay and no
-// more.
+// Inner radius of a lump with the outer radius `outer`. If rings keep their clay, a bore of half
+// the radius would close in a neck of half the belly. So the lump has only the belly's clay.
 double bore(const Profile& target, const SceneDef& scene, double outer) {
   if (scene.volume) return outer - kKeptWall;
   if (!scene.walls) return 0.45 * outer;
@@ -44,8 +44,8 @@ double bore(const Profile& target, const SceneDef& scene, double outer) {
   return std::min(std::sqrt(std::max(0.0, outer * outer - area)), outer - kOpenedWall);
 }
 
-// The height at which `lump` has the target's volume: kept clay gets higher where its ring loses
-// area.
+// Sets the height at which `lump` has the target's volume. Kept clay gets higher where its ring
+// loses area.
 void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
   constexpr int kSlices = 400;
   const scene::WallRing ring{lump.outer_radius, lump.inner_radius};
@@ -85,7 +85,7 @@ ClayDef lump_for(const Profile& target, const SceneDef& scene) {
   const double roomy = room + (scene.volume ? kKeptWall : def.wall_min + 0.006);
   const double most_outer = 0.95 * base.radius_max;
   double best = std::max({0.58 * belly, foot, roomy});
-  // Where that is near the outline itself (a cylinder, a wide foot), a broad lump that is cut down.
+  // If that is near the outline itself (a cylinder, a wide foot), use a broad lump to be cut down.
   if (mean_distance(target, best) < kUnlike * target.height() || best > belly)
     best = std::max(kBroad * belly, roomy);
   best = std::min(best, most_outer);

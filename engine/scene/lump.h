@@ -9,8 +9,8 @@ namespace onggi {
 /// can reach all of it. Both > 0.
 double workspace_scale(const Profile& target, double max_height = 0.20, double max_diameter = 0.22);
 
-/// The lump for `target` (already at workspace scale) in `scene`, whose clay gives all other
-/// fields: thick-walled, away from the target's outline, and as tall as the target. If the scene
+/// The lump for `target` (already at workspace scale). All other fields come from `scene`'s clay.
+/// It is thick-walled, away from the target's outline, and as tall as the target; if the scene
 /// keeps volume, as tall as the target's clay needs.
 ClayDef lump_for(const Profile& target, const SceneDef& scene);
 

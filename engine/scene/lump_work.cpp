@@ -13,18 +13,18 @@ std::uint64_t depth_of(const clay::History* history) { return history ? history-
 
 enum class Part : std::uint8_t { none, history, effects };
 enum class HistoryThen : std::uint8_t {
-  follows,  // as always
-  busy,     // follows, and the step goes on while the lump is worked on
-  waits,    // waits for the work on the lump
+  follows,  // as usual
+  busy,     // follows, and the step continues during the work on the lump
+  waits,    // waits until the work on the lump is done
 };
 
 }  // namespace
 
-// One state: the next state for each event, its work in a tick and the part it needs, and what the
-// history does meanwhile.
+// A row of the state table: the next state for each event, the work in a tick and the part it
+// needs, and what the history does meanwhile.
 struct LumpWork::Row {
   std::array<LumpState, 3> after;                       // by LumpEvent
-  bool (LumpWork::*work)(const Parts&) const noexcept;  // true when done; null: none
+  bool (LumpWork::*work)(const Parts&) const noexcept;  // true when done; null: no work
   Part with;
   HistoryThen history;
 };
@@ -68,8 +68,8 @@ bool LumpWork::restore(const Parts& parts) const noexcept {
   clay::History& history = *parts.history;
   if (!history.step_back_some(parts.clay, kBudget)) return false;
   if (parts.row_effects == nullptr || !history.can_step_back()) return true;
-  // A fallen pot goes back to where it stood, a torn one to before the tear, even if it has sagged
-  // since.
+  // Undo goes back to where a fallen pot last stood, or to before the tear, even if the pot has
+  // sagged since.
   const RowEffects& effects = *parts.row_effects;
   const bool falling = effects.fallen() && history.depth() > stood_at_;
   return !falling && !effects.torn_before(history.depth());

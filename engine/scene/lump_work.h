@@ -12,18 +12,18 @@ namespace onggi::scene {
 /// State of stage 4's work on the lump; drawing in engine/docs/pipeline.md. The numbers are part of
 /// state hashes.
 enum class LumpState : std::uint8_t {
-  playing,    ///< None: the hands work the clay.
-  keeping,    ///< The pot before is kept to the last bit.
+  playing,    ///< No work: the hands shape the clay.
+  keeping,    ///< The old pot is saved to the last bit.
   renewing,   ///< A fresh lump is laid.
-  laying,     ///< The effects take it over.
-  restoring,  ///< The last step is taken back.
-  settling,   ///< The effects take the clay over as it is now.
+  laying,     ///< The effects take over the lump.
+  restoring,  ///< The last step is undone.
+  settling,   ///< The effects take over the restored clay.
 };
 inline constexpr int kLumpStates = 6;
 
 enum class LumpEvent : std::uint8_t {
   renew,    ///< Hands::renew became true.
-  restore,  ///< Hands::restore became true, and there is something to take back.
+  restore,  ///< Hands::restore became true, and a step can be undone.
   done,     ///< The state's work is done.
 };
 
@@ -31,7 +31,7 @@ enum class LumpEvent : std::uint8_t {
 /// skipped.
 LumpState after(LumpState state, LumpEvent event) noexcept;
 
-/// Lays a fresh lump, or takes the last step back, a few rows a tick. No allocation; one thread.
+/// Lays a fresh lump, or undoes the last step, a few rows a tick. No allocation; one thread.
 class LumpWork {
  public:
   /// The parts it works with; null if the scene lacks one.
@@ -43,9 +43,9 @@ class LumpWork {
     effects::Moisture* moisture;
   };
 
-  /// Stage 4. True while the lump is worked on; all hands then count as away.
+  /// Stage 4. True during work on the lump; all hands then count as away.
   bool step(const Hands& hands, const Parts& parts) noexcept;
-  /// Stage 4, at the tick's end: the history follows what changed. `touching`: a hand presses clay.
+  /// Stage 4, at the tick's end: the history records what changed. `touching`: a hand presses clay.
   void follow(const Parts& parts, bool touching, double seconds) noexcept;
 
   bool playing() const { return state_ == LumpState::playing; }

@@ -13,7 +13,7 @@ using namespace replay_bytes;
 constexpr std::size_t kMostTicks = 4'000'000;  // over an hour; a visit is minutes
 constexpr std::size_t kLongestId = 4096;
 
-// All switches in 16 bits: three a hand, three of the potter's.
+// All switches in 16 bits: three per hand, three for the potter.
 std::uint16_t switches_of(const Hands& hands) {
   unsigned bits = 0;
   for (const HandInput& hand : hands.hand)

@@ -18,10 +18,10 @@ struct TickRecord {
   double dt = 0.001;
 };
 
-/// Writes a replay: header (magic, version, SceneDef, vessel id), then for each tick the fields
-/// that changed (an unchanged tick is one byte). Every simulated second a state hash may be noted.
-/// At the end: the chosen glaze, the last hash, and a CRC-64 of all before it. Bit for bit, NaN and
-/// -0 included; little-endian everywhere. Allocates; not for the tick.
+/// Writes a replay: a header (magic, version, SceneDef, vessel id), then for each tick the fields
+/// that changed (an unchanged tick is one byte). A state hash may be noted every simulated second.
+/// At the end: the chosen glaze, the last hash, and a CRC-64 of everything before. Bit for bit,
+/// including NaN and -0; always little-endian. Allocates; not for the tick.
 class ReplayWriter {
  public:
   ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed);
@@ -36,12 +36,12 @@ class ReplayWriter {
   TickRecord last_;
 };
 
-/// Result of a replay.
+/// The result of run_replay().
 struct ReplayOutcome {
   std::string vessel_id;
   std::string glaze;          ///< "": not fired.
-  bool earlier_laws = false;  ///< Recorded when clay had other laws: the same hands make a pot that
-                              ///< may differ, and its hashes are another engine's.
+  bool earlier_laws = false;  ///< Recorded with an earlier version of the clay's laws: the same
+                              ///< hands may make a different pot, and the hashes cannot agree.
   std::uint64_t seed = 0;
   std::uint64_t ticks = 0;
   std::uint64_t recorded_hash = 0;  ///< The hash written at the end.

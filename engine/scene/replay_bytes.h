@@ -11,8 +11,9 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 13;        ///< Of the bytes, and of the laws of the clay.
-inline constexpr std::uint32_t kOldestVersion = 11;  ///< That is still read (replay_scene.h).
+inline constexpr std::uint32_t kVersion = 13;  ///< Version of the format, and of the clay's laws.
+/// Oldest version that can be read (replay_scene.h).
+inline constexpr std::uint32_t kOldestVersion = 11;
 
 /// A tick is a byte of flags for the fields that follow (0: nothing changed), or one of the marks
 /// below.
@@ -27,12 +28,11 @@ enum Tag : std::uint8_t {
   kAllFields = kHand0 | kHand1 | kSwitches | kWheel | kTime | kHold0 | kHold1,
   kNote = 0x80,   // a hash of the state here
   kGlaze = 0x82,  // the glaze's id: its size and its letters
-  kEnd = 0x81,    // the last hash, and after it the checksum of all before
+  kEnd = 0x81,    // the last hash, then the checksum of everything before
 };
 
 inline constexpr std::size_t kSealBytes = 8;
 
-/// Puts the checksum of `bytes` behind them.
 void seal(std::vector<std::byte>& bytes);
 /// `bytes` without their checksum; empty if the checksum is wrong.
 std::span<const std::byte> unsealed(std::span<const std::byte> bytes);
@@ -63,7 +63,8 @@ class Writer {
   std::vector<std::byte>& out_;
 };
 
-/// Reads values back. Returns false and leaves the value if the bytes end or are invalid.
+/// Reads values back. If the bytes end or are invalid, returns false and leaves the value
+/// unchanged.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> in) : in_(in) {}

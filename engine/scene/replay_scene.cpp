@@ -101,8 +101,8 @@ bool read_tables(Reader& io, SceneDef& def, std::string& unknown) {
   }
 }
 
-// Version 11 wrote numbers without names, in this order. A byte before each effect and the paper
-// model said whether it followed.
+// Version 11 wrote numbers without names, in this order. A byte before each effect and before the
+// paper model said whether it followed.
 struct OldTable {
   const char* name;
   std::initializer_list<const char*> keys;

@@ -9,7 +9,7 @@
 namespace onggi::replay_bytes {
 
 /// Writes a scene as tables: every part, each present effect, and the paper model, by name, with
-/// every number by key. So a new effect or number needs no new version. Then the tools to hand.
+/// every number by key. So a new effect or number needs no new version. The tools follow.
 void write_scene(Writer& io, const SceneDef& def);
 
 /// Reads a scene of `version`, kOldestVersion or later. Missing numbers get the defaults of a

@@ -119,7 +119,7 @@ void RowEffects::take_turn(Clay& clay, double seconds) noexcept {
     turn_ = {inside ? WallSide::inside : WallSide::outside, seconds};
 }
 
-// Few changes a tick: each costs a row's elements, and the places of all rows above.
+// Few changes a tick, because each costs a row's elements and moves all rows above.
 void RowEffects::refine(Clay& clay, const Tick& tick) noexcept {
   using Kind = effects::Refinement::Change::Kind;
   for (int n = 0; n < effects::Refinement::kMostChanges; ++n) {

@@ -20,20 +20,19 @@ class RowEffects {
   using HandThere = effects::HandThere;
   using Tick = effects::RowTick;
 
-  /// Spare rows that the clay needs.
   static int spare_rows(const SceneDef& def);
   /// Null if `def` has no such effect. Lays the lump for its effects. Allocates.
   static std::unique_ptr<RowEffects> make(const Effects& def, Clay& clay);
 
-  /// Stage 5: share of a press at `pressing` with which the wall gives way as a whole
-  /// (Yielding::along). `holding` is the hand on the other face; null if there is none.
+  /// Stage 5: share of a press at `pressing` by which the wall moves as a whole (Yielding::along).
+  /// `holding`: the hand on the other face; null if there is none.
   double along(const Effects& def, Vec3 pressing, const Vec3* holding) const noexcept;
-  /// True if hand `n` touches clay or did a moment ago: between two elements of a turning wall a
-  /// hand still holds the wall.
+  /// True if hand `n` touches clay or did a moment ago. On a turning wheel contact may pause
+  /// between two elements, and the hand still holds the wall.
   bool holds(std::size_t n) const { return since_touch_[n] <= kMoment; }
   /// Stage 6: the present stages, in order. No allocation.
   void run(const Effects& def, Clay& clay, const Tick& tick) noexcept;
-  /// Takes over a clay that was laid anew, `element_budget` elements a call; true when done.
+  /// Takes over a clay that was laid anew, `element_budget` elements a call. True when done.
   bool settle_some(const Effects& def, Clay& clay, const effects::Laid& laid,
                    int element_budget) noexcept;
 
@@ -62,7 +61,7 @@ class RowEffects {
   };
   template <class... S>
   using Present = std::tuple<std::optional<S>...>;
-  static constexpr double kMoment = 0.02;  // s: at 1 turn a second, 50 elements to the turn
+  static constexpr double kMoment = 0.02;  // s: at 1 turn a second with 50 elements a turn
 
   template <class S>
   const std::optional<S>& stage() const {
@@ -85,7 +84,7 @@ class RowEffects {
   effects::Refinement refinement_;
   Turn turn_;
   std::array<double, kMaxHands> since_touch_{1.0, 1.0};  // s, at most 1
-  bool settled_ = false;                                 // a lump was put on since the last tick
+  bool settled_ = false;                                 // a lump was laid since the last tick
   int laid_to_ = 0;                                      // progress of settle_some()
 };
 

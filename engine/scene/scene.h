@@ -37,26 +37,27 @@ class Scene {
 
   const SceneDef& def() const;
   const Clay& clay() const;
-  /// The pot fell, by more than SlumpDef::fall, since it was last laid. Hands::restore then goes
-  /// back to where it last stood.
+  /// The pot fell by more than SlumpDef::fall since it was last laid. Hands::restore then goes back
+  /// to where it last stood.
   bool fallen() const;
   /// Row `row` of the clay is torn (WallsDef): hands pass through it, until a fresh lump is laid or
   /// Hands::restore goes back to before the last tear. The row is dirty when this changes.
   bool torn(int row) const;
   /// Wetness of row `row` of the clay, 0..1, for drawing.
   double wetness_of(int row) const;
-  /// A fresh lump is being laid, or a step taken back: rows are partly old, partly new.
+  /// A fresh lump is being laid, or a step undone: rows are partly old, partly new.
   bool laying() const;
-  /// Hands::restore has a stroke, or a fresh lump, to take back.
+  /// Hands::restore has a stroke, or a fresh lump, to undo.
   bool can_restore() const;
-  /// Takes and clears the lowest changed row at or above `from`; -1 when none. No allocation.
+  /// Returns and clears the lowest changed row at or above `from`; -1 if there is none. No
+  /// allocation.
   int take_dirty_row(int from) noexcept;
-  /// The same for rows that only moved, tore or healed; take the changed ones first.
+  /// The same for rows that only moved, tore or healed. Take the changed rows first.
   int take_moved_row(int from) noexcept;
   void mark_all_dirty() noexcept;
-  /// What hand `n` (0..kMaxHands - 1) holds, and where, as the last tick left it.
+  /// What hand `n` (0..kMaxHands - 1) holds, and where, after the last tick.
   HandView hand(int n) const noexcept;
-  /// Clears these FaultBits once they are reported. Changes neither state_hash() nor a replay.
+  /// Clears these FaultBits after they were reported. Changes neither state_hash() nor a replay.
   void clear_faults(std::uint32_t which = ~0u) noexcept;
   const SceneCounters& counters() const;
   double time() const;  ///< Simulated seconds since create().

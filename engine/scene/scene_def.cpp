@@ -58,7 +58,7 @@ Result<void> check_effects(const SceneDef& def) {
   return good;
 }
 
-// An effect that needs another one.
+// Checks that effects have the effects they need.
 Result<void> check_needs(const SceneDef& def) {
   const auto needs = [](const char* name, bool there, const char* other) -> Result<void> {
     if (there) return {};
@@ -69,7 +69,7 @@ Result<void> check_needs(const SceneDef& def) {
   return {};
 }
 
-// A tearing limit that the wall can never reach.
+// Checks for a tearing limit that the wall can never reach.
 Result<void> check_tearing(const SceneDef& def) {
   if (!def.walls || def.walls->tear_thickness == 0.0) return {};
   FieldCheck check(WallsDef::kName);

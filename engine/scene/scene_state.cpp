@@ -14,12 +14,12 @@ namespace {
 constexpr double kLongestTick = 0.005;
 constexpr double kShortestTick = 1e-6;
 constexpr Vec3 kDown{0.0, -1.0, 0.0};
-// Of two pushes from both sides of a wall, the lesser as a share of the greater: below the first
-// one hand only grazes the wall, above the second both pinch it.
+// Two hands press a wall from both sides. The weaker push as a share of the stronger: below kGrazes
+// one hand only grazes the wall, above kPinches both pinch it.
 constexpr double kGrazes = 0.5, kPinches = 0.7;
-constexpr double kOfAQuadratic = 2.0;  // d F / d l of F ~ l^2, which is a round body's, in F / l
+constexpr double kOfAQuadratic = 2.0;  // dF/dl over F/l, for a round body with F ~ l^2
 
-// Elements are pressed by `depth` at most, so the stiffness is at least `normal` / `depth`: just
+// Elements are pressed by at most `depth`, so the stiffness is at least `normal` / `depth`: exactly
 // that for a flat body, twice that for a round one.
 force::Touch touch_of(const Press& press, double normal, bool severs) {
   force::Touch touch;
@@ -34,7 +34,7 @@ force::Touch touch_of(const Press& press, double normal, bool severs) {
 
 }  // namespace
 
-// Stage 1. Implausible input stops here.
+// Stage 1. Rejects implausible input.
 void Scene::State::take_input(Tick& tick, const Hands& hands, double dt) noexcept {
   tick.dt = dt >= kShortestTick ? std::min(dt, kLongestTick) : kShortestTick;
   if (tick.dt != dt) {
@@ -63,7 +63,7 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
   ++counters.held_samples;
 }
 
-// Stage 2. The motor follows the asked speed at its own acceleration.
+// Stage 2. The motor follows the requested speed with its own acceleration.
 void Scene::State::turn_wheel(Tick& tick) noexcept {
   const double asked = std::clamp(wheel_asked, -def.wheel.max_speed, def.wheel.max_speed);
   const double most = def.wheel.acceleration * tick.dt;
@@ -78,8 +78,8 @@ void Scene::State::turn_wheel(Tick& tick) noexcept {
   if (wheel_angle >= full) wheel_angle = 0.0;  // -tiny + 2 pi rounds to 2 pi
 }
 
-// Stage 3. A sponge wets where it touches the clay. Water that is asked for with no sponge in hand
-// comes with the hands, wherever they are.
+// Stage 3. A sponge wets the clay that it touches. Water without a sponge in hand comes at the
+// hands, wherever they are.
 void Scene::State::soak_or_dry(const Tick& tick, bool water) noexcept {
   if (!moisture) return;
   std::array<double, kMaxHands> heights{};
@@ -101,14 +101,14 @@ Yielding Scene::State::yielding_at(double height) const {
   return {def.contact.relaxation_time * soft, def.contact.stiffness};
 }
 
-// Stage 4. While the lump is worked on, nothing else touches it.
+// Stage 4. During work on the lump, nothing else touches it.
 void Scene::State::work_on_lump(const Hands& hands) noexcept {
   if (!lump.step(hands, lump_parts())) return;
   for (scene::HandState& h : hand) h.leave();
   slit.forget();
 }
 
-// Stage 4, at the tick's end: keeps what a visitor may take back.
+// Stage 4, at the tick's end: keeps what a visitor may undo.
 void Scene::State::keep_history(const Tick& tick) noexcept {
   bool touching = false;
   for (const scene::HandState& h : hand) touching = touching || (h.present && h.contact.touching());
@@ -155,7 +155,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     }
   }
   for (int step = 0; step < steps; ++step) {
-    // A wall between two hands must not depend on the hands' numbers.
+    // What happens to a wall between two hands must not depend on the hands' numbers.
     const bool swapped = hand[0].contact.side() > hand[1].contact.side();
     for (const std::size_t n : {std::size_t{swapped}, std::size_t{!swapped}})
       if (presses(hand[n])) hand[n].contact.step(clay, tick.sweep[n], step, steps, yielding[n]);
@@ -181,10 +181,9 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   }
 }
 
-// Stage 5. Two hands that pinch a wall: it has no mass, so each feels as much as the other. The
-// outer face is longer than the inner one, so that equal presses add up to unlike forces; what the
-// pinch has in common is the mean. A hand that only grazes the wall while the other presses it
-// takes no part in that.
+// Stage 5. A wall pinched by two hands has no mass, so both must feel the same force. The outer
+// face is longer than the inner, so equal presses sum to different forces: both get the mean. A
+// hand that only grazes the wall while the other presses is left out.
 void Scene::State::balance(const Tick& tick, Faces& face) const noexcept {
   const std::array<double, kMaxHands> strength{length(face[0].force), length(face[1].force)};
   const double less = std::min(strength[0], strength[1]);
@@ -202,15 +201,15 @@ void Scene::State::balance(const Tick& tick, Faces& face) const noexcept {
   }
 }
 
-// Stage 5. A wall that bends under a hand gives it less than the clay under the hand alone would.
-// Rim and floor do not bend, so only what lies on a face is less.
+// Stage 5. A hand feels less from a wall that bends than from the clay alone. Rim and floor do not
+// bend, so only the part on a face is reduced.
 void Scene::State::bend_walls(const Tick& tick, Faces& face) const noexcept {
   const double angle = tick.angle_from + tick.turn;
   const double c = portable::cos(angle), s = portable::sin(angle);
   const std::array<double, kMaxHands> pushed{face[0].normal, face[1].normal};
   for (std::size_t n = 0; n < hand.size(); ++n) {
     if (face[n].normal <= 0.0) continue;
-    // The other hand holds no more of this push than it pushes itself.
+    // The other hand supports at most as much of this push as it pushes itself.
     double held = 0.0;
     const double normal = face[n].normal;
     const Vec3 way = tick.sweep[n].to;
@@ -227,7 +226,7 @@ void Scene::State::bend_walls(const Tick& tick, Faces& face) const noexcept {
   }
 }
 
-// Stages 5 and 6. A long tick, after a late thread, is worked in parts.
+// Stages 5 and 6. A long tick, after a late thread, is split into parts.
 void Scene::State::press_and_work(Tick& tick) noexcept {
   if (!row_effects) return press_clay(tick);
   const int parts = scene::parts_of(tick.dt);
@@ -276,7 +275,7 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   rows.history = history ? &*history : nullptr;
   rows.wheel_speed = slit.free() ? 0.0 : wheel_speed;
   rows.seconds = tick.dt;
-  // Rows take turns to be looked at, so one found torn at the beginning of a step tore in the step
+  // Rows are checked in turn, so a row found torn at the beginning of a step tore in the step
   // before.
   constexpr double kLooking = 0.25;  // s
   const bool begun = history && history->depth() > 0 && history->lasted() < kLooking;
@@ -300,7 +299,7 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
   row_effects->run(def, clay, rows);
 }
 
-// Stage 7. Reaction, friction, and the stop that is not clay: the wheel head.
+// Stage 7. Reaction, friction, and the wheel head, a stop that is not clay.
 void Scene::State::feel(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
     scene::HandState& h = hand[n];
@@ -315,7 +314,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     const double strength = length(press.force);
     force::Touch& touch = tick.touch[n];
     touch = touch_of(press, std::max(press.normal, strength), shape.severs());
-    // A soft tool gives way itself: it takes that much longer for the clay to (tool_contact.cpp).
+    // A soft tool yields itself, so the clay takes that much longer (tool_contact.cpp).
     touch.relaxation = shape.relaxation / shape.softness * yielding_at(h.at.y).relaxation_time;
     if (effects::kBuilt && def.friction && press.normal > 0.0 && strength > 0.0) {
       const FrictionDef& friction = *def.friction;
@@ -340,7 +339,7 @@ void Scene::State::feel(Tick& tick) noexcept {
   }
 }
 
-// Stages 5 and 7 as printed: no steps within the tick, no stops, and a filter.
+// Stages 5 and 7 as printed in the paper: no steps within the tick, no stops, and a filter.
 void Scene::State::press_as_printed(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n) {
     PaperFilter& filter = printed->filter[n];

@@ -42,8 +42,8 @@ struct Scene::State {
   std::optional<effects::Moisture> moisture;
   std::unique_ptr<scene::RowEffects> row_effects;  // null if the scene has none
   scene::LumpWork lump;
-  std::uint32_t faults = 0;   // faults since they were cleared,
-  std::uint32_t faulted = 0;  // and since create(), which a replay compares
+  std::uint32_t faults = 0;   // faults since they were last cleared,
+  std::uint32_t faulted = 0;  // and since create(); a replay compares these
   SceneCounters counters;
 
   // Values that the stages of one tick pass on.
@@ -93,7 +93,7 @@ struct Scene::State {
   void press_and_work(Tick& tick) noexcept;
   void work_on_rows(const Tick& tick) noexcept;
   using Faces =
-      std::array<contact::FacePush, kMaxHands>;  // what each hand presses on a face of the wall
+      std::array<contact::FacePush, kMaxHands>;  // each hand's press on a face of the wall
   void balance(const Tick& tick, Faces& face) const noexcept;
   void bend_walls(const Tick& tick, Faces& face) const noexcept;
   void feel(Tick& tick) noexcept;

@@ -8,7 +8,7 @@ namespace onggi::scene {
 WallRing narrowed(const SceneDef& scene, const WallRing& ring, double outer) {
   const ClayDef& clay = scene.clay;
   const double most = outer - clay.wall_min;
-  // Walls keep a ring's area; otherwise the inner face stays until the wall is thin.
+  // Walls keep a ring's area. Without them the inner face stays until the wall is thin.
   const double inner =
       scene.walls ? std::sqrt(std::max(outer * outer - area_of(ring), 0.0)) : ring.inner;
   return {outer, std::max(std::min(inner, most), std::min(clay.radius_min, ring.inner))};

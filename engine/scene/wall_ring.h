@@ -13,12 +13,12 @@ inline double area_of(const WallRing& ring) {
   return (ring.outer - ring.inner) * (ring.outer + ring.inner);
 }
 
-/// `ring` after presses from outside that bring its outer face to `outer` (m, nearer to the axis),
-/// or from inside its inner face to `inner` (farther). The other face moves as in `scene`, within
-/// the clay's limits.
+/// `ring` after presses that move its outer face to `outer` from outside (m, nearer the axis), or
+/// its inner face to `inner` from inside (farther). The other face moves as in `scene`, within the
+/// clay's limits.
 WallRing narrowed(const SceneDef& scene, const WallRing& ring, double outer);
 WallRing widened(const SceneDef& scene, const WallRing& ring, double inner);
-/// Widens until the outer face is at `outer`, or narrows.
+/// Widens or narrows the ring until its outer face is at `outer`.
 WallRing worked(const SceneDef& scene, const WallRing& ring, double outer);
 
 }  // namespace onggi::scene
