@@ -12,7 +12,7 @@ using view::Rect;
 namespace {
 
 constexpr float kPeek = 0.5f;       // of a card: the visible part of the next column
-constexpr float kSlip = 5.0f / 15;  // of the least touch target: a finger that moves less taps
+constexpr float kSlip = 5.0f / 15;  // of the least touch target: a finger that moves less is a tap
 constexpr float kNarrowest = 9.5f;  // em: card width on a shelf longer than the screen
 constexpr float kLegible = 0.9f;    // of a card on the screen: from here on its words appear
 
@@ -62,7 +62,7 @@ bool CardShelf::drag(const view::InputEvent& e, const Page& page) {
     const bool ran = scroll_.moving();
     finger_ = Finger{e.x, e.x, scroll_.at(), desk_.now, 0, ran};
     if (ran) scroll_.hold();
-    return ran;  // a touch that stops the shelf chooses no vessel
+    return ran;  // a touch that stops the shelf does not choose a vessel
   }
   if (e.kind == Kind::pointer_up) tapped_ = finger_.has_value();
   if (!finger_) return false;
@@ -112,8 +112,9 @@ int CardShelf::in_front() const {
   return std::clamp(seen ? wanted_ : scroll_.first() * rows_, 0, std::max(0, cards_.count() - 1));
 }
 
-/// Speed of the finger that moves the shelf, over about the last tenth of a second, because earlier
-/// motion is not the throw. It works by frames, because all events of one frame have the same time.
+/// Speed of the finger that moves the shelf, over about the last tenth of a second: earlier motion
+/// is not part of the throw. Measured by frames, because all events of one frame have the same
+/// time.
 void CardShelf::watch_finger() {
   const double dt = desk_.now - finger_->since;
   if (dt <= 0) return;
@@ -134,7 +135,7 @@ void CardShelf::lay_out(Page& page, Column& column) {
   int columns = std::clamp(static_cast<int>((whole.w + gap) / (narrowest + gap)), 1,
                            std::max(1, cards_.count()));
   float width = (whole.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-  // Never break a word of a card; use fewer columns instead.
+  // Never break a word on a card; use fewer columns instead.
   const auto too_wide = [&](float cards) {
     Page trial = page;
     words_of_all(trial, cards);

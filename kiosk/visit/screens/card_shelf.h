@@ -13,14 +13,14 @@
 namespace onggi::screens {
 
 /// A card's words below each other, centred in `at`. Draws nothing if `opacity` is 0. Reports words
-/// that do not fit `at` to `page`. Use once.
+/// that do not fit `at` to `page`. Use each object once.
 class CardWords {
  public:
   CardWords(Page& page, const view::Rect& at, float opacity)
       : page_(page), at_(at), opacity_(opacity), y_(at.y) {}
-  /// On as many lines as it needs; "" needs none.
+  /// Uses as many lines as needed; "" needs none.
   void add(const std::string& words, view::Face face, float px, view::Color color);
-  /// Height of the added lines with some space.
+  /// Height of the added lines, with some space below.
   float height() const { return y_ - at_.y + page_.type().gap * 0.5f; }
 
  private:
@@ -29,12 +29,11 @@ class CardWords {
   float opacity_, y_, widest_ = 0;
 };
 
-/// Cards with a picture and words each, in rows and columns: one page, or a shelf that moves with a
-/// finger, with a scroll bar and words that tell how much more there is, and two buttons for
+/// Cards with a picture and words each, in rows and columns: one page, or a shelf that a finger
+/// moves. A shelf has a scroll bar, words that tell how much more there is, and two buttons for
 /// visitors who do not swipe.
 class CardShelf {
  public:
-  /// The shelf's content.
   class Cards {
    public:
     virtual ~Cards() = default;
@@ -49,23 +48,23 @@ class CardShelf {
   };
 
   /// Its buttons are `name`.next and `name`.previous, with language keys of the same names. Card
-  /// `wanted` is visible at first. Both outlive it.
+  /// `wanted` is visible at first. `desk` and `cards` must outlive it.
   CardShelf(const Desk& desk, const Cards& cards, std::string name, int wanted = 0)
       : desk_(desk), cards_(cards), name_(std::move(name)), wanted_(wanted) {}
 
   void update(double dt);
-  /// True if it was one of its two buttons.
+  /// True if `control` was one of its two buttons.
   bool press(const std::string& control);
   void let_go();
-  /// A finger that moves along the shelf moves it; a finger that does not move taps. Like
-  /// Screen::drag.
+  /// A finger that moves along the shelf moves it; a finger that stays taps. Like Screen::drag.
   bool drag(const view::InputEvent& e, const Page& page);
-  /// A wheel notch moves it by one column, and so does a touch on the partly visible card.
+  /// A mouse wheel's notch, or a touch on the partly visible card, moves it by one column.
   void pointer(const view::InputEvent& e);
-  /// The card that an arrow reaches beyond the last whole column, which scrolls into view; -1: the
+  /// The card beyond the last whole column that an arrow reaches; the shelf scrolls to it. -1: the
   /// arrow stays on the screen.
   int step(int from, Direction to);
-  /// Lays out the cards in the rest of `column`, whose foot already holds the other controls.
+  /// Lays out the cards in the free part of `column`. The foot must already hold the other
+  /// controls.
   void lay_out(Page& page, Column& column);
 
   /// Moves the first card to the front at once.
@@ -78,14 +77,15 @@ class CardShelf {
  private:
   struct Finger {
     float from, x;
-    double at, since;  ///< Position of the shelf at the last look, and its time.
+    double at, since;  ///< Position of the shelf in the last frame, and its time.
     double speed;      ///< Columns/s.
     bool drags;
   };
-  /// The words about how much more there is: beside Back and Help if there is space, else above.
+  /// The words about how much more there is: beside Back and Help if there is space, else above
+  /// them.
   struct Foot {
     float wanted = 0, y = 0, height = 0, line = 0;
-    bool tight = false;  ///< Less space in the buttons;
+    bool tight = false;  ///< The buttons have less space;
     float count = 0;     ///< if that is not enough, the words are above them, this high.
   };
 
@@ -106,7 +106,7 @@ class CardShelf {
   float pitch_ = 0;              ///< Pixels between two columns.
   view::Rect shelf_, peeking_;   ///< Area where a finger moves it; visible part of the next column.
   std::optional<Finger> finger_;
-  bool tapped_ = false;  ///< The lifted finger went down here too, and not on an earlier screen.
+  bool tapped_ = false;  ///< The lifted finger also went down here, not on an earlier screen.
   double notches_ = 0;
 };
 

@@ -27,7 +27,6 @@ class Comfort {
   /// Controls "comfort.volume.0" (silent) up to the exhibit's full volume.
   static constexpr int kLoudest = 4;
 
-  /// `exhibit` with the visitor's choices.
   settings::Exhibit::Screen applied(settings::Exhibit::Screen exhibit) const {
     for (std::size_t i = 0; i < kChoices.size(); ++i)
       if (chosen_[i]) exhibit.*kChoices[i].of = *chosen_[i];
@@ -35,7 +34,7 @@ class Comfort {
     if (pace_ > 0) exhibit.scan_seconds = pace_;
     return exhibit;
   }
-  /// Volume step, 0..kLoudest; full unless the exhibit starts silent.
+  /// Volume step, 0..kLoudest; kLoudest unless the exhibit starts silent.
   int volume(const settings::Exhibit::Screen& exhibit) const {
     return volume_.value_or(exhibit.silent ? 0 : kLoudest);
   }

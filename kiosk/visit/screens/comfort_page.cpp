@@ -16,8 +16,8 @@ using view::Rect;
 
 namespace {
 
-constexpr float kExplaining = 1.25f;  // of a line
-constexpr float kTwoAbreast = 36.0f;  // em: from here on a page has two columns of choices
+constexpr float kExplaining = 1.25f;  // times a line
+constexpr float kTwoAbreast = 36.0f;  // em: a wider page has two columns of choices
 
 std::string control_of(const Comfort::Choice& choice) {
   return std::string("comfort.") + choice.name;
@@ -194,7 +194,7 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   std::vector<ChoiceRow> rows;
   std::vector<float> heights;  // of the lines
   float all = 0;
-  // If names and explanations do not fit, show only names, which are enough and stay legible.
+  // If names and explanations do not fit, show only the names. They are enough, and stay legible.
   for (const auto& [explained, air] : {std::pair(true, 1.6f), {false, 1.6f}, {false, 0.5f}}) {
     between = air * t.gap;
     rows.clear();
@@ -211,7 +211,7 @@ void lay_out_comfort(Page& page, const Desk& desk) {
     if (fits && all <= rest.h) break;
     if (air < 1) page.overflowed();
   }
-  // From the foot up: visitors with low reach need these most.
+  // From the foot up: visitors with low reach need these choices most.
   float y = rest.y + rest.h - all;
   for (std::size_t line = 0; line < lines; ++line) {
     for (std::size_t i = line; i < rows.size(); i += lines) {

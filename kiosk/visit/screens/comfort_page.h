@@ -7,9 +7,8 @@
 
 namespace onggi::screens {
 
-/// The Comfort page over any screen: the visitor's choices, each with a line of explanation and a
-/// switch. Low reach is left out if the whole screen is in reach, and the volume if there is no
-/// sound.
+/// The Comfort page over any screen: the visitor's choices, each with an explanation and a switch.
+/// Leaves out low reach if the whole screen is in reach, and the volume if there is no sound.
 void lay_out_comfort(Page& page, const Desk& desk);
 
 /// The control where the keyboard starts.

@@ -8,13 +8,13 @@ namespace onggi::screens {
 using device::WallHold;
 
 namespace {
-constexpr double kWheel = 25.0;         // rad/s with a lump; slower for a wider pot,
-constexpr double kRimSpeed = 2.0;       // m/s at the widest place
+constexpr double kWheel = 25.0;         // rad/s for a lump; slower for a wider pot,
+constexpr double kRimSpeed = 2.0;       // m/s at the widest place at most
 constexpr double kWetting = 0.7;        // s of the sponge, at first and at every third stroke
 constexpr double kBreath = 0.5;         // s between two strokes
 constexpr double kNearEnough = 0.0015;  // m
-constexpr double kWidens = 0.005;       // m that a stroke widens: more leaves a ledge on the way
-constexpr double kSharp = 0.005;        // m that palms may leave of a neck
+constexpr double kWidens = 0.005;       // m that a stroke widens: more would leave a ledge
+constexpr double kSharp = 0.005;        // m that palms may leave on a neck
 constexpr int kMostStrokes = 15;
 constexpr double kStand = 2.5;  // s until the wheel has stopped
 }  // namespace
@@ -58,8 +58,8 @@ bool Demonstration::rested(double dt, double seconds) {
   return for_ > seconds;
 }
 
-// Plan for what the hands can do: a palm rounds a sharp neck, and if it would leave too much,
-// fingertips do the work.
+// Plan for what the hands can do: a palm rounds a sharp neck. If it would leave too much, use
+// fingertips.
 void Demonstration::take_hands(const Profile& target) {
   const WallHold::Part palm{wheel_.palm, wheel_.palm_radius}, finger{0, wheel_.tool_radius};
   worked_ = device::rolled(target, palm.radius);
@@ -138,7 +138,7 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
     throw_on(dt, wheel, target, wheel_commands);
   } else if (stage_ == Stage::foot) {
     if (trimmer_) trimmer_->follow(wheel.clay, target, dt);
-    // Go up first: hands that went straight from the foot would pass through the wall.
+    // Go up first: hands that went straight on from the foot would pass through the wall.
     if ((!trimmer_ || trimmer_->done()) && rested(dt, kBreath)) next_stage(wheel, target);
   } else if (stage_ == Stage::even) {
     if (rested(dt, kBreath)) next_stage(wheel, target);

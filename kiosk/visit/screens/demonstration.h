@@ -13,10 +13,10 @@
 
 namespace onggi::screens {
 
-/// A potter throws a vessel for visitors to watch, with the hands that they also have: wets the
-/// clay, brings the wall to the outline stroke by stroke between both hands, trims the foot,
-/// smooths it slowly, uses a rib, and cuts it off with the wire. Each stroke is planned on the
-/// current pot. Tools that the scene lacks are skipped. Main thread.
+/// A potter throws a vessel for visitors to watch, with the same hands that they have. The potter
+/// wets the clay, brings the wall to the outline stroke by stroke between both hands, trims the
+/// foot, smooths it slowly, uses a rib, and cuts it off with the wire. Plans each stroke on the
+/// current pot. Skips tools that the scene lacks. Main thread.
 class Demonstration {
  public:
   /// Left-handed potters work on the left of the axis, and their wheel turns the other way.
@@ -25,7 +25,7 @@ class Demonstration {
   /// Call once a frame while the pot is on the wheel. `right`: as in PointerLead::input.
   void update(double dt, const loop::WheelView& wheel, const Profile& target, Vec3 right,
               loop::WheelCommands& wheel_commands);
-  /// Takes the hands off the clay and the sponge away; the next update() continues.
+  /// Takes the hands off the clay and the sponge away. The next update() continues.
   void let_go(loop::WheelCommands& wheel_commands);
   bool done() const { return stage_ == Stage::done; }
 

@@ -14,7 +14,7 @@
 namespace onggi::screens {
 
 /// Shared state of a visit's screens: the world, the newest status, requests to the program, and
-/// everything about the visitor, which forget() drops.
+/// everything about the visitor. forget() clears the visitor's part.
 class Desk {
  public:
   explicit Desk(const VisitInputs& w) : world(w) {}
@@ -25,14 +25,14 @@ class Desk {
   double now = 0;
   std::deque<Request> requests;
   std::optional<ScreenId> next;  ///< The screen to go to after the current call.
-  bool turned = false;           ///< The same screen now shows another picture: cross-fade.
+  bool turned = false;           ///< Same screen, other picture: cross-fade.
 
-  NoteTaker notes;                                 ///< Takes the visit's countable notes.
+  NoteTaker notes;                                 ///< Takes the countable notes of the visit.
   VisitNotes::End leaves = VisitNotes::End::back;  ///< How the visit ends, if it ends now.
 
   /// About the visitor.
   std::size_t language = 0;
-  int card = -1;                          ///< On the shelf, or own_card().
+  int card = -1;                          ///< An index on the shelf, or own_card().
   int mission = -1;                       ///< Index in the world's missions, if one was chosen.
   std::optional<score::Figures> figures;  ///< Current figures of a pot that answers a description.
   Profile made;
@@ -45,8 +45,8 @@ class Desk {
   std::string kept_as, kept_at;  ///< The keepsake's name, and its address for a phone.
   view::PictureId postcard = 0;
 
-  int attract_card = -1;         ///< The exhibit's: goes round the shelf, with or without visitors.
-  std::size_t attract_turn = 0;  ///< The exhibit's: goes round the scripts.
+  int attract_card = -1;  ///< Attract's vessel; advances along the shelf, with or without visitors.
+  std::size_t attract_turn = 0;  ///< Attract's script; advances through the scripts.
 
   void go(ScreenId id) { next = id; }
   void forget();
@@ -57,7 +57,6 @@ class Desk {
     return words().say(key, places);
   }
   std::string title() const;
-  /// The exhibit's screen with the visitor's choices.
   settings::Exhibit::Screen screen() const { return comfort.applied(world.exhibit->screen); }
   bool still() const { return screen().reduced_motion; }
   bool mirrored() const { return screen().left_handed != words().right_to_left(); }
@@ -71,9 +70,9 @@ class Desk {
 
   int missions() const;
   const MissionCard& mission_card(int index) const;
-  /// The visitor's mission; null: only a vessel from the shelf.
+  /// The visitor's mission; null if only a vessel was chosen.
   const settings::Mission* on() const;
-  /// The wanted figures, if there is no vessel to copy.
+  /// The wanted figures if the mission has no vessel to copy; else null.
   const settings::Mission::Described* described() const;
   /// True if the pot is thrown with the screen hidden.
   bool eyes_closed() const { return does(settings::Mission::Kind::eyes_closed); }
@@ -91,7 +90,7 @@ class Desk {
   /// A remark in the visitor's language, with litres in its decimal notation.
   std::string said(const score::Remark& remark) const;
 
-  /// Remembers the pot on the wheel, which is paused, as the visitor's answer to `card`.
+  /// Stores the pot on the wheel, which is paused, as the visitor's answer to `card`.
   void judge(const ShelfCard& card);
   /// Requests the keepsake, once for each pot and glaze.
   void keep_pot();

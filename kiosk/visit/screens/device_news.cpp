@@ -38,8 +38,8 @@ void DeviceNews::update(double now, bool hold) {
     key_ = std::exchange(next_, {});
     told_at_ = now;
   }
-  // A device that returned is announced until somebody holds it; the first time its own words are
-  // enough.
+  // A device that came back is announced until somebody holds it. The first time, its own sentence
+  // is enough.
   if (hold && again_) {
     key_ = kHold;
     told_at_ = now;

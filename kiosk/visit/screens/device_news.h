@@ -8,7 +8,7 @@
 
 namespace onggi::screens {
 
-/// News for visitors about the devices under their hands: one was plugged in or removed, or a new
+/// Tells visitors about the devices under their hands: one was plugged in or removed, or a new
 /// force device must be held. Shown for a few seconds while play goes on.
 class DeviceNews {
  public:

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPixelEvery = 150.0;  // s
 constexpr float kFarthest = 12.0f;     // pixels
-// The golden section, so that the path over the square does not repeat a recent place.
+// The golden ratio, so that the path over the square does not soon repeat.
 constexpr double kSlower = 1.618;
 
 /// 0, 1 .. most .. 0 .. -most .. 0, and so on.

@@ -11,7 +11,7 @@ struct Words {
   std::uint32_t bit;
   const char* key;
 };
-// The felt fault comes first, then the hand's motion, then the wheel.
+// Faults in the force come first, because they are felt; then the hand's motion, then the wheel.
 constexpr Words kWords[] = {{kFaultForce, "throw.fault_force"},
                             {kFaultInput, "throw.fault_hand"},
                             {kFaultTime, "throw.fault_time"}};

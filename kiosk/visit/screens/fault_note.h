@@ -14,7 +14,6 @@ namespace onggi::screens {
 /// again.
 class FaultNote {
  public:
-  /// Call once a frame.
   void update(const loop::LoopStatus& status, double now, loop::WheelCommands& wheel_commands);
   /// Language key of the current message; empty: none.
   const std::string& key() const { return key_; }

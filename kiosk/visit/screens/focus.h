@@ -9,14 +9,14 @@ namespace onggi::screens {
 
 enum class Direction { up, down, left, right };
 
-/// The control that an arrow reaches from `from`: the nearest one in that direction, with sideways
-/// distance counted double. If there is none, the next (right, down) or previous (left, up) one in
+/// The control that an arrow reaches from `from`: the nearest one in that direction, counting
+/// sideways distance double. If there is none, the next (right, down) or previous (left, up) one in
 /// reading order, cyclically, so that one arrow reaches every control. Empty if there are no
 /// controls.
 std::string step_focus(const std::vector<Control>& controls, const std::string& from,
                        Direction direction);
 
-/// `controls` in rows from the top of the page down, each in reading order. Indices.
+/// `controls` in rows from top to bottom, each in reading order. Indices.
 std::vector<std::vector<std::size_t>> rows_of(const std::vector<Control>& controls,
                                               bool right_to_left);
 /// The same as one list, in the order of Tab.

@@ -34,7 +34,7 @@ void GalleryPage::lay_out(Page& page, const std::vector<Button>& onward, bool wi
   shelf_.lay_out(page, column);
 }
 
-/// Title of a vessel on the shelf, or of a mission that is on; else empty.
+/// Title of a vessel on the shelf, or of an offered mission; else empty.
 std::string GalleryPage::title_of(const std::string& vessel) const {
   for (int card = 0; card < desk_.cards(); ++card)
     if (desk_.shelf_card(card)->vessel->id == vessel) return desk_.label(card).title;
@@ -50,7 +50,8 @@ float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const
   lines.add(title_of(pot(i).vessel), Face::serif, t.body, view::kInk);
   lines.add(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
             t.body, view::kFaintInk);
-  if (opacity > 0) page.tell(at.y, spoken(i));  // it is no control, so nothing else would speak it
+  if (opacity > 0)
+    page.tell(at.y, spoken(i));  // it is not a control, so nothing else would speak it
   return lines.height();
 }
 

@@ -7,8 +7,8 @@
 
 namespace onggi::screens {
 
-/// Today's pots, the newest first: small pictures with the vessel's name and the likeness, on a
-/// shelf that moves with a finger.
+/// Today's pots, newest first: small pictures with the vessel's name and the likeness, on a shelf
+/// that a finger moves.
 class GalleryPage final : private CardShelf::Cards {
  public:
   explicit GalleryPage(const Desk& desk) : desk_(desk), shelf_(desk, *this, "gallery") {}
@@ -17,7 +17,7 @@ class GalleryPage final : private CardShelf::Cards {
   bool any() const { return count() > 0; }
   /// The button that opens it, named `id`.
   Button way(const std::string& id) const;
-  /// Fills the whole page; `onward` are buttons at its foot, over Back and Help.
+  /// Fills the whole page. `onward`: buttons at its foot, above Back and Help.
   void lay_out(Page& page, const std::vector<Button>& onward, bool with_back);
 
   void update(double dt) { shelf_.update(dt); }

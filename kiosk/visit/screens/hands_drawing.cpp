@@ -57,7 +57,6 @@ class Slip {
   }
   void wheel() { line({{0.14f, 0.93f}, {0.86f, 0.93f}}, view::kFaintInk, 1.6f); }
   void cylinder() { both({{0.5f, 0.90f}, {0.33f, 0.90f}, {0.33f, 0.36f}}, view::kFaintInk, 1.6f); }
-  // A jar, and the place of its belly.
   void jar() {
     both({{0.5f, 0.90f},
           {0.37f, 0.90f},

@@ -33,7 +33,7 @@ struct Difference {
   double height = 0, off = 0;
 };
 
-/// The height where the clay is furthest from the target and can still be changed.
+/// The height where the clay is farthest from the target and can still be changed.
 Difference worst(const HintInput& in) {
   constexpr int kSteps = 48, kReach = 2;
   const double height = std::min(in.target->height(), in.made->height());
@@ -101,7 +101,7 @@ const Hint& HintLine::update(double now, const HintInput& in) {
     shown_.press = newest.press;
     return shown_;
   }
-  // Say at once that the wheel is not turning.
+  // Tell at once that the wheel is not turning.
   if (now - since_ < 2.0 && newest.key != "hint.wheel_still") return shown_;
   shown_ = std::move(newest);
   since_ = now;

@@ -16,9 +16,9 @@ struct HintInput {
   bool wheel_turns = true;
   device::Grip grip = device::Grip::both;
   bool touched = false;       ///< The visitor has touched this pot.
-  bool dry_too_long = false;  ///< It was rubbed too long without water.
+  bool dry_too_long = false;  ///< The clay was rubbed too long without water.
   double tool_radius = 0.008;
-  std::string described{};  ///< If figures are wanted instead of an outline: their hint.
+  std::string described{};  ///< The hint for wanted figures, if there is no outline to copy.
 };
 
 /// The most useful hint for the current state. Pure.

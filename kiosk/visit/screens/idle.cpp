@@ -5,8 +5,8 @@
 namespace onggi::screens {
 
 IdleWatch::Word IdleWatch::look(double now, double warn_after, double countdown) {
-  constexpr double kLeast =
-      20.0;  // A person with slow hands needs this long to answer (WCAG 2.2.1).
+  // s: a person with slow hands needs this long to answer (WCAG 2.2.1)
+  constexpr double kLeast = 20.0;
   if (!started_) touched(now);
   countdown_ = std::max(countdown, kLeast);
   left_ = warn_after + countdown_ - (now - last_);

@@ -2,7 +2,7 @@
 
 namespace onggi::screens {
 
-/// Notices that nobody is there. Any input restarts the wait, at any time.
+/// Notices when nobody is there. Any input restarts the wait, at any time.
 class IdleWatch {
  public:
   enum class Word { none, warn, over };

@@ -91,7 +91,7 @@ class Keepsake final : public Screen {
     desk.turned = true;
   }
 
-  /// The QR codes, if phones can reach the page: in the museum's network only the page's; with the
+  /// The QR codes, if phones can reach the page. In the museum's network only the page's; with the
   /// kiosk's own access point first the network's, then the page's.
   void lay_out_codes(Column& column) {
     const auto& phone = desk.world.exhibit->phone;
@@ -135,7 +135,7 @@ class Keepsake final : public Screen {
     const view::SquareCode* code;
   };
 
-  /// Placed at the top of `room`, where its words begin; its quiet zone is enough space.
+  /// Placed at the top of `room`, where its words begin. Its quiet zone is space enough.
   static void put_code(Page& page, const view::SquareCode& code, const Rect& room) {
     const float wanted = page.type().body * 7, side = code.width(wanted);
     if (side > room.h || side > room.w) return page.overflowed();
@@ -147,7 +147,7 @@ class Keepsake final : public Screen {
   std::string coded_;                          ///< The texts of the codes.
   view::SquareCode page_code_, network_code_;  ///< Computed once for each page.
 
-  /// A card of 5:7 on the plaster, with a soft shadow of several layers and no frame.
+  /// A 5:7 card on the plaster, with a soft shadow of several layers and no frame.
   void lay_out_card(Page& page) const {
     const Rect room = page.where().pot;
     const float h = std::min(room.h, room.w * 1.4f), w = h / 1.4f;

@@ -15,7 +15,7 @@ using view::Face;
 namespace {
 
 constexpr double kGlazeShowSpeed = 1.2;  // rad/s: the visitor sees the glaze from all sides
-constexpr double kDryTime = 4.0;         // s; an impatient visitor's pot dries in a fifth of it
+constexpr double kDryTime = 4.0;         // s; for an impatient visitor a fifth of it
 constexpr double kFireTime = 6.0;        // s
 constexpr double kReglazeTime = 2.4;     // s
 constexpr double kTextFade = 0.5;        // s
@@ -90,7 +90,7 @@ class KilnScreen final : public Screen {
   }
 
   void lay_out(Page& page) override {
-    // Keep the thrown size as a line, so that the eye sees the shrinkage in the text.
+    // Keep the thrown size as a line, so that visitors see the shrinkage that the text tells.
     if (dried_ > 0.05) draw_ghost(page, picture_.camera(page), desk.made, {});
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
@@ -105,7 +105,7 @@ class KilnScreen final : public Screen {
     column.foot_buttons(glaze_buttons());
     column.foot_space(t.gap);
 
-    // The controls are more important than text that was already spoken
+    // Controls matter more than text that was already spoken.
     if (!desk.screen().larger_text) {
       column.text(desk.answer(), t.body, Face::sans, view::kFaintInk);
       column.space(t.gap * 0.5f);
@@ -168,7 +168,6 @@ class KilnScreen final : public Screen {
     return row;
   }
 
-  /// Shows the final state at once.
   void finish() {
     dried_ = 1;
     if (desk.glaze < 0) return;
@@ -191,7 +190,7 @@ class KilnScreen final : public Screen {
     return static_cast<float>(smooth((desk.now - since) / kTextFade));
   }
 
-  /// Reserve space for the longest later text, so that it need not be set smaller.
+  /// Reserve space for the longest later text, so that its size need not shrink.
   void keep_room(Page& page, const view::Rect& room) const {
     const TypeScale& t = page.type();
     float most = 0;

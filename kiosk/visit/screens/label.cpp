@@ -8,7 +8,7 @@ namespace onggi::screens {
 
 namespace {
 
-/// Chinese and Japanese sentence ends, three bytes each, without a space after them.
+/// Chinese and Japanese sentence ends: three bytes each, no space after them.
 constexpr std::array<const char*, 3> kWideStops{"\u3002", "\uFF01", "\uFF1F"};
 
 bool ends_wide(const std::string& words) {
@@ -80,8 +80,8 @@ std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>
     while (at < all.size()) {
       const float before = parts.back().empty() ? 0.0f : used + paragraph_gap(style);
       const auto fits = [&](std::size_t count) { return before + height(count) <= box.h; };
-      // The most sentences that fit. They grow taller with each, so halve the doubt: a paragraph of
-      // hundreds is measured a few times.
+      // The most sentences that fit. The height grows with each sentence, so search by halves: a
+      // paragraph of hundreds is measured only a few times.
       const std::size_t rest = all.size() - at;
       std::size_t most = 0, too_many = 1;
       if (fits(1)) most = fits(rest) ? rest : 1, too_many = most == rest ? rest + 1 : rest;

@@ -21,14 +21,13 @@ std::string hundredths(long number, const content::Language& language);
 /// Joins sentences, with the separator of their script.
 std::string joined(const std::string& words, const std::string& sentence);
 
-/// Paragraphs of one page.
 using LabelPart = std::vector<std::string>;
 
 /// Pixels between paragraphs of `style`.
 float paragraph_gap(const view::TextStyle& style);
 
-/// Breaks `paragraphs` (empty ones left out) between sentences into parts that each fit `box`. At
-/// least one part; a single sentence that does not fit makes the page overflow.
+/// Breaks `paragraphs` (leaving out empty ones) between sentences into parts that each fit `box`.
+/// At least one part. A single sentence that does not fit makes the page overflow.
 std::vector<LabelPart> parts_that_fit(Page& page, const std::vector<std::string>& paragraphs,
                                       const view::TextStyle& style, const view::Rect& box);
 

@@ -15,8 +15,8 @@ constexpr float kLarger = 1.3f, kLeadOfLarger = 1.1f;
 constexpr float kTitlesGive = 0.6f, kGapsGive = 0.4f;  // at most, of the size beyond body text
 constexpr float kBodyStep = 0.94f;
 constexpr float kPotInReach = 0.28f;  // of its height, in portrait
-constexpr float kReadAbove = 0.6f;    // of the reach: higher up is too far from the buttons
-constexpr float kUpright = 0.8f;      // of the width: from here on the pot is above the words
+constexpr float kReadAbove = 0.6f;    // of the reach: higher text is too far from the buttons
+constexpr float kUpright = 0.8f;      // of the width: a higher page has the pot above the words
 
 double pixels_per_mm(const settings::Exhibit::Screen& screen, int width, int height) {
   return std::hypot(width, height) / std::max(screen.diagonal_mm, 100.0);
@@ -33,14 +33,14 @@ view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int heig
     return static_cast<float>(std::clamp(std::round(y), 0.0, static_cast<double>(height)));
   };
   const float top = row(kReachHigh), foot = row(kReachLow);
-  // Text completely out of reach gains nothing from a smaller size.
+  // A page completely out of reach gains nothing from a smaller area.
   return foot - top < 1 ? view::Rect{0, 0, w, h} : view::Rect{0, top, w, foot - top};
 }
 
 GiveWay give_way(int step, bool low) {
   // The first half of the titles' reduction costs less than a part of the pot's space.
   constexpr std::array<GiveWay, 5> kAll{{{0}, {0.5f}, {1}, {0.5f, true}, {1, true}}};
-  // Higher text is seen from farther below, so use only half of that space first.
+  // Higher text is seen from farther below, so use half of that space first.
   constexpr std::array<GiveWay, 7> kLow{
       {{0}, {0.5f}, {1}, {1, false, 0.5f}, {1, false, 1}, {0.5f, true, 1}, {1, true, 1}}};
   const auto of = [&](const auto& steps) {
@@ -91,11 +91,11 @@ TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int hei
   t.title = step(2);
   t.display = step(3);
   if (screen.larger_text) {
-    // Small text is hard to read first; titles are large, so they give up their space.
+    // Small text becomes unreadable first. Titles are large, so they give up their space.
     t.body *= kLarger;
     t.lead = std::max(t.lead, t.body * kLeadOfLarger);
   }
-  // In a strip of a wall-sized screen a tenth is less than 28 pixels.
+  // On a strip of a wall-sized screen, a tenth of the short side is less than 28 pixels.
   t.target = static_cast<float>(std::min(std::max(15.0 * px_per_mm, 28.0), short_side / 10.0));
   t.gap = t.body * 0.5f * (1 - gives.titles * kGapsGive);
   t.margin = static_cast<float>(std::round(short_side * 0.06));
@@ -123,10 +123,10 @@ Regions regions(const view::Rect& all, float margin, bool mirrored, bool roomy) 
     return lower();
   }
   r.words = {margin, margin, std::round(w * (roomy ? 0.5f : 0.365f)), h - 2 * margin};
-  // The axis is on the vertical third; the pot's half width is the space on both sides of it.
+  // The axis is on the vertical third. The pot's half width is the space on both sides of it.
   const float axis = w * (roomy ? 0.77f : 2.0f / 3.0f);
   const float half = std::min(axis - (r.words.x + r.words.w + margin), w - axis);
-  // Space above the rim, and the wheel below the foot.
+  // Leave space above the rim, and for the wheel below the foot.
   r.pot = {axis - half, margin * 1.2f, 2 * half, h - margin * 3.4f};
   if (mirrored) {
     r.words.x = w - r.words.x - r.words.w;

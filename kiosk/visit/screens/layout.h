@@ -11,15 +11,15 @@ struct TypeScale {
   float lead = 33;     ///< body x 1.333
   float title = 44;    ///< x 1.333^2
   float display = 59;  ///< x 1.333^3
-  float target = 37;   ///< Least side of a touch target.
+  float target = 37;   ///< Smallest side of a touch target.
   float gap = 12;      ///< Between related things: half of body.
   float margin = 43;   ///< Round the page: 6 % of the short side.
   float hairline = 1;
 };
 
-/// The usable part of a screen of `width` x `height` pixels, in pixels: all of it, or with
-/// Exhibit::Screen::low_reach the part between 380 and 1,220 mm above the floor, from the stated
-/// size and height of the screen.
+/// The usable part of a screen of `width` x `height` pixels, in pixels. It is all of it, or with
+/// Exhibit::Screen::low_reach the part between 380 and 1,220 mm above the floor, computed from the
+/// screen's stated size and height.
 view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int height);
 
 /// What a page gives up when its words do not fit.
@@ -30,7 +30,8 @@ struct GiveWay {
   float above = 0;
   float body = 1;  ///< Only then body text is set smaller: share of its size.
 };
-/// Step by step; 0 gives up nothing. `low`: the visitor reaches only a part of the screen.
+/// give_way(step): larger steps give up more; 0 gives up nothing. `low`: the visitor reaches only a
+/// part of the screen.
 inline constexpr int kLastGiveWay = 20;
 GiveWay give_way(int step, bool low);
 
@@ -57,7 +58,7 @@ struct Regions {
 Regions regions(const view::Rect& all, float margin, bool mirrored, bool roomy = false);
 
 /// Moves text that needs no touch up by `share` of the free space above `r.all`. In portrait the
-/// pot moves up instead and leaves its space to words; its lower part stays in reach, so that
+/// pot moves up instead, and the words get its space; its lower part stays in reach, so that
 /// visitors can turn it.
 void read_above(Regions& r, float margin, float share);
 

@@ -11,8 +11,8 @@ using content::DoneWhen;
 using content::LessonStep;
 
 namespace {
-constexpr double kTouch = 1.0;        // s on the clay that count as done
-constexpr double kRimShare = 0.9;     // of the pot's height: from here on it is the rim
+constexpr double kTouch = 1.0;        // s on the clay until it counts as touched
+constexpr double kRimShare = 0.9;     // of the pot's height: above it is the rim
 constexpr double kRaised = 1.0 / 3;   // of the pot's height, in one stroke
 constexpr double kStrokeEnds = 0.4;   // s off the clay
 constexpr double kShapedShare = 0.5;  // of the heights are on the line

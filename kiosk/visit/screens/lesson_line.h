@@ -16,7 +16,6 @@ class LessonLine {
   void update(Desk& desk, double dt, const Profile* target, const Profile& made, bool alone);
   /// The step to show now; null if there is none or the lesson is over.
   static const content::LessonStep* shown(const Desk& desk);
-  /// The visitor skips the lesson.
   static void skip(Desk& desk);
 
  private:
@@ -28,7 +27,7 @@ class LessonLine {
 
   std::uint32_t done_ = 0;  ///< Bits by DoneWhen, since the visitor came to the wheel.
   double touched_ = 0, inside_ = 0, at_rim_ = 0;  ///< s so far.
-  double lowest_ = -1;  ///< Height at which the current stroke began to rise, m; below 0: none.
+  double lowest_ = -1;  ///< Height where the current stroke began to rise, m; negative: none.
   double apart_ = 0;    ///< s since the last contact with clay.
   double in_step_ = 0;  ///< s that the step has been shown.
   double looked_ = 0;   ///< s since the outline was checked.

@@ -7,8 +7,8 @@
 
 namespace onggi::screens {
 
-/// Measures the pot on the wheel twice a second, slowly enough to read, if it should answer a
-/// description. The desk keeps the figures. Without a description it does nothing.
+/// Measures the pot on the wheel, if it should answer a description: twice a second, slowly enough
+/// to read. The desk keeps the figures. Does nothing without a description.
 class MeasuredPot {
  public:
   static constexpr double kLook = 0.5;  ///< s

@@ -8,10 +8,10 @@
 namespace onggi::screens {
 namespace {
 
-// More texts than one layout of a long label or of a large shelf asks for.
+// More texts than one layout of a long label or a large shelf needs.
 constexpr std::size_t kMostKnown = 16384;
 
-/// As if each letter were half as wide as high, and a wide one, of three bytes, as wide as high.
+/// Guesses that a letter is half as wide as high, and a wide one (three bytes) as wide as high.
 view::TextMeasure::Size guessed(const std::string& words, const view::TextStyle& style,
                                 float width) {
   const float whole = style.px * std::max(1.0f, 0.5f * static_cast<float>(words.size()));

@@ -7,20 +7,21 @@
 
 namespace onggi::screens {
 
-/// Caches text sizes, because a screen sets the same words sixty times a second, and measures only
-/// so many bytes of new words a frame, so that no frame waits for words, whatever file they are of.
+/// Caches text sizes, because a screen lays out the same words sixty times a second. Measures only
+/// so many bytes of new words per frame, so that no frame waits for words, whatever file they come
+/// from.
 class Measuring {
  public:
-  /// Bytes of words a frame, each text counted with kEach more. The exhibit's own pages need at
-  /// most three quarters of it (tests/kiosk/visit/screens/fonts_test.cpp).
+  /// Bytes of words per frame; each text counts kEach more. The exhibit's own pages need at most
+  /// three quarters of it (tests/kiosk/visit/screens/fonts_test.cpp).
   static constexpr std::size_t kMostBytes = 64 * 1024, kEach = 64;
 
   explicit Measuring(const view::TextMeasure& measure) : measure_(measure) {}
   void begin_frame() { bytes_ = 0; }
-  /// In a frame that has measured its share, a text that is new gets a guessed size.
+  /// After a frame's share is used up, a new text gets a guessed size.
   view::TextMeasure::Size operator()(const std::string& words, const view::TextStyle& style,
                                      float width);
-  /// This frame has measured its share: what was laid out since may be guessed.
+  /// This frame's share is used up: sizes since then may be guesses.
   bool spent() const { return bytes_ >= kMostBytes; }
   std::size_t bytes() const { return bytes_; }  ///< Measured in this frame.
 
@@ -29,7 +30,8 @@ class Measuring {
 
   const view::TextMeasure& measure_;
   std::size_t bytes_ = 0;
-  Sizes known_, older_;  ///< What was not asked for since `known_` was last full goes.
+  Sizes known_, older_;  ///< When `known_` is full, it replaces `older_`; sizes not asked for since
+                         ///< then are dropped.
 };
 
 }  // namespace onggi::screens

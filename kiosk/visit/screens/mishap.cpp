@@ -6,8 +6,8 @@ namespace onggi::screens {
 
 namespace {
 
-// A wall that tore because it was thin springs back a little when the hand leaves: in the exhibit's
-// scenes an eighth of a press is elastic.
+// A wall that tore when thin springs back a little when the hand leaves: in the exhibit's scenes an
+// eighth of a press is elastic.
 constexpr double kSprungBack = 1.25;
 
 // Longest time for the wheel to undo a step, s: 8192 elements a tick for each face, twice
@@ -21,7 +21,7 @@ Mishap MishapWatch::seen(const Desk& desk) const {
   const Feedback& felt = desk.status.feedback;
   if (felt.fallen) return Mishap::fell;
   if (!felt.torn) return Mishap::none;
-  // Give the cause of a tear once, as it was then.
+  // Keep the cause of a tear as it was first found.
   if (now_ == Mishap::tore_thin || now_ == Mishap::tore_wide) return now_;
   // The status may be newer than the rows.
   const auto wall = desk.world.wheel->clay.torn_wall();

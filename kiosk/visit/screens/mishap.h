@@ -4,8 +4,8 @@
 
 namespace onggi::screens {
 
-/// A fault of the clay that the visitor is told about: a pot that fell, or a wall that tore. A fall
-/// comes before a tear.
+/// A fault of the clay to tell the visitor about: a pot that fell, or a wall that tore. A fall has
+/// priority over a tear.
 enum class Mishap { none, fell, tore_thin, tore_wide };
 
 /// Watches the pot on the wheel for a mishap, and undoes it on request.
@@ -15,9 +15,9 @@ class MishapWatch {
   bool update(Desk& desk);
   Mishap now() const { return now_; }
   explicit operator bool() const { return now_ != Mishap::none; }
-  /// Requests one undo; after a tear as many as are needed for a whole wall.
+  /// Requests one undo; after a tear, as many as it takes until the wall is whole.
   void go_back(Desk& desk);
-  /// The visitor continues without undoing.
+  /// Call when the visitor continues without undoing.
   void stay() { going_back_ = false; }
 
  private:
@@ -25,7 +25,7 @@ class MishapWatch {
 
   Mishap now_ = Mishap::none;
   bool going_back_ = false;
-  double asked_at_ = 0;  // s of the scene
+  double asked_at_ = 0;  // s, the scene's time
 };
 
 }  // namespace onggi::screens

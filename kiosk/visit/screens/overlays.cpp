@@ -9,7 +9,7 @@ using view::Face;
 
 namespace {
 constexpr float kHelpLine = 0.52f * 55,
-                kHelpKeys = 12;  // em: of a line, and at least beside it
+                kHelpKeys = 12;  // em: width of a line, and least width beside it
 }  // namespace
 
 std::vector<Button> language_buttons(const Desk& desk) {
@@ -56,7 +56,7 @@ void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& 
   column.foot_space(t.gap);
   column.text(desk.say("help.title"), t.title, Face::serif);
   column.space(t.gap);
-  // Keys stand beside the other text if both do not fit below each other.
+  // Keys stand beside the other text if both do not fit one below the other.
   const view::Rect room = column.rest();
   const float width = std::min(room.w, kHelpLine * t.body), aside = 2 * t.body;
   const auto height = [&](const std::string& words) {

@@ -15,7 +15,6 @@ std::vector<Button> standing_buttons(const Desk& desk, bool with_back);
 std::vector<Button> reading_buttons(const Desk& desk);
 /// "language" for the language after the current one, "language.CODE" for others.
 std::vector<Button> language_buttons(const Desk& desk);
-/// The language of a control from language_buttons().
 std::optional<std::size_t> language_of(const Desk& desk, const std::string& control);
 
 /// An overlay, which replaces the screen's words.

@@ -11,7 +11,7 @@ using view::Face;
 using view::Rect;
 
 namespace {
-// Pango rounds to its own units, and a line measured to the pixel must not break because of that.
+// Pango rounds to its own units. A line measured to the pixel must not break because of that.
 constexpr float kSlack = 4.0f;
 constexpr float kButtonLine = 1.2f;
 }  // namespace
@@ -253,7 +253,7 @@ void Column::foot_buttons(const std::vector<Button>& row, const std::string& cap
 }
 
 std::size_t Column::abreast(const std::vector<Button>& cells) const {
-  // Wide enough for the words in one line; break them only as a last resort.
+  // Wide enough for the words in one line. Break them only as a last resort.
   float widest = 0;
   for (const Button& cell : cells) widest = std::max(widest, page_.size(cell, box_.w).width);
   const float gap = page_.type().gap;

@@ -20,7 +20,7 @@ struct Control {
   std::string words = {};       ///< Its name.
   std::optional<bool> on = {};  ///< For a switch or a choice: its state.
   std::string note = {};        ///< Further state, for speech.
-  bool by_keys = false;         ///< Only for keys and the switch: a finger does it directly.
+  bool by_keys = false;         ///< Only for keys and the switch; a finger does it directly.
 };
 
 /// The control that has the keyboard, and the one that a finger holds down; both may be empty.
@@ -28,28 +28,27 @@ struct Attention {
   std::string focused, pressed;
 };
 
-/// The look of a control. Only cobalt means that it can be touched.
+/// The look of a control. Cobalt always means that it can be touched.
 enum class Look {
   quiet,    ///< Words with a hairline below.
   outline,  ///< Words in a hairline frame.
   solid,    ///< The main step onward of a screen, or a switch that is on.
-  plain,    ///< Words among buttons that cannot be pressed.
+  plain,    ///< Words among buttons; cannot be pressed.
 };
 
 struct Button {
   std::string id, words;
   Look look = Look::outline;
-  std::string room = {};   ///< The longest text for this place, if the words change.
+  std::string room = {};   ///< Space is reserved for this longest text, if the words change.
   std::string other = {};  ///< A switch: `words` | `other`, one of them on.
   bool other_on = false;
   std::optional<view::Color> swatch = {};  ///< A disc of this colour before the words.
   bool tight = false;                      ///< Less space beside the words.
   std::string language = {};    ///< Language code of the words, if it differs from the page's.
-  std::optional<bool> on = {};  ///< For one that stays on: its state, for speech.
+  std::optional<bool> on = {};  ///< State for speech, if the button stays on.
   std::string note = {};        ///< Control::note.
 };
 
-/// The properties of a page.
 struct Sheet {
   int width = 0, height = 0;  ///< Pixels.
   TypeScale type;
@@ -59,16 +58,15 @@ struct Sheet {
   bool right_to_left = false;  ///< A right-to-left language: rows begin at the right.
 };
 
-/// Words and controls of one screen during layout. Every text is measured before it is placed;
-/// `overflow` means that something did not fit, and the page is then laid out again with smaller
-/// sizes.
+/// Words and controls of one screen during layout. Every text is measured before it is placed.
+/// `overflow` means that something did not fit; the page is then laid out again with smaller sizes.
 class Page {
  public:
   Page(Measuring& measuring, Sheet sheet) : measuring_(measuring), sheet_(std::move(sheet)) {}
 
   const TypeScale& type() const { return sheet_.type; }
   const Regions& where() const { return sheet_.where; }
-  /// Divides the page differently from here on; earlier items stay.
+  /// Divides the page differently from here on. Earlier items stay.
   void divide(const Regions& where) { sheet_.where = where; }
   bool right_to_left() const { return sheet_.right_to_left; }
   int width() const { return sheet_.width; }
@@ -78,7 +76,7 @@ class Page {
   view::TextMeasure::Size size(const std::string& words, const view::TextStyle& style,
                                float at_most) const;
 
-  /// Width of the longest word of `words`; 0 in a language without spaces, where only the
+  /// Width of the longest word of `words`. 0 in a language without spaces, where only the
   /// typesetter knows.
   float longest_word(const std::string& words, const view::TextStyle& style) const;
 
@@ -91,14 +89,13 @@ class Page {
   void button(const Button& button, const view::Rect& rect);
   /// A control whose words are drawn elsewhere (a card); draws its focus and touch.
   void control(const Control& control);
-  /// True if the keyboard is on it.
   bool focused(const std::string& id) const { return sheet_.attention.focused == id; }
-  /// Adds words to the reading, besides those of controls; `y`: their place.
+  /// Adds words to the reading, besides those of controls. `y`: their place.
   void tell(float y, const std::string& words) { told_.emplace_back(y, words); }
   /// The added words, from the top of the page down.
   std::vector<std::string> told() const;
   void overflowed() { overflow_ = true; }
-  /// The screen learned something during layout and needs another one.
+  /// Call if the screen learned something during layout and needs another one.
   void restart() { restart_ = true; }
 
   bool restarted() const { return restart_; }
@@ -121,7 +118,7 @@ class Page {
   bool overflow_ = false, restart_ = false, out_of_reach_ = false;
 };
 
-/// Fills a rectangle from its top and from its foot until both meet.
+/// Fills a rectangle from its top and from its foot until they meet.
 class Column {
  public:
   Column(Page& page, const view::Rect& box)
@@ -141,16 +138,15 @@ class Column {
                float caption_width = 0);
   void foot_buttons(const std::vector<Button>& row, const std::string& caption = {},
                     float caption_width = 0);
-  /// Buttons of equal width and at least `height`, as many side by side as fit their words: all,
+  /// Buttons of equal width and at least `height`, side by side if their words fit: all in a row,
   /// half of them, or one. A button without an id keeps its place and is not drawn. `mirrored`:
   /// from the far side.
   void foot_grid(const std::vector<Button>& cells, float height, bool mirrored);
-  /// How many of them fit side by side.
+  /// How many of them fit side by side in foot_grid().
   std::size_t abreast(const std::vector<Button>& cells) const;
-  /// `count` circles, the first `full` of them filled, and the same in words after them, or below
-  /// if there is no space.
+  /// `count` circles with the first `full` of them filled, and the same in words after them, or
+  /// below them if there is no space.
   void circles(int full, int count, const std::string& words);
-  /// The free space between top and foot.
   view::Rect rest() const { return {box_.x, top_, box_.w, foot_ - top_}; }
   void check() const;
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979 / 180;
 
-/// The numbers of `text`, between spaces and commas; nothing if anything else is there.
+/// The numbers of `text`, separated by spaces and commas. Nothing if it contains anything else.
 std::optional<std::vector<float>> numbers_of(std::string_view text) {
   std::vector<float> numbers;
   for (const char* at = text.data(); at != text.data() + text.size();) {

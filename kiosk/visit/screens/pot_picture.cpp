@@ -6,7 +6,7 @@
 namespace onggi::screens {
 
 namespace {
-/// One step of an exponential approach with time constant `tau`, which ends when the rest is
+/// One step of an exponential approach with time constant `tau`. It ends when the rest is
 /// invisible.
 double eased(double from, double to, double dt, double tau) {
   const double next = to + (from - to) * std::exp(-dt / tau);
@@ -34,7 +34,7 @@ void PotPicture::update(const Desk& desk, double dt, const Profile* target, bool
     height_ = eased(height_, height, dt, 0.5);
     radius_ = eased(radius_, std::max(radius, radius_ * 0.97), dt, 0.5);
   }
-  // A bat a little wider than pot and lump, as a potter would choose; it stays for the life of the
+  // A bat a little wider than pot and lump, as a potter would choose. It stays for the life of the
   // pot.
   if (fresh || wheel_radius_ == 0) wheel_radius_ = std::clamp(1.35 * radius, 0.09, 0.175);
   serial_ = desk.status.scene_serial;
@@ -84,13 +84,13 @@ view::Camera PotPicture::frame(const Page& page) const {
       right = std::max(right, at->first);
     }
     if (!front || i == 24) return camera;
-    // The whole wheel head is on the screen, and none of it under the words.
+    // The wheel head must be wholly on the screen, and not under the words.
     bool clear = left >= where.all.x && right <= where.all.x + where.all.w;
     if (!where.portrait)
       clear = clear &&
               (where.mirrored ? right <= where.words.x : left >= where.words.x + where.words.w);
     if (clear && front->second <= foot) return camera;
-    // Shrink, in portrait from below, so that the rim keeps its place.
+    // Shrink it. In portrait shrink from below, so that the rim keeps its place.
     const float w = box.w * 0.97f, h = box.h * 0.97f;
     box = {box.x + (box.w - w) / 2, where.portrait ? box.y : box.y + (box.h - h) / 2, w, h};
   }

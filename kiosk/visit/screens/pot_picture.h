@@ -8,8 +8,8 @@
 
 namespace onggi::screens {
 
-/// The picture of the pot on the wheel: camera, hands, cut-away. Everything moves smoothly, unless
-/// motion is reduced; then it changes at once.
+/// The picture of the pot on the wheel: camera, hands, cut-away. Everything moves smoothly; with
+/// reduced motion it changes at once.
 class PotPicture {
  public:
   /// `target` may be nullptr. `hold` keeps the camera still (a finger is on the clay).
@@ -32,7 +32,7 @@ class PotPicture {
   std::uint32_t serial_ = 0;
   double height_ = 0, radius_ = 0, wheel_radius_ = 0;
   double cut_ = 0, shown_ = 0;
-  /// The last camera and its input: searching takes a third of a frame's work.
+  /// The last camera and its input. Searching for one takes a third of a frame's work.
   struct Framed {
     std::array<double, 14> of{};
     view::Camera camera;

@@ -13,12 +13,12 @@ using view::Face;
 
 namespace {
 
-constexpr std::size_t kMostRemarks = 2;  // of each kind: people do not read more
+constexpr std::size_t kMostRemarks = 2;  // of each kind: visitors do not read more
 constexpr double kAlone = 0.5;           // rad/s of a pot that turns for show
 constexpr const char* kTurn = "result.turn";
 
-/// Stars and words: what is alike, what to try; and the vessel beside the pot. For a description,
-/// the pot's figures, and the pot alone. Visitors can turn the pots.
+/// Stars and words: what is alike, what to try; and the vessel beside the pot. A description has no
+/// vessel: the pot's figures, and the pot alone. Visitors can turn the pots.
 class Result final : public Screen {
  public:
   explicit Result(Desk& d) : Screen(d) {

@@ -22,7 +22,7 @@ class Screen {
   virtual ScreenId id() const = 0;
   virtual void lay_out(Page& page) = 0;
   virtual std::optional<view::PotView> pot(const Page&) { return std::nullopt; }
-  /// True if it is dark with only words, and sound tells its content too.
+  /// True if the screen is dark: only words, and sound also tells its content.
   virtual bool dark() const { return false; }
   /// One of its own controls was pressed.
   virtual void press(const std::string& control) = 0;
@@ -35,12 +35,12 @@ class Screen {
   virtual std::string first_focus() const = 0;
 
   virtual void update(double /*dt*/) {}
-  /// A pointer that is on no control, or was taken by grab().
+  /// A pointer event, unless a control is pressed.
   virtual void pointer(const view::InputEvent&, const Page&) {}
-  /// Sees any pointer event before the controls. True if it belongs to a dragging finger; the
+  /// Sees every pointer event before the controls do. True if it belongs to a dragging finger; the
   /// control under its start is then not pressed.
   virtual bool drag(const view::InputEvent&, const Page&) { return false; }
-  /// The control that an arrow reaches from `from`, if that is not the nearest one: a control of
+  /// The control that an arrow reaches from `from`, if it is not the nearest one but a control of
   /// the next page. Empty: the nearest.
   virtual std::string step(const std::string& /*from*/, Direction) { return {}; }
   /// Sees a key before focus and buttons; true if it was used.
@@ -60,7 +60,6 @@ class Screen {
     std::vector<std::string> differences;
   };
   virtual std::optional<PotTold> told() const { return std::nullopt; }
-  /// Language key "help.NAME".
   std::string help_key() const { return "help." + std::string(name_of(id())); }
   /// Its Help text without its keys, in paragraphs.
   virtual std::vector<std::string> help() const { return {desk.say(help_key())}; }

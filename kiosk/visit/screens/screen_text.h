@@ -19,9 +19,10 @@ struct ScreenText {
   std::vector<Control> controls;                ///< In reading order.
   std::string first;  ///< The control where a keyboard starts; may be empty.
   std::string focus;  ///< The control that has the keyboard; may be empty.
-  /// The visitor's choices; also true if the screen is dark.
+  /// The visitor's choices; `spoken` is also true if the screen is dark.
   bool spoken = false, one_switch = false;
-  bool unasked = false;  ///< Speech is on although nobody chose it, so its own help is not spoken.
+  bool unasked = false;  ///< Speech is on although the visitor did not choose it, so its own help
+                         ///< is not spoken.
   double scan_seconds = 1.5;  ///< Time for each item of the switch.
 
   /// At the wheel.

@@ -6,11 +6,12 @@
 namespace onggi::screens {
 
 namespace {
-constexpr double kBeyond = 1.0 / 3;  // of the finger's way, beyond the ends
-constexpr double kRunsOn = 0.25;     // s of its speed that it travels after release
-constexpr double kFlick = 1.0;       // columns/s from which a release is a flick, however short
-constexpr double kSettle = 0.16;     // s
-constexpr double kThere = 0.003;     // columns: an invisible rest
+constexpr double kBeyond = 1.0 / 3;  // share of the finger's motion, beyond the ends
+// s: after release it travels as far as its speed would in this time
+constexpr double kRunsOn = 0.25;
+constexpr double kFlick = 1.0;    // columns/s: a faster release is a flick, however short
+constexpr double kSettle = 0.16;  // s
+constexpr double kThere = 0.003;  // columns: an invisible rest
 }  // namespace
 
 int ShelfScroll::within(double column) const {
@@ -36,7 +37,7 @@ void ShelfScroll::release(double speed) {
   held_ = false;
   to_ = within(at_ + kRunsOn * speed);
   if (std::abs(speed) < kFlick) return;
-  // A flick that ends before half a column still turns the shelf by one.
+  // A flick that ends within half a column still moves the shelf by one.
   const int onward = within(speed > 0 ? std::floor(at_) + 1 : std::ceil(at_) - 1);
   to_ = speed > 0 ? std::max(to_, onward) : std::min(to_, onward);
 }

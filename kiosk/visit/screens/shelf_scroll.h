@@ -3,8 +3,9 @@
 namespace onggi::screens {
 
 /// Motion of a shelf that is wider than the screen, under a finger: in columns, the first at 0.
-/// Held, it follows the finger, beyond its ends at a third of the way. Released, it continues at
-/// its speed, slows down, and stops with a whole column in front. Main thread; no clock.
+/// While held it follows the finger, beyond its ends at a third of the finger's motion. After
+/// release it continues at its speed, slows down, and stops with a whole column in front. Main
+/// thread; no clock.
 class ShelfScroll {
  public:
   /// The shelf has `columns`, of which `shown` fit whole on the screen.
@@ -28,9 +29,8 @@ class ShelfScroll {
   void release(double speed);
   /// Moves on by this many columns, up to its ends.
   void step(int columns);
-  /// Jumps so that `column` is visible.
   void show(int column);
-  /// Seconds pass; `still`: it jumps to its goal.
+  /// Advances by `dt` seconds. `still`: jumps to its goal.
   void update(double dt, bool still);
 
  private:

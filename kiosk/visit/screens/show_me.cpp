@@ -30,7 +30,7 @@ void ShowMe::hold(const Desk& desk, const Profile& target, double side,
 void ShowMe::press(const Desk& desk, const Profile& target, double side,
                    device::PointerLead& hands) {
   const double since = std::exchange(held_since_, -1);
-  if (since < 0) {  // by a key, which has no hold
+  if (since < 0) {  // by a key, which cannot hold
     if (showing()) return stop(hands);
     return begin(desk, target, side, hands);
   }

@@ -10,11 +10,11 @@
 namespace onggi::screens {
 
 /// "Show me": makes the next stroke on the visitor's own pot with the visitor's two hands. The
-/// stroke is recorded and can be undone like any other. It continues to its end unless the button
-/// is pressed again or the pot is touched.
+/// stroke is recorded and can be undone like any other. It runs to its end unless the button is
+/// pressed again or the pot is touched.
 class ShowMe {
  public:
-  static constexpr double kHold = 0.6;  ///< s: pressed longer, it ends on release.
+  static constexpr double kHold = 0.6;  ///< s: after a longer press, it ends on release.
 
   /// The button goes down: starts or ends the stroke.
   void hold(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
@@ -27,7 +27,7 @@ class ShowMe {
   /// The visitor takes over.
   void stop(device::PointerLead& hands);
 
-  /// The button's state; `away`: nothing can be shown.
+  /// The button's state. `away`: nothing can be shown.
   Button button(const Desk& desk, bool away) const;
   bool showing() const { return finger_.down(); }
   /// Language key of the current stroke: "show.open", "show.belly", "show.collar", "show.smooth".
@@ -39,7 +39,7 @@ class ShowMe {
   void begin(const Desk& desk, const Profile& target, double side, device::PointerLead& hands);
 
   device::GhostFinger finger_;
-  double held_since_ = -1;  ///< s, by the desk's clock; below 0: the button is up.
+  double held_since_ = -1;  ///< s, by the desk's clock; negative: the button is up.
   bool asked_ = false;      ///< The current stroke was asked for by name.
   bool ended_ = false;      ///< The press ended a stroke.
 };

@@ -12,7 +12,7 @@ using view::Rect;
 namespace {
 
 constexpr double kTurning = 0.5;  // rad/s: one turn in about twelve seconds
-// Of a picture's height, added to the pot's, because its mouth is an ellipse.
+// Share of a picture's height, added to the pot's, because its mouth is an ellipse.
 constexpr double kEllipse = 0.5;
 constexpr float kPicturesShare = 0.6f;  // of the height, if the drawing is below
 constexpr double kWholeTurn = 6.283185307179586;
@@ -26,7 +26,7 @@ double scale_in(float width, float height, double tall, double radius) {
 /// The whole area beside the words, or above them.
 Rect room_of(const Regions& where, float gap) {
   Rect room = where.page;
-  // A finger turns the pots; in portrait it touches their lower part.
+  // A finger turns the pots, and in portrait it reaches only their lower part.
   if (where.reach > 0 && !where.portrait) {
     const float low = std::max(where.reach + gap - room.y, 0.0f);
     room.y += low;
@@ -82,7 +82,7 @@ SideBySide::Places SideBySide::places(const Page& page, const Desk& desk) const 
   const auto of_scale = [&](double scale, float most) {
     return std::min(most, static_cast<float>(scale * (height_ + kEllipse * radius_)));
   };
-  // Three side by side, or two over the drawing: whichever shows them larger.
+  // Three side by side, or two above the drawing: whichever shows them larger.
   const float third = (room.w - 4 * gap) / 3, half = (room.w - 2 * gap) / 2;
   const float names3 = names_height(page, desk, third), names2 = names_height(page, desk, half);
   const float high3 = room.h - names3, high2 = kPicturesShare * (room.h - names2 - gap);

@@ -6,12 +6,12 @@
 
 namespace onggi::screens {
 
-/// The vessel and the pot that answers it on one ground, at one scale and in one light, turning
-/// together: by themselves, unless motion is reduced, and as `table` is turned. The section drawing
-/// of both is beside them. Their names are below, each with its kind of line.
+/// The vessel and the visitor's pot on one ground, at one scale and in one light, turning together:
+/// by themselves, unless motion is reduced, and with `table`. The section drawing of both is beside
+/// them, and their names are below, each with its kind of line.
 class SideBySide {
  public:
-  /// For `desk`'s card and pot, which must not change.
+  /// For `desk`'s card and pot, which must not change meanwhile.
   explicit SideBySide(const Desk& desk);
 
   void update(const Desk& desk, const Turntable& table, double dt);
@@ -19,7 +19,7 @@ class SideBySide {
   void lay_out(Page& page, const Desk& desk);
   /// Draws `pot` in its place, with the vessel beside it.
   view::PotView view(view::PotView pot, const Desk& desk, const Turntable& table) const;
-  /// The area of both, and the way of a finger there for half a turn, pixels.
+  /// The area of both, and the finger's way for half a turn there, pixels.
   const view::Rect& room() const { return room_; }
   float half_turn() const { return half_turn_; }
 
@@ -35,8 +35,8 @@ class SideBySide {
   void name(Page& page, const view::Rect& over, float top, const std::string& words,
             bool pots) const;
 
-  double height_ = 0.2, radius_ = 0.1;  ///< Of the larger one, including handles, m.
-  double angle_ = 0;                    ///< Turned by themselves, rad.
+  double height_ = 0.2, radius_ = 0.1;  ///< Of the larger of the two, including handles, m.
+  double angle_ = 0;                    ///< Automatic turning so far, rad.
   view::Rect room_;
   float half_turn_ = 400;
   view::Camera vessel_at_, pot_at_;

@@ -27,7 +27,8 @@ std::string ask_name(const Desk& desk, Ask ask) {
   return desk.say(std::string("stroke.") + kAskNames[static_cast<std::size_t>(ask)]);
 }
 
-/// "8 mm too narrow", for the real vessel; in percent of its width if its size is only guessed.
+/// "8 mm too narrow", at the real vessel's size; in percent of its width if that size is only a
+/// guess.
 std::string off_in_words(const Desk& desk, const PartOff& off) {
   if (off.near) return desk.say("stroke.near");
   const ShelfCard* card = desk.shelf_card(desk.card);
@@ -103,7 +104,7 @@ std::string StrokeBoard::advice(const Desk& desk) {
     if (hint == one.hint)
       return desk.say("stroke.try",
                       {{"what", ask_name(desk, one.ask)}, {"where", part_name(desk, one.part)}});
-  return hint.empty() ? hint : desk.say(hint);  // near, or too high: no stroke makes a pot lower
+  return hint.empty() ? hint : desk.say(hint);  // near, or too high: no stroke lowers a pot
 }
 
 std::vector<std::string> StrokeBoard::told(const Desk& desk, const std::vector<PartOff>& parts,
@@ -154,8 +155,8 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const std::vector<Bu
   beside.push_back(tell);
   for (auto* cells : {&beside, &what, &where})
     for (Button& cell : *cells) cell.tight = true;
-  // If a row cannot hold all of its buttons, strokes and questions together are six, which two or
-  // three rows divide.
+  // If a row cannot hold all of its buttons: strokes and questions together are six, which fill two
+  // or three rows evenly.
   if (column.abreast(beside) < beside.size() || column.abreast(what) < what.size()) {
     what.push_back(beside.back());
     beside.pop_back();

@@ -20,7 +20,6 @@ struct Run {
 
 /// How far `made` is outside `target` around height `h`: a mean over a finger's breadth, so that
 /// throwing lines do not make the line flicker.
-/// throwing lines do not make the ghost flicker.
 double beyond(const Profile& made, const Profile& target, double h) {
   if (made.points.empty()) return 0.0;
   constexpr int kReach = 3;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kDrawing = 0.2f;       // of the pot's space
 constexpr float kDrawingLines = 3.6f;  // ems of the sentence, upright
-constexpr float kSmallest = 0.6f;      // of that, if many languages take the space
+constexpr float kSmallest = 0.6f;      // of that, if many languages take up the space
 
 std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   std::vector<std::string> all = all_hints(desk);
@@ -29,8 +29,8 @@ std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   return all;
 }
 
-/// In portrait at the far end of the sentence; else below it, smaller if there is less space,
-/// because over the pot it would hide it.
+/// In portrait at the far end of the sentence. Else below it, smaller if there is less space,
+/// because it would hide the pot.
 view::Rect slip_for(Page& page, const view::Rect& room, float taken, bool right_to_left) {
   const view::Rect& pot = page.where().pot;
   if (page.where().portrait) {

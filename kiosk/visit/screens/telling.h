@@ -4,7 +4,7 @@
 
 namespace onggi::screens {
 
-/// The one sentence beside the pot, with a small drawing of the hands: a fault or device news comes
+/// The one sentence beside the pot, with a small drawing of the hands: a fault or device news
 /// first, then "Show me", the lesson's step, the hint. Space for the longest sentence is reserved,
 /// so that no control moves under a finger.
 void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint);

@@ -67,12 +67,12 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
     const bool blinks = now.dry && std::fmod(desk.now, kBlink) < kBlink / 2;
     add("throw.water", "throw.water", now.water || blinks ? Look::solid : Look::outline, true,
         now.water);
-    // Reserve its place, unless the exhibit never shows anything.
+    // Reserve its place, unless the exhibit never shows it.
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
       add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
   }
   add("throw.done", "throw.done", happened || !now.touched ? Look::outline : Look::solid, true);
-  // Items that come and go are last, in a reserved place.
+  // Items that come and go are last, in reserved places.
   if (!happened) add("throw.restore", "throw.restore", Look::outline, now.restore);
   column.foot_grid(cells, page.type().target * kMostUsed, page.where().mirrored);
   column.foot_space(page.type().gap);
@@ -82,17 +82,17 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
 void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
   const std::vector<Button> on = ways(desk, now);
   std::vector<Button> row = standing_buttons(desk, true);
-  if (now.board && now.drawer == Drawer::closed) {  // the board has them among the strokes
+  if (now.board && now.drawer == Drawer::closed) {  // the board shows them among the strokes
     column.foot_buttons(row);
     column.foot_space(column.page().type().gap);
     return;
   }
-  // One row holds everything there.
+  // In portrait one row holds everything.
   if (column.page().where().portrait) row.insert(row.begin(), on.begin(), on.end());
   column.foot_buttons(row);
   column.foot_space(column.page().type().gap);
   if (column.page().where().portrait) return;
-  // As wide as those above, if both fit.
+  // As wide as the buttons above, if both fit.
   if (column.abreast(on) == 2)
     column.foot_grid(on, column.page().type().target, column.page().where().mirrored);
   else
@@ -217,8 +217,9 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.check();
 }
 
-/// Besides strokes by buttons. News come before the hint. The lesson and the press hints are for
-/// hands that draw; here the sentence names the most different part, or the advice.
+/// The sentence above the strokes by buttons. News comes before the hint. The lesson and the press
+/// hints are for hands that draw; here the sentence names the most different part, or gives the
+/// advice.
 std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
   if (!desk.note().empty()) return desk.say(desk.note());
   if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
@@ -227,7 +228,7 @@ std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hin
   return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();
 }
 
-/// Least free height between head and foot of `box`; below 0: the page is too low. Nothing if
+/// Least free height between head and foot of `box`; negative: the page is too low. Nothing if
 /// something is out of reach.
 std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk& desk,
                              const ThrowingControls& now) {
@@ -315,7 +316,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
   Regions r = page.where();
   const view::Rect& all = r.all;
   const float margin = page.type().margin;
-  // Strokes by buttons need no touch on the pot, so it goes above the reach if there is space.
+  // Strokes by buttons need no touch on the pot, so the pot goes above the reach if there is space.
   const bool above = r.reach > 0 && StrokeBoard::wanted(desk) &&
                      all.y - margin > kPotAbove * std::min(all.w, all.h);
   if (above) {
@@ -327,7 +328,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     const view::Rect endless{0, page.where().reach, r.page.w, kEndless};
     const float high = kEndless - left_in(endless, page, desk, now).value_or(0);
     r.words = {r.page.x, r.page.y + r.page.h - high, r.page.w, high};
-    // A smaller pot cannot be worked on, so shrink the words instead.
+    // A smaller pot could not be worked on, so shrink the words instead.
     if (!above && r.words.y < all.y + 0.45f * all.h) page.overflowed();
     if (above && r.words.y < r.reach) page.overflowed();
     const float top = above ? std::max(margin, r.words.y - r.page.w) : all.y + margin;
@@ -349,7 +350,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     r.pot.x = 2 * all.x + all.w - r.pot.x - r.pot.w;
   }
   page.divide(r);
-  // The pot keeps its place, whatever the sentence and whichever drawer is open.
+  // The pot must keep its place, whatever the sentence and whichever drawer is open.
   if (left_in(r.words, page, desk, now).value_or(-2) < -1) page.overflowed();
 }
 

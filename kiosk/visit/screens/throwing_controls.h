@@ -13,10 +13,10 @@
 
 namespace onggi::screens {
 
-/// The two drawers at the wheel: a hand's tools; or wheel, clay and force.
+/// The two drawers at the wheel. tools: a hand's tools. wheel: wheel, clay and force.
 enum class Drawer { closed, tools, wheel };
 
-/// The control that opens the drawer of `control`; "": it is in none.
+/// The control that opens the drawer with `control`; "" if it is in no drawer.
 std::string way_into_drawer(const std::string& control);
 
 /// Layout of the throwing screen's words and controls. The most used ones are always visible:
@@ -28,8 +28,8 @@ struct ThrowingControls {
   bool dry = false;      ///< Water would help now: its button blinks.
   bool touched = false;  ///< The visitor has touched this pot: before it, Done is no step onward.
   bool restore = false;  ///< A stroke can be undone.
-  Button show = {};      ///< "Show me".
-  bool skip = false;     ///< A lesson can be skipped.
+  Button show = {};
+  bool skip = false;  ///< A lesson can be skipped.
   Drawer drawer = Drawer::closed;
   std::size_t held = 0;  ///< Index in the tray: 0 is the hands.
   Mishap mishap = Mishap::none;
@@ -38,16 +38,17 @@ struct ThrowingControls {
   bool working = false;
 };
 
-/// The control that a key presses at the wheel, visible or not; null: none. `repeats`: while it is
-/// held.
+/// The control that a key presses at the wheel, visible or not; null: none. `repeats`: again and
+/// again while the key is held.
 struct KeyedControl {
   const char* control = nullptr;
   bool repeats = false;
 };
 KeyedControl control_of(view::Key key);
 
-/// Divides the page so that the pot gets all space that words and controls do not need, whichever
-/// drawer is open: in portrait they are below it, in landscape in a narrow column beside it.
+/// Divides the page so that the pot gets all the space that words and controls do not need,
+/// whichever drawer is open. In portrait they are below the pot, in landscape in a narrow column
+/// beside it.
 void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls& now);
 
 /// Lays out the words' part of the page, from its head and from its foot.

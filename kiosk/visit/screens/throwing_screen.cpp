@@ -33,7 +33,6 @@ constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand w
 constexpr double kDry = 20.0;    // s on dry clay until water would help,
 constexpr double kAsk = 6.0;     // and s more in which the words ask for it
 
-/// The wheel, the clay and the visitor's hand.
 class Throwing final : public Screen {
  public:
   explicit Throwing(Desk& d)
@@ -97,7 +96,7 @@ class Throwing final : public Screen {
   bool dark() const override { return desk.eyes_closed(); }
 
   /// A mission explains itself. Do not mention the line if it is hidden, or both hands if each
-  /// belongs to a visitor.
+  /// visitor has one.
   std::vector<std::string> help() const override {
     const settings::Mission* mission = desk.on();
     std::vector<std::string> all;
@@ -215,7 +214,7 @@ class Throwing final : public Screen {
       if (page.where().words.contains(e.x, e.y)) return;
       if (!menu_) open_drawer(Drawer::closed);
       mishap_.stay();
-      // Hands that still finish a stroke would cross the pot to the next one; with two visitors the
+      // Hands that still finish a stroke would cross the pot to the next one. With two visitors the
       // other hand continues.
       hands_.two() ? show_.stop(hands_.lead()) : let_go();
     }
@@ -242,7 +241,7 @@ class Throwing final : public Screen {
         break;
     }
     if (by_buttons()) return false;
-    // The hand works on the side away from the words, where the pot is clear; with two visitors the
+    // The hand works on the side away from the words, where the pot is clear. With two visitors the
     // inside hand works on the left.
     const double left = hands_.two() ? -1.0 : key_sign(), notch = WheelHands::kNotch;
     if (key == Key::enter) return menu_ = true;
@@ -264,13 +263,13 @@ class Throwing final : public Screen {
 
   std::optional<PotTold> told() const override {
     if (mishap_) return std::nullopt;
-    // With eyes closed, every stroke asks how the pot differs.
+    // With eyes closed, the difference is told after every stroke.
     const int asked = board_.asked() + (dark() ? strokes_ : 0);
     return PotTold{working(), asked, StrokeBoard::told(desk, parts())};
   }
 
  private:
-  /// The keys move among buttons instead of moving the hand.
+  /// The keys move among buttons and do not move the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
   /// Water would help.
   bool dry() const { return dry_ > kDry; }
@@ -368,7 +367,7 @@ class Throwing final : public Screen {
     drawer_ = which;
   }
 
-  /// After a fall or a tear, releases the pot and puts the undo where eyes and keys are.
+  /// After a fall or a tear: releases the pot, and puts the undo where eyes and keys are.
   void look_for_mishaps() {
     if (!mishap_.update(desk)) return;
     desk.turned = true;

@@ -6,7 +6,7 @@
 
 namespace onggi::screens {
 
-/// A pot that a visitor has kept today, without anything about the visitor.
+/// A pot that a visitor kept today, without anything about the visitor.
 struct TodaysPot {
   view::PictureId picture = 0;
   std::string vessel;  ///< Id of its vessel, which may have left the shelf.

@@ -12,7 +12,7 @@ namespace onggi::screens {
 /// its name. Controls "throw.tool.0" (the hands) and on.
 class ToolTray {
  public:
-  /// As low as possible from the top of `column` without breaking a word; nothing if the scene has
+  /// As low as possible from the top of `column` without breaking a word. Nothing if the scene has
   /// no tool. `held`: 0 the hands, n the n-th of SceneForVisitor::tools.
   static void lay_out(Column& column, const Desk& desk, std::size_t held);
   /// The visitors' name of `which`.

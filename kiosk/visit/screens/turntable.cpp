@@ -14,7 +14,7 @@ void Turntable::pointer(const view::InputEvent& event, float half_turn) {
   using Kind = view::InputEvent::Kind;
   if (event.kind == Kind::pointer_down) dragged_ = event.x;
   if (!dragged_) return;
-  // Screen angles grow from the right towards the eye, so a finger to the right turns it back.
+  // Screen angles grow from the right towards the eye, so a finger moving right turns it back.
   turn(-0.5 * kOnce * static_cast<double>((event.x - *dragged_) / half_turn));
   dragged_ = event.x;
   if (event.kind == Kind::pointer_up) dragged_.reset();

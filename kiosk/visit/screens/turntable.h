@@ -6,8 +6,8 @@
 
 namespace onggi::screens {
 
-/// Rotation of something seen from all sides: by a finger that moves sideways, by arrow keys while
-/// the keyboard is on it, or by presses of one switch. It also decides whether the automatic
+/// Turns an object that is seen from all sides: by a finger that moves sideways, by arrow keys
+/// while the keyboard is on it, or by presses of one switch. Also decides whether the automatic
 /// turning pauses. Knows no clock or pot. Main thread.
 class Turntable {
  public:

@@ -9,10 +9,10 @@
 
 namespace onggi::screens {
 
-/// Two visitors at one wheel, a hand each: a touch on the pot's left half works inside, one on its
-/// right half outside, at the same time and each at its own height. A finger, or a mouse, belongs
-/// to the half where it went down until it lifts; a second one on the same half is ignored. Arrow
-/// keys move the inside hand, so that a mouse and a keyboard also make two hands.
+/// Two visitors at one wheel, a hand each. A touch on the pot's left half works inside, one on its
+/// right half outside, at the same time and each at its own height. A finger or mouse belongs to
+/// the half where it went down until it lifts; a second one on the same half is ignored. Arrow keys
+/// move the inside hand, so a mouse and a keyboard also make two hands.
 class TwoHands {
  public:
   explicit TwoHands(const SceneForVisitor& wheel)

@@ -88,8 +88,8 @@ void VesselLabel::lay_out(Page& page) {
   if (several) {
     const std::string more = desk_.say("choose.more"), first = desk_.say("choose.first");
     Button button{"choose.more", part_ + 1 < parts_ ? more : first, Look::outline};
-    // Always room for the longer words: else the last part has another room than the first, and
-    // their number changes with every frame.
+    // Always reserve space for the longer words. Otherwise the last part has different space from
+    // the first, and the number of parts changes with every frame.
     button.room =
         page.size(Button{"", more}, words.w).width < page.size(Button{"", first}, words.w).width
             ? first
@@ -125,7 +125,7 @@ void VesselLabel::lay_out(Page& page) {
       line = line.empty() ? more : desk_.say("all.sentences", {{"first", line}, {"second", more}});
     };
     add(size);
-    // A vessel is thrown at a size that hands can reach, and the label gives that size.
+    // The label tells the size if the vessel is scaled to what hands can reach.
     if (const int percent = percent_of_size(*shelf); percent != 100)
       add(desk_.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
                     {{"percent", std::to_string(percent)}}));
@@ -142,14 +142,14 @@ void VesselLabel::lay_out(Page& page) {
     column.text(paragraph, t.body);
   }
   if ((parts.size() > 1) != several) {
-    // "Read on" appears or goes, so lay out again.
+    // "Read on" appears or disappears, so lay out again.
     parts_ = static_cast<int>(parts.size());
     page.restart();
   }
   parts_ = static_cast<int>(parts.size());
 }
 
-/// The vessel, below it the picture's credit, and beside that, for a phone, the code of the
+/// The vessel, the picture's credit below it, and beside the credit a code for a phone: the
 /// museum's page.
 void VesselLabel::lay_out_picture(Page& page, const ShelfCard& shelf, const content::Label& label,
                                   Rect room) {

@@ -17,11 +17,11 @@ class VesselLabel {
   int card() const { return card_; }
   /// Its mission, whose words come before the vessel's; -1: none.
   int mission() const { return mission_; }
-  /// Finds the vessel most like it once; never for a mission.
+  /// Finds the most similar vessel, once; never for a mission.
   void open(int card, int mission = -1);
   void close() { card_ = -1; }
   void lay_out(Page& page);
-  /// Reads on, or opens the vessel most like it; false for other controls.
+  /// Reads on, or opens the most similar vessel's label; false for other controls.
   bool press(const std::string& control);
 
  private:

@@ -13,8 +13,8 @@ using view::InputEvent;
 
 namespace {
 constexpr double kFade = 0.3;         // s
-constexpr double kLookedAway = 60.0;  // s that help and another language stay over attract
-constexpr double kStepsToAct = 40, kStepsToStay = 10;  // of one switch
+constexpr double kLookedAway = 60.0;  // s that help and another language stay on over attract
+constexpr double kStepsToAct = 40, kStepsToStay = 10;  // times the switch's time for an item
 constexpr double kDeviceMoved = 0.002;                 // m: more than a resting device trembles
 }  // namespace
 
@@ -64,7 +64,7 @@ void Visit::update(double now) {
   const ScreenId id = s.screen->id();
   if (id == ScreenId::attract) {
     s.idle.touched(now);
-    // Taking a device begins a visit; still leaning on one from the last visit does not.
+    // Taking a device begins a visit. Still leaning on one from the last visit does not.
     if (status.hands_taken && !s.hands_taken) s.desk.go(ScreenId::choose);
     if (now - s.changed_at > kLookedAway) {
       if (s.over == Over::help) s.cover(Over::nothing);
@@ -121,7 +121,7 @@ view::Frame Visit::frame(int width, int height) {
 std::optional<Request> Visit::take_request() {
   std::deque<Request>& queue = state_->desk.requests;
   if (queue.empty()) return std::nullopt;
-  // Copied: g++ 12 takes a moved variant for uninitialised.
+  // Copied: g++ 12 warns that a moved variant may be uninitialised.
   std::optional<Request> first(queue.front());
   queue.pop_front();
   return first;
@@ -222,7 +222,7 @@ void Visit::activate(const std::string& control, double now) {
   s.desk.now = now;
   s.idle.touched(now);
   s.desk.notes.touch(NoteTaker::By::keys, now);
-  s.by_keys = !s.desk.screen().one_switch;  // it has a ring of its own
+  s.by_keys = !s.desk.screen().one_switch;  // it has its own ring
   if (!control.empty()) s.press(control);
   s.apply_pending_screen();
 }

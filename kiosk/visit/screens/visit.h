@@ -51,18 +51,17 @@ struct SceneForVisitor {
   };
   std::optional<Trimmer> trimmer;    ///< The loop trimmer, if the scene has it,
   std::optional<std::uint8_t> wire;  ///< and the wire.
-  /// A tool of the tray, as a hand uses it.
   struct Tool {
     std::uint8_t tool = 0;  ///< HandInput::tool.
     std::string name;       ///< Its shape's name: "flat_rib"; language key "tool.flat_rib".
     double reach = 0;       ///< m from the middle of its working part to the working face,
-    double below = 0;       ///< and down to its lowest point.
+    double below = 0;       ///< and to its lowest point.
   };
-  std::vector<Tool> tools;  ///< All of the scene's, in the tray's order.
+  std::vector<Tool> tools;  ///< All of the scene's tools, in the tray's order.
   std::optional<Kiln> kiln;
   std::vector<std::string> shown{"follow"};  ///< Scripts of attract mode, pot by pot; at least one.
-  bool keeps_clay = false;    ///< Clay keeps its volume, so pressing makes the pot higher.
-  double tear_thickness = 0;  ///< Metres: a thinner wall tears; 0: none does.
+  bool keeps_clay = false;                   ///< Clay keeps its volume, so pressing raises the pot.
+  double tear_thickness = 0;                 ///< Metres: a thinner wall tears; 0: no wall tears.
 };
 
 /// A vessel for the screens.
@@ -78,18 +77,18 @@ struct ShelfCard {
 struct MissionCard {
   const settings::Mission* mission = nullptr;
   int card = -1;  ///< The card to throw: on the shelf, or own_card() of this one.
-  ShelfCard own;  ///< For a description: one pot that answers it, without being a vessel.
+  ShelfCard own;  ///< For a description: a pot that answers it, not a vessel.
 };
 
 /// The card number of the `mission`th MissionCard's own card, below -1.
 constexpr int own_card(int mission) { return -2 - mission; }
-/// And back; below 0 for cards of the shelf, and for none.
+/// The inverse of own_card(); negative for cards of the shelf, and for none.
 constexpr int mission_of_own(int card) { return -2 - card; }
 
-/// Requests of the visit, which the program carries out between frames.
-/// A fresh lump for this vessel. Scripted: attract throws it, or its screen does if `script` is "".
+/// Requests of the visit, which the program carries out between frames. StartPot: a fresh lump for
+/// this vessel. Scripted: attract throws it, or its screen does if `script` is "".
 struct StartPot {
-  int card = 0;  ///< Like Visit's; also own_card().
+  int card = 0;  ///< As Visit's card; may be own_card().
   bool scripted = false;
   std::string script = "follow";
 };
@@ -105,36 +104,36 @@ struct VisitEnded {
 };
 using Request = std::variant<StartPot, MakeKeepsake, VisitEnded>;
 
-/// The visit's inputs. All outlive it.
+/// The visit's inputs. All must outlive it.
 struct VisitInputs {
   const settings::Exhibit* exhibit = nullptr;
-  const std::vector<content::Language>* languages =
-      nullptr;                                    ///< In the exhibit's order, at least one.
+  /// In the exhibit's order, at least one.
+  const std::vector<content::Language>* languages = nullptr;
   const std::vector<ShelfCard>* shelf = nullptr;  ///< May grow at its end.
   const view::TextMeasure* measure = nullptr;
   const loop::WheelView* wheel = nullptr;
   loop::WheelCommands* wheel_commands = nullptr;
-  const std::vector<content::LessonStep>* lesson =
-      nullptr;                          ///< Of the first minute at the wheel; may be absent.
-  const DeviceNews* devices = nullptr;  ///< May be absent: no news of devices then.
-  const std::vector<TodaysPot>* todays =
-      nullptr;  ///< For the gallery, newest first; may be absent.
-  const std::vector<MissionCard>* missions =
-      nullptr;  ///< In their order; may be absent. Changes only while nobody is here.
+  /// For the first minute at the wheel; may be absent.
+  const std::vector<content::LessonStep>* lesson = nullptr;
+  const DeviceNews* devices = nullptr;  ///< May be absent: no device news then.
+  /// For the gallery, newest first; may be absent.
+  const std::vector<TodaysPot>* todays = nullptr;
+  /// In their order; may be absent. Changes only while nobody is there.
+  const std::vector<MissionCard>* missions = nullptr;
 };
 
 /// The throwing screen as a visitor sees it: the pot's place on the screen, the target line, the
 /// clay's outline, and the hint. Pointers are valid until the next frame.
 struct WheelSnapshot {
   view::Camera camera;
-  const Profile* target = nullptr;  ///< Or a pot that answers the description.
+  const Profile* target = nullptr;  ///< The vessel, or a pot that answers the description.
   const Profile* made = nullptr;
   Hint hint;
 };
 
 /// The visit as a state machine: attract -> choose -> throw -> result -> kiln (if there is one) ->
 /// keepsake -> attract, with the idle warning over any of them but attract. Knows no clock, window
-/// or file: time and input come in, frames, commands and requests go out. Main thread.
+/// or file: time and input come in; frames, commands and requests go out. Main thread.
 class Visit {
  public:
   explicit Visit(const VisitInputs& world);
@@ -146,7 +145,7 @@ class Visit {
   view::Frame frame(int width, int height);
   std::optional<Request> take_request();
 
-  /// From here on still pictures move slowly (screens::drift), for a screen that is on for months.
+  /// From now on, still pictures move slowly (screens::drift), for a screen that is on for months.
   void wander();
 
   void show_postcard(view::PictureId id);

@@ -37,7 +37,7 @@ void NoteTaker::touch(By by, double now) {
   glass_ += by == By::glass ? 1 : 0;
   mouse_ += by == By::mouse ? 1 : 0;
   keys_ += by == By::keys ? 1 : 0;
-  // From touch to touch: waiting after the last touch does not count.
+  // From touch to touch: the wait after the last touch does not count.
   const double since = now - std::exchange(last_, now);
   if (screen_ == ScreenId::throwing) notes_.throwing_s += since;
 }

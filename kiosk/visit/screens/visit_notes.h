@@ -14,17 +14,18 @@ std::string_view name_of(ScreenId id);  ///< ScreenKind::name: "throw", "kiln"
 /// The countable facts of a finished visit, without anything about the visitor.
 struct VisitNotes {
   enum class End : std::uint8_t { finished, back, idle, fault, closed };
-  double since_s = 0.0;                 ///< From the first touch to now.
-  double active_s = 0.0;                ///< From the first touch to the last.
-  double throwing_s = 0.0;              ///< Part of it at the wheel.
-  int pots = 0;                         ///< Pots begun.
-  int card = -1;                        ///< On the shelf: the last chosen vessel; -1: none.
-  ScreenId reached = ScreenId::choose;  ///< The furthest screen, without the fault screen.
-  ScreenId left = ScreenId::choose;     ///< The last screen.
+  double since_s = 0.0;     ///< From the first touch to now.
+  double active_s = 0.0;    ///< From the first touch to the last.
+  double throwing_s = 0.0;  ///< Part of it at the wheel.
+  int pots = 0;             ///< Pots begun.
+  int card = -1;            ///< On the shelf: the last chosen vessel; -1: none.
+  ScreenId reached =
+      ScreenId::choose;  ///< The furthest screen reached, not counting the fault screen.
+  ScreenId left = ScreenId::choose;  ///< The last screen.
   End end = End::back;
-  std::string mission{};           ///< Id of the last chosen mission; "": only a vessel.
-  std::string language;            ///< Language code at the end.
-  std::string way;                 ///< "touch", "mouse", "keys", or the device that moved a hand.
+  std::string mission{};  ///< Id of the last chosen mission; "" if only a vessel was chosen.
+  std::string language;   ///< Language code at the end.
+  std::string way;        ///< "touch", "mouse", "keys", or the device that moved a hand.
   std::optional<double> likeness;  ///< 0..100, for the last pot that was called done.
 };
 std::string_view name_of(VisitNotes::End end);  ///< "finished", "back", "idle", "fault", "closed"
@@ -35,17 +36,16 @@ class NoteTaker {
  public:
   enum class By : std::uint8_t { nothing, glass, mouse, keys };
 
-  /// The visit goes to `screen`, never attract. It begins at the first screen other than the fault
-  /// screen, because a fault that nobody sees is no visit.
+  /// The visit goes to `screen`, never attract. A visit begins at its first screen other than the
+  /// fault screen, because a fault that nobody sees is not a visit.
   void enter(ScreenId screen, double now);
-  /// Somebody touched something; do not call it for idle time.
+  /// Call when somebody touched something; idle time needs no call.
   void touch(By by, double now);
-  /// A device moved a hand.
   void device(std::string_view kind, double now);
   void pot() { ++notes_.pots; }
   void judged(double likeness) { notes_.likeness = likeness; }
   /// Ends the visit; the next one starts empty. `how`: idle or closed; for back, the last screen
-  /// tells how far the visitor came. Nothing if no visit had begun.
+  /// shows how far the visitor came. Nothing if no visit had begun.
   std::optional<VisitNotes> finish(double now, VisitNotes::End how);
 
  private:

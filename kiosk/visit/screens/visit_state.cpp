@@ -19,7 +19,7 @@ void Visit::State::reworded() {
   changed_at = desk.now;
 }
 
-/// The picture changes: cross-fade, and nothing stays pressed or focused.
+/// The picture changes: cross-fade, and release press and focus.
 void Visit::State::changed() {
   reworded();
   focused.clear();
@@ -71,7 +71,7 @@ void Visit::State::press(const std::string& control) {
   apply_pending_screen();
 }
 
-/// A visitor has come who asks for it: the choices last for the visit.
+/// A new visitor asks for it: the choices last for the visit.
 void Visit::State::open_comfort() {
   if (screen->id() == ScreenId::attract) {
     desk.go(ScreenId::choose);
@@ -90,7 +90,7 @@ std::string Visit::State::control_at(float x, float y) const {
 void Visit::State::pointer(const InputEvent& e) {
   using Kind = InputEvent::Kind;
   if (e.finger != 0) {
-    // Only at the wheel do further fingers mean something: a second hand.
+    // Only the wheel uses further fingers: a second hand.
     if (screen->id() == ScreenId::throwing && over == Over::nothing && page && pressed.empty())
       screen->pointer(e, *page);
     return;
@@ -103,7 +103,7 @@ void Visit::State::pointer(const InputEvent& e) {
                              ? control_at(e.x, e.y)
                              : std::string();
   if (over == Over::idle) {
-    // Any touch means "I am here"; besides that only the controls for legibility act.
+    // Any touch means "I am here". Apart from that, only the controls for legibility act.
     if (e.kind != Kind::pointer_down) return;
     if (language_of(desk, on)) set_language(*language_of(desk, on));
     if (on == "comfort") open_comfort();
@@ -132,7 +132,7 @@ void Visit::State::pointer(const InputEvent& e) {
     if (e.kind == Kind::pointer_up) cover(Over::nothing);
     return;
   }
-  // A near miss beside a switch of the Comfort page does not close it.
+  // A near miss beside a switch of the Comfort page must not close the page.
   if (over == Over::nothing && page && pressed.empty()) screen->pointer(e, *page);
   apply_pending_screen();
 }
@@ -174,7 +174,7 @@ void Visit::State::key(const InputEvent& e) {
     if (known.empty()) {
       focused = step_focus(page->controls(), focused, to);
     } else if (std::exchange(focused, known) != known) {
-      page.reset();  // its control may be missing here
+      page.reset();  // its control may be missing on this page
     }
   };
   switch (e.key) {
@@ -205,7 +205,7 @@ std::string Visit::State::first_control() const {
                                  : screen->first_focus();
 }
 
-/// While keys are used something is always focused, unless the keys move the hand.
+/// With keys in use something is always focused, unless the keys move the hand.
 void Visit::State::keep_focus() {
   if (!by_keys) return focused.clear();
   const std::string first = first_control();
@@ -250,12 +250,12 @@ Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
   return made;
 }
 
-/// If words do not fit, give up something, step by step, and keep that for this picture, because
-/// sizes that change with the words would flicker.
+/// If words do not fit, give up something, step by step. Keep that for this picture: sizes that
+/// change with the words would flicker.
 void Visit::State::lay_out_fitting(int width, int height) {
   const std::string stands_for =
       std::to_string(width) + 'x' + std::to_string(height) + (desk.mirrored() ? " mirrored" : "");
-  // An overlay covers only its words: after a change of size the pots are placed by the overlay.
+  // An overlay covers only its words. After a change of size the overlay places the pots.
   if (over != Over::nothing && stands_for != laid_out_for) {
     const Over covers = std::exchange(over, Over::nothing);
     lay_out_fitting(width, height);
@@ -270,7 +270,7 @@ void Visit::State::lay_out_fitting(int width, int height) {
   int again = 3;
   for (;;) {
     page = std::make_unique<Page>(lay_out(width, height, give_way(tight, desk.screen().low_reach)));
-    // A page of guessed sizes decides nothing. The next frame goes on from here.
+    // Decide nothing on a page with guessed sizes. The next frame continues here.
     if (measuring.spent()) return;
     if (page->restarted() && again-- > 0) continue;
     if (!page->overflow() || tight >= kLastGiveWay) return;

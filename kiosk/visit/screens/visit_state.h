@@ -10,7 +10,6 @@
 
 namespace onggi::screens {
 
-/// The overlay on the screen.
 enum class Over { nothing, help, comfort, idle };
 
 /// The inside of a visit: the current screen, its overlay, the keyboard's place.

@@ -21,7 +21,7 @@ class WheelHands {
     if (two) two_.emplace(wheel);
   }
 
-  /// `at`: x right of the axis, y height, metres. `tool`: one is held. True if the hands must be
+  /// `at`: x right of the axis, y height, metres. `tool`: a tool is held. True if the hands must be
   /// sent to the wheel.
   bool pointer(const view::InputEvent& event, Vec2 at, const ClayView& clay, device::Grip grip,
                bool tool);
@@ -39,7 +39,7 @@ class WheelHands {
   bool active() const { return lead_.active() || (two_ && two_->active()); }
   bool grabbed() const { return lead_.grabbed() || (two_ && two_->grabbed()); }
   bool inside() const { return lead_.inside() || (two_ && two_->inside()); }
-  /// Both hands, for code that leads them for a while: shown or requested strokes.
+  /// Both hands, for code that moves them for a while: "Show me" and requested strokes.
   device::PointerLead& lead() { return lead_; }
 
  private:

@@ -15,7 +15,7 @@ class WheelSpeed {
   static constexpr double kStep = 2.5;    ///< rad/s
 
   explicit WheelSpeed(const Desk& desk) : asked_(std::min(kFirst, desk.wheel().max_speed)) {}
-  /// True if it was one of its two buttons; the speed was then sent.
+  /// True if `control` was one of its two buttons; it then sends the speed.
   bool press(std::string_view control, const Desk& desk) {
     const bool faster = control == "throw.faster";
     if (!faster && control != "throw.slower") return false;
@@ -24,7 +24,7 @@ class WheelSpeed {
     send(desk);
     return true;
   }
-  /// The other direction for a left hand.
+  /// A left hand's wheel turns the other way.
   void send(const Desk& desk) const {
     desk.world.wheel_commands->wheel(desk.screen().left_handed ? -asked_ : asked_);
   }

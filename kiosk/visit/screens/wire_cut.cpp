@@ -3,7 +3,7 @@
 namespace onggi::screens {
 
 namespace {
-// m/s: slower than a hand in clay (PointerHandDef); otherwise it ends inside a broad foot.
+// m/s: slower than a hand in clay (PointerHandDef); otherwise it would stop inside a broad foot.
 constexpr double kWireSpeed = 0.06;
 constexpr double kWireHigh = 0.0015;  // m over the wheel head
 constexpr double kClear = 0.03;       // m beyond the foot, where it begins and ends

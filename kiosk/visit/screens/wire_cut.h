@@ -8,7 +8,7 @@
 
 namespace onggi::screens {
 
-/// A potter's two hands draw the wire under the pot, level, across the standing wheel, until it
+/// A potter's two hands draw the wire under the pot, level, across the stopped wheel, until it
 /// comes out on the other side. Main thread.
 class WireCut {
  public:
