@@ -37,8 +37,8 @@ void Demonstration::send(Vec3 right, loop::WheelCommands& wheel_commands) const 
 }
 
 void Demonstration::turn(double speed, loop::WheelCommands& wheel_commands) {
-  if (std::abs(speed - turns_) < 0.3 && speed != 0) return;
-  turns_ = speed;
+  if (std::abs(speed - requested_speed_) < 0.3 && speed != 0) return;
+  requested_speed_ = speed;
   wheel_commands.wheel(side_ * speed);
 }
 
@@ -51,11 +51,11 @@ void Demonstration::let_go(loop::WheelCommands& wheel_commands) {
 
 bool Demonstration::rested(double dt, double seconds) {
   if (finger_.down() || hands_.active()) {
-    for_ = 0;
+    stage_time_ = 0;
     return false;
   }
-  for_ += dt;
-  return for_ > seconds;
+  stage_time_ += dt;
+  return stage_time_ > seconds;
 }
 
 // Plan for what the hands can do: a palm rounds a sharp neck. If it would leave too much, use
@@ -76,7 +76,7 @@ void Demonstration::throw_on(double dt, const loop::WheelView& wheel, const Prof
                              loop::WheelCommands& wheel_commands) {
   if (!rested(dt, kBreath)) return;
   if (water_) {
-    if (for_ < kBreath + kWetting) return;
+    if (stage_time_ < kBreath + kWetting) return;
     wheel_commands.water(water_ = false);
   } else if (strokes_ % 3 == 2 && wheel.status.feedback.wetness < 0.5) {
     wheel_commands.water(water_ = true);
@@ -114,8 +114,8 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
     return;
   }
   if (stage_ == Stage::stand) {
-    for_ += dt;
-    if (for_ > kStand) enter(wire_ ? Stage::wire : Stage::done);
+    stage_time_ += dt;
+    if (stage_time_ > kStand) enter(wire_ ? Stage::wire : Stage::done);
     return;
   }
   double widest = 0;
@@ -125,12 +125,12 @@ void Demonstration::update(double dt, const loop::WheelView& wheel, const Profil
   for (const HandFeedback& felt : wheel.status.feedback.hand) contact = contact || felt.contact;
 
   if (stage_ == Stage::wet) {
-    if (for_ == 0) {
+    if (stage_time_ == 0) {
       take_hands(target);
       wheel_commands.water(true);
     }
-    for_ += dt;
-    if (for_ > kWetting + 0.8) {
+    stage_time_ += dt;
+    if (stage_time_ > kWetting + 0.8) {
       wheel_commands.water(false);
       enter(Stage::throwing);
     }

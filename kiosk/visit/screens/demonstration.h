@@ -31,7 +31,7 @@ class Demonstration {
 
  private:
   enum class Stage : std::uint8_t { wet, throwing, foot, even, rib, stand, wire, done };
-  void enter(Stage stage) { stage_ = stage, for_ = 0; }
+  void enter(Stage stage) { stage_ = stage, stage_time_ = 0; }
   void send(Vec3 right, loop::WheelCommands& wheel_commands) const;
   bool rested(double dt, double seconds);
   void turn(double speed, loop::WheelCommands& wheel_commands);
@@ -49,8 +49,8 @@ class Demonstration {
   Profile worked_;  ///< The target as the hands can make it.
   double side_;     ///< +1 right of the axis, -1 left.
   Stage stage_ = Stage::wet;
-  double for_ = 0;    ///< s in this stage, or since the last stroke.
-  double turns_ = 0;  ///< rad/s, the last requested wheel speed.
+  double stage_time_ = 0;       ///< s in this stage, or since the last stroke.
+  double requested_speed_ = 0;  ///< rad/s, the last requested wheel speed.
   int strokes_ = 0;
   bool water_ = false;
 };

@@ -110,7 +110,7 @@ class KilnScreen final : public Screen {
       column.text(desk.answer(), t.body, Face::sans, view::kFaintInk);
       column.space(t.gap * 0.5f);
     }
-    keep_room(page, column.rest());
+    reserve_space(page, column.rest());
     if (desk.glaze < 0) {
       column.text(desk.say("kiln.title"), t.title, Face::serif);
       column.space(t.gap);
@@ -191,7 +191,7 @@ class KilnScreen final : public Screen {
   }
 
   /// Reserve space for the longest later text, so that its size need not shrink.
-  void keep_room(Page& page, const view::Rect& room) const {
+  void reserve_space(Page& page, const view::Rect& room) const {
     const TypeScale& t = page.type();
     float most = 0;
     const auto height = [&](const std::string& words, float px, Face face) {

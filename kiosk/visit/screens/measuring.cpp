@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kMostKnown = 16384;
 
 /// Guesses that a letter is half as wide as high, and a wide one (three bytes) as wide as high.
-view::TextMeasure::Size guessed(const std::string& words, const view::TextStyle& style,
-                                float width) {
+view::TextMeasure::Size guessed_size(const std::string& words, const view::TextStyle& style,
+                                     float width) {
   const float whole = style.px * std::max(1.0f, 0.5f * static_cast<float>(words.size()));
   const float lines = width > 0 ? std::ceil(whole / std::max(width, style.px)) : 1.0f;
   return {width > 0 ? std::min(whole, width) : whole,
@@ -34,7 +34,7 @@ view::TextMeasure::Size Measuring::operator()(const std::string& words,
   if (known_.size() >= kMostKnown) older_ = std::exchange(known_, {});
   if (const auto found = older_.find(key); found != older_.end())
     return known_[std::move(key)] = found->second;
-  if (spent()) return guessed(words, style, width);
+  if (spent()) return guessed_size(words, style, width);
   bytes_ += words.size() + kEach;
   return known_[std::move(key)] = measure_.measure(words, style, width);
 }
