@@ -17,7 +17,7 @@ using Kind = InputEvent::Kind;
 namespace {
 
 constexpr double kStill = 10.0;   // mm that a held finger may move
-constexpr double kCorner = 25.0;  // mm of the screen's corner that answer a touch
+constexpr double kCorner = 25.0;  // mm: side of the corner of the screen that answers a touch
 
 std::string control_at(const Visit& visit, float x, float y) {
   const auto all = visit.controls();
@@ -52,14 +52,14 @@ void AccessMode::watch_hold(const InputEvent& event, const Visit& visit, double 
     if (std::hypot(event.x - held_->x, event.y - held_->y) > kStill * px_per_mm) held_.reset();
   } else if ((event.kind == Kind::pointer_down && event.finger == 0) ||
              (event.kind == Kind::key_down && !event.repeat)) {
-    // At the wheel a finger or an arrow key that stays down is at work.
+    // At the wheel, a finger or arrow key that stays down is working.
     const bool one_switch = visit.shown_on().one_switch && visit.screen() != ScreenId::attract;
     if (hold_ > 0 && !one_switch && visit.screen() != ScreenId::throwing)
       held_ = Hold{now, event.x, event.y, key};
   }
 }
 
-/// Turns speech on, and after more holding the one switch.
+/// Turns speech on, and after a longer hold the one switch.
 void AccessMode::held(Visit& visit, double now) {
   if (!held_) return;
   const auto shown = visit.shown_on();
@@ -87,7 +87,7 @@ void AccessMode::ask(Visit& visit, double now) {
   visit.activate("", now);
 }
 
-/// Says the control under a finger; a second touch that lifts on it chooses it.
+/// Speaks the control under a finger. A second touch that lifts on it chooses it.
 void AccessMode::explore(const InputEvent& event, Visit& visit, double px_per_mm, double now) {
   if (on_pot_ || event.finger != 0) {
     if (event.kind == Kind::pointer_up && event.finger == 0) on_pot_ = false;
@@ -137,7 +137,7 @@ void AccessMode::input(const InputEvent& event, Visit& visit, double px_per_mm, 
     if (!shown.spoken) return visit.activate("comfort.spoken", now);
     return ask(visit, now);
   }
-  // A finger that was held for this presses nothing when it lifts.
+  // The finger that was held for this presses nothing when it lifts.
   if (!key && shown.spoken && !(held_ && held_->reached > 0))
     return explore(event, visit, px_per_mm, now);
   if (!key && shown.spoken) return;

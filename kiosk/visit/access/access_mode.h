@@ -14,19 +14,20 @@
 namespace onggi::access {
 
 /// Sits between the visitor and the visit, for people who cannot see the screen or use one switch.
-/// Without either it passes everything on unchanged. Knows no voice, clock or window. Main thread.
+/// Without speech or switch it passes everything on unchanged. Knows no voice, clock or window.
+/// Main thread.
 class AccessMode {
  public:
   /// `hold`: Exhibit::Access::hold_to_speak.
   explicit AccessMode(double hold) : hold_(hold) {}
 
-  /// Handles an event of the window: passes it to the visit, or, with one switch, counts it as a
-  /// press, or, with speech, explores with the finger. `px_per_mm` of the screen.
+  /// Handles a window event. It passes it to the visit; with one switch it counts it as a press;
+  /// with speech it explores with the finger. `px_per_mm` of the screen.
   void input(const view::InputEvent& event, screens::Visit& visit, double px_per_mm, double now);
-  /// Call once for each finished frame: draws the ring of the one switch over it.
+  /// Call once per finished frame: draws the one switch's ring over it.
   void look(screens::Visit& visit, view::Frame& frame, double now);
-  /// True once after the pot's difference was asked for and spoken: it may now be played as pitch
-  /// too.
+  /// True once after a visitor asked for the pot's difference and it was spoken: it may now be
+  /// played as pitch too.
   bool sings() { return std::exchange(sings_, false); }
   /// The next utterance; at most one a frame.
   std::optional<Utterance> take();
@@ -53,7 +54,7 @@ class AccessMode {
   };
   std::optional<Hold> held_;
   std::string explored_;  ///< The last control under a finger.
-  std::string armed_;     ///< The control that a finger touched for the second time.
+  std::string armed_;     ///< The control that a finger touched twice.
   int asked_ = 0;
   bool song_waits_ = false, sings_ = false;
   bool on_pot_ = false;  ///< The finger is on the clay.

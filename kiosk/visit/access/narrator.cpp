@@ -14,7 +14,7 @@ namespace {
 constexpr int kNewsWeight = 1, kDoneWeight = 2, kWarningWeight = 3;
 constexpr double kALetter = 0.08, kAWideLetter = 0.25, kAtLeast = 1.5;  // s of speech
 
-/// Removes numbers, so that a countdown is one sentence however often it counts.
+/// Removes numbers, so that a countdown counts as one sentence.
 std::string unfigured(const std::string& sentence) {
   std::string out;
   for (const char c : sentence)
@@ -38,7 +38,7 @@ const Control* find(const ScreenText& reading, const std::string& id) {
   return nullptr;
 }
 
-/// Words that are on every screen, and so do not tell which screen it is.
+/// True for controls of every screen: they do not tell which screen it is.
 bool standing(const std::string& id) {
   return id == "back" || id == "help" || id == "comfort" || id.starts_with("language");
 }
@@ -128,14 +128,14 @@ Narrator::Wish Narrator::wish(const ScreenText& reading, const std::vector<std::
   for (const Control& c : reading.controls) controls_.insert(c.id);
   if (!first.empty()) return {first, kDoneWeight};
   if (asked || (stopped && !reading.differences.empty())) {
-    news(reading, now);  // this utterance tells it too
+    news(reading, now);  // this utterance includes it
     news_at_ = now;
     return {joined(reading.differences), kDoneWeight};
   }
   if (const std::string standing = standing_of(reading, shown); standing != focus_) {
     focus_ = standing;
-    // A switch moves on by itself: its rows do not interrupt an answer to the visitor, and are not
-    // spoken while hands work.
+    // The switch moves on by itself. Its rows do not interrupt an answer to the visitor, and are
+    // not spoken while hands work.
     const bool passing = reading.one_switch && shown.size() != 1;
     const bool heavier = under_way_ != 0 && now < until_ && weight_ > kNewsWeight;
     if (passing && (reading.working || heavier)) return {};

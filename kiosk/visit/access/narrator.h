@@ -12,8 +12,8 @@ namespace onggi::access {
 
 /// Decides what is spoken of the screen, and when: a page when it appears, the control of the
 /// keyboard or the switch, the pot's difference after a stroke or on request, and news at most
-/// every four seconds. Nothing is repeated without a change, and nothing is spoken in attract.
-/// Knows no voice, clock or visit. Main thread.
+/// every four seconds. It repeats nothing without a change, and is silent in attract. Knows no
+/// voice, clock or visit. Main thread.
 class Narrator {
  public:
   static constexpr double kNews = 4.0;    ///< s between two news items.
@@ -26,7 +26,7 @@ class Narrator {
   void again() { again_ = true; }
   /// True while something is probably being spoken.
   bool speaks(double now) const { return under_way_ != 0 && now < until_; }
-  /// A visitor is still holding: speaks first that holding on brings one switch.
+  /// The visitor is still holding: first speaks that holding on brings one switch.
   void hold_on() { hold_on_ = true; }
   /// The voice has finished or dropped it.
   void ended(std::uint64_t id);
@@ -51,15 +51,15 @@ class Narrator {
   std::uint64_t said_ = 0;
   std::string place_;                ///< Screen, overlay and language.
   std::set<std::string> controls_;   ///< Controls of the page that was spoken.
-  std::set<std::string> sentences_;  ///< Sentences that were spoken of it, without numbers.
-  std::string focus_;                ///< The standing_of() that was spoken.
+  std::set<std::string> sentences_;  ///< Spoken sentences of that page, without numbers.
+  std::string focus_;                ///< The last spoken standing_of().
   int asked_ = 0;
   bool begun_ = false, again_ = false, working_ = false, hold_on_ = false;
   double news_at_ = -100, counted_at_ = -100;
   std::string waiting_;  ///< News that waits because something more important was being spoken.
   std::uint64_t under_way_ = 0;
   int weight_ = 0;
-  double until_ = -1;  ///< Latest end, if no voice reports one.
+  double until_ = -1;  ///< Latest end of the utterance, if no voice reports it.
 };
 
 }  // namespace onggi::access

@@ -10,7 +10,6 @@ namespace onggi::access {
 using screens::Control;
 using screens::ScreenText;
 
-/// True if the choices have changed.
 bool Scan::changed(const ScreenText& reading) {
   std::vector<std::string> ids;
   for (const Control& control : reading.controls) ids.push_back(control.id);
@@ -74,7 +73,7 @@ void Scan::look(const ScreenText& reading, double now) {
 std::optional<std::string> Scan::press(const ScreenText& reading, double now) {
   if (now - pressed_at_ < kTremble) return std::nullopt;
   pressed_at_ = now;
-  if (changed(reading)) {  // The choices have changed, so the press does not count.
+  if (changed(reading)) {  // The choices have changed, so ignore the press.
     fresh_ = true;
     show(reading, now);
     return std::nullopt;
@@ -91,7 +90,7 @@ std::optional<std::string> Scan::press(const ScreenText& reading, double now) {
   }
   const Control& chosen = reading.controls[rows_[row_][in_row_ ? item_ : 0]];
   in_row_ = false;
-  // After a setting continue with the next row; after an action start again.
+  // After a setting continue with the next row. After an action start again.
   if (chosen.on)
     row_ = (row_ + 1) % rows_.size();
   else

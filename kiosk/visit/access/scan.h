@@ -8,12 +8,12 @@
 
 namespace onggi::access {
 
-/// One switch for everything: the rows of controls are offered in turn. A press enters the offered
-/// row, then its items are offered in turn, until a press chooses one or two rounds pass. Knows no
+/// One switch for everything. The rows of controls are offered in turn; a press enters the offered
+/// row, and its items are offered in turn, until a press chooses one or two rounds pass. Knows no
 /// clock, window or visit. Main thread.
 class Scan {
  public:
-  /// The first item of a row, and the first row, stay half as long again, because the visitor needs
+  /// The first row, and the first item of a row, stay 1.5 times as long, because the visitor needs
   /// time after a press.
   static constexpr double kFirst = 1.5;
   /// s after a press during which another press counts as a tremble.
@@ -24,7 +24,7 @@ class Scan {
   void look(const screens::ScreenText& reading, double now);
   /// The switch was pressed; returns the chosen control.
   std::optional<std::string> press(const screens::ScreenText& reading, double now);
-  /// The offered controls: a row's, or one.
+  /// The controls offered now: a whole row, or one.
   const std::vector<std::string>& shown() const { return shown_; }
   bool in_a_row() const { return in_row_; }
   /// Starts again with the row where the keyboard would start.

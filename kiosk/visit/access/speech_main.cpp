@@ -1,6 +1,6 @@
-// onggi-speech speaks through speech-dispatcher. It is a program of its own because libspeechd's
-// calls block for as long as its server likes. Lines come on standard input and go to standard
-// output, as described in kiosk/visit/access/voice_link.h. It ends when its input ends.
+// onggi-speech speaks through speech-dispatcher. It is a separate program, because a libspeechd
+// call blocks until its server answers. It reads lines from standard input and answers on standard
+// output (kiosk/visit/access/voice_link.h). It ends when its input ends.
 
 #include <libspeechd.h>
 #include <signal.h>
@@ -45,7 +45,7 @@ std::string also(const std::string& language) { return language == "zh" ? "cmn" 
 
 bool speaks(SPDConnection* voice, const std::string& language) {
   SPDVoice** all = spd_list_synthesis_voices(voice);
-  if (all == nullptr) return true;  // a synthesiser that lists none may still speak it
+  if (all == nullptr) return true;  // a synthesiser that lists no voices may still speak it
   const std::string stem = language.substr(0, language.find('-'));
   bool found = false;
   for (SPDVoice** one = all; *one != nullptr && !found; ++one) {
@@ -66,7 +66,7 @@ void say(SPDConnection* voice, std::map<std::string, bool>& spoken, const std::s
   }
   spd_cancel(voice);
   spd_set_language(voice, language.c_str());
-  // Without the lock, because the thread that brings the answer may be in on_end().
+  // Without the lock: the thread that brings the answer may be in on_end().
   const int message = spd_say(voice, SPD_TEXT, words.c_str());
   const std::lock_guard lock(g_writing);
   tell("taken " + id);
@@ -79,7 +79,7 @@ void say(SPDConnection* voice, std::map<std::string, bool>& spoken, const std::s
 }  // namespace
 
 int main() {
-  // Input ends with the exhibit, but a process that hangs in a call does not read it.
+  // Input ends with the exhibit, but a process that hangs in a call does not notice.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   char* error = nullptr;
   SPDConnection* voice =

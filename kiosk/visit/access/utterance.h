@@ -8,11 +8,11 @@
 
 namespace onggi::access {
 
-/// Something to speak; without words: silence at once.
+/// Something to speak. No words: silence at once.
 struct Utterance {
   std::string language;  ///< Language code.
   std::string text;
-  /// A newer utterance with the same or a higher weight interrupts it. 3: the warning that a visit
+  /// A newer utterance of the same or a higher weight interrupts it. 3: the warning that a visit
   /// ends; 2: an answer to the visitor; 1: news.
   int weight = 1;
   std::uint64_t id = 0;  ///< Rises from one to the next.
@@ -21,7 +21,7 @@ struct Utterance {
 /// A control's name, kind and state: "Water, button", "Silent, off".
 std::string spoken(const screens::Control& control, const content::Language& language);
 
-/// Sentences in sequence; a full stop is added to those without an ending.
+/// The sentences in sequence, each ended with a full stop if it has no ending.
 std::string joined(const std::vector<std::string>& sentences);
 
 }  // namespace onggi::access

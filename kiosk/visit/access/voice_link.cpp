@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t kMostHeard = 4096;  // longest line from a voice, bytes
 
-/// The text as one line.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
@@ -52,7 +51,7 @@ void VoiceLink::start(double now) {
 }
 
 void VoiceLink::fail(double now, const std::string& why) {
-  child_.reset();  // killed and waited for
+  child_.reset();  // kills it and waits for it
   to_ = files::Channel();
   from_ = files::Channel();
   ready_ = false;
@@ -68,7 +67,7 @@ void VoiceLink::fail(double now, const std::string& why) {
 
 bool VoiceLink::send(const std::string& line, double now) {
   if (!child_) return false;
-  // Write all or nothing: if the pipe is full, the voice has hung.
+  // Write all or nothing: a full pipe means that the voice has hung.
   const ssize_t sent =
       ::send(to_.ours.get(), line.data(), line.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent != static_cast<ssize_t>(line.size())) {

@@ -23,14 +23,12 @@ class VoiceLink {
   static constexpr double kAnswer = 3.0, kReady = 15.0;  ///< s
   static constexpr int kMost = 8;
 
-  /// The voice is `program` with `arguments`.
   explicit VoiceLink(std::string program, std::vector<std::string> arguments = {});
 
-  /// A visitor wants a voice: starts it if it is not running, however often it failed.
+  /// A visitor wants a voice: starts it if it is not running, regardless of earlier failures.
   void begin(double now);
-  /// Speaks, and interrupts the current utterance whatever its weight, because the caller decides
-  /// on timing. Without a voice it does nothing; before the voice is ready it keeps only the last
-  /// utterance.
+  /// Speaks, and interrupts the current utterance whatever its weight: the caller decides on
+  /// timing. Does nothing without a voice. Until the voice is ready, keeps only the last utterance.
   void say(const Utterance& utterance, double now);
   /// Call once a frame: reads the voice's answers, and checks that it still answers.
   void look(double now);
@@ -53,7 +51,7 @@ class VoiceLink {
   files::Channel to_, from_;
   std::string heard_;  ///< An incomplete line.
   bool wanted_ = false, ready_ = false;
-  std::optional<Utterance> waits_;  ///< Waits until the voice is ready.
+  std::optional<Utterance> waits_;  ///< Spoken when the voice is ready.
   double asked_at_ = -1;            ///< Below 0: no answer is due.
   double again_at_ = -1;
   int failures_ = 0;
