@@ -15,7 +15,7 @@ constexpr int kNewsWeight = 1, kDoneWeight = 2, kWarningWeight = 3;
 constexpr double kALetter = 0.08, kAWideLetter = 0.25, kAtLeast = 1.5;  // s of speech
 
 /// Removes numbers, so that a countdown counts as one sentence.
-std::string unfigured(const std::string& sentence) {
+std::string without_numbers(const std::string& sentence) {
   std::string out;
   for (const char c : sentence)
     if (c < '0' || c > '9') out += c;
@@ -39,18 +39,18 @@ const Control* find(const ScreenText& reading, const std::string& id) {
 }
 
 /// True for controls of every screen: they do not tell which screen it is.
-bool standing(const std::string& id) {
+bool on_every_screen(const std::string& id) {
   return id == "back" || id == "help" || id == "comfort" || id.starts_with("language");
 }
 
 }  // namespace
 
 bool Narrator::another_page(const ScreenText& reading) const {
-  const bool any =
-      std::any_of(reading.controls.begin(), reading.controls.end(),
-                  [&](const Control& c) { return !standing(c.id) && controls_.count(c.id) > 0; });
+  const bool any = std::any_of(
+      reading.controls.begin(), reading.controls.end(),
+      [&](const Control& c) { return !on_every_screen(c.id) && controls_.count(c.id) > 0; });
   const bool own = std::any_of(reading.controls.begin(), reading.controls.end(),
-                               [](const Control& c) { return !standing(c.id); });
+                               [](const Control& c) { return !on_every_screen(c.id); });
   return own && !any;
 }
 
@@ -71,8 +71,8 @@ std::string Narrator::focus(const ScreenText& reading,
 }
 
 /// The part of a control whose change is announced: its name and whether it is on.
-std::string Narrator::standing_of(const ScreenText& reading,
-                                  const std::vector<std::string>& shown) const {
+std::string Narrator::state_of(const ScreenText& reading,
+                               const std::vector<std::string>& shown) const {
   if (reading.one_switch) {
     std::string all;
     for (const std::string& id : shown) all += id + ' ';
@@ -86,7 +86,7 @@ std::string Narrator::news(const ScreenText& reading, double now) {
   std::vector<std::string> fresh;
   std::set<std::string> seen;
   for (const std::string& sentence : reading.words) {
-    const std::string bare = unfigured(sentence);
+    const std::string bare = without_numbers(sentence);
     seen.insert(bare);
     if (sentences_.count(bare) == 0)
       fresh.push_back(sentence);
@@ -116,8 +116,8 @@ Narrator::Wish Narrator::wish(const ScreenText& reading, const std::vector<std::
     controls_.clear();
     for (const Control& c : reading.controls) controls_.insert(c.id);
     sentences_.clear();
-    for (const std::string& sentence : reading.words) sentences_.insert(unfigured(sentence));
-    focus_ = standing_of(reading, shown);
+    for (const std::string& sentence : reading.words) sentences_.insert(without_numbers(sentence));
+    focus_ = state_of(reading, shown);
     news_at_ = counted_at_ = now;
     waiting_.clear();
     std::string text = page(reading);
@@ -132,8 +132,8 @@ Narrator::Wish Narrator::wish(const ScreenText& reading, const std::vector<std::
     news_at_ = now;
     return {joined(reading.differences), kDoneWeight};
   }
-  if (const std::string standing = standing_of(reading, shown); standing != focus_) {
-    focus_ = standing;
+  if (const std::string state = state_of(reading, shown); state != focus_) {
+    focus_ = state;
     // The switch moves on by itself. Its rows do not interrupt an answer to the visitor, and are
     // not spoken while hands work.
     const bool passing = reading.one_switch && shown.size() != 1;

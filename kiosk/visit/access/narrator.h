@@ -44,15 +44,15 @@ class Narrator {
   std::string page(const screens::ScreenText& reading) const;
   std::string focus(const screens::ScreenText& reading,
                     const std::vector<std::string>& shown) const;
-  std::string standing_of(const screens::ScreenText& reading,
-                          const std::vector<std::string>& shown) const;
+  std::string state_of(const screens::ScreenText& reading,
+                       const std::vector<std::string>& shown) const;
   std::string news(const screens::ScreenText& reading, double now);
 
   std::uint64_t said_ = 0;
   std::string place_;                ///< Screen, overlay and language.
   std::set<std::string> controls_;   ///< Controls of the page that was spoken.
   std::set<std::string> sentences_;  ///< Spoken sentences of that page, without numbers.
-  std::string focus_;                ///< The last spoken standing_of().
+  std::string focus_;                ///< The last spoken state_of().
   int asked_ = 0;
   bool begun_ = false, again_ = false, working_ = false, hold_on_ = false;
   double news_at_ = -100, counted_at_ = -100;
