@@ -5,8 +5,8 @@
 
 namespace onggi::sound {
 
-/// The sound of a tick of the wheel; `fire` and `volume` stay 0. A pot that is only shown
-/// (LoopStatus::shown) makes no sound. Any thread, no allocation.
+/// The sound of the wheel's last tick, with `fire` and `volume` 0. A pot that is only shown
+/// (LoopStatus::shown) is silent. Any thread, no allocation.
 Heard hear(const loop::LoopStatus& status) noexcept;
 
 }  // namespace onggi::sound

@@ -11,12 +11,11 @@ namespace onggi::sound {
 struct Rub {
   enum class Kind : std::uint8_t { hand, sponge, rib, wire };
   Kind kind = Kind::hand;
-  double slip = 0.0;  ///< m/s: the clay's velocity against the tool.
+  double slip = 0.0;  ///< m/s: speed of the clay relative to the tool.
   double push = 0.0;  ///< N, between clay and tool; 0: no contact.
 };
 
-/// Everything that can be heard at one moment. Plain values; a value that is not a number counts as
-/// 0.
+/// Everything that can be heard at one moment. Plain values; NaN counts as 0.
 struct Heard {
   double wheel = 0.0;              ///< rad/s, in either direction.
   double wet = 0.0;                ///< 0 dry .. 1 dripping.

@@ -17,8 +17,8 @@ namespace {
 // Without a card ALSA writes a screenful to standard error; SDL reports it in a line.
 void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 
-/// Below the 1 kHz loop, which shares a core with it, and above the drawing, because a block is due
-/// every 8 ms. SDL's own way is a desktop service that a kiosk does not have.
+/// Below the 1 kHz loop, which shares a core with it. Above the drawing, because a block is due
+/// every 8 ms. SDL's own way needs a desktop service that a kiosk lacks.
 void rise_above_drawing() noexcept {
   sched_param parameter{};
   parameter.sched_priority = Speaker::kPriority;
@@ -100,7 +100,7 @@ void Speaker::play(float* out, int samples) noexcept {
   const std::int64_t now = files::monotonic_ns();
   if (const std::int64_t before = std::exchange(asked_ns_, now); before != 0) {
     const std::int64_t gap = now - before;
-    // SDL holds one more block than it plays, so that a block's delay is not heard.
+    // SDL holds one block in reserve, so a delay of one block is not heard.
     if (gap > 2 * kBlockNs) late_.fetch_add(1, std::memory_order_relaxed);
     if (gap > worst_gap_ns_.load(std::memory_order_relaxed))
       worst_gap_ns_.store(gap, std::memory_order_relaxed);

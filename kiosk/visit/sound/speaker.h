@@ -16,12 +16,12 @@ struct SDL_AudioSpec;
 namespace onggi::sound {
 
 /// The sound card, through SDL 2 (ALSA, PulseAudio, PipeWire; SDL_AUDIODRIVER names another). SDL's
-/// thread asks for a block of kBlock samples, reads the state at that moment and plays it, without
-/// lock, allocation or log. Sound is optional: without a card the kiosk runs silently, and a
-/// removed card is looked for again. Main thread, except where noted.
+/// thread asks for a block of kBlock samples; the speaker reads the state at that moment and plays
+/// it, without lock, allocation or log. Sound is optional: without a card the kiosk is silent, and
+/// it looks for a removed card again. Main thread, except where noted.
 class Speaker {
  public:
-  /// Samples in a block, 8 ms: the sound is at most one block old, and starts after the block
+  /// Samples in a block, 8 ms. The sound is at most one block old, and starts after the block
   /// before it.
   static constexpr int kBlock = 384;
   /// s between two searches for a missing card.
@@ -31,7 +31,7 @@ class Speaker {
   static constexpr int kPriority = 70;
 
   /// SDL's thread calls `listen` for every block; it must not block or throw. volume() and fire()
-  /// replace its volume and fire. A machine without a card is no error: see remark().
+  /// replace its volume and fire. A missing card is no error: see remark().
   explicit Speaker(std::function<Heard()> listen);
   ~Speaker();
   Speaker(const Speaker&) = delete;
@@ -49,10 +49,10 @@ class Speaker {
 
   struct Status {
     std::uint64_t blocks = 0;
-    std::uint64_t late = 0;       ///< Requests over a block late: the card ran dry.
-    double worst_gap_s = 0.0;     ///< Largest gap between two requests.
-    std::uint64_t touches = 0;    ///< Number of times that a hand began to rub,
-    std::int64_t touched_ns = 0;  ///< and when the last of them came out, CLOCK_MONOTONIC: the end
+    std::uint64_t late = 0;       ///< Requests more than a block late: the card ran dry.
+    double worst_gap_s = 0.0;     ///< Largest time between two requests.
+    std::uint64_t touches = 0;    ///< How often a hand began to rub,
+    std::int64_t touched_ns = 0;  ///< and when the last rub was heard, CLOCK_MONOTONIC: at the end
                                   ///< of the block before it.
   };
   Status status() const;  ///< Any thread.
@@ -65,9 +65,9 @@ class Speaker {
 
   std::function<Heard()> listen_;
   Synthesis synthesis_;  ///< SDL's thread only.
-  bool rubs_ = false;    ///< SDL's thread only; and the time of the last request.
+  bool rubs_ = false;    ///< SDL's thread only, like the time of the last request.
   std::int64_t asked_ns_ = 0;
-  /// SDL's thread copies the newest one within a block, long before its slot is used again.
+  /// SDL's thread copies the newest song within a block, long before its slot is used again.
   std::array<OutlineSong, 4> songs_;
   std::atomic<unsigned> sung_{0};
   unsigned heard_song_ = 0;  ///< SDL's thread only.

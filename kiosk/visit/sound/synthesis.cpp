@@ -12,14 +12,14 @@ namespace {
 constexpr unsigned kTuned = 16;  // samples between two changes of a filter
 constexpr double kLeast = 1e-4;  // m/s and N: smaller values count as rest
 
-// A value from 0 up; `half` sounds half as loud as the maximum.
+// Saturates: from 0 towards 1 as x grows; 0.5 at x = `half`.
 double grown(double x, double half) { return x / (x + half); }
 
 double sane(double x, double most) {
   return std::isfinite(x) ? std::clamp(std::fabs(x), 0.0, most) : 0.0;
 }
 
-// Like tubes: at most 1, and linear at low level (Pade's tanh).
+// At most 1, linear at low level, like a tube (Pade's tanh).
 double limited(double x) {
   const double t = std::clamp(x, -3.0, 3.0);
   return t * (27.0 + t * t) / (27.0 + 9.0 * t * t);
@@ -67,7 +67,7 @@ double Synthesis::RubVoice::next(const Rub& rub, double wet, bool tune) noexcept
   const double in = noise.next();
   double out = body.next(in);
   if (rub.kind == Rub::Kind::sponge) {
-    // Water pressed out and drawn in again, about ten times a second.
+    // Water is pressed out and drawn in again, about ten times a second.
     breath.next(squelch.next());
     out = 1.6 * body.low() * std::clamp(0.7 + 14.0 * breath.low(), 0.0, 1.6);
   } else {
@@ -95,7 +95,7 @@ double Synthesis::FireVoice::next(double fire, bool tune) noexcept {
 double Synthesis::hum(double wheel) noexcept {
   const double speed = wheel_.to(sane(wheel, 100.0));
   if (speed < 0.05) return 0.0;
-  // A belt of four to one on a six-pole motor: 4 rad/s more are 16 Hz more.
+  // A 4:1 belt on a six-pole motor: 4 rad/s more are 16 Hz more.
   const double hz = 28.0 + 4.0 * speed;
   const double gain = 0.05 * grown(speed, 6.0) * std::min(speed, 1.0);
   const double tone = partials_[0].next(hz) + 0.5 * partials_[1].next(2.0 * hz) +
@@ -111,7 +111,7 @@ void Synthesis::play(const Heard& heard, std::span<float> out) noexcept {
     const double wet = wet_.to(wet_now);
     double sum = hum(heard.wheel) + fire_.next(heard.fire, tune) + song_.next();
     for (std::size_t i = 0; i < rubs_.size(); ++i) sum += rubs_[i].next(heard.rub[i], wet, tune);
-    // Loudness follows roughly the square, so that half of the slider sounds like half.
+    // Loudness is roughly the square, so that half of the slider sounds like half.
     const double level = volume_.to(volume);
     sample = static_cast<float>(limited(level * level * sum));
   }

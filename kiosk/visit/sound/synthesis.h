@@ -9,16 +9,16 @@
 
 namespace onggi::sound {
 
-/// Synthesises a quiet studio: the wheel's hum by its speed, clay that rubs on a hand, a sponge, a
-/// rib or a wire by slip and push, and a kiln. No recordings; the same inputs give the same samples
-/// everywhere. For any input the samples stay in -1..1, and a jump of an input makes no click. No
-/// allocation, no lock: it runs on the sound card's thread.
+/// Synthesises a quiet studio: the wheel's hum by its speed; clay rubbing on a hand, a sponge, a
+/// rib or a wire, by slip and push; and a kiln. No recordings; the same inputs give the same
+/// samples everywhere. Samples stay in -1..1 for any input, and a jump of an input makes no click.
+/// No allocation, no lock: it runs on the sound card's thread.
 class Synthesis {
  public:
   /// Fills `out` with samples of one channel, kRate a second, for the state `heard`. A new touch
   /// reaches two thirds of its loudness after 3 ms.
   void play(const Heard& heard, std::span<float> out) noexcept;
-  /// Begins with the next sample, over the other sounds.
+  /// Starts at the next sample, over the other sounds.
   void sing(const OutlineSong& song) noexcept { song_.sing(song); }
 
  private:

@@ -14,7 +14,7 @@ class Glide {
   explicit Glide(double seconds) noexcept;
   double to(double wanted) noexcept {
     at_ += pace_ * (wanted - at_);
-    // A tail below the last of 24 bits is silence, and denormal numbers are slow.
+    // A tail below the last of 24 bits is inaudible, and denormal numbers are slow.
     if (wanted == 0.0 && at_ < 1e-7) at_ = 0.0;
     return at_;
   }
@@ -38,9 +38,9 @@ class Noise {
   std::uint32_t state_;
 };
 
-/// A second-order filter whose frequency may change while it sounds (trapezoidal state-variable
-/// filter: Zavalishin, The Art of VA Filter Design, 2012, chapter 4). `next` returns its band, at
-/// most 1 at the middle, and `low` the part below.
+/// A second-order filter whose frequency may change while it plays (trapezoidal state-variable
+/// filter: Zavalishin, The Art of VA Filter Design, 2012, chapter 4). `next` returns its band-pass,
+/// at most 1 at the middle; `low` is its low-pass.
 class Band {
  public:
   /// `hz` 20..15000, `q` 0.3..20: middle over width.
