@@ -15,11 +15,11 @@ namespace onggi::sound {
 namespace {
 
 // Without a card ALSA writes a screenful to standard error; SDL reports it in a line.
-void say_nothing(const char*, int, const char*, int, const char*, ...) {}
+void discard_message(const char*, int, const char*, int, const char*, ...) {}
 
 /// Below the 1 kHz loop, which shares a core with it. Above the drawing, because a block is due
 /// every 8 ms. SDL's own way needs a desktop service that a kiosk lacks.
-void rise_above_drawing() noexcept {
+void raise_priority() noexcept {
   sched_param parameter{};
   parameter.sched_priority = Speaker::kPriority;
   pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
@@ -32,7 +32,7 @@ constexpr auto kBlockNs = static_cast<std::int64_t>(Speaker::kBlock / kRate * 1e
 Speaker::Speaker(std::function<Heard()> listen) : listen_(std::move(listen)) {
   // Keep the kiosk's own signal handlers.
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-  snd_lib_error_set_handler(&say_nothing);
+  snd_lib_error_set_handler(&discard_message);
   SDL_SetHint(SDL_HINT_AUDIO_DEVICE_APP_NAME, "Onggi");
   open();
 }
@@ -105,7 +105,7 @@ void Speaker::play(float* out, int samples) noexcept {
     if (gap > worst_gap_ns_.load(std::memory_order_relaxed))
       worst_gap_ns_.store(gap, std::memory_order_relaxed);
   } else {
-    rise_above_drawing();
+    raise_priority();
   }
   Heard heard = listen_();
   heard.volume = volume_.load(std::memory_order_relaxed);

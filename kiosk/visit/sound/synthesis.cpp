@@ -13,14 +13,14 @@ constexpr unsigned kTuned = 16;  // samples between two changes of a filter
 constexpr double kLeast = 1e-4;  // m/s and N: smaller values count as rest
 
 // Saturates: from 0 towards 1 as x grows; 0.5 at x = `half`.
-double grown(double x, double half) { return x / (x + half); }
+double saturated(double x, double half) { return x / (x + half); }
 
-double sane(double x, double most) {
+double clamped_magnitude(double x, double most) {
   return std::isfinite(x) ? std::clamp(std::fabs(x), 0.0, most) : 0.0;
 }
 
 // At most 1, linear at low level, like a tube (Pade's tanh).
-double limited(double x) {
+double soft_clipped(double x) {
   const double t = std::clamp(x, -3.0, 3.0);
   return t * (27.0 + t * t) / (27.0 + 9.0 * t * t);
 }
@@ -47,12 +47,12 @@ constexpr Timbre timbre_of(Rub::Kind kind) {
 }  // namespace
 
 double Synthesis::RubVoice::next(const Rub& rub, double wet, bool tune) noexcept {
-  const double slip = sane(rub.slip, 20.0), push = sane(rub.push, 50.0);
+  const double slip = clamped_magnitude(rub.slip, 20.0), push = clamped_magnitude(rub.push, 50.0);
   const bool rubs = slip > kLeast && push > kLeast;
   const Timbre timbre = timbre_of(rub.kind);
-  const double haste = pitch.to(grown(slip, 0.8));
+  const double haste = pitch.to(saturated(slip, 0.8));
   const double gain =
-      loud.to(rubs ? timbre.loud * grown(push, 1.2) * std::sqrt(grown(slip, 0.4)) : 0.0);
+      loud.to(rubs ? timbre.loud * saturated(push, 1.2) * std::sqrt(saturated(slip, 0.4)) : 0.0);
   if (gain == 0.0) return 0.0;
   if (tune) {
     // Wetness changes the sound: dry clay hisses, slip whispers.
@@ -78,7 +78,7 @@ double Synthesis::RubVoice::next(const Rub& rub, double wet, bool tune) noexcept
 }
 
 double Synthesis::FireVoice::next(double fire, bool tune) noexcept {
-  const double gain = loud.to(std::min(sane(fire, 1.0), 1.0));
+  const double gain = loud.to(std::min(clamped_magnitude(fire, 1.0), 1.0));
   if (gain == 0.0) return 0.0;
   if (tune) {
     rumble.tune(130.0, 0.6);
@@ -93,19 +93,19 @@ double Synthesis::FireVoice::next(double fire, bool tune) noexcept {
 }
 
 double Synthesis::hum(double wheel) noexcept {
-  const double speed = wheel_.to(sane(wheel, 100.0));
+  const double speed = wheel_.to(clamped_magnitude(wheel, 100.0));
   if (speed < 0.05) return 0.0;
   // A 4:1 belt on a six-pole motor: 4 rad/s more are 16 Hz more.
   const double hz = 28.0 + 4.0 * speed;
-  const double gain = 0.05 * grown(speed, 6.0) * std::min(speed, 1.0);
+  const double gain = 0.05 * saturated(speed, 6.0) * std::min(speed, 1.0);
   const double tone = partials_[0].next(hz) + 0.5 * partials_[1].next(2.0 * hz) +
                       0.22 * partials_[2].next(3.0 * hz);
   return gain * tone * (1.0 + 0.12 * turn_.next(speed / (2.0 * portable::kPi)));
 }
 
 void Synthesis::play(const Heard& heard, std::span<float> out) noexcept {
-  const double volume = std::min(sane(heard.volume, 1.0), 1.0);
-  const double wet_now = std::min(sane(heard.wet, 1.0), 1.0);
+  const double volume = std::min(clamped_magnitude(heard.volume, 1.0), 1.0);
+  const double wet_now = std::min(clamped_magnitude(heard.wet, 1.0), 1.0);
   for (float& sample : out) {
     const bool tune = sample_++ % kTuned == 0;
     const double wet = wet_.to(wet_now);
@@ -113,7 +113,7 @@ void Synthesis::play(const Heard& heard, std::span<float> out) noexcept {
     for (std::size_t i = 0; i < rubs_.size(); ++i) sum += rubs_[i].next(heard.rub[i], wet, tune);
     // Loudness is roughly the square, so that half of the slider sounds like half.
     const double level = volume_.to(volume);
-    sample = static_cast<float>(limited(level * level * sum));
+    sample = static_cast<float>(soft_clipped(level * level * sum));
   }
 }
 
