@@ -8,7 +8,7 @@ namespace onggi::device {
 
 namespace {
 
-/// Body `n`'s turn for one turn of its motor, with its sign.
+/// Signed turn of body `n` for one turn of its motor.
 double ratio(const ArmDef& arm, std::size_t n) {
   return (arm.aligned[n] ? -1.0 : 1.0) * arm.capstan[n] / arm.body[n];
 }

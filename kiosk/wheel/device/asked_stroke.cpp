@@ -21,7 +21,7 @@ constexpr double kLeastWeight = 0.02;
 
 constexpr std::array<double, 5> kMiddles{0.08, 0.29, 0.5, 0.71, 0.92};
 
-/// m outwards; `left`: m that the part still lacks to the outline in this direction.
+/// Step in m, positive outwards. `left`: m still missing to the outline in this direction.
 double asked_step(Ask ask, double off, double left) {
   const bool on = left <= kAtIt;  // the part is at the outline, so the visitor wants more
   if (ask == Ask::widen) return on ? kAskOutMore : std::clamp(off, 0.0, kAskOut);

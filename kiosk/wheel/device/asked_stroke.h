@@ -24,8 +24,8 @@ double middle_of(WallPart part);
 double weight_of(WallPart part, double share);
 
 /// The stroke for the current `clay`: at most 9 mm outwards or 4 mm inwards, and not beyond
-/// `target`'s outline. When all of the part is at the outline, 3 and 2 mm beyond it. A wall that is
-/// too thick for two hands is opened first. The path is empty if nothing can be done. Pure;
+/// `target`'s outline. If the whole part is already at the outline, at most 3 and 2 mm beyond it. A
+/// wall too thick for two hands is opened first. The path is empty if nothing can be done. Pure;
 /// allocates.
 Stroke asked_stroke(const ClayView& clay, const Profile& target, Ask ask, WallPart part);
 

@@ -20,7 +20,8 @@ struct DeviceAxis {
 /// to feel.
 inline constexpr double kUnmeasuredCap = 1.0;
 
-/// Its coupling stiffness, N/m: the value for the weakest device that `onggi lab loop` tests.
+/// Coupling stiffness of such a device, N/m: the value for the weakest device that `onggi lab loop`
+/// tests.
 inline constexpr double kUnmeasuredStiffness = 19.0;
 
 /// Mechanical properties for the stability analysis. Defaults describe the weakest supported
@@ -51,7 +52,7 @@ struct DeviceDef {
   double engage_time = 0.5;  ///< s, 0.05..5.
   double damping = 0.0;      ///< N s/m, 0..20: made by the device, if it `damps`.
   bool damps = false;        ///< True for kinds that can damp.
-  /// Largest coupling stiffness, N/m, as derived from its body by `onggi lab loop --write`. None:
+  /// Largest coupling stiffness, N/m, derived from its body by `onggi lab loop --write`. Absent:
   /// kUnmeasuredCap and kUnmeasuredStiffness apply.
   std::optional<double> stiffness_limit;
   DeviceBody body;
@@ -61,7 +62,6 @@ struct DeviceDef {
   double cap() const {
     return stiffness_limit || max_force < kUnmeasuredCap ? max_force : kUnmeasuredCap;
   }
-  /// Total damping of the device itself, N s/m.
   double own_damping() const { return body.damping + (damps ? damping : 0.0); }
   double coupling() const { return stiffness_limit.value_or(kUnmeasuredStiffness); }
 };

@@ -47,7 +47,7 @@ std::optional<DeviceKind> kind_of(const HidListing& l) {
   if (l.vendor == 0x054c && l.product == 0x0ce6)
     return is(l, 1, 5) ? std::optional(DeviceKind::dual_sense) : std::nullopt;
   if (is(l, 0xff00, 1)) return DeviceKind::onggi_hid;
-  // Any Teensy may have these numbers; the driver waits for an answer that only an arm gives. A
+  // Any Teensy may have these numbers, so the driver waits for an answer that only an arm gives. A
   // Teensy lists a serial emulation beside its raw HID.
   if ((l.vendor == 0x16c0 && l.product == 0x0486 && !is(l, 0xffc9, 4)) ||
       (l.vendor == 0x1234 && l.product == 0x0006))

@@ -10,7 +10,6 @@
 
 namespace onggi::device {
 
-/// The supported devices.
 enum class DeviceKind : std::uint8_t { space_mouse, surface_dial, dual_sense, polhem, onggi_hid };
 
 /// A kind's name and use, for staff and visitors.

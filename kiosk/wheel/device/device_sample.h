@@ -8,7 +8,7 @@ namespace onggi::device {
 
 /// Buttons with the same meaning on all devices.
 enum SampleButton : std::uint32_t {
-  kClutch = 1u << 0,  ///< Held: the tool stays while the handle moves back.
+  kClutch = 1u << 0,  ///< While held, the tool stays and the handle moves back.
   kSide = 1u << 1,
   kWater = 1u << 2,
   kFaster = 1u << 3,

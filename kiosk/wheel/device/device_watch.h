@@ -22,8 +22,8 @@ class DeviceWatch {
  public:
   using Define = std::function<DeviceDef(DeviceKind)>;
 
-  /// With Turning::by_hand there is no thread, and the caller calls look(). `define` gives the
-  /// settings of a kind, on the watch's thread.
+  /// With Turning::by_hand there is no thread, and the caller calls look(). `define` returns the
+  /// settings of a kind; called on the watch's thread.
   DeviceWatch(std::unique_ptr<HidBus> bus, HidLink::Turning turning, Define define);
   ~DeviceWatch();
   DeviceWatch(const DeviceWatch&) = delete;

@@ -6,7 +6,7 @@
 namespace onggi::device {
 
 namespace {
-constexpr double kLongestStep = 0.005;  // s: after a pause the force does not jump.
+constexpr double kLongestStep = 0.005;  // s: the force does not jump after a pause
 constexpr double kShortestStep = 1e-6;
 }  // namespace
 

@@ -20,8 +20,8 @@ struct ForceLimits {
 /// starting from zero. One thread. No allocation, no throw.
 class ForceGate {
  public:
-  /// `wanted` N, `seconds` since the last step (cut to 5 ms). `fault`: seen by the caller; the gate
-  /// adds not_a_number. Returns the force for the cable.
+  /// `wanted` N; `seconds` since the last step (limited to 5 ms). `fault`: the caller's fault; the
+  /// gate adds not_a_number. Returns the force for the cable.
   Vec3 step(Vec3 wanted, double seconds, const ForceLimits& limits, LinkFault& fault) noexcept;
   /// Zero now, then engage again: when not armed, unplugged, or at the end.
   void cut() noexcept { guard_ = {}; }

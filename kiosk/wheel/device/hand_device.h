@@ -15,7 +15,7 @@ class HandDevice {
   /// The result of the last tick; empty if the hand is not at the clay. Devices without force
   /// ignore it.
   virtual void feel(const HandFeedback& feedback) noexcept = 0;
-  /// Age of its newest report, s; below 0 if it has no reports.
+  /// Age of its newest report, s; negative if it has no reports.
   virtual double age() const noexcept { return -1.0; }
   /// True if it has no hand of its own and follows lead().
   virtual bool led() const noexcept { return false; }

@@ -45,7 +45,7 @@ HidHand::HidHand(std::shared_ptr<HidLink> link, bool left_handed)
       def_(link_->def()),
       home_(def_.home),
       pushes_(info_of(link_->kind()).force) {
-  // A tool that moves `scale` times as far as the handle pulls that much harder for it.
+  // A tool that moves `scale` times as far as the handle pulls the handle that much harder.
   limits_.stiffness = def_.coupling() / def_.scale;
   limits_.mass = def_.body.mass / def_.scale;
   limits_.own_damping = def_.own_damping() / def_.scale;
@@ -66,7 +66,7 @@ Vec3 HidHand::handle_place(double dt) noexcept {
   const Vec3 mapped = home_ + def_.scale * (to_studio(def_, place) - def_.middle) + slipped_;
   const bool clutch = (sample_.buttons & kClutch) != 0;
   if (clutch || clutched_) {
-    // Hold the tool; what the handle moves meanwhile becomes the clutch's offset.
+    // Hold the tool. The handle's motion becomes the clutch's offset.
     slipped_ = slipped_ + at_ - mapped;
     clutched_ = clutch;
     return at_;

@@ -22,7 +22,6 @@ struct LinkStatus {
   bool asks_to_be_held = false;  ///< A force device that nobody has held since it was plugged in.
 };
 
-/// The parts of a link.
 struct LinkParts {
   std::unique_ptr<HidPort> port;
   DeviceKind kind = DeviceKind::space_mouse;
@@ -51,20 +50,21 @@ class HidLink {
   /// Largest force, N: the setting, or the device's own limit if that is less.
   double cap() const { return limits_.cap; }
 
-  /// Loop thread: gets the newest sample, if there is a new one; puts a request in place of the
-  /// last.
+  /// Loop thread. newest(): gets the newest sample, if there is a new one. wish(): replaces the
+  /// last request.
   bool newest(DeviceSample& sample) noexcept { return samples_.take(sample); }
   void wish(ForceRequest wish) noexcept;
   /// Loop thread, by hand only: `dt` seconds pass, and the device has a turn.
   void pump(double dt) noexcept;
-  /// Any thread: the turns of its thread so far; a thread that hangs in a call to its device has
-  /// none.
+  /// Any thread: turns of the link's thread so far. The count stops while a call to the device
+  /// hangs.
   std::uint64_t turns() const noexcept { return turns_.load(std::memory_order_relaxed); }
   /// Any thread: the link's clock, ns.
   std::int64_t time_ns() const noexcept { return now_ns(); }
   bool by_hand() const noexcept { return turning_ == Turning::by_hand; }
 
-  /// Main thread: the screens run. After the first call, it must follow every half second.
+  /// Main thread: tells that the screens are running. After the first call, call at least every
+  /// half second.
   void heartbeat() noexcept { heartbeat_ns_.store(now_ns(), std::memory_order_relaxed); }
   /// Main thread.
   LinkStatus status() noexcept;

@@ -8,8 +8,8 @@
 namespace onggi::device {
 
 /// Passes the newest value from one thread to another. Neither side ever waits, whatever the
-/// priorities: of three slots the writer owns one and the reader one, and they swap the third with
-/// an atomic exchange. A value that was not read in time is lost.
+/// priorities: the writer owns one of three slots and the reader another, and they swap the third
+/// with an atomic exchange. A value that is not read in time is lost.
 template <class T>
 class Mailbox {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -22,7 +22,7 @@ class Mailbox {
         between_.exchange(static_cast<std::uint8_t>(mine_ | kFresh), std::memory_order_acq_rel) &
         kPlace;
   }
-  /// Reader's thread. True if `value` was renewed.
+  /// Reader's thread. True if `value` is new.
   bool take(T& value) noexcept {
     if ((between_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     yours_ = between_.exchange(yours_, std::memory_order_acq_rel) & kPlace;

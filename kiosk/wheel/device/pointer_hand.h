@@ -15,10 +15,10 @@ struct PointerHandDef {
 };
 
 /// The loop's side of mouse, touch or keys as a HandDevice. PointerLead sets the tool's target once
-/// a frame, and this class glides there at 1 kHz; in clay, no faster than a potter. (It knows one
-/// frame earlier that it is in clay.) Lifted from clay it comes off slowly. Set down again it
-/// starts at the pointer, without gliding through the clay. The held tool and its pose pass
-/// through.
+/// a frame; this class glides there at 1 kHz, and in clay no faster than a potter. (It knows one
+/// frame earlier that it is in clay.) Lifted from clay, it comes off slowly. Set down again, it
+/// starts at the pointer and does not glide through the clay. The held tool and its pose pass
+/// through unchanged.
 class PointerHand final : public HandDevice {
  public:
   PointerHand() = default;

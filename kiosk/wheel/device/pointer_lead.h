@@ -44,11 +44,10 @@ class PointerLead {
   /// `at`: x right of the axis, y height, metres (Camera::on_axis_plane).
   void grab(Vec2 at, const ClayView& clay, Grip grip);
   void drag(Vec2 at);
-  /// A second pointer, like `at`, while the first is down. The outer of the two draws the outside,
-  /// and the wall between both hands follows the distance between the pointers, in proportion to
-  /// what it was when the second went down. Nothing: it has lifted.
+  /// A second pointer, like `at`, while the first is down. The outer of the two draws the outside.
+  /// The wall between both hands follows the distance between the pointers, relative to the
+  /// distance when the second went down. Without a value: the second pointer was lifted.
   void pinch(std::optional<Vec2> at, const ClayView& clay);
-  /// The pointer lifts.
   void release();
   /// Keys: begins at half height at `sign` (+1 right of the axis, -1 left), unless already working.
   void begin_by_keys(const ClayView& clay, Grip grip, double sign);
@@ -64,7 +63,6 @@ class PointerLead {
   bool active() const { return active_; }
   /// True if a hand works inside the pot.
   bool inside() const { return active_ && hands_.inside.there; }
-  /// True while the pointer is down.
   bool grabbed() const { return grabbed_; }
   double height() const { return at_.height; }
   /// Wanted radius of the worked face now, m from the axis.

@@ -6,9 +6,9 @@
 
 namespace onggi::device {
 
-/// Draws a straight rib up the outside of a wall, leaning like the wall: it removes bumps between
-/// the two places that carry it, and leaves hollows. Reads the current clay. Main thread; allocates
-/// nothing.
+/// Draws a straight rib up the outside of a wall, leaning like the wall. It removes the bumps
+/// between the two places that carry it, and leaves hollows. Reads the current clay. Main thread;
+/// allocates nothing.
 class RibPass {
  public:
   static constexpr double kRise = 0.012;   ///< m/s

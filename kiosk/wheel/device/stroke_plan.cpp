@@ -12,15 +12,14 @@ constexpr double kIn = 0.004;    // m that a stroke narrows at most
 // M allowed at the foot, and how it grows with height (m a m)
 constexpr double kFirst = 0.003, kRamp = 0.35;
 constexpr double kBlend = 0.018;     // m of height, up and down, over which a stroke sets in
-constexpr double kQuick = 0.03;      // m/s along a wall that is far off,
-constexpr double kSlow = 0.018;      // and along one that is nearly there
+constexpr double kQuick = 0.03;      // m/s along a wall that is far from the target,
+constexpr double kSlow = 0.018;      // and along one that is nearly at it
 constexpr double kNearly = 0.003;    // m
-constexpr double kSoftEdge = 0.006;  // m of height, up and down, over which that sets in
+constexpr double kSoftEdge = 0.006;  // m of height, up and down, over which it sets in
 constexpr double kEvening = 0.0015;  // m that the last stroke moves a wall at most
 constexpr double kMargin = 0.0015;   // m of wall under the rim that no stroke touches
 
-// Two hands that hold a wall this thick do not bring it anywhere as one: it is opened first, down
-// to what is left then.
+// Two hands cannot move a wall this thick as one. It is opened first, until kOpened is left.
 constexpr double kThick = 0.016, kOpened = 0.008;  // m
 constexpr double kRimLeft = 0.004;                 // m of a lip that no inside hand reaches
 constexpr double kHandsRoom = 0.012;               // m over the floor, for the hand inside
@@ -32,7 +31,7 @@ struct Off {
 std::vector<Off> differences(const ClayView& clay, const Profile& target) {
   std::vector<Off> all;
   const double top = clay.rim_height() - kMargin;
-  // A foot is solid: two hands only dig into it.
+  // A foot is solid: two hands would only dig into it.
   for (double h = clay.floor_top() + kFoot; h <= top; h += kStep) {
     const double now = clay.radius_at(h, WallSide::outside);
     all.push_back({h, now, wanted_radius(clay, target, h) - now});
@@ -85,8 +84,8 @@ std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, d
   Stroke stroke;
   stroke.kind = sum > 0 ? Stroke::Kind::belly : Stroke::Kind::collar;
   stroke.speed = most > kNearly ? kQuick : kSlow;
-  // Use the same share for every height, so that a wall half-way to a shoulder is no steeper than
-  // the shoulder. If each height went as far as it may, the neck would arrive first and stand on a
+  // Use the same share at every height, so that a wall half-way to a shoulder is no steeper than
+  // the shoulder. If each height moved as far as it may, the neck would arrive first and stand on a
   // step.
   double share = 1;
   for (std::size_t n = first; n <= last; ++n)
@@ -111,7 +110,7 @@ Profile rolled(const Profile& target, double radius) {
     return std::sqrt(std::max(0.0, radius * radius - n * n * step * step));
   };
   const auto outer = [&](int n) { return out.points[static_cast<std::size_t>(n)].outer; };
-  // The middle's way, also beyond foot and rim.
+  // Path of the middle, extended beyond foot and rim.
   std::vector<double> middle;
   for (int n = -reach; n < count + reach; ++n) {
     double far = 0;
@@ -131,8 +130,8 @@ Profile rolled(const Profile& target, double radius) {
 Stroke last_stroke(const ClayView& clay, const Profile& target) {
   Stroke stroke;
   stroke.speed = kSlow;
-  // Smooth over a hand's breadth: if the wall is off by more on one side of a height, the limit of
-  // this stroke would leave a ledge.
+  // Smooth over a hand's breadth. Where the wall is farther off on one side of a height, this
+  // stroke's limit would leave a ledge.
   const std::vector<Off> all = differences(clay, target);
   const auto reach = static_cast<std::size_t>(kSoftEdge / kStep);
   for (std::size_t n = 0; n < all.size(); ++n) {

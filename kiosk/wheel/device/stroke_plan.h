@@ -25,9 +25,9 @@ struct Stroke {
 };
 
 /// The next stroke from `clay` towards `target`'s outer outline, from the foot to the rim where the
-/// wall is off. It goes no deeper than soft clay follows two hands without a ridge, and slower the
-/// nearer it is. It widens by at most `widens` m. Nothing once all that hands can reach is within
-/// `near_enough` metres. Pure; allocates.
+/// wall is off. It goes no deeper than soft clay can follow two hands without a ridge, and slows
+/// down near the target. It widens by at most `widens` m. Nothing once everything within the hands'
+/// reach is within `near_enough` metres. Pure; allocates.
 std::optional<Stroke> next_stroke(const ClayView& clay, const Profile& target, double near_enough,
                                   double widens = 0.009);
 

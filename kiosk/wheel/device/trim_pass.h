@@ -8,7 +8,7 @@
 namespace onggi::device {
 
 /// Draws a round trimmer down the foot of a pot from outside, again and again, until the foot
-/// matches the target; each pass is as deep as clay can come away. Two hands cannot shape the foot,
+/// matches the target. Each pass is as deep as clay can come away. Two hands cannot shape the foot,
 /// because it is solid. Never cuts into the target. Reads the current clay. Main thread; allocates
 /// nothing.
 class TrimPass {

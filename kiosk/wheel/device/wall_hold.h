@@ -9,20 +9,19 @@ namespace onggi::device {
 /// Which hands work the wall. Both: one on each face with the wall between them, as potters open
 /// and collar a pot. If the wall is solid or too narrow for a hand, only the outer one.
 enum class Grip : std::uint8_t { both, outside, inside };
-/// Cycles through the three grips.
 constexpr Grip next_grip(Grip now) {
   return now == Grip::both ? Grip::outside : now == Grip::outside ? Grip::inside : Grip::both;
 }
 
 /// Positions the hands at a wall so that the worked face is where it should be. Each hand touches
-/// the wall squarely: on a shoulder the outer hand is above the height it works at and the inner
-/// one below; in a bowl it is the other way round. A hand level with its height would press a
-/// radius (1 - cos) into a slanted wall. Reads the current clay and knows no target. Pure,
-/// allocates nothing.
+/// the wall squarely. On a shoulder the outer hand is above the height it works at and the inner
+/// one below; in a bowl the other way round. A hand level with its height would press radius (1 -
+/// cos) too deep into a slanted wall. Reads the current clay and knows no target. Pure, allocates
+/// nothing.
 class WallHold {
  public:
-  /// A hand's part: HandInput::tool and the ball's radius, m; for other tools the distance from the
-  /// middle to the worked face, and its reach downwards (0: like a ball).
+  /// A hand's part: HandInput::tool and the ball's radius, m. For other tools, the distance from
+  /// the middle to the worked face, and its reach downwards (0: like a ball).
   struct Part {
     std::uint8_t tool = 0;
     double radius = 0.008;

@@ -54,7 +54,7 @@ void WallPass::go(const WallHold& hold, const ClayView& clay, double height,
     asked_ = depth_ = 0;
   }
   if (up_ * way > 0 || std::abs(way) > kBack) turn_ = height;
-  // Use the share of the height, because a wall that is pulled up takes its places along.
+  // Use the share of the height, because a wall that is pulled up takes its marks along.
   const double place = (kLooks - 1) * std::clamp(height / clay.rim_height(), 0.0, 1.0);
   const auto below = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(below);

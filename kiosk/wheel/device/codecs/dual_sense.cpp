@@ -7,8 +7,7 @@ namespace onggi::device::dual_sense {
 namespace {
 
 constexpr std::size_t kCable = 64, kCableOut = 63, kRadio = 78;
-// First byte of a Bluetooth HID transaction; the checksum covers it, but the report does not hold
-// it.
+// First byte of a Bluetooth HID transaction. The checksum includes it, the report does not.
 constexpr std::uint8_t kInSeed = 0xA1, kOutSeed = 0xA2;
 
 std::uint32_t check_of(std::uint8_t seed, Report bytes) {
@@ -60,7 +59,7 @@ Output rumble(Bus bus, std::uint8_t slow, std::uint8_t quick, std::uint8_t seque
     out.bytes[2] = 0x10;
     at = 3;
   }
-  // The two classic motors, instead of sound through the grips.
+  // Use the two classic motors instead of sound through the grips.
   out.bytes[at] = 0x03;
   out.bytes[at + 2] = quick;
   out.bytes[at + 3] = slow;

@@ -18,7 +18,7 @@ bool good_check(Report report) {
   return u32_at(report, at) == files::crc32(report.first(at));
 }
 
-/// `value` in units of 1/1000, between the limits; not a number gives 0.
+/// `value` in units of 1/1000, within the limits; NaN gives 0.
 int in_thousandths(double value, int least, int most) {
   if (!std::isfinite(value)) return 0;
   return static_cast<int>(std::clamp(std::nearbyint(value / kMilli), double(least), double(most)));

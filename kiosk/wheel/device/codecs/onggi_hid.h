@@ -24,7 +24,7 @@ enum class Status : std::uint16_t {
   good = 0,
   bad_check = 1,  ///< A report's CRC-32 or length was wrong.
   old = 2,        ///< A report was not newer than the last.
-  ran_out = 3,    ///< No valid report came within its ttl: force off, arm again.
+  ran_out = 3,    ///< No valid report came within its ttl: the force is off; arm again.
   not_armed = 4,  ///< A force came without arming.
   not_held = 5,   ///< Arming was requested, but nobody holds it.
   suspended = 6,
@@ -42,7 +42,7 @@ struct Input {
 
 enum class Mode : std::uint8_t {
   off = 0,    ///< Motors free at once; not armed. Accepted with any sequence, which starts again.
-  arm = 1,    ///< Send it with zero force while the handle is held.
+  arm = 1,    ///< Send with zero force while the handle is held.
   force = 2,  ///< Push, if armed.
 };
 
@@ -50,7 +50,7 @@ struct Output {
   Mode mode = Mode::off;
   std::uint16_t sequence = 0;
   Vec3 force;            ///< N, the device's frame; -32.767..32.767 an axis, 1 mN.
-  double damping = 0.0;  ///< N s/m, 0..65.535: made in the device, against its handle's speed.
+  double damping = 0.0;  ///< N s/m, 0..65.535: the device makes it, against its handle's speed.
   double ttl = 0.020;    ///< s, 0.001..65.535: the force ends this long after the last output.
   double cap = 0.0;      ///< N, 0..65.535: upper limit, whatever `force` is.
 };
@@ -77,7 +77,7 @@ constexpr bool newer(std::uint16_t now, std::uint16_t before) {
 ReportResult read(Report report, Input& input) noexcept;
 ReportResult read_feature(Report report, Feature& feature) noexcept;
 
-/// The bytes of an output; values out of range are limited, and not a number becomes 0. Pure.
+/// The bytes of an output. Limits values to their range; NaN becomes 0. Pure.
 std::array<std::uint8_t, kOutputSize> write(const Output& output) noexcept;
 
 }  // namespace onggi::device::onggi_hid

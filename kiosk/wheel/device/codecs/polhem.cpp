@@ -18,11 +18,11 @@ std::array<std::uint8_t, kOutputSize> currents(const std::array<double, 3>& mill
   const double limit = std::isfinite(most) ? std::clamp(std::floor(most), 0.0, 32767.0) : 0.0;
   double largest = 0.0;
   for (const double value : milliamperes) {
-    // If one motor's value is not a number, stop all three: two alone would push somewhere else.
+    // If one motor's value is NaN, stop all three: two alone would push in another direction.
     if (!std::isfinite(value)) return bytes;
     largest = std::max(largest, std::fabs(value));
   }
-  // Reduce all by the same factor, for the same reason.
+  // Reduce all by one factor, for the same reason.
   const double share = largest > limit ? limit / largest : 1.0;
   for (std::size_t n = 0; n < 3; ++n) {
     const double value = std::clamp(share * milliamperes[n], -limit, limit);

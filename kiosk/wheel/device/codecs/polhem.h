@@ -22,7 +22,7 @@ inline constexpr std::size_t kInputSize = 64, kOutputSize = 65;
 ReportResult read(Report report, Input& input) noexcept;
 
 /// Motor currents, milliamperes. If one is beyond `most` (0..32767), all are reduced by the same
-/// factor, so that the force keeps its direction. All are zero if one is not a number. Pure.
+/// factor, so that the force keeps its direction. If one is NaN, all are zero. Pure.
 std::array<std::uint8_t, kOutputSize> currents(const std::array<double, 3>& milliamperes,
                                                double most) noexcept;
 /// Command 1: sets the encoder counts. No current flows. Pure.

@@ -35,7 +35,6 @@ constexpr void put_u32(std::span<std::uint8_t> bytes, std::size_t at, std::uint3
   put_u16(bytes, at + 2, static_cast<std::uint16_t>(value >> 16));
 }
 
-/// The result of reading a report.
 enum class ReportResult : std::uint8_t {
   news,     ///< It was read and has new data.
   nothing,  ///< A foreign report, or one without new data: an old one, a battery's.

@@ -11,7 +11,7 @@ namespace onggi::device {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kBetween = 10 * kMs;  // its motors are no faster, and Bluetooth is shared
+constexpr std::int64_t kBetween = 10 * kMs;  // the motors are no faster, and Bluetooth is shared
 constexpr std::int64_t kTap = 40 * kMs;      // length of the vibration at a first touch
 constexpr std::uint8_t kTapStrength = 160;
 constexpr double kStrongest = 200.0;

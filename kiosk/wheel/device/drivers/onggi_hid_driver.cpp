@@ -18,7 +18,8 @@ constexpr std::uint16_t kPatience = 12;  // unanswered outputs until it counts a
 /// A home-built force device, kiosk/docs/onggi-hid.md.
 class OnggiHidDriver final : public Driver {
  public:
-  /// It must answer feature 03 as version 1 does. Sends off, which starts the count.
+  /// Accepts the device if it answers feature 03 as version 1 does. Sends off, which starts the
+  /// count.
   bool begin(HidPort& port) override {
     std::array<std::uint8_t, 64> bytes{};
     const int size = port.feature(onggi_hid::kFeatureId, bytes);
