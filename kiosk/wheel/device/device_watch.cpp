@@ -46,7 +46,7 @@ void DeviceWatch::look() {
     open(listing, *kind);
   }
   // An unplugged device may be reported again when it returns.
-  std::erase_if(told_, [&here](const std::string& path) { return !here.contains(path); });
+  std::erase_if(reported_, [&here](const std::string& path) { return !here.contains(path); });
 }
 
 void DeviceWatch::open(const HidListing& listing, DeviceKind kind) {
@@ -64,7 +64,7 @@ void DeviceWatch::open(const HidListing& listing, DeviceKind kind) {
                         "numbers, nothing needs to be done.",
                         1};
   }
-  const bool told = problem && !told_.insert(listing.path).second;
+  const bool told = problem && !reported_.insert(listing.path).second;
   const std::lock_guard lock(mutex_);
   if (link) {
     open_.insert(listing.path);

@@ -45,7 +45,7 @@ class DeviceWatch {
   std::unique_ptr<HidBus> bus_;
   HidLink::Turning turning_;
   Define define_;
-  std::set<std::string> told_;  ///< Watch's thread only: paths that could not be used.
+  std::set<std::string> reported_;  ///< Watch's thread only: paths that could not be used.
 
   std::mutex mutex_;  ///< Guards the members below.
   std::condition_variable stop_soon_;

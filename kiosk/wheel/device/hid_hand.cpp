@@ -63,11 +63,11 @@ Vec3 HidHand::handle_place(double dt) noexcept {
   const Vec3 place = def_.smoothing > 0.0 ? join_.at(sample_.place, sample_.reports, sample_.at_ns,
                                                      link_->time_ns(), dt, def_.smoothing)
                                           : sample_.place;
-  const Vec3 mapped = home_ + def_.scale * (to_studio(def_, place) - def_.middle) + slipped_;
+  const Vec3 mapped = home_ + def_.scale * (to_studio(def_, place) - def_.middle) + clutch_offset_;
   const bool clutch = (sample_.buttons & kClutch) != 0;
   if (clutch || clutched_) {
     // Hold the tool. The handle's motion becomes the clutch's offset.
-    slipped_ = slipped_ + at_ - mapped;
+    clutch_offset_ = clutch_offset_ + at_ - mapped;
     clutched_ = clutch;
     return at_;
   }
@@ -75,14 +75,14 @@ Vec3 HidHand::handle_place(double dt) noexcept {
 }
 
 Vec3 HidHand::glide(double dt) noexcept {
-  if (rested_ > kGoesHome) {
+  if (idle_time_ > kGoesHome) {
     at_ = home_;
     speed_ = {};
     handle_ = {};
     roll_ = 0.0;
   }
   const Vec3 asked =
-      rested_ > 0.0 ? Vec3{} : def_.speed * to_studio(def_, shaped(sample_.push, def_.dead));
+      idle_time_ > 0.0 ? Vec3{} : def_.speed * to_studio(def_, shaped(sample_.push, def_.dead));
   speed_ = towards(speed_, asked, def_.smoothing, dt);
   Vec3 to = at_ + dt * speed_;
   to.y = std::clamp(to.y, 0.0, kHighest);
@@ -98,7 +98,7 @@ void HidHand::turn_tool(double dt, HandInput& hand) noexcept {
   // A puck's twist sets the speed of turning; a tilted device turns the tool with it.
   const Vec3 speed = def_.turn_speed * to_studio(def_, shaped(sample_.twist, 2.0 * def_.dead)) +
                      to_studio(def_, sample_.turning);
-  if (speed != Vec3{} && rested_ <= 0.0) {
+  if (speed != Vec3{} && idle_time_ <= 0.0) {
     if (handle_ == Vec3{}) handle_ = {0.0, 1.0, 0.0};
     handle_ = turned(handle_, dt * speed);
     roll_ += dt * dot(speed, handle_);
@@ -112,9 +112,10 @@ bool HidHand::in_use(double dt) noexcept {
   if (sample_.has_place) return sample_.held;
   const bool stale = static_cast<double>(link_->time_ns() - sample_.at_ns) > kStale * 1e9;
   const Vec3 push = shaped(sample_.push, def_.dead), twist = shaped(sample_.twist, 2.0 * def_.dead);
-  const bool turns = length(sample_.turning) > (rested_ < def_.lifts_after ? kTilted : kPickedUp);
-  rested_ = !stale && (push != Vec3{} || twist != Vec3{} || turns) ? 0.0 : rested_ + dt;
-  return rested_ < def_.lifts_after;
+  const bool turns =
+      length(sample_.turning) > (idle_time_ < def_.lifts_after ? kTilted : kPickedUp);
+  idle_time_ = !stale && (push != Vec3{} || twist != Vec3{} || turns) ? 0.0 : idle_time_ + dt;
+  return idle_time_ < def_.lifts_after;
 }
 
 HandInput HidHand::read(double dt) noexcept {

@@ -46,13 +46,13 @@ class HidHand final : public HandDevice {
   ReportInterpolation join_;
   std::atomic<double> share_{1.0};
   std::atomic<bool> moves_{false};
-  Vec3 at_;       ///< The hand, or a puck's tool, as last read.
-  Vec3 tool_;     ///< The tool on a force device.
-  Vec3 speed_;    ///< Speed of a puck's tool, m/s.
-  Vec3 slipped_;  ///< Offset from the clutch, metres.
-  Vec3 handle_;   ///< HandInput::handle, once it was turned.
+  Vec3 at_;             ///< The hand, or a puck's tool, as last read.
+  Vec3 tool_;           ///< The tool on a force device.
+  Vec3 speed_;          ///< Speed of a puck's tool, m/s.
+  Vec3 clutch_offset_;  ///< Offset from the clutch, metres.
+  Vec3 handle_;         ///< HandInput::handle, once it was turned.
   double roll_ = 0.0;
-  double rested_ = 1e9;  ///< s since a puck was last touched.
+  double idle_time_ = 1e9;  ///< s since a puck was last touched.
   bool clutched_ = false, used_ = false;
 };
 

@@ -94,7 +94,7 @@ bool HidLink::turn(int timeout_ms) noexcept {
     presence_.look(sample_.place, now);
     sample_.held = presence_.held();
   }
-  taken_ = taken_ || sample_.held;
+  held_once_ = held_once_ || sample_.held;
   if (fault == LinkFault::none) fault = look_for_faults(now);
   answer(fault, now);
   turned_ns_ = now;
@@ -176,7 +176,7 @@ void HidLink::answer(LinkFault fault, std::int64_t now) noexcept {
 void HidLink::publish(LinkFault fault) noexcept {
   if (fault != LinkFault::none) ++said_.faults[static_cast<std::size_t>(fault)];
   if (sample_.lost) said_.force = {};
-  said_.asks_to_be_held = force_device_ && !taken_ && !sample_.lost;
+  said_.asks_to_be_held = force_device_ && !held_once_ && !sample_.lost;
   said_.sample = sample_;
   samples_.put(sample_);
   statuses_.put(said_);

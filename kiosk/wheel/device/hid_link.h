@@ -104,7 +104,7 @@ class HidLink {
   LinkStatus said_;
   std::int64_t turned_ns_ = 0, answered_ns_ = 0;
   bool news_ = false;
-  bool taken_ = false;  ///< Somebody has held it since it was plugged in.
+  bool held_once_ = false;  ///< Somebody has held it since it was plugged in.
 
   Mailbox<DeviceSample> samples_;
   Mailbox<ForceRequest> wishes_;
