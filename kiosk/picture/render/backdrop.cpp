@@ -10,8 +10,8 @@ namespace onggi::render {
 namespace {
 
 constexpr int kShadowSize = 224;
-constexpr float kSkyGone = 0.24f;  // m from the foot; ground.glsl
-constexpr float kEven = 0.02f;     // m: extents are multiples of it, so that they seldom change
+constexpr float kSkyGone = 0.24f;  // m from the foot; same as in ground.glsl
+constexpr float kEven = 0.02f;     // m: extents are rounded to it, so that they seldom change
 
 // Texture units.
 constexpr int kGroundLevels = 2, kGroundSky = 3, kGroundShadow = 5, kSpace = 0, kGround = 1;
@@ -56,7 +56,7 @@ void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Stu
   GLint viewport[4], back_to = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &back_to);
   glGetIntegerv(GL_VIEWPORT, viewport);
-  // The canvas has cut out its part of the picture; the shadow has its own pixels.
+  // The canvas has set a scissor for the picture. The shadow has its own pixels.
   const bool cut_out = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
   glDisable(GL_SCISSOR_TEST);
   own.shadow.bind();
@@ -67,7 +67,7 @@ void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Stu
   studio.light(shadow_program_, kGroundSky);
   light.bind(kGroundLevels);
   shadow_program_.set("levels", kGroundLevels);
-  // A smaller pot in the studio is like the pot in a larger studio, because distant light has no
+  // A smaller pot in the studio looks like the pot in a larger studio, because distant light has no
   // scale.
   shadow_program_.set("reach", kReach / size);
   shadow_program_.set("height", static_cast<float>(levels.height));

@@ -13,8 +13,8 @@
 
 namespace onggi::render {
 
-/// The surroundings of a vessel: the plaster, and the vessel's shadow on it, which are drawn flat
-/// and only when they change; and the composition of the 3-D picture over them.
+/// The surroundings of a vessel: the plaster, and the vessel's shadow on it. Both are drawn flat,
+/// and only when they change. Also composes the 3-D picture over them.
 class Backdrop {
  public:
   static Result<std::unique_ptr<Backdrop>> create();
@@ -23,14 +23,14 @@ class Backdrop {
   /// from the axis.
   static constexpr float kTable = -0.024f, kReach = 0.62f;
 
-  /// The source of the shadow: the clay, or a mesh.
+  /// What casts the shadow: the clay, or a mesh.
   enum class Of : std::uint8_t { clay, mesh };
   /// Casts the shadow of `levels`, with texture `light`, if it differs by more than `apart` metres
-  /// from the last one of its kind. `wheel_radius` 0: no wheel head; `size` of the vessel, 1 if it
-  /// has not shrunk. Keeps the bound target.
+  /// from the last one of its kind. `wheel_radius` 0: no wheel head. `size` of the vessel: 1 if it
+  /// has not shrunk. Leaves the bound target unchanged.
   void cast(Of of, const Levels& levels, const Texture& light, const Studio& studio,
             float wheel_radius, float size, double apart);
-  /// From window and sky, on the wheel head's plane and on the table's.
+  /// The shadow from window and sky, on the plane of the wheel head and on that of the table.
   const Texture& shadow(Of of = Of::clay) const { return casts_[place(of)].shadow.color(); }
   /// Changes with every new shadow.
   std::uint64_t cast_serial(Of of = Of::clay) const { return casts_[place(of)].serial; }
@@ -40,18 +40,17 @@ class Backdrop {
     float left = 0, back = 0, right = 0, front = 0;
     friend bool operator==(const Extent&, const Extent&) = default;
   };
-  /// A vessel of this height and width darkens the ground only inside it. `window`: direction to
-  /// it, unit.
+  /// The area that a vessel of this height and width can darken. `window`: direction to it, unit.
   static Extent darkened(double height, double radius, bool wheel, float foot, glm::vec3 window);
 
-  /// The plaster, over the whole bound target of this size, with the light from there.
+  /// Draws the plaster over the whole bound target of this size, lit from that side.
   void draw_plaster(int width, int height, bool window_right) const;
-  /// The ground within `extent` on the bound target, which has the size of `plaster`. `foot`:
+  /// Draws the ground within `extent` on the bound target, which has the size of `plaster`. `foot`:
   /// radius of the standing area, m.
   void draw_ground(const glm::mat4& clip, const Texture& plaster, const Extent& extent, bool wheel,
                    float foot, float opacity) const;
-  /// The shadow of a mesh on the ground, as a layer over the existing picture, faded over `edge`
-  /// pixels at the edges of a picture of `size`.
+  /// Draws the shadow of a mesh on the ground as a layer over the existing picture. It fades over
+  /// `edge` pixels towards the edges of a picture of `size`.
   void draw_ground_layer(const glm::mat4& clip, float foot, float strength, glm::vec2 size,
                          glm::vec2 edge) const;
 

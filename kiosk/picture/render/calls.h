@@ -18,14 +18,13 @@ void bind_array(GLuint name);
 void bind_framebuffer(GLenum target, GLuint name);
 /// Binds to texture unit `unit`.
 void bind_texture(int unit, GLuint name);
-/// Binds to the current unit, to upload or to set its filters.
+/// Binds to the current unit, for an upload or to set filters.
 void bind_texture(GLuint name);
 /// A multisampled texture.
 void bind_samples(int unit, GLuint name);
 
 /// `first`: in the indices, which are of `type`.
 void draw_elements(GLenum mode, GLsizei count, GLenum type, std::size_t first);
-/// Draws all of them that many times.
 void draw_elements_times(GLenum mode, GLsizei count, GLenum type, GLsizei times);
 
 /// `data` null: allocates without uploading.
@@ -45,7 +44,7 @@ void texture_samples(int samples, GLint internal, int width, int height);
 /// lower left.
 void copy(int x, int y, int width, int height);
 
-/// Counts shader runs while it lives, if `on` and if the driver can; waits for them at its end.
+/// Counts shader runs during its life, if `on` and if the driver can. Waits for them at its end.
 class Shading {
  public:
   explicit Shading(bool on);

@@ -9,8 +9,8 @@ namespace onggi::render {
 
 view::Rect reach_of(const view::PotView& pot, double height, double radius, int width,
                     int frame_height, Reach reach) {
-  // Rings that contain everything: the dark area around the foot, the wheel head, the pot, and the
-  // rim's shadow with the soft edge from the window's size.
+  // Rings that contain everything drawn: the dark area around the foot, the wheel head, the pot,
+  // and the rim's shadow with the soft edge that comes from the window's size.
   struct Ring {
     double x, y, z, r;
   };
@@ -118,7 +118,7 @@ void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
     now.its_shadow = stage.backdrop().cast_serial(Backdrop::Of::mesh);
   }
   if (of_ground_ == now) return;
-  // Ground without shadow stays, unless it has moved.
+  // Ground without a shadow stays, unless it has moved.
   if (!of_ground_ || of_ground_->camera != now.camera || of_ground_->wheel != now.wheel ||
       of_ground_->window_right != now.window_right || of_ground_->extent != now.extent ||
       of_ground_->beside || now.beside) {
@@ -163,7 +163,7 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
                       frame.height, Reach::solid);
     if (frame.pot->beside) solid_ = around(solid_, reach_of_vessel(stage, frame));
     paint_ground(stage, *frame.pot);
-    // Nothing outside can be touched, so nothing outside is cleared or composed.
+    // Nothing outside can change, so nothing outside is cleared or composed.
     glEnable(GL_SCISSOR_TEST);
     const auto s = static_cast<float>(scale);
     glScissor(static_cast<int>(solid_.x * s),

@@ -10,7 +10,7 @@
 
 namespace onggi::render {
 
-/// The tools of a canvas.
+/// What a canvas draws with.
 struct Painters {
   Stage& stage;
   ItemPainter& items;
@@ -18,18 +18,18 @@ struct Painters {
 };
 
 /// Composes a whole frame: plaster with the pot's shadow, the 3-D picture at its own scale, the
-/// items at full resolution, and the fading picture of the previous screen. It draws straight into
-/// the window's back buffer if there is one, because without a GPU a copy of a whole screen costs
-/// as much as a tenth of the pot; else off screen. Every pixel is written once before the items:
-/// outside the 3-D picture the ground is copied, inside it is drawn below.
+/// items at full resolution, and the fading picture of the previous screen. Draws straight into the
+/// window's back buffer if there is one, else off screen: without a GPU, copying a whole screen
+/// costs a tenth of drawing the pot. Before the items every pixel is written once: outside the 3-D
+/// picture the ground is copied, inside it is drawn below the picture.
 class Canvas {
  public:
-  /// The part of a frame's 3-D picture that is drawn: all of it, or nothing if the old one still
-  /// looks the same.
+  /// How much of a frame's 3-D picture is drawn: all, or nothing if the old one still looks the
+  /// same.
   enum class Space : std::uint8_t { draw, keep };
   enum class Onto : std::uint8_t { window, own };
   /// Keeps the last painted screen for the fade, if `frame` shows another screen. paint() does this
-  /// too; call it earlier if other pictures come in between.
+  /// too; call it earlier if other pictures are painted in between.
   void turn_to(const view::Frame& frame, const Painters& with);
   /// The window's back buffer must have the frame's size.
   void paint(const Painters& with, const view::Frame& frame, const Quality& quality, double scale,
@@ -47,7 +47,7 @@ class Canvas {
   void compose(GLuint framebuffer, const Painters& with);
   const Target& kept(Target& target) const;
 
-  /// The input of the ground's picture.
+  /// Everything that the ground's picture depends on.
   struct Ground {
     view::Camera camera;
     bool wheel = true, window_right = false;

@@ -9,14 +9,13 @@
 namespace onggi::render {
 
 /// The clay's surface: dry, wet, glazed, or changing to a glaze. Each has its own programs, so that
-/// a pot without water or glaze costs nothing for them.
+/// a pot without water or glaze does not pay for them.
 class ClaySkin {
  public:
-  static constexpr std::size_t kSkins = 4;  ///< SKIN of clay.glsl.
+  static constexpr std::size_t kSkins = 4;  ///< SKIN in clay.glsl.
 
-  /// The one that `pot` needs.
   static std::size_t of(const view::PotView& pot);
-  /// Before a pot is drawn: uploads the water's rows, if there are any.
+  /// Call before a pot is drawn: uploads the wetness of its rows, if it has any.
   void prepare(const view::PotView& pot);
   /// Sets colours and the other uniforms for the current program of that skin.
   void set(const Program& program, const view::PotView& pot, int texture_unit) const;

@@ -129,8 +129,8 @@ void ClaySurface::send(Radii& radii) {
   radii.from = radii.to = 0;
 }
 
-// A height lies between the middles of two rows; below the lowest and above the highest it is that
-// row's.
+// A height lies between the middles of two rows. Below the lowest middle and above the highest,
+// that row counts.
 void ClaySurface::stack() {
   heights_.resize(2 * kHeights);
   const auto used = static_cast<std::size_t>(rows_);
@@ -203,7 +203,7 @@ double ClaySurface::facing(Vec3 eye) const {
     const double rise = std::max(static_cast<double>(middle_[j] - middle_[j - 1]), 1e-6);
     const double slope = static_cast<double>(mean_outer_[j] - mean_outer_[j - 1]) / rise;
     const double y = static_cast<double>(middle_[j]);
-    // Single rings lean more than means do.
+    // Single rings lean more than the means do.
     const double tilt = slope * (eye.y - y) - kLean * std::abs(eye.y - y);
     least = std::min(least, (static_cast<double>(mean_outer_[j]) + tilt) / away);
   }
@@ -211,8 +211,8 @@ double ClaySurface::facing(Vec3 eye) const {
   return edge <= -1.0 ? 1.0 : std::acos(std::min(edge, 1.0)) / kHalfTurn;
 }
 
-// Beyond the near edge of the mouth the eye sees no lower than where the steepest ray meets the
-// widest ring.
+// Over the near edge of the mouth, the eye sees down to where the steepest ray meets the widest
+// ring.
 double ClaySurface::seen_into(Vec3 eye) const {
   const double rim = height_ - kLipRadius, deepest = rim - floor_top_;
   // These are means around the axis; an uneven pot is wider in places.

@@ -12,12 +12,12 @@
 
 namespace onggi::render {
 
-/// The clay's radii on the graphics side: two textures (outer, inner; rows x sectors), where each
-/// height has its row, and the levels that the light needs. Radii are kept in steps of 1/65535 of
+/// The clay's radii on the graphics side: two textures (outer, inner; rows x sectors), a table from
+/// heights to rows, and the levels that the light needs. Radii are kept in steps of 1/65535 of
 /// widest(), about two micrometres, and a row is uploaded only if it changed by such a step. The
-/// textures have all rows that the clay may ever have; the lowest are in use. Grids beyond kMost in
-/// a direction are sampled at every n-th row or sector: still finer than any screen, and the
-/// engine's grid is unaffected.
+/// textures have space for all rows that the clay may ever have; the lowest are in use. Grids
+/// beyond kMost in a direction are sampled at every n-th row or sector: still finer than any
+/// screen. The engine's grid is unaffected.
 class ClaySurface {
  public:
   static constexpr int kMost = 2048;
@@ -25,7 +25,7 @@ class ClaySurface {
 
   /// Uploads all of `clay`, whatever was shown before.
   void show(const ClayView& clay);
-  /// Uploads the changes of the shown clay; all of it if it has another grid.
+  /// Uploads the changes of the shown clay, or all of it if its grid has changed.
   void update(const ClayView& clay);
 
   bool empty() const { return rows_ < 1 || sectors_ < 1; }
@@ -40,12 +40,12 @@ class ClaySurface {
   const Texture& inner() const { return inner_.texture; }
   /// Radius of a texel of 1, metres.
   float widest() const { return widest_; }
-  /// Over kHeights even shares of the height, foot and rim included: the row there, as a share of
-  /// the radius textures, and the derivative of that share by the share of the height.
+  /// A table over kHeights equal steps of the height, foot and rim included. Entries: the row
+  /// there, as a share of the radius textures, and the derivative of that share with respect to the
+  /// share of the height.
   const Texture& row_at() const { return row_at_; }
   /// The lowest row above the floor, as a share of the radius textures.
   float first_wall_row() const { return first_wall_row_; }
-  /// The torn rings.
   const Tears& tears() const { return tears_; }
   /// Radius of the rim's edges, from its mean thickness, and the thickness, m.
   float lip() const;
@@ -53,18 +53,18 @@ class ClaySurface {
   const Levels& levels() const { return levels_; }
   /// Renews the levels if rows have changed; returns true if so.
   bool refresh(Texture& levels_texture);
-  /// True if some rows are not in any picture yet.
+  /// True if no picture shows some of the rows yet.
   bool changed() const { return changed_; }
   double max_radius() const;  ///< Metres, mean around the axis,
   double mouth() const;       ///< and of the inner wall at the rim.
-  /// Share of the circle beyond which, on both sides of `eye` (metres), the outer wall is invisible
-  /// at every height. 1 if there is none.
+  /// Share of the circle that can be visible, centred on `eye` (metres): beyond it the outer wall
+  /// is hidden at every height. 1 if nothing is hidden.
   double facing(Vec3 eye) const;
   /// The greatest depth that `eye` sees through the mouth, from the lip (0) to the floor (1).
   double seen_into(Vec3 eye) const;
 
  private:
-  /// A texture, its texels on the CPU, and the block that still must be uploaded.
+  /// A texture, its texels on the CPU, and the block still to be uploaded.
   struct Radii {
     Texture texture;
     std::vector<std::uint16_t> steps;
@@ -81,7 +81,7 @@ class ClaySurface {
 
   void use_rows(int rows);
 
-  int all_rows_ = 0, all_sectors_ = 0;  // of the view, at most
+  int all_rows_ = 0, all_sectors_ = 0;  // of the view: the most
   int all_drawn_ = 0;
   int rows_ = 0, sectors_ = 0, row_step_ = 1, sector_step_ = 1;
   double height_ = 0, floor_top_ = 0;

@@ -15,7 +15,7 @@ std::function<void()>& last_wish() {
 
 int display_is_lost(Display*) {
   if (const auto wish = std::exchange(last_wish(), {})) wish();
-  // Not exit(): static objects have threads and a display that must not be used any more.
+  // Not exit(): static objects have threads and a display that must no longer be used.
   std::_Exit(1);
 }
 

@@ -24,6 +24,7 @@ constexpr double kBurst = 0.5;  // s: changes this close are handled together
 constexpr std::array<float, 9> kWhole{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /// An X object may have been unplugged meanwhile, and Xlib would end the program because of it.
+/// This class ignores that error.
 class Forgiving {
  public:
   explicit Forgiving(Display* display) : display_(display) {
@@ -250,7 +251,7 @@ void Displays::light(const Relighting& change, const Outputs& now) {
   }
   XRROutputInfo* info = XRRGetOutputInfo(c.display, all, change.light);
   if (info != nullptr) {
-    XGrabServer(c.display);  // nobody draws on a half-configured screen
+    XGrabServer(c.display);  // so that nobody draws on a half-configured screen
     for (const std::uint64_t id : change.darken) dark(id);
     dark(change.light);
     constexpr double kMmPerPixel = 25.4 / 96.0;

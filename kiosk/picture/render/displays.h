@@ -20,11 +20,11 @@ class Displays {
   static std::unique_ptr<Displays> watch();
   ~Displays();
 
-  /// Call once a frame, `now` in s. True if monitors or touch screens have changed; they are then
-  /// on and mapped, half a second after the last of a burst of changes.
+  /// Call once a frame, `now` in s. True if monitors or touch screens have changed, half a second
+  /// after the last change of a burst. They are then on and mapped.
   bool poll(double now);
   /// Turns the monitors off (DPMS) or on. It first reads X's own state, because any touch turns
-  /// them on. Does nothing if they or X cannot.
+  /// them on. Does nothing if the monitors or X cannot.
   void sleep(bool on);
   /// Moves and resizes the window, pixels of the whole screen, without changing a mode.
   static void place(GLFWwindow* window, int x, int y, int width, int height);

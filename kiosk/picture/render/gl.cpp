@@ -37,7 +37,8 @@ Result<GLuint> compile(GLenum stage, const std::string& name, const std::string&
 Result<Program> Program::create(const std::string& name, std::initializer_list<const char*> parts) {
   std::string body;
   for (const char* part : parts) body += part;
-  // Vertices and fragments must agree about uniforms, and pixel coordinates reach thousands.
+  // Vertex and fragment stage must agree about uniforms' precision, and pixel coordinates reach
+  // thousands.
   static const std::string kEmbedded =
       "#version 310 es\n"
       "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
@@ -181,8 +182,8 @@ Mesh unit_grid(int columns, int rows) {
       places.push_back(static_cast<float>(y) / static_cast<float>(rows));
     }
   }
-  // The first vertex twice, so that triangles are wound like (a, b, b + 1), a below b; two
-  // triangles without area between rows.
+  // The first vertex is repeated, so that triangles are wound like (a, b, b + 1), with a below b,
+  // and two triangles without area lie between rows.
   indices.push_back(across);
   for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(rows); ++y) {
     if (y > 0) indices.insert(indices.end(), {indices.back(), (y + 1) * across});
@@ -193,7 +194,7 @@ Mesh unit_grid(int columns, int rows) {
 }
 
 std::vector<std::uint32_t> disc_indices(std::uint32_t corners) {
-  // A triangle in the middle, and on each of its sides the rest of the circle, halved again and
+  // A triangle in the middle; the rest of the circle on each of its sides is halved again and
   // again.
   const std::uint32_t third = corners / 3;
   std::vector<std::uint32_t> indices{0, third, 2 * third};

@@ -16,17 +16,17 @@
 
 namespace onggi::render {
 
-/// True with OpenGL ES 3.1, if the driver has no OpenGL 3.3 (window.cpp). ES has less: 32-bit
-/// floats and 16-bit shares are not filtered, so shaders filter them (common.glsl); sRGB without
-/// alpha has no mipmap levels; float targets and GL_SAMPLE_ALPHA_TO_ONE need extensions.
+/// True with OpenGL ES 3.1, if the driver has no OpenGL 3.3 (window.cpp). ES has less: it does not
+/// filter 32-bit floats and 16-bit shares, so shaders do (common.glsl); sRGB without alpha has no
+/// mipmap levels; float targets and GL_SAMPLE_ALPHA_TO_ONE need extensions.
 inline bool embedded() { return !epoxy_is_desktop_gl(); }
 
-/// As GL has it.
+/// Converts to GL's type.
 inline glm::vec3 vec(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// A GL name with an owner. The context must be current when it is destroyed.
+/// Owns a GL name. The context must be current when it is destroyed.
 template <void (*Delete)(GLuint)>
 class Handle {
  public:
@@ -61,7 +61,7 @@ using FramebufferName = Handle<delete_framebuffer>;
 using RenderbufferName = Handle<delete_renderbuffer>;
 using ProgramName = Handle<delete_program>;
 
-/// A linked pair of stages. set() wants the program to be in use().
+/// A linked pair of stages. Call use() before set().
 class Program {
  public:
   /// `parts` are joined in order for both stages. Problem: the compiler's log, exit code 1.
@@ -85,7 +85,7 @@ class Program {
   mutable std::unordered_map<std::string, GLint> places_;
 };
 
-/// A texture with its size. Filters: linear, clamped, no levels, unless told otherwise later.
+/// A texture with its size. Filters: linear, clamped, no mipmap levels, unless set otherwise later.
 struct Texture {
   TextureName name;
   int width = 0, height = 0;
@@ -101,7 +101,7 @@ class Target {
   Target(int width, int height, bool depth, int samples);
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Draws go here, over its whole size.
+  /// Directs drawing here, over its whole size.
   void bind() const;
   /// Copies the picture into `to` (same size), resolving samples.
   void resolve_to(const Target& to) const;
@@ -121,8 +121,8 @@ class Target {
   RenderbufferName depth_;
 };
 
-/// Indexed triangles, or one strip of them, or points, with interleaved float attributes of the
-/// given sizes, at locations 0, 1, ...
+/// Indexed triangles, one triangle strip, or points, with interleaved float attributes of the given
+/// sizes, at locations 0, 1, ...
 class Mesh {
  public:
   enum class Of : std::uint8_t { triangles, strip, points };
@@ -131,7 +131,7 @@ class Mesh {
        std::size_t index_count, std::initializer_list<int> attributes, Of of = Of::triangles);
   void draw() const { draw_some(0, count_); }
   void draw_some(int first, int count) const;
-  /// Draws all of it that many times in one call, gl_InstanceID from 0.
+  /// Draws all of it `times` times in one call, gl_InstanceID from 0.
   void draw_times(int times) const;
   int count() const { return count_; }
 
@@ -143,12 +143,12 @@ class Mesh {
 };
 
 /// `columns` x `rows` cells over the unit square, row by row: the place attribute of most programs.
-/// One strip, because that needs a third of the vertices.
+/// One strip, which needs a third of the vertices.
 Mesh unit_grid(int columns, int rows);
 /// Number of indices in its first `rows` rows.
 int indices_of_rows(int columns, int rows);
-/// A disc with `corners` (3 times a power of two) corners, numbered around it from 0, from few
-/// large triangles without slivers at the middle.
+/// A disc with `corners` (3 times a power of two) corners, numbered round it from 0. Made of few
+/// large triangles, without slivers in the middle.
 std::vector<std::uint32_t> disc_indices(std::uint32_t corners);
 
 }  // namespace onggi::render

@@ -51,13 +51,13 @@ void ItemStrips::add(const view::Box& box) {
   corner.border_fill = premultiplied(box.border_color);
   corner.shape = {half_w, half_h, std::min(box.radius, std::min(half_w, half_h)),
                   std::max(box.border, 0.0f)};
-  // One pixel around it, over which it fades.
+  // One pixel larger all round, where the box fades out.
   quad({box.rect.x - 1, box.rect.y - 1, box.rect.w + 2, box.rect.h + 2},
        {-half_w - 1, -half_h - 1, box.rect.w + 2, box.rect.h + 2}, corner);
 }
 
 // A strip along the points, mitred at the corners and half a pixel longer at both ends. It is a
-// pixel wider than the line, and the shader fades it there.
+// pixel wider than the line, where the shader fades it out.
 void ItemStrips::add(const view::Line& line) {
   std::vector<glm::vec2> p;
   std::vector<view::Color> tint;

@@ -12,16 +12,17 @@ namespace onggi::render {
 /// A corner of a flat item. Colours premultiplied, 8 bits a channel.
 struct ItemVertex {
   glm::vec2 at;   ///< Pixels from the top left.
-  glm::vec2 own;  ///< From a box's middle; across a line; texels of a mask; share of a picture.
+  glm::vec2 own;  ///< Depends on the item: from a box's middle; across a line; texels of a mask;
+                  ///< share of a picture.
   std::array<std::uint8_t, 4> fill{}, border_fill{};
-  /// Half width, half height, radius and border of a box (a line is one without ends); border below
-  /// 0: `own` reads a mask.
+  /// Half width, half height, radius and border of a box (a line is a box without ends). Negative
+  /// border: `own` reads a mask.
   glm::vec4 shape{0.0f};
   friend bool operator==(const ItemVertex&, const ItemVertex&) = default;
 };
 
-/// Flat items as triangle strips in sequence, joined by degenerate triangles, so that a run of them
-/// is one draw call. Plain numbers.
+/// Flat items as one sequence of triangle strips, joined by degenerate triangles, so that a run of
+/// them is one draw call. Plain numbers.
 struct ItemStrips {
   std::vector<ItemVertex> vertices;
   std::vector<std::uint32_t> indices;
@@ -29,13 +30,13 @@ struct ItemStrips {
   void clear();
   void add(const view::Box& box);
   void add(const view::Line& line);
-  /// Texels from (x, y) of a mask in the size of `rect`, in `color`.
+  /// Texels from (x, y) of a mask, as many as `rect` has pixels, in `color`.
   void add_mask(const view::Rect& rect, int x, int y, view::Color color);
   /// The `part` of a picture (x, y, w, h, shares of it) in `rect`.
   void add_picture(const view::Rect& rect, glm::vec4 part, float opacity);
 
  private:
-  /// Corners in zigzag order.
+  /// The corners must be in zigzag order.
   void join(std::size_t from);
   void quad(const view::Rect& rect, glm::vec4 own, ItemVertex corner);
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFlat = 0, kPicture = 1;  // MODE of item.glsl
 
-/// Start and end of the difference of two lists, including beyond their common length.
+/// Range in which two lists differ, including what lies beyond their common length.
 template <typename Value>
 std::pair<std::size_t, std::size_t> changed(const std::vector<Value>& before,
                                             const std::vector<Value>& now) {
@@ -23,7 +23,7 @@ std::pair<std::size_t, std::size_t> changed(const std::vector<Value>& before,
   return {first, end};
 }
 
-/// Uploads the difference to the buffer bound to `target`, which has space for `room` of them.
+/// Uploads the difference to the buffer bound to `target`, which has space for `room` values.
 template <typename Value>
 void renew(GLenum target, std::vector<Value>& before, const std::vector<Value>& now,
            std::size_t& room) {

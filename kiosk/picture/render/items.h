@@ -15,8 +15,8 @@
 
 namespace onggi::render {
 
-/// Flat items over the picture: boxes, text, lines, pictures. Everything between two pictures is
-/// one draw call, and only changed parts of a buffer are uploaded.
+/// Draws flat items over the picture: boxes, text, lines, pictures. Everything between two pictures
+/// is one draw call, and only changed parts of a buffer are uploaded.
 class ItemPainter {
  public:
   static Result<std::unique_ptr<ItemPainter>> create();
@@ -29,7 +29,7 @@ class ItemPainter {
 
   /// Draws `items` in order into the bound target, which is a frame of this size.
   void draw(const std::vector<view::Item>& items, const Pictures& pictures, int width, int height);
-  /// Draws `layer`, premultiplied and made by GL, over the whole of such a target.
+  /// Draws `layer`, premultiplied and made by GL, over the whole target.
   void draw_layer(const Texture& layer, float opacity, int width, int height);
 
   const Typesetter& typesetter() const { return typesetter_; }
@@ -38,7 +38,7 @@ class ItemPainter {
 
  private:
   ItemPainter() = default;
-  /// Indices that use the same texture.
+  /// A range of indices with one texture.
   struct Run {
     bool picture = false;
     std::uint64_t name = 0;  // of the atlas page (0: no text yet), or of the picture
@@ -47,8 +47,7 @@ class ItemPainter {
   void add(const view::Item& item, const Pictures& pictures);
   void add_text(const view::Text& text);
   void add_picture(const view::Picture& picture, const Stored& stored);
-  /// Continues the run with text of this atlas page (0: with items without text), or with this
-  /// picture.
+  /// Continues the run with text of this atlas page (0: items without text), or with this picture.
   void go_on(bool picture, std::uint64_t name);
   void upload();
   void begin(int width, int height);

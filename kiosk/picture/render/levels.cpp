@@ -31,10 +31,10 @@ std::array<float, 2 * kLevels * 4> Levels::light() const {
     const float seen = 0.5f * (std::sin(to) - std::sin(from));
     out[4 * i + 0] = outer[i];
     out[4 * i + 1] = over;
-    // The occluding ring curves away to both sides, so the plane's value occludes too much.
+    // The occluding ring curves away to both sides, so the value in the plane occludes too much.
     out[4 * i + 2] = std::clamp(0.3f + 0.7f * seen, 0.0f, 1.0f);
 
-    // Inner wall: the ring above that subtends the smallest disc.
+    // Inner wall: the ring above that looks smallest from here.
     float ring = inner[i], at = step * (static_cast<float>(i) + 0.5f);
     float least = 1e9f;
     for (std::size_t k = i + 1; k <= kLevels; ++k) {

@@ -10,8 +10,8 @@
 
 namespace onggi::render {
 
-/// Coverage masks side by side in a few large textures, so that masks of one texture need one draw
-/// call. Masks are in rows as high as their first; a full page stays full until it is dropped.
+/// Coverage masks side by side in a few large textures, so that masks in one texture need one draw
+/// call. A row is as high as its first mask. A full page stays full until it is dropped.
 class MaskAtlas {
  public:
   static constexpr int kPage = 2048;  ///< Texels a side.
@@ -23,10 +23,10 @@ class MaskAtlas {
   };
   /// Uploads width x height bytes, rows from the top. A mask larger than a page has its own page.
   Place add(int width, int height, const std::uint8_t* mask);
-  /// True if the page exists; it is then in use until end_of_use().
+  /// The page's texture, which must exist; it is then in use until end_of_use().
   const Texture& use(std::uint32_t page);
   void end_of_use() { ++now_; }
-  /// Drops the page that has been unused longest, if there are too many; returns its number, or 0.
+  /// If there are too many pages, drops the one unused for longest and returns its number, else 0.
   /// Pages in use stay, however many there are.
   std::uint32_t drop_one();
 

@@ -17,7 +17,7 @@ bool shows_what_it_can(const Output& output) {
          std::find(output.modes.begin(), output.modes.end(), output.mode) != output.modes.end();
 }
 
-/// True if it was plugged in since, or is another monitor.
+/// True if it was plugged in since `before`, or has another monitor.
 bool came(const std::optional<Outputs>& before, const Outputs& now, const Output& output) {
   if (!before)
     return std::none_of(now.all.begin(), now.all.end(),

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kWarmUp = 3;
 constexpr int kSettle = 6;        // frames at a scale before it is judged
-constexpr double kStep = 0.0625;  // scales are multiples of it, so that there are few targets
+constexpr double kStep = 0.0625;  // scales are multiples of it, to need few targets
 
 }  // namespace
 

@@ -2,9 +2,9 @@
 
 namespace onggi::render {
 
-/// Chooses the render scale of the 3-D picture from measured frame times. It has a dead zone, so
-/// that it settles: it shrinks when frames are late, and grows only when there is plenty of time.
-/// Plain numbers; knows no clock.
+/// Chooses the render scale of the 3-D picture from measured frame times. The scale shrinks when
+/// frames are late, and grows only when there is plenty of time. The dead zone between lets it
+/// settle. Plain numbers; knows no clock.
 class Pacing {
  public:
   static constexpr double kLeast = 0.35, kMost = 1.0;
@@ -13,7 +13,7 @@ class Pacing {
   /// it.
   Pacing(double late_ms, double idle_ms) : late_ms_(late_ms), idle_ms_(idle_ms) {}
 
-  /// A frame took `ms` of work at the current scale.
+  /// Call for each frame, which took `ms` of work at the current scale.
   void frame(double ms);
   double scale() const { return scale_; }
 

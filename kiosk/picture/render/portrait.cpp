@@ -40,8 +40,8 @@ TriangleMesh standing(const TriangleMesh& mesh) {
       high[k] = std::max(high[k], p[k]);
     }
   }
-  // Every vessel is pictured at one size, so that light and shadow are the same for a cup and a
-  // jar.
+  // Every vessel is pictured at the same size, so that light and shadow are the same for a cup and
+  // a jar.
   const float widest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-6f});
   const float to = kPictured / widest;
   for (Point& p : out.positions) {
@@ -60,7 +60,7 @@ GLint wrap_of(content::Coloring::Wrap wrap) {
 /// Rows and v both start at the top: the first row is at v = 0, as glTF defines it.
 Texture texture_of(const content::Coloring::Picture& picture) {
   const auto& pixels = *picture.pixels;
-  // With alpha, because OpenGL ES makes no mipmap levels of sRGB without it.
+  // With alpha, because OpenGL ES has no mipmap levels for sRGB without it.
   std::vector<std::uint8_t> rgba;
   rgba.reserve(pixels.rgb.size() / 3 * 4);
   for (std::size_t i = 0; i + 2 < pixels.rgb.size(); i += 3)
@@ -80,7 +80,7 @@ Texture plain_white() {
   return Texture::create(GL_SRGB8_ALPHA8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, kWhite.data());
 }
 
-/// The triangles' corners, those of each coat together, in their own order.
+/// The triangles' corners, sorted by coat, otherwise in their own order.
 std::vector<std::uint32_t> dress(const TriangleMesh& mesh, const content::Coloring& coloring,
                                  std::vector<Coat>& coats) {
   const auto coat_of = [&](const std::array<std::uint32_t, 3>& triangle) {
@@ -102,9 +102,9 @@ std::vector<std::uint32_t> dress(const TriangleMesh& mesh, const content::Colori
   return indices;
 }
 
-/// The lowest upward-facing surface around the axis, ignoring a fiftieth of it that may be pits:
-/// the floor of an open vessel with a well in its middle, or the top of a closed one. The vessel's
-/// own lowest point if nothing faces up.
+/// The lowest upward-facing surface around the axis, ignoring a fiftieth of the area, which may be
+/// pits. It is the floor of an open vessel with a well in its middle, or the top of a closed one.
+/// The vessel's lowest point if nothing faces up.
 float floor_of(const TriangleMesh& mesh, float widest, float top) {
   std::vector<std::pair<float, double>> seen;  // height, area from above
   double all = 0;
@@ -135,8 +135,8 @@ Levels levels_of(const TriangleMesh& mesh) {
   const auto level_at = [step](float y) {
     return std::clamp(static_cast<int>(y / step), 0, kLevels - 1);
   };
-  // Means weighted by area, outer wall first: a handle is small, and its parts that face the axis
-  // from outside the outer wall are not inner wall.
+  // Means weighted by area. The outer wall comes first: a handle is small, and its parts that face
+  // the axis from outside the outer wall are not inner wall.
   for (const bool inward : {false, true}) {
     std::array<float, kLevels> sum{}, weight{};
     auto& into = inward ? levels.inner : levels.outer;
@@ -145,7 +145,7 @@ Levels levels_of(const TriangleMesh& mesh) {
       const Point& n = mesh.normals[t[0]];
       const Point m{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
       const float rho = std::hypot(m[0], m[2]);
-      // A flat foot or lid has all radii at one height and says nothing about the wall.
+      // A flat foot or lid has all radii at one height, so it tells nothing about the wall.
       if (std::abs(n[1]) > 0.93f) continue;
       if ((n[0] * m[0] + n[2] * m[2] < -0.1f * rho) != inward) continue;
       const float area = std::hypot((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]),

@@ -10,7 +10,7 @@
 
 namespace onggi::render {
 
-/// A run of a mesh's indices with one picture.
+/// A range of a mesh's indices with one picture.
 struct Coat {
   Texture picture;  ///< sRGB.
   int first = 0, count = 0;
@@ -24,26 +24,25 @@ struct Model {
   float radius = 0;  ///< Largest distance from the axis, including handles, m.
 };
 
-/// A model with its camera.
 struct Portrait {
   Model model;
   view::Camera camera;
 };
 
-/// Prepares `mesh`, which stands on y = 0 about the y axis, times `size`. Uses linear `color`, or
-/// `coloring` of its positions if that is not empty.
+/// Prepares `mesh`, scaled by `size`, which stands on y = 0 about the y axis. Uses linear `color`,
+/// or `coloring` of its positions if that is not empty.
 Model model_of(const TriangleMesh& mesh, std::array<float, 3> color,
                const content::Coloring& coloring, float size);
 
-/// Puts `mesh` on the ground with its bounding box over the origin, its largest side 0.2 m;
-/// computes its outer and inner radii at every level for the light; frames it in width x height
+/// Puts `mesh` on the ground with its bounding box over the origin and its largest side 0.2 m.
+/// Computes its outer and inner radii at every level for the light. Frames it in width x height
 /// with space for its shadow. Uses linear `color`, or `coloring` of its positions if that is not
 /// empty.
 Portrait portrait_of(const TriangleMesh& mesh, std::array<float, 3> color,
                      const content::Coloring& coloring, int width, int height);
 
-/// The radii of a mesh that stands on y = 0 about the y axis, weighted by area: mean outer wall at
-/// every level, and mean wall that faces the axis (0 if there is none). Needs normals.
+/// The radii of a mesh that stands on y = 0 about the y axis, weighted by area: at every level the
+/// mean outer wall, and the mean wall that faces the axis (0 if there is none). Needs normals.
 Levels levels_of(const TriangleMesh& mesh);
 
 }  // namespace onggi::render

@@ -35,7 +35,7 @@ bool is_software(const std::string& device) {
 }
 
 /// With a GPU 60 frames a second. Without one, at least 30 at 1280 x 720 and 20 at 1920 x 1080:
-/// smoother motion looks better than sharper pictures, and still pictures are drawn in full.
+/// smooth motion looks better than sharp pictures, and still pictures are drawn in full.
 Pacing pacing_for(bool software, int width, int height) {
   if (!software) return {15.0, 7.0};
   const double small = 1280.0 * 720.0, large = 1920.0 * 1080.0;
@@ -149,7 +149,7 @@ class GlRenderer final : public Renderer {
            frame.height == window_->height();
   }
   view::PictureId keep(ItemPainter::Stored stored) {
-    // Pictures are shown smaller than they are; mipmap levels keep them clean.
+    // Pictures are shown reduced; mipmap levels keep them clean.
     calls::bind_texture(stored.texture.name.get());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 12);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -176,7 +176,7 @@ class GlRenderer final : public Renderer {
   double drew_ms_ = 0, mean_ms_ = 0;
   std::optional<view::Frame> drawn_;  ///< The canvas' content; its pot as last drawn.
   bool changed_ = true;               ///< The last draw() changed something.
-  bool timed_ = true;                 ///< It drew the 3-D picture, as pacing needs to know.
+  bool timed_ = true;                 ///< It drew the 3-D picture; pacing needs to know.
 };
 
 void GlRenderer::draw(const view::Frame& frame) {
@@ -213,7 +213,7 @@ void GlRenderer::draw(const view::Frame& frame) {
 
 void GlRenderer::present() {
   const auto begun = Clock::now();
-  // Something over the window may have gone, so show it again now and then.
+  // Something that covered the window may be gone, so show it again now and then.
   if (drawn_ && fits(*drawn_) && (changed_ || begun - swapped_ > kShownAgain)) {
     if (!changed_) {
       const calls::Shading counted(shading_);
@@ -224,12 +224,13 @@ void GlRenderer::present() {
     swapped_ = begun;
   }
   const double ms = drew_ms_ + ms_since(begun);
-  // A mean over about a second; it starts with the second frame, because the first one compiles.
+  // A mean over about a second. It starts with the second frame, because the first one compiles
+  // shaders.
   if (timed_) mean_ms_ = frames_ < 2 ? ms : mean_ms_ + 0.08 * (ms - mean_ms_);
   ++frames_;
   if (full_quality_) return;
   if (timed_) pacing_.frame(ms);
-  // Draw no more frames than the eye or the machine can use, because the 1 kHz loop needs the rest.
+  // Draw no more frames than the eye or the machine can use: the 1 kHz loop needs the rest.
   const auto next = shown_ + frame_slot_;
   if (window_->visible() && Clock::now() < next) std::this_thread::sleep_until(next);
   shown_ = Clock::now();

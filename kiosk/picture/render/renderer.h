@@ -22,20 +22,20 @@ namespace onggi::render {
 
 struct WindowOptions {
   int width = 0, height = 0;  ///< Both 0: full screen on the primary monitor.
-  bool visible = true;        ///< false: never mapped (scripted visits).
+  bool visible = true;        ///< false: the window is never mapped (scripted visits).
   std::string title = "Onggi";
 };
 
 /// Figures of the last second.
 struct RenderStatus {
   double frame_ms = 0;        ///< Mean time to draw and present.
-  double render_scale = 1;    ///< Of the 3-D picture, 0.35..1, from the measured frame time.
+  double render_scale = 1;    ///< Scale of the 3-D picture, 0.35..1, from the measured frame time.
   bool software = false;      ///< No GPU: llvmpipe or similar.
   bool full_quality = false;  ///< The last frame was drawn in the full quality of a GPU.
   std::string device;         ///< GL_RENDERER.
   bool embedded = false;      ///< OpenGL ES, if the driver has no OpenGL 3.3.
   std::uint64_t frames = 0;
-  std::uint64_t text_overflows = 0;  ///< Drawn texts that were larger than their box: must be 0.
+  std::uint64_t text_overflows = 0;  ///< Drawn texts larger than their box: must be 0.
   std::string last_overflow;         ///< The last of them.
   FrameWork work;                    ///< Since the window was opened.
   bool shading_counted = false;      ///< The driver can count shader runs.
@@ -54,7 +54,8 @@ class Renderer {
   virtual std::vector<view::InputEvent> poll() = 0;
   /// Fingers that the touch screen can follow at once; 0: no touch screen. Asks the display.
   virtual int fingers() const = 0;
-  /// Call once a frame: turns the monitor off or on. Does nothing if the screen is not all ours.
+  /// Call once a frame: turns the monitor off or on. Does nothing unless the kiosk has the whole
+  /// screen.
   virtual void sleep(bool on) = 0;
   /// Messages about monitors and touch screens for staff, each once.
   virtual std::vector<std::string> remarks() = 0;
@@ -64,12 +65,11 @@ class Renderer {
   /// Call once a frame: uploads its changes. The cost depends on the changed rows.
   virtual void update_clay(const ClayView& clay) = 0;
 
-  /// Sets the vessel for view::PotView::beside: `mesh` about the y axis, its foot at 0, times
+  /// Sets the vessel for view::PotView::beside: `mesh` about the y axis, its foot at 0, scaled by
   /// `size`, in linear `color`, or in its `coloring` if that is not empty.
   virtual void show_vessel(const TriangleMesh& mesh, std::array<float, 3> color,
                            const content::Coloring& coloring, double size) = 0;
 
-  /// Draws into the window's back buffer.
   virtual void draw(const view::Frame& frame) = 0;
   virtual void present() = 0;
   /// The back buffer as drawn.
@@ -77,8 +77,8 @@ class Renderer {
   /// Draws `frame` (its own width and height, up to 4096) off screen at full quality with the
   /// current grid.
   virtual view::Image draw_offscreen(const view::Frame& frame) = 0;
-  /// The clay's surface at each position of `mesh`, which belongs to the shown clay: dry, or fired
-  /// in `glazing`. It uses the shader that draws the clay, so both agree.
+  /// The clay's surface at each position of `mesh`, which must belong to the shown clay: dry, or
+  /// fired in `glazing`. Uses the shader that draws the clay, so that both agree.
   virtual std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
                                                  const std::optional<view::Glazing>& glazing) = 0;
 
@@ -94,7 +94,7 @@ class Renderer {
   virtual RenderStatus status() const = 0;
   /// True: always full render scale (scripted visits, where time does not matter).
   virtual void set_full_quality(bool on) = 0;
-  /// True: RenderStatus::work counts shader runs from here on. Waits for each.
+  /// True: from now on RenderStatus::work counts shader runs. Waits for each run.
   virtual void count_shading(bool on) = 0;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kReadWidth = 1024;  // texels
 
-/// Part of clay.glsl. The foot is the lowest outer wall.
+/// PART in clay.glsl. The foot is the lowest outer wall.
 std::size_t part_of(ClayFace face) {
   switch (face) {
     case ClayFace::rim:
@@ -65,7 +65,7 @@ std::vector<view::SkinPoint> SkinReader::read(
   if (count == 0) return out;
   const int high = (static_cast<int>(count) + kReadWidth - 1) / kReadWidth;
   const ReadTarget target(kReadWidth, high);
-  // Each position is a point on its own texel, in the order of the mesh.
+  // Each position is a point on its own texel, in the mesh's order.
   std::vector<float> places;
   places.reserve(5 * count);
   std::array<std::vector<std::uint32_t>, kParts> of_part;

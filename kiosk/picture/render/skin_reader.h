@@ -13,14 +13,14 @@
 namespace onggi::render {
 
 /// Reads the clay's surface with the shader that draws it: clay.glsl in a mode that writes colour
-/// and roughness instead of lighting them. The keepsake's pot then matches the kiln screen, and
-/// there is no second copy of a glaze.
+/// and roughness, without light. So the keepsake's pot matches the kiln screen, and the glaze
+/// exists only once.
 class SkinReader {
  public:
   static Result<std::unique_ptr<SkinReader>> create();
 
-  /// One for each of `pot`'s positions: fired clay, or dry clay. `set_up` prepares the current
-  /// program: the clay's textures, its glaze.
+  /// One for each of `pot`'s positions: fired or dry clay. `set_up` prepares the current program:
+  /// the clay's textures, its glaze.
   std::vector<view::SkinPoint> read(const ClayMesh& pot, bool fired,
                                     const std::function<void(const Program&)>& set_up) const;
 

@@ -5,7 +5,7 @@
 namespace onggi::render {
 namespace {
 
-constexpr GLuint kDrawn = 2;  // bit of the stencil; the first is the wheel head's
+constexpr GLuint kDrawn = 2;  // bit of the stencil; the first one belongs to the wheel head
 
 }  // namespace
 
@@ -26,7 +26,6 @@ void SoftEdges::begin() const {
     glEnable(GL_SAMPLE_ALPHA_TO_ONE);
     return;
   }
-  // The stencil records which samples are drawn.
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_ALWAYS, kDrawn, kDrawn);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);

@@ -4,8 +4,8 @@
 
 namespace onggi::render {
 
-/// Between begin() and end() alpha is the share of a pixel's samples to draw, and those samples are
-/// opaque, so that edges inside triangles are smooth. For multisampled targets with a stencil.
+/// Smooths edges inside triangles. Between begin() and end(), alpha is the share of a pixel's
+/// samples to draw, and those samples are opaque. For multisampled targets with a stencil.
 class SoftEdges {
  public:
   static Result<SoftEdges> create();
@@ -15,8 +15,8 @@ class SoftEdges {
   void end() const;
 
  private:
-  bool by_driver_ =
-      true;  ///< GL_SAMPLE_ALPHA_TO_ONE is available; OpenGL ES needs an extension for it.
+  /// GL_SAMPLE_ALPHA_TO_ONE is available; OpenGL ES needs an extension for it.
+  bool by_driver_ = true;
   Program opaque_;
   Mesh all_;
 };

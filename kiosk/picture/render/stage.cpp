@@ -11,22 +11,22 @@
 namespace onggi::render {
 namespace {
 
-// Meshes of the walls, and the pot's height in pixels up to which each is fine enough. Light and
-// grooves come from the radius textures at every pixel, so a mesh only gives the outline; a chord
-// of 6 pixels is within 0.2 of an arc of 25. Small triangles are expensive: a software rasterizer
-// shades 4 x 4 pixels for each one that it touches.
+// Meshes of the walls, each with the pot's height in pixels up to which it is fine enough. Light
+// and grooves come from the radius textures at every pixel, so a mesh only gives the outline: a
+// chord of 6 pixels is within 0.2 of an arc of 25. Small triangles are expensive: a software
+// rasterizer shades 4 x 4 pixels for each one that it touches.
 struct Wall {
   int columns, rows;
   float most_pixels;
 };
 constexpr std::array<Wall, 4> kWalls{
     {{44, 48, 280.0f}, {60, 96, 580.0f}, {96, 192, 1200.0f}, {192, 400, 1e9f}}};
-// As fine, for the part of the circle that faces the eye, if that is at most kFacing.
+// Equally fine meshes for the part of the circle that faces the eye, if that is at most kFacing.
 constexpr double kFacing = 0.6;
 constexpr int facing_columns(int columns) { return static_cast<int>(kFacing * columns + 0.5); }
 constexpr Wall kMirrored{44, 16, 1e9f};
 constexpr double kMirroredHeight = 0.12;  // m
-// For the lip, by its radius in pixels: it is an outline all round, and some pixels wide.
+// For the lip, by its radius in pixels: it is an outline all round, some pixels wide.
 constexpr std::array<Wall, 3> kLips{{{64, 6, 160.0f}, {96, 8, 370.0f}, {160, 12, 1e9f}}};
 // For the wall's section, by the pot's height.
 constexpr std::array<std::pair<int, float>, 2> kSections{{{96, 580.0f}, {192, 1e9f}}};
@@ -161,7 +161,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   const bool shown = !clay_.empty();
   glClearColor(0, 0, 0, 0);
   glClearStencil(0);
-  // The whole texture: a part would be drawn as a rectangle.
+  // Clear the whole texture: drivers draw a scissored clear as a rectangle.
   glDisable(GL_SCISSOR_TEST);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);
@@ -174,7 +174,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glEnable(GL_CULL_FACE);
   glEnable(GL_DEPTH_TEST);
   if (shown) {
-    // The edges of a tear are inside triangles, where only alpha can smooth them.
+    // The edges of a tear lie inside triangles, where only alpha can smooth them.
     const bool soft = clay_.tears().any() && quality.samples > 0;
     if (soft) soft_edges_.begin();
     draw_clay(pot, clip, pixel, soft);
@@ -197,7 +197,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
   // 3. The tools, which fade into the air.
   draw_hands(pot, clip);
-  // 4. The vessel, from both sides, because open scans show their inside.
+  // 4. The vessel, both sides, because open scans show their inside.
   if (pot.beside) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
@@ -243,7 +243,7 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
                      float pixel) {
   const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
   set_light(program, pot.camera, clay_levels_);
-  // Everything is computed at the thrown size; a shrunken pot is seen from farther away instead.
+  // Compute everything at the thrown size. A shrunken pot is seen from farther away instead.
   const float size = size_of(pot);
   program.set("eye", vec(pot.camera.eye()) / size);
   clay_.outer().bind(kOuter);
@@ -262,7 +262,7 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
   program.set("height", static_cast<float>(clay_.height()));
   program.set("floor_height", static_cast<float>(clay_.floor_top()));
   program.set("clay_angle", static_cast<float>(pot.clay_angle));
-  // The door has its hinge at the visitor's right: it opens from the front towards there.
+  // The cut-away opens like a door with its hinge at the visitor's right, from the front.
   program.set("open_from", front_of(pot.camera) - 0.5f * glm::pi<float>() * open);
   program.set("open_angle", 0.5f * glm::pi<float>() * open);
   program.set("front", front_of(pot.camera));
@@ -353,7 +353,7 @@ void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
 void Stage::draw_vessel_ground(const view::PotView& pot, int width, int height) {
   if (!pot.beside || vessel_.coats.empty()) return;
   const glm::vec2 size(width, height);
-  // It extends beyond the edge, because the outermost pixel's middle is half a pixel away.
+  // It extends beyond the edge, because the middle of the outermost pixel is half a pixel away.
   backdrop_->draw_ground_layer(clip_of(pot.beside->camera), vessel_.levels.outer[0],
                                static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0)), size,
                                glm::vec2(0.5f));

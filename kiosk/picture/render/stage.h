@@ -18,11 +18,11 @@
 
 namespace onggi::render {
 
-/// Quality of the stage. It never affects the engine's grid.
+/// Picture quality. It never affects the engine's grid.
 struct Quality {
   int samples = 4;         ///< Multisampling.
   bool reflection = true;  ///< Mirror the pot in the wheel head.
-  /// Motion of the clay after which its shadow is renewed, metres. Soft edges begin at 2.5 mm.
+  /// The shadow is renewed when the clay has moved by this much, metres. Soft edges begin at 2.5
   /// mm.
   double shadow_apart = 0.0005;
 };
@@ -45,14 +45,14 @@ class Stage {
   /// Sets the vessel beside the pot; none while a pot is drawn alone.
   void show_vessel(Model vessel) { vessel_ = std::move(vessel); }
   const Model& vessel() const { return vessel_; }
-  /// Its shadow on a ground of this size. Call prepare() first.
+  /// Draws the vessel's shadow on a ground of this size. Call prepare() first.
   void draw_vessel_ground(const view::PotView& pot, int width, int height);
   /// Draws the pot and the vessel beside it into the bound target, which is `scale` times the
   /// camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
   void draw_portrait(const Portrait& portrait);
-  /// The clay's surface at the positions of `mesh`, which is its own: dry, or fired in `glazing`.
-  /// Does not use the bound target, and leaves another one bound.
+  /// The clay's surface at the positions of `mesh`, which must be the clay's own: dry, or fired in
+  /// `glazing`. Ignores the bound target, and leaves another one bound.
   std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
                                          const std::optional<view::Glazing>& glazing);
 
@@ -73,8 +73,8 @@ class Stage {
   Studio studio_;
   ClaySurface clay_;
   ClaySkin skin_;
-  std::array<std::array<Program, 5>, ClaySkin::kSkins> clay_programs_,
-      torn_programs_;  // By skin and part of clay.glsl; only walls and lips tear.
+  // By skin and part of clay.glsl; only walls and lips tear.
+  std::array<std::array<Program, 5>, ClaySkin::kSkins> clay_programs_, torn_programs_;
   std::unique_ptr<ToolPainter> tools_;
   std::unique_ptr<SkinReader> skin_reader_;
   std::unique_ptr<Backdrop> backdrop_;

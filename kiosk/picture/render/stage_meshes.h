@@ -7,10 +7,10 @@
 namespace onggi::render {
 
 /// Coordinates across and up a section (clay.glsl, PART 4): the floor at heights -1..0, the wall at
-/// 0..1 in `rows` steps; only the round lip has corners between its faces.
+/// 0..1 in `rows` steps. Only the round lip has corners between its faces.
 Mesh section_mesh(int rows);
 
-/// A disc whose edge has `corners` (as of disc_indices), each (0..1 round, 1, 0), and the band
+/// A disc whose edge has `corners` (as in disc_indices), each (0..1 round, 1, 0), and the band
 /// under it, whose places end in 1 (wheel.glsl).
 Mesh wheel_head_mesh(std::uint32_t corners);
 

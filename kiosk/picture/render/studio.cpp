@@ -33,8 +33,8 @@ struct Ray {
   float solid_angle;
 };
 
-// Directions of an octahedral grid. The solid angle of a texel comes from the Jacobian of
-// normalising (x, 1-|x|-|z|, z), which is the cube of the normalised vector's 1-norm.
+// Directions of an octahedral grid. A texel's solid angle comes from the Jacobian of normalising
+// (x, 1-|x|-|z|, z): the cube of the normalised vector's 1-norm.
 std::vector<Ray> rays(int size) {
   std::vector<Ray> out;
   float sum = 0;
@@ -53,7 +53,7 @@ std::vector<Ray> rays(int size) {
   return out;
 }
 
-// Even fine noise in three octaves, for the grain of clay and the fibres of wood.
+// Uniform fine noise in three octaves, for the grain of clay and the fibres of wood.
 Texture make_grain() {
   std::vector<float> sum(kGrainSize * kGrainSize, 0.0f);
   std::uint32_t state = 0x9E3779B9u;
@@ -87,7 +87,7 @@ Texture make_grain() {
       Texture::create(GL_R8, kGrainSize, kGrainSize, GL_RED, GL_UNSIGNED_BYTE, texels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  // Mipmap levels, because its finest octave is finer than a pixel and would flicker.
+  // Mipmap levels: its finest octave is finer than a pixel and would flicker.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 4);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   glGenerateMipmap(GL_TEXTURE_2D);

@@ -11,14 +11,14 @@ glm::vec3 window_direction(bool right);
 
 /// The studio's light without its window, from a direction (unit, y up). Linear; 1 is white paper
 /// in full light. A plaster room lit from the left: bright ceiling, a dim warm far wall, a low
-/// floor. Lit from the right it is mirrored.
+/// floor. Lit from the right, it is mirrored.
 glm::vec3 studio_light(glm::vec3 direction);
 
 /// Nine terms of the irradiance (over pi) from `light` on a surface, in light.glsl's order.
 /// Integrated over an octahedral grid of size x size directions.
 std::array<glm::vec3, 9> irradiance_terms(glm::vec3 (*light)(glm::vec3), int size);
 
-/// The studio for the shaders, lit from either side. Computed once on the CPU in some ten
+/// The studio for the shaders, lit from either side. Computed once on the CPU in about ten
 /// milliseconds.
 class Studio {
  public:

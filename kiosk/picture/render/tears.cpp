@@ -8,7 +8,7 @@ namespace onggi::render {
 
 void Tears::reset(int rows, int row_step) {
   row_step_ = std::max(row_step, 1);
-  // The last drawn row also covers the remaining ones.
+  // The last drawn row also stands for the remaining ones.
   torn_.assign(
       static_cast<std::size_t>(std::max(rows, 0) + 1) * static_cast<std::size_t>(row_step_), 0);
   torn_rows_ = 0;
@@ -40,7 +40,7 @@ void Tears::measure(std::span<const float> middles, float height) {
     const int first = sample(from, true), last = std::max(first, sample(to, false));
     for (int k = first; k <= last; ++k) marked_[static_cast<std::size_t>(k)] = 1;
   }
-  // Two sweeps: the distance of a sample is its neighbour's plus one step.
+  // Two sweeps: a sample's distance is its neighbour's plus one step.
   distance_.assign(kHeights, kFurthest);
   for (std::size_t k = 1; k < kHeights; ++k)
     distance_[k] =

@@ -15,16 +15,16 @@ class Tears {
   static constexpr int kHeights = 1024;
   static constexpr float kFurthest = 0.02f;  ///< Largest distance in the texture, metres.
 
-  /// Starts with a grid without tears: `rows` rows are drawn, each for `row_step` of the engine's.
+  /// Starts with a grid without tears: `rows` drawn rows, each for `row_step` of the engine's.
   void reset(int rows, int row_step);
   /// `row` in the engine's grid.
   void note(int row, bool torn);
   bool any() const { return torn_rows_ > 0; }
-  /// Renews the texture if rows tore or healed, or `moved`. `middles`: of the drawn rows, rising to
-  /// `height`, metres.
+  /// Renews the texture if rows tore or healed, or if they `moved`. `middles`: heights of the drawn
+  /// rows, rising to `height`, metres.
   void refresh(std::span<const float> middles, float height, bool moved);
-  /// Over kHeights even shares of the height, foot and rim included: metres from the nearest torn
-  /// ring (below 0), or from the nearest whole one (above).
+  /// A table over kHeights equal steps of the height, foot and rim included. Metres to the edge of
+  /// the nearest torn ring: negative in whole clay, positive inside a tear.
   const Texture& texture() const { return texture_; }
 
  private:

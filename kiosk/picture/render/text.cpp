@@ -30,10 +30,10 @@ std::string key_of(const std::string& text, const view::TextStyle& s, float widt
   return head + s.language + '\n' + text;
 }
 
-// Units, which stay in the line of their number.
+// Units that stay on the line of their number.
 constexpr std::array<const char*, 9> kUnits{"mm", "cm", "m", "l", "s", "%", "مم", "سم", "ل"};
 
-// The families of one style, nearest script first; fontconfig finds other scripts itself.
+// The families of one style, best script first. fontconfig finds other scripts itself.
 std::string families(const view::TextStyle& s) {
   const bool serif = s.face == view::Face::serif;
   std::string out = serif ? "Noto Serif" : "Noto Sans";
@@ -74,7 +74,8 @@ std::vector<std::uint8_t> ink_of(const unsigned char* from, std::size_t stride, 
   return mask;
 }
 
-/// The part of `text` that is shaped. A file may hold anything, but a frame must not wait for it.
+/// The part of `text` that is shaped. A file may contain anything, but a frame must not wait for
+/// it.
 std::string shapeable(const std::string& text) {
   std::size_t end = text.size();
   if (end > Typesetter::kMostBytes) {
@@ -108,7 +109,7 @@ void keep_units(const std::string& text, PangoAttrList* attributes) {
   }
 }
 
-// Korean may break inside a word, but museum labels avoid that because it reads better.
+// Korean may break inside a word. Museum labels avoid that, because it reads better.
 void keep_korean_words(const std::string& text, PangoAttrList* attributes) {
   std::size_t start = 0;
   while (start < text.size()) {
@@ -172,7 +173,7 @@ struct Typesetter::Pango {
     pango_attr_list_insert(attributes,
                            pango_attr_language_new(pango_language_from_string(s.language.c_str())));
     pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
-    // An absolute line height keeps lines even if a fallback font is taller.
+    // An absolute line height, so that a taller fallback font does not move lines.
     pango_attr_list_insert(attributes, pango_attr_line_height_new_absolute(static_cast<int>(
                                            std::round(s.px * s.line_height) * PANGO_SCALE)));
     keep_units(text, attributes);
@@ -186,7 +187,7 @@ struct Typesetter::Pango {
     pango_layout_set_auto_dir(layout, s.right_to_left ? FALSE : TRUE);
     pango_context_set_base_dir(context,
                                s.right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
-    // In Pango, left means start when it takes the direction from the letters; it reverses that
+    // In Pango, left means start if it takes the direction from the letters. Pango reverses that
     // itself.
     const auto start = s.right_to_left ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT;
     const auto end = s.right_to_left ? PANGO_ALIGN_LEFT : PANGO_ALIGN_RIGHT;

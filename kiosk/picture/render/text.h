@@ -10,12 +10,12 @@
 
 namespace onggi::render {
 
-/// Sets paragraphs with Pango: any script, also right to left, line breaks of the language, tabular
-/// figures. Measuring and drawing use the same layout. Caches what it has set and drops the least
-/// used pages first. Main thread.
+/// Sets paragraphs with Pango: any script, also right to left, with the language's line breaks and
+/// tabular figures. Measuring and drawing use the same layout. Caches its results, and drops the
+/// least used pages first. Main thread.
 class Typesetter final : public view::TextMeasure {
  public:
-  /// Of a paragraph, which is cut there with an ellipsis; 13 ms at most in narrow lines.
+  /// A longer paragraph is cut there with an ellipsis; 13 ms at most in narrow lines.
   static constexpr std::size_t kMostBytes = 4096;
 
   Typesetter();
@@ -23,11 +23,11 @@ class Typesetter final : public view::TextMeasure {
 
   Size measure(const std::string& text, const view::TextStyle& style, float width) const override;
 
-  /// A paragraph as a coverage mask, as small as its ink, to draw at x, y from its box.
+  /// A paragraph as a coverage mask, as small as its ink. x, y: where to draw it in its box.
   struct Block {
     MaskAtlas::Place mask;
     int x = 0, y = 0, w = 0, h = 0;  ///< Pixels; w 0: there is no ink.
-    float width = 0;                 ///< Of the set text.
+    float width = 0;                 ///< Width of the set text.
     float height = 0;
   };
   /// Valid until the next call; its mask until masks().end_of_use().

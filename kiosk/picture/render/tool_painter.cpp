@@ -10,7 +10,7 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kNowhere = 1e3f;  // m: nothing fades there
+constexpr float kNowhere = 1e3f;  // m: far away, so nothing fades
 
 // As linear light.
 const glm::vec3 kSlip(0.30f, 0.185f, 0.125f), kBoxwood(0.47f, 0.31f, 0.165f),
@@ -33,7 +33,7 @@ const Material kMetal{kSteel, 0.24f, 0.42f};
 const Material kWire{kBrass, 0.30f, 0.35f};
 const Material kPorous{kSponge, 0.9f, 0.02f, 0, 1.0f};
 
-/// A mesh under construction: place, normal, and whether it belongs to the far half.
+/// A mesh under construction. Per vertex: place, normal, and whether it belongs to the far half.
 struct Maker {
   std::vector<float> v;
   std::vector<std::uint32_t> t;
@@ -50,7 +50,7 @@ struct Maker {
   }
 };
 
-/// A unit sphere about the origin; its upper half is the far one.
+/// A unit sphere about the origin; its upper half counts as the far half.
 Mesh capsule() {
   Maker make;
   constexpr std::uint32_t kRound = 32, kDown = 8;  // of each half
@@ -112,7 +112,7 @@ Mesh drum(float hole) {
   return make.mesh();
 }
 
-/// The direction from the ball to the finger's origin: from above, and from outside if it works the
+/// The direction in which a finger extends from its ball: upwards, and outwards if it works the
 /// outer wall.
 glm::vec3 lean_of(const HandView& hand, const Levels& levels) {
   const glm::vec3 tip = vec(hand.at);
@@ -123,7 +123,7 @@ glm::vec3 lean_of(const HandView& hand, const Levels& levels) {
   return glm::normalize(away * (rho > inner ? 1.0f : 0.12f) + glm::vec3(0, 0.75f, 0));
 }
 
-/// Sets one body in its place, for the current program.
+/// Sets the uniforms of one body for the current program.
 struct Placer {
   const Program& program;
 

@@ -10,13 +10,13 @@
 
 namespace onggi::render {
 
-/// Draws the held tool: its working body in the engine's place and exact size, and the parts that
-/// show its kind (the finger that fades into the air, handles, wood, steel, sponge).
+/// Draws the held tool: its working body at the engine's place and in exact size, and the parts
+/// that show its kind (the finger that fades into the air, handles, wood, steel, sponge).
 class ToolPainter {
  public:
   static Result<std::unique_ptr<ToolPainter>> create();
 
-  /// `light` sets the uniforms of light.glsl; the clay's `levels` tell on which side of the wall a
+  /// `light` sets the uniforms of light.glsl. The clay's `levels` tell on which side of the wall a
   /// ball is. Draws into the bound target, premultiplied, with depth.
   void draw(const HandView& hand, const Levels& levels, const glm::mat4& clip,
             const std::function<void(const Program&)>& light) const;

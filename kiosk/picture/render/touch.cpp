@@ -13,9 +13,9 @@ extern "C" Window glfwGetX11Window(GLFWwindow* window);
 namespace onggi::render {
 namespace {
 
-constexpr double kEchoSeconds = 0.25;  // emulated mouse events follow the touch within this time
+constexpr double kEchoSeconds = 0.25;  // s: emulated mouse events follow the touch within this time
 
-/// A device was unplugged or turned off, so its fingers cannot be followed any more.
+/// A device was unplugged or turned off, so its fingers can no longer be followed.
 bool glass_left(const XGenericEventCookie& cookie) {
   if (cookie.evtype != XI_HierarchyChanged) return false;
   const auto* change = static_cast<const XIHierarchyEvent*>(cookie.data);

@@ -11,11 +11,11 @@ struct GLFWwindow;
 namespace onggi::render {
 
 /// Touches on the window through XInput2, which GLFW does not support: ten separate fingers
-/// (view::Fingers). All lift when the window loses the touch screen or it is unplugged. Uses its
-/// own connection, so that GLFW's events are unaffected.
+/// (view::Fingers). All lift when the window loses the touch screen, or when it is unplugged. Uses
+/// its own connection, so that GLFW's events are unaffected.
 class Touch {
  public:
-  /// Nothing if the display is not X11 or has no XInput 2.2: then X's own emulated mouse is used.
+  /// Nothing without X11 and XInput 2.2: then X's own emulated mouse is used.
   static std::unique_ptr<Touch> listen(GLFWwindow* window);
   ~Touch();
 

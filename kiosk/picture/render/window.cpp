@@ -19,7 +19,7 @@ namespace onggi::render {
 namespace {
 
 constexpr double kStillSeconds = 3.0;  // s after which the cursor hides
-constexpr double kLookAgain = 2.0;     // s between checks, if no event reports a change
+constexpr double kLookAgain = 2.0;     // s between checks for changes that no event reports
 using view::InputEvent;
 using view::Key;
 
@@ -84,7 +84,6 @@ Key key_of(int key, bool shift) {
   }
 }
 
-/// The reason why there is no window, and the remedy.
 tl::unexpected<Problem> no_display(const std::string& reason) {
   const auto given = [](const char* name) {
     const char* value = std::getenv(name);
@@ -112,7 +111,7 @@ void ask_for_opengl() {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 }
 
-// Small boards offer this: the Raspberry Pi has OpenGL 3.1 and OpenGL ES 3.1.
+// For small boards: the Raspberry Pi has OpenGL 3.1 and OpenGL ES 3.1.
 void ask_for_opengl_es() {
   glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -122,7 +121,7 @@ void ask_for_opengl_es() {
 }
 
 // Graphics drivers keep tables and threads for the life of the process, and their exit handlers run
-// after GLFW would have unloaded them (which also confuses leak checkers), so keep them loaded.
+// after GLFW would have unloaded them (which also confuses leak checkers). So keep them loaded.
 // Mesa up to 24.1 has one file a driver, *_dri.so; from 24.2 a single one, libgallium-*.so.
 void keep_drivers_loaded() {
   std::ifstream maps("/proc/self/maps");
@@ -142,7 +141,7 @@ Window* self(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUser
 Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
 #ifdef GLFW_PLATFORM
   // From version 3.4 GLFW uses Wayland if a desktop offers it. Touches, outputs and turning the
-  // monitor off use X (touch.h, displays.h), which such a desktop offers too, through Xwayland.
+  // monitor off need X (touch.h, displays.h), which such a desktop also offers, through Xwayland.
   glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
   if (glfwInit() != GLFW_TRUE) return no_display(last_error());
@@ -232,7 +231,7 @@ void Window::listen() {
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
     self(w)->key(key, action, mods);
   });
-  // If a monitor is lost, GLFW silently changes to a small window; return to full screen when there
+  // If a monitor is lost, GLFW silently changes to a small window. Return to full screen when there
   // is a monitor again. No monitor at all is a valid state: keep running.
   glfwSetMonitorCallback([](GLFWmonitor*, int) {
     if (GLFWwindow* w = glfwGetCurrentContext()) self(w)->monitor_lost_ = true;
@@ -246,7 +245,7 @@ void Window::push(InputEvent event) { events_.push_back(event); }
 void Window::pointer(InputEvent::Kind kind, double x, double y) {
   // A touch also arrives as an emulated mouse; the touch itself was already handled.
   if (touch_ != nullptr && touch_->active()) return;
-  // Window coordinates become framebuffer pixels (they differ on scaled displays).
+  // Convert window coordinates to framebuffer pixels (they differ on scaled displays).
   int w = 0, h = 0;
   glfwGetWindowSize(window_, &w, &h);
   x_ = static_cast<float>(x * width_ / std::max(w, 1));

@@ -43,12 +43,12 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   std::unique_ptr<Touch> touch_;
-  std::unique_ptr<Displays> displays_;  ///< For a kiosk that fills the screen.
+  std::unique_ptr<Displays> displays_;  ///< Only for a kiosk that fills the screen.
   std::vector<view::InputEvent> events_;
   int width_ = 0, height_ = 0;
   bool visible_ = true, full_screen_ = false, cursor_shown_ = true, pressed_ = false;
   bool monitor_lost_ = false, asleep_ = false;
-  double put_to_sleep_ = 0;  // s; or woken
+  double put_to_sleep_ = 0;  // s: when the monitor was turned off or on
   double looked_at_ = 0;     // s; last look at the monitor
   double cursor_moved_ = 0;  // s, GLFW's clock
   float x_ = 0, y_ = 0;

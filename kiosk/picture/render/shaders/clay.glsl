@@ -1,24 +1,25 @@
-// The clay: a mesh whose density is its own, displaced by the radius textures. Its columns stand
-// still in the studio while the texture turns past them, so the cut-away needs no discarded pixel.
-// PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of floor and wall. SKIN: 0
-// dry clay, 1 wet clay, 2 glazed, 3 on its way to a glaze. Both are known when the program is made:
-// software rasterizers run every branch of a shader, and a scene without water has none of it. READ:
-// what the surface is at given places is written down, and nothing is lit (skin_reader.cpp).
+// The clay: a mesh displaced by the radius textures. The mesh is as fine as the picture needs,
+// whatever the grid. Its columns stand still in the studio while the texture turns past them, so
+// the cut-away discards no pixel. PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of
+// floor and wall. SKIN: 0 dry clay, 1 wet clay, 2 glazed, 3 changing to a glaze. Both are fixed
+// when the program is compiled: software rasterizers run every branch of a shader, so a scene
+// without water compiles none of the wet clay. READ: writes the surface at given places, without
+// light (skin_reader.cpp).
 
 uniform mat4 clip_from_studio;
 uniform RADII outer_radius, inner_radius;  // shares of the widest
 uniform float widest;
 uniform sampler2D grain;
-uniform sampler2D row_at;  // over the share of the height: share of the rows, and its slope
+uniform sampler2D row_at;  // by share of the height: share of the rows, and its slope
 uniform vec2 grid;  // sectors, rows of the textures
 uniform float first_wall_row, top_row, lip_radius, mean_lip;
 uniform float height, floor_height, clay_angle, open_from, open_angle, front, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
-uniform float share;     // of the outer wall's height that is drawn, from the foot
+uniform float share;     // the drawn share of the outer wall's height, from the foot
 uniform float wetness, opened;
 uniform vec3 dry_color, wet_color;
 #if SKIN == 1
-uniform sampler2D wet_rows;  // over the share of the height
+uniform sampler2D wet_rows;  // by share of the height
 float wet_at(float t) { return between(wet_rows, t, 0.5).r; }
 #else
 float wet_at(float t) { return 0.0; }
@@ -26,7 +27,7 @@ float wet_at(float t) { return 0.0; }
 #if SKIN >= 2
 struct Glaze {
   vec3 body, glass, slip, band;
-  vec4 lie;     // how the slip covers, how it was brushed, how the glass pools, gloss
+  vec4 lie;     // how slip covers, how it was brushed, how glass pools, gloss
   vec3 band_at; // height and width of the painted band, shares of the height; thickness of the coat
 };
 uniform Glaze glaze;
@@ -50,13 +51,13 @@ float inner_at(float u, float t) {
 }
 
 // A potter's wet finger leaves the lip round: half a torus on a thin wall, rounded edges on a thick
-// one. How deep it goes down at its faces.
+// one. Returns how far the rounding goes down at the faces.
 float lip_depth(float u) {
   float inner = radius_at(inner_radius, u, top_row);
   float wall = radius_at(outer_radius, u, top_row) - inner;
   return min(lip_radius, inner > 0.0 ? 0.5 * wall : wall);
 }
-// And how far above that it is at `rho` from the axis. The top of a solid lump has one face only.
+// Height of the lip above that, at `rho` from the axis. The top of a solid lump has only one face.
 float lip_rise(float depth, float inner, float outer, float rho) {
   float wall = inner > 0.0 ? outer - inner : 2.0 * outer;
   float x = inner > 0.0 ? min(outer - rho, rho - inner) : outer - rho;
@@ -70,7 +71,7 @@ out vec3 position;
 out vec2 surface;  // angle in the studio, share of the height
 #ifdef READ
 layout(location = 0) in vec3 place;  // metres, in the clay's own frame
-layout(location = 1) in vec2 texel;  // where it is written
+layout(location = 1) in vec2 texel;  // texel to write
 
 void main() {
   position = place;
@@ -97,10 +98,10 @@ void main() {
   float r = outer_at(u, y / height);
 #elif PART == 1
   float top_outer = outer_at(u, shoulder / height), top_inner = inner_at(u, shoulder / height);
-  float across = 0.5 - 0.5 * cos(kPi * along);  // closest where the lip is round
+  float across = 0.5 - 0.5 * cos(kPi * along);  // columns are closer where the lip is round
   float r = mix(top_outer, top_inner, across);
   float y = shoulder + lip_rise(depth, top_inner, top_outer, r);
-  // The walls have other columns: a hem hides the slits between.
+  // The walls have other columns, so a hem hides the slits between.
   if (along < 0.001 || along > 0.999) y -= top_inner > 0.0 || along < 0.5 ? 0.0003 : 0.0;
 #elif PART == 2
   float y = mix(shoulder, min(floor_height, shoulder), along);
@@ -129,11 +130,11 @@ in vec3 position;
 in vec2 surface;
 out vec4 color;
 
-// Radius gradient by central differences, at the texture's own scale or a pixel's if that is more;
-// `bend` is the second derivative along the wall (positive in a groove), 1/m.
+// Normal from the radius gradient by central differences, at the texture's scale or a pixel's if
+// that is larger. `bend`: second derivative along the wall (positive in a groove), 1/m.
 vec3 normal_of(RADII radius, float u, float t, float low, float side, out float bend) {
   vec2 row = rows_at(t);
-  float v = max(row.x, low), metres = height / row.y;  // metres: that one whole share of rows is
+  float v = max(row.x, low), metres = height / row.y;  // metres per whole share of rows
   float r = radius_at(radius, u, v);
   float du = max(1.0 / grid.x, 0.7 * pixel / (2.0 * kPi * max(r, 0.01)));
   float dv = max(1.0 / grid.y, 0.7 * pixel / metres);
@@ -157,16 +158,16 @@ struct Surface {
 
 #ifdef TORN
 struct Tear {
-  float gap;    // metres into an opening; below 0 away from it
+  float gap;    // metres into an opening; negative outside it
   vec3 normal;  // of the broken clay there
-  float depth;  // of it in the wall: 0 outer face .. 1 inner face
-  float cover;  // share of the pixel in which clay is seen
+  float depth;  // place in the wall: 0 outer face .. 1 inner face
+  float cover;  // share of the pixel that clay covers
 };
 Tear tear_at(float u, float low, float high, float slope);  // torn.glsl
 #endif
 
-// Clay as it dries: ridges and fine grain first, so that the last of the water goes in patches. Wet,
-// it is darker, and under a film of water.
+// Drying clay: ridges and fine grain dry first, so the last water goes in patches. Wet clay is
+// darker, and has a film of water.
 Surface of_clay(float wet, float groove, float fleck) {
   wet = clamp(wet + (0.9 * fleck + 0.35 * groove) * 4.0 * wet * (1.0 - wet), 0.0, 1.0);
   Surface s;
@@ -177,8 +178,9 @@ Surface of_clay(float wet, float groove, float fleck) {
 }
 
 #if SKIN >= 2
-// A glaze is a coloured glass that runs (Beer-Lambert): deep in grooves and towards the foot, thin
-// on ridges and the lip, where slip and body show through; the foot ring was wiped clean.
+// A glaze is a coloured glass that runs (Beer-Lambert). It is thick in grooves and towards the
+// foot, thin on ridges and the lip, where slip and body show through. The foot ring was wiped
+// clean.
 Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip, float wiped) {
   float coat = g.band_at.z, pooling = g.lie.z;
   float thick = 0.62 + pooling * groove + 0.3 * pooling * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
@@ -191,7 +193,7 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
   float cover = g.lie.x * brushed * clamp((thick + 0.02) * 1.9, 0.0, 1.0);
   vec3 under = mix(g.body * (1.0 + 0.07 * fleck), g.slip, cover);
   if (PART == 0) {
-    // Painted by hand: its edges waver, and the brush ran dry here and there.
+    // Painted by hand: the edges waver, and the brush ran dry here and there.
     float edge = 0.5 * g.band_at.y + 0.0018 * fleck;
     float off = abs(t - g.band_at.x);
     float line = 1.0 - smoothstep(edge - 0.0012, edge + 0.0012, off);
@@ -209,7 +211,7 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
 #endif
 
 #ifdef TORN
-// Broken clay is rough, and was not wetted with the faces.
+// Broken clay is rough, and was not wetted like the faces.
 Surface of_break(Surface face, float wet, float u) {
   float crumb = textureLod(grain, vec2(u * 9.0, position.y * 40.0), 0.0).r - 0.5;
   Surface s = of_clay(0.4 * wet, 0.0, 1.5 * crumb);
@@ -299,13 +301,12 @@ void main() {
   Tear tear = PART == 0 ? tear_at(u, rho - wall, rho, slope) : tear_at(u, rho, rho + wall, slope);
 #endif
   float broken = smoothstep(-0.4 * pixel, 0.4 * pixel, tear.gap);
-  // The faces are drawn in towards where they tore.
+  // The faces bend inwards near a tear.
   float drawn_in = 0.7 * smoothstep(-0.0022, 0.0, tear.gap);
   n = normalize(mix(n + drawn_in * tear.normal, tear.normal, broken));
 #endif
 
-  // The material under this point.
-  // The level at which a texel of the grain is a pixel.
+  // The material at this point. `level`: the mipmap level at which a grain texel is a pixel.
   float level = max(log2(pixel * 22.0 * 256.0), 0.0);
   float fleck = textureLod(grain, vec2(u * 6.0, position.y * 22.0 + rho * 9.0), level).r - 0.5;
   float groove = clamp(bend / 900.0, -1.0, 1.0);
@@ -322,7 +323,7 @@ void main() {
   return;
 #endif
 #if SKIN == 3
-  // The new glaze comes in patches, from the foot up as the kiln's heat does.
+  // The new glaze appears in patches, from the foot up like the kiln's heat.
   Surface before = of_glaze(glaze_before, u, t, groove, fleck, lip, wiped);
   Surface clay = of_clay(0.0, groove, fleck);
   float patch_ = textureLod(grain, vec2(u * 2.0, position.y * 3.0), 0.0).r;
@@ -336,7 +337,7 @@ void main() {
 #endif
 
 #ifdef TORN
-  // Round a tear the clay was stretched until it cracked.
+  // Near a tear the clay was stretched until it cracked.
   float crack = abs(textureLod(grain, vec2(u + 0.5, position.y * 4.5), 0.0).r - 0.5);
   crack = (1.0 - smoothstep(0.01, 0.08, crack)) * smoothstep(-0.0040, -0.0005, tear.gap);
   skin.albedo *= 1.0 - 0.42 * crack;
@@ -350,12 +351,12 @@ void main() {
   Seen s = seen_inside(position, n, t, skin.albedo, opened);
 #else
   Seen s = seen_outside(position, n, t);
-  // Near the foot the pot shades its own wheel head, which then has little to hand back.
+  // Near the foot the pot shades its own wheel head, which then reflects little light.
   s.sky *= 1.0 - 0.55 * exp(-max(position.y, 0.0) / 0.011) * (0.6 - 0.4 * n.y);
   if (PART == 1) s.sky = 1.0;
 #endif
 #ifdef TORN
-  // Little light comes into a crack, least half-way through.
+  // Little light enters a crack, least half-way through.
   float hidden = 1.0 - broken * (0.12 + 1.3 * tear.depth * (1.0 - tear.depth)) * (1.0 - 0.6 * n.y);
   s.sky *= hidden;
   s.window *= hidden;
@@ -364,7 +365,8 @@ void main() {
   vec3 lit = skin.albedo * diffuse_light(n, s);
   lit += specular(n, v, skin.roughness, skin.coat, s.sky * (PART >= 2 ? s.sky : 1.0), s.window);
 #if SKIN == 3
-  // At 1200 degrees a pot is its own light; hollows glow brightest, as they see most of it.
+  // At 1200 degrees a pot glows by itself. Hollows look brightest, because most light from their
+  // own walls reaches them.
   float hollow = PART >= 2 ? 1.3 : 1.0 - 0.35 * clamp(dot(n, v), 0.0, 1.0);
   lit = lit * (1.0 - 0.6 * glow) +
         vec3(0.74, 0.150, 0.020) * glow * glow * hollow * (1.0 + 0.35 * groove);
@@ -373,7 +375,7 @@ void main() {
 #ifdef TORN
   color.a = tear.cover;
 #endif
-  // The wheel head mirrors what stands near it, the more the wetter it is.
+  // The wheel head reflects only what is near it, and more when it is wet.
   color *= mirrored > 0.5 ? exp(-position.y / 0.035) * (0.07 + 0.23 * wetness) : 1.0;
 #endif
 }

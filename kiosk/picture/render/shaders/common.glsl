@@ -2,9 +2,9 @@
 
 const float kPi = 3.14159265;
 
-// Between the texels of a table, at x of its width: a row of floats at v of its height, and clay's radii,
-// which wrap round across it. OpenGL ES filters neither floats of 32 bits nor whole numbers, so that
-// there it is done by hand.
+// Reads a table between its texels, at share x of its width: a row of floats at share v of its
+// height; and the clay's radii, which wrap round in x. OpenGL ES filters neither 32-bit floats nor
+// integers, so there the shader interpolates.
 #ifdef GL_ES
 #define RADII usampler2D
 vec4 between(sampler2D table, float x, float v) {
@@ -38,8 +38,9 @@ vec3 to_display(vec3 linear) {
              step(vec3(0.0031308), c));
 }
 
-// The one tone mapper. Below the knee colours pass unchanged; above it the brightest channel bends
-// towards 1 with matching slope and the colour pales as much as it was bent, so hues do not shift.
+// The only tone mapping. Below the knee colours stay unchanged. Above it the brightest channel
+// bends towards 1 with matching slope, and the colour pales with the bend, so that hues do not
+// shift.
 vec3 tone(vec3 c) {
   const float knee = 0.76;
   float peak = max(c.r, max(c.g, c.b));
@@ -50,7 +51,7 @@ vec3 tone(vec3 c) {
   return mix(c * (bent / peak), vec3(bent), pale);
 }
 
-// Even noise in -1..1 with a triangular spread, different at every pixel: one step of 8 bits of it
+// Noise in -1..1 with a triangular distribution, different at every pixel. One 8-bit step of it
 // hides the banding of slow gradients.
 float dither_noise(vec2 pixel) {
   float a = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));

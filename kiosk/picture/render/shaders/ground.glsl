@@ -1,5 +1,5 @@
-// The vessel's shadow on the plaster. MODE: 0 only what it takes away, as a warm dark layer with
-// alpha; 1 the plaster with it.
+// The vessel's shadow on the plaster. MODE: 0 only the shadow, as a warm dark layer with alpha; 1
+// the plaster with the shadow.
 
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow;
@@ -8,11 +8,12 @@ uniform float of_table;  // 1: the table's half of the shadow texture
 uniform float strength;
 uniform vec2 low, high;  // the part that is drawn, metres
 #if MODE == 1
-uniform sampler2D plaster;  // a texel a pixel
+uniform sampler2D plaster;  // one texel per pixel
 uniform float opacity;
 #endif
 #if MODE == 0
-uniform vec2 edge, size;  // pixels: the shadow fades over `edge` to the edges of a picture of `size`
+uniform vec2 edge, size;  // pixels: the shadow fades out over `edge` towards the edges of a picture
+                          // of `size`
 #endif
 
 #ifdef VERTEX
@@ -31,7 +32,8 @@ void main() {
   vec4 both = texture(shadow, ground / reach * 0.5 + 0.5);
   vec2 lit = of_table > 0.5 ? both.ba : both.rg;
   float fade = 1.0 - smoothstep(0.55, 0.98, length(ground) / reach);
-  // The sky's part is gone a hand's breadth from the foot: the real one never ends, a picture does.
+  // The sky's part fades out a hand's breadth from the foot. A real shadow has no end, but the
+  // picture has.
   float sky = mix(lit.y * lit.y, 1.0, smoothstep(0.0, 0.24, length(ground) - foot));
   float light = 0.46 * lit.x + 0.54 * sky;
   float dark = (1.0 - light) * fade * strength;
@@ -39,7 +41,7 @@ void main() {
   vec2 within = smoothstep(0.0, 1.0, min(gl_FragCoord.xy, size - gl_FragCoord.xy) / edge);
   dark *= within.x * within.y;
 #endif
-  // Sky light fills a shadow from the north; clay and floor warm it.
+  // Sky light from the north fills a shadow; clay and floor warm it.
   vec3 tint = mix(vec3(0.42, 0.335, 0.265), vec3(0.20, 0.15, 0.115), dark);
   float cover = clamp(dark * 0.92 + dither_noise(gl_FragCoord.xy) / 255.0 * step(0.004, dark), 0.0, 1.0);
 #if MODE == 0

@@ -1,12 +1,12 @@
 // The studio's light on a vessel of revolution: one soft window, and everything else as nine
-// spherical-harmonic terms. What hides what comes from the vessel's own profile (levels.cpp).
+// spherical-harmonic terms. The vessel's own profile tells what it shades (levels.cpp).
 
 uniform vec3 sh[9];          // irradiance / pi of the studio without its window
 uniform vec3 window_dir;     // unit, towards the window's middle
 uniform vec3 window_across;  // unit, level
 uniform vec3 window_up;      // unit
 uniform vec3 window_light;   // irradiance / pi on a surface that faces it
-uniform sampler2D sky;       // octahedral, rougher in every level
+uniform sampler2D sky;       // octahedral, each level rougher
 uniform sampler2D levels;    // row 0: outer wall, row 1: inner wall, over the vessel's height
 uniform vec3 eye;
 
@@ -18,7 +18,7 @@ vec3 ambient(vec3 n) {
          sh[8] * (n.x * n.x - n.y * n.y);
 }
 
-// Cosine to a light some 20 degrees wide: it still reaches a little past the terminator.
+// Cosine for a light about 20 degrees wide, which reaches a little past the terminator.
 float wrapped(float cosine) {
   const float reach = 0.22;
   float c = clamp((cosine + reach) / (1.0 + reach), 0.0, 1.0);
@@ -32,7 +32,8 @@ vec3 sky_at(vec3 d, float level) {
   return textureLod(sky, 0.5 + 0.5 * p, level).rgb;
 }
 
-// The window mirrored along `d`, softened by roughness, with its glazing bars where they resolve.
+// Reflection of the window in direction `d`, softened by roughness, with its glazing bars where
+// they can be resolved.
 float window_seen(vec3 d, float roughness) {
   float facing = dot(d, window_dir);
   if (facing <= 0.05) return 0.0;
@@ -58,10 +59,10 @@ vec3 specular(vec3 n, vec3 v, float roughness, float f0, float seen_sky, float s
 struct Seen {
   float sky;     // share of the studio that reaches the point
   float window;  // share of the window
-  vec3 bounce;   // what the clay hands on to itself, as a factor on the sky's light
+  vec3 bounce;   // light from clay to clay, as a factor on the sky's light
 };
 
-// A point of the outer wall at `t` of the height. Shoulders shade what lies under them.
+// A point of the outer wall at share `t` of the height. Shoulders shade what lies below them.
 Seen seen_outside(vec3 p, vec3 n, float t) {
   vec4 level = between(levels, t, 0.25);
   vec2 out_dir = normalize(p.xz + vec2(1e-6, 0.0));
@@ -74,9 +75,10 @@ Seen seen_outside(vec3 p, vec3 n, float t) {
   return s;
 }
 
-// A point of the inner wall or floor, `t` of the height: it sees the sky through the narrowest ring
-// above it. Share of a disc of radius a at height d: facing up a^2/(a^2+d^2); facing the axis the
-// exact view factor of a tube's wall to its mouth. What stays inside is handed on by the clay.
+// A point of the inner wall or floor, at share `t` of the height. It sees the sky through the
+// narrowest ring above it, a disc of radius a at height d. Share seen: facing up a^2/(a^2+d^2);
+// facing the axis, the exact view factor of a tube's wall to its mouth. The clay scatters what
+// stays inside.
 Seen seen_inside(vec3 p, vec3 n, float t, vec3 albedo, float opened) {
   vec4 level = between(levels, t, 0.75);
   float a = max(level.y, 1e-4), d = max(level.z - p.y, 0.0);

@@ -1,4 +1,4 @@
-// All of the picture: its alpha becomes 1, where the stencil lets it.
+// Sets the picture's alpha to 1, wherever the stencil allows.
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;

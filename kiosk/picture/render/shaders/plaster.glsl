@@ -1,7 +1,7 @@
-// The studio's plaster: one seamless white that falls off a little away from the window.
+// The studio's plaster: an even white that gets a little darker away from the window.
 
 uniform vec2 size;
-uniform float side;  // of the window: 1 at the left, -1 at the right
+uniform float side;  // the window's: 1 left, -1 right
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;
@@ -15,7 +15,7 @@ void main() {
   vec2 from = p - vec2(-0.25 * side, 0.18);
   float fall = dot(from, from * vec2(0.8, 1.0));
   float light = 1.0 - 0.052 * smoothstep(0.12, 1.5, fall);
-  // The fall-off is warm: the far wall gives back less blue.
+  // It also gets warmer: the far wall reflects less blue.
   vec3 plaster = vec3(0.9294, 0.9098, 0.8824) * vec3(light, pow(light, 1.06), pow(light, 1.16));
   color = vec4(dithered(plaster, gl_FragCoord.xy), 1.0);
 }

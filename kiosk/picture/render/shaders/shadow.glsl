@@ -1,5 +1,6 @@
-// The vessel's shadow, seen from above: window and sky that reach the plane it stands on (r, g) and
-// the table under the wheel head (b, a). A small texture, so the soft edges cost nothing later.
+// The vessel's shadow from above: how much of window and sky reaches the plane that it stands on
+// (r, g), and the table under the wheel head (b, a). The texture is small, so soft edges cost
+// nothing later.
 
 uniform sampler2D levels;
 uniform vec3 window_dir;
@@ -18,12 +19,12 @@ void main() {
 in vec2 ground;
 out vec4 color;
 
-// A disc of radius r at height h over the point: what it leaves of the window (x) and the sky (y).
+// What a disc of radius r at height h over the point leaves of the window (x) and the sky (y).
 vec2 left_by(vec2 p, float r, float h) {
   float along = h / max(window_dir.y, 0.05);
   vec2 q = p + window_dir.xz * along;
   float soft = 0.0025 + 0.24 * along;
-  // Across the light the window is narrow and the shadow's edge crisper than along it.
+  // Across the light the window is narrow, so the shadow's edge is crisper than along it.
   float window = smoothstep(r - 0.55 * soft, r + 0.45 * soft + 1e-4, length(q));
   float wide = 2.0 * min(r / (0.27 * along + 1e-4), 1.0);
   window = mix(1.0, window, min(wide, 1.0));

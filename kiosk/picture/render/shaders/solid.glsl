@@ -1,7 +1,7 @@
 // Vessels of the shelf under the studio's light.
 
 uniform mat4 clip_from_studio;
-uniform sampler2D own_picture;  // sRGB: read as light
+uniform sampler2D own_picture;  // sRGB, decoded when read
 uniform float height;
 uniform float turned;  // about its axis, rad
 
@@ -33,7 +33,7 @@ void main() {
   vec3 n = normalize(normal_v), v = normalize(eye - position);
   vec3 base_color = color_v * texture(own_picture, place_v).rgb;
   Seen s;
-  // Scans have holes and turned-in faces: light both sides.
+  // Scans have holes and inverted faces, so light both sides.
   if (dot(n, v) < 0.0 && !gl_FrontFacing) n = -n;
   float rho = length(position.xz), t = clamp(position.y / height, 0.0, 1.0);
   vec4 wall = between(levels, t, 0.75);

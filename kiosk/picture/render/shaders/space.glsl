@@ -1,5 +1,5 @@
-// The picture in space, premultiplied, over the ground that it stands on. MODE: 0 one sample a pixel
-// at any scale, 1 many at the frame's own.
+// The 3-D picture, premultiplied, over the ground. MODE: 0 one sample a pixel at any scale, 1 many
+// samples at the frame's own scale.
 
 uniform vec2 size;  // of the frame, pixels
 uniform vec4 box;   // pixels from the lower left

@@ -1,11 +1,11 @@
-// What a hand holds: a unit body set into its place, of finger, wood, steel or sponge.
+// A held tool's part: a unit body put in its place, of finger, wood, steel or sponge.
 
 uniform mat4 clip_from_studio;
 uniform vec3 middle, axis_x, axis_y, axis_z, half_size;
 uniform float stretch;  // of the far half, along axis_y
 uniform vec3 base_color;
 uniform float roughness, mirrors, fibre, pores;
-uniform vec2 fade;     // metres along axis_y between which it goes into the air
+uniform vec2 fade;     // metres along axis_y between which it fades out
 uniform float softly;  // 1: its edges are soft
 uniform sampler2D grain;
 
@@ -28,7 +28,7 @@ void main() {
 in vec3 position, normal_v, own, own_normal;
 out vec4 color;
 
-// Of three planes each where the surface faces it, so that no side is drawn out.
+// Mean of three planes, weighted by how much the surface faces each, so that no side is stretched.
 float noise(vec3 p) {
   vec3 w = own_normal * own_normal;
   return dot(w, vec3(textureLod(grain, p.yz + 0.37, 0.0).r, textureLod(grain, p.zx + 0.71, 0.0).r,
@@ -37,7 +37,7 @@ float noise(vec3 p) {
 
 void main() {
   vec3 n = normalize(normal_v), v = normalize(eye - position);
-  // Fibres run along the tool on every side of it.
+  // Fibres run along the tool on all sides.
   float wood = textureLod(grain, vec2(26.0 * own.x + 11.0 * own.z, 1.7 * own.y), 0.0).r - 0.5;
   float hole = smoothstep(0.0, 0.22, noise(own * 23.0)) * pores;
   vec3 albedo = base_color * (1.0 + fibre * 0.8 * wood) * (1.0 - 0.45 * hole);

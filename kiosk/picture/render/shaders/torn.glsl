@@ -1,12 +1,12 @@
-// Torn rings: ragged openings in the wall, and the broken clay round them. Behind clay.glsl, in
-// programs of their own (TORN), so that a whole pot is drawn without any of it.
+// Torn rings: ragged openings in the wall, and the broken clay round them. Follows clay.glsl, in
+// separate programs (TORN), so that a whole pot does not pay for it.
 
 #ifdef FRAGMENT
-uniform float soft_edges;   // 1: alpha is how much of the pixel the clay covers
-uniform sampler2D torn_at;  // over the share of the height: metres into torn rings, below 0 from them
+uniform float soft_edges;   // 1: alpha is the share of the pixel that clay covers
+uniform sampler2D torn_at;  // by share of the height: metres into torn rings, negative outside
 
-// How far a point of the wall is inside an opening, metres; below 0: in clay. The engine keeps a
-// tear for the whole ring; to be seen standing, the wall hangs together by bridges here and there.
+// How far a point of the wall is inside an opening, metres; negative in clay. The engine tears
+// whole rings. Here bridges hold the wall together, so that it can be seen to stand.
 float gap_at(float u, float y) {
   float a = 2.0 * kPi * u;
   // A tear wanders up and down,
@@ -25,9 +25,9 @@ float gap_at(float u, float y) {
   return min(gap, at - floor_height - 0.002);
 }
 
-// Looks into the opening at `position`, on a face of the wall or on its section, until broken clay
-// is met; where none is, one looks through. `low` and `high` are the wall's faces there, which widen
-// by `slope` with height.
+// Follows the view into the opening at `position`, on a face or section of the wall, until it meets
+// broken clay. If there is none, the eye sees through. `low` and `high` are the wall's faces there,
+// which widen by `slope` with height.
 Tear tear_at(float u, float low, float high, float slope) {
   Tear tear;
   tear.gap = gap_at(u, position.y);
@@ -40,7 +40,7 @@ Tear tear_at(float u, float low, float high, float slope) {
   vec3 round_ = vec3(-outward.z, 0.0, outward.x);
   float around = dot(way, round_) / (2.0 * kPi * rho);
   float wall = max(high - low, 0.001);
-  // Along the wall the way through it is long.
+  // Along the wall the way through is long.
   float step_ = clamp(0.14 * wall / max(abs(dot(way, outward)), 0.1), 0.0003, 0.0035);
   float gone = 0.0, here = tear.gap, nearest = here;
   for (int i = 0; i < 12 && here > 0.0; ++i) {

@@ -1,12 +1,12 @@
-// The wheel head: dark turned wood, wet with slip where the potter works, a dab of white slip to
-// show its turning.
+// The wheel head: dark turned wood, wet with slip where the potter works, with a dab of white slip
+// that shows its turning.
 
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow, grain;
 uniform float radius, table_y, reach, wheel_angle, wetness, pixel, opened;
 
 #ifdef VERTEX
-layout(location = 0) in vec3 place;  // round, along, 1 on the rim's side
+layout(location = 0) in vec3 place;  // round, along, 1 for the band
 out vec3 position;
 flat out float side;
 void main() {
@@ -30,7 +30,7 @@ void main() {
   vec2 own = vec2(c * position.x + s * position.z, -s * position.x + c * position.z);
   bool top = side < 0.5;
   vec3 n = top ? vec3(0.0, 1.0, 0.0) : vec3(position.x, 0.0, position.z) / radius;
-  // A turned edge catches the light.
+  // The turned edge catches the light.
   float edge = smoothstep(radius - 0.003, radius, rho);
   if (top) n = normalize(n + vec3(position.x, 0.0, position.z) / rho * edge * 0.8);
 
@@ -39,11 +39,11 @@ void main() {
   float mottle = textureLod(grain, own * 2.3, 0.0).r - 0.5;
   vec3 albedo = vec3(0.105, 0.068, 0.046) * (1.0 + 0.30 * fibre + 0.25 * mottle);
   if (top) {
-    // Centring rings, every 15 mm, cut fine.
+    // Fine centring rings, every 15 mm.
     float ring = abs(fract(rho / 0.015 + 0.5) - 0.5) * 0.015;
     float cut = 1.0 - smoothstep(0.0004, 0.0004 + 1.4 * pixel, ring);
     albedo *= 1.0 - 0.42 * cut * step(0.02, rho);
-    // A film of slip round the work, thinning outward.
+    // A film of slip round the pot, thinner outwards.
     float film = (1.0 - smoothstep(0.35, 0.95, rho / radius + 0.35 * mottle)) * (0.25 + 0.35 * wetness);
     albedo = mix(albedo, vec3(0.21, 0.125, 0.08), film);
     vec2 dab = (own - vec2(radius * 0.885, 0.0)) / vec2(0.0085, 0.0050);
@@ -53,7 +53,7 @@ void main() {
   Seen seen;
   seen.window = top ? lit.r : 1.0;
   seen.sky = top ? lit.g * lit.g : 0.35 + 0.65 * smoothstep(1.0, 0.0, position.y / table_y);
-  // Where the pot stands is dark, but an opened pot lets light down to it.
+  // The place under the pot is dark, but an opened pot lets light through to it.
   if (top) seen.sky = max(seen.sky, 0.5 * opened);
   seen.bounce = vec3(1.0);
   vec3 v = normalize(eye - position);
