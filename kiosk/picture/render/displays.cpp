@@ -25,18 +25,18 @@ constexpr std::array<float, 9> kWhole{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /// An X object may have been unplugged meanwhile, and Xlib would end the program because of it.
 /// This class ignores that error.
-class Forgiving {
+class IgnoredXErrors {
  public:
-  explicit Forgiving(Display* display) : display_(display) {
+  explicit IgnoredXErrors(Display* display) : display_(display) {
     XSync(display_, False);
     before_ = XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
   }
-  ~Forgiving() {
+  ~IgnoredXErrors() {
     XSync(display_, False);
     XSetErrorHandler(before_);
   }
-  Forgiving(const Forgiving&) = delete;
-  Forgiving& operator=(const Forgiving&) = delete;
+  IgnoredXErrors(const IgnoredXErrors&) = delete;
+  IgnoredXErrors& operator=(const IgnoredXErrors&) = delete;
 
  private:
   Display* display_;
@@ -208,7 +208,7 @@ Outputs Displays::read() const {
 }
 
 void Displays::look() {
-  const Forgiving forgiving(connection_->display);
+  const IgnoredXErrors ignored(connection_->display);
   Outputs now = read();
   const Relighting change = relight(seen_, now);
   if (change.light != 0) {

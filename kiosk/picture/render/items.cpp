@@ -13,8 +13,8 @@ constexpr std::size_t kFlat = 0, kPicture = 1;  // MODE of item.glsl
 
 /// Range in which two lists differ, including what lies beyond their common length.
 template <typename Value>
-std::pair<std::size_t, std::size_t> changed(const std::vector<Value>& before,
-                                            const std::vector<Value>& now) {
+std::pair<std::size_t, std::size_t> differing_range(const std::vector<Value>& before,
+                                                    const std::vector<Value>& now) {
   const std::size_t common = std::min(before.size(), now.size());
   std::size_t first = 0, end = now.size();
   while (first < common && before[first] == now[first]) ++first;
@@ -25,14 +25,14 @@ std::pair<std::size_t, std::size_t> changed(const std::vector<Value>& before,
 
 /// Uploads the difference to the buffer bound to `target`, which has space for `room` values.
 template <typename Value>
-void renew(GLenum target, std::vector<Value>& before, const std::vector<Value>& now,
-           std::size_t& room) {
+void upload_difference(GLenum target, std::vector<Value>& before, const std::vector<Value>& now,
+                       std::size_t& room) {
   if (now.size() > room) {
     room = 2 * now.size();
     calls::buffer_data(target, room * sizeof(Value), nullptr, GL_DYNAMIC_DRAW);
     before.clear();
   }
-  const auto [first, end] = changed(before, now);
+  const auto [first, end] = differing_range(before, now);
   if (first < end)
     calls::buffer_part(target, first * sizeof(Value), (end - first) * sizeof(Value), &now[first]);
   before = now;
@@ -140,8 +140,8 @@ void ItemPainter::add_picture(const view::Picture& picture, const Stored& stored
 void ItemPainter::upload() {
   calls::bind_array(array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-  renew(GL_ARRAY_BUFFER, uploaded_.vertices, strips_.vertices, room_);
-  renew(GL_ELEMENT_ARRAY_BUFFER, uploaded_.indices, strips_.indices, index_room_);
+  upload_difference(GL_ARRAY_BUFFER, uploaded_.vertices, strips_.vertices, room_);
+  upload_difference(GL_ELEMENT_ARRAY_BUFFER, uploaded_.indices, strips_.indices, index_room_);
 }
 
 void ItemPainter::draw(const std::vector<view::Item>& items, const Pictures& pictures, int width,

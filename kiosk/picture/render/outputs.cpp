@@ -18,7 +18,8 @@ bool shows_what_it_can(const Output& output) {
 }
 
 /// True if it was plugged in since `before`, or has another monitor.
-bool came(const std::optional<Outputs>& before, const Outputs& now, const Output& output) {
+bool is_new_monitor(const std::optional<Outputs>& before, const Outputs& now,
+                    const Output& output) {
   if (!before)
     return std::none_of(now.all.begin(), now.all.end(),
                         [](const Output& other) { return other.connected && other.mode != 0; });
@@ -45,7 +46,7 @@ Relighting relight(const std::optional<Outputs>& before, const Outputs& now) {
   const Output* on = now.shown_on();
   if (on == nullptr || on->modes.empty()) return {};
   const bool cannot = on->mode != 0 && !shows_what_it_can(*on);
-  if (!cannot && !came(before, now, *on)) return {};
+  if (!cannot && !is_new_monitor(before, now, *on)) return {};
   Relighting change{.light = on->id, .mode = on->modes.front()};
   for (const Output& output : now.all)
     if (!output.connected && output.mode != 0) change.darken.push_back(output.id);

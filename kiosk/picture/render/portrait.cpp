@@ -81,8 +81,8 @@ Texture plain_white() {
 }
 
 /// The triangles' corners, sorted by coat, otherwise in their own order.
-std::vector<std::uint32_t> dress(const TriangleMesh& mesh, const content::Coloring& coloring,
-                                 std::vector<Coat>& coats) {
+std::vector<std::uint32_t> sort_by_coat(const TriangleMesh& mesh, const content::Coloring& coloring,
+                                        std::vector<Coat>& coats) {
   const auto coat_of = [&](const std::array<std::uint32_t, 3>& triangle) {
     return coloring.picture.empty() ? std::size_t{0} : coloring.picture[triangle[0]];
   };
@@ -210,7 +210,7 @@ Model model_of(const TriangleMesh& mesh, std::array<float, 3> color,
                     {p[0], p[1], p[2], n[0], n[1], n[2], c[0], c[1], c[2], place[0], place[1]});
     out.radius = std::max(out.radius, std::hypot(p[0], p[2]));
   }
-  const std::vector<std::uint32_t> indices = dress(sized, coloring, out.coats);
+  const std::vector<std::uint32_t> indices = sort_by_coat(sized, coloring, out.coats);
   out.mesh = Mesh(vertices.data(), vertices.size(), indices.data(), indices.size(), {3, 3, 3, 2});
   return out;
 }
