@@ -11,7 +11,6 @@
 // that other sources share: no member function, no template of the standard library (the linker
 // keeps one copy of those, and might choose this one). Other sources get the kind that every
 // processor of theirs has.
-// and it might be this one). Other sources get the kind that every processor of theirs has.
 #if !defined(ONGGI_LANES)
 #if defined(__SSE2__)
 #define ONGGI_LANES sse2

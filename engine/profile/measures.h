@@ -35,7 +35,6 @@ struct Measures {
   double outline_worst_sign = 0.0;  ///< +1 made is too wide there, -1 too narrow, 0 equal.
   /// The largest distance that a shift of 0.6 % of the height up or down does not explain: if a
   /// shelf or a flange begins slightly higher, the radial distance jumps and this one does not.
-  /// shelf or a flange begins a hair higher, the radial distance is a leap and this is none.
   double outline_worst_firm = 0.0;
   /// That largest distance among the heights that both reach, with its height and sign as above:
   /// the place to speak of. Smaller than above only where sizes count.

@@ -25,7 +25,6 @@ double likeness(const Profile& a, const Profile& b);
 
 /// The vessel of `among` that is most like `to`, at least kAlikeEnough; the first of equals; none
 /// if no vessel is. Null and `to` itself are skipped. Allocates.
-/// equally so; nothing where none is. Null and `to` itself are passed over. Allocates.
 inline constexpr double kAlikeEnough = 65.0;
 std::optional<std::size_t> most_alike(const Profile& to, std::span<const Profile* const> among);
 
