@@ -201,8 +201,8 @@ Press press_on_floor(Clay& clay, const BallStep& step, const body::Ball& ball,
   return press;
 }
 
-// Replaces the share `share` of `press`'s force by `edge`'s. Returns the part that is not on a
-// face. The part on a face fades during the step as the wall's press does.
+// Replaces `share` (0..1) of `press`'s force by `edge`'s. Returns the part that is not on a face.
+// The part on a face fades during the step as the wall's press does.
 contact::FacePush feel_edge(const contact::EdgePush& edge, double share, double seconds,
                             const Yielding& yielding, Press& press) {
   if (share == 0.0) return {};
