@@ -175,22 +175,23 @@ class Visit {
   const score::Score& score() const;
 
   /// The place of a control in the last frame, for tests and the scripted visitor:
-  ///   attract   "attract.begin" (any touch begins), "attract.gallery" (where pots were kept today)
-  ///   choose    "choose.mission.N" (of those that are on, before the shelf),
-  ///             "choose.card.N" (N counts the whole shelf; only this page's are there),
+  ///   attract   "attract.begin" (any touch begins), "attract.gallery" (if pots were kept today)
+  ///   choose    "choose.mission.N" (missions offered today, before the shelf),
+  ///             "choose.card.N" (N counts the whole shelf; present only for this page's cards),
   ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
-  ///             "choose.more" (a long label read on), "choose.alike" (the label of the vessel
-  ///             most like it, where one is), "back" to the shelf
+  ///             "choose.more" (rest of a long label), "choose.alike" (label of the most similar
+  ///             vessel, if any), "back" to the shelf
   ///   throw     "throw.both", "throw.outside", "throw.inside", "throw.slower", "throw.faster",
-  ///             "throw.water", "throw.cut", "throw.renew", "throw.restore" (while there is a
-  ///             stroke to take back), "throw.done", "throw.tool.N" (0 the hands, then the
-  ///             scene's; the wire ends the throwing), "throw.show", "throw.skip" (while the lesson
-  ///             lasts); with a device that pushes "throw.softer", "throw.stronger"
-  ///   result    "result.keep", "result.again", "result.other", "result.turn" (what stands there,
-  ///             for keys and the switch)
+  ///             "throw.water", "throw.cut", "throw.renew", "throw.restore" (if a stroke can be
+  ///             undone), "throw.done", "throw.tool.N" (0 the hands, then the scene's; the wire
+  ///             ends the throwing), "throw.show", "throw.skip" (during the lesson); with a
+  ///             force device "throw.softer", "throw.stronger"
+  ///   result    "result.keep", "result.again", "result.other", "result.turn" (the pots, for keys
+  ///             and the switch)
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
-  ///   keepsake  "keepsake.done", "keepsake.gallery"        fault  "fault.on"
-  ///   the gallery in both  "gallery.next", "gallery.previous"
+  ///   keepsake  "keepsake.done", "keepsake.gallery"
+  ///   fault     "fault.on"
+  ///   gallery   "gallery.next", "gallery.previous" (in attract and keepsake)
   ///   over any  "help", "help.close", "comfort", "comfort.close", "comfort.CHOICE" (Comfort),
   ///             "idle.stay", "language", "back"
   /// Nothing if it is not on the screen. A control acts when the pointer lifts on it.
