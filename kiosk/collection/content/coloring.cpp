@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/collection/textures/srgb.h"
+
 namespace onggi::content {
 
 Coloring Coloring::part(std::size_t first, std::size_t count) const {
@@ -49,14 +51,12 @@ std::vector<std::array<float, 3>> baked(const Coloring& coloring) {
 }
 
 std::uint8_t display_of(float light) {
-  const double v = std::clamp(static_cast<double>(light), 0.0, 1.0);
-  const double out = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255.0 * out));
+  const double shown = textures::srgb_of_light(std::clamp(static_cast<double>(light), 0.0, 1.0));
+  return static_cast<std::uint8_t>(std::lround(255.0 * shown));
 }
 
 float light_of(std::uint8_t display) {
-  const double v = display / 255.0;
-  return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+  return static_cast<float>(textures::light_of_srgb(display / 255.0));
 }
 
 }  // namespace onggi::content

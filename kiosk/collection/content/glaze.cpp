@@ -6,6 +6,7 @@
 #include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
 #include "kiosk/collection/settings/visitor_text.h"
+#include "kiosk/collection/textures/srgb.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -25,8 +26,7 @@ bool parse_color(const std::string& text, LinearColor& out) {
       if (!digit && (lower < 'a' || lower > 'f')) return false;
       value = value * 16 + static_cast<unsigned>(digit ? c - '0' : lower - 'a' + 10);
     }
-    const double s = value / 255.0;
-    out[k] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+    out[k] = static_cast<float>(textures::light_of_srgb(value / 255.0));
   }
   return true;
 }

@@ -1,19 +1,16 @@
 #include "kiosk/collection/content/pack.h"
 
-#include <cmath>
-
 #include "kiosk/collection/content/address.h"
 #include "kiosk/collection/content/pack_advice.h"
 #include "kiosk/collection/settings/visitor_text.h"
+#include "kiosk/collection/textures/srgb.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
 
 namespace {
 
-float linear(double srgb) {
-  return static_cast<float>(srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4));
-}
+float linear(double srgb) { return static_cast<float>(textures::light_of_srgb(srgb)); }
 
 void read_color(toml::TomlReader::Table& root, Pack& pack) {
   std::vector<double> values;

@@ -1,12 +1,12 @@
 #include "kiosk/collection/content/pack_writer.h"
 
-#include <cmath>
 #include <cstdio>
 #include <sstream>
 
 #include "engine/profile/up.h"
 #include "kiosk/collection/content/address.h"
 #include "kiosk/collection/content/pack_advice.h"
+#include "kiosk/collection/textures/srgb.h"
 
 namespace onggi::content {
 
@@ -36,10 +36,7 @@ std::string first_words(const std::string& text, int most) {
   return out;
 }
 
-double srgb(float linear) {
-  const double v = static_cast<double>(linear);
-  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-}
+double srgb(float linear) { return textures::srgb_of_light(static_cast<double>(linear)); }
 
 /// The label in that language; the English one also gets the facts without a language.
 std::string label_toml(const Vessel& vessel, const std::string& language) {

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 
 #include "kiosk/collection/textures/codecs.h"
 #include "kiosk/collection/textures/ktx2.h"
+#include "kiosk/collection/textures/srgb.h"
 
 namespace onggi::textures {
 namespace {
-
-/// IEC 61966-2-1.
-double light_of(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
 
 /// The light of each of the 256 values, and of the values between.
 struct LightTable {
@@ -22,9 +17,9 @@ struct LightTable {
   std::array<float, 255> between{};
   LightTable() {
     for (std::size_t i = 0; i < 256; ++i)
-      light[i] = static_cast<float>(light_of(static_cast<double>(i) / 255.0));
+      light[i] = static_cast<float>(light_of_srgb(static_cast<double>(i) / 255.0));
     for (std::size_t i = 0; i < 255; ++i)
-      between[i] = static_cast<float>(light_of((static_cast<double>(i) + 0.5) / 255.0));
+      between[i] = static_cast<float>(light_of_srgb((static_cast<double>(i) + 0.5) / 255.0));
   }
   std::uint8_t value(float of) const {
     return static_cast<std::uint8_t>(std::upper_bound(between.begin(), between.end(), of) -

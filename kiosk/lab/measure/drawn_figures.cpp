@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <functional>
 
+#include "kiosk/collection/textures/srgb.h"
+
 namespace onggi::measure {
 
 namespace {
@@ -12,10 +14,7 @@ namespace {
 constexpr int kDrawnDiffers = 12;  // of 255, all channels: smaller differences are dither
 constexpr double kFlashStep = 0.1, kFlashDark = 0.8;
 
-double linear(std::uint8_t v) {
-  const double x = v / 255.0;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
+double linear(std::uint8_t v) { return textures::light_of_srgb(v / 255.0); }
 
 }  // namespace
 

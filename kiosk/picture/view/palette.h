@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cmath>
-
+#include "kiosk/collection/textures/srgb.h"
 #include "kiosk/picture/view/frame.h"
 
 namespace onggi::view {
@@ -32,10 +31,7 @@ inline constexpr Color kHeldCobalt = rgb(0x1F3560);  ///< A target under a finge
 
 /// Relative luminance (WCAG 2.2) of an opaque colour, 0..1.
 inline double luminance(Color c) {
-  const auto linear = [](float v) {
-    const double x = static_cast<double>(v);
-    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-  };
+  const auto linear = [](float v) { return textures::light_of_srgb(static_cast<double>(v)); };
   return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
 }
 
