@@ -7,6 +7,7 @@
 
 #include "engine/contact/tool_contact.h"
 #include "engine/math/random.h"
+#include "tests/support/any_direction.h"
 
 // A tool that touches nothing feels nothing. How far it is from the clay is worked out here, from
 // the tools' measures and the pot's: nothing of the engine is asked.
@@ -72,18 +73,11 @@ std::vector<Vec3> surface(const Pot& pot, Vec3 at, double reach) {
   return points;
 }
 
-Vec3 direction(Random& random) {
-  for (;;) {
-    const Vec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    if (length(v) > 0.1 && length(v) < 1.0) return (1.0 / length(v)) * v;
-  }
-}
-
 // Of a tool held anyhow, or as potters do.
 ToolPlace pose(Random& random, const ToolShape& shape, Vec3 at, bool inside) {
   if (random.uniform() < 0.4) return hold_tool(shape, at, {}, 0.0, inside);
-  const Vec3 along = random.uniform() < 0.3 ? Vec3{0, 1, 0} : direction(random);
-  const Vec3 aside = cross(along, direction(random));
+  const Vec3 along = random.uniform() < 0.3 ? Vec3{0, 1, 0} : test::any_direction(random);
+  const Vec3 aside = cross(along, test::any_direction(random));
   return {at, along, (1.0 / length(aside)) * aside};
 }
 

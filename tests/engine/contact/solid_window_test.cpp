@@ -7,16 +7,10 @@
 #include "engine/contact/tool.h"
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
+#include "tests/support/any_direction.h"
 
 namespace onggi::contact {
 namespace {
-
-Vec3 any_direction(Random& random) {
-  for (;;) {
-    const Vec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    if (length(v) > 0.1 && length(v) < 1.0) return (1.0 / length(v)) * v;
-  }
-}
 
 Vec3 turned(Vec3 v, double angle) {
   const double c = portable::cos(angle);
@@ -38,8 +32,8 @@ TEST(SolidWindow, HoldsWhatTheToolPressesWhicheverWayItIsFromTheAxis) {
     const ToolShape& shape = *find_tool_shape(name);
     for (int n = 0; n < 40; ++n) {
       const ToolSize& size = n % 2 == 0 ? shape.usual : shape.most;
-      const Vec3 along = any_direction(random);
-      const Vec3 across = cross(along, any_direction(random));
+      const Vec3 along = test::any_direction(random);
+      const Vec3 across = cross(along, test::any_direction(random));
       const Vec3 at{random.uniform(-0.09, 0.09), random.uniform(0.0, 0.2),
                     random.uniform(-0.09, 0.09)};
       const WallSide side = n % 4 < 2 ? WallSide::outside : WallSide::inside;
@@ -72,8 +66,8 @@ double looked_at(const char* name) {
   double visited = 0.0;
   double touched = 0.0;
   for (int n = 0; n < 60; ++n) {
-    const Vec3 along = any_direction(random);
-    const Vec3 across = cross(along, any_direction(random));
+    const Vec3 along = test::any_direction(random);
+    const Vec3 across = cross(along, test::any_direction(random));
     const Vec3 at = turned({0.056, 0.1, 0.0}, random.uniform(0.0, 2.0 * portable::kPi));
     const ToolPlace place{at, along, (1.0 / length(across)) * across};
     // So quick that the wall stays as it is.

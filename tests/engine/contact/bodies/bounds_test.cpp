@@ -8,6 +8,7 @@
 #include "engine/contact/bodies/capsule.h"
 #include "engine/contact/bodies/cylinder.h"
 #include "engine/math/random.h"
+#include "tests/support/any_direction.h"
 
 namespace onggi::body {
 namespace {
@@ -28,13 +29,6 @@ TEST(Bounds, AnOutlineThatIsNothingButRoundingSpansWhatTheTouchSpans) {
   }
 }
 
-Vec3 any_direction(Random& random) {
-  for (;;) {
-    const Vec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    if (length(v) > 0.1 && length(v) < 1.0) return (1.0 / length(v)) * v;
-  }
-}
-
 TEST(Bounds, AFlatDiscIsHeldByASquareOfItsOwnSize) {
   const Hull hull = Cylinder({0.05, 0.1, 0.0}, {0.0, 1.0, 0.0}, 0.03, 0.002).hull();
   ASSERT_EQ(hull.count, 8);
@@ -50,7 +44,7 @@ TEST(Approach, NoPointOfARodOrADiscIsNearerToTheAxisThanItIsToldOfItsHeight) {
   for (int n = 0; n < 400; ++n) {
     const Vec3 middle{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
                       random.uniform(-0.1, 0.1)};
-    const Vec3 axis = any_direction(random);
+    const Vec3 axis = test::any_direction(random);
     const double radius = random.uniform(0.001, 0.05), half = random.uniform(0.001, 0.05);
     const Approach of_rod = Capsule{middle, axis, half, radius}.approach();
     const Approach of_disc = Cylinder(middle, axis, radius, half).approach();
@@ -58,7 +52,7 @@ TEST(Approach, NoPointOfARodOrADiscIsNearerToTheAxisThanItIsToldOfItsHeight) {
     known += of_disc.nearest(middle.y) > -1.0;
     for (int k = 0; k < 200; ++k) {
       // At its surface, for there it is nearest.
-      const Vec3 out = any_direction(random);
+      const Vec3 out = test::any_direction(random);
       const Vec3 on_rod = middle + random.uniform(0.0, half) * axis + radius * out;
       EXPECT_GE(axis_distance(on_rod), of_rod.nearest(on_rod.y)) << n;
       const Vec3 flat = out - dot(out, axis) * axis;

@@ -6,22 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/kiosk/wheel/device/tube.h"
+
 namespace onggi::device {
 namespace {
-
-/// A wall `thick` metres thick, `radius` wide outside, 0.2 m high, on a floor of 10 mm.
-ClayView tube(double radius, double thick) {
-  ClayDef def;
-  def.rows = 100;
-  def.sectors = 16;
-  def.floor_thickness = 0.01;
-  ClayView clay;
-  clay.lay(def);
-  const std::vector<float> outer(16, static_cast<float>(radius));
-  const std::vector<float> inner(16, static_cast<float>(radius - thick));
-  for (int j = 0; j < clay.rows(); ++j) clay.shape(j, outer, inner);
-  return clay;
-}
 
 Profile jar(double radius, double belly) {
   Profile p;
