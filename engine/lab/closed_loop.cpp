@@ -49,7 +49,6 @@ class Wall {
     if (plan_.wall == LoopWall::filtered_engine) return filter_.filter(felt_.force);
     if (!rendered) return felt_.force;
     const Vec3 force = haptics_.feel(felt_.touch, 1.0, limits_);
-    damped_ = damped_ || haptics_.passivity().damping() > 0.0;
     bool finite = true;
     const GuardDef& guard = plan_.scene.guard;
     return guard_.step(force, LoopPlan::kSeconds,
@@ -57,8 +56,6 @@ class Wall {
   }
 
   const HandFeedback& felt() const { return felt_; }
-  bool damped() const { return damped_; }
-  double stretch() const { return length(haptics_.coupling().stretch()); }
 
  private:
   Vec3 spring(Vec3 at) {
@@ -79,7 +76,6 @@ class Wall {
   HandFeedback felt_;
   Vec3 last_, force_;
   double decay_ = 0.0;
-  bool damped_ = false;
 };
 
 /// Half of the widest way along an axis, less any even drift: a hand that sinks into worked clay
@@ -144,7 +140,6 @@ LoopResult run_loop(const LoopPlan& plan) {
   Vec3 sum, was;
   for (int n = 0; n < ticks; ++n) {
     const Vec3 force = wall.answer(handle.told());
-    result.stiffness = std::max(result.stiffness, wall.felt().touch.stiffness);
     handle.go(force, plan.push, plan.rest);
     if (n >= ticks - 3 * quarter && n < ticks - 2 * quarter) earlier.push_back(handle.at());
     if (n >= ticks - 2 * quarter && n < ticks - quarter) before.push_back(handle.at());
@@ -163,8 +158,6 @@ LoopResult run_loop(const LoopPlan& plan) {
   result.before = swing_of(before);
   result.earlier = swing_of(earlier);
   result.force_mean = length((1.0 / std::max(1, quarter)) * sum);
-  result.stretch = wall.stretch();
-  result.damped = wall.damped();
   return result;
 }
 

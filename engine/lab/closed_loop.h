@@ -45,9 +45,6 @@ struct LoopResult {
   double earlier = 0.0;  ///< and in the one before that.
   double force_step = 0.0;  ///< Largest change of the force from tick to tick, N.
   double force_mean = 0.0;  ///< N
-  double stretch = 0.0;     ///< The coupling's stretch at the end, m.
-  double stiffness = 0.0;   ///< Greatest stiffness of a scene's Touch, N/m.
-  bool damped = false;      ///< The passivity controller added damping at some time.
 
   /// The swing shrinks from quarter to quarter; a limit cycle's varies.
   bool dies_away() const { return swing < 0.97 * before && before < 0.97 * earlier; }
