@@ -14,7 +14,6 @@ namespace onggi::files {
 class ByteWriter {
  public:
   explicit ByteWriter(std::size_t expected = 0) { bytes_.reserve(expected); }
-  void u8(std::uint8_t value) { number(value, 1); }
   void u16(std::uint16_t value) { number(value, 2); }
   void u32(std::uint32_t value) { number(value, 4); }
   void f32(float value) { u32(std::bit_cast<std::uint32_t>(value)); }
