@@ -2,7 +2,7 @@
 
 namespace onggi {
 
-/// Eight elements of a row side by side: [begin, end) in blocks.
+/// A run of blocks of a row, [begin, end). A block is eight elements side by side.
 struct BlockRun {
   int begin, end;
   bool any() const { return begin < end; }

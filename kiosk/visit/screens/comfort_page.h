@@ -7,8 +7,9 @@
 
 namespace onggi::screens {
 
-/// The Comfort page over any screen: the visitor's choices, each with an explanation and a switch.
-/// Leaves out low reach if the whole screen is in reach, and the volume if there is no sound.
+/// The Accessibility page over any screen: the visitor's choices, each with an explanation and a
+/// switch. Leaves out low reach if the whole screen is in reach, and the volume if there is no
+/// sound.
 void lay_out_comfort(Page& page, const Desk& desk);
 
 /// The control where the keyboard starts.

@@ -49,7 +49,7 @@ class Screen {
   virtual bool keys_are_anothers() const { return false; }
   /// The screen is left or covered: takes the hands off the clay.
   virtual void let_go() {}
-  /// The visitor changed something on the Comfort page: sends the wheel its settings again.
+  /// The visitor changed something on the Accessibility page: sends the wheel its settings again.
   virtual void comforted() {}
   /// For a screen with a pot to work on.
   virtual std::optional<WheelSnapshot> sight() const { return std::nullopt; }

@@ -167,7 +167,7 @@ class Visit {
   double force_share() const;
   /// The visitor's volume, 0 (silent) .. 1 of the exhibit's.
   double volume_share() const;
-  /// The exhibit's screen with the visitor's choices on the Comfort page.
+  /// The exhibit's screen with the visitor's choices on the Accessibility page.
   settings::Exhibit::Screen shown_on() const;
   /// True if the screen is read aloud, by the visitor's choice or because it is dark.
   bool spoken() const;

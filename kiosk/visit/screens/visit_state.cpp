@@ -132,7 +132,7 @@ void Visit::State::pointer(const InputEvent& e) {
     if (e.kind == Kind::pointer_up) cover(Over::nothing);
     return;
   }
-  // A near miss beside a switch of the Comfort page must not close the page.
+  // A near miss beside a switch of the Accessibility page must not close the page.
   if (over == Over::nothing && page && pressed.empty()) screen->pointer(e, *page);
   apply_pending_screen();
 }
