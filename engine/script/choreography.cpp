@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "engine/math/random.h"
 
 namespace onggi::script {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "engine/clay/wall_side.h"
-#include "engine/math/random.h"
 #include "engine/math/vec.h"
 #include "engine/scene/hands.h"
 

@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 
-#include "engine/base/result.h"
 #include "kiosk/collection/textures/texture_pixels.h"
 
 namespace onggi::textures {

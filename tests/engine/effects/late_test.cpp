@@ -7,7 +7,6 @@
 #include "engine/effects/springback.h"
 #include "engine/effects/tearing.h"
 #include "engine/effects/wobble.h"
-#include "engine/math/portable.h"
 
 // What is shared out over ticks is late by a bounded time, on the coarsest grid and on the finest:
 // the table of engine/docs/effects.md.
