@@ -25,8 +25,8 @@ Vec3 as_vec(const Position& p) { return {p[0], p[1], p[2]}; }
 /// clay.
 class Face {
  public:
-  Face(TriangleMesh& mesh, const ClayView& clay, int sector_step)
-      : mesh_(mesh), clay_(clay), step_(sector_step), count_(clay.sectors() / sector_step) {
+  Face(TriangleMesh& mesh, const ClayView& clay, std::span<const int> sectors)
+      : mesh_(mesh), clay_(clay), sectors_(sectors) {
     first_ = static_cast<std::uint32_t>(mesh.positions.size());
   }
 
@@ -39,15 +39,14 @@ class Face {
   template <class Place>
   requires std::is_invocable_r_v<Vec2, Place, std::size_t>
   void ring(Place place) {
-    for (int k = 0; k < count_; ++k) {
-      const auto i = static_cast<std::size_t>(k * step_);
-      const Vec2 at = place(i);
+    for (const int sector : sectors_) {
+      const Vec2 at = place(static_cast<std::size_t>(sector));
       const auto r = static_cast<float>(at.x);
-      const clay::Ray ray = clay::ray_of(k * step_, clay_.sectors());
+      const clay::Ray ray = clay::ray_of(sector, clay_.sectors());
       mesh_.positions.push_back({r * ray.cos, static_cast<float>(at.y), r * ray.sin});
     }
     if (++rings_ < 2) return;
-    const auto n = static_cast<std::uint32_t>(count_);
+    const auto n = static_cast<std::uint32_t>(sectors_.size());
     const std::uint32_t here = first_ + (rings_ - 1) * n, before = here - n;
     for (std::uint32_t k = 0; k < n; ++k) {
       const std::uint32_t next = (k + 1) % n;
@@ -82,15 +81,21 @@ class Face {
 
   TriangleMesh& mesh_;
   const ClayView& clay_;
-  int step_, count_;
+  std::span<const int> sectors_;
   std::uint32_t first_, rings_ = 0;
   std::size_t first_triangle_ = mesh_.triangles.size();
 };
 
-int least_divisor_step(int n, int most) {
-  int step = std::max(1, (n + most - 1) / most);
-  while (n % step != 0) ++step;  // Whole steps round the axis, or the last sector would be wider.
-  return step;
+/// Which of `n` sectors are taken, `most` at most: whole steps round the axis where a divisor of
+/// `n` is near. Else (367 sectors divide into nothing) each as near to an even share as there is.
+std::vector<int> taken_of(int n, int most) {
+  const int least = std::max(1, (n + most - 1) / most);
+  int step = least;
+  while (n % step != 0 && step < 2 * least) ++step;
+  const int count = n % step == 0 ? n / step : most;
+  std::vector<int> taken;
+  for (int k = 0; k < count; ++k) taken.push_back(static_cast<int>(std::int64_t{k} * n / count));
+  return taken;
 }
 
 }  // namespace
@@ -98,13 +103,13 @@ int least_divisor_step(int n, int most) {
 ClayMesh faced_mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
   ClayMesh faced;
   TriangleMesh& mesh = faced.mesh;
-  const int sector_step = least_divisor_step(clay.sectors(), std::max(3, most_sectors));
+  const std::vector<int> sectors = taken_of(clay.sectors(), std::max(3, most_sectors));
   const int row_step = std::max(1, (clay.rows() + most_rows - 1) / std::max(2, most_rows));
   const int last = clay.rows() - 1;
   const int floor_row = std::min(clay.floor_rows(), last);
   const double top = clay.rim_height();
   const double floor = clay.floor_rows() < clay.rows() ? clay.floor_top() : top;
-  const auto face = [&] { return Face(mesh, clay, sector_step); };
+  const auto face = [&] { return Face(mesh, clay, sectors); };
   const auto finish = [&](Face& done, ClayFace which) {
     done.finish();
     faced.faces.resize(mesh.positions.size(), which);

@@ -57,6 +57,19 @@ TEST(ClayMesh, IsClosedRoundLippedAndAsTallAsThePot) {
   }
 }
 
+TEST(ClayMesh, IsAsRoundWhateverTheNumberOfSectorsDividesInto) {
+  ClayDef def;
+  def.rows = 8;
+  for (const int sectors : {181, 362, 367, 8191}) {
+    def.sectors = sectors;
+    const Clay clay = lump(def);
+    const TriangleMesh mesh = mesh_of(seen(clay));
+    EXPECT_EQ(shapes::open_edges(joined(mesh)), 0) << sectors;
+    EXPECT_NEAR(shapes::volume(mesh) / clay.volume(), 1.0, 0.01) << sectors;
+    EXPECT_LT(mesh.triangles.size(), 20000u) << sectors;
+  }
+}
+
 TEST(ClayMesh, TheLipOfAWallThatLeansStandsOnTheWallItself) {
   ClayDef def;
   def.rows = 200;
