@@ -8,9 +8,11 @@
 namespace onggi::files {
 
 namespace {
-constexpr std::uint32_t kChanges = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
-                                   IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF;
-}
+// IN_MODIFY, because a file that is cut by its name, or written by a program that keeps it open, is
+// never closed.
+constexpr std::uint32_t kChanges = IN_MODIFY | IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM |
+                                   IN_DELETE | IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF;
+}  // namespace
 
 FileWatch::FileWatch(const std::vector<std::filesystem::path>& folders)
     : inotify_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {

@@ -57,6 +57,20 @@ TEST(file_watch, every_way_in_which_a_file_changes_is_seen) {
   EXPECT_FALSE(seen());
 }
 
+TEST(file_watch, a_file_that_is_cut_in_place_or_written_and_kept_open_has_changed) {
+  const ScratchFolder folder;
+  const fs::path file = folder.path() / "exhibit.toml";
+  std::ofstream(file) << "title";
+  std::ofstream held(file, std::ios::app);
+  FileWatch watch({folder.path()});
+  fs::resize_file(file, 0);  // by its name: nobody opens or closes it
+  EXPECT_FALSE(watch.changed(0.0));
+  EXPECT_TRUE(watch.changed(5.0));
+  held << "more" << std::flush;
+  EXPECT_FALSE(watch.changed(10.0));
+  EXPECT_TRUE(watch.changed(15.0));
+}
+
 TEST(file_watch, a_folder_that_is_not_there_is_passed_over) {
   const ScratchFolder folder;
   FileWatch watch({folder.path() / "nowhere", folder.path()});
