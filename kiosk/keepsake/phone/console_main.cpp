@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "kiosk/ground/files/files_read.h"
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/phone/server.h"
 #include "kiosk/keepsake/souvenir/pass.h"
@@ -85,6 +86,7 @@ onggi::Result<int> serve(const Arguments& a) {
   if (!std::filesystem::is_directory(a.keepsakes))
     return onggi::problem("--keepsakes " + a.keepsakes, "This is not a folder.",
                           "Name the exhibit's keepsake folder.");
+  onggi::files::note_reads(false);  // it reads passes for months, and writes no output over them
   std::vector<onggi::Problem> remarks;
   onggi::phone::Answers answers(
       onggi::souvenir::OpenPasses(a.keepsakes),

@@ -7,6 +7,7 @@
 
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/exhibit/composition/reload.h"
+#include "kiosk/ground/files/files_read.h"
 #include "kiosk/ground/files/log.h"
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/ground/files/paths.h"
@@ -77,6 +78,7 @@ Result<int> run(const RunArguments& arguments) {
   if (auto good = render::read_window_size(arguments.window, options.window); !good)
     return tl::unexpected(good.error());
 
+  files::note_reads(false);  // it reads keepsakes for months, and writes no output over them
   std::signal(SIGINT, [](int) { asked_to_stop = 1; });
   std::signal(SIGTERM, [](int) { asked_to_stop = 1; });
   const std::optional<std::filesystem::path> state = ServiceRun::state_folder();

@@ -10,6 +10,7 @@
 
 #include <thread>
 
+#include "kiosk/ground/files/files_read.h"
 #include "kiosk/ground/files/read_file.h"
 #include "tests/kiosk/ground/files/disk.h"
 
@@ -24,6 +25,11 @@ using Kind = Output::Kind;
 
 class AnOutput : public ::testing::Test {
  protected:
+  // A deleted file's inode comes back as another test's file.
+  void TearDown() override {
+    note_reads(false);
+    note_reads(true);
+  }
   std::string path(const std::string& name) const { return (scratch_.path() / name).string(); }
   void there(const std::string& name, const std::string& text) const {
     std::ofstream(path(name), std::ios::binary) << text;
