@@ -70,7 +70,9 @@ void RowChannel::publish(Scene& scene, int most) noexcept {
 int RowChannel::take_into(ClayView& view) noexcept {
   int count = 0;
   Row* row = nullptr;
-  while (full_.try_dequeue(row)) {
+  // Each buffer once: the loop fills those that come free, and with a large grid as fast as they
+  // are emptied here.
+  for (std::size_t n = 0; n < rows_.size() && full_.try_dequeue(row); ++n) {
     if (row->row >= 0) {
       const std::span<const float> radii = row->radii;
       view.place(row->row, row->place);

@@ -32,7 +32,8 @@ class RowChannel {
 
   /// Main thread: asks for the changes since the last time.
   void ask() noexcept { asked_.store(true, std::memory_order_release); }
-  /// Main thread: writes the waiting rows into `view` and returns their number. No allocation.
+  /// Main thread: writes the waiting rows into `view` and returns their number, at most one for
+  /// each buffer, however many come meanwhile. No allocation.
   int take_into(ClayView& view) noexcept;
 
  private:
