@@ -50,25 +50,29 @@ Directions directions_of(const Profile& p) {
   return out;
 }
 
-}  // namespace
-
-double turning_apart(const Profile& a, const Profile& b) {
-  const Directions da = directions_of(a), db = directions_of(b);
+double apart(const Directions& a, const Directions& b) {
   double squares = 0.0;
-  for (std::size_t k = 0; k < kSteps; ++k) squares += (da[k] - db[k]) * (da[k] - db[k]);
+  for (std::size_t k = 0; k < kSteps; ++k) squares += (a[k] - b[k]) * (a[k] - b[k]);
   return std::sqrt(squares / kSteps);
 }
 
-double likeness(const Profile& a, const Profile& b) {
-  return 100.0 / (1.0 + turning_apart(a, b) / (0.25 * portable::kPi));
+double likeness_of(double apart) { return 100.0 / (1.0 + apart / (0.25 * portable::kPi)); }
+
+}  // namespace
+
+double turning_apart(const Profile& a, const Profile& b) {
+  return apart(directions_of(a), directions_of(b));
 }
+
+double likeness(const Profile& a, const Profile& b) { return likeness_of(turning_apart(a, b)); }
 
 std::optional<std::size_t> most_alike(const Profile& to, std::span<const Profile* const> among) {
   std::optional<std::size_t> best;
   double most = kAlikeEnough;
+  const Directions wanted = directions_of(to);  // once, not for each of a shelf
   for (std::size_t i = 0; i < among.size(); ++i) {
     if (among[i] == nullptr || among[i] == &to || among[i]->points.size() < 2) continue;
-    const double alike = likeness(to, *among[i]);
+    const double alike = likeness_of(apart(wanted, directions_of(*among[i])));
     if (alike < most || (best && alike == most)) continue;
     most = alike;
     best = i;
