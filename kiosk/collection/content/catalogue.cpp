@@ -144,6 +144,7 @@ Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
                         const settings::ReaderLimits& limits) {
   LoadOptions options;
   options.limits = limits;
+  options.for_screen = true;
   std::error_code error;
   const std::vector<Entry> entries = entries_of(folder, error);
   if (error) return tl::unexpected<Problem>(no_shelf(folder, error));

@@ -22,8 +22,9 @@ class ShelfWatcher {
 
 /// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
 /// folder down). A file of several objects that stand apart brings each that is a vessel. Reads on
-/// as many threads as there are processors, and tells `watcher` about each entry; a broken one is
-/// a Problem of its own. Problem if the folder cannot be listed.
+/// as many threads as there are processors, for the screen (LoadOptions::for_screen), and tells
+/// `watcher` about each entry; a broken one is a Problem of its own. Problem if the folder cannot
+/// be listed.
 Result<void> read_shelf(const std::filesystem::path& folder, ShelfWatcher& watcher,
                         const settings::ReaderLimits& limits = {});
 

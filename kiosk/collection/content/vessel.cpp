@@ -12,6 +12,7 @@
 #include "kiosk/collection/content/mesh_file.h"
 #include "kiosk/collection/content/pack.h"
 #include "kiosk/collection/content/scan_document.h"
+#include "kiosk/collection/content/screen_model.h"
 #include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::content {
@@ -98,12 +99,13 @@ FileSize size_of(const Vessel& measured) {
 }
 
 /// Turns and scales a measured vessel.
-void set_upright(Vessel& vessel, const TriangleMesh& mesh, const TrueSize& size) {
+void set_upright(Vessel& vessel, const TriangleMesh& mesh, const TrueSize& size, bool for_screen) {
   ExtractedProfile& found = vessel.extracted;
   vessel.unit = size.unit;
   vessel.size_from = size.from;
   if (!size.doubt.empty()) found.warnings.push_back(size.doubt);
   vessel.mesh = upright(mesh, found, vessel.unit);
+  if (for_screen) fit_to_screen(vessel.mesh, vessel.coloring);
   vessel.turning = lighter(vessel.mesh);
   found.profile = scaled(found.profile, vessel.unit);
   found.inferred_wall *= vessel.unit;
@@ -161,7 +163,7 @@ Result<Vessel> load_one(const Order& order, const GltfModel& model, const NamedP
   name_nodes(*vessel, model, named);
   const auto size = true_size(size_of(*vessel), order.told, name);
   if (!size) return tl::unexpected<Problem>(size.error());
-  set_upright(*vessel, mesh, *size);
+  set_upright(*vessel, mesh, *size, order.options.for_screen);
   return vessel;
 }
 
@@ -247,7 +249,8 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
   const auto size = true_size(largest, order.told, order.vessel.file.string());
   if (!size) return tl::unexpected<Problem>(size.error());
   for (std::size_t i = 0; i < out.size(); ++i)
-    set_upright(out[i], mesh_of(model, *parts[i].part, parts[i].reach), *size);
+    set_upright(out[i], mesh_of(model, *parts[i].part, parts[i].reach), *size,
+                order.options.for_screen);
   return out;
 }
 

@@ -63,6 +63,7 @@ struct LoadOptions {
   std::string node;  ///< Name or number of the node that is the vessel; empty: the whole file.
   std::optional<Vec3> up;  ///< In the file's axes; absent: found from the shape.
   settings::ReaderLimits limits;
+  bool for_screen = false;  ///< Its surface is reduced to what a frame can draw (screen_model.h).
 };
 
 /// Loads one vessel: a pack folder, or a GLB/glTF file. If a file holds several separate objects

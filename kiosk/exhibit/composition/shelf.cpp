@@ -22,6 +22,7 @@ void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limit
     arrivals.begins(0, 1, path.filename().string());
     content::LoadOptions options;
     options.limits = limits;
+    options.for_screen = true;
     arrivals.has_read(0, content::load_vessels(path, options));
   } else if (auto good = content::read_shelf(path, arrivals, limits); !good) {
     arrivals.begins(0, 1, path.filename().string());
