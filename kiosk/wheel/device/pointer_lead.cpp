@@ -43,7 +43,8 @@ void PointerLead::grab(Vec2 at, const ClayView& clay, Grip grip) {
   touch(clay, grip, at.y);
   grabbed_ = true;
   scrolled_ = rests_ = across_ = 0;
-  if (std::abs(at.x) < at_.reach - kInFront) began_ = heads_ = at;
+  const double in_front = at.y < lowest_ ? kBeforeFoot : kInFront;
+  if (std::abs(at.x) < at_.reach - in_front) began_ = heads_ = at;
   drag(at);
 }
 
@@ -90,7 +91,7 @@ void PointerLead::pinch(std::optional<Vec2> at, const ClayView& clay) {
 void PointerLead::release() {
   if (!grabbed_) return;
   if (began_ && first_) {  // it lifts where it was set down, or farther in: a press
-    const bool press = std::abs(first_->x) < std::abs(began_->x) + kInFront;
+    const bool press = std::abs(first_->x) < std::abs(began_->x) + kBeforeFoot;
     began_.reset();
     if (press) drag(*first_);
   }

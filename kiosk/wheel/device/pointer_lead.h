@@ -31,9 +31,12 @@ class PointerLead {
   static constexpr double kSolid = 0.01;
   /// s that the hands may lag before they hurry, and s that they continue after the pointer lifts.
   static constexpr double kBehind = 6.0, kFinish = 4.0;
-  /// m inside the outline from which a pointer is on its way; rise over run of a stroke along the
-  /// wall, over so many m; and s of rest that mean "press here".
-  static constexpr double kInFront = 0.004, kSteep = 3, kHeading = 0.008, kRest = 0.3;
+  /// m inside the outline from which a pointer is on its way: one that is nearer means the wall.
+  /// And the same for one below the foot.
+  static constexpr double kInFront = 0.02, kBeforeFoot = 0.004;
+  /// Rise over run of a stroke along the wall, over so many m; and s of rest that mean "press
+  /// here".
+  static constexpr double kSteep = 3, kHeading = 0.008, kRest = 0.3;
   /// s that the hands are off the clay while they change sides.
   static constexpr double kAcross = 0.05;
 

@@ -174,7 +174,7 @@ TEST(TwoHands, OfOneVisitorThePointerTakesTheKeyboardOutOfTheButtons) {
   v.throw_a_pot();
   v.frames(1);
   v.key(Key::enter);
-  EXPECT_EQ(v.visit->focus(), "throw.done");
+  EXPECT_EQ(v.visit->focus(), "throw.show");
   v.move(900, 300);
   v.show();
   EXPECT_EQ(v.visit->focus(), "");
