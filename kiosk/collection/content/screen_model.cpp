@@ -35,12 +35,12 @@ void keep_only(List& list, const std::vector<std::uint32_t>& kept) {
 
 /// Drops positions that no triangle has.
 void compact(TriangleMesh& mesh, Coloring& coloring) {
-  constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> place(mesh.positions.size(), kNoPlace), kept;
+  constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(mesh.positions.size(), kNotKept), kept;
   for (auto& triangle : mesh.triangles)
     for (std::uint32_t& corner : triangle) {
       std::uint32_t& to = place[corner];
-      if (to == kNoPlace) {
+      if (to == kNotKept) {
         to = static_cast<std::uint32_t>(kept.size());
         kept.push_back(corner);
       }
