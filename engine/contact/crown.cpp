@@ -90,6 +90,8 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
   // face counts as this much farther away.
   const double kept = 2.0 * std::max(top + 0.25 * radius - at.y, 0.0);
 
+  const bool outside = side == WallSide::outside;
+
   constexpr int kParts = 2;
   for (int part = 0; part < kParts; ++part)
     for (const Node& node : kLevels) {
@@ -101,13 +103,14 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
       const auto outers = std::array{clay.outer(level.below), clay.outer(level.above)};
       const auto inners = std::array{clay.inner(level.below), clay.inner(level.above)};
       // The part of the circle that may lie in clay, on both sides of the direction to the middle.
-      const double most =
-          double{std::max(clay.outer_most(level.below), clay.outer_most(level.above))};
+      // The face that counts as farther away does so here, too, and the other does not: else nodes
+      // are spent where no clay is, and missing where some is.
+      const double most = (outside ? 0.0 : kept) + double{std::max(clay.outer_most(level.below),
+                                                                   clay.outer_most(level.above))};
+      const double hole =
+          double{std::min(clay.inner_least(level.below), clay.inner_least(level.above))};
       const double least =
-          !hollow || kept >= radius
-              ? 0.0
-              : double{std::min(clay.inner_least(level.below), clay.inner_least(level.above))} -
-                    kept;
+          !hollow || (outside && kept >= radius) ? 0.0 : hole - (outside ? kept : 0.0);
       const double sum = d * d + section * section, twice = std::max(2.0 * d * section, 1e-12);
       const double begin = arc_cosine((most * most - sum) / twice);
       const double end = least > 0.0 ? arc_cosine((least * least - sum) / twice) : portable::kPi;
@@ -135,7 +138,6 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
           const double from_outer = outer - rho;
           const double from_inner = hollow ? rho - inner : kFar;
           const double to_top = top - y - lip_drop(inner, outer, std::min(rho, outer));
-          const bool outside = side == WallSide::outside;
           const double to_face =
               std::min(from_outer + (outside ? 0.0 : kept), from_inner + (outside ? kept : 0.0));
           const double deep = std::min(to_face, to_top);
@@ -151,8 +153,10 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
           const double out_of = -section / radius * push;  // along the circle's own normal
           const Vec3 force = (out_of * c) * away + Vec3{-away.z * sign * s * out_of, up * push,
                                                         away.x * sign * s * out_of};
-          (to_face < to_top ? out.face : out.top) += force;
-          (to_face < to_top ? out.face_normal : out.top_normal) += push;
+          out.face += by_face * force;
+          out.face_normal += by_face * push;
+          out.top += (1.0 - by_face) * force;
+          out.top_normal += (1.0 - by_face) * push;
         }
       }
     }
