@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/wheel/loop/pots.h"
@@ -150,35 +148,6 @@ TEST(WheelView, RowsThatOnlyMovedComeWithoutRadii) {
   EXPECT_GT(moved, def.clay.rows / 2);
   EXPECT_GT(shaped, 2);
   EXPECT_LT(shaped, def.clay.rows / 2);
-}
-
-TEST(WheelView, AFrameTakesEachBufferOnceThoughTheLoopFillsThemAsFast) {
-  SceneDef def = small_scene();
-  def.clay.sectors = 4096;  // a row takes longer to look at than to send
-  Scene scene = std::move(*Scene::create(def));
-  ClayView view;
-  view.lay(def.clay);
-  RowChannel channel(def.clay.rows, def.clay.sectors);
-  std::atomic<bool> begun{false}, over{false};
-  std::thread loop([&] {
-    while (!begun) std::this_thread::yield();
-    for (int n = 0; n < 1000000 && !over; ++n) {
-      scene.mark_all_dirty();
-      channel.publish(scene, def.clay.rows);
-    }
-    over = true;
-  });
-  begun = true;
-  int most = 0;
-  for (int frames = 0; frames < 200 && most <= def.clay.rows;) {
-    const int taken = channel.take_into(view);
-    most = std::max(most, taken);
-    frames += taken > 0 ? 1 : 0;
-  }
-  over = true;
-  loop.join();
-  EXPECT_GT(most, 0);
-  EXPECT_LE(most, def.clay.rows);
 }
 
 TEST(WheelView, APotThatRestsDoesNotSagAndNoHandIsAtIt) {
