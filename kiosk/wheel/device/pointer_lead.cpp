@@ -43,14 +43,17 @@ void PointerLead::grab(Vec2 at, const ClayView& clay, Grip grip) {
   touch(clay, grip, at.y);
   grabbed_ = true;
   scrolled_ = rests_ = across_ = 0;
-  const double in_front = at.y < lowest_ ? kBeforeFoot : kInFront;
-  if (std::abs(at.x) < at_.reach - in_front) began_ = heads_ = at;
+  if (at.y < lowest_ || std::abs(at.x) < at_.reach - kInFront) began_ = heads_ = at;
   drag(at);
 }
 
 /// True while a pointer that went down in front of the pot has not shown that it works the wall.
 bool PointerLead::on_its_way(Vec2 at) {
   if (!began_) return false;
+  if (at.y < lowest_ && !second_) {
+    heads_ = at;
+    return true;
+  }
   const double aside = std::abs(at.x - heads_.x), along = std::abs(at.y - heads_.y);
   bool works = false;
   if (std::max(aside, along) > kHeading) {
@@ -91,7 +94,7 @@ void PointerLead::pinch(std::optional<Vec2> at, const ClayView& clay) {
 void PointerLead::release() {
   if (!grabbed_) return;
   if (began_ && first_) {  // it lifts where it was set down, or farther in: a press
-    const bool press = std::abs(first_->x) < std::abs(began_->x) + kBeforeFoot;
+    const bool press = first_->y >= lowest_ && std::abs(first_->x) < std::abs(began_->x) + kHeading;
     began_.reset();
     if (press) drag(*first_);
   }
@@ -163,9 +166,10 @@ void PointerLead::follow(const ClayView& clay, double dt, bool pressing) {
   if (!active_ || clay.rows() == 0) return;
   down_for_ += dt;
   across_ -= dt;
-  if (began_ && (rests_ += dt) > kRest) {
+  // Below the foot there is no clay to press: a finger may rest there before it goes out.
+  if (began_ && first_ && first_->y >= lowest_ && (rests_ += dt) > kRest) {
     began_.reset();
-    if (first_) drag(*first_);
+    drag(*first_);
   }
   const bool in_clay = pressing || down_for_ < kSettingDown;
   const double hurry = std::max(1.0, behind() / kBehind);

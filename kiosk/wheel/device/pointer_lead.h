@@ -18,10 +18,11 @@ namespace onggi::device {
 /// including corners: the face they work moves to the line, as far as one pass allows (WallPass).
 /// When the pointer lifts, they finish the line and go on a little as they come out of the clay.
 ///
-/// A pointer that goes down in front of the pot, inside its outline, is a hand on its way: it only
-/// touches the wall until it comes out to the face, goes up or down along the wall, rests, or lifts
-/// farther in. So a stroke from the wheel's head out to the line opens the pot and never digs into
-/// it first. What counts is the distance from the axis, on either side of it. Main thread.
+/// A pointer that goes down below the foot, or in front of the pot, is on its way: the hands only
+/// touch the wall. They begin to work when the pointer, above the foot, comes out to the face, goes
+/// up or down along the wall, rests, or lifts farther in. So a stroke from the wheel's head out to
+/// the line opens the pot and never digs into it first. What counts is the pointer's distance from
+/// the axis, on either side. Main thread.
 class PointerLead {
  public:
   /// m/s along the wall and towards the axis or away, in clay and in the air. A pointer crosses the
@@ -31,9 +32,8 @@ class PointerLead {
   static constexpr double kSolid = 0.01;
   /// s that the hands may lag before they hurry, and s that they continue after the pointer lifts.
   static constexpr double kBehind = 6.0, kFinish = 4.0;
-  /// m inside the outline from which a pointer is on its way: one that is nearer means the wall.
-  /// And the same for one below the foot.
-  static constexpr double kInFront = 0.02, kBeforeFoot = 0.004;
+  /// m inside the outline from which a pointer is on its way. One that is nearer means the wall.
+  static constexpr double kInFront = 0.02;
   /// Rise over run of a stroke along the wall, over so many m; and s of rest that mean "press
   /// here".
   static constexpr double kSteep = 3, kHeading = 0.008, kRest = 0.3;

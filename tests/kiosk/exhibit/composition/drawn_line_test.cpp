@@ -26,10 +26,11 @@ struct Pots {
   Profile before, after;
 };
 
-/// The lump for `target`, and what comes of it when a finger goes down at `start`, reaches the line
-/// at the foot in `approach` s, follows it to nine tenths of its height in `stroke` s and lifts.
+/// The lump for `target`, and what comes of it when a finger goes down at `start`, rests there for
+/// `rest` s, reaches the line at the foot in `approach` s, follows it to nine tenths of its height
+/// in `stroke` s and lifts.
 Pots drawn(const Scenes& scenes, const std::string& vessel, const Profile& target, Vec2 start,
-           double approach, double stroke, double side) {
+           double rest, double approach, double stroke, double side) {
   SceneDef def = scenes.of(vessel);
   def.clay.rows = 100;
   def.clay.sectors = 90;
@@ -59,6 +60,7 @@ Pots drawn(const Scenes& scenes, const std::string& vessel, const Profile& targe
     for (int n = 0; n < kMaxHands; ++n) wheel.hand(n, input[static_cast<std::size_t>(n)]);
     turn();
   };
+  for (double t = 0; t < rest; t += kFrame) frame();
   for (double t = 0; t < approach + stroke; t += kFrame) {
     const Vec2 foot = line(0);
     const double there = std::min(1.0, t / approach);
@@ -88,8 +90,8 @@ TEST(ALineFollowed, BegunOnTheWheelsHeadNeverMovesTheWallAway) {
     for (int n = 0; n < 8; ++n) {
       const double side = n % 2 == 0 ? 1 : -1;
       const Vec2 start{between(-0.12, 0.12), between(-0.06, 0.0)};
-      const Pots pots =
-          drawn(scenes, vessel.id, target, start, between(0.2, 0.8), between(0.5, 3.0), side);
+      const Pots pots = drawn(scenes, vessel.id, target, start, n < 4 ? 0.0 : between(0.5, 2.0),
+                              between(0.2, 0.8), between(0.5, 3.0), side);
       for (double share = 0.15; share < 0.9; share += 0.05) {
         const double height = share * std::min(pots.before.height(), pots.after.height());
         const double before = pots.before.outer_at(height), after = pots.after.outer_at(height);
