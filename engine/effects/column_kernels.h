@@ -29,9 +29,10 @@ struct Columns {
   float wall_min = 0.0f;        ///< m
 };
 
-/// Rows that smoothing evens together.
+/// Rows that smoothing evens together, in the columns that moved.
 struct Even {
   Columns at;
+  const float* moved = nullptr;    ///< Displacements, from stored row 0: a column of zeros stays.
   const float* weight = nullptr;   ///< The row's height, m,
   float per_weight = 0.0f;         ///< and 1 / (height of all rows), 1/m.
   const float* flow = nullptr;     ///< To the row above, m; 0 for the last.

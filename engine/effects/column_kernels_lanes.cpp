@@ -10,12 +10,31 @@ using namespace column_kernels;
 constexpr float kOff = 0.049787068367863944f;
 constexpr float kScale = 1.0f / (1.0f - kOff);
 
-ONGGI_INLINE float* in_row(float* column, const Columns& at, int k) {
+template <class F>  // float or const float
+ONGGI_INLINE F* in_row(F* column, const Columns& at, int k) {
   return column + static_cast<long>(at.stride) * at.stored[k];
 }
 
 ONGGI_INLINE float* of_row(float* eights, const Columns& at, int k) {
   return eights + kLanes * at.blocks * k;
+}
+
+// Marks the columns that moved with a share of 1, the others with 0. False if none did.
+ONGGI_INLINE bool moved_columns(const Even& c, Float8* share) {
+  const Float8 zero = all(0.0f);
+  Float8 most[kMostBlocks];
+  for (int b = 0; b < c.at.blocks; ++b) most[b] = zero;
+  for (int k = 0; k < c.at.rows; ++k) {
+    const float* const moved = in_row(c.moved, c.at, k);
+    for (int b = 0; b < c.at.blocks; ++b) most[b] = larger(load(moved + kLanes * b), most[b]);
+  }
+  bool any = false;
+  for (int b = 0; b < c.at.blocks; ++b) {
+    const Mask8 moves = most[b] > zero;
+    share[b] = only(moves, all(1.0f));
+    any |= !none(moves);
+  }
+  return any;
 }
 
 // Thomas' algorithm. x are the changes of the squares of radii q: (w_k + f_k + f_k-1) x_k - f_k
@@ -73,7 +92,6 @@ ONGGI_INLINE void share_columns(const Even& c, const Float8* over, Float8* share
   const Float8 zero = all(0.0f);
   const Float8 one = all(1.0f);
   const Float8 wall = all(c.at.wall_min);
-  for (int b = 0; b < c.at.blocks; ++b) share[b] = one;
   for (int k = 0; k < c.at.rows; ++k) {
     const float* const changes = of_row(c.change, c.at, k);
     const float* const face = in_row(c.at.face, c.at, k);
@@ -95,9 +113,10 @@ ONGGI_INLINE void share_columns(const Even& c, const Float8* over, Float8* share
 // Adds `by` to the radius `before`, as a float. The remainder stays owed: otherwise a change below
 // a float's last digit would be lost in every tick.
 ONGGI_INLINE Float8 moved_by(Float8 before, Float8 by, Mask8 there, float* owed) {
-  const Float8 all_of_it = by + load(owed);
+  const Float8 owed_before = load(owed);
+  const Float8 all_of_it = by + owed_before;
   const Float8 then = before + all_of_it;
-  store(only(there, all_of_it - (then - before)), owed);
+  store(select(there, all_of_it - (then - before), owed_before), owed);
   return then;
 }
 
@@ -105,6 +124,7 @@ template <bool outside>
 ONGGI_INLINE bool even_columns_as(const Even& c) {
   Float8 over[kMostBlocks];
   Float8 share[kMostBlocks];
+  if (!moved_columns(c, share)) return false;
   solve_columns(c);
   end_columns(c, over);
   share_columns<outside>(c, over, share);
@@ -121,7 +141,7 @@ ONGGI_INLINE bool even_columns_as(const Even& c) {
       const Float8 before = load(face + kLanes * b);
       const Float8 change = share[b] * (load(changes + kLanes * b) - over[b]);
       const Float8 root = sqrt(larger(before * before + change, all(0.0f)));
-      const Mask8 there = real(before);
+      const Mask8 there = real(before) & (share[b] > all(0.0f));
       const Float8 by = change / (before + root);
       Float8 moved = owed == nullptr ? before + by : moved_by(before, by, there, owed + kLanes * b);
       // In a wide row, rounding of the squares can be larger than the smallest hole's square.

@@ -1,6 +1,7 @@
 #include "engine/effects/moisture.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/math/portable.h"
 
@@ -67,6 +68,7 @@ void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seco
     soak_bands(clay, 0.5 * def.sponge_height, heights, soaked);
   }
   mean_ = std::clamp(mean_, 0.0, 1.0);
+  soaked_ += std::exchange(most_taken_, 0.0);
 }
 
 // Where bands overlap, two sponges bring no more water than one.
@@ -86,6 +88,7 @@ void Moisture::soak_row(int stored, const Soaked& soaked) noexcept {
   const double wet = soaked.less * dry + soaked.more;
   row = wet / decay_;
   mean_ += (wet - dry) / static_cast<double>(rows_);
+  most_taken_ = std::max(most_taken_, wet - dry);
 }
 
 void Moisture::row_divided(const Clay& clay, int from, int to) noexcept {
@@ -120,6 +123,7 @@ double Moisture::at(const Clay& clay, double height) const {
 void Moisture::add_to(StateHash& hash, const Clay& clay) const {
   if (row_.empty()) return;
   hash.add(decay_);
+  hash.add(soaked_);
   for (const int row : clay.stored()) hash.add(row_[static_cast<std::size_t>(row)]);
 }
 

@@ -54,6 +54,9 @@ class Moisture {
 
   /// Mean over the rows, 0..1.
   double mean() const { return mean_; }
+  /// Grows by at least as much as any row is wetted by a sponge: what sees it grow by less than x
+  /// need not look for a row that is wetter by x. 0 without Moisture by row.
+  double soaked() const { return soaked_; }
   /// Of a stored row (Clay::stored), 0..1.
   double of_row(int stored) const {
     return row_.empty() ? mean_ : air_ + row_[static_cast<std::size_t>(stored)] * decay_;
@@ -82,6 +85,8 @@ class Moisture {
   double decay_ = 1.0;
   double air_ = 0.0;
   double mean_ = 0.0;
+  double soaked_ = 0.0;      // adds up, over ticks, what the most wetted row took in
+  double most_taken_ = 0.0;  // in this tick
   int rows_ = 0;
 };
 

@@ -197,15 +197,18 @@ void Slump::end(const SlumpDef& def, const Clay& clay) noexcept {
 
 void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& around) noexcept {
   const double wetness = around.moisture != nullptr ? around.moisture->mean() : 0.0;
+  const double soaked = around.moisture != nullptr ? around.moisture->soaked() : 0.0;
   const bool stirred = around.touched ||
                        std::fabs(around.wheel_speed - calm_speed_) > kWheelStirs ||
-                       std::fabs(wetness - calm_wetness_) > kWaterStirs;
+                       std::fabs(wetness - calm_wetness_) > kWaterStirs ||
+                       std::fabs(soaked - calm_soaked_) > kWaterStirs;
   if (asleep_ && !stirred) return;
   asleep_ = false;
   if (stirred) {
     stirred_ = true;
     calm_speed_ = around.wheel_speed;
     calm_wetness_ = wetness;
+    calm_soaked_ = soaked;
   }
   for (double left = around.seconds; left > 0.0 && !asleep_;) {
     if (sweep_ == Sweep::ended) begin(clay);
@@ -260,7 +263,7 @@ void Slump::add_to(StateHash& hash, const Clay& clay) const {
   for (const Flow& flow : std::span(owed_).first(rows))
     for (const double v : {flow.girth, flow.thickness}) hash.add(v);
   for (const double v : {passed_.girth, passed_.thickness, above_, seconds_, sunk_, speed_,
-                         calm_speed_, calm_wetness_, sagged_})
+                         calm_speed_, calm_wetness_, calm_soaked_, sagged_})
     hash.add(v);
   round_.add_to(hash);
   hash.add(static_cast<std::uint64_t>(next_ + 1) << 7 | static_cast<std::uint64_t>(sweep_) << 5 |

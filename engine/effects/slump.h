@@ -111,7 +111,8 @@ class Slump {
   bool stirred_ = false;  // something changed in them
   bool asleep_ = false;
   double calm_speed_ = 0.0;    // the wheel's, when nothing yielded
-  double calm_wetness_ = 0.0;  // the wetness, when nothing yielded
+  double calm_wetness_ = 0.0;  // the mean wetness, when nothing yielded,
+  double calm_soaked_ = 0.0;   // and Moisture::soaked()
 };
 
 }  // namespace effects

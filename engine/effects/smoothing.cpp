@@ -66,6 +66,7 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
   float* const inner = clay.stored_inner(0);
   column_kernels::Even work{{outside, 0, count, clay.stride(), clay.stored().data() + first,
                              nullptr, nullptr, static_cast<float>(clay.def().wall_min)},
+                            nullptr,
                             weight_.data(),
                             static_cast<float>(1.0 / total),
                             flow_.data(),
@@ -84,6 +85,7 @@ void Smoothing::even(const SmoothingDef& def, Clay& clay, WallSide side, double 
       work.at.blocks = std::min(run.end - block, column_kernels::kMostBlocks);
       work.at.face = (outside ? outer : inner) + i;
       work.at.other = (outside ? inner : outer) + i;
+      work.moved = displacements.row(0) + i;
       work.rounded = displacements.rounded() != nullptr ? displacements.rounded() + i : nullptr;
       changed |= kernels.even(work);
     }

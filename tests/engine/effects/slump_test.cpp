@@ -170,6 +170,21 @@ TEST(Slump, APotThatStoodDryFallsWhenItIsSoaked) {
   EXPECT_GT(scene.clay().row_thickness(55), 0.95 * def.clay.height / def.clay.rows);  // dry there
 }
 
+// Two rows of 200 hardly change the pot's mean wetness.
+TEST(Slump, ANarrowBandThatIsSoakedSagsWithoutATouch) {
+  SceneDef def = tube(0.25);
+  def.clay.rows = 200;
+  def.moisture->sponge_height = 0.002;
+  def.moisture->weakening = 0.01;
+  Scene scene = made(def);
+  EXPECT_EQ(run(scene, 5.0), 0.0);
+  Hands sponge;
+  sponge.water = true;
+  sponge.hand[0] = {{0.09, 0.03, 0}, true, SideWish::outside};
+  run(scene, 5.0, sponge);
+  EXPECT_LT(scene.clay().rim_height(), 0.24998);
+}
+
 TEST(Slump, APotThatIsSpunTooFastSpreads) {
   SceneDef def = tube(0.2);
   def.clay.outer_radius = 0.12;

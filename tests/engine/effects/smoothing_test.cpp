@@ -35,10 +35,17 @@ struct Lined {
     return std::move(*Clay::create(def));
   }
   void rib(const SmoothingDef& def, double seconds) {
-    for (int j = 0; j < clay.rows(); ++j) clay.displacements(false)->mark(j, {0, 3});
+    press(0, 24);
     Smoothing smoothing(clay.rows());
     smoothing.even(def, clay, WallSide::outside, 0.05, 0.15, seconds);
     clay.displacements(false)->clear(clay.stored());
+  }
+  // Sectors [from, to) have moved in all rows.
+  void press(int from, int to) {
+    for (int j = 0; j < clay.rows(); ++j) {
+      clay.displacements(false)->mark(j, {0, 3});
+      std::fill_n(clay.displacements(false)->row(clay.stored(j)) + from, to - from, 1e-6f);
+    }
   }
   double largest(double from = 0.05, double to = 0.15) const {
     double r = 0.0;
@@ -164,6 +171,7 @@ TEST(Smoothing, AHoleAtItsLeastGetsNoSmallerBesideARowThatIsFarOut) {
       for (float& r : clay.inner_mut(j)) r = std::max(r, 0.0001f);
       clay.areas()->set(j, clay.measured_area(j));
       clay.displacements(true)->mark(j, {0, 3});
+      std::fill_n(clay.displacements(true)->row(clay.stored(j)), 24, 1e-6f);
     }
     smoothing.even({}, clay, WallSide::inside, 0.0, 0.2, seconds);
     clay.displacements(true)->clear(clay.stored());
@@ -209,6 +217,58 @@ TEST(Smoothing, EveryRowsExtentHoldsItAsItsLinesFade) {
       ASSERT_GE(wall.clay.outer_most(j), std::ranges::max(wall.clay.outer(j))) << "row " << j;
   }
   EXPECT_GT(wall.least(), hollow + 1e-5);
+}
+
+// Contact marks blocks of eight sectors. On a coarse grid eight are a good part of the pot.
+TEST(Smoothing, OnlySectorsThatTheRibMovedAreEvened) {
+  Lined wall;
+  const Clay before = wall.clay;
+  wall.press(5, 14);
+  Smoothing(wall.clay.rows()).even({}, wall.clay, WallSide::outside, 0.05, 0.15, 0.01);
+  double most = 0.0;
+  for (int j = 0; j < wall.clay.rows(); ++j)
+    for (std::size_t i = 0; i < 24; ++i) {
+      const float moved = std::fabs(wall.clay.outer(j)[i] - before.outer(j)[i]);
+      if (i < 5 || i >= 14) {
+        ASSERT_EQ(moved, 0.0f) << "row " << j << ", sector " << i;
+      } else {
+        most = std::max(most, double{moved});
+      }
+    }
+  EXPECT_GT(most, 1e-4);
+}
+
+// A quarter turn is 50 sectors here, which is no whole number of blocks.
+TEST(Smoothing, APotMadeAQuarterTurnOnIsTheSamePotTurned) {
+  SceneDef def = thrown();
+  def.clay.sectors = 200;
+  def.tool.radius = 0.003;
+  Scene one = made(def);
+  Scene other = made(def);
+  std::uint8_t rib = 0;
+  for (std::uint8_t k = 0; k < one.def().tools.size(); ++k)
+    if (one.def().tools[k].name == "flat_rib") rib = k + 1;
+  const auto step = [&](double r, double height, std::uint8_t tool, double wheel) {
+    Hands hands;
+    hands.wheel_speed = wheel;
+    hands.hand[0] = {{r, height, 0}, true, SideWish::outside};
+    hands.hand[0].tool = tool;
+    one.step(hands, 0.001);
+    hands.hand[0].position = {0, height, r};
+    other.step(hands, 0.001);
+  };
+  for (int n = 0; n < 3000; ++n) {
+    const double height = 0.08 + 0.04 * n / 3000.0;
+    step(0.0572 + 0.0004 * portable::sin(2.0 * portable::kPi * height / 0.01), height, 0, 18.0);
+  }
+  const double off = 0.5 * find_tool_shape("flat_rib")->usual.thickness;
+  for (int n = 0; n < 1000; ++n) step(0.0552 + off - 1e-6 * n, 0.1, rib, 0.0);
+  double apart = 0.0;
+  for (int j = 0; j < one.clay().rows(); ++j)
+    for (std::size_t i = 0; i < 200; ++i)
+      apart = std::max(apart, std::fabs(double{one.clay().outer(j)[i]} -
+                                        double{other.clay().outer(j)[(i + 50) % 200]}));
+  EXPECT_LT(apart, 1e-5);
 }
 
 // Rows that are told as changed are drawn anew, and looked at by other effects: rest must be rest.
