@@ -218,7 +218,10 @@ double lines_that_fade(double by) {
   even.pace *= 1.0 + by;
   double left = 1.0;
   for (int n = 0; n < kTicks; ++n) {
-    for (int j = 0; j < clay.rows(); ++j) clay.displacements(false)->mark(j, {0, 3});
+    for (int j = 0; j < clay.rows(); ++j) {
+      clay.displacements(false)->mark(j, {0, 3});
+      std::fill_n(clay.displacements(false)->row(clay.stored(j)), clay.sectors(), 1e-6f);
+    }
     effects::Smoothing smoothing(clay.rows());
     smoothing.even(even, clay, WallSide::outside, kLow * row, (kLow + kCount) * row, kEffectTick);
     clay.displacements(false)->clear(clay.stored());

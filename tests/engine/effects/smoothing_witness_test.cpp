@@ -66,7 +66,10 @@ double off(double depth, double pace, double tick, double seconds, bool inside) 
   const WallSide side = inside ? WallSide::inside : WallSide::outside;
   const int ticks = static_cast<int>(std::lround(seconds / tick));
   for (int n = 0; n < ticks; ++n) {
-    for (int j = 0; j < kRows; ++j) clay.displacements(inside)->mark(j, {0, 3});
+    for (int j = 0; j < kRows; ++j) {
+      clay.displacements(inside)->mark(j, {0, 3});
+      std::fill_n(clay.displacements(inside)->row(clay.stored(j)), clay.sectors(), 1e-6f);
+    }
     Smoothing smoothing(clay.rows());
     smoothing.even(def, clay, side, kLow * kRow, kHigh * kRow, tick);
     clay.displacements(inside)->clear(clay.stored());
