@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <utility>
 
 namespace onggi::screens {
@@ -20,15 +20,18 @@ view::TextMeasure::Size guessed_size(const std::string& words, const view::TextS
           std::round(style.px * style.line_height) * lines};
 }
 
+std::int32_t rounded(float x) { return static_cast<std::int32_t>(std::lround(x)); }
+
 }  // namespace
 
 view::TextMeasure::Size Measuring::operator()(const std::string& words,
                                               const view::TextStyle& style, float width) {
-  char head[96];
-  std::snprintf(head, sizeof head, "%d %d %d %.2f %.2f %.1f ", static_cast<int>(style.face),
-                style.bold ? 1 : 0, style.right_to_left ? 1 : 0, static_cast<double>(style.px),
-                static_cast<double>(style.line_height), static_cast<double>(width));
-  std::string key = head + style.language + '\n' + words;
+  // Bytes, because printing six figures costs more than the rest of a look-up.
+  const std::int32_t head[] = {static_cast<std::int32_t>(style.face), style.bold ? 1 : 0,
+                               style.right_to_left ? 1 : 0,           rounded(100 * style.px),
+                               rounded(100 * style.line_height),      rounded(10 * width)};
+  std::string key(reinterpret_cast<const char*>(head), sizeof head);
+  key.append(style.language).append(1, '\n').append(words);
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
   // Countdowns and speeds make new words for months, so drop old ones instead of growing.
   if (known_.size() >= kMostKnown) older_ = std::exchange(known_, {});
