@@ -13,7 +13,7 @@
 
 namespace onggi::content {
 
-/// The vessels that loaded, sorted by id, and why the others did not.
+/// The vessels that loaded, in the order of the shelf, and why the others did not.
 struct OpenedShelf {
   std::vector<Vessel> vessels;
   std::vector<Problem> problems;
@@ -24,7 +24,8 @@ struct OpenedShelf {
   }
 };
 
-inline OpenedShelf open_shelf(const std::filesystem::path& folder) {
+inline OpenedShelf open_shelf(const std::filesystem::path& folder,
+                              const Arrangement& arrangement = {}) {
   struct Collector : ShelfWatcher {
     void begins(std::size_t, std::size_t total, const std::string&) override {
       loaded.resize(total);
@@ -37,7 +38,8 @@ inline OpenedShelf open_shelf(const std::filesystem::path& folder) {
     std::size_t begun = 0;
   } collector;
   OpenedShelf out;
-  if (auto good = read_shelf(folder, collector); !good) out.problems.push_back(good.error());
+  if (auto good = read_shelf(folder, collector, {}, arrangement); !good)
+    out.problems.push_back(good.error());
   out.entries = collector.begun;
   for (auto& loaded : collector.loaded) {
     if (!*loaded) {

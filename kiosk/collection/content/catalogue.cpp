@@ -81,6 +81,52 @@ std::vector<Entry> entries_of(const fs::path& shelf, std::error_code& error) {
   return out;
 }
 
+bool has(const std::vector<std::string>& ids, const std::string& id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
+/// Moves the things named in `order` to the front. `is(thing, id)`: the thing is meant.
+template <class Thing, class Is>
+void put_first(std::vector<Thing>& things, const std::vector<std::string>& order, Is is) {
+  auto front = things.begin();
+  for (const std::string& id : order) {
+    const auto named =
+        std::find_if(front, things.end(), [&](const Thing& thing) { return is(thing, id); });
+    if (named == things.end()) continue;
+    std::rotate(front, named, named + 1);
+    ++front;
+  }
+}
+
+/// The entries that visitors see, in their order. Notes those that are hidden.
+std::vector<Entry> arranged(std::vector<Entry> entries, const Arrangement& arrangement,
+                            std::vector<std::string>* hidden = nullptr) {
+  std::vector<std::string> ids;
+  for (const Entry& entry : entries) ids.push_back(entry.id);
+  // A file of several vessels stands where the first of them is named: "set" for "set_cup".
+  put_first(entries, arrangement.order, [&ids](const Entry& entry, const std::string& id) {
+    return entry.id == id || (!has(ids, id) && id.starts_with(entry.id + "_"));
+  });
+  std::erase_if(entries, [&](const Entry& entry) {
+    const bool away = has(arrangement.hidden, entry.id);
+    if (away && hidden != nullptr) hidden->push_back(entry.id);
+    return away;
+  });
+  return entries;
+}
+
+/// The same for the vessels of one file.
+void arrange(std::vector<Vessel>& vessels, const Arrangement& arrangement,
+             std::vector<std::string>* hidden = nullptr) {
+  put_first(vessels, arrangement.order,
+            [](const Vessel& vessel, const std::string& id) { return vessel.id == id; });
+  std::erase_if(vessels, [&](const Vessel& vessel) {
+    const bool away = has(arrangement.hidden, vessel.id);
+    if (away && hidden != nullptr) hidden->push_back(vessel.id);
+    return away;
+  });
+}
+
 /// Folders of a shelf that contain no vessel.
 std::vector<fs::path> empty_folders(const fs::path& shelf, const std::vector<Entry>& entries) {
   std::vector<fs::path> out;
@@ -141,12 +187,12 @@ void check_pack(const fs::path& folder, const LoadOptions& options,
 }  // namespace
 
 Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
-                        const settings::ReaderLimits& limits) {
+                        const settings::ReaderLimits& limits, const Arrangement& arrangement) {
   LoadOptions options;
   options.limits = limits;
   options.for_screen = true;
   std::error_code error;
-  const std::vector<Entry> entries = entries_of(folder, error);
+  const std::vector<Entry> entries = arranged(entries_of(folder, error), arrangement);
   if (error) return tl::unexpected<Problem>(no_shelf(folder, error));
   std::atomic<std::size_t> next{0};
   std::mutex one_at_a_time;
@@ -159,6 +205,7 @@ Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
       LoadOptions own = options;
       own.id = entries[i].id;
       auto read = load_vessels(entries[i].path, own);
+      if (read) arrange(*read, arrangement);
       const std::lock_guard lock(one_at_a_time);
       watcher.has_read(i, std::move(read));
     }
@@ -174,7 +221,7 @@ Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
 
 ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limits,
                        const std::vector<std::string>& languages, std::stop_token stop,
-                       const settings::Translations& translations) {
+                       const settings::Translations& translations, const Arrangement& arrangement) {
   ShelfCheck check;
   LoadOptions options;
   options.limits = limits;
@@ -188,6 +235,7 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
   for (const fs::path& folder : empty_folders(path, entries))
     check.problems.push_back({folder.string(), "This folder of the shelf contains no vessel.",
                               "Put its vessel.glb and vessel.toml there, or remove the folder."});
+  entries = arranged(std::move(entries), arrangement, &check.hidden);
   for (const Entry& entry : entries) {
     if (stop.stop_requested()) break;
     if (fs::is_directory(entry.path, ignored)) {
@@ -202,7 +250,7 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
     check.files.push_back(entry.path);
     LoadOptions own = options;
     own.id = entry.id;
-    const auto vessels = load_vessels(entry.path, own);
+    auto vessels = load_vessels(entry.path, own);
     if (!vessels) {
       check.ids.push_back(entry.id);
       check.problems.push_back(vessels.error());
@@ -210,6 +258,7 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
     }
     // A document was read to find the scan that it names.
     if (vessels->front().file != entry.path) check.files.push_back(vessels->front().file);
+    arrange(*vessels, arrangement, &check.hidden);
     for (const Vessel& vessel : *vessels) check.ids.push_back(vessel.id);
   }
   return check;

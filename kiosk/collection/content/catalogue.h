@@ -14,10 +14,16 @@ namespace onggi::content {
 class ShelfWatcher {
  public:
   virtual ~ShelfWatcher() = default;
-  /// Entry `at` of `total`, sorted by id, is about to be read.
+  /// Entry `at` of `total`, in the order of the shelf, is about to be read.
   virtual void begins(std::size_t at, std::size_t total, const std::string& id) = 0;
   /// Its vessels, or why it cannot be used.
   virtual void has_read(std::size_t at, Result<std::vector<Vessel>> read) = 0;
+};
+
+/// Which vessels of a shelf visitors see, and in which order. Ids that are not there do nothing.
+struct Arrangement {
+  std::vector<std::string> order;   ///< These stand first; the others follow, sorted by id.
+  std::vector<std::string> hidden;  ///< These are not read; hidden wins over order.
 };
 
 /// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
@@ -26,21 +32,25 @@ class ShelfWatcher {
 /// `watcher` about each entry; a broken one is a Problem of its own. Problem if the folder cannot
 /// be listed.
 Result<void> read_shelf(const std::filesystem::path& folder, ShelfWatcher& watcher,
-                        const settings::ReaderLimits& limits = {});
+                        const settings::ReaderLimits& limits = {},
+                        const Arrangement& arrangement = {});
 
 /// What check_shelf() checked, and everything wrong with it, including faults that the kiosk
 /// tolerates, such as a label of more than 100 words or a size that contradicts the drawing.
 struct ShelfCheck {
   std::vector<Problem> problems;
-  std::vector<std::string> ids;              ///< Of the vessels, good or not.
+  std::vector<std::string> ids;              ///< Of the vessels, good or not, in their order.
+  std::vector<std::string> hidden;           ///< Ids of those that were not checked: hidden.
   std::vector<std::filesystem::path> files;  ///< Each that was read, in order.
   int keys_checked = 0;
 };
 
 /// Checks a shelf, one pack, or one GLB/glTF file. Labels must exist in `languages` (read_pack()),
-/// or their titles in `translations`. After a `stop`, it skips the remaining vessels.
+/// or their titles in `translations`. Hidden vessels are not checked. After a `stop`, it skips the
+/// remaining vessels.
 ShelfCheck check_shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {},
                        const std::vector<std::string>& languages = {}, std::stop_token stop = {},
-                       const settings::Translations& translations = {});
+                       const settings::Translations& translations = {},
+                       const Arrangement& arrangement = {});
 
 }  // namespace onggi::content

@@ -31,7 +31,10 @@ struct Exhibit {
     double countdown = 25.0;      ///< s of visible countdown, 20..300.
     double result_after = 120.0;  ///< s on result and keepsake before the warning, 20..3600.
   } idle;
-  std::filesystem::path shelf = "../content/vessels";       ///< Folder of vessels.
+  std::filesystem::path shelf = "../content/vessels";  ///< Folder of vessels.
+  /// Ids of the vessels that stand first, in this order. The others follow in the order of ids.
+  std::vector<std::string> order{"moon_jar"};
+  std::vector<std::string> hidden;  ///< Ids of the vessels that visitors do not see.
   std::filesystem::path scene = "scenes/first_touch.toml";  ///< TOML of the scene.
   /// By a vessel's id on the shelf: the scene for it, instead of `scene`.
   std::map<std::string, std::filesystem::path> vessel_scenes;

@@ -137,6 +137,18 @@ void read_shelf_folder(const Setting& setting, SettingReading& reading) {
         "Write shelf = \"FOLDER\" with the folder that holds a folder for each vessel.");
 }
 
+void read_vessel_ids(const Setting& setting, SettingReading& reading) {
+  std::vector<std::string> ids, good;
+  if (!reading.table.texts(setting.key, ids)) return;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    if (std::ranges::find(good, ids[i]) != good.end())
+      reading.table.complain_at(setting.key, i, "\"" + ids[i] + "\" is named twice.",
+                                "Name it once.");
+    else
+      good.push_back(ids[i]);
+  value_of<std::vector<std::string>>(setting, reading) = std::move(good);
+}
+
 void read_needed_file(const Setting& setting, SettingReading& reading) {
   read_file(setting, reading, true, value_of<fs::path>(setting, reading));
 }

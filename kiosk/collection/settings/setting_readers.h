@@ -18,6 +18,8 @@ void read_languages(const Setting& setting, SettingReading& reading);
 void read_scripts(const Setting& setting, SettingReading& reading);
 /// A folder that must exist.
 void read_shelf_folder(const Setting& setting, SettingReading& reading);
+/// Ids of vessels, each once. Whether the shelf has them, `onggi check` looks later.
+void read_vessel_ids(const Setting& setting, SettingReading& reading);
 /// A file that must exist. The Problem names the setting's key as what it is.
 void read_needed_file(const Setting& setting, SettingReading& reading);
 /// A file that may be absent if the key is.

@@ -9,7 +9,7 @@
 namespace onggi::exhibit {
 
 /// Passes entries of a shelf from the reading threads to the main thread. Entries come in the order
-/// of their ids, but no vessel waits longer than kPatience for a slow one, which then comes last.
+/// of the shelf, but no vessel waits longer than kPatience for a slow one, which then comes last.
 class Arrivals : public content::ShelfWatcher {
  public:
   static constexpr double kPatience = 2.0;  ///< Seconds.

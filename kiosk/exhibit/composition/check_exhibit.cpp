@@ -104,19 +104,23 @@ std::vector<std::string> check_missions(CheckReport& report, const fs::path& fil
   return ids_of(missions.missions);
 }
 
-std::vector<std::string> check_vessels(CheckReport& report, const fs::path& path,
-                                       const std::vector<std::string>& languages,
-                                       const settings::ReaderLimits& limits = {},
-                                       const std::stop_token& stop = {},
-                                       const settings::Translations& translations = {}) {
-  auto shelf = content::check_shelf(path, limits, languages, stop, translations);
+content::ShelfCheck check_vessels(CheckReport& report, const fs::path& path,
+                                  const std::vector<std::string>& languages,
+                                  const settings::ReaderLimits& limits = {},
+                                  const std::stop_token& stop = {},
+                                  const settings::Translations& translations = {},
+                                  const content::Arrangement& arrangement = {}) {
+  auto shelf = content::check_shelf(path, limits, languages, stop, translations, arrangement);
   report.vessels += static_cast<int>(shelf.ids.size());
   for (const fs::path& file : shelf.files) look(report, file);
-  if (shelf.ids.empty() && shelf.problems.empty())
-    shelf.problems.push_back({path.string(), "There is no vessel here.",
-                              "Name a shelf, a vessel, an exhibit or one of their files."});
+  if (shelf.ids.empty() && shelf.problems.empty() && !stop.stop_requested())
+    shelf.problems.push_back(
+        shelf.hidden.empty() ? Problem{path.string(), "There is no vessel here.",
+                                       "Name a shelf, a vessel, an exhibit or one of their files."}
+                             : Problem{path.string(), "Every vessel of this shelf is hidden.",
+                                       "Take one out of `hidden` in the exhibit's file."});
   note(report, shelf.keys_checked, std::move(shelf.problems));
-  return std::move(shelf.ids);
+  return shelf;
 }
 
 void check_whole_exhibit(CheckReport& report, const fs::path& file,
@@ -144,12 +148,18 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
       auto device = device_of(exhibit, kind.kind);
       add(report, device_file(exhibit, kind.kind), device.keys_checked, std::move(device.problems));
     }
-  std::vector<std::string> shelf;
+  std::vector<std::string> shelf;  // what visitors see
   if (fs::is_directory(exhibit.shelf, ignored)) {
-    shelf = check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader, stop,
-                          exhibit.translations);
-    note(report, 0, unknown_names(exhibit, shelf));
-    if (!stop.stop_requested()) known["vessel"] = shelf;
+    const content::ShelfCheck check =
+        check_vessels(report, exhibit.shelf, exhibit.languages, exhibit.reader, stop,
+                      exhibit.translations, {exhibit.order, exhibit.hidden});
+    shelf = check.ids;
+    std::vector<std::string> all = shelf;
+    all.insert(all.end(), check.hidden.begin(), check.hidden.end());
+    if (!stop.stop_requested()) {
+      note(report, 0, unknown_names(exhibit, all));
+      known["vessel"] = std::move(all);
+    }
   }
   if (exhibit.missions)
     known["mission"] =

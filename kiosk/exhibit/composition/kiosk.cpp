@@ -131,6 +131,8 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   auto exhibit = settings::read_exhibit(options.config);
   files::log_problems(exhibit.problems);
   exhibit_ = std::move(exhibit.exhibit);
+  // Both are of the exhibit's own shelf.
+  if (options.shelf) exhibit_.order = exhibit_.hidden = {};
   if (!options.languages.empty()) exhibit_.languages = options.languages;
   if (options.scan_seconds) exhibit_.screen.scan_seconds = *options.scan_seconds;
   exhibit_.translations =
@@ -194,7 +196,7 @@ Capabilities Kiosk::able() {
 }
 
 void Kiosk::log_unknown_names() {
-  std::vector<std::string> ids;
+  std::vector<std::string> ids = exhibit_.hidden;  // not read, so not looked for
   for (const screens::ShelfCard& card : shelf_->cards()) ids.push_back(card.vessel->id);
   files::log_problems(unknown_names(exhibit_, ids));
 }

@@ -148,14 +148,21 @@ settings::Problems unknown_names(const settings::Exhibit& exhibit,
                                  const std::vector<std::string>& ids) {
   toml::TomlReader reader(exhibit.file);
   auto root = reader.root();
+  const auto remedy = [&ids](const std::string& id, const char* otherwise) {
+    const std::string nearest = nearest_name(id, ids);
+    return nearest.empty() ? otherwise : "Did you mean " + nearest + "?";
+  };
+  for (const auto& [key, listed] :
+       {std::pair{"order", &exhibit.order}, {"hidden", &exhibit.hidden}})
+    for (std::size_t n = 0; root.has(key) && n < listed->size(); ++n)
+      if (const std::string& id = (*listed)[n]; std::ranges::find(ids, id) == ids.end())
+        root.complain_at(key, n, "There is no vessel \"" + id + "\" on the shelf.",
+                         remedy(id, "Write the name of its folder on the shelf, or remove it."));
   auto scenes = root.child("vessel_scenes");
   for (const auto& [id, scene] : exhibit.vessel_scenes) {
     if (std::ranges::find(ids, id) != ids.end()) continue;
-    const std::string nearest = nearest_name(id, ids);
     scenes.complain(id, "There is no vessel \"" + id + "\" on the shelf.",
-                    nearest.empty()
-                        ? "Write the name of its folder on the shelf, or remove the line."
-                        : "Did you mean " + nearest + "?");
+                    remedy(id, "Write the name of its folder on the shelf, or remove the line."));
   }
   std::vector<std::string> shown;  // "follow", and scripts that show an effect
   for (const ScriptInfo& script : scripts())

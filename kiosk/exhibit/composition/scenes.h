@@ -56,8 +56,8 @@ class Scenes {
   std::vector<std::string> attract_scripts_;
 };
 
-/// Unknown names in the exhibit: vessels in [vessel_scenes] that are not among the shelf's `ids`,
-/// and scripts in [attract]. In file order.
+/// Unknown names in the exhibit: vessels in `order`, `hidden` and [vessel_scenes] that are not
+/// among the shelf's `ids` (hidden ones too), and scripts in [attract]. In file order.
 settings::Problems unknown_names(const settings::Exhibit& exhibit,
                                  const std::vector<std::string>& ids);
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kPictureWidth = 480, kPictureHeight = 600;
 
-void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limits) {
+void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limits,
+          const content::Arrangement& arrangement) {
   std::error_code ignored;
   const bool one = fs::is_regular_file(path, ignored) || fs::exists(path / "vessel.toml", ignored);
   if (one) {
@@ -24,7 +25,7 @@ void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limit
     options.limits = limits;
     options.for_screen = true;
     arrivals.has_read(0, content::load_vessels(path, options));
-  } else if (auto good = content::read_shelf(path, arrivals, limits); !good) {
+  } else if (auto good = content::read_shelf(path, arrivals, limits, arrangement); !good) {
     arrivals.begins(0, 1, path.filename().string());
     arrivals.has_read(0, tl::unexpected<Problem>(good.error()));
   }
@@ -36,7 +37,8 @@ void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limit
 Shelf::Shelf(const fs::path& path, const Scenes& scenes, const settings::Exhibit& exhibit)
     : scenes_(scenes),
       exhibit_(exhibit),
-      reading_(std::async(std::launch::async, read, path, std::ref(arrivals_), exhibit.reader)) {}
+      reading_(std::async(std::launch::async, read, path, std::ref(arrivals_), exhibit.reader,
+                          content::Arrangement{exhibit.order, exhibit.hidden})) {}
 
 Shelf::~Shelf() = default;
 

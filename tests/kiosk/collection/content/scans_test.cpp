@@ -53,6 +53,19 @@ TEST_F(Scans, every_vessel_of_a_set_stands_on_the_shelf_and_what_is_none_does_no
   EXPECT_EQ(check_shelf(folder_ / "shelf").ids.size(), 3u);
 }
 
+TEST_F(Scans, a_set_stands_where_its_first_is_named_and_one_of_it_can_be_hidden) {
+  write_set();
+  write_scene("shelf/amphora", {{"amphora", turned(shapes::jar()), {0, 0, 0}}});
+  const Arrangement arrangement{{"set_bowl"}, {"set_Tall_jar"}};
+  const OpenedShelf shelf = open_shelf(folder_ / "shelf", arrangement);
+  ASSERT_EQ(shelf.vessels.size(), 3u);
+  EXPECT_EQ(shelf.vessels[0].id, "set_bowl");
+  EXPECT_EQ(shelf.vessels[2].id, "amphora");
+  EXPECT_EQ(shelf.find("set_Tall_jar"), nullptr);
+  EXPECT_EQ(check_shelf(folder_ / "shelf", {}, {}, {}, {}, arrangement).hidden,
+            std::vector<std::string>{"set_Tall_jar"});
+}
+
 TEST_F(Scans, of_a_set_one_is_named_or_all_are_listed) {
   const fs::path set = write_set();
   const std::string listed = error_of(load_vessel(set));

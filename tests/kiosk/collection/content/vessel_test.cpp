@@ -151,6 +151,25 @@ TEST_F(VesselTest, a_broken_pack_is_named_and_the_rest_of_the_shelf_opens) {
   EXPECT_EQ(open_shelf(folder_ / "nowhere").problems.size(), 1u);
 }
 
+TEST_F(VesselTest, a_shelf_begins_with_what_its_order_names_and_leaves_out_what_is_hidden) {
+  for (const char* id : {"bowl", "cup", "jar", "jar_small", "vase"}) {
+    write_mesh("shelf/" + std::string(id) + "/vessel.glb", shapes::jar());
+    write("shelf/" + std::string(id) + "/vessel.toml", kToml);
+  }
+  // A hidden vessel is not even read.
+  write("shelf/cup/vessel.glb", "glTF but no more");
+  const Arrangement arrangement{{"vase", "cup", "jar_small", "nothing"}, {"cup", "nobody"}};
+  const OpenedShelf shelf = open_shelf(folder_ / "shelf", arrangement);
+  EXPECT_TRUE(shelf.problems.empty());
+  std::vector<std::string> ids;
+  for (const Vessel& vessel : shelf.vessels) ids.push_back(vessel.id);
+  const std::vector<std::string> expected{"vase", "jar_small", "bowl", "jar"};
+  EXPECT_EQ(ids, expected);
+  const ShelfCheck check = check_shelf(folder_ / "shelf", {}, {"en"}, {}, {}, arrangement);
+  EXPECT_EQ(check.ids, expected);
+  EXPECT_EQ(check.hidden, std::vector<std::string>{"cup"});
+}
+
 TEST_F(VesselTest, check_counts_what_it_saw_and_says_more_than_opening_does) {
   write_mesh("shelf/jar/vessel.glb", shapes::jar());
   write("shelf/jar/vessel.toml", kWholeToml + "text = \"Look at its foot.\"\n");

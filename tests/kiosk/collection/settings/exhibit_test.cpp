@@ -65,6 +65,8 @@ TEST_F(ExhibitTest, every_key_is_read) {
 credit = "Museum of Jars"
 languages = ["ko"]
 shelf = "../jars/"
+order = ["olla", "moon_jar"]
+hidden = ["tea_bowl"]
 scene = "scenes/first_touch.toml"
 [title]
 ko = "항아리"
@@ -99,12 +101,14 @@ file_mb = 32
 vertices = 200000
 )");
   EXPECT_THAT(r.problems, IsEmpty()) << all(r.problems);
-  EXPECT_EQ(r.keys_checked, 28);
+  EXPECT_EQ(r.keys_checked, 30);
   EXPECT_THAT(r.exhibit.attract_scripts, ElementsAre("follow", "collapse"));
   EXPECT_EQ(r.exhibit.credit, "Museum of Jars");
   EXPECT_THAT(r.exhibit.languages, ElementsAre("ko"));
   EXPECT_EQ(r.exhibit.title, (std::map<std::string, std::string>{{"ko", "항아리"}}));
   EXPECT_EQ(r.exhibit.shelf, museum_ / "jars");
+  EXPECT_THAT(r.exhibit.order, ElementsAre("olla", "moon_jar"));
+  EXPECT_THAT(r.exhibit.hidden, ElementsAre("tea_bowl"));
   EXPECT_EQ(r.exhibit.keepsake.folder, "/var/lib/onggi/keepsakes");
   EXPECT_EQ(r.exhibit.keepsake.quota_mb, 10);
   EXPECT_EQ(r.exhibit.keepsake.days, 30);
@@ -128,6 +132,16 @@ vertices = 200000
   EXPECT_EQ(r.exhibit.reader.file_mb, 32);
   EXPECT_EQ(r.exhibit.reader.vertices, 200000);
   EXPECT_EQ(r.exhibit.reader.triangles, ReaderLimits{}.triangles);
+}
+
+TEST_F(ExhibitTest, a_vessel_is_named_once_in_each_list_of_the_shelf) {
+  const ExhibitRead r = read("order = [\"a\", \"b\", \"a\"]\nhidden = []\n");
+  ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith("exhibit.toml:1:20"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("\"a\" is named twice."));
+  EXPECT_THAT(r.exhibit.order, ElementsAre("a", "b"));
+  EXPECT_THAT(read("hidden = []\n").exhibit.order, ElementsAre("moon_jar"));
+  EXPECT_THAT(read("order = []\n").exhibit.order, IsEmpty());
 }
 
 TEST_F(ExhibitTest, a_vessel_may_have_a_scene_of_its_own) {

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/kiosk/program/commands/temporary_exhibit.h"
+
 namespace onggi::exhibit {
 namespace {
 
@@ -13,6 +19,44 @@ TEST(CheckExhibit, AskedToStopItComesToNoFurtherVessel) {
   ASSERT_TRUE(whole && cut);
   EXPECT_EQ(whole->vessels, 12);
   EXPECT_EQ(cut->vessels, 0);
+}
+
+/// The project's exhibit with `lists` above its tables.
+CheckReport check_with(const std::string& lists) {
+  const commands::TemporaryFolder folder;
+  for (const char* part : {"config", "content"})
+    std::filesystem::copy(part, folder / part, std::filesystem::copy_options::recursive);
+  std::ofstream(folder / "config/exhibit.toml") << lists;
+  return *check_path((folder / "config/exhibit.toml").string());
+}
+
+TEST(CheckExhibit, ANameInTheListsOfTheShelfThatIsNotThereIsToldWithTheNearestOne) {
+  const CheckReport report =
+      check_with("hidden = [\"tea_bowl\", \"lekytos\"]\norder = [\"maebyeong\", \"amfora\"]\n");
+  ASSERT_EQ(report.problems.size(), 2u);
+  EXPECT_EQ(to_text(report.problems[0]).substr(to_text(report.problems[0]).find("exhibit.toml")),
+            "exhibit.toml:1:23: There is no vessel \"lekytos\" on the shelf.\n"
+            "  Did you mean lekythos?");
+  EXPECT_NE(report.problems[1].what.find("\"amfora\""), std::string::npos);
+  EXPECT_NE(report.problems[1].remedy.find("or remove it."), std::string::npos);
+  EXPECT_EQ(report.vessels, 11);
+}
+
+// What other files say about a hidden vessel stays right.
+TEST(CheckExhibit, AHiddenVesselMayHaveASceneAndWordsInEveryLanguage) {
+  EXPECT_TRUE(check_with("hidden = [\"moon_jar\"]\nlanguages = [\"en\", \"de\"]\n[title]\nen = "
+                         "\"A\"\nde = \"B\"\n[vessel_scenes]\nmoon_jar = "
+                         "\"scenes/master.toml\"\n")
+                  .problems.empty());
+}
+
+TEST(CheckExhibit, AShelfThatIsAllHiddenIsAProblem) {
+  std::string all;
+  for (const auto& entry : std::filesystem::directory_iterator("content/vessels"))
+    all += (all.empty() ? "\"" : ", \"") + entry.path().filename().string() + "\"";
+  const CheckReport report = check_with("hidden = [" + all + "]\n");
+  ASSERT_EQ(report.problems.size(), 1u);
+  EXPECT_EQ(report.problems[0].what, "Every vessel of this shelf is hidden.");
 }
 
 }  // namespace
