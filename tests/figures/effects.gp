@@ -77,7 +77,7 @@ set xrange [0:40]
 set xtics 10
 set yrange [0:110]
 plot data using (of("slump", "60 cm", column("x"))):"y" with lines title "60 cm" linecolor rgb clay linewidth 2, \
-     data using (of("slump", "50 cm", column("x"))):"y" with lines title "50 cm" linecolor rgb clay linewidth 1.5 dashtype 2, \
+     data using (of("slump", "50 cm", column("x"))):"y" with lines title "50 cm" linecolor rgb "#D8A98C" linewidth 2, \
      data using (of("slump", "45 cm", column("x"))):"y" with lines title "45 cm" linecolor rgb published linewidth 2, \
      data using (of("slump", "25 cm", column("x"))):"y" with lines title "25 cm" linecolor rgb water linewidth 2
 
