@@ -1,10 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "kiosk/ground/files/child_process.h"
 #include "kiosk/ground/files/virtual_display.h"
 #include "tests/kiosk/program/commands/program.h"
 
@@ -38,27 +42,39 @@ class Service {
   }
   fs::path operator/(const std::string& name) const { return folder_ / name; }
 
-  /// Runs the kiosk, whose exhibit says `exhibit`, until `signal` some seconds later.
-  Outcome run(const std::string& exhibit, const std::string& signal, int seconds) const {
-    const std::string config =
-        write_exhibit(folder_, "first_touch", exhibit + "[keepsake]\nfolder = \"keepsakes\"\n");
-    return run_config(config, signal, seconds);
+  /// Runs the kiosk, whose exhibit says `exhibit`, until it has drawn and told its health; then it
+  /// gets `signal`.
+  Outcome run(const std::string& exhibit, int signal = SIGTERM) const {
+    return run_config(
+        write_exhibit(folder_, "first_touch", exhibit + "[keepsake]\nfolder = \"keepsakes\"\n"),
+        signal);
   }
   /// The same with an exhibit file of this `text` alone.
-  Outcome run_file(const std::string& text, const std::string& signal, int seconds) const {
+  Outcome run_file(const std::string& text) const {
     const std::string config = (folder_ / "exhibit.toml").string();
     std::ofstream(config) << text;
-    return run_config(config, signal, seconds);
+    return run_config(config, SIGTERM);
   }
 
  private:
-  Outcome run_config(const std::string& config, const std::string& signal, int seconds) const {
+  Outcome run_config(const std::string& config, int signal) const {
     const std::string err = (folder_ / "err").string();
-    const std::string command =
-        "STATE_DIRECTORY='" + (folder_ / "state").string() + "' RUNTIME_DIRECTORY='" +
-        (folder_ / "run").string() + "' timeout -s " + signal + " " + std::to_string(seconds) +
-        " '" ONGGI_PROGRAM "' run --window 320x240 --config '" + config + "' 2>'" + err + "'";
-    const int status = std::system(command.c_str());
+    const fs::path health = folder_ / "run/onggi.prom";
+    fs::remove(health);
+    const std::string command = "export STATE_DIRECTORY='" + (folder_ / "state").string() +
+                                "' RUNTIME_DIRECTORY='" + (folder_ / "run").string() +
+                                "'; exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" +
+                                config + "' 2>'" + err + "'";
+    auto kiosk = files::ChildProcess::start("sh", {"-c", command}, {});
+    if (!kiosk) return {};
+    const auto runs = [&] {
+      return fs::exists(health) && text_of(err).find("First picture") != std::string::npos;
+    };
+    const auto now = files::ChildProcess::Clock::now;
+    for (const auto until = now() + std::chrono::seconds(60); !runs() && now() < until;)
+      if (kiosk->wait_until(now() + std::chrono::milliseconds(50))) break;
+    kiosk->end(signal);
+    const int status = kiosk->status();
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, "", text_of(err)};
   }
 
@@ -74,7 +90,7 @@ TEST(ServiceRun, AKioskThatCrashedFourTimesShowsAnExhibitThatIsKnownToBeGood) {
   const Service service;
   if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
   service.remember(kFourCrashes);
-  const Outcome run = service.run(kAnother, "TERM", 3);
+  const Outcome run = service.run(kAnother);
   EXPECT_THAT(run.err, HasSubstr("Safe mode"));
   EXPECT_THAT(run.err, HasSubstr("The exhibit is " + fs::absolute("config/exhibit.toml").string()));
   EXPECT_THAT(run.err, HasSubstr("First picture"));
@@ -87,9 +103,9 @@ TEST(ServiceRun, ALastGoodExhibitThatCrashesAsOftenGivesWayToThePrograms) {
   if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
   service.keep_as_last_good(kAnother);
   service.remember(kFourCrashes);
-  EXPECT_THAT(service.run("", "TERM", 2).err, HasSubstr("The exhibit is " + service.last_good()));
+  EXPECT_THAT(service.run("").err, HasSubstr("The exhibit is " + service.last_good()));
   service.remember(kEightCrashes);
-  EXPECT_THAT(service.run("", "TERM", 2).err,
+  EXPECT_THAT(service.run("").err,
               HasSubstr("The exhibit is " + fs::absolute("config/exhibit.toml").string()));
 }
 
@@ -98,13 +114,13 @@ TEST(ServiceRun,
   const Service service;
   if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
   service.keep_as_last_good(kAnother);
-  EXPECT_THAT(service.run("", "TERM", 2).err, Not(HasSubstr("last good exhibit")));
-  const Outcome broken = service.run("shelf = [\n", "TERM", 2);
+  EXPECT_THAT(service.run("").err, Not(HasSubstr("last good exhibit")));
+  const Outcome broken = service.run("shelf = [\n");
   EXPECT_THAT(broken.err, HasSubstr("exhibit.toml:"));
   EXPECT_THAT(broken.err, HasSubstr("The last good exhibit is shown"));
   EXPECT_THAT(broken.err, Not(HasSubstr("Safe mode")));
   service.keep_as_last_good("crediit = \"a slip that nobody minded\"\n");
-  EXPECT_THAT(service.run("crediit = \"us\"\n", "TERM", 2).err,
+  EXPECT_THAT(service.run("crediit = \"us\"\n").err,
               Not(HasSubstr("The last good exhibit is shown")));
 }
 
@@ -112,7 +128,7 @@ TEST(ServiceRun, AnExhibitFileThatAPowerCutLeftEmptyGivesWayToTheLastGoodOneToo)
   const Service service;
   if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
   service.keep_as_last_good(kAnother);
-  const Outcome empty = service.run_file("", "TERM", 2);
+  const Outcome empty = service.run_file("");
   EXPECT_THAT(empty.err, HasSubstr("The exhibit file has no settings."));
   EXPECT_THAT(empty.err, HasSubstr("The last good exhibit is shown"));
 }
@@ -120,9 +136,9 @@ TEST(ServiceRun, AnExhibitFileThatAPowerCutLeftEmptyGivesWayToTheLastGoodOneToo)
 TEST(ServiceRun, AKilledKioskIsACrashAndOneThatEndsAsAskedIsNone) {
   const Service service;
   if (!service.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
-  service.run("", "KILL", 1);
+  service.run("", SIGKILL);
   EXPECT_EQ(service.remembered(), "onggi-runs 1 running 1 crashes 0.\n");
-  EXPECT_THAT(service.run("", "TERM", 2).err, Not(HasSubstr("Safe mode")));
+  EXPECT_THAT(service.run("").err, Not(HasSubstr("Safe mode")));
   EXPECT_EQ(service.remembered(), "onggi-runs 1 running 0 crashes 0.\n");
 }
 
