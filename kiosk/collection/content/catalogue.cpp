@@ -184,6 +184,25 @@ void check_pack(const fs::path& folder, const LoadOptions& options,
   check_sizes(toml, read.pack, *vessel, check);
 }
 
+/// Checks an unfinished pack of a shelf: a note says how much is left to do.
+void count_gaps(const Entry& entry, const LoadOptions& options,
+                const std::vector<std::string>& languages, ShelfCheck& check) {
+  ShelfCheck own;
+  check_pack(entry.path, options, languages, own);
+  check.hidden.push_back(entry.id);
+  check.files.insert(check.files.end(), own.files.begin(), own.files.end());
+  check.keys_checked += own.keys_checked;
+  const std::size_t gaps = own.problems.size();
+  const std::string left = gaps == 0   ? "Nothing is missing."
+                           : gaps == 1 ? "1 thing is missing."
+                                       : std::to_string(gaps) + " things are missing.";
+  const std::string remove = "remove the line unfinished = true from its vessel.toml.";
+  check.notes.push_back(
+      {entry.path.string(), "This vessel is unfinished, so visitors do not see it. " + left,
+       gaps == 0 ? "To show it, " + remove
+                 : "onggi check " + entry.path.string() + " names them. Then " + remove});
+}
+
 }  // namespace
 
 Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
@@ -192,8 +211,9 @@ Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
   options.limits = limits;
   options.for_screen = true;
   std::error_code error;
-  const std::vector<Entry> entries = arranged(entries_of(folder, error), arrangement);
+  std::vector<Entry> entries = arranged(entries_of(folder, error), arrangement);
   if (error) return tl::unexpected<Problem>(no_shelf(folder, error));
+  std::erase_if(entries, [](const Entry& entry) { return is_unfinished(entry.path); });
   std::atomic<std::size_t> next{0};
   std::mutex one_at_a_time;
   const auto work = [&] {
@@ -239,12 +259,20 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
   for (const Entry& entry : entries) {
     if (stop.stop_requested()) break;
     if (fs::is_directory(entry.path, ignored)) {
-      check.ids.push_back(entry.id);
       std::vector<std::string> own = languages;
       std::erase_if(own, [&](const std::string& code) {
         return translations.find(code, "vessel", entry.id, "title") != nullptr;
       });
+      if (entry.path != path && is_unfinished(entry.path)) {
+        count_gaps(entry, options, own, check);
+        continue;
+      }
+      check.ids.push_back(entry.id);
       check_pack(entry.path, options, own, check);
+      if (check.problems.empty() && is_unfinished(entry.path))
+        check.problems.push_back({(entry.path / "vessel.toml").string(),
+                                  "Nothing is missing, but visitors do not see this vessel yet.",
+                                  "Remove the line unfinished = true."});
       continue;
     }
     check.files.push_back(entry.path);

@@ -40,13 +40,15 @@ Result<void> read_shelf(const std::filesystem::path& folder, ShelfWatcher& watch
 struct ShelfCheck {
   std::vector<Problem> problems;
   std::vector<std::string> ids;              ///< Of the vessels, good or not, in their order.
-  std::vector<std::string> hidden;           ///< Ids of those that were not checked: hidden.
+  std::vector<std::string> hidden;           ///< Ids of those that visitors do not see.
+  std::vector<Problem> notes;                ///< A line for each unfinished vessel.
   std::vector<std::filesystem::path> files;  ///< Each that was read, in order.
   int keys_checked = 0;
 };
 
 /// Checks a shelf, one pack, or one GLB/glTF file. Labels must exist in `languages` (read_pack()),
-/// or their titles in `translations`. Hidden vessels are not checked. After a `stop`, it skips the
+/// or their titles in `translations`. Hidden vessels are not checked. What an unfinished vessel of
+/// a shelf lacks is counted in a note; checked alone, it is told. After a `stop`, it skips the
 /// remaining vessels.
 ShelfCheck check_shelf(const std::filesystem::path& path, const settings::ReaderLimits& limits = {},
                        const std::vector<std::string>& languages = {}, std::stop_token stop = {},

@@ -10,6 +10,8 @@ namespace onggi::content {
 
 namespace {
 
+constexpr const char* kUnfinished = "unfinished";
+
 float linear(double srgb) { return static_cast<float>(textures::light_of_srgb(srgb)); }
 
 void read_color(toml::TomlReader::Table& root, Pack& pack) {
@@ -120,6 +122,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   auto root = reader.root();
   root.require("licence", "Say under which licence the shape is shown: licence = \"CC0-1.0\".");
   root.require("credit", "Say whom to thank: credit = \"Museum, drawn by ...\".");
+  root.boolean(kUnfinished, pack.unfinished);
   root.text("drawing", pack.drawing);
   double mm = 0.0;
   if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;
@@ -151,6 +154,13 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   read.advice = reader.problems_since(read.problems);
   read.keys_checked = reader.keys_checked();
   return read;
+}
+
+bool is_unfinished(const std::filesystem::path& folder) {
+  toml::TomlReader reader(folder / "vessel.toml");
+  bool unfinished = false;
+  reader.root().boolean(kUnfinished, unfinished);
+  return unfinished;
 }
 
 }  // namespace onggi::content

@@ -13,6 +13,7 @@ namespace onggi::content {
 
 /// A vessel.toml: what a curator writes about a vessel (kiosk/docs/add_a_vessel.md).
 struct Pack {
+  bool unfinished = false;                      ///< Visitors do not see it yet.
   std::string drawing;                          ///< A file beside it; empty: none.
   double true_height = 0.0, true_diameter = 0;  ///< Metres; 0: not given.
   double unit = 0.0;                            ///< Metres in one unit of the mesh; 0: not given.
@@ -40,6 +41,9 @@ struct PackRead {
 /// empty, one language is enough.
 PackRead read_pack(const std::filesystem::path& toml,
                    const std::vector<std::string>& languages = {});
+
+/// True if the pack in `folder` says that visitors should not see it yet.
+bool is_unfinished(const std::filesystem::path& folder);
 
 /// The licence of an imported pack if the file names none; `onggi check` then asks for a real one.
 inline constexpr const char* kLicenceNotKnown = "not known";

@@ -58,8 +58,9 @@ std::string label_toml(const Vessel& vessel, const std::string& language) {
 std::string pack_toml(const Vessel& vessel) {
   std::string out =
       "# From " + vessel.file.filename().string() +
-      ". Complete the lines that begin with # and remove the #. Then run: onggi check\n"
-      "# Every key: kiosk/docs/add_a_vessel.md\n\n";
+      ". Complete the lines that begin with # and remove the #.\n"
+      "# Every key: kiosk/docs/add_a_vessel.md\n\n"
+      "unfinished = true   # visitors do not see it; remove this line when all is written\n";
   char text[160];
   if (vessel.true_height > 0.0)
     std::snprintf(text, sizeof text, "true_height_mm = %.1f\n", 1000.0 * vessel.true_height);

@@ -115,16 +115,19 @@ content::ShelfCheck check_vessels(CheckReport& report, const fs::path& path,
   for (const fs::path& file : shelf.files) look(report, file);
   if (shelf.ids.empty() && shelf.problems.empty() && !stop.stop_requested())
     shelf.problems.push_back(
-        shelf.hidden.empty() ? Problem{path.string(), "There is no vessel here.",
-                                       "Name a shelf, a vessel, an exhibit or one of their files."}
-                             : Problem{path.string(), "Every vessel of this shelf is hidden.",
-                                       "Take one out of `hidden` in the exhibit's file."});
+        shelf.hidden.empty()
+            ? Problem{path.string(), "There is no vessel here.",
+                      "Name a shelf, a vessel, an exhibit or one of their files."}
+            : Problem{path.string(), "Every vessel of this shelf is hidden or unfinished.",
+                      "Finish one, or take one out of `hidden` in the exhibit's file."});
   note(report, shelf.keys_checked, std::move(shelf.problems));
+  report.notes.insert(report.notes.end(), shelf.notes.begin(), shelf.notes.end());
   return shelf;
 }
 
 void check_whole_exhibit(CheckReport& report, const fs::path& file,
                          const std::stop_token& stop = {}) {
+  report.whole = true;
   const fs::path languages = files::language_folder(file);
   auto read = settings::read_exhibit(file, languages);
   settings::Exhibit exhibit = read.exhibit;

@@ -14,6 +14,8 @@ struct CheckReport {
   std::vector<std::filesystem::path> files;  ///< Each file that was read, in order, once.
   int keys = 0, vessels = 0, languages = 0;
   std::vector<Problem> problems;
+  bool whole = false;  ///< An exhibit and everything that it leads to, not one of its files.
+  std::vector<Problem> notes;  ///< What is left out on purpose: unfinished vessels.
 
   /// "All good: checked ..." or "2 problems: checked ...", with the counts.
   std::string summary() const;

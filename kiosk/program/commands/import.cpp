@@ -11,9 +11,12 @@
 #include "kiosk/collection/content/glb_packer.h"
 #include "kiosk/collection/content/gltf_parts.h"
 #include "kiosk/collection/content/mesh_file.h"
+#include "kiosk/collection/content/pack.h"
 #include "kiosk/collection/content/pack_writer.h"
 #include "kiosk/collection/content/vessel_file.h"
+#include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/paths.h"
 #include "kiosk/program/commands/commands.h"
 #include "kiosk/program/commands/up_option.h"
 
@@ -24,8 +27,37 @@ namespace onggi::commands {
 namespace {
 
 struct ImportArguments {
-  std::string file, id, node, up, shelf = ".";
+  std::string file, id, node, up, shelf;
 };
+
+/// Where the vessel goes, and the languages that its label needs.
+struct Place {
+  fs::path shelf;
+  std::vector<std::string> languages;
+};
+
+/// `--shelf`, else the shelf of the exhibit in the current folder or above it.
+Result<Place> place_of(const std::string& shelf) {
+  const fs::path exhibit = files::site_exhibit(shelf.empty() ? "." : shelf);
+  Place place{shelf, {}};
+  if (!exhibit.empty()) {
+    const settings::Exhibit read = settings::read_exhibit(exhibit).exhibit;
+    place.languages = read.languages;
+    // Named as somebody here would name it.
+    std::error_code ignored;
+    if (shelf.empty()) place.shelf = fs::proximate(read.shelf, ignored);
+  }
+  if (place.shelf.empty())
+    return problem("--shelf", "There is no exhibit in this folder or above it.",
+                   "Change into the exhibit's folder first (on a kiosk: cd /srv/onggi), or name a "
+                   "shelf: --shelf FOLDER.");
+  std::error_code ignored;
+  if (!fs::is_directory(place.shelf, ignored))
+    return problem(
+        "--shelf " + place.shelf.string(), "The folder does not exist.",
+        "Create it first: mkdir -p '" + place.shelf.string() + "'. Or name another shelf.");
+  return place;
+}
 
 Result<void> check_id(const std::string& id) {
   bool good = !id.empty() && id.size() <= 80;
@@ -70,13 +102,28 @@ Result<std::vector<std::byte>> glb_of(const content::Vessel& vessel, bool whole)
                             vessel.label("en").title, rights, material, content::baked(coloring));
 }
 
+/// Where the vessel lies, what it lacks, and what to do next.
+void tell(const fs::path& folder, std::size_t bytes, const std::vector<std::string>& languages) {
+  const std::string name = terminal::plain(folder.string());
+  const content::PackRead pack = content::read_pack(folder / "vessel.toml", languages);
+  std::cout << name << "/vessel.glb   the shape, " << bytes / 1024 << " kB\n"
+            << name << "/vessel.toml  what visitors read about it\n"
+            << "\nVisitors do not see it yet. To fill in:\n";
+  for (const auto* found : {&pack.problems, &pack.advice})
+    for (const Problem& gap : *found) std::cout << "  - " << terminal::plain(gap.what) << '\n';
+  std::cout << "\n1. Open " << name
+            << "/vessel.toml in an editor. Complete it, and remove each #.\n"
+            << "2. onggi check " << name << "           tells what is still missing\n"
+            << "3. onggi vessel inspect " << name << "  tells what was read from the shape\n"
+            << "4. Remove the line unfinished = true. The vessel then stands on the shelf.\n";
+}
+
 Result<int> import_vessel(const ImportArguments& arguments) {
   if (auto good = check_id(arguments.id); !good) return tl::unexpected(good.error());
-  const fs::path folder = fs::path(arguments.shelf) / arguments.id;
+  const auto place = place_of(arguments.shelf);
+  if (!place) return tl::unexpected(place.error());
+  const fs::path folder = place->shelf / arguments.id;
   std::error_code ignored;
-  if (!fs::is_directory(arguments.shelf, ignored))
-    return problem("--shelf " + arguments.shelf, "The folder does not exist.",
-                   "Create it first: mkdir -p '" + arguments.shelf + "'. Or name another shelf.");
   if (fs::exists(folder, ignored))
     return problem(folder.string(), "the folder exists, so it is not overwritten.",
                    "Choose another --id, or move the folder away.");
@@ -95,11 +142,7 @@ Result<int> import_vessel(const ImportArguments& arguments) {
   if (auto good = files::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
       !good)
     return tl::unexpected(good.error());
-  std::cout << terminal::plain((folder / "vessel.glb").string()) << ": the shape, "
-            << glb->size() / 1024 << " kB\n"
-            << terminal::plain((folder / "vessel.toml").string())
-            << ": complete this file; to see what is missing, run: onggi check "
-            << terminal::plain(folder.string()) << '\n';
+  tell(folder, glb->size(), place->languages);
   for (const std::string& warning : vessel->extracted.warnings)
     std::cout << "  note: " << terminal::plain(warning) << '\n';
   return 0;
@@ -112,7 +155,8 @@ cli::Command import_command() {
   return {.name = "import",
           .help = "Make a vessel's folder from a scan, which you then complete",
           .examples =
-              "Example: onggi vessel import scan.glb --id moon_jar --shelf content/vessels\n"
+              "Example: onggi vessel import scan.glb --id moon_jar\n"
+              "It goes onto the exhibit's shelf; visitors see it when you have completed it.\n"
               "Copyright, licence and credit are taken from the file if it names them.",
           .options = {{.name = "file",
                        .field = &a->file,
@@ -123,7 +167,7 @@ cli::Command import_command() {
                        .field = &a->id,
                        .help = "The folder's name: a to z, 0 to 9, _ and -",
                        .required = true},
-                      {"--shelf", &a->shelf, "The shelf to put it on [this folder]"},
+                      {"--shelf", &a->shelf, "The shelf to put it on [the exhibit's]"},
                       {"--node", &a->node,
                        "The node that is the vessel, by name or number [all of the file]"},
                       up_option(a->up)},

@@ -170,6 +170,31 @@ TEST_F(VesselTest, a_shelf_begins_with_what_its_order_names_and_leaves_out_what_
   EXPECT_EQ(check.hidden, std::vector<std::string>{"cup"});
 }
 
+TEST_F(VesselTest,
+       an_unfinished_vessel_is_off_the_shelf_and_only_a_note_until_it_is_checked_alone) {
+  write_mesh("shelf/jar/vessel.glb", shapes::jar());
+  write("shelf/jar/vessel.toml", "unfinished = true\n" + kToml);
+  EXPECT_EQ(open_shelf(folder_ / "shelf").entries, 0u);
+  const ShelfCheck shelf = check_shelf(folder_ / "shelf");
+  EXPECT_TRUE(shelf.problems.empty());
+  EXPECT_EQ(shelf.hidden, std::vector<std::string>{"jar"});
+  ASSERT_EQ(shelf.notes.size(), 1u);
+  const ShelfCheck alone = check_shelf(folder_ / "shelf/jar");
+  ASSERT_GE(alone.problems.size(), 2u);
+  EXPECT_NE(shelf.notes[0].what.find(" " + std::to_string(alone.problems.size()) + " things are"),
+            std::string::npos)
+      << shelf.notes[0].what;
+  // A change of it is noticed, because it was read.
+  EXPECT_EQ(shelf.files, alone.files);
+
+  write("shelf/jar/vessel.toml", "unfinished = true\n" + kWholeToml + "text = \"Its foot.\"\n");
+  EXPECT_NE(check_shelf(folder_ / "shelf").notes[0].what.find("Nothing is missing."),
+            std::string::npos);
+  const ShelfCheck whole = check_shelf(folder_ / "shelf/jar");
+  ASSERT_EQ(whole.problems.size(), 1u);
+  EXPECT_EQ(whole.problems[0].remedy, "Remove the line unfinished = true.");
+}
+
 TEST_F(VesselTest, check_counts_what_it_saw_and_says_more_than_opening_does) {
   write_mesh("shelf/jar/vessel.glb", shapes::jar());
   write("shelf/jar/vessel.toml", kWholeToml + "text = \"Look at its foot.\"\n");

@@ -56,7 +56,7 @@ TEST(CheckExhibit, AShelfThatIsAllHiddenIsAProblem) {
     all += (all.empty() ? "\"" : ", \"") + entry.path().filename().string() + "\"";
   const CheckReport report = check_with("hidden = [" + all + "]\n");
   ASSERT_EQ(report.problems.size(), 1u);
-  EXPECT_EQ(report.problems[0].what, "Every vessel of this shelf is hidden.");
+  EXPECT_EQ(report.problems[0].what, "Every vessel of this shelf is hidden or unfinished.");
 }
 
 }  // namespace
