@@ -87,6 +87,7 @@ LanguageRead check_language(const std::filesystem::path& file, const KnownIds& k
     });
   });
   if (text.present()) compare_with_english(text, written);
+  if (!read.language.code_.starts_with("en")) ask_for_translation(text, written);
   read.advice = reader.problems_since(read.problems);
   for (WrittenText& one : written) read.language.texts_[one.key] = std::move(one.words);
   read.keys_checked = reader.keys_checked();

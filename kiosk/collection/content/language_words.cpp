@@ -66,6 +66,12 @@ void compare_places(WrittenText& text, const std::string& wanted_words) {
         "Put it where the program's number or name belongs. In English: \"" + wanted_words + "\".");
 }
 
+/// Texts that two languages may share by chance, such as "Pause" or "{stars} / 5".
+bool is_short(const std::string& words) { return std::count(words.begin(), words.end(), ' ') < 2; }
+
+/// Above this share of the longer texts, their English words are no accident.
+constexpr double kMostTheSame = 0.1;
+
 }  // namespace
 
 const std::string* english_text(const std::string& key) {
@@ -113,6 +119,22 @@ void compare_with_english(toml::TomlReader::Table text, std::vector<WrittenText>
                    "Write it below [text." + section + "]. In English: " +
                        key.substr(key.find('.') + 1) + " = \"" + english().at(key) + "\".");
   }
+}
+
+void ask_for_translation(toml::TomlReader::Table text, const std::vector<WrittenText>& written) {
+  int longer = 0;
+  std::vector<std::string> same;
+  for (const WrittenText& one : written) {
+    const std::string* const wanted = english_text(one.key);
+    if (wanted == nullptr || is_short(*wanted)) continue;
+    ++longer;
+    if (one.words == *wanted) same.push_back(one.key);
+  }
+  if (static_cast<double>(same.size()) <= kMostTheSame * longer) return;
+  text.complain("",
+                std::to_string(same.size()) + " of " + std::to_string(longer) +
+                    " longer texts are still in English: " + same.front() + ", for example.",
+                "Translate them. A text that is left out is shown in English.");
 }
 
 }  // namespace onggi::content

@@ -30,4 +30,8 @@ std::vector<std::string> places_in(const std::string& words);
 /// one if it is near or in another place; a placeholder that is missing or unknown.
 void compare_with_english(toml::TomlReader::Table text, std::vector<WrittenText>& written);
 
+/// Notes how many texts of a file that is not English are the English ones, if they are too many
+/// for chance: somebody copied them and has not translated them yet.
+void ask_for_translation(toml::TomlReader::Table text, const std::vector<WrittenText>& written);
+
 }  // namespace onggi::content

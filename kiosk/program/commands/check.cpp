@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "engine/base/plain_text.h"
@@ -12,14 +15,48 @@ namespace {
 
 struct CheckArguments {
   std::string path, config;
+  bool all = false;
 };
+
+/// A whole exhibit shows so many problems of a kind, and counts the others.
+constexpr int kShown = 3;
+
+bool is_plain(const std::string& word) {
+  return std::ranges::all_of(word, [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
+}
+
+/// What a problem says without its names, numbers and keys, so that a language without a label for
+/// each of twelve vessels is one kind.
+std::string kind_of(const Problem& problem) {
+  std::istringstream in(problem.what);
+  std::string kind;
+  for (std::string word; in >> word;)
+    if (is_plain(word.substr(0, word.find_last_not_of(".,:;") + 1))) kind += word + " ";
+  return kind;
+}
+
+/// Prints the problems. Only the first few of a kind, if there are more than one fewer would save.
+void print_problems(const exhibit::CheckReport& report, bool all) {
+  std::map<std::string, int> kinds, shown;
+  for (const Problem& p : report.problems) ++kinds[kind_of(p)];
+  for (const Problem& p : report.problems) {
+    const std::string kind = kind_of(p);
+    const int more = kinds[kind] - kShown;
+    if (all || more <= 1 || ++shown[kind] <= kShown) std::cerr << to_text(p) << '\n';
+    if (!all && more > 1 && shown[kind] == kShown)
+      std::cerr << "  And " << more << " more like these. onggi check --all lists them.\n";
+  }
+}
 
 Result<int> check(const CheckArguments& arguments) {
   const auto report = exhibit::check_path(arguments.path, arguments.config);
   if (!report) return tl::unexpected(report.error());
-  for (const Problem& p : report->problems) std::cerr << to_text(p) << '\n';
-  for (const auto& file : report->files)
-    std::cout << "checked " << terminal::plain(file.string()) << '\n';
+  if (arguments.all)
+    for (const auto& file : report->files)
+      std::cout << "checked " << terminal::plain(file.string()) << '\n';
+  for (const Problem& note : report->notes) std::cout << to_text(note) << '\n';
+  std::cout << std::flush;
+  print_problems(*report, arguments.all || !report->whole);
   std::cout << report->summary() << '\n';
   return report->problems.empty() ? 0 : 2;
 }
@@ -32,12 +69,13 @@ cli::Command check_command() {
           .help = "Find every problem of an exhibit, a shelf, a vessel or a drawing",
           .examples =
               "Example: onggi check config/exhibit.toml\n"
-              "It lists every file that it checks, and counts them at the end.",
+              "The last line says whether all is good. Of many problems of a kind it shows three.",
           .options = {{"path", &a->path,
                        "An exhibit's, scene's, drawing's or language's TOML, a vessel, or a shelf "
                        "[the exhibit]"},
                       {"--config", &a->config,
-                       "The exhibit's TOML [the one in the current folder, else the program's]"}},
+                       "The exhibit's TOML [the one in the current folder, else the program's]"},
+                      {"--all", &a->all, "List every problem, and every file that was checked"}},
           .run = [a] { return check(*a); }};
 }
 

@@ -1,5 +1,9 @@
 #include "kiosk/collection/content/language.h"
 
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
 #include "tests/kiosk/collection/content/temporary.h"
 #include "tests/kiosk/ground/files/disk.h"
 
@@ -96,6 +100,25 @@ TEST_F(LanguageTest, what_differs_from_the_programs_english_is_named_and_still_s
     for (const char* word : words)
       EXPECT_NE(all.find(word), std::string::npos) << word << " in\n" << all;
   }
+}
+
+TEST_F(LanguageTest, a_copy_that_nobody_translated_is_named) {
+  const std::string english = files::test::content("content/languages/en.toml");
+  const auto advice_of = [&](const std::string& code) {
+    std::string text = english;
+    text.replace(text.find("code = \"en\""), 11, "code = \"" + code + "\"");
+    return check_language(write(code + ".toml", text)).advice;
+  };
+  const auto dutch = advice_of("nl");
+  ASSERT_EQ(dutch.size(), 1u);
+  EXPECT_NE(dutch[0].what.find("longer texts are still in English"), std::string::npos)
+      << dutch[0].what;
+  EXPECT_TRUE(advice_of("en-GB").empty());
+}
+
+TEST_F(LanguageTest, no_language_that_comes_with_the_exhibit_is_a_copy) {
+  for (const auto& file : std::filesystem::directory_iterator("content/languages"))
+    EXPECT_TRUE(check_language(file.path()).advice.empty()) << file.path();
 }
 
 TEST_F(LanguageTest, a_key_below_the_wrong_table_is_sent_to_the_right_one) {
