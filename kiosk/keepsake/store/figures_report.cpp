@@ -15,6 +15,13 @@ namespace {
 using files::Json;
 using Line = AnonymisedStatistics::Line;
 
+constexpr std::int64_t kLeast = AnonymisedStatistics::kLeast;
+const std::string kFew = "fewer than " + std::to_string(kLeast);
+
+std::string counted(std::int64_t number, const char* thing) {
+  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
 double tenth(double value) { return std::round(10.0 * value) / 10.0; }
 
 std::string text_of(double value) {
@@ -64,9 +71,9 @@ std::string csv_line(const std::string& table, const Line& line, const std::stri
 }
 
 std::string days_of(const AnonymisedStatistics& s) {
-  if (s.from.empty() && s.to.empty()) return "all days";
-  if (s.from.empty()) return "up to " + s.to;
-  return s.to.empty() ? "from " + s.from : s.from + " to " + s.to;
+  if (s.from.empty() && s.to.empty()) return "On all days";
+  if (s.from.empty()) return "Up to " + s.to;
+  return "From " + s.from + (s.to.empty() ? " on" : " to " + s.to);
 }
 
 std::string put_table(const AnonymisedStatistics::Lines& table, const char* title) {
@@ -80,9 +87,11 @@ std::string put_table(const AnonymisedStatistics::Lines& table, const char* titl
                   text_or(line.active_min, "-").c_str(), text_or(line.likeness, "-").c_str());
     text += "  " + terminal::column(line.name.empty() ? "(none chosen)" : line.name, 24) + row;
   }
-  if (table.too_few && table.left_out == 0) text += "  Left out: too few to show.\n";
+  if (table.too_few && table.left_out == 0)
+    text += "  Not shown: a line would be about " + kFew + " people.\n";
   if (table.left_out > 0)
-    text += "  and " + std::to_string(table.left_out) + " more, left out: too few to show.\n";
+    text += "  " + std::to_string(table.left_out) + " more not shown: a line would be about " +
+            kFew + " people.\n";
   return text;
 }
 
@@ -92,11 +101,25 @@ bool any_named(const AnonymisedStatistics::Lines& table) {
                                       [](const Line& line) { return !line.name.empty(); });
 }
 
+/// A sentence; with the reason where a figure is left out: it, or what it lacks to the whole, is
+/// about a few.
+std::string kept_words(const AnonymisedStatistics& s) {
+  if (s.all.kept) return "They kept " + counted(*s.all.kept, "pot") + ".";
+  return "How many pots they kept is not shown: " + kFew + " were kept, or all but " + kFew + ".";
+}
+
 /// Empty if no phone ever fetched a keepsake: most kiosks have no phone page.
 std::string fetched_words(const AnonymisedStatistics& s) {
-  if (!s.fetched) return ", and too few to show were opened on a phone";
+  if (!s.fetched)
+    return " How many were opened on a phone is not shown: it would be about " + kFew + " people.";
   if (*s.fetched == 0) return {};
-  return "; " + std::to_string(*s.fetched) + " keepsakes were opened on a phone";
+  return " Phones opened " + counted(*s.fetched, "keepsake") + ".";
+}
+
+std::string brief_words(const AnonymisedStatistics& s) {
+  if (s.brief && *s.brief == 0) return {};
+  return (s.brief ? std::to_string(*s.brief) : "Fewer than " + std::to_string(kLeast)) +
+         " more only touched the screen in passing.\n";
 }
 
 }  // namespace
@@ -133,16 +156,17 @@ std::string csv_of(const AnonymisedStatistics& s) {
 }
 
 std::string words_of(const AnonymisedStatistics& s) {
-  std::string text = "Visits, " + days_of(s) + ": ";
-  if (!s.all.visits) return text + "too few to show.\n";
-  if (*s.all.visits == 0) return text + "none.\n";
-  text += std::to_string(*s.all.visits) + " visitors were active for " +
-          text_or(s.all.active_min, "-") + " minutes in all, half of them for more than " +
-          text_or(s.median_min, "-") + ". They spent " + text_or(s.throwing_min, "-") +
-          " minutes at the wheel. They began " + text_or(s.pots, "-") + " pots and kept " +
-          text_or(s.all.kept, "too few to show") + " (likeness " + text_or(s.all.likeness, "-") +
-          " of 100 on average)" + fetched_words(s) + ". " + text_or(s.brief, "Few") +
-          " more only touched the screen in passing.\n";
+  std::string text = days_of(s) + ", ";
+  if (!s.all.visits) return text + kFew + " people played.\n";
+  if (*s.all.visits == 0) return text + "nobody played.\n";
+  text += std::to_string(*s.all.visits) + " people played, half of them for more than " +
+          text_or(s.median_min, "-") + " minutes.\nAll together they played for " +
+          text_or(s.all.active_min, "-") + " minutes, " + text_or(s.throwing_min, "-") +
+          " of them at the wheel.\nThey began " + counted(s.pots.value_or(0), "pot") + ". " +
+          kept_words(s) + fetched_words(s) + "\n";
+  if (s.all.likeness)
+    text += "Their pots reached " + text_of(*s.all.likeness) + " of 100 points on average.\n";
+  text += brief_words(s);
   constexpr std::pair<const char*, const char*> kTold[] = {
       {"vessel", "Vessels"},       {"mission", "Missions"},   {"reached", "How far they came"},
       {"left", "Where they left"}, {"ended", "How it ended"}, {"language", "Language"},

@@ -45,7 +45,8 @@ TEST(Stats, ACuratorGetsWordsTablesAndAPictureAndNothingOfThree) {
   const std::string store = " --store " + written(folder);
   const Outcome words = onggi("stats" + store);
   ASSERT_EQ(words.exit_code, 0) << words.err;
-  EXPECT_NE(words.out.find("16 visitors were active for 32.0 minutes"), std::string::npos)
+  EXPECT_NE(words.out.find("16 people played, half of them for more than 2.0 minutes."),
+            std::string::npos)
       << words.out;
   EXPECT_EQ(words.out.find("cup"), std::string::npos) << "three are too few to tell";
 
@@ -78,7 +79,7 @@ TEST(Stats, OfFourVisitorsThePictureSaysThatTheyAreFewAndOfNoneThatThereAreNone)
     EXPECT_NE(run.out.find(why), std::string::npos) << run.out;
     return text_of(plot);
   };
-  EXPECT_NE(told("", "too few"), told(" --from 2031-01-01", "none"));
+  EXPECT_NE(told("", "fewer than 5 people played"), told(" --from 2031-01-01", "nobody played"));
 }
 
 TEST(Stats, AStoreThatIsNewerThanTheProgramIsRefusedInOneError) {
