@@ -16,7 +16,7 @@ TEST(Commands, EveryCommandHasHelpWithAnExample) {
   for (const char* command :
        {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect",
         "vessel import", "score", "soak", "lab", "lab effects", "lab stability", "lab timing",
-        "lab witness", "devices"}) {
+        "lab witness", "devices", "poster"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
@@ -232,6 +232,29 @@ TEST(Vessel, AScanBecomesAPackThatTheKioskOpens) {
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_NE(again.err.find("is not overwritten"), std::string::npos);
   EXPECT_EQ(onggi("vessel import content/vessels/tea_bowl/vessel.glb --id ../x").exit_code, 2);
+  const Outcome nowhere = onggi("vessel import '" + shelf + "/my_bowl/vessel.glb' --id bowl",
+                                "cd '" + (folder / "").string() + "'");
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_NE(nowhere.err.find("There is no exhibit in this folder"), std::string::npos);
+}
+
+TEST(Poster, IsAFourUprightAndAVesselThatIsNotThereIsNamed) {
+  const TemporaryFolder folder;
+  const std::string png = (folder / "poster.png").string();
+  const Outcome run = onggi("poster --address https://museum.org -o " + png);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string picture = text_of(png);
+  ASSERT_GT(picture.size(), 300'000u);
+  const auto number_at = [&picture](std::size_t at) {
+    return static_cast<unsigned char>(picture[at + 2]) * 256 +
+           static_cast<unsigned char>(picture[at + 3]);
+  };
+  EXPECT_EQ(number_at(16), 2480);
+  EXPECT_EQ(number_at(20), 3508);
+  const Outcome wrong = onggi("poster --vessel moonjar -o " + png);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("Did you mean moon_jar?"), std::string::npos) << wrong.err;
+  EXPECT_EQ(onggi("poster --address http://kiosk -o " + png).exit_code, 2);
 }
 
 TEST(Vessel, WhatCannotBeATargetEndsWithTwoPlaceMeaningAndRemedy) {
