@@ -41,7 +41,7 @@ class Sheet : private Pen {
   void draw_section();
   void draw_axis();
   void draw_sizes();
-  void draw_diameter(double height, double diameter, const char* name, bool above);
+  void draw_diameter(double height, double diameter, double place, const char* name, bool above);
   double draw_scale_bar(double top);
   double draw_key(double left, double top);
   void draw_foot();
@@ -247,21 +247,29 @@ void Sheet::draw_axis() {
   words(text, axis_ - 26, tip - 4, {.px = kSmall, .side = -1, .color = view::kIron});
 }
 
-/// A diameter above or below the vessel: a thin line with a tick at each end and its figure.
-void Sheet::draw_diameter(double height, double diameter, const char* name, bool above) {
+/// A diameter above or below the vessel's end at `height`: a thin line with a tick at each end and
+/// its figure. Dots lead to the places of the wall, at `place`, where it was measured.
+void Sheet::draw_diameter(double height, double diameter, double place, const char* name,
+                          bool above) {
   const double at = y(height) + (above ? -96 : 78);
   const double x0 = x(-0.5 * diameter), x1 = x(0.5 * diameter);
   ink(view::kFaintInk);
   line(x0, at, x1, at, 2);
-  for (const double end : {x0, x1}) line(end, at - 11, end, at + 11, 2);
+  const double dots[] = {2, 7};
+  for (const double end : {x0, x1}) {
+    line(end, at - 11, end, at + 11, 2);
+    cairo_set_dash(c_, dots, 2, 0);
+    line(end, at + (above ? 18 : -18), end, y(place), 2);
+    cairo_set_dash(c_, nullptr, 0, 0);
+  }
   const std::string figure = std::string(name) + " ⌀ " + millimetres(diameter) + " mm";
   // Beside the axis, on a paper background, so that lines do not cross it.
   words(figure, std::max(x1, axis_) + 24, at - 23, {.px = kSmall, .color = view::kInk});
 }
 
 void Sheet::draw_sizes() {
-  draw_diameter(std::max(s_.height, high_), s_.mouth, "mouth", true);
-  draw_diameter(low_, s_.foot, "foot", false);
+  draw_diameter(std::max(s_.height, high_), s_.mouth, s_.mouth_height, "mouth", true);
+  draw_diameter(low_, s_.foot, s_.foot_height, "foot", false);
 
   // Height at the far left, the widest place at the far right.
   const double hx = x(-left_) - 96;

@@ -120,6 +120,16 @@ void add_wall(VesselSheet& sheet, const ExtractedProfile& e) {
   }
 }
 
+/// The first height on the way from `from` to `to` at which the outer wall is `diameter` wide.
+double place_of(const Profile& p, double diameter, double from, double to) {
+  constexpr int kPlaces = 2000;
+  for (int n = 0; n < kPlaces; ++n) {
+    const double at = from + (to - from) * n / kPlaces;
+    if (2.0 * p.outer_at(at) >= 0.9999 * diameter) return at;
+  }
+  return from;
+}
+
 }  // namespace
 
 VesselSheet sheet_of(const content::Vessel& vessel) {
@@ -139,6 +149,8 @@ VesselSheet sheet_of(const content::Vessel& vessel) {
   sheet.belly_height = d.belly_height;
   sheet.mouth = d.mouth;
   sheet.foot = d.foot;
+  sheet.foot_height = place_of(p, d.foot, 0.0, d.height);
+  sheet.mouth_height = place_of(p, d.mouth, d.height, 0.0);
   sheet.masked_fraction = e.masked_fraction;
   sheet.true_size = content::is_known(vessel.size_from);
   for (const std::string& warning : e.warnings)

@@ -33,6 +33,8 @@ struct VesselSheet {
   double masked_fraction = 0.0;
 
   double height = 0.0, belly = 0.0, belly_height = 0.0, mouth = 0.0, foot = 0.0;
+  /// Where mouth and foot were measured: their widest places, near the ends of the vessel.
+  double mouth_height = 0.0, foot_height = 0.0;
   bool true_size = true;  ///< The size is the vessel's and not a guess.
   double up_sure = 1.0;   ///< Confidence that the foot is below, 0.5..1.
   bool up_doubted = false;

@@ -54,6 +54,17 @@ TEST(Engraving, a_ball_is_as_large_as_it_is_and_lit_from_the_upper_left) {
   EXPECT_GT(at(image, 85, 85).g, at(image, 155, 155).g + 20);
 }
 
+// A moon jar's wall flares from its foot: what calipers take a few mm up is wider than its edge.
+TEST(VesselSheet, foot_and_mouth_stand_where_they_were_measured) {
+  const content::Vessel vessel = *content::load_vessel("content/vessels/moon_jar");
+  const VesselSheet sheet = sheet_of(vessel);
+  const Profile& p = vessel.extracted.profile;
+  EXPECT_NEAR(2.0 * p.outer_at(sheet.foot_height), sheet.foot, 2e-4);
+  EXPECT_NEAR(2.0 * p.outer_at(sheet.mouth_height), sheet.mouth, 2e-4);
+  EXPECT_LT(sheet.foot_height, 0.02 * sheet.height);
+  EXPECT_GT(sheet.mouth_height, 0.98 * sheet.height);
+}
+
 TEST(VesselSheet, the_handle_is_turned_to_the_right_and_tinted_as_left_out) {
   const VesselSheet sheet = sheet_of(jug());
   float right = 0, left = 0;
