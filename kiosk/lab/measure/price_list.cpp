@@ -16,6 +16,7 @@ namespace {
 
 using files::Json;
 
+constexpr double kNoise = 0.1;             // of the base's time: no less on a quiet machine
 constexpr double kCountedWithin_s = 1800;  // valgrind is fifty times slower
 
 // Instructions of a tick, from running this program again under callgrind; 0 if it counted none.
@@ -113,10 +114,26 @@ Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int row
     std::fflush(table);
     list.prices.push_back(std::move(*price));
   }
+  std::fprintf(table, "%s", doubt_of(list).c_str());
   if (!count)
     std::fprintf(table, "Instructions are not counted: %s.\n",
                  wanted ? "valgrind is not here" : "--quick");
   return list;
+}
+
+std::string doubt_of(const PriceList& list) {
+  for (const EffectPrice& price : list.prices) {
+    const double base = list.prices.front().median_ns;
+    if (!price.name.starts_with("+ ") || price.median_ns >= (1.0 - kNoise) * base) continue;
+    char words[240];
+    std::snprintf(words, sizeof words,
+                  "Do not believe these times: \"%s\" took %.0f ns and no effect at all %.0f ns.\n"
+                  "Something else kept this machine busy. Measure again when nothing else runs. "
+                  "Instructions, bytes, shape and force hold.\n",
+                  price.name.c_str(), price.median_ns, base);
+    return words;
+  }
+  return {};
 }
 
 files::Json json_of(const PriceList& list) {
@@ -132,7 +149,10 @@ files::Json json_of(const PriceList& list) {
                       {"shape_mm_max", finite(1e3 * p.shape_max)},
                       {"force_n_rms", finite(p.force)},
                       {"instructions", p.instructions > 0 ? Json(p.instructions) : Json()}}));
-  return Json::object({{"rows", list.rows}, {"sectors", list.sectors}, {"prices", prices}});
+  return Json::object({{"rows", list.rows},
+                       {"sectors", list.sectors},
+                       {"times_hold", doubt_of(list).empty()},
+                       {"prices", prices}});
 }
 
 drawing::Plot plot_of(const PriceList& list) {

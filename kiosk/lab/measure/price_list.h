@@ -28,6 +28,10 @@ Result<std::vector<PricedScene>> scenes_with_presets(int rows, int sectors);
 Result<PriceList> measure_prices(const std::vector<PricedScene>& scenes, int rows, int sectors,
                                  int passes, bool count, std::FILE* table);
 
+/// Why its times cannot be believed, as whole sentences: an effect came out cheaper than none, so
+/// something else kept the machine busy. Empty if nothing speaks against them.
+std::string doubt_of(const PriceList& list);
+
 files::Json json_of(const PriceList& list);
 drawing::Plot plot_of(const PriceList& list);
 

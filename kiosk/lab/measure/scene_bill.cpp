@@ -128,6 +128,21 @@ Result<SceneBill> bill_of(const std::string& name, const SceneDef& def, int pass
   return bill;
 }
 
+std::string doubt_of(const SceneBill& bill) {
+  constexpr double kMostNoise = 0.1;  // of the whole: no more on a quiet machine
+  for (const BillLine& line : bill.lines) {
+    if (line.us >= -kMostNoise * bill.whole_us) continue;
+    char words[200];
+    std::snprintf(
+        words, sizeof words,
+        "Do not believe these times: without %s a tick took %.1f us longer. Something else "
+        "kept this machine busy. Measure again when nothing else runs.\n",
+        line.effect.c_str(), -line.us);
+    return words;
+  }
+  return {};
+}
+
 files::Json json_of(const SceneBill& bill) {
   files::Json lines = files::Json::list();
   for (const BillLine& line : bill.lines)
@@ -144,6 +159,7 @@ files::Json json_of(const SceneBill& bill) {
                               {"sectors", bill.sectors},
                               {"contact_us", bill.contact_us},
                               {"whole_us", bill.whole_us},
+                              {"times_hold", doubt_of(bill).empty()},
                               {"effects", lines}});
 }
 
@@ -166,7 +182,7 @@ std::string text_of(const SceneBill& bill) {
                   one.us, one.shape_mm, one.shape_max_mm, one.force_n);
     text += line;
   }
-  return text;
+  return text + doubt_of(bill);
 }
 
 plots::BillSheet sheet_of(const SceneBill& bill) {
@@ -180,6 +196,7 @@ plots::BillSheet sheet_of(const SceneBill& bill) {
   sheet.subtitle = words;
   sheet.foot = bill.machine + "; " + bill.command +
                "; the scene as it is against the scene without that effect; no chance in it";
+  if (const std::string doubt = doubt_of(bill); !doubt.empty()) sheet.subtitle += " " + doubt;
   sheet.columns = {"time, µs", "shape, mm (rms)", "force, N (rms)"};
   for (const BillLine& line : bill.lines)
     sheet.rows.push_back({(line.part_of.empty() ? "" : "   ") + line.effect,

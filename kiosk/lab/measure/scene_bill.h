@@ -35,6 +35,10 @@ struct SceneBill {
 /// model, which has no effects.
 Result<SceneBill> bill_of(const std::string& name, const SceneDef& def, int passes);
 
+/// Why its times cannot be believed: the scene without an effect took clearly longer than with it.
+/// Whole sentences; empty if nothing speaks against them.
+std::string doubt_of(const SceneBill& bill);
+
 files::Json json_of(const SceneBill& bill);
 std::string text_of(const SceneBill& bill);
 plots::BillSheet sheet_of(const SceneBill& bill);

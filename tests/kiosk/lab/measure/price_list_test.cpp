@@ -34,5 +34,24 @@ TEST(PriceList, TellsWhatAnEffectChangesInShapeAndInForce) {
   }
 }
 
+TEST(PriceList, SaysWhenAnEffectCannotHaveCostLessThanNone) {
+  EffectPrice base, moisture, preset;
+  base.name = "base";
+  base.median_ns = 4500;
+  moisture.name = "+ moisture";
+  moisture.median_ns = 4400;  // as much as a quiet machine varies
+  preset.name = "first_touch.toml";
+  preset.median_ns = 1900;  // another scene, not the base with an effect
+  PriceList list{400, 360, {base, moisture, preset}};
+  EXPECT_EQ(doubt_of(list), "");
+  EXPECT_NE(json_of(list).text().find("\"times_hold\": true"), std::string::npos)
+      << json_of(list).text();
+  list.prices[1].median_ns = 2800;
+  EXPECT_NE(doubt_of(list).find("\"+ moisture\" took 2800 ns and no effect at all 4500 ns."),
+            std::string::npos)
+      << doubt_of(list);
+  EXPECT_NE(json_of(list).text().find("\"times_hold\": false"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace onggi::measure

@@ -43,6 +43,17 @@ TEST(SceneBill, EachEffectIsChargedForWhatTheSceneWouldBeWithoutIt) {
   EXPECT_EQ(sheet_of(*bill).rows.size(), 3u);
 }
 
+TEST(SceneBill, SaysWhenASceneWithoutAnEffectCannotHaveTakenLonger) {
+  SceneBill bill;
+  bill.whole_us = 10.0;
+  bill.lines = {{"walls", "", 3.0}, {"moisture", "", -0.4}};
+  EXPECT_EQ(doubt_of(bill), "");
+  bill.lines[1].us = -2.5;
+  EXPECT_NE(text_of(bill).find("without moisture a tick took 2.5 us longer"), std::string::npos)
+      << text_of(bill);
+  EXPECT_NE(sheet_of(bill).subtitle.find("Do not believe these times"), std::string::npos);
+}
+
 const BillLine* line_for(const SceneBill& bill, const std::string& name) {
   const auto line = std::ranges::find(bill.lines, name, &BillLine::effect);
   return line == bill.lines.end() ? nullptr : &*line;
