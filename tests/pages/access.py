@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the exhibit's screens on likely displays (some minutes), and writes the table of kiosk/docs/access.md.
+"""Measures the exhibit's screens on likely displays (some minutes), and writes the table of kiosk/docs/records/access.md.
 
   tests/pages/access.py [--bin DIR]    DIR: where onggi-lab lies (default: build/release/bin)
 """
@@ -9,7 +9,7 @@ import os
 import subprocess
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
-PAGE = os.path.join(ROOT, "kiosk/docs/access.md")
+PAGE = os.path.join(ROOT, "kiosk/docs/records/access.md")
 HEAD, END = "<!-- The table is written by tests/pages/access.py. -->\n", "<!-- end of the table -->\n"
 
 

@@ -34,7 +34,7 @@ bool says(const AidedOutcome& visit, const std::string& words) {
   });
 }
 
-/// What kiosk/docs/access.md and missions.md have in their tables; --gtest_output=json shows it.
+/// What kiosk/docs/records/access.md has in its tables; --gtest_output=json shows it.
 void note(const AidedOutcome& visit, const std::string& name) {
   ::testing::Test::RecordProperty(name, std::to_string(visit.points) + " points, " +
                                             std::to_string(visit.strokes) + " strokes, " +
