@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "engine/math/unit.h"
 
 namespace onggi {
 namespace {
@@ -119,8 +120,6 @@ constexpr ToolShape kTools[] = {
      .tray = 9,  // last, because it ends the pot
      .drawing = "3,8 3,16; 21,8 21,16; arc 12,12 9,2.4 180 0"},
 };
-
-Vec3 unit(Vec3 v) { return (1.0 / length(v)) * v; }
 
 // Calls `with` with the tool's body at `at`; a wire has only its middle.
 template <class With>

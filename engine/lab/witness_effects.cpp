@@ -9,6 +9,7 @@
 #include "engine/lab/witness.h"
 #include "engine/lab/witness_scene.h"
 #include "engine/math/portable.h"
+#include "engine/math/unit.h"
 
 // Written from engine/docs/effects.md.
 namespace onggi::lab {
@@ -113,7 +114,7 @@ double drag_apart(const SceneDef& def, const FrictionDef& law, double wheel) {
                   def.contact.stiffness, def.contact.relaxation_time / kEffectTick)
           .normal;
   const Vec3 push = felt.hand[0].touch.push;
-  const Vec3 out = (1.0 / length(push)) * push;
+  const Vec3 out = unit(push);
   const Vec3 touch = hand - kFingerRadius * out;
   const Vec3 slip{wheel * touch.z, 0.0, -wheel * touch.x};  // of the hand, less the clay's
   const Vec3 along = slip - dot(slip, out) * out;

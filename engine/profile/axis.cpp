@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/math/unit.h"
 #include "engine/profile/axis_candidates.h"
 #include "engine/profile/median.h"
 
@@ -159,7 +160,7 @@ Judged judge(const TriangleMesh& mesh, Vec3 origin, Vec3 direction, int slices, 
 
   const CentreLine line = fit_centres(circles, heights, 0.01 * size);
   const Vec3 tilt = frame.up + frame.across * line.slope.x + frame.along * line.slope.y;
-  out.tilted = tilt * (1.0 / length(tilt));
+  out.tilted = unit(tilt);
   out.tilted_origin = frame.origin + frame.across * line.at_zero.x + frame.along * line.at_zero.y;
 
   Vec2 centre{};

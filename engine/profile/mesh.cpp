@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/math/portable.h"
+#include "engine/math/unit.h"
 
 namespace onggi {
 
@@ -11,8 +12,6 @@ namespace {
 
 /// cos(40 degrees): a drawn corner sharper than this keeps an edge that catches the light.
 constexpr double kSmoothCos = 0.76604444311897801;
-
-Vec2 unit(Vec2 v) { return v * (1.0 / length(v)); }
 
 /// Out of the material, which lies to the left of the way from foot to rim to floor.
 Vec2 normal_of(Vec2 from, Vec2 to) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/math/portable.h"
+#include "engine/math/unit.h"
 
 namespace onggi::extraction {
 
@@ -30,12 +31,11 @@ double turn_of(Vec2 p) {
 AxisFrame axis_frame(Vec3 origin, Vec3 direction) {
   AxisFrame f;
   f.origin = origin;
-  f.up = direction * (1.0 / length(direction));
+  f.up = unit(direction);
   // Start from the file's axis that is furthest from `up`, so that no product is near zero.
   const double x = std::abs(f.up.x), y = std::abs(f.up.y), z = std::abs(f.up.z);
   const Vec3 aside = x <= y && x <= z ? Vec3{1, 0, 0} : z <= y ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
-  const Vec3 across = aside - f.up * dot(aside, f.up);
-  f.across = across * (1.0 / length(across));
+  f.across = unit(aside - f.up * dot(aside, f.up));
   f.along = onggi::cross(f.across, f.up);
   return f;
 }

@@ -7,12 +7,14 @@
 
 #include "engine/contact/press.h"
 #include "engine/math/portable.h"
+#include "engine/math/unit.h"
 
 namespace {
 
 namespace portable = onggi::portable;
 namespace body = onggi::body;
 using onggi::Clay;
+using onggi::unit;
 using onggi::Vec3;
 using onggi::WallSide;
 
@@ -26,8 +28,6 @@ void point(const char* part, double x, double y) {
   std::fprintf(out, "%s,%s,%.4f,%.4f,0\n", name, part, 1e3 * x, 1e3 * y);
 }
 void end_line() { std::fprintf(out, "\n"); }
-
-Vec3 unit(Vec3 v) { return (1.0 / length(v)) * v; }
 
 onggi::ClayDef lump(bool thick) {
   onggi::ClayDef def;

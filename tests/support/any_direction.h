@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/math/random.h"
+#include "engine/math/unit.h"
 #include "engine/math/vec.h"
 
 namespace onggi::test {
@@ -9,7 +10,7 @@ namespace onggi::test {
 inline Vec3 any_direction(Random& random) {
   for (;;) {
     const Vec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    if (length(v) > 0.1 && length(v) < 1.0) return (1.0 / length(v)) * v;
+    if (length(v) > 0.1 && length(v) < 1.0) return unit(v);
   }
 }
 

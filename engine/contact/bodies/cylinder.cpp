@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/unit.h"
+
 namespace onggi::body {
 namespace {
-
-Vec3 unit(Vec3 v) { return (1.0 / length(v)) * v; }
 
 Box box_round(Vec3 middle, Vec3 axis, double radius, double half) {
   const Vec3 level{axis.z, 0.0, -axis.x};

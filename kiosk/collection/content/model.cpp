@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/unit.h"
 #include "kiosk/collection/content/glb.h"
 
 namespace onggi::content {
@@ -14,8 +15,6 @@ constexpr double kTolerance = 0.0004;  // Of the vessel's size.
 // cos(18 degrees). Well under the 40 degrees at which a mesh shows an edge, so that thinning a
 // round rim leaves it round.
 constexpr double kMostTurn = 0.95105651629515357;
-
-Vec2 unit(Vec2 v) { return v * (1.0 / length(v)); }
 
 bool lies_near(const std::vector<Vec2>& chain, std::size_t first, std::size_t last, double limit) {
   const Vec2 along = unit(chain[last] - chain[first]);

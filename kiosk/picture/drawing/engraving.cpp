@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/math/unit.h"
 #include "kiosk/picture/view/palette.h"
 
 namespace onggi::drawing {
@@ -138,7 +139,7 @@ view::Image Plate::print() const {
   out.rgba.assign(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4,
                   0);
   // From the upper left, the convention of drawings.
-  const Vec3 light = Vec3{-0.52, 0.56, 0.65} * (1.0 / length(Vec3{-0.52, 0.56, 0.65}));
+  const Vec3 light = unit(Vec3{-0.52, 0.56, 0.65});
   for (int py = 0; py < out.height; ++py)
     for (int px = 0; px < out.width; ++px) {
       float r = 0, g = 0, b = 0, a = 0;

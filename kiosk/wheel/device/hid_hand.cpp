@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/math/unit.h"
+
 namespace onggi::device {
 
 namespace {
@@ -34,8 +36,7 @@ Vec3 towards(Vec3 from, Vec3 to, double time, double dt) {
 
 Vec3 turned(Vec3 v, Vec3 by) {
   // First-order rotation, then back to the old length: a tick turns it by thousandths.
-  const Vec3 to = v + cross(by, v);
-  return (1.0 / length(to)) * to;
+  return unit(v + cross(by, v));
 }
 
 }  // namespace

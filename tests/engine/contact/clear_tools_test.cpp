@@ -7,6 +7,7 @@
 
 #include "engine/contact/tool_contact.h"
 #include "engine/math/random.h"
+#include "engine/math/unit.h"
 #include "tests/support/any_direction.h"
 
 // A tool that touches nothing feels nothing. How far it is from the clay is worked out here, from
@@ -78,7 +79,7 @@ ToolPlace pose(Random& random, const ToolShape& shape, Vec3 at, bool inside) {
   if (random.uniform() < 0.4) return hold_tool(shape, at, {}, 0.0, inside);
   const Vec3 along = random.uniform() < 0.3 ? Vec3{0, 1, 0} : test::any_direction(random);
   const Vec3 aside = cross(along, test::any_direction(random));
-  return {at, along, (1.0 / length(aside)) * aside};
+  return {at, along, unit(aside)};
 }
 
 TEST(ClearTools, ATouchOfNothingIsNotFeltAndDentsNothingWhateverTheToolAndItsPlace) {

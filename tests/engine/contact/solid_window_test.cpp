@@ -7,6 +7,7 @@
 #include "engine/contact/tool.h"
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
+#include "engine/math/unit.h"
 #include "tests/support/any_direction.h"
 
 namespace onggi::contact {
@@ -40,8 +41,7 @@ TEST(SolidWindow, HoldsWhatTheToolPressesWhicheverWayItIsFromTheAxis) {
       double first = 0.0;
       for (int k = 0; k < kSectors; ++k) {
         const double angle = 2.0 * portable::kPi * k / kSectors;
-        const ToolPlace place{turned(at, angle), turned(along, angle),
-                              turned((1.0 / length(across)) * across, angle)};
+        const ToolPlace place{turned(at, angle), turned(along, angle), turned(unit(across), angle)};
         Clay clay = std::move(*Clay::create(def));
         const Press press = shape.press(clay, side, place, size, 0.001, {0.00949, 5e6});
         EXPECT_GE(press.visited, press.touched);
@@ -69,7 +69,7 @@ double looked_at(const char* name) {
     const Vec3 along = test::any_direction(random);
     const Vec3 across = cross(along, test::any_direction(random));
     const Vec3 at = turned({0.056, 0.1, 0.0}, random.uniform(0.0, 2.0 * portable::kPi));
-    const ToolPlace place{at, along, (1.0 / length(across)) * across};
+    const ToolPlace place{at, along, unit(across)};
     // So quick that the wall stays as it is.
     const Press press = shape.press(clay, WallSide::outside, place, shape.usual, 1e-9, {0.01, 5e6});
     visited += static_cast<double>(press.visited);

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "engine/math/portable.h"
+#include "engine/math/unit.h"
 #include "tests/engine/profile/shapes.h"
 
 namespace onggi::shapes {
@@ -15,17 +16,13 @@ struct Pose {
 inline Pose random_pose(unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  const auto unit = [&] {
-    Vec3 v{normal(random), normal(random), normal(random)};
-    return v * (1.0 / length(v));
-  };
+  const auto any = [&] { return unit(Vec3{normal(random), normal(random), normal(random)}); };
   Pose pose;
-  pose.y = unit();
-  Vec3 aside = unit();
-  aside = aside - pose.y * dot(aside, pose.y);
-  pose.x = aside * (1.0 / length(aside));
+  pose.y = any();
+  const Vec3 aside = any();
+  pose.x = unit(aside - pose.y * dot(aside, pose.y));
   pose.z = cross(pose.x, pose.y);
-  pose.shift = unit() * 3.0;
+  pose.shift = any() * 3.0;
   return pose;
 }
 

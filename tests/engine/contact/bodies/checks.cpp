@@ -10,9 +10,14 @@
 #include <vector>
 
 #include "engine/math/random.h"
+#include "engine/math/unit.h"
 #include "engine/math/vectors.h"
+#include "tests/support/any_direction.h"
 
 namespace onggi::body_checks {
+
+using test::any_direction;
+
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -25,15 +30,6 @@ Clay lump(int rows, int sectors, Vectors kind = best_vectors()) {
   def.rows = rows;
   def.sectors = sectors;
   return std::move(*Clay::create(def, kind));
-}
-
-Vec3 unit(Vec3 v) { return (1.0 / length(v)) * v; }
-
-Vec3 random_direction(Random& random) {
-  for (;;) {
-    const Vec3 v{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    if (length(v) > 0.1 && length(v) < 1.0) return unit(v);
-  }
 }
 
 // Moves the tool, level, until its farthest point `towards` the axis or away from it is `away` from
@@ -50,8 +46,8 @@ void put_in(const ToolShape& shape, const ToolSize& size, ToolPlace& place, Vec3
 
 // A random pose whose deepest point is some way in the wall, on one side or the other.
 ToolPlace random_pose(Random& random, const ToolShape& shape, const ToolSize& size, WallSide side) {
-  const Vec3 along = random_direction(random);
-  const Vec3 across = unit(cross(along, random_direction(random)));
+  const Vec3 along = any_direction(random);
+  const Vec3 across = unit(cross(along, any_direction(random)));
   const double angle = random.uniform(0.0, 2.0 * kPi);
   const Vec3 out{std::cos(angle), 0.0, std::sin(angle)};
   ToolPlace place{{0.0, random.uniform(0.06, 0.14), 0.0}, along, across};
@@ -242,8 +238,8 @@ void random_poses_stay_within_limits(std::string_view name) {
       const ToolSize size{between(shape.least.radius, shape.most.radius),
                           between(shape.least.length, shape.most.length),
                           between(shape.least.thickness, shape.most.thickness)};
-      Vec3 along = random_direction(random);
-      Vec3 across = unit(cross(along, random_direction(random)));
+      Vec3 along = any_direction(random);
+      Vec3 across = unit(cross(along, any_direction(random)));
       if (n % 4 == 0) along = {0, 1, 0}, across = {0, 0, 1};
       if (n % 4 == 1) along = {1, 0, 0}, across = {0, 1, 0};
       const ToolPlace place{
@@ -277,9 +273,9 @@ void ball_reaches_as_far_as_the_body(std::string_view name, const Distance& dist
   const ToolShape& shape = shape_of(name);
   Random random(3);
   for (int n = 0; n < 60; ++n) {
-    const Vec3 along = random_direction(random);
-    const ToolPlace place{{0.01, 0.02, 0.03}, along, unit(cross(along, random_direction(random)))};
-    const Vec3 towards = random_direction(random);
+    const Vec3 along = any_direction(random);
+    const ToolPlace place{{0.01, 0.02, 0.03}, along, unit(cross(along, any_direction(random)))};
+    const Vec3 towards = any_direction(random);
     const body::Ball ball = shape.support(place, shape.usual, towards);
     const double reach = dot(ball.middle, towards) + ball.radius;
     EXPECT_LE(length(ball.middle - place.at), shape.reach(shape.usual) + ball.radius);
@@ -290,7 +286,7 @@ void ball_reaches_as_far_as_the_body(std::string_view name, const Distance& dist
     Vec3 best = place.at;
     double spread = bound;
     for (int k = 0; k < 1500; ++k) {
-      const Vec3 aside = cross(towards, random_direction(random));
+      const Vec3 aside = cross(towards, any_direction(random));
       const Vec3 foot =
           best - dot(best - place.at, towards) * towards + random.uniform(0.0, spread) * aside;
       double t = 1.5 * bound;
