@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/paper_model.h"
+#include "tests/engine/contact/papers_pot.h"
 #include "tests/support/sphere.h"
 
 // What goes wrong where the paper leaves a question open, each with the corrected model's answer
@@ -11,24 +12,12 @@
 namespace onggi {
 namespace {
 
-constexpr double kRadius = 0.008;
-constexpr double kTau = 0.00949;  // c_eta = 10 at 1 kHz
+using namespace papers_pot;
+
 constexpr Yielding kClay{kTau, 5e6};
 constexpr PaperCoefficients kPrinted{10.0, 0.864, 0.0};
 constexpr double kMiddle = 0.036 + 0.00009;  // a row's height, half way up the paper's pot
 constexpr double kSector = 3.14159265 / 180.0;
-
-// The paper's pot: one sheet of 5 cm radius.
-ClayDef sheet(double outer = 0.05) {
-  ClayDef def;
-  def.height = 0.072;
-  def.outer_radius = outer;
-  def.floor_thickness = 0.0;
-  def.wall_min = 0.0005;
-  def.inner_radius = def.radius_min = 0.0001;
-  return def;
-}
-Clay made(const ClayDef& def) { return std::move(*Clay::create(def)); }
 
 PaperTouch printed(Clay& clay, WallSide mode, Vec3 at) {
   return PaperModel(clay).tick(clay, mode, at, kRadius, 0.0, 0.0, kPrinted);

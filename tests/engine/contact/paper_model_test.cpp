@@ -6,24 +6,16 @@
 #include <cmath>
 
 #include "engine/math/random.h"
+#include "tests/engine/contact/papers_pot.h"
 
 // That the printed equations are what runs: one element after another against figures worked out by
 // hand, from the points E1, E2 and M themselves.
 namespace onggi {
 namespace {
 
-constexpr double kRadius = 0.008;
-constexpr PaperCoefficients kCoefficients{10.0, 0.864, 200.0};
+using namespace papers_pot;
 
-Clay sheet() {
-  ClayDef def;
-  def.height = 0.072;
-  def.outer_radius = 0.05;
-  def.inner_radius = def.radius_min = 0.0001;
-  def.floor_thickness = 0.0;
-  def.wall_min = 0.0005;
-  return std::move(*Clay::create(def));
-}
+constexpr PaperCoefficients kCoefficients{10.0, 0.864, 200.0};
 
 struct Whole {
   Vec3 force;
@@ -76,8 +68,8 @@ TEST(PaperModel, IsThePrintedEquationsElementByElement) {
     const double angle = random.uniform(0.1, 3.0);
     const double wheel = random.uniform(0.0, 6.28);
     const Vec3 h{d * std::cos(angle), random.uniform(0.0, 0.072), d * std::sin(angle)};
-    Clay a = sheet();
-    Clay b = sheet();
+    Clay a = made(sheet());
+    Clay b = made(sheet());
     const PaperModel model(a);
     for (int tick = 0; tick < 3; ++tick) {
       const PaperTouch got = model.tick(a, mode, h, kRadius, wheel, 0.01, kCoefficients);
@@ -96,7 +88,7 @@ TEST(PaperModel, IsThePrintedEquationsElementByElement) {
 
 TEST(PaperModel, KeepsTheClaysInvariantWhateverTheToolDoes) {
   Random random(2);
-  Clay clay = sheet();
+  Clay clay = made(sheet());
   const PaperModel model(clay);
   for (int n = 0; n < 4000; ++n) {
     const Vec3 at{random.uniform(-0.07, 0.07), random.uniform(-0.01, 0.08),
@@ -122,7 +114,7 @@ TEST(PaperModel, AWallThatIsPressedTakesItsInnerFaceWithItOnceItIsAtItsThinnest)
   def.inner_radius = 0.048;
   def.floor_thickness = 0.0;
   def.wall_min = 0.0015;
-  Clay clay = std::move(*Clay::create(def));
+  Clay clay = made(def);
   const PaperModel model(clay);
   for (int n = 0; n < 200; ++n)
     model.tick(clay, WallSide::outside, {0.05, 0.1, 0.0}, kRadius, 0.0, 1.0, kCoefficients);
@@ -132,7 +124,7 @@ TEST(PaperModel, AWallThatIsPressedTakesItsInnerFaceWithItOnceItIsAtItsThinnest)
 }
 
 TEST(PaperModel, AToolOverTheRimOrUnderTheFootIsOnTheSideOfTheRowThatIsNext) {
-  Clay clay = sheet();
+  Clay clay = made(sheet());
   const int top = clay.rows() - 1;
   for (float& r : clay.outer_mut(top)) r = 0.060f;
   for (float& r : clay.outer_mut(0)) r = 0.040f;

@@ -8,6 +8,7 @@
 
 #include "engine/contact/tool_contact.h"
 #include "engine/math/random.h"
+#include "tests/engine/contact/papers_pot.h"
 #include "tests/support/sphere.h"
 
 // What goes wrong with the equations as printed, each with the corrected model's answer beside it.
@@ -15,26 +16,11 @@
 namespace onggi {
 namespace {
 
-constexpr double kRadius = 0.008;
-constexpr double kTau = 0.00949;  // c_eta = 10 at 1 kHz
+using namespace papers_pot;
+
 constexpr Yielding kClay{kTau, 5e6};
 constexpr PaperCoefficients kPrinted{10.0, 0.864, 200.0};
 constexpr double kMiddle = 0.036 + 0.00009;  // a row's height, half way up the paper's pot
-
-// The paper's pot: one sheet of 5 cm radius.
-ClayDef sheet(double outer = 0.05, int rows = 400, int sectors = 360) {
-  ClayDef def;
-  def.rows = rows;
-  def.sectors = sectors;
-  def.height = 0.072;
-  def.outer_radius = outer;
-  def.inner_radius = 0.0001;
-  def.floor_thickness = 0.0;
-  def.wall_min = 0.0005;
-  def.radius_min = 0.0001;
-  return def;
-}
-Clay made(const ClayDef& def) { return std::move(*Clay::create(def)); }
 
 PaperTouch printed(Clay& clay, WallSide mode, Vec3 at, double radius = kRadius,
                    const PaperCoefficients& c = kPrinted, double angle = 0.0, double turn = 0.0) {
@@ -142,8 +128,11 @@ TEST(Paper13, TheForceGrowsWithTheNumberOfElements) {
   double most[2] = {0, 0};
   for (const auto& [rows, sectors] : {std::pair{200, 180}, {200, 360}, {400, 360}, {800, 360}}) {
     const Vec3 at{0.056, 0.036, 0.0};
-    Clay a = made(sheet(0.05, rows, sectors));
-    Clay b = made(sheet(0.05, rows, sectors));
+    ClayDef def = sheet();
+    def.rows = rows;
+    def.sectors = sectors;
+    Clay a = made(def);
+    Clay b = made(def);
     const double force[2] = {printed(a, WallSide::outside, at).resistance.x,
                              corrected(b, WallSide::outside, at).force.x};
     for (int model : {0, 1}) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/paper_model.h"
+#include "tests/engine/contact/papers_pot.h"
 #include "tests/support/sphere.h"
 
 // What goes wrong in time with the equations as printed, each with the corrected model's answer
@@ -11,19 +12,9 @@
 namespace onggi {
 namespace {
 
-constexpr double kRadius = 0.008;
-constexpr double kTau = 0.00949;
-constexpr double kStiffness = 5e6;
+using namespace papers_pot;
 
-Clay sheet() {
-  ClayDef def;
-  def.height = 0.072;
-  def.outer_radius = 0.05;
-  def.inner_radius = def.radius_min = 0.0001;
-  def.floor_thickness = 0.0;
-  def.wall_min = 0.0005;
-  return std::move(*Clay::create(def));
-}
+constexpr double kStiffness = 5e6;
 
 // The tool with its tip at radius `reach`, level with a row.
 Vec3 tip_at(const Clay& clay, double reach) { return {reach + kRadius, clay.row_height(200), 0.0}; }
@@ -46,8 +37,8 @@ TEST(Paper10, TheClayIsTwiceAsSoftAtTwiceTheRate) {
   for (int fast : {0, 1}) {
     const double dt = fast ? 0.0005 : 0.001;
     const int ticks = fast ? 40 : 20;
-    Clay a = sheet();
-    Clay b = sheet();
+    Clay a = made(sheet());
+    Clay b = made(sheet());
     const Vec3 at = tip_at(a, 0.048);
     for (int n = 0; n < ticks; ++n) {
       printed(a, at, 10.0);
@@ -61,8 +52,8 @@ TEST(Paper10, TheClayIsTwiceAsSoftAtTwiceTheRate) {
 }
 
 TEST(Paper10, ASoftClayIsThrownPastTheTool) {
-  Clay a = sheet();
-  Clay b = sheet();
+  Clay a = made(sheet());
+  Clay b = made(sheet());
   const Vec3 at = tip_at(a, 0.048);
   printed(a, at, 0.6);
   press_sphere(b, WallSide::outside, at, kRadius, 0.001, {1e-4, kStiffness});
@@ -75,7 +66,7 @@ TEST(Paper11, ATargetFrozenWithinTheTickIsOfFirstOrderOnly) {
   const double speed = 0.1;
   const double whole = 0.02;
   const auto run = [&](double dt, bool as_printed) {
-    Clay clay = sheet();
+    Clay clay = made(sheet());
     const int ticks = static_cast<int>(whole / dt + 0.5);
     // The tip starts where the first element is just touched.
     const double slack = target_of(tip_at(clay, 0.05)) - 0.05;
@@ -99,7 +90,7 @@ TEST(Paper11, ATargetFrozenWithinTheTickIsOfFirstOrderOnly) {
 
 TEST(Paper12, TheImpulseOfOnePressDependsOnTheTick) {
   const auto impulse = [](double dt, bool as_printed) {
-    Clay clay = sheet();
+    Clay clay = made(sheet());
     const Vec3 at = tip_at(clay, 0.048);
     double sum = 0.0;
     for (double t = 0.0; t < 0.1; t += dt)
@@ -120,7 +111,7 @@ TEST(Paper14, TheFilteredForceComesTwentyTwoMillisecondsLate) {
   EXPECT_NEAR(2.0 - out, 0.0225, 0.0005);  // a ramp of 1 N/s
 
   // The corrected force is not filtered: it is there in the tick of the touch.
-  Clay clay = sheet();
+  Clay clay = made(sheet());
   const Vec3 at = tip_at(clay, 0.048);
   const double first =
       press_sphere(clay, WallSide::outside, at, kRadius, 0.001, {kTau, kStiffness}).force.x;
