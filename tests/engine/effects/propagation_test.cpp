@@ -111,15 +111,7 @@ TEST(Propagation, WithVolumeNoClayIsLostWhateverHandsDo) {
   def.volume.emplace();
   for (const bool walls : {false, true}) {
     if (walls) def.walls.emplace();
-    Scene scene = made(def);
-    const double clay = scene.clay().volume();
-    RandomHands hands(31);
-    for (int n = 0; n < 10000; ++n) {
-      scene.step(hands.next(), hands.seconds());
-      if (n % 500 != 0) continue;
-      ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
-      ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
-    }
+    expect_clay_kept(def, 31, 10000);
   }
 }
 

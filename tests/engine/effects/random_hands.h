@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
@@ -72,6 +73,25 @@ inline void expect_whole(const Clay& clay) {
   const int floor = clay.floor_rows();
   ASSERT_GE(clay.floor_top(), floor > 0 ? clay.row_height(floor - 1) : 0.0);
   ASSERT_LE(clay.floor_top(), floor < clay.rows() ? clay.row_height(floor) : edge + 1e-9);
+}
+
+/// Random hands, the first with `tool`, work `ticks` long on a lump of `def`, which needs volume:
+/// no clay is lost.
+inline void expect_clay_kept(const SceneDef& def, std::uint64_t seed, int ticks,
+                             std::string_view tool = "sphere") {
+  Scene scene = made(def);
+  const double clay = scene.clay().volume();
+  RandomHands random(seed);
+  for (int n = 0; n < ticks; ++n) {
+    Hands hands = random.next();
+    for (std::uint8_t k = 0; k < scene.def().tools.size(); ++k)
+      if (scene.def().tools[k].name == tool) hands.hand[0].tool = k + 1;
+    scene.step(hands, random.seconds());
+    if (n % 500 != 0) continue;
+    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
+    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
+  }
+  EXPECT_NE(scene.clay().rim_height(), def.clay.height);
 }
 
 }  // namespace onggi::effects_test

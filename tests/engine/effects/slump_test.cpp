@@ -259,17 +259,7 @@ TEST(Slump, WhateverHandsDoToAWeakPotItStaysWholeAndKeepsItsClay) {
   SceneDef def = tube(0.3);
   def.slump->yield_stress = 2500.0;
   def.moisture->sponge_height = 0.05;
-  for (const std::uint64_t seed : {11u, 12u}) {
-    Scene scene = made(def);
-    const double clay = scene.clay().volume();
-    RandomHands hands(seed);
-    for (int n = 0; n < 20000; ++n) {
-      scene.step(hands.next(), hands.seconds());
-      if (n % 500 != 0) continue;
-      ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
-      ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
-    }
-  }
+  for (const std::uint64_t seed : {11u, 12u}) expect_clay_kept(def, seed, 20000);
 }
 
 }  // namespace

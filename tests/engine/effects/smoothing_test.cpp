@@ -189,18 +189,7 @@ TEST(Smoothing, ARibEvensTheLinesThatAFingerLeft) {
 TEST(Smoothing, WithVolumeNoClayIsLostWhateverARibDoes) {
   SceneDef def = thrown();
   def.walls.emplace();
-  Scene scene = made(def);
-  const double clay = scene.clay().volume();
-  RandomHands random(51);
-  for (int n = 0; n < 20000; ++n) {
-    Hands hands = random.next();
-    for (std::uint8_t k = 0; k < scene.def().tools.size(); ++k)
-      if (scene.def().tools[k].name == "sponge") hands.hand[0].tool = k + 1;
-    scene.step(hands, random.seconds());
-    if (n % 500 != 0) continue;
-    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
-    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
-  }
+  expect_clay_kept(def, 51, 20000, "sponge");
 }
 
 // What a row reaches to is what hands look for it by: a hollow that fills reaches farther than it

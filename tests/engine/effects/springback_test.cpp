@@ -148,15 +148,7 @@ TEST(Springback, WithVolumeAndWallsNoClayIsLost) {
   SceneDef def = small();
   def.volume.emplace();
   def.walls.emplace();
-  Scene scene = made(def);
-  const double clay = scene.clay().volume();
-  RandomHands hands(41);
-  for (int n = 0; n < 20000; ++n) {
-    scene.step(hands.next(), hands.seconds());
-    if (n % 500 != 0) continue;
-    ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 2e-9) << n;
-    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
-  }
+  expect_clay_kept(def, 41, 20000);
 }
 
 // Clay that has hardened where it was pressed does not come back, and does not wait for its chance.

@@ -250,13 +250,7 @@ TEST(Walls, TheFootHoldsThemByNoStep) {
 TEST(Walls, WhateverHandsDoNoFaceCrossesTheOther) {
   SceneDef def = small();
   def.clay.wall_min = 0.002;
-  Scene scene = made(def);
-  RandomHands hands(21);
-  for (int n = 0; n < 30000; ++n) {
-    scene.step(hands.next(), hands.seconds());
-    if (n % 500 != 0) continue;
-    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << n;
-  }
+  expect_clay_kept(def, 21, 30000);
 }
 
 }  // namespace
