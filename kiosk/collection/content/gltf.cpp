@@ -286,10 +286,8 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
                    "Export it with fewer triangles: 100,000 show every throwing line.");
   for (const std::uint32_t i : data.indices)
     if (i >= count)
-      return problem(
-          where,
-          "a triangle names vertex " + std::to_string(i) + " of " + std::to_string(count) + ".",
-          "Export the vessel again; a glTF validator shows the place.");
+      return unsound(where, "a triangle names vertex " + std::to_string(i) + " of " +
+                                std::to_string(count) + ".");
 
   // A mirroring transform turns triangles inside out; swapping corners repairs that.
   const Vec3 a = column(world, 0), b = column(world, 1), c = column(world, 2), t = column(world, 3);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace onggi::content {
 
@@ -16,11 +17,6 @@ constexpr std::size_t kMostFromNothing = 1u << 20;
 /// meshopt's codecs spend at least two bits on each byte of sixteen vertices, and one byte on each
 /// triangle or index. A claim of more bytes than this for each encoded byte cannot be true.
 constexpr std::size_t kMostDense = 64;
-
-tl::unexpected<Problem> unsound(const std::string& where, std::string what) {
-  return problem(where, std::move(what),
-                 "Export the vessel again; a glTF validator shows the place.");
-}
 
 std::size_t component_size(int type) {
   switch (type) {
@@ -46,24 +42,23 @@ T load(const unsigned char* at) {
 }
 
 /// glTF 2.0, section 3.11: normalised integers map to 0..1 or -1..1.
+template <class Whole>
+float whole_as_float(const unsigned char* at, bool normalized) {
+  const float v = load<Whole>(at);
+  constexpr auto kMost = static_cast<float>(std::numeric_limits<Whole>::max());
+  return normalized ? std::max(v / kMost, -1.0f) : v;
+}
+
 float as_float(const unsigned char* at, int type, bool normalized) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: {
-      const float v = load<std::int8_t>(at);
-      return normalized ? std::max(v / 127.0f, -1.0f) : v;
-    }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
-      const float v = load<std::uint8_t>(at);
-      return normalized ? v / 255.0f : v;
-    }
-    case TINYGLTF_COMPONENT_TYPE_SHORT: {
-      const float v = load<std::int16_t>(at);
-      return normalized ? std::max(v / 32767.0f, -1.0f) : v;
-    }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
-      const float v = load<std::uint16_t>(at);
-      return normalized ? v / 65535.0f : v;
-    }
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return whole_as_float<std::int8_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return whole_as_float<std::uint8_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return whole_as_float<std::int16_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return whole_as_float<std::uint16_t>(at, normalized);
     default:
       return load<float>(at);
   }

@@ -228,6 +228,11 @@ std::string first_line(const std::string& text) {
 
 }  // namespace
 
+tl::unexpected<Problem> unsound(const std::string& where, std::string what) {
+  return problem(where, std::move(what),
+                 "Export the vessel again; a glTF validator shows the place.");
+}
+
 Result<GltfDocument> open_gltf(const std::filesystem::path& file,
                                const settings::ReaderLimits& limits) {
   GltfDocument out;

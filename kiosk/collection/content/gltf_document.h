@@ -83,6 +83,9 @@ struct GltfDocument {
   std::vector<std::string> warnings;
 };
 
+/// The Problem of a file whose own numbers contradict each other.
+tl::unexpected<Problem> unsound(const std::string& where, std::string what);
+
 /// Passes only geometry and nodes to tinygltf: images, textures, skins, animations, cameras and
 /// extras are removed before, so tinygltf opens no file.
 Result<GltfDocument> open_gltf(const std::filesystem::path& file,

@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "kiosk/collection/content/gltf_document.h"
 #include "kiosk/collection/content/json_words.h"
 
 namespace onggi::content {
@@ -11,11 +12,6 @@ namespace {
 
 using json_words::list_of;
 using nlohmann::json;
-
-tl::unexpected<Problem> slip(const std::string& where, std::string what) {
-  return problem(where, std::move(what),
-                 "Export the vessel again; a glTF validator shows the place.");
-}
 
 Result<void> check_transforms(const std::string& name, const json& document) {
   struct Transform {
@@ -32,9 +28,9 @@ Result<void> check_transforms(const std::string& name, const json& document) {
       const auto count = static_cast<std::size_t>(
           std::count_if(given.begin(), given.end(), [](const json& v) { return v.is_number(); }));
       if (given.is_array() && given.size() == numbers && count == numbers) continue;
-      return slip(name + ", node " + std::to_string(i),
-                  std::string("its ") + key + " has " + std::to_string(count) +
-                      " numbers, but it needs " + std::to_string(numbers) + ".");
+      return unsound(name + ", node " + std::to_string(i),
+                     std::string("its ") + key + " has " + std::to_string(count) +
+                         " numbers, but it needs " + std::to_string(numbers) + ".");
     }
   return {};
 }
@@ -46,9 +42,9 @@ Result<void> check_sparse(const std::string& name, const json& document) {
     const json& sparse = accessors[i]["sparse"];
     const json count = sparse.is_object() ? sparse.value("count", json()) : json();
     if (count.is_number_unsigned() && count.get<std::uint64_t>() > 0) continue;
-    return slip(name + ", accessor " + std::to_string(i),
-                "its sparse part has " + (count.is_number() ? count.dump() : "no number of") +
-                    " elements, but it needs one or more.");
+    return unsound(name + ", accessor " + std::to_string(i),
+                   "its sparse part has " + (count.is_number() ? count.dump() : "no number of") +
+                       " elements, but it needs one or more.");
   }
   return {};
 }

@@ -17,20 +17,14 @@ constexpr double kFlattest = 40.0, kSlimmest = 25.0;
 /// the size shown if no guess is possible.
 constexpr double kLeastUsual = 0.04, kMostUsual = 0.8, kLikely = 0.2, kShown = 0.3;
 
-std::string figures(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 bool held(const FileSize& s, double unit) {
   const double h = s.height * unit, w = s.widest * unit;
   return h >= kLeastHeight && h <= kMostHeight && w >= kLeastWidest && w <= kMostWidest;
 }
 
 std::string in_words(const FileSize& s, double unit) {
-  return figures(1000.0 * s.height * unit) + " mm tall and " + figures(1000.0 * s.widest * unit) +
-         " mm wide";
+  return three_digits(1000.0 * s.height * unit) + " mm tall and " +
+         three_digits(1000.0 * s.widest * unit) + " mm wide";
 }
 
 TrueSize guessed(const FileSize& size, const ToldSize& told) {
@@ -49,7 +43,7 @@ TrueSize guessed(const FileSize& size, const ToldSize& told) {
       best = &unit;
   }
   const std::string own =
-      figures(size.height) + " units tall and " + figures(size.widest) + " wide";
+      three_digits(size.height) + " units tall and " + three_digits(size.widest) + " wide";
   const std::string ask =
       " Write true_height_mm, true_diameter_mm or units in vessel.toml to set it.";
   TrueSize out;
@@ -68,6 +62,12 @@ TrueSize guessed(const FileSize& size, const ToldSize& told) {
 }
 
 }  // namespace
+
+std::string three_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
 
 const char* name_of(SizeFrom from) {
   switch (from) {
@@ -90,8 +90,8 @@ const char* name_of(SizeFrom from) {
 Result<TrueSize> true_size(const FileSize& size, const ToldSize& told, const std::string& name) {
   if (size.widest > kFlattest * size.height || size.height > kSlimmest * size.widest)
     return problem(name,
-                   "it has no shape for a wheel: it is " + figures(size.height) +
-                       " units tall and " + figures(size.widest) + " wide.",
+                   "it has no shape for a wheel: it is " + three_digits(size.height) +
+                       " units tall and " + three_digits(size.widest) + " wide.",
                    "Export the vessel alone, with its scale applied alike to all three axes.");
   TrueSize out;
   if (told.height > 0.0)

@@ -40,6 +40,9 @@ struct TrueSize {
   std::string doubt;  ///< What the curator should know and write; empty if the size is known.
 };
 
+/// A size as remarks write it: "12.3", in three digits.
+std::string three_digits(double value);
+
 /// Finds how long one unit of a file is. `size` must be above 0. Problem, by `name`, for a shape
 /// that no wheel can hold: a needle, a sheet, or a vessel that is too large or too small at the
 /// given size.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <new>
 
 #include "engine/profile/measures.h"
@@ -13,6 +12,7 @@
 #include "kiosk/collection/content/pack.h"
 #include "kiosk/collection/content/scan_document.h"
 #include "kiosk/collection/content/screen_model.h"
+#include "kiosk/collection/content/true_size.h"
 #include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::content {
@@ -46,12 +46,6 @@ std::string title_of(const std::string& id) {
   if (!out.empty() && out[0] >= 'a' && out[0] <= 'z')
     out[0] = static_cast<char>(out[0] - 'a' + 'A');
   return out;
-}
-
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
 }
 
 /// What is known before the file is read: `vessel` has the pack's values.
@@ -112,7 +106,8 @@ void set_upright(Vessel& vessel, const TriangleMesh& mesh, const TrueSize& size,
   if (size.from == SizeFrom::diameter) vessel.true_height = found.profile.height();
   if (found.inferred_wall > 0.0)
     found.warnings.push_back("Where the inner wall was not visible, it is drawn " +
-                             metres(1000.0 * found.inferred_wall) + " mm inside the outer one.");
+                             three_digits(1000.0 * found.inferred_wall) +
+                             " mm inside the outer one.");
 }
 
 std::string called(const GltfPart& part) {
