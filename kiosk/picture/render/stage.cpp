@@ -74,18 +74,21 @@ std::size_t fine_enough(const std::array<Wall, N>& meshes, float pixels) {
 Result<std::unique_ptr<Stage>> Stage::create() {
   std::unique_ptr<Stage> stage(new Stage);
   Result<void> fine;
-  const auto make = [&fine](Program& into, const char* name, const char* text, bool lit, int part,
-                            std::size_t skin, bool torn = false) {
+  const auto keep = [&fine](auto& into, auto made) {
     if (!fine) return;
-    const std::string which = "#define PART " + std::to_string(part) + "\n#define SKIN " +
-                              std::to_string(skin) + (torn ? "\n#define TORN\n" : "\n");
-    auto made = Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text,
-                                       torn ? k_torn_glsl : ""});
     if (made) {
       into = std::move(*made);
     } else {
       fine = tl::unexpected(made.error());
     }
+  };
+  const auto make = [&](Program& into, const char* name, const char* text, bool lit, int part,
+                        std::size_t skin, bool torn = false) {
+    if (!fine) return;
+    const std::string which = "#define PART " + std::to_string(part) + "\n#define SKIN " +
+                              std::to_string(skin) + (torn ? "\n#define TORN\n" : "\n");
+    keep(into, Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text,
+                                      torn ? k_torn_glsl : ""}));
   };
   for (int part = 0; part < 5; ++part) {
     const auto p = static_cast<std::size_t>(part);
@@ -97,19 +100,11 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   }
   make(stage->wheel_program_, "wheel", k_wheel_glsl, true, 0, 0);
   make(stage->solid_program_, "solid", k_solid_glsl, true, 0, 0);
+  keep(stage->tools_, ToolPainter::create());
+  keep(stage->soft_edges_, SoftEdges::create());
+  keep(stage->skin_reader_, SkinReader::create());
+  keep(stage->backdrop_, Backdrop::create());
   if (!fine) return tl::unexpected(fine.error());
-  auto tools = ToolPainter::create();
-  if (!tools) return tl::unexpected(tools.error());
-  stage->tools_ = std::move(*tools);
-  auto soft_edges = SoftEdges::create();
-  if (!soft_edges) return tl::unexpected(soft_edges.error());
-  stage->soft_edges_ = std::move(*soft_edges);
-  auto reader = SkinReader::create();
-  if (!reader) return tl::unexpected(reader.error());
-  stage->skin_reader_ = std::move(*reader);
-  auto backdrop = Backdrop::create();
-  if (!backdrop) return tl::unexpected(backdrop.error());
-  stage->backdrop_ = std::move(*backdrop);
   for (std::size_t i = 0; i < kWalls.size(); ++i) {
     stage->walls_[i] = unit_grid(kWalls[i].columns, kWalls[i].rows);
     stage->facing_[i] = unit_grid(facing_columns(kWalls[i].columns), kWalls[i].rows);
