@@ -67,7 +67,8 @@ class Benches {
   SceneBench scene_;
 };
 
-TunedGrid grid_of(const lab::SettingSummary& one, double error_margin, double time_margin) {
+TunedGrid grid_of(const lab::Recommendation& found, double error_margin, double time_margin) {
+  const lab::SettingSummary& one = found.chosen;
   TunedGrid grid;
   grid.rows = one.setting.rows;
   grid.sectors = one.setting.sectors;
@@ -75,6 +76,8 @@ TunedGrid grid_of(const lab::SettingSummary& one, double error_margin, double ti
   grid.worst_mm = 1e3 * error_margin * one.errors.shape_max;
   grid.force_pct = 1e2 * error_margin * one.force_share;
   grid.tick_pct = 1e2 * time_margin * one.share();
+  grid.fine_enough = found.fine_enough;
+  grid.in_time = found.in_time;
   return grid;
 }
 
@@ -92,10 +95,7 @@ Result<TunedGrid> tune(const std::string& name, const SceneDef& def, const TuneP
   }
   const auto found = lab::recommend(all, 1000.0);
   if (!found) return problem(name, "There is no grid to choose from.", "Name at least one to try.");
-  TunedGrid grid = grid_of(found->chosen, kErrorMargin, kTimeMargin);
-  grid.fine_enough = found->fine_enough;
-  grid.in_time = found->in_time;
-  return grid;
+  return grid_of(*found, kErrorMargin, kTimeMargin);
 }
 
 Result<TunedGrid> measure_grid(const std::string& name, const SceneDef& def, const TunePlan& plan) {
@@ -103,11 +103,7 @@ Result<TunedGrid> measure_grid(const std::string& name, const SceneDef& def, con
   if (!benches) return tl::unexpected(benches.error());
   const auto worst = benches->worst_on({def.clay.rows, def.clay.sectors});
   if (!worst) return tl::unexpected(worst.error());
-  TunedGrid grid = grid_of(*worst, 1.0, 1.0);
-  const auto found = lab::recommend({*worst}, 1000.0);
-  grid.fine_enough = found && found->fine_enough;
-  grid.in_time = found && found->in_time;
-  return grid;
+  return grid_of(*lab::recommend({*worst}, 1000.0), 1.0, 1.0);
 }
 
 std::string words_of(const TunedGrid& grid) {
