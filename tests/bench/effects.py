@@ -14,11 +14,10 @@ exit 0: absent effects are free and the page is right, 1: one is not, 77: cannot
 import argparse
 import os
 import re
-import shutil
 import subprocess
 import sys
 
-from instructions import ONE_KIND, ROOT, count, under_valgrind
+from instructions import ONE_KIND, ROOT, can_count, count, under_valgrind
 
 MOST_DIFFERENCE = 0.001
 MOST_TO_ASK = 60  # instructions a tick: each stage asks once whether there is anything for it
@@ -44,11 +43,7 @@ def main():
     parser.add_argument("--script", default="light_touch")
     parser.add_argument("--without")
     arguments = parser.parse_args()
-    if not shutil.which("valgrind"):
-        print("Not counted: valgrind is not here (tests/packages.txt names it).")
-        return 77
-    if arguments.sanitize or arguments.config != "Release":
-        print("Not counted: only a Release build without sanitizers says what a tick costs.")
+    if not can_count(arguments):
         return 77
     kinds = under_valgrind(["--tool=none", "-q"], arguments.count, "--kinds").stdout.split()
     words = [arguments.script, "400", "360", kinds[0] if kinds else ""]

@@ -38,6 +38,17 @@ def under_valgrind(tool, *words):
     return run
 
 
+def can_count(arguments):
+    """Says why, where nothing can be counted."""
+    if not shutil.which("valgrind"):
+        print("Not counted: valgrind is not here (tests/packages.txt names it).")
+        return False
+    if arguments.sanitize or arguments.config != "Release":
+        print("Not counted: only a Release build without sanitizers says what a tick costs.")
+        return False
+    return True
+
+
 def count(program, *words):
     """Instructions within FUNCTION."""
     run = under_valgrind(["--tool=callgrind", "--callgrind-out-file=/dev/null",
@@ -115,11 +126,7 @@ def main():
     parser.add_argument("--golden", default=os.path.join(ROOT, "tests/golden/instructions.txt"))
     parser.add_argument("--renew", metavar="REASON")
     arguments = parser.parse_args()
-    if not shutil.which("valgrind"):
-        print("Not counted: valgrind is not here (tests/packages.txt names it).")
-        return 77
-    if arguments.sanitize or arguments.config != "Release":
-        print("Not counted: only a Release build without sanitizers says what a tick costs.")
+    if not can_count(arguments):
         return 77
     key = (arguments.compiler.replace(" ", "-"), platform.machine(), arguments.config)
     golden, reasons = read(arguments.golden)
