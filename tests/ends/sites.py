@@ -3,13 +3,16 @@ import itertools
 import json
 import os
 import random
+import re
 import shutil
 import subprocess
 
 import scan
 
 WORD = 40  # letters of the longest word (kiosk/collection/settings/visitor_text.h)
-EFFECTS = ("moisture", "walls", "propagation", "springback", "smoothing", "wobble", "slump", "volume", "friction", "kiln")
+ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
+with open(os.path.join(ROOT, "engine/effects/effect_list.h"), encoding="utf-8") as listed:
+    EFFECTS = tuple(re.findall(r"visit\(def\.(\w+)\)", listed.read()))
 # Elements at the bound of a scene's grid (kiosk/collection/settings/scene_file.cpp), and its least.
 GRIDS = ((8, 16), (8, 8192), (20000, 16), (20000, 209), (512, 8192), (2048, 2048))
 # Rows and sectors of a scan's triangles, pixels of its picture's side: one that a museum has, and one of millions.
