@@ -30,8 +30,6 @@ using view::Key;
 namespace {
 
 constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
-constexpr double kDry = 20.0;    // s on dry clay until water would help,
-constexpr double kAsk = 6.0;     // and s more in which the words ask for it
 
 class Throwing final : public Screen {
  public:
@@ -74,19 +72,16 @@ class Throwing final : public Screen {
       send_hand();
     }
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
-    if (contact) {
-      touched_ = true;
-      dry_ = desk.status.feedback.wetness < 0.05 ? dry_ + dt : 0;
-    }
-    if (water_.wet()) dry_ = 0;
+    touched_ = touched_ || contact;
+    water_.look(contact, desk.status.feedback.wetness, dt);
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
     measured_.update(desk, picture_.made());
     // Say nothing about the previous pot.
     if (desk.pot_ready())
-      hint_.update(desk.now, {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
-                              dry() && dry_ < kDry + kAsk, desk.wheel().tool_radius,
-                              MeasuredPot::hint(desk)});
+      hint_.update(desk.now,
+                   {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
+                    water_.asked_for(), desk.wheel().tool_radius, MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -119,7 +114,7 @@ class Throwing final : public Screen {
                                grip(),
                                water_.wet(),
                                cut_,
-                               dry(),
+                               water_.would_help(),
                                touched_,
                                desk.status.can_restore && whole,
                                show_.button(desk, aim() == nullptr || dark() || hands_.two()),
@@ -271,8 +266,6 @@ class Throwing final : public Screen {
  private:
   /// The keys move among buttons and do not move the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
-  /// Water would help.
-  bool dry() const { return dry_ > kDry; }
   bool working() const { return show_.showing() || hands_.active() || cut_off_; }
   std::vector<PartOff> parts() const {
     return parts_off(desk.shelf_card(desk.card), picture_.made());
@@ -395,7 +388,7 @@ class Throwing final : public Screen {
   bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, done_ = false,
        worked_ = false;
   int strokes_ = 0;  ///< Finished strokes.
-  double dry_ = 0, inside_until_ = -1;
+  double inside_until_ = -1;
   std::uint32_t serial_ = 0;
 };
 
