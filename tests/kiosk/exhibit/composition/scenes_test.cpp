@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <thread>
 
+#include "engine/contact/tool.h"
 #include "kiosk/exhibit/tuning/grid_memory.h"
 #include "kiosk/exhibit/tuning/machine.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::exhibit {
 namespace {
@@ -16,8 +19,6 @@ namespace {
 class TunedScenes : public testing::Test {
  protected:
   TunedScenes() {
-    std::string name = (std::filesystem::temp_directory_path() / "onggi-XXXXXX").string();
-    folder = mkdtemp(name.data());
     exhibit.scene = folder / "scene.toml";
     std::ofstream(exhibit.scene) << "quality = \"auto\"\n[clay]\nrows = 321\n[walls]\n";
     plan.grids = {{100, 90}};
@@ -25,14 +26,11 @@ class TunedScenes : public testing::Test {
     plan.scene_rows = 100;
     plan.passes = 1;
   }
-  ~TunedScenes() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-  }
   std::filesystem::path memory() const {
     return *tuning::memory_of(folder, exhibit.scene, tuning::machine_name());
   }
-  std::filesystem::path folder;
+  const files::test::ScratchFolder scratch_;
+  const std::filesystem::path folder = scratch_.path();
   settings::Exhibit exhibit;
   tuning::TunePlan plan;
 };
@@ -72,17 +70,21 @@ TEST(Scenes, ToolsLieInTheOrderOfTheWorkAndReachAsFarAsTheyAreMade) {
   settings::Exhibit exhibit;
   exhibit.scene = "config/scenes/studio.toml";
   const screens::SceneForVisitor wheel = Scenes(exhibit).wheel_of("");
-  std::string order;
-  for (const auto& tool : wheel.tools) order += tool.name + " ";
-  EXPECT_EQ(order, "palm fingertip sponge flat_rib curved_rib loop_trimmer needle wire ");
-  const auto reach = [&](std::size_t n) { return wheel.tools[n].reach; };
-  EXPECT_NEAR(reach(0), 0.018, 1e-9);
-  EXPECT_NEAR(reach(1), 0.008, 1e-9);
-  EXPECT_NEAR(reach(2), 0.030, 1e-9);
-  EXPECT_NEAR(reach(3), 0.0015, 1e-9);
-  EXPECT_NEAR(wheel.tools[3].below, 0.045, 1e-9);
-  EXPECT_NEAR(reach(6), 0.0006, 1e-9);
-  EXPECT_EQ(wheel.tools[7].tool, *wheel.wire);
+  const auto tray = [](const auto& tool) { return find_tool_shape(tool.name)->tray; };
+  EXPECT_TRUE(std::ranges::is_sorted(wheel.tools, {}, tray));
+  EXPECT_EQ(wheel.tools.size(), tool_shapes().size() - 1) << "the ball is the bare finger's";
+  EXPECT_EQ(wheel.tools.front().name, "palm");
+  EXPECT_EQ(wheel.tools.back().name, "wire") << "it ends the pot";
+  EXPECT_EQ(wheel.tools.back().tool, *wheel.wire);
+  const auto of = [&](std::string_view name) {
+    return *std::ranges::find(wheel.tools, name, &screens::SceneForVisitor::Tool::name);
+  };
+  EXPECT_NEAR(of("palm").reach, 0.018, 1e-9);
+  EXPECT_NEAR(of("fingertip").reach, 0.008, 1e-9);
+  EXPECT_NEAR(of("sponge").reach, 0.030, 1e-9);
+  EXPECT_NEAR(of("flat_rib").reach, 0.0015, 1e-9);
+  EXPECT_NEAR(of("flat_rib").below, 0.045, 1e-9);
+  EXPECT_NEAR(of("needle").reach, 0.0006, 1e-9);
 }
 
 }  // namespace

@@ -40,7 +40,11 @@ TEST(PhoneWords, EveryLanguageOfTheExhibitIsSpokenAndNoneSaysItInEnglish) {
       EXPECT_EQ(words[key.c_str()] == text, words.code == "en") << words.code << ' ' << key;
     }
   }
-  EXPECT_EQ(codes, (std::set<std::string>{"ar", "de", "en", "es", "fr", "ja", "ko", "zh"}));
+  std::set<std::string> files;
+  for (const auto& file : fs::directory_iterator("content/languages"))
+    files.insert(file.path().stem());
+  EXPECT_EQ(codes, files);
+  EXPECT_GE(codes.size(), 8u);
 }
 
 TEST(PhoneWords, APhoneIsSpokenToInTheLanguageThatItLikesBestOfThoseThereAre) {
@@ -60,8 +64,7 @@ TEST(PhoneWords, ALanguageThatLacksAWordIsLeftOutInWordsAndEnglishIsAlwaysThere)
   const auto write = [&](const char* file, const std::string& text) {
     std::ofstream(folder.path() / file) << text;
   };
-  std::ifstream in("content/languages/ko.toml");
-  const std::string korean(std::istreambuf_iterator<char>(in), {});
+  const std::string korean = files::test::content("content/languages/ko.toml");
   const auto yes = korean.find("yes = ");
   write("ko.toml", std::string(korean).erase(yes, korean.find('\n', yes) - yes));
   write("xx.toml", "code = \"xx\" nonsense");
