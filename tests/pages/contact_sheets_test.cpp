@@ -43,7 +43,7 @@ int contrast(const textures::TexturePixels& image, int x0, int y0, int w, int h)
 TEST(ContactSheets, ASheetThatIsLargerThanAnyPictureIsWholeToItsLastRowAndColumn) {
   auto display = files::VirtualDisplay::ensure(640, 360);
   if (!display) GTEST_SKIP() << "no display, and Xvfb is not installed";
-  const commands::TemporaryFolder folder;
+  const commands::ScratchFolder folder;
   std::filesystem::create_directories(folder / "shelf");
   std::filesystem::copy("content/vessels/tea_bowl", folder / "shelf/tea_bowl",
                         std::filesystem::copy_options::recursive);
@@ -77,7 +77,7 @@ TEST(ContactSheets, ASheetThatIsLargerThanAnyPictureIsWholeToItsLastRowAndColumn
     const auto drawn = draw_contact_sheets(kiosk, walk(states), {plan}, folder / "sheets", false,
                                            [](const std::string&) {});
     EXPECT_TRUE(drawn) << (drawn ? "" : to_text(drawn.error()));
-    const std::string bytes = commands::text_of(folder / ("sheets/" + plan.name + ".jpg"));
+    const std::string bytes = commands::content(folder / ("sheets/" + plan.name + ".jpg"));
     auto read = textures::decode_texture(
         {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, {8192, 8192});
     EXPECT_TRUE(read) << (read ? "" : read.error());

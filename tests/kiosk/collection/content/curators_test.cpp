@@ -13,8 +13,7 @@ class CuratorsPage : public Temporary {
  protected:
   /// The toml listing of kiosk/docs/`name` that contains `words`.
   static std::string listing(const std::string& name, const std::string& words) {
-    std::ifstream page("kiosk/docs/" + name);
-    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    const std::string text = files::test::content("kiosk/docs/" + name);
     const std::string open = "```toml\n";
     for (auto at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
       const auto from = at + open.size();

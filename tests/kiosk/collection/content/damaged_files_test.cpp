@@ -17,10 +17,6 @@ namespace fs = std::filesystem;
 
 class DamagedFiles : public Temporary {
  protected:
-  static std::string bytes_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
   /// Reads `whole` with some bytes changed, or cut off, `times` over.
   void damage(const std::string& whole, int times, unsigned seed) {
     std::mt19937 random(seed);
@@ -58,13 +54,13 @@ TEST_F(DamagedFiles, a_plain_file) {
 TEST_F(DamagedFiles, a_file_compressed_with_meshopt) {
   const fs::path file = "../shared/vessels/polyhaven_ceramic_vase_01_meshopt.glb";
   if (!fs::exists(file)) GTEST_SKIP() << "there is no " << file;
-  damage(bytes_of(file), 400, 2);
+  damage(files::test::content(file), 400, 2);
 }
 
 TEST_F(DamagedFiles, a_file_compressed_with_draco) {
   const fs::path file = "../shared/vessels/sketchfab_ewer_dmitriy_draco.glb";
   if (!fs::exists(file)) GTEST_SKIP() << "there is no " << file;
-  damage(bytes_of(file), 60, 3);
+  damage(files::test::content(file), 60, 3);
 }
 
 }  // namespace

@@ -31,8 +31,7 @@ class Colors : public Temporary {
  protected:
   static textures::TexturePixels halves() { return two_halves(64, kUpper, kLower); }
   static std::string sample(const std::string& name) {
-    std::ifstream in("tests/kiosk/collection/textures/samples/" + name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    return files::test::content("tests/kiosk/collection/textures/samples/" + name);
   }
   Vessel read(const TexturedScan& scan, const settings::ReaderLimits& limits = {}) {
     LoadOptions options;

@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 class MeshFiles : public Temporary {
  protected:
   void SetUp() override {
-    Temporary::SetUp();
     if (!fs::exists(fs::read_symlink("/proc/self/exe").parent_path() / "onggi-mesh"))
       GTEST_SKIP() << "built without Assimp: such files are refused by name";
   }

@@ -31,8 +31,7 @@ class Nodes : public SceneFiles {
       bail.triangles.push_back({2 * i + 1, 2 * i + 3, 2 * i + 2});
     }
     const fs::path file = write_scene("bucket", {{"bucket", turned(p)}, {"bail", bail}});
-    std::ifstream in(file);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::string text = files::test::content(file);
     const auto change = [&text](const std::string& from, const std::string& to) {
       ASSERT_NE(text.find(from), std::string::npos) << from;
       text.replace(text.find(from), from.size(), to);
@@ -99,8 +98,7 @@ TEST_F(Nodes, of_a_set_what_hangs_on_a_vessel_is_left_out_where_it_spoils_it) {
   sail.triangles = {{0, 1, 2}};
   const fs::path file = write_scene(
       "set", {{"jar", turned(p)}, {"bowl", turned(shapes::bowl()), {0, 0, 3}}, {"sail", sail}});
-  std::ifstream in(file);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text = files::test::content(file);
   text.replace(text.find("[1,2,3]"), 7, "[1,2]");
   text.replace(text.find("{\"name\":\"jar\""), 13, "{\"children\":[3],\"name\":\"jar\"");
   const auto vessels = load_vessels(write("set.gltf", text));

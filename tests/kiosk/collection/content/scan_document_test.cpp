@@ -58,10 +58,7 @@ std::string voyager(const std::vector<std::pair<const char*, const char*>>& asse
 
 class Documents : public Temporary {
  protected:
-  void SetUp() override {
-    Temporary::SetUp();
-    put_jar("jar.glb");
-  }
+  void SetUp() override { put_jar("jar.glb"); }
   fs::path put_jar(const std::string& name) {
     const fs::path at = folder_ / name;
     fs::create_directories(at.parent_path());

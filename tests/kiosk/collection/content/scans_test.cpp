@@ -242,8 +242,7 @@ TEST_F(Scans, a_mesh_shown_by_many_nodes_is_counted_each_time) {
   nothing.triangles.assign(100, {0, 0, 0});
   std::vector<Object> many{{"a", nothing}};
   const fs::path file = write_scene("pot", many);
-  std::ifstream in(file);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text = files::test::content(file);
   std::string nodes = "\"nodes\":[{\"children\":[1";
   for (int i = 2; i < 200; ++i) nodes += "," + std::to_string(i);
   nodes += "]}";

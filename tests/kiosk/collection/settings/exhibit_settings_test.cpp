@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +9,8 @@
 #include <iomanip>
 #include <set>
 #include <sstream>
+
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::settings {
 namespace {
@@ -135,7 +136,6 @@ class OneSetting {
     std::ofstream(folder_ / "config/scenes/first_touch.toml") << "";
     std::ofstream(folder_ / "content/glazes.toml") << "";
   }
-  ~OneSetting() { fs::remove_all(folder_); }
   ExhibitRead read(const std::string& value) const {
     const fs::path file = folder_ / "config/exhibit.toml";
     std::ofstream out(file);
@@ -161,7 +161,7 @@ class OneSetting {
 
  private:
   const Setting& setting_;
-  fs::path folder_ = fs::temp_directory_path() / ("onggi_setting_" + std::to_string(::getpid()));
+  const files::test::ScratchFolder folder_;
 };
 
 TEST(exhibit_settings, a_number_is_taken_to_both_its_ends_and_refused_beyond_them) {

@@ -2,13 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 
 #include "kiosk/collection/settings/wifi_code.h"
 #include "tests/kiosk/collection/settings/all_problems.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::settings {
 namespace {
@@ -24,7 +24,6 @@ using ::testing::SizeIs;
 class ExhibitTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    museum_ = fs::temp_directory_path() / ("onggi_exhibit_" + std::to_string(::getpid()));
     fs::create_directories(museum_ / "exhibit/scenes");
     fs::create_directories(museum_ / "content/vessels");
     fs::create_directories(museum_ / "content/languages");
@@ -34,13 +33,13 @@ class ExhibitTest : public ::testing::Test {
       std::ofstream(museum_ / "content/languages" / (std::string(code) + ".toml")) << "";
     }
   }
-  void TearDown() override { fs::remove_all(museum_); }
   ExhibitRead read(const std::string& text) {
     const fs::path file = museum_ / "exhibit/exhibit.toml";
     std::ofstream(file, std::ios::binary) << text;
     return read_exhibit(file, museum_ / "content/languages");
   }
-  fs::path museum_;
+  const files::test::ScratchFolder folder_;
+  const fs::path museum_ = folder_.path();
 };
 
 TEST_F(ExhibitTest, a_file_without_a_setting_is_a_problem_and_its_exhibit_has_the_defaults) {

@@ -8,6 +8,7 @@
 
 #include "kiosk/collection/textures/texture_decoder.h"
 #include "tests/kiosk/collection/textures/made_pictures.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 // KTX2 as glTF allows it, against what another decoder makes of the same files (samples/README.md).
 
@@ -17,8 +18,7 @@ namespace {
 using namespace testing;
 
 std::string sample(const std::string& name) {
-  std::ifstream in("tests/kiosk/collection/textures/samples/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return files::test::content("tests/kiosk/collection/textures/samples/" + name);
 }
 
 TexturePixels other_decoder(const std::string& name) {

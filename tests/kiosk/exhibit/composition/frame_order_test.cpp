@@ -358,7 +358,7 @@ TEST_F(PluggedKiosk, HandDevicesGoBeforeTheWheelThatTheyLead) {
 // Guards the order of Kiosk's members: the last of the class goes first. Sound's thread reads the
 // wheel, the visit points at nine parts, and workers of keepsakes hold theirs.
 TEST(KioskMembers, WhatIsUsedOutlivesItsUsers) {
-  const std::string header = commands::text_of("kiosk/exhibit/composition/kiosk.h");
+  const std::string header = commands::content("kiosk/exhibit/composition/kiosk.h");
   const auto at = [&](const std::string& member) {
     const auto here = std::min(header.find("> " + member + ";"), header.find(" " + member + ";"));
     EXPECT_NE(here, std::string::npos) << member;

@@ -43,7 +43,7 @@ TEST_F(WholeKiosk, APictureThatTurnsGoesTheWayOfTheHandThatItsVisitorChose) {
     until([&] { return !kiosk_->doing().turning && kiosk_->doing().kept->turning; });
     const auto& outcome = *kiosk_->doing().kept->turning;
     ASSERT_TRUE(outcome) << to_text(outcome.error());
-    const std::string bytes = commands::text_of(*outcome);
+    const std::string bytes = commands::content(*outcome);
     turns[left_handed ? 1 : 0] = encoding::shown_gif(std::as_bytes(std::span(bytes)));
     press("keepsake.done");
     until([&] { return kiosk_->doing().nobody_is_here; });

@@ -85,7 +85,7 @@ class OneJar : public ::testing::Test {
 
   bool counted_ = false;  ///< Visits are counted, beside the keepsakes.
   int pucks_ = 0;         ///< Plugged in.
-  commands::TemporaryFolder folder_;
+  commands::ScratchFolder folder_;
   std::unique_ptr<files::VirtualDisplay> display_;
   double now_ = 0;
   std::unique_ptr<Kiosk> kiosk_;

@@ -47,8 +47,7 @@ class HeardKiosk : public OneJar {
     return std::mktime(&local);
   }
   std::vector<float> played() const {
-    std::ifstream in(folder_ / "played", std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    const std::string bytes = commands::content(folder_ / "played");
     std::vector<float> out(bytes.size() / sizeof(float));
     std::memcpy(out.data(), bytes.data(), out.size() * sizeof(float));
     return out;

@@ -5,22 +5,16 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/kiosk/ground/files/scratch_folder.h"
+
 namespace onggi::tuning {
 namespace {
 
 class GridMemory : public testing::Test {
  protected:
-  GridMemory() {
-    std::string name = (std::filesystem::temp_directory_path() / "onggi-XXXXXX").string();
-    folder = mkdtemp(name.data());
-    scene = folder / "studio.toml";
-    std::ofstream(scene) << "[walls]\n";
-  }
-  ~GridMemory() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-  }
-  std::filesystem::path folder, scene;
+  GridMemory() { std::ofstream(scene) << "[walls]\n"; }
+  const files::test::ScratchFolder scratch_;
+  const std::filesystem::path folder = scratch_.path(), scene = folder / "studio.toml";
 };
 
 TEST_F(GridMemory, AGridIsRememberedForThisSceneOnThisMachineOnly) {

@@ -6,29 +6,20 @@
 #include <fstream>
 
 #include "kiosk/collection/settings/scene_file.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::tuning {
 namespace {
 
+using files::test::content;
+
 class SceneWriter : public testing::Test {
  protected:
-  SceneWriter() {
-    std::string name = (std::filesystem::temp_directory_path() / "onggi-XXXXXX").string();
-    folder = mkdtemp(name.data());
-  }
-  ~SceneWriter() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-  }
   std::filesystem::path file(const std::string& text) const {
     std::ofstream(folder / "mine.toml") << text;
     return folder / "mine.toml";
   }
-  static std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  std::filesystem::path folder;
+  const files::test::ScratchFolder folder;
 };
 
 TEST_F(SceneWriter, AnotherGridLeavesEveryOtherLineAsItWas) {
@@ -36,7 +27,7 @@ TEST_F(SceneWriter, AnotherGridLeavesEveryOtherLineAsItWas) {
       "# of the museum\nquality = \"auto\"\n\n[clay]  # a lump\nrows = 600\nsectors = 512 # fine\n"
       "wall_min = 0.003\n\n[walls]\nsupport = 0.03  # rows = 9\n");
   ASSERT_TRUE(write_grid(scene, 300, 270, "tuned"));
-  EXPECT_EQ(text_of(scene),
+  EXPECT_EQ(content(scene),
             "# of the museum\n\n[clay]  # a lump\nrows = 300  # tuned\nsectors = 270\n"
             "wall_min = 0.003\n\n[walls]\nsupport = 0.03  # rows = 9\n");
   const settings::SceneRead read = settings::read_scene(scene);
@@ -55,12 +46,12 @@ TEST_F(SceneWriter, ASceneWithoutAClayGetsOne) {
 TEST_F(SceneWriter, WhatIsNoSceneOrWouldBeNoneStaysAsItWas) {
   const std::string wrong = "[clay]\nrows = \"many\"\n";
   EXPECT_FALSE(write_grid(file(wrong), 300, 270, "tuned"));
-  EXPECT_EQ(text_of(folder / "mine.toml"), wrong);
+  EXPECT_EQ(content(folder / "mine.toml"), wrong);
   const std::string dotted = "clay.rows = 500\nclay.sectors = 512\n";
   const auto told = write_grid(file(dotted), 300, 270, "tuned");
   ASSERT_FALSE(told);
   EXPECT_EQ(told.error().exit_code, 1);
-  EXPECT_EQ(text_of(folder / "mine.toml"), dotted);
+  EXPECT_EQ(content(folder / "mine.toml"), dotted);
   EXPECT_FALSE(write_grid(folder / "none.toml", 300, 270, "tuned"));
 }
 

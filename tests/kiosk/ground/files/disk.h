@@ -9,43 +9,19 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::files::test {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, gone with it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string path = (fs::temp_directory_path() / "onggi_files_XXXXXX").string();
-    path_ = ::mkdtemp(path.data());
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 inline std::span<const std::byte> bytes(const std::string& text) {
   return std::as_bytes(std::span(text));
-}
-
-inline std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 inline std::vector<std::string> names_in(const fs::path& folder) {

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <regex>
 
+#include "tests/kiosk/ground/files/scratch_folder.h"
+
 namespace onggi::toml {
 namespace {
 
@@ -21,17 +23,13 @@ using ::testing::SizeIs;
 
 class TomlReaderTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("onggi_toml_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   fs::path write(const std::string& text) {
     const fs::path file = folder_ / "pot.toml";
     std::ofstream(file, std::ios::binary) << text;
     return file;
   }
-  fs::path folder_;
+  const files::test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(TomlReaderTest, everything_that_is_written_rightly_is_read) {

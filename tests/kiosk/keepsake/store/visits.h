@@ -1,44 +1,26 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "kiosk/keepsake/store/visit_record.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::store {
 
-/// A folder of its own, gone with the object.
-class StoreFolder {
+class StoreFolder : public files::test::ScratchFolder {
  public:
-  StoreFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "onggi-store-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~StoreFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  StoreFolder(const StoreFolder&) = delete;
-  StoreFolder& operator=(const StoreFolder&) = delete;
-  std::filesystem::path file() const { return path_ / "onggi.sqlite"; }
-  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path file() const { return path() / "onggi.sqlite"; }
   /// Files whose name has `part` in it.
   int files_with(const std::string& part) const {
     int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
+    for (const auto& entry : std::filesystem::directory_iterator(path()))
       count += entry.path().filename().string().find(part) != std::string::npos ? 1 : 0;
     return count;
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// A visit as scripted visitors make them: `days` days of 2026, most of them whole, some brief.

@@ -14,13 +14,13 @@ using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
 TEST(Soak, HalfAnHourOfTheMuseumsTakesSecondsAndTouchesNothingButItsOwnFolder) {
-  const TemporaryFolder folder;
-  const std::string before = text_of("config/exhibit.toml");
+  const ScratchFolder folder;
+  const std::string before = commands::content("config/exhibit.toml");
   ASSERT_FALSE(before.empty());
   const Outcome soak =
       onggi("soak --hours 0.5 --visits-an-hour 2 --window 320x240 --out '" +
             (folder / "soak").string() + "' --json '" + (folder / "soak.json").string() + "'");
-  const std::string json = text_of(folder / "soak.json");
+  const std::string json = commands::content(folder / "soak.json");
   EXPECT_THAT(json, HasSubstr("\"visits\": 1,")) << soak.err;
   EXPECT_THAT(json, HasSubstr("\"kept\": 1,")) << soak.err;
   EXPECT_THAT(json, HasSubstr("\"dead_ends\": 0,")) << soak.err;
@@ -30,7 +30,7 @@ TEST(Soak, HalfAnHourOfTheMuseumsTakesSecondsAndTouchesNothingButItsOwnFolder) {
   };
   EXPECT_NEAR(figure("hours"), 0.5, 0.02);
   EXPECT_LT(figure("minutes"), 15.0) << "the time between visits is skipped";
-  EXPECT_EQ(text_of("config/exhibit.toml"), before);
+  EXPECT_EQ(commands::content("config/exhibit.toml"), before);
   EXPECT_TRUE(fs::exists(folder / "soak/keepsakes/onggi.sqlite"));
   int kept = 0;
   for (const auto& entry : fs::directory_iterator(folder / "soak/keepsakes"))

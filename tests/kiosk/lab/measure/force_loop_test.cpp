@@ -1,12 +1,12 @@
 #include "kiosk/lab/measure/force_loop.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 
 #include "kiosk/wheel/device/device_file.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::measure {
 namespace {
@@ -17,21 +17,14 @@ namespace fs = std::filesystem;
 class File {
  public:
   File(const std::string& name, const std::string& text) {
-    std::string folder = (fs::temp_directory_path() / "onggi-XXXXXX").string();
-    path = fs::path(mkdtemp(folder.data())) / name;
+    path = folder_ / name;
     std::ofstream(path) << text;
   }
-  ~File() {
-    std::error_code ignored;
-    fs::remove_all(path.parent_path(), ignored);
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  std::string text() const {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string text() const { return files::test::content(path); }
   fs::path path;
+
+ private:
+  const files::test::ScratchFolder folder_;
 };
 
 constexpr const char* kBody = "\n[body]\ndamping = 0.5\ndelay = 1   # a short wire\n";
@@ -84,8 +77,7 @@ TEST(ForceLoop, WhatDoesNotPushOrBearsNothingIsRefusedWithARemedy) {
 
 TEST(ForceLoop, TheFilesThatShipCarryWhatTheirBodiesBear) {
   for (const char* name : {"onggi_hid.toml", "polhem.toml"}) {
-    std::ifstream in(std::string("config/devices/") + name);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string text = files::test::content(std::string("config/devices/") + name);
     const File file(name, text);
     ASSERT_TRUE(write_stiffness_limit(file.path)) << name;
     EXPECT_EQ(file.text(), text) << "run onggi lab loop --write config/devices/" << name;

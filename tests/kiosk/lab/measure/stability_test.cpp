@@ -8,40 +8,28 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/kiosk/ground/files/scratch_folder.h"
+
 namespace onggi::measure {
 namespace {
 
-// A folder of its own, gone with the object.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "onggi-XXXXXX").string();
-    path = mkdtemp(name.data());
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::filesystem::path path;
-};
+using files::test::content;
+using files::test::ScratchFolder;
 
-StabilityPlan short_night(const Folder& folder, double ticks) {
+StabilityPlan short_night(const ScratchFolder& folder, double ticks) {
   StabilityPlan plan;
   plan.ticks = ticks;
   plan.seed = 5;
   plan.threads = 2;
-  plan.folder = folder.path / "night";
+  plan.folder = folder / "night";
   return plan;
 }
-std::string progress(const Folder& folder) {
-  std::ifstream in(folder.path / "night" / "seed_5.txt");
-  return {std::istreambuf_iterator<char>(in), {}};
+std::string progress(const ScratchFolder& folder) {
+  return content(folder / "night" / "seed_5.txt");
 }
 
 TEST(StabilityNight, RunsAtLeastTheTicksThatAreAskedForAndFindsNothing) {
-  const Folder folder;
+  const ScratchFolder folder;
   const auto tally = measure_stability(short_night(folder, 30'000), stderr);
   ASSERT_TRUE(tally) << to_text(tally.error());
   EXPECT_GE(tally->ticks, 30'000u);
@@ -52,7 +40,7 @@ TEST(StabilityNight, RunsAtLeastTheTicksThatAreAskedForAndFindsNothing) {
 }
 
 TEST(StabilityNight, GoesOnWhereItWasAndComesToWhatOneRunComesTo) {
-  const Folder folder, other;
+  const ScratchFolder folder, other;
   StabilityPlan plan = short_night(folder, 20'000);
   plan.threads = 1;
   const auto half = measure_stability(plan, stderr);
@@ -62,14 +50,14 @@ TEST(StabilityNight, GoesOnWhereItWasAndComesToWhatOneRunComesTo) {
   ASSERT_TRUE(all);
   EXPECT_GT(all->trials, half->trials);
   StabilityPlan once = plan;
-  once.folder = other.path / "night";
+  once.folder = other / "night";
   const auto at_once = measure_stability(once, stderr);
   ASSERT_TRUE(at_once);
   EXPECT_EQ(text_of(*all), text_of(*at_once));
 }
 
 TEST(StabilityNight, InterruptedItKeepsWhatIsDone) {
-  const Folder folder;
+  const ScratchFolder folder;
   StabilityPlan plan = short_night(folder, 1e15);
   // Once its progress file is there its answer to the signal is, too, within
   // the moment.
@@ -86,7 +74,7 @@ TEST(StabilityNight, InterruptedItKeepsWhatIsDone) {
 }
 
 TEST(StabilityNight, RefusesProgressThatIsNoneAndAnotherSeeds) {
-  const Folder folder;
+  const ScratchFolder folder;
   const StabilityPlan plan = short_night(folder, 1000);
   std::filesystem::create_directories(plan.folder);
   const auto put = [&](const std::string& text) {
@@ -106,7 +94,7 @@ TEST(StabilityNight, RefusesProgressThatIsNoneAndAnotherSeeds) {
 }
 
 TEST(StabilityNight, OneTrialAloneIsWhatItIsAmongTheOthersAndKeepsNoProgress) {
-  const Folder folder;
+  const ScratchFolder folder;
   StabilityPlan plan = short_night(folder, 1.0);
   plan.threads = 1;
   const auto first = measure_trial(plan, 0);

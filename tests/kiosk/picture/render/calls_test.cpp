@@ -6,18 +6,13 @@
 #include <sstream>
 
 #include "kiosk/picture/view/palette.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
 namespace onggi::render::testing {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 // The count is whole as long as nothing goes past it.
 TEST(Calls, NoOtherFileDrawsUploadsCopiesOrSwitches) {
@@ -31,7 +26,7 @@ TEST(Calls, NoOtherFileDrawsUploadsCopiesOrSwitches) {
     const fs::path& file = entry.path();
     if (file.extension() != ".cpp" && file.extension() != ".h") continue;
     ++files;
-    const std::string text = text_of(file);
+    const std::string text = files::test::content(file);
     const bool found = std::regex_search(text, counted);
     EXPECT_EQ(found, file == "kiosk/picture/render/calls.cpp") << file;
   }

@@ -47,7 +47,7 @@ class BareScreen {
     const std::string file = (folder_ / "said").string();
     const int status = std::system(
         ("DISPLAY=" + display_ + " sh -c '" + command + "' >" + file + " 2>&1").c_str());
-    return status < 0 ? std::string() : text_of(file);
+    return status < 0 ? std::string() : content(file);
   }
   /// "WIDTHxHEIGHT+X+Y" of the kiosk's window; "" while there is none.
   std::string window() const {
@@ -187,7 +187,7 @@ Section "InputDevice"
     return poll(&waiting, 1, 5'000) > 0 && read(glass_, answer.data(), answer.size()) > 0;
   }
 
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
   std::unique_ptr<files::ChildProcess> server_;
   std::string display_;
   int glass_ = -1;
@@ -205,7 +205,7 @@ inline std::optional<files::ChildProcess> run_on(const BareScreen& screen,
                  log + "'"},
       {});
   if (!kiosk) return {};
-  for (int n = 0; n < 600 && text_of(log).find("First picture") == std::string::npos; ++n)
+  for (int n = 0; n < 600 && content(log).find("First picture") == std::string::npos; ++n)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   return std::move(*kiosk);
 }

@@ -31,13 +31,13 @@ class CopiedSite : public ::testing::Test {
     return onggi("check " + arguments, "cd '" + at("content") + "'");
   }
   void replace(const std::string& name, const std::string& what, const std::string& with) const {
-    std::string text = text_of(at(name));
+    std::string text = content(at(name));
     const auto found = text.find(what);
     ASSERT_NE(found, std::string::npos) << what;
     text.replace(found, what.size(), with);
     std::ofstream(at(name)) << text;
   }
-  const TemporaryFolder folder_;
+  const ScratchFolder folder_;
 };
 
 TEST_F(CopiedSite, IsWhatIsCheckedWhereOneStandsInItAndEachOfItsFilesIsNamed) {
@@ -119,7 +119,7 @@ TEST_F(CopiedSite, AnImportedScanIsAskedForUntilItsLabelIsWhole) {
             std::string::npos)
       << exhibit.out;
   const std::string toml = at("content/vessels/bowl/vessel.toml");
-  std::string first = text_of(toml), label, korean;
+  std::string first = content(toml), label, korean;
   std::string asked;
   int rounds = 0;
   // What a curator does: reads the first line of what is asked, and writes that.
@@ -144,7 +144,7 @@ TEST_F(CopiedSite, AnImportedScanIsAskedForUntilItsLabelIsWhole) {
     });
     ASSERT_NE(answer, answers.end()) << run.err;
     asked += answer->first + "; ";
-    std::string text = text_of(toml);
+    std::string text = content(toml);
     if (answer->second.empty()) {
       std::ofstream(toml) << std::regex_replace(text, std::regex("unfinished = true[^\n]*\n"), "");
       run = check();
@@ -182,7 +182,7 @@ TEST_F(CopiedSite, WhatAVisitorShouldNotReadIsNamed) {
   }
   replace(name, "licence = \"not known\"", "licence = \"CC0-1.0\"");
   EXPECT_EQ(check().exit_code, 0);
-  std::string text = text_of(at(name));
+  std::string text = content(at(name));
   for (const char* part : {"title", "culture", "date", "made", "text"}) {
     const std::regex first("\n" + std::string(part) + " = [^\n]*");
     std::ofstream(at(name)) << std::regex_replace(text, first,
@@ -205,7 +205,7 @@ TEST_F(CopiedSite, WhatAVisitorShouldNotReadIsNamed) {
 TEST_F(CopiedSite, ATranslatorWritesOneFileAndItsFaultsAreNamedThere) {
   replace("config/exhibit.toml", "languages = [\"en\", \"ko\"]", "languages = [\"en\", \"nl\"]");
   replace("config/exhibit.toml", "ko = \"도자기 빚기\"", "nl = \"Maak een pot\"");
-  std::string words = text_of(at("content/languages/en.toml"));
+  std::string words = content(at("content/languages/en.toml"));
   words = std::regex_replace(words, std::regex("code = \"en\""), "code = \"nl\"");
   std::ofstream(at("content/languages/nl.toml")) << words;
   const std::string copied = check().err;
@@ -228,7 +228,7 @@ TEST_F(CopiedSite, ATranslatorWritesOneFileAndItsFaultsAreNamedThere) {
   for (const char* id : {"moon_jar", "tea_bowl"})
     words += std::string("[vessel.") + id + "]\ntitle = \"Pot\"\n";
   const auto add = [&words](const char* file, const std::string& kind, const std::string& texts) {
-    const std::string text = text_of(file);
+    const std::string text = content(file);
     const std::regex id("\nid = \"([a-z_]+)\"");
     for (std::sregex_iterator it(text.begin(), text.end(), id), end; it != end; ++it)
       words += "[" + kind + "." + (*it)[1].str() + "]\n" + texts;

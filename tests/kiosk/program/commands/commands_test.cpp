@@ -54,7 +54,7 @@ TEST(Commands, WithoutADisplayTheKioskSaysWhatItLacks) {
 }
 
 TEST(Lab, TheLoopsTimesAreToldAloneAndBesideTheDrawingWithAVerdictInWords) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string plot = (folder / "timing.svg").string();
   const Outcome run = onggi("lab timing --seconds 2 --json - --plot " + plot);
   EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << run.err;
@@ -72,11 +72,11 @@ TEST(Lab, TheLoopsTimesAreToldAloneAndBesideTheDrawingWithAVerdictInWords) {
   std::string words;
   for (const auto& sentence : report.at("words")) words += sentence.get<std::string>();
   EXPECT_NE(words.find("too few for the tail"), std::string::npos) << words;
-  EXPECT_NE(text_of(plot).find("<svg"), std::string::npos);
+  EXPECT_NE(content(plot).find("<svg"), std::string::npos);
 }
 
 TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string json = (folder / "prices.json").string();
   const Outcome run = onggi("lab effects --quick --grid 60x48 --json " + json);
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -102,21 +102,21 @@ TEST(Lab, ThePriceListGoesToStandardOutputWhereThatIsAskedFor) {
 }
 
 TEST(Lab, ThePriceListIsDrawnWithNothingButTheProgramItself) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   for (const auto& [name, begins] : {std::pair{"prices.svg", "<?xml"}, {"prices.png", "\x89PNG"}}) {
     const std::string file = (folder / name).string();
     // No shell, no gnuplot, no valgrind: nothing is found in the path.
     const Outcome run =
         onggi("lab effects --quick --grid 60x48 --plot " + file, "export PATH=/nowhere");
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_EQ(text_of(file).rfind(begins, 0), 0u) << name;
-    EXPECT_GT(text_of(file).size(), 20000u) << name;
+    EXPECT_EQ(content(file).rfind(begins, 0), 0u) << name;
+    EXPECT_GT(content(file).size(), 20000u) << name;
   }
   EXPECT_EQ(onggi("lab effects --quick --grid 60x48 --plot /proc/no.png").exit_code, 1);
 }
 
 TEST(Lab, ANightOfTrialsLeavesItsTallyAndGoesOnWhereItWas) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string out = " --threads 1 --seed 3 --out " + (folder / "night").string();
   const Outcome first = onggi("lab stability --ticks 9000 --json -" + out);
   EXPECT_EQ(first.exit_code, 0) << first.err;
@@ -147,7 +147,7 @@ TEST(Check, TheExhibitThatComesWithTheProgramIsGood) {
 }
 
 TEST(Check, AScriptThatAttractModeDoesNotShowIsNamedWithThoseThatItDoes) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file =
       write_exhibit(folder, "studio", "[attract]\nscripts = [\"follow\", \"colapse\"]\n");
   const Outcome run = onggi("check " + file);
@@ -157,7 +157,7 @@ TEST(Check, AScriptThatAttractModeDoesNotShowIsNamedWithThoseThatItDoes) {
 }
 
 TEST(Check, ASceneForAVesselThatIsNotOnTheShelfIsNamedWithTheNearestThatIs) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file =
       write_exhibit(folder, "studio",
                     "[vessel_scenes]\nmoonjar = \"" + std::filesystem::current_path().string() +
@@ -169,7 +169,7 @@ TEST(Check, ASceneForAVesselThatIsNotOnTheShelfIsNamedWithTheNearestThatIs) {
 }
 
 TEST(Check, EverySlipOfAnExhibitIsNamedAtOnceWithLineColumnAndRemedy) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file = (folder / "exhibit.toml").string();
   std::ofstream(file) << "credits = \"Museum\"\n[idle]\ncountdown = 5\nwarn_after = \"soon\"\n";
   const Outcome run = onggi("check " + file);
@@ -181,7 +181,7 @@ TEST(Check, EverySlipOfAnExhibitIsNamedAtOnceWithLineColumnAndRemedy) {
 }
 
 TEST(Check, WhereThereIsNothingToCheckIsNotGood) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   std::filesystem::create_directory(folder / "empty");
   const Outcome run = onggi("check " + (folder / "empty").string());
   EXPECT_EQ(run.exit_code, 2);
@@ -189,18 +189,18 @@ TEST(Check, WhereThereIsNothingToCheckIsNotGood) {
 }
 
 TEST(Vessel, ADrawingBecomesAGlbThatMeasuresAsDrawn) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string glb = (folder / "vessel.glb").string();
   const Outcome make = onggi("vessel make content/vessels/moon_jar/profile.toml -o " + glb);
   ASSERT_EQ(make.exit_code, 0) << make.err;
-  EXPECT_EQ(text_of(glb), text_of("content/vessels/moon_jar/vessel.glb"));
+  EXPECT_EQ(content(glb), content("content/vessels/moon_jar/vessel.glb"));
   const Outcome inspect = onggi("vessel inspect --json - " + glb);
   ASSERT_EQ(inspect.exit_code, 0) << inspect.err;
   EXPECT_NEAR(nlohmann::json::parse(inspect.out)["height_m"].get<double>(), 0.305, 0.003);
 }
 
 TEST(Vessel, WhatIsInspectedIsToldInJsonAndDrawn) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string png = (folder / "jar.png").string();
   const Outcome run = onggi("vessel inspect content/vessels/moon_jar --json - --plot " + png);
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -212,13 +212,13 @@ TEST(Vessel, WhatIsInspectedIsToldInJsonAndDrawn) {
   EXPECT_EQ(report["axis"]["origin"].size(), 3u);
   EXPECT_EQ(report["outer"][0].size(), 2u);
   EXPECT_EQ(report["inner"], "measured");
-  const std::string picture = text_of(png);
+  const std::string picture = content(png);
   EXPECT_GT(picture.size(), 50000u);
   EXPECT_EQ(picture.substr(1, 3), "PNG");
 }
 
 TEST(Vessel, AScanBecomesAPackThatTheKioskOpens) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string shelf = (folder / "shelf").string();
   const std::string command =
       "vessel import content/vessels/tea_bowl/vessel.glb --id my_bowl --shelf " + shelf;
@@ -226,7 +226,7 @@ TEST(Vessel, AScanBecomesAPackThatTheKioskOpens) {
   EXPECT_FALSE(std::filesystem::exists(shelf));
   std::filesystem::create_directory(shelf);
   ASSERT_EQ(onggi(command).exit_code, 0);
-  EXPECT_EQ(text_of(shelf + "/my_bowl/vessel.glb"), text_of("content/vessels/tea_bowl/vessel.glb"));
+  EXPECT_EQ(content(shelf + "/my_bowl/vessel.glb"), content("content/vessels/tea_bowl/vessel.glb"));
   EXPECT_EQ(onggi("vessel inspect " + shelf + "/my_bowl").exit_code, 0);
   const Outcome again = onggi(command);
   EXPECT_EQ(again.exit_code, 2);
@@ -285,7 +285,7 @@ TEST(Score, ADrawingIsItsOwnGlbAndABowlIsNoJar) {
 }
 
 TEST(Score, TheRubricIsPolicy) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file = (folder / "rubric.toml").string();
   const std::string command = "score content/vessels/meiping content/vessels/maebyeong --json - ";
   const double usual = nlohmann::json::parse(onggi(command).out)["score"].get<double>();
@@ -302,7 +302,7 @@ TEST(Score, TheRubricIsPolicy) {
 }
 
 TEST(Replay, AFileThatIsNoReplayIsRefusedWithAMeaning) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file = (folder / "visit.onggi").string();
   std::ofstream(file) << "not a replay at all";
   const Outcome run = onggi("replay " + file);

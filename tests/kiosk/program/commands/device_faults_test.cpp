@@ -44,7 +44,7 @@ struct Wire {
 /// What was recorded so far; a last line that is not whole is left.
 std::vector<Wire> recorded(const std::filesystem::path& file) {
   std::vector<Wire> all;
-  std::istringstream in(text_of(file));
+  std::istringstream in(content(file));
   for (std::string line; std::getline(in, line) && !in.eof();) {
     std::istringstream words(line);
     std::string path, way, byte;
@@ -70,7 +70,7 @@ void write_track(const std::filesystem::path& file) {
 /// `onggi soak` in the background, with the reference device plugged in.
 class Soak {
  public:
-  explicit Soak(const TemporaryFolder& folder) : record_(folder / "record") {
+  explicit Soak(const ScratchFolder& folder) : record_(folder / "record") {
     const std::string track = (folder / "track").string();
     write_track(track);
     const std::string scenario = (folder / "scenario").string();
@@ -116,16 +116,16 @@ class Soak {
 };
 
 TEST(DeviceFaults, StoppedAndThenKilledTheForceEndsByItselfAndComesBackFromNothing) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   Soak soak(folder);
-  ASSERT_TRUE(soak.pushes(0.15, 0)) << text_of(folder / "log");
+  ASSERT_TRUE(soak.pushes(0.15, 0)) << content(folder / "log");
 
   soak.signal(SIGSTOP);
   std::this_thread::sleep_for(300ms);
   const auto before = soak.wire();
   const long stopped = before.back().ms;
   soak.signal(SIGCONT);
-  ASSERT_TRUE(soak.pushes(0.15, stopped + 200)) << text_of(folder / "log");
+  ASSERT_TRUE(soak.pushes(0.15, stopped + 200)) << content(folder / "log");
   // The first word after the pause is off, and then it is armed anew, from nothing.
   const auto after = soak.wire();
   const auto first = std::find_if(after.begin(), after.end(),

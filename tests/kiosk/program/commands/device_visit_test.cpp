@@ -22,14 +22,14 @@ namespace {
 using Json = nlohmann::json;
 
 /// What the shell does before the program, so that it finds the devices of `scenario`.
-std::string plugged_in(const TemporaryFolder& folder, const std::string& scenario) {
+std::string plugged_in(const ScratchFolder& folder, const std::string& scenario) {
   const std::string file = (folder / "scenario").string();
   std::ofstream(file) << scenario;
   return "export LD_PRELOAD='" ONGGI_HID_STAND_IN "' ONGGI_STAND_IN='" + file + "'";
 }
 
 TEST(Devices, EachIsListedWithWhatItWouldDoAndTheThirdHandIsNotUsed) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string first = plugged_in(folder,
                                        "clock reads\ndevice space_mouse\ndevice surface_dial\n"
                                        "device onggi_hid\ndevice polhem\ndevice dual_sense\n");
@@ -51,8 +51,8 @@ TEST(Devices, EachIsListedWithWhatItWouldDoAndTheThirdHandIsNotUsed) {
 }
 
 /// Where the tool was at each tick of a kept visit, as a simulated hand's track.
-std::string track_of(const Json& visit, const TemporaryFolder& folder) {
-  const std::string bytes = text_of(visit.at("files").at(4).get<std::string>());
+std::string track_of(const Json& visit, const ScratchFolder& folder) {
+  const std::string bytes = content(visit.at("files").at(4).get<std::string>());
   const auto replay = Replay::read(std::as_bytes(std::span(bytes)), "visit");
   EXPECT_TRUE(replay);
   const std::string file = (folder / "track").string();
@@ -66,7 +66,7 @@ std::string track_of(const Json& visit, const TemporaryFolder& folder) {
 }
 
 /// A shelf of one vessel: reading and drawing all of them would be most of the work.
-Json visit(const TemporaryFolder& folder, const std::string& name, const std::string& hand,
+Json visit(const ScratchFolder& folder, const std::string& name, const std::string& hand,
            const std::string& first) {
   const std::filesystem::path shelf = folder / "shelf";
   std::filesystem::create_directory(shelf);
@@ -91,7 +91,7 @@ double apart_mm(const Json& a, const Json& b) {
 }
 
 Replay replay_of(const Json& visit) {
-  const std::string bytes = text_of(visit.at("files").at(4).get<std::string>());
+  const std::string bytes = content(visit.at("files").at(4).get<std::string>());
   auto replay = Replay::read(std::as_bytes(std::span(bytes)), "visit");
   EXPECT_TRUE(replay);
   return std::move(*replay);
@@ -133,7 +133,7 @@ bool begins_with_attract(const Json& visit) {
 
 // One controller by cable and one by radio, tilted opposite ways, their sticks towards the axis.
 TEST(DeviceVisit, ADialBeginsTheVisitAndTurnsTheWheelTwoControllersTiltAndTrembleAndItIsCounted) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string record = (folder / "record").string();
   const Json kept =
       visit(folder, "felt", "device",
@@ -183,7 +183,7 @@ TEST(DeviceVisit, ADialBeginsTheVisitAndTurnsTheWheelTwoControllersTiltAndTrembl
 }
 
 TEST(DeviceVisit, APuckAndAForceDeviceThrowThePotThatTheMouseThrows) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const Json by_mouse = visit(folder, "mouse", "mouse", "true");
   const std::string track = track_of(by_mouse, folder) + " " +
                             std::to_string(by_mouse.at("first_tick").get<int>()) + "\n";

@@ -15,43 +15,43 @@ namespace fs = std::filesystem;
 const std::string kJar = "content/vessels/moon_jar/";
 
 TEST(Outputs, TheScanThatIsInspectedIsNeverWrittenOver) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string scan = (folder / "scan.glb").string();
   fs::copy(kJar + "vessel.glb", scan);
-  const std::string before = text_of(scan);
+  const std::string before = content(scan);
   for (const std::string option : {"--json ", "--plot "})
     for (const std::string more : {"", " --force"}) {
       const Outcome run = onggi("vessel inspect " + scan + " " + option + scan + more);
       EXPECT_EQ(run.exit_code, 2) << option << more;
       EXPECT_EQ(run.out, "");
-      EXPECT_EQ(text_of(scan), before) << option << more;
+      EXPECT_EQ(content(scan), before) << option << more;
     }
   const std::string other = (folder / "other.glb").string();
   fs::copy(scan, other);
   EXPECT_EQ(onggi("vessel inspect " + scan + " --json " + other).exit_code, 2);
-  EXPECT_EQ(text_of(other), before);
+  EXPECT_EQ(content(other), before);
   EXPECT_EQ(onggi("vessel inspect " + scan + " --json " + other + " --force").exit_code, 0);
-  EXPECT_EQ(text_of(other).substr(0, 1), "{");
+  EXPECT_EQ(content(other).substr(0, 1), "{");
 }
 
 TEST(Outputs, ADrawingIsNotReplacedByWhatIsMadeOfIt) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string drawing = (folder / "profile.toml").string();
   fs::copy(kJar + "profile.toml", drawing);
-  const std::string before = text_of(drawing);
+  const std::string before = content(drawing);
   EXPECT_EQ(onggi("vessel make " + drawing + " -o " + drawing + " --force").exit_code, 2);
-  EXPECT_EQ(text_of(drawing), before);
+  EXPECT_EQ(content(drawing), before);
 }
 
 TEST(Outputs, ADashIsStandardOutputForReportsPicturesAndVessels) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto begins = [](const std::string& arguments) {
     const Outcome run = onggi(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return run.out;
   };
   const std::string glb = begins("vessel make " + kJar + "profile.toml -o -");
-  EXPECT_EQ(glb, text_of(kJar + "vessel.glb"));
+  EXPECT_EQ(glb, content(kJar + "vessel.glb"));
   const std::string png = begins("vessel inspect " + kJar + " --plot -");
   EXPECT_EQ(png.substr(1, 3), "PNG");
   EXPECT_EQ(png.substr(png.size() - 8, 4), "IEND");
@@ -67,7 +67,7 @@ TEST(Outputs, AFullDeviceIsNoSuccessAndStaysADevice) {
 }
 
 TEST(Outputs, AFolderThatIsNotThereIsToldBeforeTheWorkAndNotMade) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string no = (folder / "no").string();
   for (const std::string& command : std::initializer_list<std::string>{
            "lab effects --json ", "lab accuracy --csv ", "lab loop --plot ",

@@ -23,12 +23,12 @@ struct Outcome {
 /// Runs `onggi ARGUMENTS` through the shell, with no display of anyone's, after the shell's
 /// `first`.
 inline Outcome onggi(const std::string& arguments, const std::string& first = "true") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string out = (folder / "out").string(), err = (folder / "err").string();
   const std::string command = first + " && unset DISPLAY WAYLAND_DISPLAY && '" ONGGI_PROGRAM "' " +
                               arguments + " >'" + out + "' 2>'" + err + "' </dev/null";
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, text_of(out), text_of(err)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, content(out), content(err)};
 }
 
 }  // namespace onggi::commands

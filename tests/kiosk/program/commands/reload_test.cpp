@@ -45,7 +45,7 @@ class OpenSite {
     fs::copy("content/vessels/" + id, folder_ / ("content/vessels/" + id),
              fs::copy_options::recursive);
   }
-  std::string log() const { return text_of(folder_ / "log"); }
+  std::string log() const { return content(folder_ / "log"); }
   int times(const std::string& words) const {
     const std::string log = this->log();
     int n = 0;
@@ -60,7 +60,7 @@ class OpenSite {
   }
 
  private:
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
   Result<std::unique_ptr<files::VirtualDisplay>> display_;
   std::unique_ptr<files::ChildProcess> kiosk_;
 };

@@ -23,12 +23,12 @@ std::string everything_in(const fs::path& folder) {
   std::string all;
   for (const auto& file : fs::recursive_directory_iterator(folder))
     all +=
-        file.path().string() + '\n' + (file.is_regular_file() ? text_of(file.path()) : "") + '\n';
+        file.path().string() + '\n' + (file.is_regular_file() ? content(file.path()) : "") + '\n';
   return all;
 }
 
 TEST(Report, AMuseumFarAwaySendsAllOfItsKioskAndNothingOfItsVisitors) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string site = (folder / "site").string();
   put(folder / "site/config/exhibit.toml", "shelf = \"" + fs::current_path().string() +
                                                "/content/vessels/moon_jar\"\ncredit = \"Museum of "
@@ -69,16 +69,16 @@ TEST(Report, AMuseumFarAwaySendsAllOfItsKioskAndNothingOfItsVisitors) {
   fs::create_directories(folder / "out");
   ASSERT_EQ(std::system(("tar -xzf " + to + " -C " + (folder / "out").string()).c_str()), 0);
   const fs::path in = folder / "out/onggi-report";
-  EXPECT_THAT(text_of(in / "machine.txt"), HasSubstr("onggi 0."));
-  EXPECT_THAT(text_of(in / "config/exhibit.toml"), HasSubstr("Museum of Jars"));
-  EXPECT_THAT(text_of(in / "config/scenes/first_touch.toml"), HasSubstr("own scene"));
-  EXPECT_THAT(text_of(in / "check.txt"), HasSubstr("warm_after is not a key"));
-  EXPECT_THAT(text_of(in / "health.txt"), HasSubstr("onggi_safe_mode 0"));
-  EXPECT_THAT(text_of(in / "crashes.txt"), HasSubstr("running 2"));
-  EXPECT_THAT(text_of(in / "log.txt"), HasSubstr("Drawing with a card."));
-  EXPECT_THAT(text_of(in / "log.txt"), HasSubstr("keepsakes/KEEPSAKE/pot.stl: The disk is full."));
-  EXPECT_THAT(text_of(in / "disk.txt"), HasSubstr("folders of keepsakes: 1"));
-  EXPECT_GT(text_of(in / "stats.txt").size(), 20u);
+  EXPECT_THAT(content(in / "machine.txt"), HasSubstr("onggi 0."));
+  EXPECT_THAT(content(in / "config/exhibit.toml"), HasSubstr("Museum of Jars"));
+  EXPECT_THAT(content(in / "config/scenes/first_touch.toml"), HasSubstr("own scene"));
+  EXPECT_THAT(content(in / "check.txt"), HasSubstr("warm_after is not a key"));
+  EXPECT_THAT(content(in / "health.txt"), HasSubstr("onggi_safe_mode 0"));
+  EXPECT_THAT(content(in / "crashes.txt"), HasSubstr("running 2"));
+  EXPECT_THAT(content(in / "log.txt"), HasSubstr("Drawing with a card."));
+  EXPECT_THAT(content(in / "log.txt"), HasSubstr("keepsakes/KEEPSAKE/pot.stl: The disk is full."));
+  EXPECT_THAT(content(in / "disk.txt"), HasSubstr("folders of keepsakes: 1"));
+  EXPECT_GT(content(in / "stats.txt").size(), 20u);
   const std::string all = everything_in(folder / "out");
   for (const char* visitors : {kVisitor, "141503", "14:15:09", "the only visitor's vessel"})
     EXPECT_THAT(all, Not(HasSubstr(visitors)));

@@ -32,7 +32,7 @@ Counted counted_of_a_visit(int seconds) {
     out << '\n';
   }
   // Apart from what is written: a change beside the exhibit opens it anew.
-  const TemporaryFolder site;
+  const ScratchFolder site;
   const std::string exhibit = write_exhibit(
       site, "first_touch", "[keepsake]\nfolder = \"" + (folder / "kept").string() + "\"\n");
   std::filesystem::create_directories(folder / "kept");
@@ -42,16 +42,16 @@ Counted counted_of_a_visit(int seconds) {
       "'; exec '" ONGGI_PROGRAM "' run --window 320x240 --config '" + exhibit + "' 2>'" + log + "'";
   auto kiosk = files::ChildProcess::start("sh", {"-c", command}, {});
   if (!kiosk) return {};
-  for (int n = 0; n < 1200 && text_of(log).find("First picture") == std::string::npos; ++n)
+  for (int n = 0; n < 1200 && content(log).find("First picture") == std::string::npos; ++n)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   std::this_thread::sleep_for(std::chrono::seconds(seconds));
   kiosk->end(SIGTERM);
-  EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+  EXPECT_EQ(kiosk->status(), 0) << content(log);
   store::Database store =
       store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
   return {store.number("SELECT count(*) FROM visits").value_or(0),
           store.number("SELECT count(*) FROM visits WHERE ended = 'closed'").value_or(0),
-          text_of(log)};
+          content(log)};
 }
 
 TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCountedThoughTheFormerStoreIsDamaged) {
@@ -72,7 +72,7 @@ TEST(Run, AVisitUnderWayWhenTheProgramIsAskedToEndIsCountedThoughTheFormerStoreI
 TEST(Run, AVisitUnderWayWhenTheXServerEndsIsCountedAndTheProgramEndsForAnother) {
   DoomedServer server;
   if (server.name().empty()) GTEST_SKIP() << "Xvfb is not installed";
-  const TemporaryFolder folder, site;
+  const ScratchFolder folder, site;
   const std::string log = (folder / "log").string();
   const std::string exhibit = write_exhibit(
       site, "first_touch", "[keepsake]\nfolder = \"" + (folder / "kept").string() + "\"\n");
@@ -83,7 +83,7 @@ TEST(Run, AVisitUnderWayWhenTheXServerEndsIsCountedAndTheProgramEndsForAnother) 
                  log + "'"},
       {});
   ASSERT_TRUE(kiosk);
-  for (int n = 0; n < 1200 && text_of(log).find("First picture") == std::string::npos; ++n)
+  for (int n = 0; n < 1200 && content(log).find("First picture") == std::string::npos; ++n)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   // Touches, for longer than somebody who walks by.
   ASSERT_EQ(std::system(("DISPLAY=" + server.name() +
@@ -93,12 +93,12 @@ TEST(Run, AVisitUnderWayWhenTheXServerEndsIsCountedAndTheProgramEndsForAnother) 
             0);
   server.end();
   EXPECT_TRUE(kiosk->wait_until(files::ChildProcess::Clock::now() + std::chrono::seconds(30)));
-  EXPECT_TRUE(WIFEXITED(kiosk->status()) && WEXITSTATUS(kiosk->status()) == 1) << text_of(log);
-  EXPECT_NE(text_of(log).find("X server is gone"), std::string::npos) << text_of(log);
+  EXPECT_TRUE(WIFEXITED(kiosk->status()) && WEXITSTATUS(kiosk->status()) == 1) << content(log);
+  EXPECT_NE(content(log).find("X server is gone"), std::string::npos) << content(log);
   store::Database counted =
       store::Database::open(folder / "kept/onggi.sqlite", store::Database::Mode::read);
   EXPECT_EQ(counted.number("SELECT count(*) FROM visits WHERE ended = 'closed'"), 1)
-      << text_of(log);
+      << content(log);
 }
 
 }  // namespace

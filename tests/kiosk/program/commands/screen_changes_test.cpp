@@ -20,7 +20,7 @@ void expect_at(std::pair<int, int> is, int x, int y, const std::string& why) {
 }
 
 TEST(ScreenChanges, APictureFillsTheMonitorThatIsThereAndAFingerFallsWhereItTouches) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto screen = BareScreen::start();
   if (!screen) GTEST_SKIP() << "no Xorg with a dummy screen could be started";
   const std::string log = (folder / "log").string(),
@@ -30,7 +30,7 @@ TEST(ScreenChanges, APictureFillsTheMonitorThatIsThereAndAFingerFallsWhereItTouc
   auto kiosk = run_on(*screen, "--config " + exhibit, log);
   ASSERT_TRUE(kiosk);
   EXPECT_TRUE(screen->window_becomes("640x480+0+0", kSoon)) << screen->window();
-  EXPECT_NE(text_of(log).find("it shows 640 x 480"), std::string::npos) << text_of(log);
+  EXPECT_NE(content(log).find("it shows 640 x 480"), std::string::npos) << content(log);
 
   ASSERT_TRUE(screen->xrandr("--output DUMMY0 --mode 800x600"));
   EXPECT_TRUE(screen->window_becomes("800x600+0+0", kSoon)) << screen->window();
@@ -42,14 +42,14 @@ TEST(ScreenChanges, APictureFillsTheMonitorThatIsThereAndAFingerFallsWhereItTouc
   EXPECT_TRUE(screen->window_becomes("640x480+0+0", kSoon)) << screen->window();
 
   // A screen of X larger than the monitor: a second one lay beside it.
-  expect_at(screen->touch(0.5, 0.25), 320, 120, text_of(log));
+  expect_at(screen->touch(0.5, 0.25), 320, 120, content(log));
   ASSERT_TRUE(screen->xrandr("--fb 1280x960"));
   expect_at(screen->touch(0.5, 0.25), 640, 240, "X alone spreads the glass over all of it");
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  expect_at(screen->touch(0.75, 0.25), 480, 120, text_of(log));
+  expect_at(screen->touch(0.75, 0.25), 480, 120, content(log));
   EXPECT_EQ(screen->window(), "640x480+0+0");
   kiosk->end(SIGTERM);
-  EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+  EXPECT_EQ(kiosk->status(), 0) << content(log);
 }
 
 /// What reaches the screens of fingers on the glass.
@@ -121,14 +121,14 @@ int brightest(const BareScreen& screen) {
 }
 
 bool comes(const std::string& log, const std::string& line) {
-  for (int n = 0; n < 100 && text_of(log).find(line) == std::string::npos; ++n)
+  for (int n = 0; n < 100 && content(log).find(line) == std::string::npos; ++n)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  return text_of(log).find(line) != std::string::npos;
+  return content(log).find(line) != std::string::npos;
 }
 
 TEST(ScreenChanges, AKioskThatIsClosedIsBlackAndATouchWakesIt) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto screen = BareScreen::start();
   if (!screen) GTEST_SKIP() << "no Xorg with a dummy screen could be started";
   ASSERT_TRUE(screen->xrandr("--output DUMMY0 --mode 640x480"));
@@ -138,15 +138,15 @@ TEST(ScreenChanges, AKioskThatIsClosedIsBlackAndATouchWakesIt) {
                                             "\"closed\"\n");
   auto kiosk = run_on(*screen, "--config " + exhibit, log);
   ASSERT_TRUE(kiosk);
-  ASSERT_TRUE(comes(log, "The museum is closed")) << text_of(log);
+  ASSERT_TRUE(comes(log, "The museum is closed")) << content(log);
   EXPECT_EQ(brightest(*screen), 0);
   screen->touch(0.5, 0.5);
-  ASSERT_TRUE(comes(log, "The screen is on again.")) << text_of(log);
+  ASSERT_TRUE(comes(log, "The screen is on again.")) << content(log);
   int light = 0;
   for (int n = 0; n < 50 && light <= 150; ++n) light = brightest(*screen);
   EXPECT_GT(light, 150);
   kiosk->end(SIGTERM);
-  EXPECT_EQ(kiosk->status(), 0) << text_of(log);
+  EXPECT_EQ(kiosk->status(), 0) << content(log);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Service {
   }
   bool has_display() const { return display_.has_value(); }
   void remember(const std::string& runs) const { std::ofstream(folder_ / "state/runs") << runs; }
-  std::string remembered() const { return text_of(folder_ / "state/runs"); }
+  std::string remembered() const { return content(folder_ / "state/runs"); }
   /// A last good exhibit, which says `exhibit`, as the kiosk keeps it.
   void keep_as_last_good(const std::string& exhibit) const {
     fs::create_directories(folder_ / "state/last_good/config");
@@ -68,17 +68,17 @@ class Service {
     auto kiosk = files::ChildProcess::start("sh", {"-c", command}, {});
     if (!kiosk) return {};
     const auto runs = [&] {
-      return fs::exists(health) && text_of(err).find("First picture") != std::string::npos;
+      return fs::exists(health) && content(err).find("First picture") != std::string::npos;
     };
     const auto now = files::ChildProcess::Clock::now;
     for (const auto until = now() + std::chrono::seconds(60); !runs() && now() < until;)
       if (kiosk->wait_until(now() + std::chrono::milliseconds(50))) break;
     kiosk->end(signal);
     const int status = kiosk->status();
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, "", text_of(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, "", content(err)};
   }
 
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
   Result<std::unique_ptr<files::VirtualDisplay>> display_;
 };
 
@@ -94,7 +94,7 @@ TEST(ServiceRun, AKioskThatCrashedFourTimesShowsAnExhibitThatIsKnownToBeGood) {
   EXPECT_THAT(run.err, HasSubstr("Safe mode"));
   EXPECT_THAT(run.err, HasSubstr("The exhibit is " + fs::absolute("config/exhibit.toml").string()));
   EXPECT_THAT(run.err, HasSubstr("First picture"));
-  EXPECT_THAT(text_of(service / "run/onggi.prom"), HasSubstr("\nonggi_safe_mode 1\n"));
+  EXPECT_THAT(content(service / "run/onggi.prom"), HasSubstr("\nonggi_safe_mode 1\n"));
   EXPECT_EQ(service.remembered(), "onggi-runs 1 running 0 crashes 0.\n") << "it ended as asked";
 }
 

@@ -26,7 +26,7 @@ store::VisitRecord visit(const std::string& day, const std::string& vessel) {
 }
 
 /// Ten visitors on one day of May, six on the next; three of them threw a cup.
-std::string written(const TemporaryFolder& folder) {
+std::string written(const ScratchFolder& folder) {
   const std::string file = (folder / "onggi.sqlite").string();
   std::vector<Problem> remarks;
   auto opened = store::VisitStore::open(file, "then", remarks);
@@ -41,7 +41,7 @@ std::string written(const TemporaryFolder& folder) {
 }
 
 TEST(Stats, ACuratorGetsWordsTablesAndAPictureAndNothingOfThree) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string store = " --store " + written(folder);
   const Outcome words = onggi("stats" + store);
   ASSERT_EQ(words.exit_code, 0) << words.err;
@@ -58,13 +58,13 @@ TEST(Stats, ACuratorGetsWordsTablesAndAPictureAndNothingOfThree) {
   EXPECT_EQ(json.at("visits"), 10);
   EXPECT_EQ(json.at("tables").at("day").at(0).at("visits"), 10);
   EXPECT_TRUE(json.at("tables").at("vessel").at(0).at("visits").is_null());
-  EXPECT_NE(text_of(csv).find("day,2026-05-01,10,0,20.0,"), std::string::npos) << text_of(csv);
-  EXPECT_EQ(text_of(plot).substr(1, 3), "PNG");
+  EXPECT_NE(content(csv).find("day,2026-05-01,10,0,20.0,"), std::string::npos) << content(csv);
+  EXPECT_EQ(content(plot).substr(1, 3), "PNG");
   EXPECT_EQ(onggi("stats --csv -" + store).out.substr(0, 10), "table,name");
 }
 
 TEST(Stats, OfFourVisitorsThePictureSaysThatTheyAreFewAndOfNoneThatThereAreNone) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file = (folder / "onggi.sqlite").string();
   {
     std::vector<Problem> remarks;
@@ -77,13 +77,13 @@ TEST(Stats, OfFourVisitorsThePictureSaysThatTheyAreFewAndOfNoneThatThereAreNone)
     const Outcome run = onggi("stats" + days + " --plot " + plot + " --store " + file);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.out.find(why), std::string::npos) << run.out;
-    return text_of(plot);
+    return content(plot);
   };
   EXPECT_NE(told("", "fewer than 5 people played"), told(" --from 2031-01-01", "nobody played"));
 }
 
 TEST(Stats, AStoreThatIsNewerThanTheProgramIsRefusedInOneError) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file = written(folder);
   {
     store::Database newer = store::Database::open(file, store::Database::Mode::own);
@@ -96,7 +96,7 @@ TEST(Stats, AStoreThatIsNewerThanTheProgramIsRefusedInOneError) {
 }
 
 TEST(Stats, NoStoreNoDayAndAStoreThatWouldBeWrittenOverAreRefused) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file = written(folder);
   const auto refused = [](const std::string& arguments, const std::string& why) {
     const Outcome run = onggi("stats " + arguments);
@@ -108,9 +108,9 @@ TEST(Stats, NoStoreNoDayAndAStoreThatWouldBeWrittenOverAreRefused) {
   refused("--from 2026-02-30 --store " + file, "not a valid date");
   refused("--from 2026-5-3 --store " + file, "not a valid date");
   refused("--from 2026-05-02 --to 2026-05-01 --store " + file, "before the first");
-  const std::string before = text_of(file);
+  const std::string before = content(file);
   refused("--json " + file + " --force --store " + file, file);
-  EXPECT_EQ(text_of(file), before);
+  EXPECT_EQ(content(file), before);
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ TEST(Up, standsAVesselOnItsHeadWhereThatIsAsked) {
 }
 
 TEST(Up, goesBeforeWhatThePackSaysAndIsWrittenByImport) {
-  TemporaryFolder folder;
+  ScratchFolder folder;
   const std::string shelf = (folder / "").string();
   const std::string import = "vessel import content/vessels/maebyeong/vessel.glb --shelf " + shelf;
   const Outcome run = onggi(import + " --id head --up=-y");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const std::string toml = text_of(folder / "head/vessel.toml");
+  const std::string toml = content(folder / "head/vessel.toml");
   EXPECT_NE(toml.find("\nup = \"-y\"\n"), std::string::npos) << toml;
   const Outcome head = onggi("vessel inspect --json - " + (folder / "head").string());
   EXPECT_EQ(nlohmann::json::parse(head.out)["up"][1], -1.0);

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   Json reports[2];
   for (int i = 0; i < 2; ++i) {
     const std::string out = (folder / std::to_string(i)).string();
@@ -45,8 +45,7 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   // The glazed model and the picture that turns are drawn, and are the same to the byte.
   for (const std::size_t drawn : {2u, 5u}) {
     const auto bytes = [&](int i) {
-      std::ifstream file(reports[i]["files"][drawn].get<std::string>(), std::ios::binary);
-      return std::string(std::istreambuf_iterator<char>(file), {});
+      return content(reports[i]["files"][drawn].get<std::string>());
     };
     EXPECT_EQ(bytes(0), bytes(1)) << reports[0]["files"][drawn];
   }
@@ -61,7 +60,7 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
 
 // In a scene whose clay goes on springing back by itself, so that a moment more makes another pot.
 TEST(Visit, WhatTheReportSaysIsWhatTheKeptVisitScoresToTheBit) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string rubric = fs::current_path().string() + "/config/rubric.toml";
   const std::string file =
       write_exhibit(folder, "first_touch",
@@ -85,7 +84,7 @@ TEST(Visit, WhatTheReportSaysIsWhatTheKeptVisitScoresToTheBit) {
 }
 
 TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string file =
       write_exhibit(folder, "first_touch", "[vessel_scenes]\ntea_bowl = \"unfired.toml\"\n");
   std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
@@ -102,7 +101,7 @@ TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
 }
 
 /// An exhibit with the missions that come with onggi, and a scene whose pots are soon thrown.
-std::string with_missions(const TemporaryFolder& folder) {
+std::string with_missions(const ScratchFolder& folder) {
   std::ofstream(folder / "coarse.toml") << "[clay]\nrows = 160\nsectors = 120\n[walls]\n";
   return write_exhibit(folder, "first_touch",
                        "missions = \"" + fs::current_path().string() +
@@ -111,7 +110,7 @@ std::string with_missions(const TemporaryFolder& folder) {
 }
 
 TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const Outcome run = onggi("visit --mission litre_jar --window 640x480 --config " +
                             with_missions(folder) + " --json - --out " + (folder / "out").string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -125,7 +124,7 @@ TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
 }
 
 TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEach) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string config = with_missions(folder);
   for (const char* mission : {"eyes_closed", "two_hands"}) {
     const Outcome run =
@@ -140,7 +139,7 @@ TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEac
 }
 
 TEST(Visit, AMissionIsDoneByWhoHasOneSwitchAndWhatWasSaidOfItIsWritten) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const fs::path out = folder / "out";
   const Outcome run = onggi(
       "visit --mission litre_jar --pace 0.5 --script switch --window 640x480 --language ko "
@@ -151,11 +150,11 @@ TEST(Visit, AMissionIsDoneByWhoHasOneSwitchAndWhatWasSaidOfItIsWritten) {
   EXPECT_EQ(visit["mission"], "litre_jar");
   EXPECT_NEAR(visit["asked"]["mission.holds"]["litres"].get<int>(), 100, 10);
   // A switch is asked for by holding on after speech was: both are there.
-  EXPECT_NE(text_of(out / "said.txt").find("1리터가 담기는 항아리"), std::string::npos);
+  EXPECT_NE(content(out / "said.txt").find("1리터가 담기는 항아리"), std::string::npos);
 }
 
 TEST(Visit, AnUnknownMissionIsRefusedWithTheNearestRightNameAndSoAreAVesselAndAMissionAtOnce) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string out = " --out " + (folder / "out").string();
   const Outcome wrong = onggi("visit --mission litre_jra" + out);
   EXPECT_EQ(wrong.exit_code, 2);
@@ -166,7 +165,7 @@ TEST(Visit, AnUnknownMissionIsRefusedWithTheNearestRightNameAndSoAreAVesselAndAM
 }
 
 TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   std::ofstream(folder / "file") << "in the way";
   for (const std::string& out : {(folder / "file").string(), std::string("''")}) {
     const Outcome run = onggi("visit --vessel moon_jar --out " + out);
@@ -176,7 +175,7 @@ TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
 }
 
 TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysWhy) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string out = (folder / "out").string();
   // 800 kB a file: enough for the pictures of small screens, not for the postcard.
   const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " + out,
@@ -189,14 +188,14 @@ TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysW
 }
 
 TEST(Visit, AnUnknownVesselIsRefusedWithTheNearestRightName) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const Outcome run = onggi("visit --vessel moon_jra --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("Did you mean moon_jar?"), std::string::npos) << run.err;
 }
 
 TEST(Visit, AnUnknownGlazeIsRefusedWithThoseThereAre) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const Outcome run =
       onggi("visit --vessel moon_jar --glaze jade --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
@@ -204,7 +203,7 @@ TEST(Visit, AnUnknownGlazeIsRefusedWithThoseThereAre) {
 }
 
 TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const Outcome run =
       onggi("visit --script folow --vessel moon_jar --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
@@ -212,7 +211,7 @@ TEST(Visit, AnUnknownScriptIsRefusedWithTheNearestRightName) {
 }
 
 TEST(Visit, AnEmptyShelfIsNamedByItsPlace) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   fs::create_directory(folder / "shelf");
   const Outcome run = onggi("visit --vessel moon_jar --shelf " + (folder / "shelf").string() +
                             " --out " + (folder / "out").string());

@@ -10,6 +10,7 @@
 
 #include "kiosk/ground/files/child_process.h"
 #include "kiosk/visit/access/voice_link.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::access {
 namespace {
@@ -23,8 +24,6 @@ class Dispatcher : public ::testing::Test {
   void SetUp() override {
     for (const char* program : {"/usr/bin/speech-dispatcher", "/usr/bin/espeak-ng"})
       if (!fs::exists(program)) GTEST_SKIP() << program << " is not installed";
-    std::string name = (fs::temp_directory_path() / "onggi_spd_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
     fs::create_directory(folder_ / "modules");
     write("speechd.conf",
           "LogLevel 1\nAddModule \"written\" \"sd_generic\" \"written.conf\"\n"
@@ -38,11 +37,11 @@ class Dispatcher : public ::testing::Test {
                                       "GenericLanguage \"ko\" \"ko\" \"utf-8\"\n"
                                       "AddVoice \"en\" \"MALE1\" \"en\"\n"
                                       "AddVoice \"ko\" \"MALE1\" \"ko\"\nDefaultVoice \"en\"\n");
-    auto server =
-        files::ChildProcess::start("speech-dispatcher",
-                                   {"-s", "-C", folder_.string(), "-L", folder_.string(), "-P",
-                                    (folder_ / "pid").string(), "-S", (folder_ / "sock").string()},
-                                   {});
+    auto server = files::ChildProcess::start(
+        "speech-dispatcher",
+        {"-s", "-C", folder_.path().string(), "-L", folder_.path().string(), "-P",
+         (folder_ / "pid").string(), "-S", (folder_ / "sock").string()},
+        {});
     ASSERT_TRUE(server);
     server_.emplace(std::move(*server));
     for (int n = 0; n < 500 && !fs::exists(folder_ / "sock"); ++n)
@@ -54,17 +53,12 @@ class Dispatcher : public ::testing::Test {
   void TearDown() override {
     unsetenv("SPEECHD_ADDRESS");
     if (server_) server_->end(SIGTERM, 5);
-    std::error_code ignored;
-    if (!folder_.empty()) fs::remove_all(folder_, ignored);
   }
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
   }
-  std::string said() const {
-    std::ifstream in(folder_ / "said");
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  fs::path folder_;
+  std::string said() const { return files::test::content(folder_ / "said"); }
+  const files::test::ScratchFolder folder_;
   std::optional<files::ChildProcess> server_;
 };
 

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/kiosk/ground/files/scratch_folder.h"
+
 namespace onggi::access {
 namespace {
 
@@ -15,19 +17,11 @@ namespace fs = std::filesystem;
 /// A voice that a shell plays; what it is told goes to a file.
 class Voice : public ::testing::Test {
  protected:
-  Voice() {
-    std::string name = (fs::temp_directory_path() / "onggi_voice_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Voice() override { fs::remove_all(folder_); }
   VoiceLink link(const std::string& script) {
     return VoiceLink("/bin/sh", {"-c", "told='" + told().string() + "'; " + script});
   }
   fs::path told() const { return folder_ / "told"; }
-  std::string heard() const {
-    std::ifstream in(told());
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string heard() const { return files::test::content(told()); }
   /// Looks until `so` or ten seconds are over; the link's own clock goes `pace` times as fast.
   template <class So>
   bool until(VoiceLink& link, So&& so, double pace = 1) {
@@ -39,7 +33,7 @@ class Voice : public ::testing::Test {
     }
     return so();
   }
-  fs::path folder_;
+  const files::test::ScratchFolder folder_;
   double now_ = 100;
   std::vector<std::uint64_t> ended_;
   std::vector<std::string> remarks_;

@@ -1,11 +1,12 @@
 #include "tests/kiosk/visit/screens/trial_language.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::screens {
 namespace {
@@ -55,8 +56,7 @@ std::string word_from_the_right(const std::string& word) {
 content::Language made(const std::string& code, bool right_to_left, Spoken spoken) {
   const auto english = content::Language::read("content/languages/en.toml");
   EXPECT_TRUE(english);
-  const fs::path folder = fs::temp_directory_path() / ("onggi_trial_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const files::test::ScratchFolder folder;
   const fs::path file = folder / (code + ".toml");
   std::ofstream out(file);
   out << "code = \"" << code << "\"\nname = \"" << spoken("Trial")
@@ -70,7 +70,6 @@ content::Language made(const std::string& code, bool right_to_left, Spoken spoke
   out.close();
   auto read = content::Language::read(file);
   EXPECT_TRUE(read) << (read ? "" : to_text(read.error()));
-  fs::remove_all(folder);
   return read ? *read : content::Language{};
 }
 

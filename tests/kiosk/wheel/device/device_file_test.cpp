@@ -6,18 +6,17 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/kiosk/ground/files/scratch_folder.h"
+
 namespace onggi::device {
 namespace {
 
 namespace fs = std::filesystem;
 
 DeviceRead read_text(const std::string& text) {
-  std::string name = (fs::temp_directory_path() / "onggi-device-XXXXXX").string();
-  const fs::path folder = mkdtemp(name.data());
+  const files::test::ScratchFolder folder;
   std::ofstream(folder / "onggi_hid.toml") << text;
-  DeviceRead read = read_device(folder / "onggi_hid.toml", {});
-  fs::remove_all(folder);
-  return read;
+  return read_device(folder / "onggi_hid.toml", {});
 }
 
 TEST(DeviceFile, EveryKeyIsReadInItsUnit) {

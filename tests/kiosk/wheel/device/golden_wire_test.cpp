@@ -9,6 +9,7 @@
 #include <string>
 
 #include "kiosk/ground/files/crc32.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 #include "tests/kiosk/wheel/device/rig.h"
 #include "tests/stand_in/simulated_others.h"
 #include "tests/stand_in/simulated_puck.h"
@@ -79,8 +80,7 @@ TEST(GoldenWire, EveryDeviceIsToldWhatItWasAlwaysTold) {
     way[n] = {home + Vec3{2e-5 * static_cast<double>(n), 0.0, 0.0}, true};
   all += session("polhem", std::make_unique<stand_in::SimulatedArm>(stand_in::Track(way)));
   all += session("onggi_hid", std::make_unique<stand_in::SimulatedHandle>(still(home, 100000)));
-  std::ifstream file("tests/golden/device_bytes.txt");
-  const std::string golden{std::istreambuf_iterator<char>(file), {}};
+  const std::string golden = files::test::content("tests/golden/device_bytes.txt");
   EXPECT_EQ(all, golden) << "If this is meant, write it there, and why in the commit.";
 }
 
