@@ -23,7 +23,7 @@ TEST(CheckExhibit, AskedToStopItComesToNoFurtherVessel) {
 
 /// The project's exhibit with `lists` above its tables.
 CheckReport check_with(const std::string& lists) {
-  const commands::TemporaryFolder folder;
+  const commands::ScratchFolder folder;
   for (const char* part : {"config", "content"})
     std::filesystem::copy(part, folder / part, std::filesystem::copy_options::recursive);
   std::ofstream(folder / "config/exhibit.toml") << lists;

@@ -239,7 +239,7 @@ TEST(Vessel, AScanBecomesAPackThatTheKioskOpens) {
 }
 
 TEST(Poster, IsAFourUprightAndAVesselThatIsNotThereIsNamed) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string png = (folder / "poster.png").string();
   const Outcome run = onggi("poster --address https://museum.org -o " + png);
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -23,7 +23,7 @@ struct Counted {
 /// A dial is pressed ever more seldom: the first press that finds the kiosk open begins the visit,
 /// and too few follow to end it.
 Counted counted_of_a_visit(int seconds) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string scenario = (folder / "scenario").string(), log = (folder / "log").string();
   {
     std::ofstream out(scenario);
