@@ -1,6 +1,7 @@
 #include "kiosk/collection/settings/setting_readers.h"
 
 #include <algorithm>
+#include <regex>
 
 #include "kiosk/collection/settings/visitor_text.h"
 
@@ -16,6 +17,15 @@ bool has_control_character(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7F;
   });
+}
+
+// http or https, a name or number or [number] of a machine, a port or none, a path or none.
+bool is_phone_address(const std::string& address) {
+  static const std::regex kForm(
+      R"(https?://([A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?(\.[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?)*|\[[0-9A-Fa-f:.]+\])(:([0-9]{1,5}))?(/[A-Za-z0-9._~/-]*)?)");
+  std::smatch parts;
+  if (!std::regex_match(address, parts, kForm)) return false;
+  return !parts[5].matched || (std::stoi(parts[5]) >= 1 && std::stoi(parts[5]) <= 65535);
 }
 
 /// "en", "ko", "zh-Hant": letters, then parts of letters and digits. It becomes a file's name.
@@ -196,9 +206,7 @@ void read_phone_address(const Setting& setting, SettingReading& reading) {
   std::string address;
   if (!reading.table.text(setting.key, address) || address.empty()) return;
   while (address.ends_with("/")) address.pop_back();
-  const bool web = address.starts_with("http://") || address.starts_with("https://");
-  if (!web || address.size() > kLongest || has_control_character(address) ||
-      address.find(' ') != std::string::npos || address.ends_with(":"))
+  if (address.size() > kLongest || !is_phone_address(address))
     reading.table.complain(setting.key,
                            "\"" + address + "\" is not an address that a phone can open.",
                            "Write one such as \"http://192.168.4.1:8080\", at most 100 letters.");

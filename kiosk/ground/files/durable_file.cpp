@@ -21,6 +21,8 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+constexpr int kMostLeftBehind = 1000;
+
 bool sync(int fd) {
   while (::fsync(fd) != 0) {
     // This file system has no fsync for folders.
@@ -131,14 +133,19 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
 
   const fs::path folder = folder_of(file);
   // The temporary file is in the same folder, because rename() is atomic only within one disk. Its
-  // name is unique, so that two writers never share it.
+  // name is unique, so that two writers never share it. In a container a process often has the
+  // number of one that was killed and left its file: then the next name is taken.
   static std::atomic<unsigned> count{0};
-  const fs::path temporary =
-      folder / ("." + file.filename().string() + "." + std::to_string(::getpid()) + "-" +
-                std::to_string(count.fetch_add(1)) + ".part");
-  Descriptor fd(
-      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
-  if (!fd.open()) return tl::unexpected(disk_problem(file, "write", errno));
+  fs::path temporary;
+  Descriptor fd;
+  for (int tries = 0; !fd.open(); ++tries) {
+    temporary = folder / ("." + file.filename().string() + "." + std::to_string(::getpid()) + "-" +
+                          std::to_string(count.fetch_add(1)) + ".part");
+    fd = Descriptor(
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644));
+    if (!fd.open() && (errno != EEXIST || tries == kMostLeftBehind))
+      return tl::unexpected(disk_problem(file, "write", errno));
+  }
   if (there) keep_rights(fd.get(), before);
   if (!write_all(fd.get(), bytes) || !sync(fd.get()) || !fd.close()) {
     const int error = errno;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -11,11 +12,13 @@ namespace {
 
 constexpr std::string_view kUnit = "bytes=";
 
-/// A number of digits alone, and small enough.
+/// A number of digits alone; one that is too large is the largest.
 std::optional<std::uint64_t> number(std::string_view text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
+  if (end != text.data() + text.size()) return {};
+  if (error == std::errc::result_out_of_range) return std::numeric_limits<std::uint64_t>::max();
+  if (error != std::errc()) return {};
   return value;
 }
 

@@ -125,13 +125,14 @@ void Call::send_on() {
   const Sending::Step step = sending_->step(socket);
   if (step == Sending::Step::broken) return end();
   if (step == Sending::Step::all) {
-    // What a phone said beyond its request is taken: a connection that is closed with words unread
-    // tells the phone to forget what is still on its way.
-    char rest[1024];
-    while (::recv(socket, rest, sizeof rest, MSG_DONTWAIT) > 0) {
-    }
     error_code ignored;
     socket_.shutdown(Tcp::socket::shutdown_send, ignored);
+    // What a phone said beyond its request is taken: a connection that is closed with words unread
+    // tells the phone to forget what is still on its way. One that goes on talking is not heard
+    // out, because all others wait meanwhile.
+    char rest[1024];
+    for (int n = 0; n < 64 && ::recv(socket, rest, sizeof rest, MSG_DONTWAIT) > 0; ++n) {
+    }
     return end();
   }
   if (sending_->given() != before) {

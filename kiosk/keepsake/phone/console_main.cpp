@@ -83,9 +83,13 @@ std::filesystem::path languages_for(const std::filesystem::path& keepsakes) {
 onggi::Result<int> serve(const Arguments& a) {
   const auto at = onggi::phone::listening(a.listen);
   if (!at) return tl::unexpected(at.error());
-  if (!std::filesystem::is_directory(a.keepsakes))
-    return onggi::problem("--keepsakes " + a.keepsakes, "This is not a folder.",
-                          "Name the exhibit's keepsake folder.");
+  std::error_code error;
+  if (!std::filesystem::is_directory(a.keepsakes, error))
+    return onggi::problem(
+        "--keepsakes " + a.keepsakes,
+        error ? "This folder cannot be opened: " + error.message() + "." : "This is not a folder.",
+        "Name the exhibit's keepsake folder, and let the user who runs this "
+        "program read it and all folders above it.");
   onggi::files::note_reads(false);  // it reads passes for months, and writes no output over them
   std::vector<onggi::Problem> remarks;
   onggi::phone::Answers answers(

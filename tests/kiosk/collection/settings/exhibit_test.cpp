@@ -281,7 +281,12 @@ TEST_F(ExhibitTest, an_address_that_no_phone_opens_is_named_and_no_code_is_shown
   EXPECT_THAT(good.problems, IsEmpty()) << all(good.problems);
   EXPECT_EQ(good.exhibit.phone.address, "http://192.168.4.1:8080");
   EXPECT_EQ(good.exhibit.phone.hours, 48);
-  for (const char* wrong : {"192.168.4.1", "ftp://a", "http://a b", "http:"}) {
+  for (const char* right : {"https://pots.museum.org/wheel", "http://kiosk", "http://[fe80::1]:80"})
+    EXPECT_EQ(read(std::string("[phone]\naddress = \"") + right + "\"").exhibit.phone.address,
+              right);
+  for (const char* wrong : {"192.168.4.1", "ftp://a", "http://a b", "http:", "http://a:99999/x",
+                            "http://a?b", "http://a#b", "http://[::1", "http://user@a", "http://..",
+                            "http://a:b", "http://-", "http://a:0"}) {
     const ExhibitRead r = read(std::string("[phone]\naddress = \"") + wrong + "\"");
     EXPECT_THAT(all(r.problems), HasSubstr("not an address that a phone can open")) << wrong;
     EXPECT_EQ(r.exhibit.phone.address, "");

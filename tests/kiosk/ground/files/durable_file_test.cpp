@@ -5,8 +5,10 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 
 #include "tests/kiosk/ground/files/disk.h"
 
@@ -28,6 +30,16 @@ TEST(durable_file, what_was_written_is_there_and_nothing_beside_it) {
   ASSERT_TRUE(write_durably(file, bytes("second, and longer")));
   EXPECT_EQ(content(file), "second, and longer");
   EXPECT_THAT(names_in(file.parent_path()), ElementsAre("postcard.png"));
+}
+
+// In a container a process often has the number of the one that was killed before it.
+TEST(durable_file, what_a_killed_process_of_the_same_number_left_behind_is_in_nobodys_way) {
+  const ScratchFolder scratch;
+  for (int n = 0; n < 200; ++n)
+    std::ofstream(scratch.path() /
+                  (".pot.json." + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part"));
+  ASSERT_TRUE(write_durably(scratch.path() / "pot.json", bytes("{}")));
+  EXPECT_EQ(content(scratch.path() / "pot.json"), "{}");
 }
 
 TEST(durable_file, an_empty_file_and_a_bare_name_are_files_too) {

@@ -24,14 +24,15 @@ TEST(ByteRange, OneSpanIsGivenAsAskedAndEndsWithTheFile) {
 }
 
 TEST(ByteRange, BytesThatTheFileHasNotAreBeyondAndNonsenseIsTheWholeFile) {
-  for (const char* header : {"bytes=1000-", "bytes=1000-2000", "bytes=-0"}) {
+  for (const char* header :
+       {"bytes=1000-", "bytes=1000-2000", "bytes=-0", "bytes=99999999999999999999-"}) {
     EXPECT_EQ(byte_range(header, 1000).kind, Kind::beyond) << header;
     EXPECT_EQ(byte_range(header, 1000).span, Span{}) << header;
   }
   EXPECT_EQ(byte_range("bytes=0-", 0).kind, Kind::beyond);
   for (const char* header :
        {"", "bytes", "bytes=", "bytes=-", "bytes=a-b", "bytes=9-1", "bytes=0-1,5-6", "bytes= 1-2",
-        "bytes=+1-2", "bytes=--1", "lines=0-1", "bytes=99999999999999999999-", "Bytes=0-1"}) {
+        "bytes=+1-2", "bytes=--1", "lines=0-1", "Bytes=0-1"}) {
     EXPECT_EQ(byte_range(header, 1000).kind, Kind::whole) << header;
     EXPECT_EQ(byte_range(header, 1000).span, (Span{0, 1000})) << header;
   }

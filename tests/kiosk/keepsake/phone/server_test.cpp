@@ -124,6 +124,18 @@ TEST_F(PhoneTest, APhoneThatSaysNothingOrNonsenseKeepsNobodyWaiting) {
   EXPECT_THAT(get("/k/" + token()), StartsWith("HTTP/1.1 200"));
 }
 
+// The server has one thread: what it hears out, all others wait for.
+TEST_F(PhoneTest, APhoneThatGoesOnTalkingAfterItsAnswerIsNotHeardOut) {
+  test::PhoneConnection phone(server_->port());
+  ASSERT_TRUE(phone.say(test::request("/page.css")));
+  constexpr std::size_t kBlock = 1 << 16, kMost = 1 << 10;  // 64 MB: more than sockets hold
+  const std::string block(kBlock, 'x');
+  std::size_t said = 0;
+  while (said < kMost && phone.say(block)) ++said;
+  EXPECT_LT(said, kMost);
+  EXPECT_THAT(get("/k/" + token()), StartsWith("HTTP/1.1 200"));
+}
+
 TEST(Listening, AnAddressHasItsPortBehindItAndOneOfTheSixthKindMayStandInBrackets) {
   const std::pair<const char*, const char*> wanted[] = {
       {"127.0.0.1:8080", "127.0.0.1"},         {"[::1]:8080", "::1"}, {"::1:8080", "::1"},
