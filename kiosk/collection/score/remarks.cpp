@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/collection/score/in_words.h"
 #include "kiosk/collection/score/parts.h"
 
 namespace onggi::score {
@@ -34,7 +35,8 @@ struct Feature {
   const char* more;  ///< Ending of the remark's key where `difference` is above 0...
   const char* less;  ///< ...and below.
   double weight;
-  double place;  ///< Its height on the target, metres.
+  double place;   ///< Its height on the target, metres.
+  double length;  ///< The target's own, metres: its width there, or its height.
 };
 
 std::vector<Feature> features(const Measures& m) {
@@ -42,17 +44,20 @@ std::vector<Feature> features(const Measures& m) {
   const Dimensions &made = m.made, &target = m.target;
   const bool bellied = target.belly_height < kMouthHeight * target.height;
   if (bellied) {
-    out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0, target.belly_height});
+    out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0, target.belly_height,
+                   target.belly});
     // If there is hardly a belly, its height means little.
     const double pronounced =
         std::min(1.0, 4.0 * (target.belly - std::max(target.foot, target.mouth)) / target.belly);
     out.push_back({"belly", made.belly_height - target.belly_height, "high", "low",
-                   std::max(0.0, 0.5 * pronounced), target.belly_height});
+                   std::max(0.0, 0.5 * pronounced), target.belly_height, target.height});
   }
   if (target.neck < kNeck * target.mouth)
-    out.push_back({"neck", made.neck - target.neck, "wide", "narrow", 1.0, target.neck_height});
-  out.push_back({"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height});
-  out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0});
+    out.push_back(
+        {"neck", made.neck - target.neck, "wide", "narrow", 1.0, target.neck_height, target.neck});
+  out.push_back(
+      {"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height, target.mouth});
+  out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0, target.foot});
   return out;
 }
 
@@ -167,7 +172,13 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
     if (apart <= kAlike || f.weight * apart <= 0.5 * kAlike || mm(f.difference) == 0) continue;
     const std::string key =
         std::string("remark.") + f.name + "_" + (f.difference > 0.0 ? f.more : f.less);
-    found.push_back({f.weight * apart, {key, {{"mm", std::to_string(mm(f.difference))}}}});
+    const double wanted = f.place / m.target.height;
+    const double made =
+        std::string(f.more) == "high" ? m.made.belly_height / m.made.height : wanted;
+    found.push_back({f.weight * apart,
+                     {key,
+                      {{"mm", std::to_string(mm(f.difference))}},
+                      Remark::Seen{made, wanted, std::abs(f.difference) / f.length}}});
   }
   const double taller = m.made.height - m.target.height;
   if (!scale_free && std::abs(taller) > kAlike * m.target.height && mm(taller) > 0)
@@ -194,7 +205,8 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
     found.push_back(
         {worst / size,
          {m.common_firm_sign > 0.0 ? "remark.wide" : "remark.narrow",
-          {{"mm", std::to_string(mm(worst))}, {"percent", percent_of_height(m.common_firm_at)}}}});
+          {{"mm", std::to_string(mm(worst))}, {"percent", percent_of_height(m.common_firm_at)}},
+          Remark::Seen{m.common_firm_at, m.common_firm_at, worst / m.target.belly}}});
   return best(std::move(found));
 }
 
@@ -215,6 +227,7 @@ std::vector<std::string> remark_keys() {
           "opening_shut", "wide", "narrow", "tall", "short"})
       keys.push_back(std::string(family) + ending);
   for (std::string& key : part_keys()) keys.push_back(std::move(key));
+  for (std::string& key : word_keys()) keys.push_back(std::move(key));
   return keys;
 }
 

@@ -33,9 +33,18 @@ namespace onggi::score {
 ///   difference.opening_narrow, difference.opening_shut
 /// Where the true size is not known, {part} in place of {mm}, in percent of the same length (of the
 /// height for tall, short, high and low): remark_part.belly_wide ... difference_part.short.
+/// Without figures, for in_words(): plain.much_wider {place} ... ; {place} is an ending of
+/// "place.".
 struct Remark {
   std::string key;                            ///< "remark.neck_wide"
   std::map<std::string, std::string> places;  ///< {"mm", "8"}
+  /// Where the pot differs, and where it should be, as shares of the vessel's height from the foot:
+  /// one height for a width, two for a widest place that is too high or too low. Absent: nowhere.
+  struct Seen {
+    double made = 0, wanted = 0;
+    double share = 0;  ///< The difference, as a share of the vessel's own length there; above 0.
+  };
+  std::optional<Seen> seen{};
 };
 
 /// Every key that judge() can return, so that each language can be checked for all of them.
