@@ -118,7 +118,7 @@ void TodaysPots::show() {
   pots_.clear();
   for (const souvenir::KeptPot& pot : kept_)
     if (const auto found = pictures_.find(key_of(pot)); found != pictures_.end() && found->second)
-      pots_.push_back({found->second, pot.vessel, pot.stars});
+      pots_.push_back({found->second, pot.vessel, pot.stars, pot.visit});
 }
 
 }  // namespace onggi::exhibit

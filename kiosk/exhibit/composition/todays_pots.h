@@ -25,8 +25,8 @@ namespace onggi::exhibit {
 /// sends one picture a frame to the renderer.
 class TodaysPots {
  public:
-  static constexpr double kLook = 1.0;       ///< s
-  static constexpr std::size_t kMost = 120;  ///< The newest ones; a picture takes 0.4 MB.
+  static constexpr double kLook = 1.0;  ///< s
+  static constexpr std::size_t kMost = screens::kMostTodays;
 
   using Encoded = std::vector<std::span<const std::uint8_t>>;
   /// Reads the pixels of each; Problem if the helper failed.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "kiosk/visit/screens/star_drawing.h"
+
 namespace onggi::screens {
 
 using view::Face;
@@ -28,6 +30,14 @@ void CardWords::add(const std::string& words, Face face, float px, view::Color c
   if (opacity_ > 0)
     page_.words({at_.x, y_, at_.w, size.height}, words, style, view::with_alpha(color, opacity_));
   y_ += size.height;
+}
+
+void CardWords::stars(int full) {
+  const float size = page_.type().body * 0.95f, line = size * 1.5f;
+  const float width = stars_width(size);
+  if (opacity_ > 0)
+    draw_stars(page_, {at_.x + (at_.w - width) / 2, y_, width, line}, full, size, opacity_);
+  y_ += line;
 }
 
 void CardShelf::update(double dt) {

@@ -20,6 +20,8 @@ class CardWords {
       : page_(page), at_(at), opacity_(opacity), y_(at.y) {}
   /// Uses as many lines as needed; "" needs none.
   void add(const std::string& words, view::Face face, float px, view::Color color);
+  /// A line of five stars, the first `full` of them filled.
+  void stars(int full);
   /// Height of the added lines, with some space below.
   float height() const { return y_ - at_.y + page_.type().gap * 0.5f; }
 

@@ -1,6 +1,7 @@
 #include "kiosk/visit/screens/choose_screen.h"
 
 #include <optional>
+#include <utility>
 
 #include "kiosk/visit/screens/card_shelf.h"
 #include "kiosk/visit/screens/overlays.h"
@@ -17,7 +18,10 @@ namespace {
 class Choose final : public Screen, private CardShelf::Cards {
  public:
   explicit Choose(Desk& d)
-      : Screen(d), label_(d), shelf_(d, *this, "choose", place_of(d.card, d.mission)) {}
+      : Screen(d), label_(d), shelf_(d, *this, "choose", place_of(d.card, d.mission)) {
+    if (const auto offered = std::exchange(d.offered, {}))
+      label_.open(offered->card, offered->mission);
+  }
   ScreenId id() const override { return ScreenId::choose; }
   std::string first_focus() const override {
     return !open() ? control(shelf_.in_front()) : "choose.throw";

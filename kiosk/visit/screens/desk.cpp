@@ -17,9 +17,11 @@ void Desk::forget() {
   }
   language = 0;
   card = mission = -1;
+  offered.reset();
   figures.reset();
   made = {};
   score = {};
+  exactly = false;
   glaze = -1;
   lesson_step = 0;
   force = {};
@@ -27,6 +29,7 @@ void Desk::forget() {
   kept = Kept::not_asked;
   kept_as.clear();
   kept_at.clear();
+  kept_in.clear();
   postcard = 0;
   requests.emplace_back(VisitEnded{std::move(counted)});
 }
@@ -94,6 +97,8 @@ std::string Desk::said(const score::Remark& remark) const {
   for (const char* litre : {"litres", "wanted"})
     if (const auto at = places.find(litre); at != places.end())
       at->second = hundredths(std::stol(at->second), words());
+  if (const auto at = places.find("place"); at != places.end())
+    at->second = say("place." + at->second);
   return say(remark.key, places);
 }
 
@@ -122,6 +127,7 @@ void Desk::keep_pot() {
   kept_glaze_ = glaze;
   kept_as.clear();
   kept_at.clear();
+  kept_in.clear();
   postcard = 0;
 }
 

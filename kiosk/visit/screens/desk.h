@@ -13,6 +13,11 @@
 
 namespace onggi::screens {
 
+/// A label to open on the shelf.
+struct LabelAt {
+  int card = -1, mission = -1;  ///< As Desk's.
+};
+
 /// Shared state of a visit's screens: the world, the newest status, requests to the program, and
 /// everything about the visitor. forget() clears the visitor's part.
 class Desk {
@@ -34,15 +39,18 @@ class Desk {
   std::size_t language = 0;
   int card = -1;                          ///< An index on the shelf, or own_card().
   int mission = -1;                       ///< Index in the world's missions, if one was chosen.
+  std::optional<LabelAt> offered;         ///< The shelf opens with this label.
   std::optional<score::Figures> figures;  ///< Current figures of a pot that answers a description.
   Profile made;
   score::Score score;
+  bool exactly = false;  ///< The visitor asked for figures at the result.
   ForceSlider force;
   Comfort comfort;
   std::size_t lesson_step = 0;  ///< The current or next step of the exhibit's lesson.
   int glaze = -1;               ///< Index in the kiln's glazes; -1: not chosen yet.
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
-  std::string kept_as, kept_at;  ///< The keepsake's name, and its address for a phone.
+  /// The keepsake's name, its address for a phone, and its folder.
+  std::string kept_as, kept_at, kept_in;
   view::PictureId postcard = 0;
 
   int attract_card = -1;  ///< Attract's vessel; advances along the shelf, with or without visitors.

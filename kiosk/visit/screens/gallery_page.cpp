@@ -48,8 +48,7 @@ float GalleryPage::words(Page& page, int i, const Rect& at, float opacity) const
   const TypeScale& t = page.type();
   CardWords lines(page, at, opacity);
   lines.add(title_of(pot(i).vessel), Face::serif, t.body, view::kInk);
-  lines.add(desk_.say("result.stars", {{"stars", std::to_string(pot(i).stars)}}), Face::sans,
-            t.body, view::kFaintInk);
+  lines.stars(pot(i).stars);
   if (opacity > 0)
     page.tell(at.y, spoken(i));  // it is not a control, so nothing else would speak it
   return lines.height();

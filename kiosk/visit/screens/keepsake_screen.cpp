@@ -15,6 +15,9 @@ using view::Rect;
 
 namespace {
 
+/// Fewer visits are told nobody (kiosk/docs/store.md).
+constexpr int kFew = 5;
+
 /// The postcard, large, and the name under which it is kept; a button leads to today's pots.
 class Keepsake final : public Screen {
  public:
@@ -61,10 +64,16 @@ class Keepsake final : public Screen {
       case Desk::Kept::kept:
         column.text(desk.say("keepsake.kept"), t.body);
         column.space(t.gap);
-        // Date and time keep their order inside right-to-left text too.
+        // A name in another script keeps its order inside right-to-left text too.
         column.text(
-            desk.words().right_to_left() ? "\u2066" + desk.kept_as + "\u2069" : desk.kept_as,
-            t.body, Face::sans, view::kFaintInk);
+            desk.words().right_to_left() ? "\u2068" + desk.kept_as + "\u2069" : desk.kept_as,
+            t.title * 0.8f, Face::serif);
+        if (const int n = number(); n >= kFew) {
+          column.space(t.gap);
+          column.text(desk.say("keepsake.today",
+                               {{"vessel", desk.label(desk.card).title}, {"n", std::to_string(n)}}),
+                      t.body, Face::sans, view::kFaintInk);
+        }
         lay_out_codes(column);
         break;
       case Desk::Kept::failed:
@@ -85,6 +94,10 @@ class Keepsake final : public Screen {
   }
 
  private:
+  /// Which one of today's pots of its vessel this is; 0 where the exhibit does not show them.
+  int number() const {
+    return desk.world.todays == nullptr ? 0 : number_today(*desk.world.todays, desk.kept_in);
+  }
   void turn_to(bool open) {
     open_ = open;
     gallery_.begin();

@@ -54,7 +54,7 @@ void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& 
   column.foot_space(t.gap);
   column.foot_buttons({{"help.close", desk.say("help.close"), Look::solid}});
   column.foot_space(t.gap);
-  column.text(desk.say("help.title"), t.title, Face::serif);
+  column.text(desk.say("all.help"), t.title, Face::serif);
   column.space(t.gap);
   // Keys stand beside the other text if both do not fit one below the other.
   const view::Rect room = column.rest();

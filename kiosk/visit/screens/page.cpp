@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/visit/screens/star_drawing.h"
+
 namespace onggi::screens {
 
 using view::Align;
@@ -288,26 +290,22 @@ void Column::foot_grid(const std::vector<Button>& cells, float height, bool mirr
   check();
 }
 
-void Column::circles(int full, int count, const std::string& words) {
+void Column::stars(int full, const std::string& words) {
   const auto style = page_.style(Face::sans, page_.type().body);
   const auto size = page_.size(words, style, -1);
-  const float diameter = page_.type().body * 0.95f, pitch = diameter * 1.45f;
-  for (int i = 0; i < count; ++i) {
-    const Rect r{turned(box_.x + static_cast<float>(i) * pitch, diameter),
-                 top_ + (size.height - diameter) / 2, diameter, diameter};
-    const Color fill = i < full ? view::kIron : Color{0, 0, 0, 0};
-    page_.draw(view::Box{r, diameter / 2, fill, std::max(1.5f, diameter * 0.07f), view::kIron});
-  }
-  float x = box_.x + static_cast<float>(count) * pitch + page_.type().gap * 0.5f;
+  const float star = page_.type().body * 1.35f, line = std::max(size.height, star);
+  draw_stars(page_, {box_.x, top_, box_.w, line}, full, star);
+  float x = box_.x + stars_width(star) + page_.type().gap;
   const float room = size.width + kSlack;
   if (x + room > box_.x + box_.w) {  // under them
     x = box_.x;
-    top_ += size.height;
+    top_ += line;
     if (room > box_.w) page_.overflowed();
   }
-  page_.words({turned(x, room), top_, room, size.height}, words, style, view::kFaintInk);
+  page_.words({turned(x, room), top_ + (line - size.height) / 2, room, size.height}, words, style,
+              view::kFaintInk);
   page_.tell(top_, words);
-  top_ += size.height;
+  top_ += line;
   check();
 }
 

@@ -144,9 +144,9 @@ class Column {
   void foot_grid(const std::vector<Button>& cells, float height, bool mirrored);
   /// How many of them fit side by side in foot_grid().
   std::size_t abreast(const std::vector<Button>& cells) const;
-  /// `count` circles with the first `full` of them filled, and the same in words after them, or
-  /// below them if there is no space.
-  void circles(int full, int count, const std::string& words);
+  /// Five stars with the first `full` of them filled, and the same in words after them, or below
+  /// them if there is no space.
+  void stars(int full, const std::string& words);
   view::Rect rest() const { return {box_.x, top_, box_.w, foot_ - top_}; }
   void check() const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kiosk/collection/score/in_words.h"
+#include "kiosk/visit/screens/onward.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
 #include "kiosk/visit/screens/side_by_side.h"
@@ -17,11 +19,12 @@ constexpr std::size_t kMostRemarks = 2;  // of each kind: visitors do not read m
 constexpr double kAlone = 0.5;           // rad/s of a pot that turns for show
 constexpr const char* kTurn = "result.turn";
 
-/// Stars and words: what is alike, what to try; and the vessel beside the pot. A description has no
-/// vessel: the pot's figures, and the pot alone. Visitors can turn the pots.
+/// Stars and words: what is alike, what to try; and the vessel beside the pot. Figures only for
+/// those who ask. A description has no vessel: the pot's figures, and the pot alone. Visitors can
+/// turn the pots.
 class Result final : public Screen {
  public:
-  explicit Result(Desk& d) : Screen(d) {
+  explicit Result(Desk& d) : Screen(d), onward_(onward_from(d)) {
     if (d.described() == nullptr) both_.emplace(d);
   }
   ScreenId id() const override { return ScreenId::result; }
@@ -60,9 +63,11 @@ class Result final : public Screen {
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
     const std::string on = desk.wheel().kiln ? desk.say("result.fire") : desk.say("result.keep");
-    column.foot_buttons({{"result.keep", on, Look::solid},
-                         {"result.again", desk.say("result.again"), Look::outline},
-                         {"result.other", desk.say("result.other"), Look::outline}});
+    std::vector<Button> ways{{"result.keep", on, Look::solid}};
+    if (onward_) ways.push_back({"result.onward", onward_->words(desk), Look::outline});
+    ways.push_back({"result.again", desk.say("result.again"), Look::outline});
+    ways.push_back({"result.other", desk.say("result.other"), Look::outline});
+    column.foot_buttons(ways);
     column.foot_space(t.gap);
 
     const std::string stars = std::to_string(desk.score.stars);
@@ -71,12 +76,20 @@ class Result final : public Screen {
     column.text(desk.say((both_ ? "result.title_" : "mission.title_") + stars), t.title,
                 Face::serif);
     column.space(t.gap);
-    column.circles(desk.score.stars, 5, desk.say("result.stars", {{"stars", stars}}));
+    column.stars(desk.score.stars, desk.say("result.stars", {{"stars", stars}}));
     column.space(t.gap);
     remarks(column, t, "mission.asked", desk.score.asked, desk.score.asked.size());
-    remarks(column, t, "result.alike", desk.score.alike);
-    if (!desk.score.try_next.empty()) column.space(t.gap);
-    remarks(column, t, both_ ? "result.try" : "mission.try", desk.score.try_next);
+    if (both_ && !desk.exactly) {
+      for (const auto* said : {&desk.score.alike, &desk.score.try_next})
+        if (!said->empty()) column.text(desk.said(score::in_words(said->front())), t.lead);
+    } else {
+      remarks(column, t, "result.alike", desk.score.alike);
+      if (!desk.score.try_next.empty()) column.space(t.gap);
+      remarks(column, t, both_ ? "result.try" : "mission.try", desk.score.try_next);
+    }
+    if (both_)
+      column.buttons({{"result.figures", desk.say(desk.exactly ? "result.words" : "result.figures"),
+                       Look::quiet}});
   }
 
   void press(const std::string& control) override {
@@ -88,6 +101,12 @@ class Result final : public Screen {
       desk.go(ScreenId::throwing);
     } else if (control == "result.other") {
       desk.go(ScreenId::choose);
+    } else if (control == "result.onward" && onward_) {
+      desk.offered = onward_->of;
+      desk.go(ScreenId::choose);
+    } else if (control == "result.figures") {
+      desk.exactly = !desk.exactly;
+      desk.turned = true;
     } else if (control == kTurn) {
       table_.press(own_speed(), desk.now);
     }
@@ -107,6 +126,7 @@ class Result final : public Screen {
       column.text(desk.said(all[i]), t.body);
   }
 
+  std::optional<Onward> onward_;
   PotPicture picture_;
   Turntable table_;
   std::optional<SideBySide> both_;  ///< Absent if there was no vessel to copy.

@@ -70,6 +70,32 @@ void tone(Page& page, const Paper& paper, const Profile& p) {
   }
 }
 
+/// From the pot's outline to the vessel's, on the right. A short way is drawn longer at its tail,
+/// so that it is an arrow at all.
+void arrow(Page& page, const Paper& paper, const view::Rect& room, const Profile& vessel,
+           const Profile& pot, const score::Remark::Seen& seen) {
+  const float unit = unit_of(page), least = 30 * unit, head = 13 * unit;
+  const auto on = [&](const Profile& p, double share) {
+    const double h = share * p.height();
+    return paper.at(p.outer_at(h), h);
+  };
+  const auto [to_x, to_y] = on(vessel, seen.wanted);
+  auto [x, y] = on(pot, seen.made);
+  const float way = std::hypot(to_x - x, to_y - y);
+  if (way < 0.5f) return;
+  const float u = (to_x - x) / way, v = (to_y - y) / way;
+  if (way < least) x = to_x - least * u, y = to_y - least * v;
+  x = std::min(x, room.x + room.w);
+  const view::Color ink = view::kDeepCeladon;
+  const float aside = 0.7f * head, pen = 4.5f * unit;
+  draw_stroke(page, {{x, y}, {to_x - pen * u, to_y - pen * v}}, ink, pen);
+  page.draw(view::Line{{{to_x - head * u + aside * v, to_y - head * v - aside * u},
+                        {to_x, to_y},
+                        {to_x - head * u - aside * v, to_y - head * v + aside * u}},
+                       {ink},
+                       pen});
+}
+
 }  // namespace
 
 void draw_vessels_line(Page& page, const Points& points) {
@@ -81,7 +107,7 @@ void draw_pots_line(Page& page, const Points& points) {
 }
 
 void draw_section(Page& page, const view::Rect& room, const Profile& vessel, const Profile& pot,
-                  double pixels_per_metre) {
+                  double pixels_per_metre, const std::vector<score::Remark>& tries) {
   const double height = std::max(vessel.height(), pot.height());
   const double radius = std::max(vessel.points.empty() ? 0.0 : vessel.max_radius(),
                                  pot.points.empty() ? 0.0 : pot.max_radius());
@@ -99,6 +125,9 @@ void draw_section(Page& page, const view::Rect& room, const Profile& vessel, con
     draw(page, outline(paper, *p));
     draw(page, inside(paper, *p));
   }
+  if (vessel.points.empty() || pot.points.empty()) return;
+  for (const score::Remark& one : tries)
+    if (one.seen) arrow(page, paper, room, vessel, pot, *one.seen);
 }
 
 }  // namespace onggi::screens

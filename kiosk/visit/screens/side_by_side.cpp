@@ -146,7 +146,8 @@ void SideBySide::lay_out(Page& page, const Desk& desk) {
   vessel_at_.centre_x += at.vessel.x - at.pot.x;
   name(page, at.vessel, at.names, desk.label(desk.card).title, false);
   name(page, at.pot, at.names, desk.say("result.yours"), true);
-  draw_section(page, at.section, card != nullptr ? card->target : Profile{}, desk.made, at.scale);
+  draw_section(page, at.section, card != nullptr ? card->target : Profile{}, desk.made, at.scale,
+               desk.score.try_next);
 }
 
 view::PotView SideBySide::view(view::PotView pot, const Desk& desk, const Turntable& table) const {

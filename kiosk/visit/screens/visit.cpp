@@ -135,11 +135,13 @@ void Visit::show_postcard(view::PictureId id) {
   state_->reworded();
 }
 
-void Visit::keepsake_kept(const std::string& file, const std::string& page) {
+void Visit::keepsake_kept(const std::string& name, const std::string& page,
+                          const std::string& folder) {
   if (state_->desk.kept != Desk::Kept::asked) return;
   state_->desk.kept = Desk::Kept::kept;
-  state_->desk.kept_as = file;
+  state_->desk.kept_as = name;
   state_->desk.kept_at = page;
+  state_->desk.kept_in = folder;
   state_->reworded();
 }
 

@@ -149,9 +149,10 @@ class Visit {
   void wander();
 
   void show_postcard(view::PictureId id);
-  /// The postcard is saved (`file` is the name for the visitor). `page`: its address for a phone;
-  /// "": none.
-  void keepsake_kept(const std::string& file, const std::string& page = "");
+  /// The postcard is saved. `name` is for the visitor to remember. `page`: its address for a phone;
+  /// "": none. `folder`: as TodaysPot::visit.
+  void keepsake_kept(const std::string& name, const std::string& page = "",
+                     const std::string& folder = "");
   void keepsake_failed(const Problem& why);
   /// Shows the fault screen and logs `why` for staff. A touch goes back to attract.
   void fail(const Problem& why);
@@ -186,8 +187,9 @@ class Visit {
   ///             undone), "throw.done", "throw.tool.N" (0 the hands, then the scene's; the wire
   ///             ends the throwing), "throw.show", "throw.skip" (during the lesson); with a
   ///             force device "throw.softer", "throw.stronger"
-  ///   result    "result.keep", "result.again", "result.other", "result.turn" (the pots, for keys
-  ///             and the switch)
+  ///   result    "result.keep", "result.onward" (a vessel or mission by name, if one is offered),
+  ///             "result.again", "result.other", "result.figures" (if there is a vessel),
+  ///             "result.turn" (the pots, for keys and the switch)
   ///   kiln      "kiln.glaze.N", "kiln.keep" (once a glaze is chosen)
   ///   keepsake  "keepsake.done", "keepsake.gallery"
   ///   fault     "fault.on"

@@ -60,7 +60,6 @@ TEST_F(AMuseumsPage, IsReadOffThePostcard) {
   souvenir::PostcardWords words;
   words.title = "My pot, inspired by: Panathenaic amphora";
   words.vessel = "Greece, Athens, about 530 BCE; a long line of words that says whose it was";
-  words.stars = 4;
   words.credit =
       "The Museum of Pots, with a credit as long as a museum may have in its exhibit's file";
   words.date = "4 May 2026";

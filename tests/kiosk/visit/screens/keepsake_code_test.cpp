@@ -186,7 +186,6 @@ TEST_F(AVisitorsPage, IsReadOffThePostcardInEveryScriptOfTallAndWideVesselsAndBe
         souvenir::PostcardWords words;
         words.title = card.title;
         words.vessel = card.vessel;
-        words.stars = 4;
         words.credit = card.credit;
         words.date = card.date;
         words.glaze = card.glaze;

@@ -126,7 +126,7 @@ TEST(Label, TheNameOfAKeepsakeIsReadFromTheLeftInArabicToo) {
   v.visit->show_postcard(9);
   v.visit->keepsake_kept("2026-05-04_141503");
   v.frames(1);
-  EXPECT_NE(words_in(v.frame).find("\u20662026-05-04_141503\u2069"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("\u20682026-05-04_141503\u2069"), std::string::npos);
 }
 
 }  // namespace
