@@ -70,7 +70,7 @@ Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens:
   if (wheel_host.dropped_records() == 0)
     keepsake.replay = wheel_host.replay(kept.state_hash, kept.glaze);
 
-  souvenir::PostcardWords words = postcard_words(language, label, request.score.stars, exhibit);
+  souvenir::PostcardWords words = postcard_words(language, label, exhibit);
   std::optional<view::Glazing>& glazing = taken.glazing;
   if (glaze != nullptr) {
     words.glaze =

@@ -59,7 +59,7 @@ std::string phone_address(const settings::Exhibit& exhibit, const std::string& t
 }
 
 souvenir::PostcardWords postcard_words(const content::Language& language,
-                                       const content::Label& label, int stars,
+                                       const content::Label& label,
                                        const settings::Exhibit& exhibit) {
   const std::time_t now = files::wall_now();
   souvenir::PostcardWords words;
@@ -70,7 +70,6 @@ souvenir::PostcardWords postcard_words(const content::Language& language,
         label.culture.empty()
             ? label.date
             : language.say("all.list", {{"first", label.culture}, {"second", label.date}});
-  words.stars = stars;
   words.credit = exhibit.credit;
   words.date = date_in(language, now);
   words.language = language.code();

@@ -26,7 +26,7 @@ std::string phone_address(const settings::Exhibit& exhibit, const std::string& t
 
 /// The postcard's words in `language`, dated today.
 souvenir::PostcardWords postcard_words(const content::Language& language,
-                                       const content::Label& label, int stars,
+                                       const content::Label& label,
                                        const settings::Exhibit& exhibit);
 
 /// The loading screen of a large shelf: a sentence, and the progress.

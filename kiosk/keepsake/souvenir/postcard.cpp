@@ -22,7 +22,7 @@ namespace {
 constexpr float kMargin = 120;
 constexpr Rect kPot{220, 250, 1060, 1090};  ///< Area of the pot, with space all round.
 constexpr float kTitleTop = 1560, kHighestTitle = 1400, kTitleGap = 10;
-constexpr float kCircle = 30, kStarsGap = 26;
+constexpr float kPrintGap = 40;
 constexpr float kSectionWidth = 250, kSectionHeight = 290;
 constexpr float kFoot = kPostcardHeight - kMargin;
 // QR codes with their quiet zones: 17 mm, and 25 mm for the visitor's own code, which is scanned
@@ -256,18 +256,9 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   Setting vessel = set(words.vessel, type(Face::sans, 38, words.language), view::kFaintInk,
                        print_width, 2, side, measure);
   const float told = title.height + 10 + vessel.height;
-  const float room = std::min(print_top - kStarsGap - kCircle - kStarsGap - told,
-                              beside_top - kTitleGap - title.height);
+  const float room = std::min(print_top - kPrintGap - told, beside_top - kTitleGap - title.height);
   const float under = put(card, std::move(title), std::clamp(room, kHighestTitle, kTitleTop)) + 10;
-  const float y = put(card, std::move(vessel), under);
-
-  // Five circles, one filled for each star.
-  for (int i = 0; i < 5; ++i) {
-    const float left = kMargin + static_cast<float>(i) * kCircle * 1.6f;
-    const Rect circle{side.x(left, kCircle), y + kStarsGap, kCircle, kCircle};
-    const Color fill = i < words.stars ? view::kIron : Color{0, 0, 0, 0};
-    card.items.push_back(Box{circle, kCircle / 2, fill, 2.5f, view::kIron});
-  }
+  put(card, std::move(vessel), under);
   return card;
 }
 
