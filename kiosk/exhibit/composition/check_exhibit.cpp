@@ -8,6 +8,7 @@
 #include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/content/drawing.h"
 #include "kiosk/collection/content/glaze.h"
+#include "kiosk/collection/content/keepsake_names.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/content/lesson.h"
 #include "kiosk/collection/content/translation_tables.h"
@@ -84,6 +85,12 @@ std::vector<std::string> check_lesson(CheckReport& report, const fs::path& file,
   return ids_of(lesson.steps);
 }
 
+void check_names(CheckReport& report, const fs::path& file,
+                 const std::vector<std::string>& languages) {
+  auto names = content::KeepsakeNames::read(file, languages);
+  add(report, file, names.keys_checked, std::move(names.problems));
+}
+
 /// The missions' ids. `exhibit`: their exhibit, null if not known; `shelf`: the ids there.
 std::vector<std::string> check_missions(CheckReport& report, const fs::path& file,
                                         const std::vector<std::string>& languages,
@@ -143,6 +150,7 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
     if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
   if (fs::is_regular_file(exhibit.glazes, ignored))
     known["glaze"] = check_glazes(report, exhibit.glazes, exhibit.languages, exhibit.translations);
+  check_names(report, content::names_file(file), exhibit.languages);
   if (exhibit.lesson)
     known["lesson"] =
         check_lesson(report, *exhibit.lesson, exhibit.languages, exhibit.translations);
@@ -199,6 +207,8 @@ void check_toml(CheckReport& report, const fs::path& file,
     add(report, file, drawing.keys_checked, std::move(drawing.problems));
   } else if (has("glaze")) {
     check_glazes(report, file);
+  } else if (has("thing")) {
+    check_names(report, file, languages);
   } else if (has("step")) {
     check_lesson(report, file, languages);
   } else if (has("mission")) {

@@ -1,5 +1,6 @@
 #include "kiosk/exhibit/composition/keeping.h"
 
+#include <random>
 #include <utility>
 
 #include "kiosk/exhibit/composition/words.h"
@@ -8,13 +9,21 @@
 namespace onggi::exhibit {
 
 namespace {
-constexpr std::size_t kSpokenName = sizeof("2026-05-04_141503") - 1;
+constexpr std::size_t kStampLength = sizeof("2026-05-04_141503") - 1;
+
+std::uint64_t random_seed() {
+  std::random_device device;
+  return (static_cast<std::uint64_t>(device()) << 32) | device();
+}
 }  // namespace
 
 Keeping::Keeping(const World& world, const std::filesystem::path& folder)
     : world_(world),
       keepsakes_(folder, {world.exhibit.keepsake.quota_mb, world.exhibit.keepsake.days},
-                 world.exhibit.phone.address.empty() ? 0.0 : world.exhibit.phone.hours) {}
+                 world.exhibit.phone.address.empty() ? 0.0 : world.exhibit.phone.hours,
+                 [&names = world.names](const std::set<std::string>& taken) {
+                   return names.pick(random_seed(), taken);
+                 }) {}
 
 void Keeping::look(double now) {
   keepsakes_.look(now);
@@ -68,10 +77,14 @@ void Keeping::tell(const Keepsakes::Finished& save, screens::Visit& visit) {
   if (save.ticket != saving_ticket_) return;  // its visitor has left
   if (kept_) kept_->saved = save.outcome;
   if (!save.outcome) return visit.keepsake_failed(save.outcome.error());
-  // Date and time are enough to ask for at the desk, and short enough to remember.
-  visit.keepsake_kept(
-      save.outcome->folder.filename().string().substr(0, kSpokenName),
-      save.outcome->token.empty() ? "" : phone_address(world_.exhibit, save.outcome->token));
+  // Three words are enough to ask for at the desk, and easy to remember. An exhibit without a file
+  // of names has the date and time.
+  const souvenir::KeepsakeFiles& files = *save.outcome;
+  const std::string folder = files.folder.filename().string();
+  visit.keepsake_kept(files.spoken.empty() ? folder.substr(0, kStampLength)
+                                           : world_.names.said(files.spoken, visit.language()),
+                      files.token.empty() ? "" : phone_address(world_.exhibit, files.token),
+                      folder);
 }
 
 void Keeping::draw_turning(const view::Frame& shown) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kiosk/collection/content/keepsake_names.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/exhibit/composition/keepsakes.h"
@@ -34,6 +35,7 @@ class Keeping {
   struct World {
     const settings::Exhibit& exhibit;
     const std::vector<content::Language>& languages;
+    const content::KeepsakeNames& names;
     render::Renderer& renderer;
     loop::WheelHost& wheel_host;
     TodaysPots* todays = nullptr;

@@ -8,6 +8,7 @@
 
 #include "kiosk/ground/files/wall_clock.h"
 #include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace onggi::exhibit {
 
@@ -21,11 +22,21 @@ void wait_out(std::shared_future<T>& other) {
   other = {};
 }
 
+std::set<std::string> spoken_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (souvenir::NamedVisit& one : souvenir::named_visits(folder))
+    names.insert(std::move(one.spoken));
+  return names;
+}
+
 }  // namespace
 
 Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
-                     double phone_hours)
-    : folder_(std::move(folder)), limits_(limits), phone_hours_(phone_hours) {}
+                     double phone_hours, Namer namer)
+    : folder_(std::move(folder)),
+      limits_(limits),
+      phone_hours_(phone_hours),
+      namer_(std::move(namer)) {}
 
 Keepsakes::~Keepsakes() {
   wait();
@@ -51,8 +62,9 @@ int Keepsakes::save(souvenir::Keepsake keepsake) {
                                                     kept = std::move(keepsake)]() mutable {
                       wait_out(before);
                       wait_out(tidying);
-                      const souvenir::Keepsake mine = std::move(kept);
+                      souvenir::Keepsake mine = std::move(kept);
                       const std::lock_guard one_at_a_time(folder_in_use_);
+                      if (namer_) mine.spoken = namer_(spoken_in(folder_));
                       return Finished{ticket, souvenir::save(mine, folder_, limits_)};
                     }).share());
   last_save_ = {ticket, saving_.back()};

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +24,12 @@ class Keepsakes {
  public:
   static constexpr double kTidy = 24 * 3600.0;  ///< s
 
-  /// If `phone_hours` is over 0, phones may fetch a keepsake for that long.
-  Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits,
-            double phone_hours = 0.0);
+  /// The id of a name that none of these has; called on the worker.
+  using Namer = std::function<std::string(const std::set<std::string>& taken)>;
+  /// If `phone_hours` is over 0, phones may fetch a keepsake for that long. Without `namer`
+  /// keepsakes have no names.
+  Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits, double phone_hours = 0.0,
+            Namer namer = {});
   ~Keepsakes();
 
   /// A token for the next keepsake's QR code; "" if phones may not fetch it or nobody answers them
@@ -62,6 +67,7 @@ class Keepsakes {
   std::filesystem::path folder_;
   souvenir::KeepsakeLimits limits_;
   double phone_hours_;
+  Namer namer_;
   int tickets_ = 0;
   std::vector<std::shared_future<Finished>> saving_;
   /// The last save, even after finished() returned it: its turning picture comes later.

@@ -77,8 +77,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   kiosk->pot_ = std::make_unique<PotOnWheel>(*kiosk->scenes_, *kiosk->wheel_host_,
                                              *kiosk->renderer_, options.seed);
   kiosk->keeping_ = std::make_unique<Keeping>(
-      Keeping::World{kiosk->exhibit_, kiosk->languages_, *kiosk->renderer_, *kiosk->wheel_host_,
-                     kiosk->todays_.get(), kiosk->counter_.get()},
+      Keeping::World{kiosk->exhibit_, kiosk->languages_, kiosk->names_, *kiosk->renderer_,
+                     *kiosk->wheel_host_, kiosk->todays_.get(), kiosk->counter_.get()},
       kept_in);
   kiosk->wall_ = options.wall;
   kiosk->access_input_ = std::make_unique<AccessInput>(kiosk->exhibit_, !options.stepped);
@@ -142,6 +142,9 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   auto languages = read_languages(exhibit_, options.language);
   if (!languages) return tl::unexpected(languages.error());
   languages_ = std::move(*languages);
+  auto names = content::KeepsakeNames::read(content::names_file(exhibit_.file), exhibit_.languages);
+  files::log_problems(names.problems);
+  names_ = std::move(names.names);
   if (exhibit_.lesson) {
     auto lesson = content::read_lesson(*exhibit_.lesson, exhibit_.languages, exhibit_.translations);
     files::log_problems(lesson.problems);

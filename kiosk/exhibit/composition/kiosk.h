@@ -132,6 +132,7 @@ class Kiosk {
   settings::Exhibit exhibit_;
   std::unique_ptr<Scenes> scenes_;
   std::vector<content::Language> languages_;
+  content::KeepsakeNames names_;
   std::vector<content::LessonStep> lesson_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::WheelHost> wheel_host_;

@@ -80,6 +80,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     small = std::move(*picture);
   }
   const std::string shown = keepsake.small ? text_of(*keepsake.small) : std::string();
+  const std::string spoken = keepsake.spoken.empty() ? std::string() : keepsake.spoken + '\n';
   const std::vector<std::byte> stl = write_stl(keepsake.pot, keepsake.caption.title);
 
   if (auto made = files::make_folder(folder); !made) return tl::unexpected(made.error());
@@ -89,6 +90,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
 
   KeepsakeFiles files;
   files.folder = folder / *name;
+  files.spoken = keepsake.spoken;
   GivenPass given(folder);
   if (keepsake.phone) {
     files.token = given.give(*name, *keepsake.phone);
@@ -109,7 +111,8 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
         write(files.glb, kPotGlb, keepsake.glb),
         write(files.stl, kPotStl, has_pot ? std::span(stl) : std::span<const std::byte>()),
         write(files.replay, kReplay, keepsake.replay), write(unnamed, kSmall, small),
-        write(unnamed, kShown, std::as_bytes(std::span(shown)))}) {
+        write(unnamed, kShown, std::as_bytes(std::span(shown))),
+        write(unnamed, kSpoken, std::as_bytes(std::span(spoken)))}) {
     if (!written) return tl::unexpected(written.error());
   }
   if (auto renamed = files::rename_durably(partial.path(), files.folder); !renamed) {

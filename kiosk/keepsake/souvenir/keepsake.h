@@ -34,6 +34,7 @@ struct Keepsake {
   std::vector<std::byte> glb;     ///< Made by content::write_glb.
   TriangleMesh pot;               ///< For the STL, metres (written in millimetres).
   std::vector<std::byte> replay;  ///< May be empty.
+  std::string spoken{};           ///< The id of its name (content::KeepsakeNames); "": none.
   /// For the gallery of today's pots; absent: not shown there.
   std::optional<SmallPot> small{};
   std::optional<ByPhone> phone{};  ///< Absent: no phone can fetch it.
@@ -43,7 +44,8 @@ struct Keepsake {
 struct KeepsakeFiles {
   std::filesystem::path folder;
   std::filesystem::path png, jpeg, glb, stl, replay;
-  std::string token{};  ///< Token of its pass; "": no phone can fetch it.
+  std::string spoken{};  ///< As Keepsake's.
+  std::string token{};   ///< Token of its pass; "": no phone can fetch it.
 };
 
 /// Limits of a folder of keepsakes. tidy() says what is removed.
@@ -53,15 +55,15 @@ struct KeepsakeLimits {
   int days = 0;
 };
 
-/// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi}` and, for the
-/// gallery, small.jpg and pot.txt. Then it tidies, but never removes the visit just written;
-/// Problems of tidy() are dropped here and come back at its next call. A visit is complete or
-/// absent even after a power cut, because it is written as `<name>.partial` and then renamed. Only
-/// folders that save() wrote are ever removed. On a Problem (exit 1) nothing unfinished is left.
-/// Blocks (worker thread); not twice at once for the same folder. With `keepsake.phone` the pass is
-/// created just before the folder is complete, and it is valid from then on. postcard.png has the
-/// code only if the pass exists. postcard.jpg, which goes to the phone and may be passed on, never
-/// has the code, because the code allows deleting.
+/// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi,name.txt}` and,
+/// for the gallery, small.jpg and pot.txt. Then it tidies, but never removes the visit just
+/// written; Problems of tidy() are dropped here and come back at its next call. A visit is complete
+/// or absent even after a power cut, because it is written as `<name>.partial` and then renamed.
+/// Only folders that save() wrote are ever removed. On a Problem (exit 1) nothing unfinished is
+/// left. Blocks (worker thread); not twice at once for the same folder. With `keepsake.phone` the
+/// pass is created just before the folder is complete, and it is valid from then on. postcard.png
+/// has the code only if the pass exists. postcard.jpg, which goes to the phone and may be passed
+/// on, never has the code, because the code allows deleting.
 Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path& folder,
                            const KeepsakeLimits& limits);
 

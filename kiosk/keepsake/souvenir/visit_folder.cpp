@@ -13,6 +13,7 @@
 
 #include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/local_time.h"
+#include "kiosk/ground/files/read_file.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
 
 namespace onggi::souvenir {
@@ -34,8 +35,8 @@ bool is_plain(char c) {
 /// True for files that save() writes, or parts of one that a power cut left
 /// (".postcard.png.12-3.part").
 bool is_ours(const std::string& file) {
-  constexpr std::array<std::string_view, 8> names{kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl,
-                                                  kReplay,      kSmall,        kShown,  kTurning};
+  constexpr std::array<std::string_view, 9> names{
+      kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl, kReplay, kSmall, kShown, kSpoken, kTurning};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return file == name ||
            (file.starts_with("." + std::string(name) + ".") && file.ends_with(".part"));
@@ -58,22 +59,6 @@ bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
     bytes += fs::file_size(entry->path(), error);
   }
   return !error;
-}
-
-/// Renames first, so that a power cut leaves a leftover and not half a visit.
-Result<void> remove_visit(const fs::path& folder) {
-  fs::path going = folder;
-  going += kPartial;
-  std::error_code error;
-  // A power cut may have left a part of its turning picture there.
-  std::uintmax_t bytes = 0;
-  if (holds_only_ours(going, bytes)) fs::remove_all(going, error);
-  fs::rename(folder, going, error);
-  if (!error) fs::remove_all(going, error);
-  if (!error) return {};
-  return problem(folder.string(),
-                 "A visit's old keepsakes could not be removed: " + error.message() + ".",
-                 "Make the folder writable for onggi, or remove it.", 1);
 }
 
 /// The date from which the visit in `folder` ages, as in a name: its own date, or, if a wrong clock
@@ -113,6 +98,42 @@ bool is_leftover(const fs::path& folder) {
 }
 
 }  // namespace
+
+Result<void> remove_visit(const fs::path& folder) {
+  fs::path going = folder;
+  going += kPartial;
+  std::error_code error;
+  // A power cut may have left a part of its turning picture there.
+  std::uintmax_t bytes = 0;
+  if (holds_only_ours(going, bytes)) fs::remove_all(going, error);
+  fs::rename(folder, going, error);
+  if (!error) fs::remove_all(going, error);
+  if (!error) return {};
+  return problem(folder.string(),
+                 "A visit's old keepsakes could not be removed: " + error.message() + ".",
+                 "Make the folder writable for onggi, or remove it.", 1);
+}
+
+std::vector<NamedVisit> named_visits(const fs::path& folder) {
+  constexpr std::size_t kMostOfAName = 256;  // bytes
+  std::vector<NamedVisit> visits;
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    std::uintmax_t bytes = 0;
+    if (!is_visit_name(name) || name.ends_with(kPartial) || !holds_only_ours(entry->path(), bytes))
+      continue;
+    NamedVisit visit{name, {}};
+    if (const auto words = files::read_beneath(folder / name, kSpoken, kMostOfAName))
+      for (const auto byte : *words)
+        if (byte != '\n') visit.spoken += static_cast<char>(byte);
+    visits.push_back(std::move(visit));
+  }
+  std::sort(visits.begin(), visits.end(),
+            [](const NamedVisit& a, const NamedVisit& b) { return a.visit > b.visit; });
+  return visits;
+}
 
 bool is_visit_name(std::string_view name) { return files::begins_like(name, "9999-99-99_999999_"); }
 

@@ -5,6 +5,9 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
+
+#include "engine/base/result.h"
 
 namespace onggi::souvenir {
 
@@ -16,6 +19,9 @@ inline constexpr const char* kPotStl = "pot.stl";
 inline constexpr const char* kReplay = "visit.onggi";
 inline constexpr const char* kSmall = "small.jpg";  ///< The pot alone, for the gallery,
 inline constexpr const char* kShown = "pot.txt";    ///< and its facts for the gallery.
+
+/// The id of the three words that its visitor remembers it by.
+inline constexpr const char* kSpoken = "name.txt";
 
 /// The pot from all sides; added later than the others, or not at all.
 inline constexpr const char* kTurning = "turning.gif";
@@ -29,6 +35,18 @@ bool is_visit_name(std::string_view name);
 /// `wanted` as a folder name: letters, digits, '.', '-' and '_' stay, everything else becomes '_';
 /// at most 120 bytes. "" if it does not begin like a visit's name.
 std::string visit_name(std::string_view wanted);
+
+/// A whole visit in a folder of keepsakes.
+struct NamedVisit {
+  std::string visit;   ///< Its folder's name.
+  std::string spoken;  ///< The id of its name; "" if it has none.
+};
+/// Every whole visit in `folder`, newest first. Links are not followed. Blocks on the disk.
+std::vector<NamedVisit> named_visits(const std::filesystem::path& folder);
+
+/// Removes a visit: renames it first, so that a power cut leaves a leftover and not half a visit.
+/// Problem, exit 1. Blocks.
+Result<void> remove_visit(const std::filesystem::path& visit);
 
 /// A folder that is removed with its content unless it is kept.
 class PartialFolder {

@@ -54,6 +54,26 @@ TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
   EXPECT_FALSE(keepsakes.untidy());
 }
 
+TEST(Keepsakes, EachIsNamedByWhatTheFolderDoesNotHaveYet) {
+  const ScratchFolder scratch;
+  const auto count = [](const std::set<std::string>& taken) {
+    for (int n = 1;; ++n)
+      if (std::string name = "name-" + std::to_string(n); !taken.contains(name)) return name;
+  };
+  for (int n = 1; n <= 3; ++n) {
+    // Another kiosk each time: the folder alone knows.
+    Keepsakes keepsakes(scratch.path(), {100, 0}, 0.0, count);
+    souvenir::Keepsake keepsake;
+    keepsake.name = "2026-05-04_141503_jar";
+    keepsake.postcard = {2, 2, std::vector<std::uint8_t>(16, 128)};
+    keepsakes.save(std::move(keepsake));
+    keepsakes.wait();
+    const auto done = keepsakes.finished();
+    ASSERT_TRUE(done && done->outcome);
+    EXPECT_EQ(done->outcome->spoken, "name-" + std::to_string(n));
+  }
+}
+
 TEST(Keepsakes, APassIsGivenWhilePhonesAreAnsweredAndOnlyThen) {
   const ScratchFolder scratch;
   souvenir::OpenPasses passes(scratch.path());

@@ -54,6 +54,27 @@ TEST(keepsake, a_visit_is_a_folder_with_five_files) {
   EXPECT_THAT(names_in(scratch.path() / "keepsakes"), ElementsAre("2026-05-04_141503_moon_jar"));
 }
 
+TEST(keepsake, its_name_is_kept_with_it_and_found_again_the_newest_first) {
+  const ScratchFolder scratch;
+  Keepsake k = keepsake();
+  k.spoken = "quiet-blue-heron";
+  const auto files = save(k, scratch.path(), {100});
+  ASSERT_TRUE(files) << to_text(files.error());
+  EXPECT_EQ(files->spoken, "quiet-blue-heron");
+  put_visit(scratch.path(), "2026-06-04_141503_unnamed", 1);
+  put_visit(scratch.path(), "2026-06-04_141503_going.partial", 1);
+  put_visit(scratch.path(), "2026-06-04_141503_photos", 1);
+  std::ofstream(scratch.path() / "2026-06-04_141503_photos/of mine.txt") << "x";
+  const auto found = named_visits(scratch.path());
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].visit, "2026-06-04_141503_unnamed");
+  EXPECT_EQ(found[0].spoken, "");
+  EXPECT_EQ(found[1].visit, "2026-05-04_141503_moon_jar");
+  EXPECT_EQ(found[1].spoken, "quiet-blue-heron");
+  ASSERT_TRUE(remove_visit(scratch.path() / found[1].visit));
+  EXPECT_EQ(named_visits(scratch.path()).size(), 1u);
+}
+
 TEST(keepsake, what_is_empty_is_not_written) {
   const ScratchFolder scratch;
   Keepsake k = keepsake();
