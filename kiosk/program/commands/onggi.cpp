@@ -26,8 +26,8 @@ cli::Command onggi_command() {
               "Exit: 0 success, 1 a fault of the program or machine, 2 a mistake in the input.",
           .options = run.options,
           .commands = {run, visit_command(), replay_command(), check_command(), vessel_command(),
-                       score_command(), stats_command(), poster_command(), report_command(),
-                       lab_command(), devices_command(), setup_command()},
+                       score_command(), stats_command(), keepsake_command(), poster_command(),
+                       report_command(), lab_command(), devices_command(), setup_command()},
           .run = run.run};
 }
 
