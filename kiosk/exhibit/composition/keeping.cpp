@@ -1,6 +1,5 @@
 #include "kiosk/exhibit/composition/keeping.h"
 
-#include <random>
 #include <utility>
 
 #include "kiosk/exhibit/composition/words.h"
@@ -10,19 +9,14 @@ namespace onggi::exhibit {
 
 namespace {
 constexpr std::size_t kStampLength = sizeof("2026-05-04_141503") - 1;
-
-std::uint64_t random_seed() {
-  std::random_device device;
-  return (static_cast<std::uint64_t>(device()) << 32) | device();
-}
 }  // namespace
 
 Keeping::Keeping(const World& world, const std::filesystem::path& folder)
     : world_(world),
       keepsakes_(folder, {world.exhibit.keepsake.quota_mb, world.exhibit.keepsake.days},
                  world.exhibit.phone.address.empty() ? 0.0 : world.exhibit.phone.hours,
-                 [&names = world.names](const std::set<std::string>& taken) {
-                   return names.pick(random_seed(), taken);
+                 [&names = world.names](std::uint64_t seed, const std::set<std::string>& taken) {
+                   return names.pick(seed, taken);
                  }) {}
 
 void Keeping::look(double now) {
@@ -39,7 +33,9 @@ void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& 
   postcard_ = world_.renderer.make_picture(taken->keepsake.postcard);
   visit.show_postcard(postcard_);
   const encoding::Caption caption = taken->keepsake.caption;
-  kept_ticket_ = saving_ticket_ = keepsakes_.save(std::move(taken->keepsake));
+  // The clay names the pot, so that a scripted visit has the same pictures each time.
+  kept_ticket_ = saving_ticket_ =
+      keepsakes_.save(std::move(taken->keepsake), taken->visit.state_hash);
   if (world_.exhibit.keepsake.turning)
     turning_.begin(saving_ticket_, caption, wish.made, taken->glazing,
                    world_.wheel_host.view().clay, visit.shown_on().left_handed);

@@ -53,20 +53,21 @@ std::string Keepsakes::token() const {
   return souvenir::Passes::new_token().value_or("");
 }
 
-int Keepsakes::save(souvenir::Keepsake keepsake) {
+int Keepsakes::save(souvenir::Keepsake keepsake, std::uint64_t name_seed) {
   // Each save waits for the one before: two at once would each check the quota without the other.
   std::shared_future<Finished> before;
   if (!saving_.empty()) before = saving_.back();
   const int ticket = ++tickets_;
-  saving_.push_back(std::async(std::launch::async, [this, ticket, before, tidying = tidying_,
-                                                    kept = std::move(keepsake)]() mutable {
-                      wait_out(before);
-                      wait_out(tidying);
-                      souvenir::Keepsake mine = std::move(kept);
-                      const std::lock_guard one_at_a_time(folder_in_use_);
-                      if (namer_) mine.spoken = namer_(spoken_in(folder_));
-                      return Finished{ticket, souvenir::save(mine, folder_, limits_)};
-                    }).share());
+  saving_.push_back(
+      std::async(std::launch::async, [this, ticket, before, name_seed, tidying = tidying_,
+                                      kept = std::move(keepsake)]() mutable {
+        wait_out(before);
+        wait_out(tidying);
+        souvenir::Keepsake mine = std::move(kept);
+        const std::lock_guard one_at_a_time(folder_in_use_);
+        if (namer_) mine.spoken = namer_(name_seed, spoken_in(folder_));
+        return Finished{ticket, souvenir::save(mine, folder_, limits_)};
+      }).share());
   last_save_ = {ticket, saving_.back()};
   return ticket;
 }

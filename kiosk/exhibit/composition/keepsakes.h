@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -24,8 +25,8 @@ class Keepsakes {
  public:
   static constexpr double kTidy = 24 * 3600.0;  ///< s
 
-  /// The id of a name that none of these has; called on the worker.
-  using Namer = std::function<std::string(const std::set<std::string>& taken)>;
+  /// The id of a name that is not in `taken`, the same for the same `seed`; called on the worker.
+  using Namer = std::function<std::string(std::uint64_t seed, const std::set<std::string>& taken)>;
   /// If `phone_hours` is over 0, phones may fetch a keepsake for that long. Without `namer`
   /// keepsakes have no names.
   Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limits, double phone_hours = 0.0,
@@ -35,8 +36,8 @@ class Keepsakes {
   /// A token for the next keepsake's QR code; "" if phones may not fetch it or nobody answers them
   /// now.
   std::string token() const;
-  /// Begins a save; returns its ticket (> 0) for finished().
-  int save(souvenir::Keepsake keepsake);
+  /// Begins a save; returns its ticket (> 0) for finished(). `name_seed`: for the namer.
+  int save(souvenir::Keepsake keepsake, std::uint64_t name_seed = 0);
 
   struct Finished {
     int ticket = 0;

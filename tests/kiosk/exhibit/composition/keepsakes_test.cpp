@@ -56,7 +56,7 @@ TEST(Keepsakes, AFolderThatNobodySavesIntoIsTidiedAtTheStartAndOnceADay) {
 
 TEST(Keepsakes, EachIsNamedByWhatTheFolderDoesNotHaveYet) {
   const ScratchFolder scratch;
-  const auto count = [](const std::set<std::string>& taken) {
+  const auto count = [](std::uint64_t, const std::set<std::string>& taken) {
     for (int n = 1;; ++n)
       if (std::string name = "name-" + std::to_string(n); !taken.contains(name)) return name;
   };
