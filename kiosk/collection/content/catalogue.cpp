@@ -146,6 +146,13 @@ Problem no_shelf(const fs::path& folder, const std::error_code& error) {
           "Name a folder of vessels that the kiosk can read."};
 }
 
+Problem too_many(const fs::path& folder, std::size_t vessels) {
+  return {folder.string(),
+          "the shelf has " + std::to_string(vessels) + " vessels, and the kiosk shows " +
+              std::to_string(kMostOnShelf) + " at the most, the first by name.",
+          "Move vessels to another folder, for another exhibit."};
+}
+
 std::string mm(double metres) { return std::to_string(std::lround(1000.0 * metres)) + " mm"; }
 
 /// Compares the drawing, the published sizes and the mesh.
@@ -214,6 +221,7 @@ Result<void> read_shelf(const fs::path& folder, ShelfWatcher& watcher,
   std::vector<Entry> entries = arranged(entries_of(folder, error), arrangement);
   if (error) return tl::unexpected<Problem>(no_shelf(folder, error));
   std::erase_if(entries, [](const Entry& entry) { return is_unfinished(entry.path); });
+  if (entries.size() > kMostOnShelf) entries.resize(kMostOnShelf);
   std::atomic<std::size_t> next{0};
   std::mutex one_at_a_time;
   const auto work = [&] {
@@ -289,6 +297,7 @@ ShelfCheck check_shelf(const fs::path& path, const settings::ReaderLimits& limit
     arrange(*vessels, arrangement, &check.hidden);
     for (const Vessel& vessel : *vessels) check.ids.push_back(vessel.id);
   }
+  if (check.ids.size() > kMostOnShelf) check.problems.push_back(too_many(path, check.ids.size()));
   return check;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <stop_token>
 #include <string>
@@ -9,6 +10,9 @@
 #include "kiosk/collection/settings/translations.h"
 
 namespace onggi::content {
+
+/// The most vessels on a shelf: with more, one frame measures labels for over half a second.
+inline constexpr std::size_t kMostOnShelf = 500;
 
 /// Receives each entry of a shelf as it is read, from any thread but one call at a time.
 class ShelfWatcher {
@@ -29,8 +33,8 @@ struct Arrangement {
 /// Opens a folder: `<id>/{vessel.glb,vessel.toml}` packs, and loose .glb/.gltf files (also one
 /// folder down). A file of several objects that stand apart brings each that is a vessel. Reads on
 /// as many threads as there are processors, for the screen (LoadOptions::for_screen), and tells
-/// `watcher` about each entry; a broken one is a Problem of its own. Problem if the folder cannot
-/// be listed.
+/// `watcher` about each entry, of the first kMostOnShelf by name; a broken one is a Problem of its
+/// own. Problem if the folder cannot be listed.
 Result<void> read_shelf(const std::filesystem::path& folder, ShelfWatcher& watcher,
                         const settings::ReaderLimits& limits = {},
                         const Arrangement& arrangement = {});

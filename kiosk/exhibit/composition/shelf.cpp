@@ -60,6 +60,7 @@ void Shelf::take(double now) {
       continue;
     }
     for (content::Vessel& vessel : *read) {
+      if (cards_.size() == content::kMostOnShelf) break;
       content::translate(vessel, exhibit_.translations);
       vessels_.push_back(std::move(vessel));
       screens::ShelfCard card;

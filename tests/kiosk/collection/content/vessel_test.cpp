@@ -215,6 +215,27 @@ TEST_F(VesselTest, check_counts_what_it_saw_and_says_more_than_opening_does) {
   EXPECT_NE(strict.problems[1].what.find("wide"), std::string::npos);
 }
 
+// With a thousand vessels one frame measured labels for 0.55 s.
+TEST_F(VesselTest, a_shelf_that_is_too_long_for_a_frame_is_named_and_shown_as_far_as_it_may_be) {
+  const auto put = [&](std::size_t n) {
+    const std::string number = std::to_string(1000 + n);
+    write("shelf/v" + number + ".glb", "glTF but no more");
+  };
+  for (std::size_t n = 0; n < kMostOnShelf; ++n) put(n);
+  const auto too_long = [&] {
+    std::vector<Problem> found;
+    for (const Problem& problem : check_shelf(folder_ / "shelf").problems)
+      if (problem.where == (folder_ / "shelf").string()) found.push_back(problem);
+    return found;
+  };
+  EXPECT_TRUE(too_long().empty());
+  put(kMostOnShelf);
+  const auto found = too_long();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].what.find("501 vessels"), std::string::npos);
+  EXPECT_EQ(open_shelf(folder_ / "shelf").entries, kMostOnShelf);
+}
+
 TEST_F(VesselTest, real_vessels_have_the_size_and_the_axis_that_their_list_gives) {
   if (!fs::exists(kVessels)) GTEST_SKIP() << "there is no " << kVessels;
   const OpenedShelf shelf = open_shelf(kVessels);
