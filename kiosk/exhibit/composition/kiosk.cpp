@@ -75,7 +75,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
           std::make_unique<StudioSound>(*kiosk->wheel_host_, kiosk->exhibit_.sound.volume);
   }
   kiosk->pot_ = std::make_unique<PotOnWheel>(*kiosk->scenes_, *kiosk->wheel_host_,
-                                             *kiosk->renderer_, options.seed);
+                                             *kiosk->renderer_, options.seed, options.stepped);
   kiosk->keeping_ = std::make_unique<Keeping>(
       Keeping::World{kiosk->exhibit_, kiosk->languages_, kiosk->names_, *kiosk->renderer_,
                      *kiosk->wheel_host_, kiosk->todays_.get(), kiosk->counter_.get()},
@@ -297,6 +297,7 @@ bool Kiosk::frame(double now, bool draw) {
   visit_->update(now);
   while (auto request = visit_->take_request())
     std::visit([this](const auto& wish) { carry_out(wish); }, *request);
+  put_pot();
   while ((shelf_->draw_next_picture(*renderer_) || missions_->draw_next_picture(*renderer_)) &&
          stepped_ != nullptr) {
   }
@@ -326,11 +327,16 @@ view::Frame Kiosk::opening_frame() const {
 }
 
 void Kiosk::carry_out(const screens::StartPot& request) {
-  const screens::ShelfCard* wanted = card(request.card);
+  if (const screens::ShelfCard* wanted = card(request.card)) pot_->start(request, *wanted);
+}
+
+void Kiosk::put_pot() {
+  if (!pot_->made()) return;
+  const screens::ShelfCard* wanted = card(pot_->wished_card());
   if (wanted == nullptr) return;
-  if (const auto started = pot_->start(request, *wanted); !started) {
-    files::log_problem(started.error());
-    visit_->fail(started.error());
+  if (const auto put = pot_->put(*wanted); !put) {
+    files::log_problem(put.error());
+    visit_->fail(put.error());
   }
 }
 

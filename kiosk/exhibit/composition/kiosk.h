@@ -122,6 +122,8 @@ class Kiosk {
   Capabilities able();
   void begin_visit(double now);
   void carry_out(const screens::StartPot& request);
+  /// Puts the pot that was asked for on the wheel, once it is made.
+  void put_pot();
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::VisitEnded& request);
   std::vector<view::InputEvent> look_after_devices(double now);

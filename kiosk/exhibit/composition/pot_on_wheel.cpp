@@ -1,41 +1,82 @@
 #include "kiosk/exhibit/composition/pot_on_wheel.h"
 
-#include <memory>
+#include <chrono>
 #include <utility>
 
 #include "engine/scene/lump.h"
-#include "engine/script/script.h"
 #include "kiosk/exhibit/composition/vessel_model.h"
 #include "kiosk/ground/files/log.h"
 
 namespace onggi::exhibit {
 
 PotOnWheel::PotOnWheel(const Scenes& scenes, loop::WheelHost& wheel_host,
-                       render::Renderer& renderer, std::uint64_t seed)
-    : scenes_(scenes), wheel_host_(wheel_host), renderer_(renderer), seed_(seed) {}
+                       render::Renderer& renderer, std::uint64_t seed, bool at_once)
+    : scenes_(scenes),
+      wheel_host_(wheel_host),
+      renderer_(renderer),
+      at_once_(at_once),
+      seed_(seed) {}
 
-Result<void> PotOnWheel::start(const screens::StartPot& wish, const screens::ShelfCard& card) {
-  SceneDef def = scenes_.of(card.vessel->id);
-  def.clay = lump_for(card.target, def);
-  auto scene = Scene::create(def);
-  if (!scene) return tl::unexpected(scene.error());
-  def_ = def;
-  card_ = wish.card;
-  wheel_host_.start(std::make_unique<Scene>(std::move(*scene)));
+PotOnWheel::Made PotOnWheel::make(Order order) {
+  Made made{order.def, {}, {}};
+  auto scene = Scene::create(order.def);
+  if (scene)
+    made.scene = std::make_unique<Scene>(std::move(*scene));
+  else
+    made.scene = tl::unexpected(scene.error());
+  if (!order.script.empty())
+    made.script = make_script(order.script, {order.def, &order.target, order.seed});
+  return made;
+}
+
+void PotOnWheel::begin(Order order) {
+  making_ =
+      std::async(at_once_ ? std::launch::deferred : std::launch::async, make, std::move(order));
+}
+
+void PotOnWheel::start(const screens::StartPot& wish, const screens::ShelfCard& card) {
+  Order order;
+  order.def = scenes_.of(card.vessel->id);
+  order.def.clay = lump_for(card.target, order.def);
+  order.target = card.target;
+  if (wish.scripted) order.script = wish.script;
+  order.seed = seed_ + ++pots_;
+  wish_ = wish;
+  if (making_.valid())
+    waiting_ = std::move(order);
+  else
+    begin(std::move(order));
+}
+
+bool PotOnWheel::made() {
+  if (!making_.valid()) return false;
+  const auto ready = [this] {
+    return at_once_ || making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  if (!ready()) return false;
+  if (!waiting_) return true;
+  making_.get();
+  begin(*std::exchange(waiting_, std::nullopt));
+  return ready();
+}
+
+Result<void> PotOnWheel::put(const screens::ShelfCard& card) {
+  Made made = making_.get();
+  if (!made.scene) return tl::unexpected(made.scene.error());
+  def_ = std::move(made.def);
+  card_ = wish_.card;
+  wheel_host_.start(std::move(*made.scene));
   renderer_.show_clay(wheel_host_.view().clay);
-  ++pots_;
-  if (!wish.scripted) {
+  if (!wish_.scripted) {
     wheel_host_.record(card.vessel->id, seed_);
     show_vessel(renderer_, card);
     return {};
   }
   wheel_host_.show();
-  if (wish.script.empty()) return {};
-  auto script = make_script(wish.script, {def, &card.target, seed_ + pots_});
-  if (script)
-    wheel_host_.play(std::move(*script));
-  else
-    files::log_problem(script.error());
+  if (!made.script)
+    files::log_problem(made.script.error());
+  else if (*made.script)
+    wheel_host_.play(std::move(*made.script));
   return {};
 }
 

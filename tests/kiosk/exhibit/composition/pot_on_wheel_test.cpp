@@ -1,0 +1,97 @@
+#include "kiosk/exhibit/composition/pot_on_wheel.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <deque>
+#include <fstream>
+#include <thread>
+#include <vector>
+
+#include "engine/scene/lump.h"
+#include "kiosk/ground/files/monotonic.h"
+#include "kiosk/wheel/loop/stepped_wheel.h"
+#include "tests/engine/profile/shapes.h"
+#include "tests/kiosk/exhibit/composition/no_renderer.h"
+#include "tests/kiosk/ground/files/disk.h"
+
+namespace onggi::exhibit {
+namespace {
+
+class Nowhere final : public test::NoRenderer {};
+
+/// A wheel, and two vessels: the first is thrown on the largest grid that onggi check accepts.
+class PotOnWheelTest : public ::testing::Test {
+ protected:
+  PotOnWheelTest() {
+    write("large.toml", "[clay]\nrows = 2048\nsectors = 2048\n[walls]\n");
+    write("small.toml", "[clay]\nrows = 60\nsectors = 48\n[walls]\n");
+    exhibit.scene = folder.path() / "small.toml";
+    exhibit.vessel_scenes["large"] = folder.path() / "large.toml";
+    for (const char* id : {"large", "small"}) {
+      vessels.emplace_back().id = id;
+      vessels.back().mesh = revolve(section_of(shapes::jar()), 12);
+      cards.push_back({&vessels.back(), 0, {}, 1.0, {}});
+      cards.back().target = scaled(shapes::jar(), workspace_scale(shapes::jar()));
+    }
+  }
+  void write(const char* name, const char* text) const {
+    std::ofstream(folder.path() / name) << text;
+  }
+  static void wait(PotOnWheel& pot) {
+    for (int n = 0; n < 20'000 && !pot.made(); ++n)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(pot.made());
+  }
+
+  files::test::ScratchFolder folder;
+  settings::Exhibit exhibit;
+  std::deque<content::Vessel> vessels;
+  std::vector<screens::ShelfCard> cards;
+  loop::SteppedWheel wheel;
+  Nowhere renderer;
+};
+
+// In attract a frame stood for 0.8 s at each new pot.
+TEST_F(PotOnWheelTest, NoFrameMakesALumpOnTheLargestGrid) {
+  const Scenes scenes(exhibit);
+  PotOnWheel pot(scenes, wheel, renderer, 1, false);
+  const double before = files::thread_seconds();
+  pot.start({0, true, "follow"}, cards[0]);
+  const double asked = files::thread_seconds() - before;
+  wait(pot);
+  ASSERT_TRUE(pot.put(cards[0]));
+  EXPECT_EQ(pot.def().clay.rows, 2048);
+  EXPECT_EQ(pot.card(), 0);
+  EXPECT_LT(asked, 0.05);
+}
+
+TEST_F(PotOnWheelTest, AWishThatComesWhileALumpIsMadeReplacesIt) {
+  const Scenes scenes(exhibit);
+  PotOnWheel pot(scenes, wheel, renderer, 1, false);
+  pot.start({0, true, "follow"}, cards[0]);
+  pot.start({0, false, ""}, cards[0]);
+  pot.start({1, false, ""}, cards[1]);
+  wait(pot);
+  EXPECT_EQ(pot.wished_card(), 1);
+  ASSERT_TRUE(pot.put(cards[1]));
+  EXPECT_EQ(pot.def().clay.rows, 60);
+  EXPECT_EQ(pot.card(), 1);
+  EXPECT_FALSE(pot.made());
+  wheel.advance(3);
+  EXPECT_FALSE(wheel.status().scripted) << "a visitor's own hands";
+}
+
+TEST_F(PotOnWheelTest, ASteppedVisitHasItsPotAtOnce) {
+  const Scenes scenes(exhibit);
+  PotOnWheel pot(scenes, wheel, renderer, 1, true);
+  EXPECT_FALSE(pot.made());
+  pot.start({1, true, "follow"}, cards[1]);
+  ASSERT_TRUE(pot.made());
+  ASSERT_TRUE(pot.put(cards[1]));
+  wheel.advance(3);
+  EXPECT_TRUE(wheel.status().scripted);
+}
+
+}  // namespace
+}  // namespace onggi::exhibit
